@@ -1,0 +1,47 @@
+# Flags that every target of ours shares.
+#
+# Arithmetic is deterministic: no contraction into fused multiply-adds, never fast-math, so that the
+# same inputs give the same bits on every instruction set.
+add_library(slackwater_options INTERFACE)
+target_include_directories(slackwater_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+target_compile_options(slackwater_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+if(SLACKWATER_WERROR)
+  target_compile_options(slackwater_options INTERFACE -Werror)
+endif()
+if(SLACKWATER_SANITIZE)
+  target_compile_options(slackwater_options INTERFACE -fsanitize=${SLACKWATER_SANITIZE} -fno-omit-frame-pointer
+                         -fno-sanitize-recover=all)
+  target_link_options(slackwater_options INTERFACE -fsanitize=${SLACKWATER_SANITIZE})
+endif()
+if(SLACKWATER_COVERAGE)
+  target_compile_options(slackwater_options INTERFACE --coverage)
+  target_link_options(slackwater_options INTERFACE --coverage)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# slackwater_room(<name> [LINK <public targets>] [PRIVATE <private targets>])
+#
+# One static library per room, from every .cc below the folder, under the name slackwater::<name>.
+function(slackwater_room name)
+  cmake_parse_arguments(ROOM "" "FOLDER" "LINK;PRIVATE;EXCLUDE" ${ARGN})
+  if(NOT ROOM_FOLDER)
+    set(ROOM_FOLDER ${CMAKE_CURRENT_SOURCE_DIR})
+  endif()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ROOM_FOLDER}/*.cc)
+  foreach(pattern ${ROOM_EXCLUDE})
+    list(FILTER sources EXCLUDE REGEX ${pattern})
+  endforeach()
+  if(NOT sources)
+    file(WRITE ${CMAKE_BINARY_DIR}/empty_${name}.cc "")
+    set(sources ${CMAKE_BINARY_DIR}/empty_${name}.cc)
+  endif()
+  add_library(slackwater_${name} STATIC ${sources})
+  add_library(slackwater::${name} ALIAS slackwater_${name})
+  target_link_libraries(slackwater_${name} PUBLIC slackwater_options ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE})
+endfunction()

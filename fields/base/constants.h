@@ -1,0 +1,18 @@
+#pragma once
+
+/// Physical constants, SI. One place, each with its source.
+namespace slackwater::constants {
+
+inline constexpr double pi = 3.141592653589793238462643383279502884;
+/// Sidereal rotation rate of the Earth (IERS Conventions 2010, table 1.2).
+inline constexpr double earth_rotation_rad_s = 7.292115e-5;
+/// Standard gravity (CGPM 1901).
+inline constexpr double gravity_m_s2 = 9.80665;
+/// Sea water of 35 psu near 10 degrees C (UNESCO 1981 equation of state gives 1026.95 at 0 dbar).
+inline constexpr double sea_water_density_kg_m3 = 1025.0;
+/// ISO 2533 sea-level air.
+inline constexpr double air_density_kg_m3 = 1.225;
+/// Mean Earth radius (IUGG R1), for distances on a sphere where metres do not matter.
+inline constexpr double earth_radius_m = 6371008.8;
+
+}  // namespace slackwater::constants

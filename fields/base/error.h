@@ -1,0 +1,54 @@
+#pragma once
+#include <exception>
+#include <source_location>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace slackwater {
+
+/// What kind of trouble an `Error` is; each kind has one exit code (api/cli) and one HTTP status (api/http).
+enum class ErrorKind {
+  internal,       ///< ours to mend
+  usage,          ///< the command line makes no sense
+  invalid_input,  ///< a file, a unit, a YAML key is wrong
+  not_found,      ///< no such file, site, forecast or day
+  unavailable,    ///< disk full, store locked or not writable, library refused
+  not_converged,  ///< the calibration found no minimum
+};
+
+/// The name of a kind as it stands in JSON and messages, e.g. "invalid_input".
+[[nodiscard]] std::string_view name_of(ErrorKind kind) noexcept;
+
+/// Bad input or environment (STYLE: family 2). The message says what was found, what was expected and what to do.
+class Error : public std::exception {
+ public:
+  Error(ErrorKind kind, std::string message,
+        std::source_location where = std::source_location::current());
+
+  [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
+  /// The whole chain, outermost context first: "reading wind.nc: variable u10: unit 'K' ...".
+  [[nodiscard]] const std::string& message() const noexcept { return message_; }
+  [[nodiscard]] const char* what() const noexcept override { return message_.c_str(); }
+  [[nodiscard]] const std::source_location& where() const noexcept { return where_; }
+  /// Puts "context: " in front of the message.
+  void prepend(std::string_view context);
+
+ private:
+  ErrorKind kind_;
+  std::string message_;
+  std::source_location where_;
+};
+
+/// Runs `work`; an `Error` that leaves it carries `context` in front of its message.
+template <typename Work>
+decltype(auto) with_context(std::string_view context, Work&& work) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (Error& error) {
+    error.prepend(context);
+    throw;
+  }
+}
+
+}  // namespace slackwater

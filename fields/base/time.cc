@@ -1,0 +1,157 @@
+#include "fields/base/time.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+
+#include "fields/base/error.h"
+
+namespace slackwater {
+namespace {
+
+using std::chrono::floor;
+
+/// Reads exactly `digits` decimal digits at `position`, which moves past them.
+std::optional<int> read_digits(std::string_view text, std::size_t& position, std::size_t digits) {
+  if (position + digits > text.size()) return std::nullopt;
+  int value = 0;
+  for (std::size_t i = 0; i < digits; ++i) {
+    const char c = text[position + i];
+    if (c < '0' || c > '9') return std::nullopt;
+    value = value * 10 + (c - '0');
+  }
+  position += digits;
+  return value;
+}
+
+bool read_char(std::string_view text, std::size_t& position, char wanted) {
+  if (position >= text.size() || text[position] != wanted) return false;
+  ++position;
+  return true;
+}
+
+std::optional<UtcDay> read_day(std::string_view text, std::size_t& position) {
+  const auto year = read_digits(text, position, 4);
+  if (!year || !read_char(text, position, '-')) return std::nullopt;
+  const auto month = read_digits(text, position, 2);
+  if (!month || !read_char(text, position, '-')) return std::nullopt;
+  const auto day = read_digits(text, position, 2);
+  if (!day) return std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(*year),
+                                         std::chrono::month(static_cast<unsigned>(*month)),
+                                         std::chrono::day(static_cast<unsigned>(*day))};
+  if (!date.ok()) return std::nullopt;
+  return UtcDay(date);
+}
+
+std::optional<UtcTime> read_time(std::string_view text) {
+  std::size_t position = 0;
+  const auto day = read_day(text, position);
+  if (!day || !read_char(text, position, 'T')) return std::nullopt;
+  const auto hour = read_digits(text, position, 2);
+  if (!hour || *hour > 24 || !read_char(text, position, ':')) return std::nullopt;
+  const auto minute = read_digits(text, position, 2);
+  if (!minute || *minute > 59) return std::nullopt;
+  int second = 0;
+  int millisecond = 0;
+  if (read_char(text, position, ':')) {
+    const auto read = read_digits(text, position, 2);
+    if (!read || *read > 59) return std::nullopt;
+    second = *read;
+    if (read_char(text, position, '.')) {
+      int scale = 100;
+      std::size_t count = 0;
+      while (position < text.size() && text[position] >= '0' && text[position] <= '9') {
+        millisecond += scale * (text[position] - '0');
+        scale /= 10;
+        ++position;
+        ++count;
+      }
+      if (count == 0) return std::nullopt;
+    }
+  }
+  if (!read_char(text, position, 'Z') || position != text.size()) return std::nullopt;
+  if (*hour == 24 && (*minute != 0 || second != 0 || millisecond != 0)) return std::nullopt;
+  return UtcTime(*day) + std::chrono::hours(*hour) + std::chrono::minutes(*minute) +
+         std::chrono::seconds(second) + Duration(millisecond);
+}
+
+}  // namespace
+
+UtcTime parse_utc(std::string_view text) {
+  if (const auto time = read_time(text)) return *time;
+  throw Error(ErrorKind::invalid_input,
+              "found '" + std::string(text) +
+                  "' where a UTC time was expected; write it as 2024-02-29T12:00:00Z, with the Z");
+}
+
+UtcDay parse_day(std::string_view text) {
+  std::size_t position = 0;
+  const auto day = read_day(text, position);
+  if (day && position == text.size()) return *day;
+  throw Error(ErrorKind::invalid_input, "found '" + std::string(text) +
+                                            "' where a UTC day was expected; write it as 2024-02-29");
+}
+
+std::string format_day(UtcDay day) {
+  const std::chrono::year_month_day date(day);
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%04d-%02u-%02u", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
+  return buffer.data();
+}
+
+std::string format_utc(UtcTime time) {
+  const auto day = floor<std::chrono::days>(time);
+  const auto ms = (time - day).count();
+  std::array<char, 32> buffer{};
+  const auto clock = [&](const char* form, long fraction) {
+    std::snprintf(buffer.data(), buffer.size(), form, static_cast<int>(ms / 3600000),
+                  static_cast<int>(ms / 60000 % 60), static_cast<int>(ms / 1000 % 60), fraction);
+  };
+  if (ms % 1000 == 0) {
+    clock("T%02d:%02d:%02dZ", 0);
+  } else {
+    clock("T%02d:%02d:%02d.%03ldZ", ms % 1000);
+  }
+  return format_day(day) + buffer.data();
+}
+
+Duration parse_duration(std::string_view text) {
+  const auto refuse = [&] {
+    return Error(ErrorKind::invalid_input,
+                 "found '" + std::string(text) +
+                     "' where a duration was expected; write it as 72h, 90min, 3d or 1h30min");
+  };
+  Duration total{0};
+  std::string_view rest = text;
+  if (rest.empty()) throw refuse();
+  while (!rest.empty()) {
+    long count = 0;
+    const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), count);
+    if (problem != std::errc() || count < 0 || count > 100000) throw refuse();
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    if (rest.starts_with("min")) {
+      total += std::chrono::minutes(count);
+      rest.remove_prefix(3);
+    } else if (rest.starts_with("h")) {
+      total += std::chrono::hours(count);
+      rest.remove_prefix(1);
+    } else if (rest.starts_with("d")) {
+      total += std::chrono::days(count);
+      rest.remove_prefix(1);
+    } else {
+      throw refuse();
+    }
+  }
+  return total;
+}
+
+bool belongs_to_day(const TimeCell& cell, UtcDay day) noexcept {
+  const UtcTime from(day);
+  const UtcTime to = from + std::chrono::days(1);
+  return cell.start >= from && cell.end <= to;
+}
+
+}  // namespace slackwater
