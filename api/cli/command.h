@@ -1,0 +1,45 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "data/store/store.h"
+#include "fields/base/error.h"
+#include "fields/base/time.h"
+
+namespace CLI {
+class App;
+}
+
+namespace slackwater::api {
+
+/// What every subcommand has: the store, `--json`, and the present moment.
+struct Context {
+  std::filesystem::path store_folder;
+  bool json = false;
+  std::string at;                      ///< `--at`, else the clock
+
+  [[nodiscard]] UtcTime now() const;
+  [[nodiscard]] store::Store open(store::OpenMode mode) const;
+};
+
+/// Exit code of an error kind (DESIGN §5): 1 internal, 2 usage, 3 invalid input, 4 not found, 5 unavailable, 6 not
+/// converged.
+[[nodiscard]] int exit_code(ErrorKind kind) noexcept;
+
+/// Parses and runs a command line; prints results on stdout, trouble on stderr. @return the exit code.
+int run_command_line(int argc, const char* const* argv);
+
+// One file each in api/cli; each adds its subcommand to the app.
+void add_ingest(CLI::App& app, Context& context);
+void add_forecast(CLI::App& app, Context& context);
+void add_hindcast(CLI::App& app, Context& context);
+void add_profile(CLI::App& app, Context& context);
+void add_verify(CLI::App& app, Context& context);
+void add_store(CLI::App& app, Context& context);
+void add_site(CLI::App& app, Context& context);
+void add_demo(CLI::App& app, Context& context);
+
+}  // namespace slackwater::api

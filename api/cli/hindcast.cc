@@ -1,0 +1,70 @@
+#include "api/pipeline/hindcast.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <thread>
+
+#include "api/cli/command.h"
+#include "api/cli/progress.h"
+#include "api/pipeline/paths.h"
+
+namespace slackwater::api {
+namespace {
+
+struct HindcastArguments {
+  std::string site;
+  std::string from;
+  std::string to;
+  std::string wind = "best";
+  std::string latency = "0h";
+  std::string horizon = "72h";
+  std::string bands;
+  std::string levels = "native";
+  bool per_column = false;
+};
+
+void run_hindcast(const HindcastArguments& arguments, const Context& context) {
+  const Site site = find_site(arguments.site, site_folders(context.store_folder));
+  HindcastOptions options;
+  options.from = parse_day(arguments.from);
+  options.to = parse_day(arguments.to);
+  options.wind = wind_policy_from(arguments.wind);
+  options.latency = parse_duration(arguments.latency);
+  options.horizon = parse_duration(arguments.horizon);
+  options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (!arguments.bands.empty()) options.verify.bands = parse_bands(arguments.bands);
+  options.verify.per_column = arguments.per_column;
+  store::Store store = context.open(store::OpenMode::create_or_write);
+  HindcastReport report;
+  {
+    ProgressBar bar("hindcast", context.json);
+    report = hindcast(store, site, options, [&](double share) { bar.update(share); });
+  }
+  if (context.json) {
+    std::printf("%s\n", skill_json(report.skill).c_str());
+  } else {
+    std::printf("%s: %zu forecasts issued as of their days\n%s", site.name.c_str(), report.forecasts.size(),
+                skill_table(report.skill).c_str());
+  }
+  for (const std::string& line : report.skipped) std::fprintf(stderr, "skipped %s\n", line.c_str());
+}
+
+}  // namespace
+
+void add_hindcast(CLI::App& app, Context& context) {
+  auto arguments = std::make_shared<HindcastArguments>();
+  CLI::App* command = app.add_subcommand("hindcast", "The daily job over a past period as if live, then its skill");
+  command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file")->required();
+  command->add_option("--from", arguments->from, "first day D")->required();
+  command->add_option("--to", arguments->to, "last day D")->required();
+  command->add_option("--wind", arguments->wind, "best | forecast | persist (default best)");
+  command->add_option("--latency", arguments->latency, "how late a day's data arrive after it ends (default 0h)");
+  command->add_option("--horizon", arguments->horizon, "how far beyond the end of D (default 72h)");
+  command->add_option("--bands", arguments->bands, "edges of depth bands in metres, e.g. 0,150");
+  command->add_option("--levels", arguments->levels, "native: score on the truth's own levels")
+      ->check(CLI::IsMember({"native"}));
+  command->add_flag("--per-column", arguments->per_column, "also score each column of the site");
+  command->callback([arguments, &context] { run_hindcast(*arguments, context); });
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,80 @@
+#include "api/pipeline/site.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "api/cli/command.h"
+#include "api/pipeline/daily_job.h"
+#include "api/pipeline/paths.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+using std::chrono::days;
+
+/// Reads the site as every command does, then says what the store offers it.
+void run_site_check(const std::string& name, const Context& context) {
+  const Site site = find_site(name, site_folders(context.store_folder));
+  json out = {{"id", site.id},
+              {"name", site.name},
+              {"latitude_deg", site.point.latitude_deg()},
+              {"longitude_deg", site.point.longitude_deg()},
+              {"valid", true}};
+  if (!context.json) {
+    std::printf("%s (%s): %.4f N %.4f E\n", site.name.c_str(), site.id.c_str(), site.point.latitude_deg(),
+                site.point.longitude_deg());
+  }
+  std::string data_line = "no store at " + context.store_folder.string() + ": nothing to compare with";
+  out["store"] = nullptr;
+  if (std::filesystem::exists(context.store_folder)) {
+    store::Store store = context.open(store::OpenMode::read_only);
+    const UtcTime now = context.now();
+    try {
+      const SiteData data = load_site_data(store, site, now - history_read, now + days(15));
+      const auto day = newest_whole_day(data, now);
+      const ColumnData& column = data.columns.front();
+      out["store"] = {{"columns", data.columns.size()},
+                      {"dry_columns", data.dry_columns},
+                      {"water_depth_m", column.water_depth.depth_m},
+                      {"water_depth_source", column.water_depth.source},
+                      {"newest_whole_day", day ? json(format_day(*day)) : json(nullptr)},
+                      {"has_wind", !column.wind.pieces.empty()},
+                      {"has_waves", !column.significant_height.pieces.empty()}};
+      char text[240];
+      std::snprintf(text, sizeof text, "%zu columns (%zu dry), %.1f m of water (%s), newest whole day of currents %s, wind %s, waves %s",
+                    data.columns.size(), data.dry_columns, column.water_depth.depth_m,
+                    column.water_depth.source.c_str(), day ? format_day(*day).c_str() : "none",
+                    column.wind.pieces.empty() ? "no" : "yes", column.significant_height.pieces.empty() ? "no" : "yes");
+      data_line = text;
+    } catch (const Error& problem) {
+      if (problem.kind() != ErrorKind::not_found) throw;
+      out["store_problem"] = problem.message();
+      data_line = problem.message();
+    }
+  }
+  std::printf("%s\n", context.json ? out.dump(2).c_str() : data_line.c_str());
+}
+
+}  // namespace
+
+void add_site(CLI::App& app, Context& context) {
+  CLI::App* command = app.add_subcommand("site", "Check a site's description, or list the known sites");
+  command->require_subcommand(1);
+  auto name = std::make_shared<std::string>();
+  CLI::App* check = command->add_subcommand("check", "Is the YAML sound, and what does the store hold for it?");
+  check->add_option("site", *name, "id, or path of the YAML file")->required();
+  check->add_option("--at", context.at, "the present moment (default: the clock)");
+  check->callback([name, &context] { run_site_check(*name, context); });
+  command->add_subcommand("list", "Known sites")->callback([&context] {
+    const auto ids = known_sites(site_folders(context.store_folder));
+    if (context.json) {
+      std::printf("%s\n", json(ids).dump(2).c_str());
+    } else {
+      for (const std::string& id : ids) std::printf("%s\n", id.c_str());
+    }
+  });
+}
+
+}  // namespace slackwater::api

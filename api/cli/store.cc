@@ -1,0 +1,159 @@
+#include "data/store/store.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "api/cli/command.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+std::string dumped(const json& document) {
+  return document.dump(2, ' ', false, json::error_handler_t::replace);
+}
+
+void run_check(const Context& context, bool quick) {
+  const store::CheckReport report = store::check_store(context.store_folder, !quick);
+  if (context.json) {
+    json findings = json::array();
+    for (const store::CheckFinding& finding : report.findings) {
+      findings.push_back({{"harmful", finding.harmful}, {"found", finding.found}, {"advice", finding.advice}});
+    }
+    std::printf("%s\n", dumped({{"sound", report.sound},
+                                {"findings", findings},
+                                {"sources", report.sources},
+                                {"granules", report.granules},
+                                {"forecasts", report.forecasts},
+                                {"content_files", report.content_files},
+                                {"content_bytes", report.content_bytes}})
+                            .c_str());
+  } else {
+    for (const store::CheckFinding& finding : report.findings) {
+      std::printf("%s %s\n    %s\n", finding.harmful ? "PROBLEM:" : "note:", finding.found.c_str(),
+                  finding.advice.c_str());
+    }
+    std::printf("%s: %zu sources, %zu granules, %zu forecasts, %.1f MB in %zu files\n",
+                report.sound ? "sound" : "NOT SOUND", report.sources, report.granules, report.forecasts,
+                static_cast<double>(report.content_bytes) / 1e6, report.content_files);
+  }
+  if (!report.sound) throw Error(ErrorKind::invalid_input, "the store is not sound; follow the advice above");
+}
+
+void run_list(const Context& context) {
+  store::Store store = context.open(store::OpenMode::read_only);
+  const auto sources = store.list_sources();
+  const auto granules = store.find_granules({});
+  const auto forecasts = store.list_forecasts();
+  if (context.json) {
+    json document = {{"sources", json::array()}, {"granules", json::array()}, {"forecasts", json::array()}};
+    for (const auto& s : sources) {
+      document["sources"].push_back({{"name", s.name},
+                                     {"sha256", s.sha256},
+                                     {"cut", s.cut_key},
+                                     {"bytes", s.bytes},
+                                     {"product", s.product_id},
+                                     {"dataset", s.dataset_id},
+                                     {"attribution", s.attribution},
+                                     {"ingested_at", format_utc(s.ingested_at)},
+                                     {"warnings", s.warnings}});
+    }
+    for (const auto& g : granules) {
+      document["granules"].push_back(
+          {{"id", g.id},
+           {"source_sha256", g.source_sha256},
+           {"content_sha256", g.content_sha256},
+           {"standard_names", g.standard_names},
+           {"status", std::string(name_of(g.status))},
+           {"reference_time", g.reference_time ? json(format_utc(*g.reference_time)) : json(nullptr)},
+           {"from", g.first_time ? json(format_utc(*g.first_time)) : json(nullptr)},
+           {"to", g.last_time ? json(format_utc(*g.last_time)) : json(nullptr)},
+           {"times", g.times},
+           {"bbox", {g.bounds.west_deg, g.bounds.south_deg, g.bounds.east_deg, g.bounds.north_deg}},
+           {"station", g.station},
+           {"product", g.product_id}});
+    }
+    for (const auto& f : forecasts) {
+      document["forecasts"].push_back({{"id", f.id},
+                                       {"site", f.site_id},
+                                       {"day", format_day(f.day)},
+                                       {"issued", format_utc(f.issued)},
+                                       {"valid_from", format_utc(f.valid_from)},
+                                       {"valid_to", format_utc(f.valid_to)},
+                                       {"wind", f.wind_policy},
+                                       {"origin", f.origin},
+                                       {"degraded", f.degraded},
+                                       {"headline", f.headline},
+                                       {"content_sha256", f.content_sha256},
+                                       {"code_version", f.code_version}});
+    }
+    std::printf("%s\n", dumped(document).c_str());
+    return;
+  }
+  std::printf("%zu product files\n", sources.size());
+  for (const auto& g : granules) {
+    std::string names;
+    for (const std::string& name : g.standard_names) names += (names.empty() ? "" : ", ") + name;
+    std::printf("  %-11s %s to %s  %-40s %s\n", std::string(name_of(g.status)).c_str(),
+                g.first_time ? format_utc(*g.first_time).c_str() : "static              ",
+                g.last_time ? format_utc(*g.last_time).c_str() : "", g.product_id.c_str(), names.c_str());
+  }
+  std::printf("%zu forecasts\n", forecasts.size());
+  for (const auto& f : forecasts) {
+    std::printf("  %-6lld %-22s day %s issued %s wind %-8s %s%s\n", static_cast<long long>(f.id), f.site_id.c_str(),
+                format_day(f.day).c_str(), format_utc(f.issued).c_str(), f.wind_policy.c_str(), f.origin.c_str(),
+                f.degraded ? " DEGRADED" : "");
+  }
+}
+
+struct PruneArguments {
+  std::string older_than;
+  bool forecasts = false;
+  bool orphans = false;
+};
+
+void run_prune(const Context& context, const PruneArguments& arguments) {
+  store::PruneOptions options;
+  if (!arguments.older_than.empty()) options.older_than = UtcTime(parse_day(arguments.older_than));
+  options.forecasts = arguments.forecasts;
+  options.orphans = arguments.orphans;
+  if (!options.older_than && !options.orphans) {
+    throw Error(ErrorKind::usage, "say what to prune: --older-than DAY, --orphans, or both");
+  }
+  store::Store store = context.open(store::OpenMode::create_or_write);
+  const store::PruneReport report = store.prune(options);
+  if (context.json) {
+    std::printf("%s\n", dumped({{"sources", report.sources},
+                                {"granules", report.granules},
+                                {"forecasts", report.forecasts},
+                                {"content_files", report.content_files},
+                                {"bytes", report.bytes},
+                                {"staging_folders", report.staging_folders}})
+                            .c_str());
+  } else {
+    std::printf("removed %zu sources, %zu forecasts, %zu files (%.1f MB)\n", report.sources, report.forecasts,
+                report.content_files, static_cast<double>(report.bytes) / 1e6);
+  }
+}
+
+}  // namespace
+
+void add_store(CLI::App& app, Context& context) {
+  CLI::App* command = app.add_subcommand("store", "Look after the store: check, list, prune");
+  command->require_subcommand(1);
+  auto quick = std::make_shared<bool>(false);
+  CLI::App* check = command->add_subcommand("check", "Is every row and every file whole? With advice where not");
+  check->add_flag("--quick", *quick, "sizes only, no checksums");
+  check->callback([quick, &context] { run_check(context, *quick); });
+  command->add_subcommand("list", "What the store holds")->callback([&context] { run_list(context); });
+  auto arguments = std::make_shared<PruneArguments>();
+  CLI::App* prune = command->add_subcommand("prune", "Remove old product files; never an issued forecast without --forecasts");
+  prune->add_option("--older-than", arguments->older_than, "remove what was ingested before this day, e.g. 2025-01-01");
+  prune->add_flag("--forecasts", arguments->forecasts, "issued forecasts too");
+  prune->add_flag("--orphans", arguments->orphans, "remove files that no row names");
+  prune->callback([arguments, &context] { run_prune(context, *arguments); });
+}
+
+}  // namespace slackwater::api

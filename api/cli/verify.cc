@@ -1,0 +1,54 @@
+#include "api/pipeline/verify.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "api/cli/command.h"
+#include "api/pipeline/paths.h"
+
+namespace slackwater::api {
+namespace {
+
+struct VerifyArguments {
+  std::string site;
+  std::string from;
+  std::string to;
+  std::string bands;
+  std::string levels = "native";
+  bool per_column = false;
+};
+
+void run_verify(const VerifyArguments& arguments, const Context& context) {
+  const Site site = find_site(arguments.site, site_folders(context.store_folder));
+  VerifyOptions options;
+  if (!arguments.from.empty()) options.from = parse_day(arguments.from);
+  if (!arguments.to.empty()) options.to = parse_day(arguments.to);
+  if (!arguments.bands.empty()) options.bands = parse_bands(arguments.bands);
+  options.per_column = arguments.per_column;
+  store::Store store = context.open(store::OpenMode::create_or_write);
+  const std::vector<SkillEntry> skill = verify(store, site, options);
+  if (context.json) {
+    std::printf("%s\n", skill_json(skill).c_str());
+  } else if (skill.empty()) {
+    std::printf("%s: the truth of the issued forecasts is not in the store yet\n", site.name.c_str());
+  } else {
+    std::printf("%s: skill of issued forecasts%s", site.name.c_str(), skill_table(skill).c_str());
+  }
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Context& context) {
+  auto arguments = std::make_shared<VerifyArguments>();
+  CLI::App* command = app.add_subcommand("verify", "Skill of issued forecasts by lead, depth and baseline");
+  command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file")->required();
+  command->add_option("--from", arguments->from, "first day D");
+  command->add_option("--to", arguments->to, "last day D");
+  command->add_option("--bands", arguments->bands, "edges of depth bands in metres, e.g. 0,150");
+  command->add_option("--levels", arguments->levels, "native: score on the truth's own levels")
+      ->check(CLI::IsMember({"native"}));
+  command->add_flag("--per-column", arguments->per_column, "also score each column of the site");
+  command->callback([arguments, &context] { run_verify(*arguments, context); });
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,148 @@
+#include "api/pipeline/forecast_column.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/propagate/propagate.h"
+#include "fields/base/error.h"
+#include "fields/current/tide.h"
+
+namespace slackwater::api {
+namespace {
+
+/// The tide of every level, fitted on the whole known record; empty where the record is too short for any.
+struct ColumnTide {
+  std::vector<TideFit> levels;
+  std::vector<std::string> notes;
+};
+
+ColumnTide fit_column_tide(const VectorColumn& known, Angle latitude) {
+  ColumnTide tide;
+  bool any = false;
+  std::vector<Horizontal> value(known.times());
+  std::vector<SampleStatus> status(known.times());
+  for (std::size_t k = 0; k < known.levels(); ++k) {
+    for (std::size_t t = 0; t < known.times(); ++t) {
+      value[t] = known.value[known.offset(t, k)];
+      status[t] = known.status[known.offset(t, k)];
+    }
+    tide.levels.push_back(fit_tide(known.time, value, status, latitude));
+    any = any || !tide.levels.back().terms.empty();
+  }
+  if (!any) {
+    tide.levels.clear();
+    return tide;
+  }
+  tide.notes = tide.levels.front().notes;
+  return tide;
+}
+
+void remove_tide(VectorColumn& column, const ColumnTide& tide) {
+  if (tide.levels.empty()) return;
+  for (std::size_t t = 0; t < column.times(); ++t) {
+    for (std::size_t k = 0; k < column.levels(); ++k) {
+      column.value[column.offset(t, k)] -= tidal_oscillation(tide.levels[k], column.time[t]);
+    }
+  }
+}
+
+/// Why a level of a column holds nothing, from the record itself.
+SampleStatus level_status(const VectorColumn& column, std::size_t k) {
+  SampleStatus worst = SampleStatus::missing;
+  for (std::size_t t = 0; t < column.times(); ++t) {
+    const SampleStatus status = column.status[column.offset(t, k)];
+    if (has_value(status)) return SampleStatus::ok;
+    worst = status;
+  }
+  return worst;
+}
+
+}  // namespace
+
+Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan) {
+  if (plan.dataset.empty()) return {};
+  Choice choice;
+  choice.dataset = plan.dataset;
+  Chosen<Horizontal> chosen = choose(column.current, {plan.end_of_day(), plan.issued}, choice);
+  // A forecast may reach beyond D; what is known of the sea ends with D.
+  Chosen<Horizontal> known;
+  known.column = slice(chosen.column, UtcTime::min(), plan.end_of_day());
+  // A surface product without a depth axis speaks of the surface.
+  if (known.column.levels_m.empty()) {
+    known.column.levels_m = {0.0};
+    known.column.vertical = VerticalKind::depth_m;
+  }
+  chosen.origin.resize(known.column.times());
+  known.origin = std::move(chosen.origin);
+  return known;
+}
+
+ColumnForecast forecast_column(const ColumnData& data, const Site& site, const ForecastPlan& plan) {
+  ColumnForecast result;
+  ForecastColumn& out = result.column;
+  out.point = data.point;
+  out.water_depth_m = data.water_depth.depth_m;
+  out.water_depth_source = data.water_depth.source;
+  const std::size_t levels = plan.depth_m.size();
+  out.current_m_s.assign(plan.stamps.size() * levels, {});
+  out.current_sigma_m_s.assign(plan.stamps.size() * levels, 0);
+  out.current_status.assign(plan.stamps.size() * levels, SampleStatus::missing);
+
+  const HorizonWind wind = horizon_wind(data.wind, plan.wind, plan.end_of_day(), plan.stamps);
+  out.wind_m_s = wind.wind_m_s;
+  out.wind_source = wind.source;
+  result.origins = wind.origins;
+  HorizonSea sea = horizon_sea(data, site, plan.wind, plan.end_of_day(), plan.stamps, wind);
+  out.sea = std::move(sea.sea);
+  out.sea_source = std::move(sea.source);
+  result.origins.insert(result.origins.end(), sea.origins.begin(), sea.origins.end());
+
+  const Chosen<Horizontal> known = known_currents(data, plan);
+  VectorColumn day = slice(known.column, UtcTime(plan.day), plan.end_of_day());
+  if (day.time.empty()) {
+    result.calibration_problem = "no currents of " + format_day(plan.day) + " at this column";
+    return result;
+  }
+  for (const Origin* origin : known.origin) {
+    result.contains_stokes = result.contains_stokes || origin->contains_stokes;
+  }
+  result.origins.insert(result.origins.end(), known.origin.begin(), known.origin.end());
+  const ColumnTide tide = fit_column_tide(known.column, data.point.latitude);
+  result.notes = tide.notes;
+  remove_tide(day, tide);
+
+  calibration::CalibrationInput input;
+  input.latitude = data.point.latitude;
+  input.water_depth_m = data.water_depth.depth_m;
+  input.current = day;
+  input.wind = wind.series;
+  try {
+    result.calibration = calibration::calibrate_day(input);
+  } catch (const Error& problem) {
+    result.calibration_problem = problem.message();
+    return result;
+  }
+  const calibration::Propagated propagated = calibration::propagate(
+      *result.calibration, plan.stamps, plan.depth_m, wind.series, plan.end_of_day());
+  // Levels of the plan are those of the dataset; a column whose product has fewer levels keeps them in order.
+  for (std::size_t k = 0; k < levels; ++k) {
+    const SampleStatus status = k < day.levels() ? level_status(known.column, k) : SampleStatus::below_bed;
+    for (std::size_t t = 0; t < plan.stamps.size(); ++t) {
+      const std::size_t o = t * levels + k;
+      out.current_status[o] = status;
+      if (!has_value(status)) continue;
+      out.current_m_s[o] = propagated.mean_m_s[o];
+      out.current_sigma_m_s[o] = propagated.sigma_m_s[o];
+      if (!tide.levels.empty()) {
+        out.current_m_s[o] += tidal_oscillation(tide.levels[k], TimeCell::instant(plan.stamps[t]));
+      }
+    }
+  }
+  if (propagated.wind_missing > 0) {
+    result.notes.push_back("no wind at " + std::to_string(propagated.wind_missing) +
+                           " of the forecast's times: the wind-driven part is left out there");
+  }
+  return result;
+}
+
+}  // namespace slackwater::api

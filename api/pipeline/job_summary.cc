@@ -1,0 +1,117 @@
+#include "api/pipeline/job_summary.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "api/pipeline/version.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+json inputs_of(const DailyForecast& forecast) {
+  std::map<std::string, std::set<std::string>> products;
+  for (const ColumnForecast& column : forecast.columns) {
+    for (const Origin* origin : column.origins) {
+      products[origin->product_id].insert(origin->sources.begin(), origin->sources.end());
+    }
+  }
+  json list = json::array();
+  for (const auto& [product, files] : products) {
+    list.push_back({{"product", product}, {"sha256", files}});
+  }
+  return list;
+}
+
+json calibration_json(const calibration::Calibration& c) {
+  json parameters = json::array();
+  for (const calibration::Parameter& p : c.parameters) {
+    parameters.push_back({{"name", p.name},
+                          {"unit", p.unit},
+                          {"value", p.value},
+                          {"sigma", p.sigma},
+                          {"sigma_of_logarithm", p.is_logarithmic},
+                          {"prior", p.prior},
+                          {"prior_sigma", p.prior_sigma},
+                          {"lower", p.lower},
+                          {"upper", p.upper},
+                          {"at_bound", p.at_bound},
+                          {"weakly_determined", p.weakly_determined},
+                          {"source", p.source}});
+  }
+  json misfit = json::array();
+  for (const calibration::MisfitAtDepth& m : c.misfit) {
+    misfit.push_back({{"depth_m", m.depth_m},
+                      {"n", m.n},
+                      {"rms_m_s", m.rms_m_s},
+                      {"bias_east_m_s", m.bias_east_m_s},
+                      {"bias_north_m_s", m.bias_north_m_s}});
+  }
+  return {{"form", std::string(name_of(c.form))},
+          {"wind_used", c.wind_used},
+          {"water_depth_m", c.water_depth_m},
+          {"parameters", parameters},
+          {"covariance", c.covariance},
+          {"misfit", misfit},
+          {"rms_m_s", c.rms_m_s},
+          {"observations", c.observations},
+          {"effective_observations", c.effective_observations},
+          {"iterations", c.iterations},
+          {"termination", c.termination},
+          {"warnings", c.warnings}};
+}
+
+}  // namespace
+
+std::string job_summary(const SiteData& data, const ForecastPlan& plan, const JobOptions& options,
+                        const DailyForecast& forecast) {
+  json columns = json::array();
+  for (std::size_t i = 0; i < forecast.columns.size(); ++i) {
+    const ColumnForecast& column = forecast.columns[i];
+    json entry = {{"latitude_deg", column.column.point.latitude_deg()},
+                  {"longitude_deg", column.column.point.longitude_deg()},
+                  {"water_depth_m", column.column.water_depth_m},
+                  {"water_depth_source", column.column.water_depth_source},
+                  {"notes", column.notes}};
+    if (column.calibration) {
+      entry["calibration"] = calibration_json(*column.calibration);
+    } else {
+      entry["calibration"] = nullptr;
+      entry["calibration_problem"] = column.calibration_problem;
+    }
+    columns.push_back(std::move(entry));
+  }
+  const json summary = {{"site", data.site.id},
+                        {"site_yaml", data.site.yaml},
+                        {"day", format_day(plan.day)},
+                        {"issued", format_utc(options.issued)},
+                        {"wind", std::string(name_of(options.wind))},
+                        {"horizon_h", std::chrono::duration<double, std::ratio<3600>>(options.horizon).count()},
+                        {"dataset", plan.dataset},
+                        {"inputs", inputs_of(forecast)},
+                        {"dry_columns", data.dry_columns},
+                        {"columns", columns},
+                        {"code_version", code_version()}};
+  return summary.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string job_provenance(const SiteData& data, const JobOptions& options, const DailyForecast& forecast) {
+  json provenance = {{"site", data.site.id},
+                     {"issued", format_utc(options.issued)},
+                     {"inputs", inputs_of(forecast)},
+                     {"code_version", code_version()}};
+  if (!forecast.columns.empty() && forecast.columns.front().calibration) {
+    const auto& c = *forecast.columns.front().calibration;
+    json parameters;
+    for (const auto& p : c.parameters) parameters[p.name] = p.value;
+    provenance["calibration"] = {{"form", std::string(name_of(c.form))},
+                                 {"rms_m_s", c.rms_m_s},
+                                 {"termination", c.termination},
+                                 {"parameters", parameters}};
+  }
+  return provenance.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,12 @@
+#pragma once
+#include <string_view>
+
+namespace slackwater::api {
+
+/// What the page carries inside itself, linked into the program by assets.cmake.
+[[nodiscard]] std::string_view report_style();   ///< page/report.css
+[[nodiscard]] std::string_view report_script();  ///< page/report.js
+/// Apache ECharts, minified; empty where npm could not fetch it at build time.
+[[nodiscard]] std::string_view report_plotting_library();
+
+}  // namespace slackwater::api

@@ -1,0 +1,152 @@
+#include "api/report/plot_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "fields/base/check.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::round(value * 1e4) / 1e4;
+}
+
+json numbers(const std::vector<double>& values) {
+  json out = json::array();
+  for (const double value : values) out.push_back(number(value));
+  return out;
+}
+
+json times(const std::vector<UtcTime>& values) {
+  json out = json::array();
+  for (const UtcTime value : values) out.push_back(value.time_since_epoch().count());
+  return out;
+}
+
+/// East and north as two arrays.
+json vectors(const std::vector<Horizontal>& values) {
+  std::vector<double> east;
+  std::vector<double> north;
+  for (const Horizontal value : values) {
+    east.push_back(value.real());
+    north.push_back(value.imag());
+  }
+  return {{"east", numbers(east)}, {"north", numbers(north)}};
+}
+
+/// Mean over depth by trapezoids between the levels that have a value; NaN where none has.
+std::vector<Horizontal> depth_means(const ReportProfile& profile,
+                                    const std::vector<Horizontal>& current) {
+  std::vector<Horizontal> means;
+  const std::size_t levels = profile.depth_m.size();
+  for (std::size_t t = 0; t < profile.time.size(); ++t) {
+    Horizontal sum = 0;
+    double thickness_m = 0;
+    Horizontal lone{std::numeric_limits<double>::quiet_NaN(), 0};
+    for (std::size_t k = 0; k < levels; ++k) {
+      const Horizontal here = current[t * levels + k];
+      if (std::isnan(here.real())) continue;
+      lone = here;
+      if (k == 0 || std::isnan(current[t * levels + k - 1].real())) continue;
+      const double step_m = profile.depth_m[k] - profile.depth_m[k - 1];
+      sum += 0.5 * step_m * (here + current[t * levels + k - 1]);
+      thickness_m += step_m;
+    }
+    means.push_back(thickness_m > 0 ? sum / thickness_m : lone);
+  }
+  return means;
+}
+
+json profile_json(const ReportProfile& profile) {
+  const std::size_t size = profile.time.size() * profile.depth_m.size();
+  expects(!profile.time.empty() && !profile.depth_m.empty() && profile.current_m_s.size() == size,
+          "a profile has a current for every time and depth");
+  expects(profile.sigma_m_s.empty() || profile.sigma_m_s.size() == size,
+          "sigma has the profile's shape");
+  expects(profile.truth_m_s.empty() || profile.truth_m_s.size() == size,
+          "truth has the profile's shape");
+  expects(std::is_sorted(profile.depth_m.begin(), profile.depth_m.end()), "depths ascend");
+  json out = {{"time", times(profile.time)},
+              {"depth", numbers(profile.depth_m)},
+              {"bed", number(profile.water_depth_m)},
+              {"current", vectors(profile.current_m_s)},
+              {"mean", vectors(depth_means(profile, profile.current_m_s))},
+              {"sigma", numbers(profile.sigma_m_s)}};
+  if (!profile.truth_m_s.empty()) {
+    out["truth"] = vectors(profile.truth_m_s);
+    out["truthMean"] = vectors(depth_means(profile, profile.truth_m_s));
+  }
+  const UtcTime wanted = profile.hodograph_time.value_or(profile.time[profile.time.size() / 2]);
+  const auto found = std::lower_bound(profile.time.begin(), profile.time.end(), wanted);
+  out["first"] = std::min<std::size_t>(static_cast<std::size_t>(found - profile.time.begin()),
+                                       profile.time.size() - 1);
+  return out;
+}
+
+json series_json(const ReportSeries& series, std::size_t size) {
+  json lines = json::array();
+  for (const ReportLine& line : series.lines) {
+    expects(line.values.size() == size, "a line has a value for every time");
+    expects(line.low.size() == line.high.size() && (line.low.empty() || line.low.size() == size),
+            "a band has both edges for every time");
+    lines.push_back({{"name", line.name},
+                     {"values", numbers(line.values)},
+                     {"low", numbers(line.low)},
+                     {"high", numbers(line.high)},
+                     {"truth", line.is_truth}});
+  }
+  expects(series.towards_deg.empty() || series.towards_deg.size() == size,
+          "one arrow for every time");
+  return {{"title", series.title},
+          {"axis", series.axis},
+          {"lines", lines},
+          {"towards", numbers(series.towards_deg)}};
+}
+
+}  // namespace
+
+std::string plot_data_json(const ReportInput& input) {
+  json out = json::object();
+  if (input.issued) out["issued"] = input.issued->time_since_epoch().count();
+  if (input.profile) out["profile"] = profile_json(*input.profile);
+  if (!input.skill.empty()) {
+    json rows = json::array();
+    for (const ReportSkill& row : input.skill) {
+      json entry = {{"method", row.method}, {"lead", row.lead}, {"rmse", number(row.rmse_m_s)}};
+      if (row.interval_95_m_s) {
+        entry["low"] = number(row.interval_95_m_s->first);
+        entry["high"] = number(row.interval_95_m_s->second);
+      }
+      rows.push_back(entry);
+    }
+    out["skill"] = rows;
+  }
+  if (!input.series.empty()) {
+    json panels = json::array();
+    for (const ReportSeries& series : input.series) {
+      panels.push_back(series_json(series, input.series_time.size()));
+    }
+    out["series"] = {{"time", times(input.series_time)}, {"panels", panels}};
+  }
+  // Text from outside may hold bytes that are not UTF-8: they become U+FFFD rather than an
+  // exception.
+  const std::string text = out.dump(-1, ' ', false, json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace slackwater::api

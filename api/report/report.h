@@ -1,0 +1,95 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "fields/base/frame.h"
+#include "fields/base/time.h"
+
+namespace slackwater::api {
+
+/// The forecast current over time and depth, with the truth beside it where it is known (the
+/// demonstration). NaN where there is no value. Depths of 1 to 2 m apart give a smooth picture.
+struct ReportProfile {
+  std::vector<UtcTime> time;              ///< ascending
+  std::vector<double> depth_m;            ///< ascending, below mean sea level
+  double water_depth_m = 0;               ///< the bed, drawn as a line
+  std::vector<Horizontal> current_m_s;    ///< time x depth, depth fastest; towards
+  std::vector<double> sigma_m_s;          ///< same shape, of each component; may be empty
+  std::vector<Horizontal> truth_m_s;      ///< same shape; may be empty
+  std::optional<UtcTime> hodograph_time;  ///< the hour the hodograph opens with; else the middle
+};
+
+/// The skill of one method over one range of leads.
+struct ReportSkill {
+  std::string method;   ///< "forecast", "persistence", ...
+  std::string lead;     ///< "0-24 h"; rows of one lead stand together in the order given
+  double rmse_m_s = 0;  ///< of the vector
+  std::optional<std::pair<double, double>> interval_95_m_s;
+};
+
+/// One line of a series panel.
+struct ReportLine {
+  std::string name;            ///< "forecast", "truth"
+  std::vector<double> values;  ///< per time; NaN where none
+  std::vector<double> low;     ///< lower edge of the band (10 %); may be empty
+  std::vector<double> high;    ///< upper edge (90 %)
+  bool is_truth = false;       ///< drawn dashed, above the others
+};
+
+/// A panel of lines over the same times, e.g. wind speed.
+struct ReportSeries {
+  std::string title;  ///< "Wind at 10 m"
+  std::string axis;   ///< with its unit: "speed (m/s)"
+  std::vector<ReportLine> lines;
+  std::vector<double> towards_deg;  ///< arrows above the panel, clockwise from north; may be empty
+};
+
+/// A table; every cell is text as it should stand.
+struct ReportTable {
+  std::string title;
+  std::string note;  ///< a sentence below; may be empty
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+  std::optional<std::size_t> highlighted_row;
+};
+
+/// Everything the page shows. Plain data: the page computes nothing but the depth mean of the
+/// hodograph.
+struct ReportInput {
+  std::string title;     ///< "Current forecast for Saint-Brieuc"
+  std::string site;      ///< "48.850 N 2.550 W, 35 m of water"
+  std::string headline;  ///< the sentence a coordinator reads first
+  bool degraded = false;
+  std::vector<std::pair<std::string, std::string>>
+      facts;                      ///< ("Issued", "2025-03-10 05:00 UTC"), ...
+  std::optional<UtcTime> issued;  ///< drawn as a vertical line where it falls into the plots
+  std::optional<ReportProfile> profile;
+  std::vector<ReportSkill> skill;
+  std::string skill_note;            ///< what was scored against what
+  std::vector<UtcTime> series_time;  ///< of all series
+  std::vector<ReportSeries> series;
+  std::vector<ReportTable> tables;
+  std::vector<std::string> attributions;
+  std::string generated;  ///< "2025-03-10 05:00:12 UTC by slackwater 0.1.0"
+};
+
+/// The page as one HTML text that opens with no network: styles, data and the plotting library are
+/// inside. Where the library was not at hand when the program was built, the page says so in a
+/// sentence and shows the tables and a table of the profile instead. All text is escaped. Throws
+/// ContractViolation if arrays do not fit each other.
+[[nodiscard]] std::string report_html(const ReportInput& input);
+/// The same with this text as the plotting library; empty: the page without plots.
+[[nodiscard]] std::string report_html(const ReportInput& input, std::string_view plotting_library);
+
+/// Writes the page to `file` (through a neighbouring temporary file, so that a reader never sees
+/// half a page). Throws Error(unavailable) where it cannot be written.
+void write_report(const ReportInput& input, const std::filesystem::path& file);
+
+/// The text with the five characters that HTML gives a meaning replaced.
+[[nodiscard]] std::string escaped_html(std::string_view text);
+
+}  // namespace slackwater::api

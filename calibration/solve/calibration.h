@@ -1,0 +1,103 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fields/current/steady_column.h"
+#include "fields/current/wind_stress.h"
+#include "fields/interpolate/column.h"
+
+namespace slackwater::calibration {
+
+/// One day at one place, ready to be fitted.
+struct CalibrationInput {
+  Angle latitude;
+  double water_depth_m = 0;  ///< > 0
+  VectorColumn
+      current;  ///< day D, Eulerian, towards; levels are depths; instants or means, gaps allowed
+  std::optional<VectorColumn>
+      wind;  ///< 10 m, towards, one level, times around D; empty: term dropped, and said
+  std::optional<SteadyForm> form;  ///< unset: `default_form`
+  DragLaw drag_law = DragLaw::paper_linear;
+  /// Standard deviation of each component of the product's current about the steady model, at best:
+  /// the noise of a regional analysis within a day. The day's own misfit replaces it where that is
+  /// larger.
+  double observation_sigma_m_s = 0.02;
+};
+
+/// One estimated quantity.
+struct Parameter {
+  std::string name;  ///< e.g. "eddy_viscosity"
+  std::string unit;  ///< of value, prior and bounds
+  double value = 0;
+  double prior = 0;
+  double prior_sigma = 0;  ///< of the value, or of its natural logarithm where `is_logarithmic`
+  double lower = 0;
+  double upper = 0;
+  double sigma = 0;             ///< posterior, in the same terms as prior_sigma
+  bool is_logarithmic = false;  ///< a positive quantity, estimated through its logarithm
+  bool at_bound = false;
+  bool weakly_determined = false;  ///< the day narrowed the prior by less than a fifth
+  std::string source;              ///< where the prior comes from
+};
+
+/// How well one depth is explained. Vector errors of the residual, observation minus model.
+struct MisfitAtDepth {
+  double depth_m = 0;
+  std::size_t n = 0;         ///< observations used, > 0
+  double rms_m_s = 0;        ///< sqrt(mean |residual|^2)
+  double bias_east_m_s = 0;  ///< mean residual
+  double bias_north_m_s = 0;
+};
+
+/// A fitted day.
+struct Calibration {
+  SteadyForm form = SteadyForm::finite_depth;
+  DragLaw drag_law = DragLaw::paper_linear;
+  Angle latitude;
+  double water_depth_m = 0;  ///< as used: at least the deepest observed level
+  bool wind_used = false;
+  /// interior east and north; then, outside the equatorial band, eddy viscosity and the bed's
+  /// parameter; then, with wind, the stress factor.
+  std::vector<Parameter> parameters;
+  /// n x n, row-major, in the order of `parameters` and in the terms of their sigma (logarithms
+  /// where so). Posterior: prior information plus that of the day, the day counted as
+  /// `effective_observations`.
+  std::vector<double> covariance;
+  std::vector<MisfitAtDepth> misfit;  ///< levels with at least one observation used, by depth
+  double rms_m_s = 0;                 ///< sqrt(mean |residual|^2) over all observations used
+  std::size_t observations = 0;       ///< (time, level) pairs used
+  double effective_observations = 0;  ///< independent pairs they are worth, see residual_memory.h
+  double whitening_sigma_m_s = 0;     ///< what residuals were divided by in the end
+  int iterations = 0;
+  std::string termination;  ///< one sentence an operator can read
+  std::vector<std::string> warnings;
+  VectorColumn residual;  ///< observation minus model; status missing where the fit had no pair
+};
+
+/// Fits the steady current to one day: one Ceres problem, robust loss per (time, level), priors
+/// beside the data.
+///
+/// The day is solved twice: roughly, to see how large its misfit is and how much of it repeats
+/// itself from hour to hour and level to level (residual_memory.h); then fully, whitened by that
+/// misfit where it exceeds the stated sigma, and with the data's weight reduced to the number of
+/// independent observations, so that the priors and the covariance face what the day really knows.
+/// A parameter that ends on a bound, and a direction that the day cannot determine, are flagged and
+/// warned of. Wind samples may be 6 hours apart at most, see `StressSeries`.
+///
+/// @throws Error(invalid_input) for nothing to fit: no observation with a value (or none with wind
+/// at its time), a
+///         depth or sigma that is not positive. Error(not_converged) where no minimum was found.
+/// Thread-safe. About 2 ms for 24 times x 35 levels (tests/bench/calibrate_bench.cc).
+[[nodiscard]] Calibration calibrate_day(const CalibrationInput& input);
+
+/// The forward model's parameters at the optimum.
+[[nodiscard]] SteadyParameters steady_parameters(const Calibration& calibration);
+
+/// The parameter of that name, or null (a day without wind has no stress factor).
+[[nodiscard]] const Parameter* find_parameter(const Calibration& calibration,
+                                              std::string_view name);
+
+}  // namespace slackwater::calibration

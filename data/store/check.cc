@@ -1,0 +1,148 @@
+#include "data/store/check.h"
+
+#include <map>
+#include <optional>
+
+#include "data/store/content_files.h"
+#include "data/store/content_scan.h"
+#include "data/store/database.h"
+#include "data/store/layout.h"
+#include "data/store/migrations.h"
+#include "data/store/open_catalogue.h"
+#include "data/store/staging.h"
+#include "fields/base/error.h"
+
+namespace slackwater::store {
+namespace {
+
+void harm(CheckReport& report, std::string found, std::string advice) {
+  report.sound = false;
+  report.findings.push_back({true, std::move(found), std::move(advice)});
+}
+
+void note(CheckReport& report, std::string found, std::string advice) {
+  report.findings.push_back({false, std::move(found), std::move(advice)});
+}
+
+const std::string advice_for_catalogue =
+    "restore catalogue.sqlite from a copy; without one, move the store's folder aside and ingest "
+    "the product "
+    "files again (its content files are not harmed by that, but nothing names them)";
+
+std::size_t count(Database& database, std::string_view table) {
+  Statement query = database.prepare("SELECT count(*) FROM " + std::string(table));
+  query.step();
+  return static_cast<std::size_t>(query.integer(0));
+}
+
+void check_catalogue(Database& database, CheckReport& report) {
+  Statement integrity = database.prepare("PRAGMA integrity_check(20)");
+  while (integrity.step()) {
+    if (const std::string said = integrity.text(0); said != "ok") {
+      harm(report, "catalogue.sqlite: " + said, advice_for_catalogue);
+    }
+  }
+  Statement keys = database.prepare("PRAGMA foreign_key_check");
+  while (keys.step()) {
+    harm(report,
+         "catalogue.sqlite: row " + keys.text(1) + " of table " + keys.text(0) +
+             " names a row of table " + keys.text(2) + " that is not there",
+         advice_for_catalogue);
+  }
+  report.sources = count(database, "source");
+  report.granules = count(database, "granule");
+  report.forecasts = count(database, "forecast");
+}
+
+/// What names this content, and how it can be had again; nothing if no row names it any more.
+std::optional<std::string> repair_advice(Database& database, const std::string& sha256) {
+  Statement forecast = database.prepare(
+      "SELECT id, site_id, day FROM forecast WHERE content_sha256 = ? ORDER BY id LIMIT 1");
+  forecast.bind(1, sha256);
+  if (forecast.step()) {
+    return "it is forecast " + std::to_string(forecast.integer(0)) + " of site " +
+           forecast.text(1) + " as issued with day " + forecast.text(2) +
+           ", which cannot be made again; restore the file from a copy, or remove the forecast "
+           "with "
+           "`slackwater store prune --forecasts --older-than TIME`";
+  }
+  Statement source = database.prepare(
+      "SELECT s.name, s.sha256, s.cut_key FROM granule g JOIN source s ON s.id = g.source_id "
+      "WHERE g.content_sha256 = ? ORDER BY g.id LIMIT 1");
+  source.bind(1, sha256);
+  if (!source.step()) return std::nullopt;
+  const std::string cut = source.text(2);
+  return "delete it if it is there and ingest " + source.text(0) + " again (sha256 " +
+         source.text(1) + (cut.empty() ? "" : ", cut " + cut) + "): that puts it back";
+}
+
+void check_content(Database& database, const std::filesystem::path& folder, bool deep,
+                   const std::map<std::string, std::uint64_t>& named, CheckReport& report) {
+  for (const auto& [sha256, bytes] : named) {
+    ++report.content_files;
+    report.content_bytes += bytes;
+    std::string fault;
+    if (!is_present(folder, sha256, bytes)) {
+      std::error_code problem;
+      const auto found = std::filesystem::file_size(content_file(folder, sha256), problem);
+      fault = problem ? "is missing"
+                      : "has " + std::to_string(found) + " bytes where " + std::to_string(bytes) +
+                            " were stored";
+    } else if (deep && !is_intact(folder, sha256, bytes)) {
+      fault = "no longer holds the bytes that its name promises (sha256 differs)";
+    }
+    if (fault.empty()) continue;
+    // Another process may have pruned it since the names were read: then no row names it now.
+    if (const auto advice = repair_advice(database, sha256)) {
+      harm(report, "content file " + content_file(folder, sha256).string() + " " + fault, *advice);
+    }
+  }
+}
+
+void note_leftovers(const std::filesystem::path& folder,
+                    const std::map<std::string, std::uint64_t>& named, CheckReport& report) {
+  std::size_t orphans = 0;
+  std::uint64_t orphan_bytes = 0;
+  for (const FoundFile& file : scan_files(folder)) {
+    if (file.sha256.empty()) {
+      note(report, "file " + file.path.string() + " is not one of the store's",
+           "harmless; remove it if you do not know it");
+    } else if (!named.contains(file.sha256)) {
+      ++orphans;
+      orphan_bytes += file.bytes;
+    }
+  }
+  if (orphans > 0) {
+    note(report,
+         std::to_string(orphans) + " content files (" + std::to_string(orphan_bytes) +
+             " bytes) are named by no row, as an interrupted command leaves them",
+         "harmless; `slackwater store prune --orphans` removes them");
+  }
+  for (const std::filesystem::path& stale : stale_staging_folders(folder)) {
+    note(report, "staging folder " + stale.string() + " was left by a process that is gone",
+         "harmless; the next ingest or `slackwater store prune` removes it");
+  }
+}
+
+}  // namespace
+
+CheckReport check_store(const std::filesystem::path& folder, bool deep) {
+  CheckReport report;
+  std::map<std::string, std::uint64_t> named;
+  try {
+    Database database = open_catalogue_for_reading(folder);
+    check_catalogue(database, report);
+    named = named_contents(database);
+    check_content(database, folder, deep, named, report);
+  } catch (const Error& error) {
+    // No store at all, or one we may not look into, is the caller's trouble; a damaged one is a
+    // finding.
+    if (error.kind() != ErrorKind::invalid_input) throw;
+    harm(report, error.message(), advice_for_catalogue);
+    return report;
+  }
+  note_leftovers(folder, named, report);
+  return report;
+}
+
+}  // namespace slackwater::store

@@ -1,0 +1,230 @@
+#include "data/store/database.h"
+
+#include <sqlite3.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "fields/base/check.h"
+#include "fields/base/error.h"
+
+namespace slackwater::store {
+namespace {
+
+/// Long enough for another process to finish a commit on a slow disk.
+constexpr int busy_timeout_ms = 30'000;
+
+Error error_of(int code, const std::filesystem::path& file, const std::string& text,
+               int system_errno) {
+  const std::string found = "the catalogue " + file.string() + ": ";
+  // SQLite keeps the errno of its last failed system call, which belongs to these two codes only.
+  const bool from_system = (code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_CANTOPEN;
+  const std::string cause =
+      from_system && system_errno != 0 ? text + " (" + std::strerror(system_errno) + ")" : text;
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+      return Error(ErrorKind::unavailable,
+                   found +
+                       "no space left on the disk; nothing was stored; free some space and run the "
+                       "command again");
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return Error(ErrorKind::unavailable,
+                   found + "another process kept it locked for " +
+                       std::to_string(busy_timeout_ms / 1000) +
+                       " s; wait until that process is done and run the command again");
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_AUTH:
+      return Error(ErrorKind::unavailable,
+                   found + "cannot be written: " + cause +
+                       "; give write permission on the store's folder, or choose another --store");
+    case SQLITE_CANTOPEN:
+      return Error(
+          ErrorKind::unavailable,
+          found + "cannot be opened: " + cause +
+              "; check that the folder is there, that you may read and write in it, and that "
+              "its disk is not full");
+    case SQLITE_IOERR:
+      if (system_errno == ENOSPC || system_errno == EDQUOT) {
+        return Error(ErrorKind::unavailable,
+                     found +
+                         "no space left on the disk; nothing was stored; free some space and run "
+                         "the command again");
+      }
+      return Error(ErrorKind::unavailable,
+                   found + "reading or writing failed: " + cause +
+                       "; check the disk, then run `slackwater store check`");
+    case SQLITE_NOTADB:
+    case SQLITE_CORRUPT:
+      return Error(ErrorKind::invalid_input,
+                   found + "is damaged: " + cause +
+                       "; run `slackwater store check` to see what can be saved");
+    case SQLITE_NOMEM:
+      return Error(ErrorKind::unavailable, found + "out of memory");
+    default:
+      return Error(ErrorKind::internal, found + text);
+  }
+}
+
+sqlite3* open_connection(const std::filesystem::path& file, int flags, const char* vfs) {
+  sqlite3* connection = nullptr;
+  // Extended codes and no mutex: a Database belongs to one thread at a time.
+  const int code = sqlite3_open_v2(file.c_str(), &connection,
+                                   flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE, vfs);
+  if (code != SQLITE_OK) {
+    const std::string text =
+        connection != nullptr ? sqlite3_errmsg(connection) : sqlite3_errstr(code);
+    const int system_errno = connection != nullptr ? sqlite3_system_errno(connection) : 0;
+    sqlite3_close(connection);
+    throw error_of(code, file, text, system_errno);
+  }
+  sqlite3_busy_timeout(connection, busy_timeout_ms);
+  return connection;
+}
+
+}  // namespace
+
+void Statement::Finalise::operator()(sqlite3_stmt* statement) const noexcept {
+  sqlite3_finalize(statement);
+}
+
+void Statement::check(int code) const {
+  if (code != SQLITE_OK) database_->fail(code);
+}
+
+Statement& Statement::bind(int position, std::int64_t value) {
+  check(sqlite3_bind_int64(statement_.get(), position, value));
+  return *this;
+}
+Statement& Statement::bind(int position, double value) {
+  check(sqlite3_bind_double(statement_.get(), position, value));
+  return *this;
+}
+Statement& Statement::bind(int position, std::string_view value) {
+  // An empty view may have no data, which SQLite would take for NULL.
+  check(sqlite3_bind_text64(statement_.get(), position, value.empty() ? "" : value.data(),
+                            value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+  return *this;
+}
+Statement& Statement::bind(int position, UtcTime value) {
+  return bind(position, static_cast<std::int64_t>(value.time_since_epoch().count()));
+}
+Statement& Statement::bind_null(int position) {
+  check(sqlite3_bind_null(statement_.get(), position));
+  return *this;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_.get());
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE) database_->fail(code);
+  return false;
+}
+void Statement::run() {
+  while (step()) {
+  }
+  reset();
+}
+void Statement::reset() {
+  sqlite3_reset(statement_.get());
+  sqlite3_clear_bindings(statement_.get());
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+std::int64_t Statement::integer(int column) const {
+  return sqlite3_column_int64(statement_.get(), column);
+}
+double Statement::real(int column) const { return sqlite3_column_double(statement_.get(), column); }
+std::string Statement::text(int column) const {
+  const unsigned char* text = sqlite3_column_text(statement_.get(), column);
+  const int bytes = sqlite3_column_bytes(statement_.get(), column);
+  return text == nullptr
+             ? std::string()
+             : std::string(reinterpret_cast<const char*>(text), static_cast<std::size_t>(bytes));
+}
+UtcTime Statement::time(int column) const { return UtcTime(Duration(integer(column))); }
+std::optional<std::int64_t> Statement::optional_integer(int column) const {
+  return is_null(column) ? std::nullopt : std::optional(integer(column));
+}
+std::optional<double> Statement::optional_real(int column) const {
+  return is_null(column) ? std::nullopt : std::optional(real(column));
+}
+std::optional<UtcTime> Statement::optional_time(int column) const {
+  return is_null(column) ? std::nullopt : std::optional(time(column));
+}
+
+void Database::Close::operator()(sqlite3* connection) const noexcept { sqlite3_close(connection); }
+
+Database::Database(std::filesystem::path file, sqlite3* connection)
+    : file_(std::move(file)), connection_(connection) {}
+
+Database Database::open(const std::filesystem::path& file, Access access) {
+  if (access == Access::write) {
+    Database database(file,
+                      open_connection(file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr));
+    database.execute("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
+    return database;
+  }
+  if (access == Access::read) return {file, open_connection(file, SQLITE_OPEN_READONLY, nullptr)};
+  // Without locks and in exclusive mode SQLite keeps the index of the WAL on its own heap.
+  Database database(file, open_connection(file, SQLITE_OPEN_READONLY, "unix-none"));
+  database.execute("PRAGMA locking_mode = EXCLUSIVE");
+  return database;
+}
+
+Database Database::open_copy(const std::filesystem::path& file, std::string_view bytes) {
+  Database database(file, open_connection(":memory:", SQLITE_OPEN_READWRITE, nullptr));
+  auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size() + 1));
+  if (copy == nullptr) database.fail(SQLITE_NOMEM);
+  std::memcpy(copy, bytes.data(), bytes.size());
+  // Bytes 18 and 19 of the header say WAL (2); a copy in memory has none, so it says rollback (1).
+  // SQLite file format, section 1.3.3.
+  if (bytes.size() >= 20) copy[18] = copy[19] = 1;
+  const int code = sqlite3_deserialize(
+      database.connection_.get(), "main", copy, static_cast<sqlite3_int64>(bytes.size()),
+      static_cast<sqlite3_int64>(bytes.size()),
+      SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_READONLY);
+  if (code != SQLITE_OK) database.fail(code);
+  return database;
+}
+
+Statement Database::prepare(std::string_view sql) {
+  sqlite3_stmt* statement = nullptr;
+  const int code = sqlite3_prepare_v2(connection_.get(), sql.data(), static_cast<int>(sql.size()),
+                                      &statement, nullptr);
+  if (code != SQLITE_OK) fail(code);
+  return {*this, statement};
+}
+
+void Database::execute(const std::string& sql) {
+  const int code = sqlite3_exec(connection_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) fail(code);
+}
+
+std::int64_t Database::last_inserted_id() const {
+  return sqlite3_last_insert_rowid(connection_.get());
+}
+
+void Database::fail(int code) const {
+  throw error_of(code, file_, sqlite3_errmsg(connection_.get()),
+                 sqlite3_system_errno(connection_.get()));
+}
+
+Transaction::Transaction(Database& database, Kind kind) : database_(&database) {
+  database.execute(kind == Kind::write ? "BEGIN IMMEDIATE" : "BEGIN");
+}
+
+Transaction::~Transaction() {
+  sqlite3* connection = database_->connection_.get();
+  // After some failures SQLite has rolled back by itself.
+  if (sqlite3_get_autocommit(connection) == 0) {
+    sqlite3_exec(connection, "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+}
+
+void Transaction::commit() { database_->execute("COMMIT"); }
+
+}  // namespace slackwater::store

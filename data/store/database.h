@@ -1,0 +1,117 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "fields/base/time.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace slackwater::store {
+
+/// A prepared statement: bind (positions from 1), step, read columns (from 0). Errors of SQLite are
+/// `Error`s that carry the catalogue's path, SQLite's own text and what to do. Must not outlive its
+/// Database.
+class Statement {
+ public:
+  Statement& bind(int position, std::int64_t value);
+  Statement& bind(int position, double value);
+  Statement& bind(int position, std::string_view value);
+  Statement& bind(int position, UtcTime value);  ///< as milliseconds since 1970
+  Statement& bind_null(int position);
+  template <typename T>
+  Statement& bind(int position, const std::optional<T>& value) {
+    return value ? bind(position, *value) : bind_null(position);
+  }
+  /// Binds positions 1, 2, 3, ...
+  template <typename... T>
+  Statement& bind_all(const T&... values) {
+    int position = 0;
+    (bind(++position, values), ...);
+    return *this;
+  }
+
+  /// Advances; false where there is no further row.
+  bool step();
+  /// Steps to the end and makes ready for the next bindings.
+  void run();
+  void reset();
+
+  [[nodiscard]] bool is_null(int column) const;
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] double real(int column) const;
+  [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] UtcTime time(int column) const;
+  [[nodiscard]] std::optional<std::int64_t> optional_integer(int column) const;
+  [[nodiscard]] std::optional<double> optional_real(int column) const;
+  [[nodiscard]] std::optional<UtcTime> optional_time(int column) const;
+
+ private:
+  friend class Database;
+  struct Finalise {
+    void operator()(sqlite3_stmt* statement) const noexcept;
+  };
+  Statement(class Database& database, sqlite3_stmt* statement)
+      : database_(&database), statement_(statement) {}
+  void check(int code) const;
+
+  class Database* database_;
+  std::unique_ptr<sqlite3_stmt, Finalise> statement_;
+};
+
+/// The one door to SQLite: a connection to a catalogue. One thread at a time.
+class Database {
+ public:
+  enum class Access {
+    write,              ///< made where absent; WAL is switched on by the caller
+    read,               ///< shares with writers; may need to make the -shm file
+    read_orphaned_wal,  ///< nobody can write and the -shm is gone: the WAL is read without shared
+                        ///< memory
+  };
+  [[nodiscard]] static Database open(const std::filesystem::path& file, Access access);
+  /// A private copy in memory of a catalogue without WAL, for file systems where readers cannot
+  /// share memory.
+  [[nodiscard]] static Database open_copy(const std::filesystem::path& file,
+                                          std::string_view bytes);
+
+  [[nodiscard]] Statement prepare(std::string_view sql);
+  /// Runs one or several statements that return nothing of interest.
+  void execute(const std::string& sql);
+  [[nodiscard]] std::int64_t last_inserted_id() const;
+  [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
+  /// Throws the `Error` that belongs to a result code of SQLite.
+  [[noreturn]] void fail(int code) const;
+
+ private:
+  friend class Transaction;
+  struct Close {
+    void operator()(sqlite3* connection) const noexcept;
+  };
+  Database(std::filesystem::path file, sqlite3* connection);
+
+  std::filesystem::path file_;
+  std::unique_ptr<sqlite3, Close> connection_;
+};
+
+/// Rolls back unless committed.
+class Transaction {
+ public:
+  enum class Kind {
+    read,   ///< one consistent state for several queries
+    write,  ///< takes the write lock at once (BEGIN IMMEDIATE), waiting up to the busy timeout
+  };
+  Transaction(Database& database, Kind kind);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database* database_;
+};
+
+}  // namespace slackwater::store

@@ -1,0 +1,121 @@
+#include "data/store/forecast_table.h"
+
+#include "fields/base/check.h"
+#include "fields/base/error.h"
+
+namespace slackwater::store {
+namespace {
+
+bool exists(Database& database, std::string_view sql, std::int64_t id) {
+  Statement query = database.prepare(sql);
+  query.bind(1, id);
+  return query.step();
+}
+
+ForecastRow forecast_from(const Statement& row) {
+  ForecastRow forecast;
+  int column = 0;
+  forecast.id = row.integer(column++);
+  forecast.site_id = row.text(column++);
+  forecast.day = parse_day(row.text(column++));
+  forecast.issued = row.time(column++);
+  forecast.valid_from = row.time(column++);
+  forecast.valid_to = row.time(column++);
+  forecast.wind_policy = row.text(column++);
+  forecast.origin = row.text(column++);
+  forecast.degraded = row.integer(column++) != 0;
+  forecast.headline = row.text(column++);
+  forecast.content_sha256 = row.text(column++);
+  forecast.summary_json = row.text(column++);
+  forecast.code_version = row.text(column++);
+  return forecast;
+}
+
+}  // namespace
+
+std::int64_t insert_forecast(Database& database, const ForecastRow& row,
+                             const SealedFile& content) {
+  expects(row.origin == "forecast" || row.origin == "hindcast",
+          "the origin of a forecast is 'forecast' or 'hindcast'");
+  expects(row.valid_from <= row.valid_to, "a forecast is valid from an instant to a later one");
+  Statement insert = database.prepare(
+      "INSERT INTO forecast (site_id, day, issued_ms, valid_from_ms, valid_to_ms, wind_policy, "
+      "origin, degraded, "
+      "headline, content_sha256, content_bytes, summary_json, code_version) VALUES "
+      "(?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  insert.bind_all(row.site_id, format_day(row.day), row.issued, row.valid_from, row.valid_to,
+                  row.wind_policy, row.origin, std::int64_t{row.degraded}, row.headline,
+                  content.sha256, static_cast<std::int64_t>(content.bytes), row.summary_json,
+                  row.code_version);
+  insert.run();
+  const std::int64_t id = database.last_inserted_id();
+  Statement input = database.prepare(
+      "INSERT INTO forecast_input (forecast_id, position, granule_id) VALUES (?,?,?)");
+  for (std::size_t i = 0; i < row.input_granules.size(); ++i) {
+    const std::int64_t granule = row.input_granules[i];
+    if (!exists(database, "SELECT 1 FROM granule WHERE id = ?", granule)) {
+      throw Error(ErrorKind::not_found, "granule " + std::to_string(granule) +
+                                            ", an input of this forecast, is no longer in the "
+                                            "store; it was pruned meanwhile: run "
+                                            "the forecast again");
+    }
+    input.bind_all(id, static_cast<std::int64_t>(i), granule).run();
+  }
+  return id;
+}
+
+std::vector<ForecastRow> select_forecasts(Database& database, const ForecastQuery& query) {
+  std::string sql =
+      "SELECT id, site_id, day, issued_ms, valid_from_ms, valid_to_ms, wind_policy, origin, "
+      "degraded, headline, "
+      "content_sha256, summary_json, code_version FROM forecast WHERE 1";
+  std::vector<std::string> bound;
+  const auto restrict_to = [&](std::string_view condition, const std::string& value) {
+    sql += condition;
+    bound.push_back(value);
+  };
+  if (!query.site_id.empty()) restrict_to(" AND site_id = ?", query.site_id);
+  if (query.from_day) restrict_to(" AND day >= ?", format_day(*query.from_day));
+  if (query.to_day) restrict_to(" AND day <= ?", format_day(*query.to_day));
+  if (query.origin) restrict_to(" AND origin = ?", *query.origin);
+  if (query.wind_policy) restrict_to(" AND wind_policy = ?", *query.wind_policy);
+  sql += query.latest_only ? " ORDER BY day DESC, issued_ms DESC, id DESC LIMIT 1"
+                           : " ORDER BY day, issued_ms, id";
+  Statement select = database.prepare(sql);
+  for (std::size_t i = 0; i < bound.size(); ++i) select.bind(static_cast<int>(i) + 1, bound[i]);
+  Statement inputs = database.prepare(
+      "SELECT granule_id FROM forecast_input WHERE forecast_id = ? ORDER BY position");
+  std::vector<ForecastRow> forecasts;
+  while (select.step()) {
+    ForecastRow forecast = forecast_from(select);
+    inputs.bind(1, forecast.id);
+    while (inputs.step()) forecast.input_granules.push_back(inputs.integer(0));
+    inputs.reset();
+    forecasts.push_back(std::move(forecast));
+  }
+  return forecasts;
+}
+
+void replace_score(Database& database, const ScoreRow& score) {
+  if (!exists(database, "SELECT 1 FROM forecast WHERE id = ?", score.forecast_id)) {
+    throw Error(ErrorKind::not_found, "there is no forecast " + std::to_string(score.forecast_id) +
+                                          " to keep a score for; see `slackwater store list`");
+  }
+  database
+      .prepare(
+          "INSERT INTO score (forecast_id, method, json) VALUES (?,?,?) "
+          "ON CONFLICT (forecast_id, method) DO UPDATE SET json = excluded.json")
+      .bind_all(score.forecast_id, score.method, score.json)
+      .run();
+}
+
+std::vector<ScoreRow> select_scores(Database& database, std::int64_t forecast_id) {
+  std::vector<ScoreRow> scores;
+  Statement query =
+      database.prepare("SELECT method, json FROM score WHERE forecast_id = ? ORDER BY method");
+  query.bind(1, forecast_id);
+  while (query.step()) scores.push_back({forecast_id, query.text(0), query.text(1)});
+  return scores;
+}
+
+}  // namespace slackwater::store

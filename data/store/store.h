@@ -1,0 +1,84 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "data/store/check.h"
+#include "data/store/prune.h"
+#include "data/store/rows.h"
+
+namespace slackwater::store {
+
+enum class OpenMode {
+  create_or_write,  ///< makes the store, or brings it to this program's schema, where needed
+  read_only,        ///< for queries; also on a read-only file system
+};
+
+/// What Slackwater knows, at rest: a catalogue (SQLite) and immutable content files named by their
+/// sha256.
+///
+///   STORE/catalogue.sqlite          rows: sources, granules, forecasts as issued, scores
+///   STORE/files/ab/abcdef….nc       content; never changed, only added and pruned
+///   STORE/staging/<pid>-<random>/   files being written, one folder per process, swept once that
+///   process is gone
+///
+/// Every commit is all or nothing and durable when it returns: content is fsynced, renamed into
+/// place, its folder fsynced, and only then does one transaction name it. So a row never lacks its
+/// file, whenever the machine stops; the reverse, a file without a row, is harmless and `prune`
+/// removes it.
+///
+/// Any number of processes may read and write at once (writers take turns). One thread at a time
+/// per Store object. Errors: not_found (no store), unavailable (disk, permission, lock),
+/// invalid_input (damaged or newer catalogue).
+class Store {
+ public:
+  [[nodiscard]] static Store open(const std::filesystem::path& folder, OpenMode mode);
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+  ~Store();
+
+  [[nodiscard]] const std::filesystem::path& folder() const noexcept;
+  /// This process's folder for content files being written, made on first use; gone with the Store.
+  [[nodiscard]] std::filesystem::path staging_folder();
+  [[nodiscard]] std::filesystem::path content_path(const std::string& content_sha256) const;
+
+  /// The source, if it is stored and its content files are there; a source with a lost file counts
+  /// as absent, so that ingesting it again repairs the store.
+  [[nodiscard]] std::optional<SourceFile> find_source(const std::string& sha256,
+                                                      const std::string& cut_key);
+  /// Takes over the content files and stores the source with all its granules. False: it was there
+  /// already (perhaps another process was faster); then the staged files are removed and nothing
+  /// changes. After an Error the content files may be gone: decode again before another try.
+  bool commit_ingest(const SourceFile& source, std::span<const NewGranule> granules);
+  /// In order of (first time, status, reference time, member, id); static fields first.
+  [[nodiscard]] std::vector<GranuleRow> find_granules(const GranuleQuery& query);
+  /// Throws Error(not_found).
+  [[nodiscard]] GranuleRow granule(std::int64_t id);
+  [[nodiscard]] std::vector<SourceFile> list_sources();  ///< in order of ingestion
+
+  std::int64_t commit_forecast(const ForecastRow& row, const std::filesystem::path& content_file);
+  /// All or none; the ids in the order given.
+  std::vector<std::int64_t> commit_forecasts(std::span<const NewForecast> forecasts);
+  /// In order of (day, issued, id).
+  [[nodiscard]] std::vector<ForecastRow> find_forecasts(const ForecastQuery& query);
+  [[nodiscard]] std::vector<ForecastRow> list_forecasts() { return find_forecasts({}); }
+
+  /// Replaces what was there for the same forecast and method.
+  void put_scores(std::span<const ScoreRow> scores);
+  [[nodiscard]] std::vector<ScoreRow> scores_of(std::int64_t forecast_id);  ///< by method
+
+  /// See `check_store`, which also looks at a store that cannot be opened.
+  [[nodiscard]] CheckReport check(bool deep) { return check_store(folder(), deep); }
+  PruneReport prune(const PruneOptions& options);
+
+ private:
+  struct State;
+  explicit Store(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace slackwater::store

@@ -1,0 +1,130 @@
+#include "ingest/copernicus/product.h"
+
+#include <algorithm>
+
+#include "ingest/copernicus/text_match.h"
+
+namespace slackwater::ingest {
+namespace {
+
+MatchRule read_match(const Config& config) {
+  MatchRule rule;
+  rule.attribute = config.optional_text("attribute").value_or("");
+  rule.contains = config.optional_text("contains").value_or("");
+  rule.variables = config.texts("variables");
+  if (rule.attribute.empty() && rule.variables.empty()) {
+    config.refuse("attribute", "a match rule needs an attribute or variables");
+  }
+  return rule;
+}
+
+SettledAttributes read_settled(const Config& config) {
+  return {config.text("variable"), config.optional_text("units"), config.optional_text("standard_name"),
+          config.optional_text("positive")};
+}
+
+MeanRule read_mean(const Config& config) {
+  MeanRule rule;
+  rule.attribute = config.text("attribute");
+  rule.contains = config.text("contains");
+  rule.step = parse_duration(config.text("step"));
+  if (rule.step <= Duration::zero()) config.refuse("step", "a mean needs an interval longer than nothing");
+  const std::string label = config.text("label");
+  if (label == "centre") {
+    rule.label = MeanLabel::centre;
+  } else if (label == "start") {
+    rule.label = MeanLabel::start;
+  } else if (label == "end") {
+    rule.label = MeanLabel::end;
+  } else if (label == "utc_day") {
+    rule.label = MeanLabel::utc_day;
+    if (rule.step != std::chrono::hours(24)) config.refuse("step", "label utc_day needs step 24h");
+  } else {
+    config.refuse("label", "found '" + label + "'; expected centre, start, end or utc_day");
+  }
+  return rule;
+}
+
+DownloadKind kind_of(const Config& config) {
+  const std::string kind = config.text("kind");
+  if (kind == "current") return DownloadKind::current;
+  if (kind == "wave") return DownloadKind::wave;
+  if (kind == "wind") return DownloadKind::wind;
+  if (kind == "bathymetry") return DownloadKind::bathymetry;
+  config.refuse("kind", "found '" + kind + "'; expected current, wave, wind or bathymetry");
+}
+
+Download read_download(const Config& config, const std::string& product_id) {
+  Download download;
+  download.product_id = product_id;
+  download.dataset_id = config.text("dataset");
+  download.kind = kind_of(config);
+  download.variables = config.texts("variables");
+  if (download.variables.empty()) config.refuse("variables", "a download names at least one variable");
+  const std::vector<double> box = config.numbers("domain", {-360.0, 360.0});
+  if (box.size() != 4) config.refuse("domain", "expected [west, south, east, north] in degrees");
+  download.domain = BoundingBox::from_degrees(box[0], box[1], box[2], box[3]);
+  download.has_depth = config.optional_flag("depth").value_or(false);
+  download.has_tide = config.optional_flag("tide").value_or(false);
+  download.priority = config.optional_integer("priority", 0, 1000).value_or(100);
+  download.horizon_h = config.optional_number("horizon_h", {0.0, 1000.0}).value_or(0.0);
+  download.part = config.optional_text("part");
+  return download;
+}
+
+const std::optional<std::string>& settled(const SettledAttributes& entry, std::string_view name) {
+  static const std::optional<std::string> none;
+  if (name == "units") return entry.units;
+  if (name == "standard_name") return entry.standard_name;
+  if (name == "positive") return entry.positive;
+  return none;
+}
+
+}  // namespace
+
+Product Product::load(const std::filesystem::path& file) {
+  const Config config = Config::load(file);
+  Product product;
+  product.id = config.text("id");
+  product.title = config.text("title");
+  product.doi = config.optional_text("doi").value_or("");
+  product.attribution = config.text("attribution");
+  product.match_order = config.optional_integer("match_order", 0, 1000).value_or(50);
+  for (const Config& rule : config.children("match")) product.match.push_back(read_match(rule));
+  for (const Config& entry : config.children("settles")) product.settles.push_back(read_settled(entry));
+  for (const Config& rule : config.children("means")) product.means.push_back(read_mean(rule));
+  product.reference_time = config.texts("reference_time");
+  product.contains_stokes = config.texts("contains_stokes");
+  product.current_depth_m = config.optional_number("current_depth_m", {0.0, 20.0});
+  if (const auto variables = config.optional_child("variables")) {
+    for (const std::string& name : variables->keys()) product.variables[name] = variables->text(name);
+  }
+  for (const Config& entry : config.children("downloads")) {
+    product.downloads.push_back(read_download(entry, product.id));
+  }
+  config.expect_all_read();
+  return product;
+}
+
+bool Product::matches(const netcdf::File& file) const {
+  return std::any_of(match.begin(), match.end(), [&](const MatchRule& rule) {
+    if (!rule.attribute.empty()) {
+      const auto text = file.text(rule.attribute);
+      if (!text || !contains_ignoring_case(*text, rule.contains)) return false;
+    }
+    return std::all_of(rule.variables.begin(), rule.variables.end(),
+                       [&](const std::string& name) { return file.find(name) != nullptr; });
+  });
+}
+
+std::optional<std::string> Product::attribute(const netcdf::Variable& variable, std::string_view name) const {
+  if (auto own = variable.text(name); own && !own->empty()) return own;
+  for (const SettledAttributes& entry : settles) {
+    if (entry.variable == variable.name) {
+      if (const auto& text = settled(entry, name)) return text;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace slackwater::ingest

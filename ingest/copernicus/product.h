@@ -1,0 +1,86 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fields/base/config.h"
+#include "fields/base/time.h"
+#include "fields/geo/geo_point.h"
+#include "ingest/netcdf/file.h"
+
+namespace slackwater::ingest {
+
+/// One way to recognise a product: all conditions of a rule hold, or the rule does not match.
+struct MatchRule {
+  std::string attribute;               ///< global attribute; empty: no such condition
+  std::string contains;                ///< its text holds this, letter case ignored
+  std::vector<std::string> variables;  ///< the file has all of these
+};
+
+/// Attributes that a product's files forget. They fill gaps, they never overrule what a file says.
+struct SettledAttributes {
+  std::string variable;
+  std::optional<std::string> units;
+  std::optional<std::string> standard_name;
+  std::optional<std::string> positive;
+};
+
+/// Where in its interval a mean is stamped.
+enum class MeanLabel {
+  centre,
+  start,
+  end,
+  utc_day,  ///< anywhere in the UTC day it covers: 00:00 and 12:00 are both met
+};
+
+/// "Files whose global attribute says this hold means over `step`."
+struct MeanRule {
+  std::string attribute;
+  std::string contains;
+  Duration step{};
+  MeanLabel label = MeanLabel::centre;
+};
+
+/// What a dataset is downloaded for.
+enum class DownloadKind { current, wave, wind, bathymetry };
+
+/// One dataset that `forecast --print-downloads` may ask for.
+struct Download {
+  std::string product_id;
+  std::string dataset_id;
+  DownloadKind kind = DownloadKind::current;
+  std::vector<std::string> variables;
+  BoundingBox domain;                 ///< the dataset's, inside which a site must lie
+  bool has_depth = false;             ///< take -z/-Z
+  bool has_tide = false;              ///< the current contains the tide
+  int priority = 100;                 ///< smaller first
+  double horizon_h = 0;               ///< how far it forecasts past the day of issue; 0: past only
+  std::optional<std::string> part;    ///< --dataset-part, e.g. bathy
+};
+
+/// The descriptor of one product or family: data, not code.
+struct Product {
+  std::string id;
+  std::string title;
+  std::string doi;
+  std::string attribution;
+  int match_order = 50;                            ///< descriptors are tried in this order
+  std::vector<MatchRule> match;                    ///< any of these
+  std::vector<SettledAttributes> settles;
+  std::vector<MeanRule> means;
+  std::vector<std::string> reference_time;         ///< global attributes to believe
+  std::vector<std::string> contains_stokes;        ///< variables that hold Stokes drift
+  std::map<std::string, std::string> variables;    ///< short name -> standard name, beyond the vocabulary
+  std::optional<double> current_depth_m;           ///< of currents that come without a depth axis
+  std::vector<Download> downloads;
+
+  [[nodiscard]] static Product load(const std::filesystem::path& file);
+  [[nodiscard]] bool matches(const netcdf::File& file) const;
+  /// The attribute as the file has it, else as the product settles it.
+  [[nodiscard]] std::optional<std::string> attribute(const netcdf::Variable& variable,
+                                                     std::string_view name) const;
+};
+
+}  // namespace slackwater::ingest

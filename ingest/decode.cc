@@ -1,0 +1,38 @@
+#include <string>
+
+#include "fields/base/error.h"
+#include "ingest/grib/grib_file.h"
+#include "ingest/gridded.h"
+#include "ingest/ingest.h"
+#include "ingest/insitu/series.h"
+#include "ingest/netcdf/file.h"
+
+namespace slackwater::ingest {
+namespace {
+
+Ingested decode_netcdf(const std::filesystem::path& path, const ProductCatalogue& products,
+                       const IngestOptions& options, const std::filesystem::path& staging_folder,
+                       const Progress& progress) {
+  const netcdf::File file = netcdf::File::open(path);
+  if (is_point_series(file)) return decode_point_series(file, products, options, staging_folder);
+  return decode_gridded(file, products, options, staging_folder, progress);
+}
+
+}  // namespace
+
+Ingested decode_file(const std::filesystem::path& file, const ProductCatalogue& products,
+                     const IngestOptions& options, const std::filesystem::path& staging_folder,
+                     const Progress& progress) {
+  try {
+    if (std::filesystem::is_regular_file(file) && is_grib(file)) {
+      return decode_grib(file, products, options, staging_folder, progress);
+    }
+    return decode_netcdf(file, products, options, staging_folder, progress);
+  } catch (Error& error) {
+    // The wrappers of the libraries name the file themselves.
+    if (error.message().find(file.string()) == std::string::npos) error.prepend(file.string());
+    throw;
+  }
+}
+
+}  // namespace slackwater::ingest

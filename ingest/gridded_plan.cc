@@ -1,0 +1,204 @@
+#include "ingest/gridded_plan.h"
+
+#include <algorithm>
+
+#include "fields/base/error.h"
+#include "ingest/cf/axes.h"
+#include "ingest/cf/time_cells.h"
+#include "ingest/cf/units.h"
+#include "ingest/copernicus/text_match.h"
+
+namespace slackwater::ingest {
+namespace {
+
+/// Announced values per byte of the file: deflate packs at most 1032 to 1, and a float has 4 bytes.
+constexpr double most_values_per_byte = 4000.0;
+constexpr std::size_t most_values = std::size_t{1} << 32;
+constexpr std::size_t largest_packed_chunk = std::size_t{32} << 20;  // values
+constexpr const char* stokes_x = "sea_surface_wave_stokes_drift_x_velocity";
+constexpr const char* stokes_y = "sea_surface_wave_stokes_drift_y_velocity";
+
+struct Candidate {
+  const netcdf::Variable* variable = nullptr;
+  const Quantity* quantity = nullptr;
+};
+
+/// A variable with its axes read and cut.
+struct Located {
+  BoundVariable bound;
+  Grid grid;
+  LevelAxis levels;
+  AxisOrder rows;
+  AxisOrder columns;
+};
+
+bool is_numeric(netcdf::Type type) {
+  return type != netcdf::Type::character && type != netcdf::Type::string && type != netcdf::Type::other;
+}
+
+[[noreturn]] void refuse_nothing_wanted(const netcdf::File& file, const Product& product) {
+  refuse_terrain_following(file);
+  std::string found;
+  int named = 0;
+  for (const netcdf::Variable& variable : file.variables()) {
+    if (variable.dimensions.size() < 2 || ++named > 8) continue;
+    found += (found.empty() ? "" : ", ") + variable.name;
+    if (const auto standard_name = variable.text("standard_name")) found += " (" + *standard_name + ")";
+  }
+  throw Error(ErrorKind::invalid_input, "no velocity, wave or wind variable; found " +
+                                            (found.empty() ? std::string("no gridded variable") : found) +
+                                            "; expected e.g. eastward_sea_water_velocity or a short name that product '" +
+                                            product.id + "' knows; leave the file out");
+}
+
+std::vector<Candidate> wanted(const netcdf::File& file, const ProductCatalogue& products, const Product& product) {
+  std::vector<Candidate> candidates;
+  for (const netcdf::Variable& variable : file.variables()) {
+    if (!is_numeric(variable.type) || variable.dimensions.empty()) continue;
+    // A coordinate variable is no data, whatever its name.
+    if (variable.dimensions.size() == 1 && variable.dimensions[0] == variable.name) continue;
+    if (const Quantity* quantity = products.quantity_of(variable, product)) candidates.push_back({&variable, quantity});
+  }
+  if (candidates.empty()) refuse_nothing_wanted(file, product);
+  return candidates;
+}
+
+/// Where in the vocabulary's list of short names this one stands: smaller is preferred.
+std::size_t preference(const Candidate& candidate) {
+  const auto& aliases = candidate.quantity->aliases;
+  const auto found = std::find_if(aliases.begin(), aliases.end(),
+                                  [&](const Alias& alias) { return alias.name == candidate.variable->name; });
+  return static_cast<std::size_t>(found - aliases.begin());
+}
+
+void expect_believable_size(const netcdf::File& file, const Located& located) {
+  const netcdf::Variable& variable = *located.bound.variable;
+  std::size_t values = 1;
+  for (const std::size_t n : {located.grid.times(), located.grid.levels(), located.grid.rows(), located.grid.columns()}) {
+    if (__builtin_mul_overflow(values, n, &values)) values = most_values + 1;
+  }
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file.path()));
+  if (values > most_values || static_cast<double>(values) > most_values_per_byte * bytes + 1e6) {
+    throw Error(ErrorKind::invalid_input, "variable '" + variable.name + "' announces " + std::to_string(values) +
+                                              " values in a file of " + std::to_string(static_cast<std::size_t>(bytes)) +
+                                              " bytes; expected a whole file, or give --bbox or --site");
+  }
+  std::size_t chunk = variable.compressed ? 1 : 0;
+  for (const std::size_t n : variable.chunks) {
+    if (__builtin_mul_overflow(chunk, n, &chunk)) chunk = largest_packed_chunk + 1;
+  }
+  if (chunk > largest_packed_chunk) {
+    throw Error(ErrorKind::invalid_input, "variable '" + variable.name + "' is compressed in chunks of " +
+                                              std::to_string(chunk) + " values; expected at most " +
+                                              std::to_string(largest_packed_chunk) + "; rechunk it (nccopy -c)");
+  }
+}
+
+Located locate(const netcdf::File& file, const Candidate& candidate, const Product& product,
+               const IngestOptions& options, std::vector<std::string>& warnings) {
+  Located located;
+  located.bound = bind_axes(file, *candidate.variable, *candidate.quantity, product);
+  const BoundVariable& bound = located.bound;
+  located.levels = levels_of(file, bound, product, warnings);
+  located.rows = latitude_axis(coordinate_values(file, *bound.latitude.coordinate, product, "degree"), options.cut);
+  located.columns = longitude_axis(coordinate_values(file, *bound.longitude.coordinate, product, "degree"), options.cut);
+  if (bound.time.coordinate != nullptr) {
+    located.grid.time = time_cells(file, *bound.time.coordinate, *bound.variable, product, warnings);
+  }
+  located.grid.vertical = located.levels.kind;
+  located.grid.levels_m = located.levels.order.values;
+  located.grid.latitude_deg = located.rows.values;
+  located.grid.longitude_deg = located.columns.values;
+  expect_believable_size(file, located);
+  return located;
+}
+
+Packing packing_of(const Located& located, const Product& product, std::vector<std::string>& warnings) {
+  const netcdf::Variable& variable = *located.bound.variable;
+  const Quantity& quantity = *located.bound.quantity;
+  Packing packing = Packing::of(variable, warnings);
+  const auto unit = product.attribute(variable, "units");
+  if (!unit && quantity.unit != "1") {
+    throw Error(ErrorKind::invalid_input, "variable '" + variable.name + "' (" + quantity.standard_name +
+                                              ") has no units, and product '" + product.id +
+                                              "' does not settle them; expected '" + quantity.unit + "'");
+  }
+  if (unit) packing.convert(unit_conversion(*unit, quantity.unit, "variable '" + variable.name + "'"));
+  packing.set_gross_range(quantity.gross);
+  if (quantity.standard_name == "sea_floor_depth_below_geoid") {
+    const std::string standard_name = product.attribute(variable, "standard_name").value_or("");
+    const std::string positive = lower_case(product.attribute(variable, "positive").value_or(""));
+    const bool up = positive == "up" || standard_name.find("height") != std::string::npos || variable.name == "elevation";
+    if (up) packing.negate();
+    packing.keep_only_positive();
+  }
+  return packing;
+}
+
+std::unique_ptr<GriddedSource> source_of(const netcdf::File& file, const Located& located, const Product& product,
+                                         std::vector<std::string>& warnings) {
+  return std::make_unique<GriddedSource>(file, located.bound, located.levels.order, located.rows, located.columns,
+                                         packing_of(located, product, warnings));
+}
+
+/// The Stokes drift to take off a current that holds it, where the file has it at the same places and times.
+const Located* stokes_for(const Located& current, const std::vector<Located>& all) {
+  const bool east = current.bound.quantity->standard_name == "eastward_sea_water_velocity";
+  for (const Located& other : all) {
+    if (other.bound.quantity->standard_name != (east ? stokes_x : stokes_y)) continue;
+    if (other.grid.time == current.grid.time && other.grid.latitude_deg == current.grid.latitude_deg &&
+        other.grid.longitude_deg == current.grid.longitude_deg && current.grid.levels() == 1) {
+      return &other;
+    }
+  }
+  return nullptr;
+}
+
+bool holds_stokes(const netcdf::Variable& variable, const Product& product) {
+  const auto& names = product.contains_stokes;
+  return std::find(names.begin(), names.end(), variable.name) != names.end();
+}
+
+}  // namespace
+
+std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCatalogue& products,
+                                       const Product& product, const IngestOptions& options,
+                                       std::vector<std::string>& warnings) {
+  std::vector<Candidate> candidates = wanted(file, products, product);
+  refuse_terrain_following(file);
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return preference(a) < preference(b); });
+  std::vector<Located> all;
+  for (const Candidate& candidate : candidates) all.push_back(locate(file, candidate, product, options, warnings));
+
+  std::vector<PlannedGroup> groups;
+  for (const Located& located : all) {
+    const netcdf::Variable& variable = *located.bound.variable;
+    const Quantity& quantity = *located.bound.quantity;
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const PlannedGroup& g) { return g.grid == located.grid; });
+    if (group == groups.end()) group = groups.insert(groups.end(), PlannedGroup{located.grid, {}});
+    const auto twin = std::find_if(group->variables.begin(), group->variables.end(), [&](const PlannedVariable& v) {
+      return v.description.standard_name == quantity.standard_name;
+    });
+    if (twin != group->variables.end()) {
+      warnings.push_back("'" + variable.name + "' is left out: '" + twin->description.source_name + "' is the same quantity");
+      continue;
+    }
+    PlannedVariable planned;
+    planned.description = {quantity.standard_name, quantity.unit, variable.name, false, false};
+    planned.source = source_of(file, located, product, warnings);
+    if (holds_stokes(variable, product)) {
+      if (const Located* stokes = stokes_for(located, all)) {
+        planned.stokes = source_of(file, *stokes, product, warnings);
+        warnings.push_back("'" + variable.name + "': Stokes drift '" + stokes->bound.variable->name + "' subtracted");
+      } else {
+        planned.description.contains_stokes = true;
+        warnings.push_back("'" + variable.name + "' contains Stokes drift, and the file holds none to subtract");
+      }
+    }
+    group->variables.push_back(std::move(planned));
+  }
+  return groups;
+}
+
+}  // namespace slackwater::ingest

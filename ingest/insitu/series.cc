@@ -1,0 +1,206 @@
+#include "ingest/insitu/series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/base/error.h"
+#include "ingest/cf/granule_file.h"
+#include "ingest/copernicus/product_catalogue.h"
+#include "ingest/copernicus/text_match.h"
+#include "ingest/insitu/series_checks.h"
+#include "ingest/insitu/series_granule.h"
+#include "ingest/insitu/station.h"
+#include "ingest/insitu/station_reader.h"
+
+namespace slackwater::ingest {
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
+
+const netcdf::Variable* spectrum_in(const netcdf::File& file) {
+  for (const netcdf::Variable& variable : file.variables()) {
+    const std::string name = variable.text("standard_name").value_or("");
+    const bool over_frequency =
+        std::any_of(variable.dimensions.begin(), variable.dimensions.end(),
+                    [](const std::string& d) { return lower_case(d).starts_with("freq"); });
+    if (over_frequency && (name == "spectral_wave_density" ||
+                           contains_ignoring_case(name, "variance_spectral_density") ||
+                           contains_ignoring_case(name, "variance_density"))) {
+      return &variable;
+    }
+  }
+  return nullptr;
+}
+
+bool says_series(const netcdf::File& file) {
+  for (const char* attribute :
+       {"featureType", "CF:featureType", "cdm_data_type", "data_type", "CF_featureType"}) {
+    std::string text = lower_case(file.text(attribute).value_or(""));
+    std::erase_if(text, [](char c) { return c == '-' || c == '_' || c == ' '; });
+    if (text.find("timeseries") != std::string::npos || text == "station") return true;
+  }
+  return false;
+}
+
+/// Whether any variable lies on a grid of latitude and longitude.
+bool is_gridded(const netcdf::File& file) {
+  const auto dimension_of = [&](const char* standard_name,
+                                std::initializer_list<std::string_view> names) {
+    for (const netcdf::Variable& variable : file.variables()) {
+      const std::string lower = lower_case(variable.name);
+      const bool is_it = variable.text("standard_name") == standard_name ||
+                         std::find(names.begin(), names.end(), lower) != names.end();
+      if (is_it && variable.dimensions.size() == 1) return variable.dimensions[0];
+    }
+    return std::string();
+  };
+  const std::string rows = dimension_of("latitude", {"latitude", "lat"});
+  const std::string columns = dimension_of("longitude", {"longitude", "lon"});
+  if (rows.empty() || columns.empty() || rows == columns) return false;
+  return std::any_of(
+      file.variables().begin(), file.variables().end(), [&](const netcdf::Variable& variable) {
+        const auto has = [&](const std::string& name) {
+          return std::find(variable.dimensions.begin(), variable.dimensions.end(), name) !=
+                 variable.dimensions.end();
+        };
+        return has(rows) && has(columns);
+      });
+}
+
+/// The sentence to print: the product's, else what the file asks for.
+std::string attribution_of(const netcdf::File& file, const Product& product) {
+  constexpr std::size_t longest = 1000;
+  if (product.id != "cf") return product.attribution;
+  for (const char* attribute : {"acknowledgement", "acknowledgment", "citation"}) {
+    const std::string text = file.text(attribute).value_or("");
+    if (text.find_first_not_of(' ') != std::string::npos && text.size() <= longest) return text;
+  }
+  const std::string institution =
+      file.text("institution").value_or(file.text("agency").value_or(""));
+  return institution.find_first_not_of(' ') == std::string::npos ? product.attribution
+                                                                 : "Observations by " + institution;
+}
+
+void apply_status(Granule& granule, const IngestOptions& options) {
+  granule.status = options.as.value_or(DataStatus::observation);
+  if (granule.status == DataStatus::forecast) {
+    if (!options.issued)
+      throw Error(ErrorKind::usage, "--as forecast of a point series needs --issued TIME");
+    granule.reference_time = options.issued;
+  }
+}
+
+void write_granule(const std::filesystem::path& content_file, const Granule& granule,
+                   SeriesGroup& group) {
+  GranuleWriter writer(content_file, granule);
+  for (std::size_t v = 0; v < group.series.size(); ++v) {
+    SeriesValues& series = group.series[v];
+    for (std::size_t i = 0; i < series.values.size(); ++i) {
+      if (!has_value(series.status[i])) series.values[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+    writer.put(v, 0, series.times, 0, 1, series.values);
+    writer.put_status(v, 0, series.times, series.status);
+  }
+  writer.finish();
+}
+
+}  // namespace
+
+bool is_point_series(const netcdf::File& file) {
+  if (spectrum_in(file) != nullptr) return true;
+  if (is_gridded(file)) return false;
+  if (says_series(file)) return true;
+  const auto axes = station_axes_of(file);
+  return axes && axes->latitude->size() == 1;
+}
+
+Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& products,
+                             const IngestOptions& options,
+                             const std::filesystem::path& staging_folder) {
+  return with_context("reading point series " + file.path().filename().string(), [&] {
+    if (const netcdf::Variable* spectrum = spectrum_in(file)) {
+      refuse("'" + spectrum->name +
+             "' is a wave spectrum over frequency; expected heights, periods, directions, "
+             "wind or current over time: spectra are not ingested");
+    }
+    const auto axes = station_axes_of(file);
+    if (!axes) {
+      refuse(
+          "found no time axis of one dimension, or no latitude and longitude of a station; "
+          "expected a CF "
+          "timeSeries or timeSeriesProfile (ragged and two-dimensional time axes are not read: "
+          "write one file for "
+          "each station)");
+    }
+    const Product& product = products.product_of(file);
+    const std::vector<Wanted> wanted = wanted_in(file, *axes, products, product);
+    if (wanted.empty()) {
+      std::string names;
+      for (const netcdf::Variable& variable : file.variables()) {
+        if (names.size() < 200) names += (names.empty() ? "" : ", ") + variable.name;
+      }
+      refuse("found " + names +
+             "; expected a current, wind or wave variable over time with its CF standard name");
+    }
+
+    Ingested ingested;
+    const SeriesTimes times = series_times_of(file, *axes, ingested.warnings);
+    const std::optional<double> water_depth_m = water_depth_of(file);
+    std::size_t outside = 0;
+    for (std::size_t station = 0; station < axes->stations; ++station) {
+      const GeoPoint position = position_of(file, *axes, station, ingested.warnings);
+      if (options.cut && !options.cut->contains(position)) {
+        ++outside;
+        continue;
+      }
+      const auto placed =
+          read_station(file, *axes, products, wanted, station, water_depth_m, ingested.warnings);
+      for (SeriesGroup& group : group_series(placed, times)) {
+        reject_side_lobes(group, ingested.warnings);
+        std::vector<UtcTime> stamps;
+        for (const TimeCell& cell : group.times) stamps.push_back(cell.centre());
+        std::vector<SeriesValues*> all;
+        for (SeriesValues& series : group.series) all.push_back(&series);
+        check_series(stamps, all, ingested.warnings);
+        keep_useful_levels(group, water_depth_m, ingested.warnings);
+        if (group.levels.kind != VerticalKind::none && group.levels.levels_m.empty()) continue;
+
+        Granule granule;
+        granule.grid.time = group.times;
+        granule.grid.vertical = group.levels.kind;
+        granule.grid.levels_m = group.levels.levels_m;
+        granule.grid.latitude_deg = {position.latitude_deg()};
+        granule.grid.longitude_deg = {position.longitude_deg()};
+        granule.is_point_series = true;
+        granule.station = station_name_of(file, *axes, station);
+        granule.water_depth_m = water_depth_m;
+        granule.product_id = product.id;
+        granule.dataset_id = file.text("id").value_or("");
+        granule.attribution = attribution_of(file, product);
+        apply_status(granule, options);
+        for (const SeriesValues& series : group.series) {
+          granule.variables.push_back(
+              {series.standard_name, series.unit, series.source_name, false, true});
+        }
+        const auto content_file =
+            staging_folder / ("series-" + std::to_string(ingested.granules.size()) + ".nc");
+        write_granule(content_file, granule, group);
+        ingested.granules.push_back({std::move(granule), content_file});
+      }
+    }
+    if (ingested.granules.empty()) {
+      if (outside > 0)
+        refuse(
+            "the station lies outside the box that was asked for; choose a --bbox or --site that "
+            "holds it");
+      refuse("no value was accepted: all are missing or rejected");
+    }
+    std::sort(ingested.warnings.begin(), ingested.warnings.end());
+    ingested.warnings.erase(std::unique(ingested.warnings.begin(), ingested.warnings.end()),
+                            ingested.warnings.end());
+    return ingested;
+  });
+}
+
+}  // namespace slackwater::ingest

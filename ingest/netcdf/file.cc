@@ -1,0 +1,343 @@
+#include "ingest/netcdf/file.h"
+
+#include <netcdf.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "fields/base/check.h"
+#include "fields/base/error.h"
+#include "ingest/netcdf/classic_header.h"
+#include "ingest/netcdf/library.h"
+
+namespace slackwater::ingest::netcdf {
+namespace {
+
+// A product file has tens of variables with tens of attributes. These bounds keep a hostile one from eating memory.
+constexpr int max_variables = 4096;
+constexpr int max_dimensions = 4096;
+constexpr int max_attributes = 1024;
+constexpr std::size_t max_attribute_values = std::size_t{1} << 20;
+constexpr std::size_t max_read_all = std::size_t{64} << 20;
+constexpr std::size_t max_text = std::size_t{1} << 16;
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+  throw Error(ErrorKind::invalid_input, path.string() + ": " + why);
+}
+
+Type type_of(nc_type type) noexcept {
+  switch (type) {
+    case NC_BYTE: return Type::int8;
+    case NC_UBYTE: return Type::uint8;
+    case NC_CHAR: return Type::character;
+    case NC_SHORT: return Type::int16;
+    case NC_USHORT: return Type::uint16;
+    case NC_INT: return Type::int32;
+    case NC_UINT: return Type::uint32;
+    case NC_INT64: return Type::int64;
+    case NC_UINT64: return Type::uint64;
+    case NC_FLOAT: return Type::float32;
+    case NC_DOUBLE: return Type::float64;
+    case NC_STRING: return Type::string;
+    default: return Type::other;
+  }
+}
+
+void expect_netcdf_magic(const std::filesystem::path& path) {
+  std::error_code status;
+  if (!std::filesystem::exists(path, status)) {
+    throw Error(ErrorKind::not_found, "no such file: " + path.string());
+  }
+  if (!std::filesystem::is_regular_file(path, status)) refuse(path, "is not a regular file; give a NetCDF file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw Error(ErrorKind::unavailable, "cannot read " + path.string() + "; check its permissions");
+  std::string magic(8, '\0');
+  stream.read(magic.data(), 8);
+  const auto found = static_cast<std::size_t>(stream.gcount());
+  if (found == 0) refuse(path, "is empty (0 bytes); expected a NetCDF file; fetch it again");
+  const bool hdf5 = found == 8 && magic == std::string("\x89HDF\r\n\x1a\n", 8);
+  const bool classic = found >= 4 && magic.starts_with("CDF") && (magic[3] == 1 || magic[3] == 2 || magic[3] == 5);
+  if (!hdf5 && !classic) {
+    std::string shown;
+    for (std::size_t i = 0; i < std::min<std::size_t>(found, 8); ++i) {
+      const auto byte = static_cast<unsigned char>(magic[i]);
+      shown += byte >= 32 && byte < 127 ? magic[i] : '.';
+    }
+    refuse(path, "is not a NetCDF file (it starts with '" + shown +
+                     "'); expected netCDF classic, 64-bit offset or netCDF-4; convert it or leave it out");
+  }
+  if (classic) expect_classic_file_is_whole(path);
+}
+
+Attribute read_attribute(int file, int variable, int number, const std::filesystem::path& path) {
+  Attribute attribute;
+  std::string name(NC_MAX_NAME + 1, '\0');
+  check(nc_inq_attname(file, variable, number, name.data()), path, "reading an attribute name");
+  attribute.name = name.c_str();
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  const std::string doing = "reading attribute '" + attribute.name + "'";
+  check(nc_inq_att(file, variable, attribute.name.c_str(), &type, &length), path, doing);
+  attribute.type = type_of(type);
+  if (length > max_attribute_values) {
+    refuse(path, "attribute '" + attribute.name + "' holds " + std::to_string(length) +
+                     " values; expected at most " + std::to_string(max_attribute_values));
+  }
+  if (attribute.type == Type::character) {
+    std::string text(length, '\0');
+    if (length > 0) check(nc_get_att_text(file, variable, attribute.name.c_str(), text.data()), path, doing);
+    while (!text.empty() && text.back() == '\0') text.pop_back();
+    attribute.value = std::move(text);
+  } else if (attribute.type == Type::string) {
+    std::vector<char*> strings(length, nullptr);
+    std::string text;
+    if (length > 0) {
+      check(nc_get_att_string(file, variable, attribute.name.c_str(), strings.data()), path, doing);
+      for (const char* part : strings) {
+        if (!text.empty()) text += ' ';
+        if (part != nullptr) text += part;
+      }
+      nc_free_string(length, strings.data());
+    }
+    attribute.value = std::move(text);
+  } else if (attribute.type == Type::other) {
+    attribute.value = std::string();
+  } else {
+    std::vector<double> numbers(length);
+    if (length > 0) check(nc_get_att_double(file, variable, attribute.name.c_str(), numbers.data()), path, doing);
+    attribute.value = std::move(numbers);
+  }
+  return attribute;
+}
+
+std::vector<Attribute> read_attributes(int file, int variable, int count, const std::filesystem::path& path) {
+  if (count > max_attributes) refuse(path, "has " + std::to_string(count) + " attributes on one variable");
+  std::vector<Attribute> attributes;
+  attributes.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) attributes.push_back(read_attribute(file, variable, i, path));
+  return attributes;
+}
+
+std::vector<Dimension> read_dimensions(int file, const std::filesystem::path& path) {
+  int count = 0;
+  check(nc_inq_dimids(file, &count, nullptr, 0), path, "counting dimensions");
+  if (count > max_dimensions) refuse(path, "has " + std::to_string(count) + " dimensions");
+  std::vector<int> ids(static_cast<std::size_t>(count));
+  check(nc_inq_dimids(file, nullptr, ids.data(), 0), path, "listing dimensions");
+  int unlimited_count = 0;
+  check(nc_inq_unlimdims(file, &unlimited_count, nullptr), path, "counting unlimited dimensions");
+  std::vector<int> unlimited(static_cast<std::size_t>(unlimited_count));
+  check(nc_inq_unlimdims(file, nullptr, unlimited.data()), path, "listing unlimited dimensions");
+  std::vector<Dimension> dimensions;
+  for (const int id : ids) {
+    Dimension dimension;
+    dimension.id = id;
+    std::string name(NC_MAX_NAME + 1, '\0');
+    check(nc_inq_dim(file, id, name.data(), &dimension.length), path, "reading a dimension");
+    dimension.name = name.c_str();
+    dimension.unlimited = std::find(unlimited.begin(), unlimited.end(), id) != unlimited.end();
+    dimensions.push_back(std::move(dimension));
+  }
+  return dimensions;
+}
+
+Variable read_variable(int file, int id, const std::filesystem::path& path) {
+  Variable variable;
+  variable.id = id;
+  std::string name(NC_MAX_NAME + 1, '\0');
+  nc_type type = NC_NAT;
+  int rank = 0;
+  int attribute_count = 0;
+  check(nc_inq_var(file, id, name.data(), &type, &rank, nullptr, &attribute_count), path, "reading a variable");
+  variable.name = name.c_str();
+  variable.type = type_of(type);
+  variable.dimension_ids.resize(static_cast<std::size_t>(rank));
+  const std::string doing = "reading variable '" + variable.name + "'";
+  if (rank > 0) check(nc_inq_vardimid(file, id, variable.dimension_ids.data()), path, doing);
+  for (const int dimension : variable.dimension_ids) {
+    std::size_t length = 0;
+    check(nc_inq_dim(file, dimension, name.data(), &length), path, doing);
+    variable.dimensions.emplace_back(name.c_str());
+    variable.shape.push_back(length);
+  }
+  int storage = NC_CONTIGUOUS;
+  std::vector<std::size_t> chunks(variable.shape.size());
+  if (rank > 0 && nc_inq_var_chunking(file, id, &storage, chunks.data()) == NC_NOERR && storage == NC_CHUNKED) {
+    variable.chunks = std::move(chunks);
+  }
+  int shuffle = 0;
+  int deflate = 0;
+  int level = 0;
+  if (nc_inq_var_deflate(file, id, &shuffle, &deflate, &level) == NC_NOERR) variable.compressed = deflate != 0;
+  variable.attributes = read_attributes(file, id, attribute_count, path);
+  return variable;
+}
+
+/// The promises of read(): rank, bounds and buffer agree. A mismatch is a bug of the caller, never of the file.
+void expect_hyperslab(const Variable& variable, std::span<const std::size_t> start,
+                      std::span<const std::size_t> count, std::size_t values) {
+  expects(start.size() == variable.shape.size() && count.size() == start.size(),
+          "read: one start and count per dimension");
+  std::size_t product = 1;
+  for (std::size_t d = 0; d < start.size(); ++d) {
+    expects(start[d] <= variable.shape[d] && count[d] <= variable.shape[d] - start[d], "read: inside the shape");
+    product *= count[d];
+  }
+  expects(product == values, "read: the buffer holds product(count) values");
+}
+
+}  // namespace
+
+std::optional<std::string> Attribute::text() const {
+  if (const auto* found = std::get_if<std::string>(&value)) return *found;
+  return std::nullopt;
+}
+
+std::optional<double> Attribute::number() const {
+  const auto* found = std::get_if<std::vector<double>>(&value);
+  if (found == nullptr || found->empty()) return std::nullopt;
+  return found->front();
+}
+
+const Attribute* Variable::find(std::string_view attribute) const noexcept {
+  const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                  [&](const Attribute& a) { return a.name == attribute; });
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+std::optional<std::string> Variable::text(std::string_view attribute) const {
+  const Attribute* found = find(attribute);
+  return found == nullptr ? std::nullopt : found->text();
+}
+
+std::optional<double> Variable::number(std::string_view attribute) const {
+  const Attribute* found = find(attribute);
+  return found == nullptr ? std::nullopt : found->number();
+}
+
+std::size_t Variable::size() const noexcept {
+  std::size_t product = 1;
+  for (const std::size_t length : shape) {
+    if (__builtin_mul_overflow(product, length, &product)) return std::numeric_limits<std::size_t>::max();
+  }
+  return product;
+}
+
+File File::open(const std::filesystem::path& path) {
+  const LibraryLock lock;
+  expect_netcdf_magic(path);
+  File file;
+  file.path_ = path;
+  // An absolute path starts with '/', so the library cannot take it for a URL.
+  const std::string name = std::filesystem::absolute(path).string();
+  const int status = nc_open(name.c_str(), NC_NOWRITE, &file.id_);
+  if (status != NC_NOERR) {
+    file.id_ = -1;
+    refuse(path, std::string("cannot be opened as NetCDF (") + nc_strerror(status) +
+                     "); it is damaged or truncated; fetch it again");
+  }
+  int variables = 0;
+  int global_attributes = 0;
+  check(nc_inq(file.id_, nullptr, &variables, &global_attributes, nullptr), path, "reading the header");
+  if (variables > max_variables) refuse(path, "has " + std::to_string(variables) + " variables");
+  file.dimensions_ = read_dimensions(file.id_, path);
+  file.attributes_ = read_attributes(file.id_, NC_GLOBAL, global_attributes, path);
+  for (int id = 0; id < variables; ++id) file.variables_.push_back(read_variable(file.id_, id, path));
+  return file;
+}
+
+File::~File() {
+  if (id_ < 0) return;
+  const LibraryLock lock;
+  nc_close(id_);
+}
+
+File::File(File&& other) noexcept { *this = std::move(other); }
+
+File& File::operator=(File&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(id_, other.id_);
+  std::swap(dimensions_, other.dimensions_);
+  std::swap(variables_, other.variables_);
+  std::swap(attributes_, other.attributes_);
+  return *this;
+}
+
+const Variable* File::find(std::string_view name) const noexcept {
+  const auto found =
+      std::find_if(variables_.begin(), variables_.end(), [&](const Variable& v) { return v.name == name; });
+  return found == variables_.end() ? nullptr : &*found;
+}
+
+std::optional<std::string> File::text(std::string_view global_attribute) const {
+  for (const Attribute& attribute : attributes_) {
+    if (attribute.name == global_attribute) return attribute.text();
+  }
+  return std::nullopt;
+}
+
+void File::read(const Variable& variable, std::span<const std::size_t> start,
+                std::span<const std::size_t> count, std::span<double> out) const {
+  expect_hyperslab(variable, start, count, out.size());
+  if (out.empty()) return;
+  const LibraryLock lock;
+  const int status = nc_get_vara_double(id_, variable.id, start.data(), count.data(), out.data());
+  check(status, path_, "reading variable '" + variable.name + "'");
+}
+
+void File::read(const Variable& variable, std::span<const std::size_t> start,
+                std::span<const std::size_t> count, std::span<float> out) const {
+  expect_hyperslab(variable, start, count, out.size());
+  if (out.empty()) return;
+  const LibraryLock lock;
+  const int status = nc_get_vara_float(id_, variable.id, start.data(), count.data(), out.data());
+  if (status == NC_ERANGE) return;  // a double beyond float, e.g. a fill value of 1e308, reads as infinity
+  check(status, path_, "reading variable '" + variable.name + "'");
+}
+
+void File::read(const Variable& variable, std::span<const std::size_t> start,
+                std::span<const std::size_t> count, std::span<std::int64_t> out) const {
+  expect_hyperslab(variable, start, count, out.size());
+  if (out.empty()) return;
+  const LibraryLock lock;
+  static_assert(sizeof(long long) == sizeof(std::int64_t));
+  const int status = nc_get_vara_longlong(id_, variable.id, start.data(), count.data(),
+                                          reinterpret_cast<long long*>(out.data()));
+  check(status, path_, "reading variable '" + variable.name + "'");
+}
+
+std::vector<double> File::read_all(const Variable& variable) const {
+  const std::size_t size = variable.size();
+  if (size > max_read_all) {
+    refuse(path_, "variable '" + variable.name + "' holds " + std::to_string(size) +
+                      " values; expected at most " + std::to_string(max_read_all) + " in one piece");
+  }
+  std::vector<double> values(size);
+  const std::vector<std::size_t> start(variable.shape.size(), 0);
+  read(variable, start, variable.shape, values);
+  return values;
+}
+
+std::string File::read_text(const Variable& variable) const {
+  const LibraryLock lock;
+  const std::string doing = "reading text variable '" + variable.name + "'";
+  if (variable.size() > max_text) refuse(path_, "variable '" + variable.name + "' is too long for a text");
+  std::string text;
+  if (variable.type == Type::character) {
+    text.resize(variable.size());
+    if (!text.empty()) check(nc_get_var_text(id_, variable.id, text.data()), path_, doing);
+  } else if (variable.type == Type::string && variable.size() >= 1) {
+    std::vector<char*> strings(variable.size(), nullptr);
+    check(nc_get_var_string(id_, variable.id, strings.data()), path_, doing);
+    if (strings.front() != nullptr) text = strings.front();
+    nc_free_string(strings.size(), strings.data());
+  } else if (variable.type != Type::string) {
+    refuse(path_, "variable '" + variable.name + "' holds numbers; expected text");
+  }
+  const auto last = text.find_last_not_of(std::string_view(" \0\t", 3));
+  text.resize(last == std::string::npos ? 0 : last + 1);
+  return text;
+}
+
+}  // namespace slackwater::ingest::netcdf

@@ -1,0 +1,221 @@
+#include <fcntl.h>
+#include <netcdf.h>
+#include <unistd.h>
+
+#include <cstring>
+
+#include "fields/base/check.h"
+#include "fields/base/error.h"
+#include "ingest/netcdf/file.h"
+#include "ingest/netcdf/library.h"
+
+namespace slackwater::ingest::netcdf {
+namespace {
+
+nc_type external_type(Type type) {
+  switch (type) {
+    case Type::int8: return NC_BYTE;
+    case Type::uint8: return NC_UBYTE;
+    case Type::character: return NC_CHAR;
+    case Type::int16: return NC_SHORT;
+    case Type::uint16: return NC_USHORT;
+    case Type::int32: return NC_INT;
+    case Type::uint32: return NC_UINT;
+    case Type::int64: return NC_INT64;
+    case Type::uint64: return NC_UINT64;
+    case Type::float32: return NC_FLOAT;
+    case Type::float64: return NC_DOUBLE;
+    case Type::string: return NC_STRING;
+    case Type::other: break;
+  }
+  expects(false, "Writer: a type that can be written");
+  return NC_NAT;
+}
+
+/// The fill value as bytes of the variable's type.
+template <typename T>
+int define_fill(int file, int variable, double value) {
+  const T typed = static_cast<T>(value);
+  return nc_def_var_fill(file, variable, NC_FILL, &typed);
+}
+
+int define_fill(int file, int variable, Type type, double value) {
+  switch (type) {
+    case Type::int8: return define_fill<signed char>(file, variable, value);
+    case Type::uint8: return define_fill<unsigned char>(file, variable, value);
+    case Type::int16: return define_fill<short>(file, variable, value);
+    case Type::uint16: return define_fill<unsigned short>(file, variable, value);
+    case Type::int32: return define_fill<int>(file, variable, value);
+    case Type::uint32: return define_fill<unsigned int>(file, variable, value);
+    case Type::int64: return define_fill<long long>(file, variable, value);
+    case Type::uint64: return define_fill<unsigned long long>(file, variable, value);
+    case Type::float32: return define_fill<float>(file, variable, value);
+    case Type::float64: return define_fill<double>(file, variable, value);
+    default: expects(false, "Writer: a fill value needs a numeric type"); return NC_EBADTYPE;
+  }
+}
+
+void check_write(int status, const std::filesystem::path& path, std::string_view doing) {
+  check(status, path, doing, ErrorKind::unavailable);
+}
+
+std::size_t length_of(int file, int dimension) {
+  std::size_t length = 0;
+  nc_inq_dimlen(file, dimension, &length);
+  return length;
+}
+
+std::vector<std::size_t> shape_of(int file, int variable) {
+  int rank = 0;
+  nc_inq_varndims(file, variable, &rank);
+  std::vector<int> dimensions(static_cast<std::size_t>(rank));
+  if (rank > 0) nc_inq_vardimid(file, variable, dimensions.data());
+  std::vector<std::size_t> shape;
+  for (const int dimension : dimensions) shape.push_back(length_of(file, dimension));
+  return shape;
+}
+
+std::size_t product_of(std::span<const std::size_t> counts) {
+  std::size_t product = 1;
+  for (const std::size_t count : counts) product *= count;
+  return product;
+}
+
+}  // namespace
+
+Writer Writer::create(const std::filesystem::path& path) {
+  const LibraryLock lock;
+  Writer writer;
+  writer.path_ = path;
+  const std::string name = std::filesystem::absolute(path).string();
+  const int status = nc_create(name.c_str(), NC_NETCDF4 | NC_CLOBBER, &writer.id_);
+  if (status != NC_NOERR) writer.id_ = -1;
+  check_write(status, path, "creating the file");
+  return writer;
+}
+
+Writer::~Writer() {
+  if (id_ < 0) return;
+  const LibraryLock lock;
+  nc_abort(id_);
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+Writer::Writer(Writer&& other) noexcept : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
+
+int Writer::dimension(const std::string& name, std::size_t length) {
+  expects(length > 0, "Writer: a dimension has a length (0 would mean unlimited)");
+  const LibraryLock lock;
+  int id = -1;
+  check_write(nc_def_dim(id_, name.c_str(), length, &id), path_, "defining dimension '" + name + "'");
+  return id;
+}
+
+int Writer::unlimited_dimension(const std::string& name) {
+  const LibraryLock lock;
+  int id = -1;
+  check_write(nc_def_dim(id_, name.c_str(), NC_UNLIMITED, &id), path_, "defining dimension '" + name + "'");
+  return id;
+}
+
+int Writer::variable(const std::string& name, Type type, const std::vector<int>& dimension_ids,
+                     const Layout& layout) {
+  const LibraryLock lock;
+  const std::string doing = "defining variable '" + name + "'";
+  int id = -1;
+  check_write(nc_def_var(id_, name.c_str(), external_type(type), static_cast<int>(dimension_ids.size()),
+                         dimension_ids.data(), &id),
+              path_, doing);
+  if (!layout.chunks.empty()) {
+    expects(layout.chunks.size() == dimension_ids.size(), "Writer: one chunk length per dimension");
+    check_write(nc_def_var_chunking(id_, id, NC_CHUNKED, layout.chunks.data()), path_, doing);
+  }
+  if (layout.deflate > 0) check_write(nc_def_var_deflate(id_, id, 1, 1, layout.deflate), path_, doing);
+  if (layout.fill_value) check_write(define_fill(id_, id, type, *layout.fill_value), path_, doing);
+  return id;
+}
+
+void Writer::attribute(int variable, const std::string& name, const std::string& text) {
+  const LibraryLock lock;
+  check_write(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()), path_,
+              "writing attribute '" + name + "'");
+}
+
+void Writer::attribute(int variable, const std::string& name, double value) {
+  attribute(variable, name, std::span<const double>(&value, 1), Type::float64);
+}
+
+void Writer::attribute(int variable, const std::string& name, std::span<const double> values, Type type) {
+  const LibraryLock lock;
+  check_write(nc_put_att_double(id_, variable, name.c_str(), external_type(type), values.size(), values.data()),
+              path_, "writing attribute '" + name + "'");
+}
+
+void Writer::end_definitions() {
+  const LibraryLock lock;
+  check_write(nc_enddef(id_), path_, "ending the definitions");
+}
+
+void Writer::write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
+                   std::span<const double> values) {
+  expects(start.size() == count.size() && product_of(count) == values.size(), "Writer: a whole hyperslab");
+  const LibraryLock lock;
+  check_write(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()), path_, "writing values");
+}
+
+void Writer::write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
+                   std::span<const float> values) {
+  expects(start.size() == count.size() && product_of(count) == values.size(), "Writer: a whole hyperslab");
+  const LibraryLock lock;
+  check_write(nc_put_vara_float(id_, variable, start.data(), count.data(), values.data()), path_, "writing values");
+}
+
+void Writer::write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
+                   std::span<const std::int64_t> values) {
+  expects(start.size() == count.size() && product_of(count) == values.size(), "Writer: a whole hyperslab");
+  static_assert(sizeof(long long) == sizeof(std::int64_t));
+  const LibraryLock lock;
+  check_write(nc_put_vara_longlong(id_, variable, start.data(), count.data(),
+                                   reinterpret_cast<const long long*>(values.data())),
+              path_, "writing values");
+}
+
+void Writer::write_all(int variable, std::span<const double> values) {
+  const LibraryLock lock;
+  const std::vector<std::size_t> shape = shape_of(id_, variable);
+  const std::vector<std::size_t> start(shape.size(), 0);
+  write(variable, start, shape, values);
+}
+
+void Writer::write_text(int variable, std::string_view text) {
+  const LibraryLock lock;
+  const std::vector<std::size_t> shape = shape_of(id_, variable);
+  expects(shape.size() == 1 && text.size() <= shape[0], "Writer: the text fits its char dimension");
+  std::string padded_text(text);
+  padded_text.resize(shape[0], '\0');
+  check_write(nc_put_var_text(id_, variable, padded_text.data()), path_, "writing text");
+}
+
+void Writer::close() {
+  expects(id_ >= 0, "Writer: closed once");
+  const LibraryLock lock;
+  const int status = nc_close(std::exchange(id_, -1));
+  try {
+    check_write(status, path_, "closing the file");
+    const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
+    const int cause = errno;
+    if (descriptor >= 0) ::close(descriptor);
+    if (!synced) {
+      throw Error(ErrorKind::unavailable, "cannot flush " + path_.string() + " to disk (" + std::strerror(cause) +
+                                              "); check free space and permissions");
+    }
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+    throw;
+  }
+}
+
+}  // namespace slackwater::ingest::netcdf

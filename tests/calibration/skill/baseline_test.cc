@@ -1,0 +1,187 @@
+#include "calibration/skill/baseline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "fields/base/check.h"
+#include "fields/base/constants.h"
+#include "fields/current/astronomy.h"
+
+namespace slackwater::calibration {
+namespace {
+
+const UtcDay day_d = parse_day("2024-06-01");
+const UtcTime end_of_d = UtcTime(day_d) + std::chrono::days(1);
+const Angle latitude = Angle::from_degrees(50.0);
+
+/// Two levels, the second half as fast; hours from the end of D.
+template <typename Function>
+VectorColumn hourly(Function value, int first_h, int last_h, bool means) {
+  VectorColumn column;
+  column.levels_m = {1.0, 10.0};
+  for (int t = first_h; t <= last_h; ++t) {
+    const UtcTime at = add_hours(end_of_d, t);
+    if (means && t == last_h) break;
+    column.time.push_back(means ? TimeCell{at, at + std::chrono::hours(1)} : TimeCell::instant(at));
+    const Horizontal v = value(means ? t + 0.5 : t);
+    column.value.push_back(v);
+    column.value.push_back(0.5 * v);
+    column.status.insert(column.status.end(), 2, SampleStatus::ok);
+  }
+  return column;
+}
+
+Horizontal curve(double t_h) { return {0.3 + 0.01 * t_h, std::sin(0.3 * t_h)}; }
+
+BaselineForecast made(Baseline baseline, const VectorColumn& history, const VectorColumn& truth) {
+  const BaselineInput input{day_d, history, nullptr, latitude, false};
+  BaselineOutcome outcome = make_baseline(baseline, input, truth.time, &truth);
+  EXPECT_TRUE(outcome.forecast.has_value()) << name_of(baseline) << ": " << outcome.reason;
+  return outcome.forecast.value_or(BaselineForecast{});
+}
+
+TEST(Baseline, NamesAreThoseOfTheReferenceAndComeBack) {
+  EXPECT_EQ(name_of(Baseline::persistence), "persistence");
+  EXPECT_EQ(name_of(Baseline::reference_slab), "reference-slab");
+  for (const Baseline baseline : all_baselines)
+    EXPECT_EQ(baseline_from(name_of(baseline)), baseline);
+  EXPECT_FALSE(baseline_from("climatology").has_value());
+}
+
+TEST(Persistence, HoldsTheInstantAt24HoursAtEveryLevel) {
+  const VectorColumn history = hourly(curve, -48, 0, false);
+  const VectorColumn truth = hourly(curve, 1, 30, false);
+  const BaselineForecast forecast = made(Baseline::persistence, history, truth);
+  for (std::size_t t = 0; t < truth.times(); ++t) {
+    EXPECT_EQ(forecast.value[truth.offset(t, 0)], curve(0.0));
+    EXPECT_EQ(forecast.value[truth.offset(t, 1)], 0.5 * curve(0.0));
+  }
+}
+
+TEST(Persistence, TakesTheLastValueThatIsThereAndLeavesADryLevelMissing) {
+  VectorColumn history = hourly(curve, -24, 0, false);
+  history.status[history.offset(24, 0)] = SampleStatus::suspect;
+  for (std::size_t t = 0; t < history.times(); ++t)
+    history.status[history.offset(t, 1)] = SampleStatus::below_bed;
+  const VectorColumn truth = hourly(curve, 1, 3, false);
+  const BaselineForecast forecast = made(Baseline::persistence, history, truth);
+  EXPECT_EQ(forecast.value[0], curve(-1.0));
+  EXPECT_TRUE(forecast.has(0));
+  EXPECT_FALSE(forecast.has(1));
+}
+
+TEST(DayMean, AClosedDayOfInstantsHasTwentyFiveAndOfMeansTwentyFour) {
+  Horizontal instants{};
+  Horizontal means{};
+  for (int i = 0; i <= 24; ++i) instants += curve(i - 24.0) / 25.0;
+  for (int i = 0; i < 24; ++i) means += curve(i - 23.5) / 24.0;
+  const VectorColumn truth = hourly(curve, 1, 3, false);
+  EXPECT_NEAR(
+      std::abs(made(Baseline::day_mean, hourly(curve, -60, 0, false), truth).value[0] - instants),
+      0, 1e-14);
+  EXPECT_NEAR(
+      std::abs(made(Baseline::day_mean, hourly(curve, -60, 0, true), truth).value[0] - means), 0,
+      1e-14);
+}
+
+TEST(SameHour, RepeatsTheLastDayAtAnyLead) {
+  for (const bool means : {false, true}) {
+    const VectorColumn history = hourly(curve, -48, 0, means);
+    const VectorColumn truth = hourly(curve, means ? 0 : 1, 72, means);
+    const BaselineForecast forecast = made(Baseline::same_hour, history, truth);
+    for (std::size_t t = 0; t < truth.times(); ++t) {
+      const double lead_h = hours_between(end_of_d, truth.time[t].centre());
+      const double back_h = lead_h - 24.0 * std::ceil(lead_h / 24.0);
+      EXPECT_NEAR(std::abs(forecast.value[truth.offset(t, 0)] - curve(back_h)), 0, 1e-13) << lead_h;
+    }
+  }
+}
+
+TEST(TidePhase, RepeatsASeaOfThatPeriod) {
+  const auto tide = [](double t_h) { return std::polar(0.4, 2 * constants::pi * t_h / 12.42); };
+  const VectorColumn history = hourly(tide, -60, 0, false);
+  const VectorColumn truth = hourly(tide, 1, 72, false);
+  const BaselineForecast forecast = made(Baseline::tide_phase, history, truth);
+  // Linear between hours: 0.4 (w dt)^2/8 = 0.013
+  for (std::size_t i = 0; i < truth.value.size(); ++i)
+    EXPECT_NEAR(std::abs(forecast.value[i] - truth.value[i]), 0, 0.013);
+}
+
+TEST(TidePhase, DoesNotReadAcrossAGap) {
+  VectorColumn history = hourly(curve, -48, 0, false);
+  for (std::size_t t = 20; t < 30; ++t)
+    history.status[history.offset(t, 0)] = SampleStatus::missing;
+  const VectorColumn truth = hourly(curve, 1, 24, false);
+  const BaselineForecast forecast = made(Baseline::tide_phase, history, truth);
+  EXPECT_FALSE(forecast.has(truth.offset(1, 0)));  // lead 2 h looks at -22.84 h, in the gap
+  EXPECT_TRUE(forecast.has(truth.offset(1, 1)));
+  EXPECT_TRUE(forecast.has(truth.offset(22, 0)));
+}
+
+TEST(TideHarmonic, PredictsAnExactTideAndItsMean) {
+  const double m2 = tidal_constituent("M2").speed_rad_s * 3600.0;
+  const double o1 = tidal_constituent("O1").speed_rad_s * 3600.0;
+  const auto tide = [&](double t_h) {
+    return Horizontal(0.05, 0.1) + std::polar(0.4, m2 * t_h + 1.0) + std::polar(0.1, -o1 * t_h);
+  };
+  const VectorColumn history = hourly(tide, -24 * 20, 0, false);
+  const VectorColumn truth = hourly(tide, 1, 24, false);
+  const BaselineForecast forecast = made(Baseline::tide_harmonic, history, truth);
+  for (std::size_t i = 0; i < truth.value.size(); ++i)
+    EXPECT_NEAR(std::abs(forecast.value[i] - truth.value[i]), 0, 1e-11);
+  // The slab takes the same tide out and puts it back: what is left is a constant.
+  const BaselineForecast slab = made(Baseline::reference_slab, history, truth);
+  for (std::size_t i = 0; i < truth.value.size(); ++i)
+    EXPECT_NEAR(std::abs(slab.value[i] - truth.value[i]), 0, 1e-11);
+}
+
+TEST(TideHarmonic, NeedsFifteenDays) {
+  const VectorColumn history = hourly(curve, -24 * 15 + 1, 0, false);
+  const VectorColumn truth = hourly(curve, 1, 2, false);
+  const BaselineOutcome outcome = make_baseline(
+      Baseline::tide_harmonic, {day_d, history, nullptr, latitude, false}, truth.time);
+  EXPECT_FALSE(outcome.forecast.has_value());
+  EXPECT_NE(outcome.reason.find("shorter than 15 days"), std::string::npos);
+}
+
+TEST(OracleMean, NoConstantIsBetter) {
+  const VectorColumn history = hourly(curve, -24, 0, false);
+  const VectorColumn truth = hourly(curve, 1, 24, false);
+  const BaselineForecast oracle = made(Baseline::oracle_mean, history, truth);
+  const auto misfit = [&](Horizontal constant) {
+    double sum = 0;
+    for (std::size_t t = 0; t < truth.times(); ++t)
+      sum += std::norm(truth.value[truth.offset(t, 0)] - constant);
+    return sum;
+  };
+  const Horizontal best = oracle.value[0];
+  for (const Horizontal nudge :
+       {Horizontal(1e-3, 0), Horizontal(-1e-3, 0), Horizontal(0, 1e-3), Horizontal(0, -1e-3)})
+    EXPECT_GT(misfit(best + nudge), misfit(best));
+  const BaselineInput input{day_d, history, nullptr, latitude, false};
+  EXPECT_FALSE(make_baseline(Baseline::oracle_mean, input, truth.time).forecast.has_value());
+}
+
+TEST(Baseline, AHistoryThatReachesBeyondDIsABug) {
+  const VectorColumn history = hourly(curve, -24, 1, false);
+  EXPECT_THROW(
+      (void)make_baseline(Baseline::persistence, {day_d, history, nullptr, latitude, false}, {}),
+      ContractViolation);
+}
+
+TEST(Baseline, WithoutAnyCurrentOnDThereIsAReason) {
+  const VectorColumn history = hourly(curve, -48, -30, false);
+  const VectorColumn truth = hourly(curve, 1, 2, false);
+  for (const Baseline baseline :
+       {Baseline::persistence, Baseline::day_mean, Baseline::reference_slab}) {
+    const auto outcome =
+        make_baseline(baseline, {day_d, history, nullptr, latitude, false}, truth.time);
+    EXPECT_FALSE(outcome.forecast.has_value());
+    EXPECT_NE(outcome.reason.find("2024-06-01"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::calibration
