@@ -11,7 +11,8 @@ namespace slackwater::ingest {
 namespace {
 
 constexpr std::uintmax_t largest_uncut_file = std::uintmax_t{512} << 20;
-/// A unit mistake moves most values out of the believable range; a few are the provider's own blunders.
+/// A unit mistake moves most values out of the believable range; a few are the provider's own
+/// blunders.
 constexpr double most_gross_share = 0.1;
 
 /// Times [first, first + count) of a group that share one status.
@@ -22,13 +23,16 @@ struct Period {
   std::optional<UtcTime> reference;
 };
 
-/// The status rule of DESIGN §2, which may cut a file in two: analysed up to the reference time, forecast after it.
-std::vector<Period> periods_of(const Grid& grid, const std::optional<UtcTime>& stated, const IngestOptions& options) {
+/// The status rule of DESIGN §2, which may cut a file in two: analysed up to the reference time,
+/// forecast after it.
+std::vector<Period> periods_of(const Grid& grid, const std::optional<UtcTime>& stated,
+                               const IngestOptions& options) {
   const std::size_t times = grid.times();
   const auto reference = options.issued ? options.issued : stated;
   if (options.as == DataStatus::forecast) {
     if (!reference) {
-      throw Error(ErrorKind::usage, "a forecast needs its issue time and the file states none; add --issued TIME");
+      throw Error(ErrorKind::usage,
+                  "a forecast needs its issue time and the file states none; add --issued TIME");
     }
     return {{0, times, DataStatus::forecast, reference}};
   }
@@ -39,7 +43,8 @@ std::vector<Period> periods_of(const Grid& grid, const std::optional<UtcTime>& s
   const auto analysed = static_cast<std::size_t>(later - grid.time.begin());
   std::vector<Period> periods;
   if (analysed > 0) periods.push_back({0, analysed, DataStatus::analysis, std::nullopt});
-  if (analysed < times) periods.push_back({analysed, times - analysed, DataStatus::forecast, reference});
+  if (analysed < times)
+    periods.push_back({analysed, times - analysed, DataStatus::forecast, reference});
   return periods;
 }
 
@@ -59,10 +64,12 @@ struct Outcome {
 
 class Work {
  public:
-  Work(std::size_t values, const Progress& progress) : whole_(std::max<std::size_t>(values, 1)), progress_(progress) {}
+  Work(std::size_t values, const Progress& progress)
+      : whole_(std::max<std::size_t>(values, 1)), progress_(progress) {}
   void done(std::size_t values) {
     done_ += values;
-    if (progress_) progress_(std::min(1.0, static_cast<double>(done_) / static_cast<double>(whole_)));
+    if (progress_)
+      progress_(std::min(1.0, static_cast<double>(done_) / static_cast<double>(whole_)));
   }
 
  private:
@@ -71,8 +78,8 @@ class Work {
   const Progress& progress_;
 };
 
-void write_variable(GranuleWriter& writer, std::size_t index, PlannedVariable& variable, const Grid& grid,
-                    const Period& period, Outcome& outcome, Work& work) {
+void write_variable(GranuleWriter& writer, std::size_t index, PlannedVariable& variable,
+                    const Grid& grid, const Period& period, Outcome& outcome, Work& work) {
   const GranuleWriter::Block block = writer.block();
   std::vector<float> values;
   std::vector<float> stokes;
@@ -95,13 +102,15 @@ void write_variable(GranuleWriter& writer, std::size_t index, PlannedVariable& v
 }
 
 DecodedGranule write_granule(PlannedGroup& group, const Period& period, Granule granule,
-                             const std::filesystem::path& folder, std::vector<Outcome>& outcomes, Work& work) {
+                             const std::filesystem::path& folder, std::vector<Outcome>& outcomes,
+                             Work& work) {
   granule.grid = group.grid;
   if (!granule.grid.time.empty()) {
     const auto begin = group.grid.time.begin() + static_cast<std::ptrdiff_t>(period.first);
     granule.grid.time.assign(begin, begin + static_cast<std::ptrdiff_t>(period.count));
   }
-  for (const PlannedVariable& variable : group.variables) granule.variables.push_back(variable.description);
+  for (const PlannedVariable& variable : group.variables)
+    granule.variables.push_back(variable.description);
   granule.status = period.status;
   granule.reference_time = period.reference;
   DecodedGranule decoded{std::move(granule), free_name(folder)};
@@ -113,29 +122,34 @@ DecodedGranule write_granule(PlannedGroup& group, const Period& period, Granule 
   return decoded;
 }
 
-void judge(const std::vector<Outcome>& outcomes, const Vocabulary& vocabulary, const IngestOptions& options,
-           std::vector<std::string>& warnings) {
+void judge(const std::vector<Outcome>& outcomes, const Vocabulary& vocabulary,
+           const IngestOptions& options, std::vector<std::string>& warnings) {
   std::string empty;
   bool some = false;
   for (const Outcome& outcome : outcomes) {
     const std::size_t present = outcome.counts.values + outcome.counts.gross;
     if (outcome.counts.gross > 0) {
       const Range& range = vocabulary.by_standard_name(outcome.standard_name)->gross;
-      const std::string what = "'" + outcome.source_name + "': " + std::to_string(outcome.counts.gross) + " of " +
-                               std::to_string(present) + " values lie outside the believable range " +
-                               std::to_string(range.low) + " to " + std::to_string(range.high);
-      if (static_cast<double>(outcome.counts.gross) > most_gross_share * static_cast<double>(present)) {
-        throw Error(ErrorKind::invalid_input, what + "; expected few or none; check the units and the packing");
+      const std::string what =
+          "'" + outcome.source_name + "': " + std::to_string(outcome.counts.gross) + " of " +
+          std::to_string(present) + " values lie outside the believable range " +
+          std::to_string(range.low) + " to " + std::to_string(range.high);
+      if (static_cast<double>(outcome.counts.gross) >
+          most_gross_share * static_cast<double>(present)) {
+        throw Error(ErrorKind::invalid_input,
+                    what + "; expected few or none; check the units and the packing");
       }
       warnings.push_back(what + " and are taken as missing");
     }
     some |= outcome.counts.values > 0;
-    if (outcome.counts.values == 0) empty += (empty.empty() ? "'" : ", '") + outcome.source_name + "'";
+    if (outcome.counts.values == 0)
+      empty += (empty.empty() ? "'" : ", '") + outcome.source_name + "'";
   }
   if (!some) {
-    throw Error(ErrorKind::invalid_input, "all values of " + empty + " are missing (fill)" +
-                                              (options.cut ? " inside the cut; expected water there; choose another box"
-                                                           : "; expected at least one value; fetch the file again"));
+    throw Error(ErrorKind::invalid_input,
+                "all values of " + empty + " are missing (fill)" +
+                    (options.cut ? " inside the cut; expected water there; choose another box"
+                                 : "; expected at least one value; fetch the file again"));
   }
   if (!empty.empty()) warnings.push_back("all values of " + empty + " are missing (fill)");
 }
@@ -147,7 +161,8 @@ class StagedFiles {
   ~StagedFiles() {
     if (kept_) return;
     std::error_code ignored;
-    for (const DecodedGranule& granule : ingested_.granules) std::filesystem::remove(granule.content_file, ignored);
+    for (const DecodedGranule& granule : ingested_.granules)
+      std::filesystem::remove(granule.content_file, ignored);
   }
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
@@ -161,24 +176,28 @@ class StagedFiles {
 void drop_repeats(std::vector<std::string>& warnings) {
   std::vector<std::string> kept;
   for (std::string& warning : warnings) {
-    if (std::find(kept.begin(), kept.end(), warning) == kept.end()) kept.push_back(std::move(warning));
+    if (std::find(kept.begin(), kept.end(), warning) == kept.end())
+      kept.push_back(std::move(warning));
   }
   warnings = std::move(kept);
 }
 
 }  // namespace
 
-Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& products, const IngestOptions& options,
-                        const std::filesystem::path& staging_folder, const Progress& progress) {
+Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& products,
+                        const IngestOptions& options, const std::filesystem::path& staging_folder,
+                        const Progress& progress) {
   const std::uintmax_t bytes = std::filesystem::file_size(file.path());
   if (bytes > largest_uncut_file && !options.cut) {
-    throw Error(ErrorKind::invalid_input, "has " + std::to_string(bytes >> 20) +
-                                              " MiB; expected at most 512 MiB without a cut; give --bbox or --site");
+    throw Error(ErrorKind::invalid_input,
+                "has " + std::to_string(bytes >> 20) +
+                    " MiB; expected at most 512 MiB without a cut; give --bbox or --site");
   }
   Ingested ingested;
   StagedFiles staged(ingested);
   const Product& product = products.product_of(file);
-  std::vector<PlannedGroup> groups = plan_gridded(file, products, product, options, ingested.warnings);
+  std::vector<PlannedGroup> groups =
+      plan_gridded(file, products, product, options, ingested.warnings);
   const auto stated = stated_reference_time(file, product);
   Granule common;
   common.product_id = product.id;
@@ -192,10 +211,12 @@ Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& produc
   for (PlannedGroup& group : groups) {
     std::vector<Outcome> of_group;
     for (const PlannedVariable& variable : group.variables) {
-      of_group.push_back({variable.description.source_name, variable.description.standard_name, {}});
+      of_group.push_back(
+          {variable.description.source_name, variable.description.standard_name, {}});
     }
     for (const Period& period : periods_of(group.grid, stated, options)) {
-      ingested.granules.push_back(write_granule(group, period, common, staging_folder, of_group, work));
+      ingested.granules.push_back(
+          write_granule(group, period, common, staging_folder, of_group, work));
     }
     outcomes.insert(outcomes.end(), of_group.begin(), of_group.end());
   }

@@ -33,7 +33,8 @@ struct Located {
 };
 
 bool is_numeric(netcdf::Type type) {
-  return type != netcdf::Type::character && type != netcdf::Type::string && type != netcdf::Type::other;
+  return type != netcdf::Type::character && type != netcdf::Type::string &&
+         type != netcdf::Type::other;
 }
 
 [[noreturn]] void refuse_nothing_wanted(const netcdf::File& file, const Product& product) {
@@ -43,21 +44,25 @@ bool is_numeric(netcdf::Type type) {
   for (const netcdf::Variable& variable : file.variables()) {
     if (variable.dimensions.size() < 2 || ++named > 8) continue;
     found += (found.empty() ? "" : ", ") + variable.name;
-    if (const auto standard_name = variable.text("standard_name")) found += " (" + *standard_name + ")";
+    if (const auto standard_name = variable.text("standard_name"))
+      found += " (" + *standard_name + ")";
   }
-  throw Error(ErrorKind::invalid_input, "no velocity, wave or wind variable; found " +
-                                            (found.empty() ? std::string("no gridded variable") : found) +
-                                            "; expected e.g. eastward_sea_water_velocity or a short name that product '" +
-                                            product.id + "' knows; leave the file out");
+  throw Error(ErrorKind::invalid_input,
+              "no velocity, wave or wind variable; found " +
+                  (found.empty() ? std::string("no gridded variable") : found) +
+                  "; expected e.g. eastward_sea_water_velocity or a short name that product '" +
+                  product.id + "' knows; leave the file out");
 }
 
-std::vector<Candidate> wanted(const netcdf::File& file, const ProductCatalogue& products, const Product& product) {
+std::vector<Candidate> wanted(const netcdf::File& file, const ProductCatalogue& products,
+                              const Product& product) {
   std::vector<Candidate> candidates;
   for (const netcdf::Variable& variable : file.variables()) {
     if (!is_numeric(variable.type) || variable.dimensions.empty()) continue;
     // A coordinate variable is no data, whatever its name.
     if (variable.dimensions.size() == 1 && variable.dimensions[0] == variable.name) continue;
-    if (const Quantity* quantity = products.quantity_of(variable, product)) candidates.push_back({&variable, quantity});
+    if (const Quantity* quantity = products.quantity_of(variable, product))
+      candidates.push_back({&variable, quantity});
   }
   if (candidates.empty()) refuse_nothing_wanted(file, product);
   return candidates;
@@ -66,31 +71,35 @@ std::vector<Candidate> wanted(const netcdf::File& file, const ProductCatalogue& 
 /// Where in the vocabulary's list of short names this one stands: smaller is preferred.
 std::size_t preference(const Candidate& candidate) {
   const auto& aliases = candidate.quantity->aliases;
-  const auto found = std::find_if(aliases.begin(), aliases.end(),
-                                  [&](const Alias& alias) { return alias.name == candidate.variable->name; });
+  const auto found = std::find_if(aliases.begin(), aliases.end(), [&](const Alias& alias) {
+    return alias.name == candidate.variable->name;
+  });
   return static_cast<std::size_t>(found - aliases.begin());
 }
 
 void expect_believable_size(const netcdf::File& file, const Located& located) {
   const netcdf::Variable& variable = *located.bound.variable;
   std::size_t values = 1;
-  for (const std::size_t n : {located.grid.times(), located.grid.levels(), located.grid.rows(), located.grid.columns()}) {
+  for (const std::size_t n :
+       {located.grid.times(), located.grid.levels(), located.grid.rows(), located.grid.columns()}) {
     if (__builtin_mul_overflow(values, n, &values)) values = most_values + 1;
   }
   const auto bytes = static_cast<double>(std::filesystem::file_size(file.path()));
   if (values > most_values || static_cast<double>(values) > most_values_per_byte * bytes + 1e6) {
-    throw Error(ErrorKind::invalid_input, "variable '" + variable.name + "' announces " + std::to_string(values) +
-                                              " values in a file of " + std::to_string(static_cast<std::size_t>(bytes)) +
-                                              " bytes; expected a whole file, or give --bbox or --site");
+    throw Error(ErrorKind::invalid_input,
+                "variable '" + variable.name + "' announces " + std::to_string(values) +
+                    " values in a file of " + std::to_string(static_cast<std::size_t>(bytes)) +
+                    " bytes; expected a whole file, or give --bbox or --site");
   }
   std::size_t chunk = variable.compressed ? 1 : 0;
   for (const std::size_t n : variable.chunks) {
     if (__builtin_mul_overflow(chunk, n, &chunk)) chunk = largest_packed_chunk + 1;
   }
   if (chunk > largest_packed_chunk) {
-    throw Error(ErrorKind::invalid_input, "variable '" + variable.name + "' is compressed in chunks of " +
-                                              std::to_string(chunk) + " values; expected at most " +
-                                              std::to_string(largest_packed_chunk) + "; rechunk it (nccopy -c)");
+    throw Error(ErrorKind::invalid_input,
+                "variable '" + variable.name + "' is compressed in chunks of " +
+                    std::to_string(chunk) + " values; expected at most " +
+                    std::to_string(largest_packed_chunk) + "; rechunk it (nccopy -c)");
   }
 }
 
@@ -100,10 +109,13 @@ Located locate(const netcdf::File& file, const Candidate& candidate, const Produ
   located.bound = bind_axes(file, *candidate.variable, *candidate.quantity, product);
   const BoundVariable& bound = located.bound;
   located.levels = levels_of(file, bound, product, warnings);
-  located.rows = latitude_axis(coordinate_values(file, *bound.latitude.coordinate, product, "degree"), options.cut);
-  located.columns = longitude_axis(coordinate_values(file, *bound.longitude.coordinate, product, "degree"), options.cut);
+  located.rows = latitude_axis(
+      coordinate_values(file, *bound.latitude.coordinate, product, "degree"), options.cut);
+  located.columns = longitude_axis(
+      coordinate_values(file, *bound.longitude.coordinate, product, "degree"), options.cut);
   if (bound.time.coordinate != nullptr) {
-    located.grid.time = time_cells(file, *bound.time.coordinate, *bound.variable, product, warnings);
+    located.grid.time =
+        time_cells(file, *bound.time.coordinate, *bound.variable, product, warnings);
   }
   located.grid.vertical = located.levels.kind;
   located.grid.levels_m = located.levels.order.values;
@@ -113,40 +125,47 @@ Located locate(const netcdf::File& file, const Candidate& candidate, const Produ
   return located;
 }
 
-Packing packing_of(const Located& located, const Product& product, std::vector<std::string>& warnings) {
+Packing packing_of(const Located& located, const Product& product,
+                   std::vector<std::string>& warnings) {
   const netcdf::Variable& variable = *located.bound.variable;
   const Quantity& quantity = *located.bound.quantity;
   Packing packing = Packing::of(variable, warnings);
   const auto unit = product.attribute(variable, "units");
   if (!unit && quantity.unit != "1") {
-    throw Error(ErrorKind::invalid_input, "variable '" + variable.name + "' (" + quantity.standard_name +
-                                              ") has no units, and product '" + product.id +
-                                              "' does not settle them; expected '" + quantity.unit + "'");
+    throw Error(ErrorKind::invalid_input,
+                "variable '" + variable.name + "' (" + quantity.standard_name +
+                    ") has no units, and product '" + product.id +
+                    "' does not settle them; expected '" + quantity.unit + "'");
   }
-  if (unit) packing.convert(unit_conversion(*unit, quantity.unit, "variable '" + variable.name + "'"));
+  if (unit)
+    packing.convert(unit_conversion(*unit, quantity.unit, "variable '" + variable.name + "'"));
   packing.set_gross_range(quantity.gross);
   if (quantity.standard_name == "sea_floor_depth_below_geoid") {
     const std::string standard_name = product.attribute(variable, "standard_name").value_or("");
     const std::string positive = lower_case(product.attribute(variable, "positive").value_or(""));
-    const bool up = positive == "up" || standard_name.find("height") != std::string::npos || variable.name == "elevation";
+    const bool up = positive == "up" || standard_name.find("height") != std::string::npos ||
+                    variable.name == "elevation";
     if (up) packing.negate();
     packing.keep_only_positive();
   }
   return packing;
 }
 
-std::unique_ptr<GriddedSource> source_of(const netcdf::File& file, const Located& located, const Product& product,
+std::unique_ptr<GriddedSource> source_of(const netcdf::File& file, const Located& located,
+                                         const Product& product,
                                          std::vector<std::string>& warnings) {
-  return std::make_unique<GriddedSource>(file, located.bound, located.levels.order, located.rows, located.columns,
-                                         packing_of(located, product, warnings));
+  return std::make_unique<GriddedSource>(file, located.bound, located.levels.order, located.rows,
+                                         located.columns, packing_of(located, product, warnings));
 }
 
-/// The Stokes drift to take off a current that holds it, where the file has it at the same places and times.
+/// The Stokes drift to take off a current that holds it, where the file has it at the same places
+/// and times.
 const Located* stokes_for(const Located& current, const std::vector<Located>& all) {
   const bool east = current.bound.quantity->standard_name == "eastward_sea_water_velocity";
   for (const Located& other : all) {
     if (other.bound.quantity->standard_name != (east ? stokes_x : stokes_y)) continue;
-    if (other.grid.time == current.grid.time && other.grid.latitude_deg == current.grid.latitude_deg &&
+    if (other.grid.time == current.grid.time &&
+        other.grid.latitude_deg == current.grid.latitude_deg &&
         other.grid.longitude_deg == current.grid.longitude_deg && current.grid.levels() == 1) {
       return &other;
     }
@@ -166,22 +185,27 @@ std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCa
                                        std::vector<std::string>& warnings) {
   std::vector<Candidate> candidates = wanted(file, products, product);
   refuse_terrain_following(file);
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return preference(a) < preference(b); });
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return preference(a) < preference(b); });
   std::vector<Located> all;
-  for (const Candidate& candidate : candidates) all.push_back(locate(file, candidate, product, options, warnings));
+  for (const Candidate& candidate : candidates)
+    all.push_back(locate(file, candidate, product, options, warnings));
 
   std::vector<PlannedGroup> groups;
   for (const Located& located : all) {
     const netcdf::Variable& variable = *located.bound.variable;
     const Quantity& quantity = *located.bound.quantity;
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const PlannedGroup& g) { return g.grid == located.grid; });
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const PlannedGroup& g) { return g.grid == located.grid; });
     if (group == groups.end()) group = groups.insert(groups.end(), PlannedGroup{located.grid, {}});
-    const auto twin = std::find_if(group->variables.begin(), group->variables.end(), [&](const PlannedVariable& v) {
-      return v.description.standard_name == quantity.standard_name;
-    });
+    const auto twin = std::find_if(group->variables.begin(), group->variables.end(),
+                                   [&](const PlannedVariable& v) {
+                                     return v.description.standard_name == quantity.standard_name;
+                                   });
     if (twin != group->variables.end()) {
-      warnings.push_back("'" + variable.name + "' is left out: '" + twin->description.source_name + "' is the same quantity");
+      warnings.push_back("'" + variable.name + "' is left out: '" + twin->description.source_name +
+                         "' is the same quantity");
       continue;
     }
     PlannedVariable planned;
@@ -190,10 +214,12 @@ std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCa
     if (holds_stokes(variable, product)) {
       if (const Located* stokes = stokes_for(located, all)) {
         planned.stokes = source_of(file, *stokes, product, warnings);
-        warnings.push_back("'" + variable.name + "': Stokes drift '" + stokes->bound.variable->name + "' subtracted");
+        warnings.push_back("'" + variable.name + "': Stokes drift '" +
+                           stokes->bound.variable->name + "' subtracted");
       } else {
         planned.description.contains_stokes = true;
-        warnings.push_back("'" + variable.name + "' contains Stokes drift, and the file holds none to subtract");
+        warnings.push_back("'" + variable.name +
+                           "' contains Stokes drift, and the file holds none to subtract");
       }
     }
     group->variables.push_back(std::move(planned));

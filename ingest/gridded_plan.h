@@ -23,10 +23,13 @@ struct PlannedGroup {
   std::vector<PlannedVariable> variables;
 };
 
-/// Finds what to take from a file: the wanted variables, their axes, cut and packing, grouped by grid.
-/// Throws Error(invalid_input) where there is nothing for us, or something that cannot be read correctly.
-[[nodiscard]] std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCatalogue& products,
-                                                     const Product& product, const IngestOptions& options,
+/// Finds what to take from a file: the wanted variables, their axes, cut and packing, grouped by
+/// grid. Throws Error(invalid_input) where there is nothing for us, or something that cannot be
+/// read correctly.
+[[nodiscard]] std::vector<PlannedGroup> plan_gridded(const netcdf::File& file,
+                                                     const ProductCatalogue& products,
+                                                     const Product& product,
+                                                     const IngestOptions& options,
                                                      std::vector<std::string>& warnings);
 
 }  // namespace slackwater::ingest

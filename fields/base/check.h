@@ -1,7 +1,8 @@
 #pragma once
-#include <source_location>
 #include <stdexcept>
 #include <string>
+
+#include "fields/base/source_place.h"
 
 namespace slackwater {
 
@@ -13,7 +14,7 @@ class ContractViolation : public std::logic_error {
 
 /// Always armed at room boundaries; inner loops use `assert`.
 inline void expects(bool condition, const char* message,
-                    std::source_location where = std::source_location::current()) {
+                    SourcePlace where = SourcePlace::current()) {
   if (!condition) {
     throw ContractViolation(std::string(where.file_name()) + ":" + std::to_string(where.line()) +
                             ": " + message);

@@ -14,7 +14,7 @@ std::string_view name_of(ErrorKind kind) noexcept {
   return "internal";
 }
 
-Error::Error(ErrorKind kind, std::string message, std::source_location where)
+Error::Error(ErrorKind kind, std::string message, SourcePlace where)
     : kind_(kind), message_(std::move(message)), where_(where) {}
 
 void Error::prepend(std::string_view context) {

@@ -1,9 +1,10 @@
 #pragma once
 #include <exception>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "fields/base/source_place.h"
 
 namespace slackwater {
 
@@ -24,20 +25,20 @@ enum class ErrorKind {
 class Error : public std::exception {
  public:
   Error(ErrorKind kind, std::string message,
-        std::source_location where = std::source_location::current());
+        SourcePlace where = SourcePlace::current());
 
   [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
   /// The whole chain, outermost context first: "reading wind.nc: variable u10: unit 'K' ...".
   [[nodiscard]] const std::string& message() const noexcept { return message_; }
   [[nodiscard]] const char* what() const noexcept override { return message_.c_str(); }
-  [[nodiscard]] const std::source_location& where() const noexcept { return where_; }
+  [[nodiscard]] const SourcePlace& where() const noexcept { return where_; }
   /// Puts "context: " in front of the message.
   void prepend(std::string_view context);
 
  private:
   ErrorKind kind_;
   std::string message_;
-  std::source_location where_;
+  SourcePlace where_;
 };
 
 /// Runs `work`; an `Error` that leaves it carries `context` in front of its message.

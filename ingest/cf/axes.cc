@@ -28,14 +28,17 @@ bool is_numeric(const netcdf::Variable& variable) {
 }
 
 AxisKind kind_from_units(const std::string& units) {
-  if (is_one_of(units, {"degrees_north", "degree_north", "degree_n", "degrees_n", "degreen", "degreesn"})) {
+  if (is_one_of(units, {"degrees_north", "degree_north", "degree_n", "degrees_n", "degreen",
+                        "degreesn"})) {
     return AxisKind::latitude;
   }
-  if (is_one_of(units, {"degrees_east", "degree_east", "degree_e", "degrees_e", "degreee", "degreese"})) {
+  if (is_one_of(units,
+                {"degrees_east", "degree_east", "degree_e", "degrees_e", "degreee", "degreese"})) {
     return AxisKind::longitude;
   }
   if (units.find(" since ") != std::string::npos) return AxisKind::time;
-  if (is_one_of(units, {"pa", "hpa", "mb", "millibar", "dbar", "decibar", "bar"})) return AxisKind::vertical;
+  if (is_one_of(units, {"pa", "hpa", "mb", "millibar", "dbar", "decibar", "bar"}))
+    return AxisKind::vertical;
   return AxisKind::other;
 }
 
@@ -51,7 +54,8 @@ AxisKind kind_from_name(const std::string& name) {
   if (is_one_of(name, {"time", "time_counter", "valid_time", "ocean_time"})) return AxisKind::time;
   if (is_one_of(name, {"lat", "latitude", "nav_lat"})) return AxisKind::latitude;
   if (is_one_of(name, {"lon", "longitude", "nav_lon", "long"})) return AxisKind::longitude;
-  if (is_one_of(name, {"depth", "deptht", "depthu", "depthv", "deph", "elevation", "height", "lev", "level"}) ||
+  if (is_one_of(name, {"depth", "deptht", "depthu", "depthv", "deph", "elevation", "height", "lev",
+                       "level"}) ||
       name.starts_with("height_above_ground")) {
     return AxisKind::vertical;
   }
@@ -70,13 +74,16 @@ bool is_named_by(const netcdf::Variable& data, const std::string& coordinate) {
   return std::find(words.begin(), words.end(), coordinate) != words.end();
 }
 
-/// The coordinate variable of a dimension: of its own name, else one named by `coordinates`, else the only one.
+/// The coordinate variable of a dimension: of its own name, else one named by `coordinates`, else
+/// the only one.
 const netcdf::Variable* coordinate_of(const netcdf::File& file, const netcdf::Variable& data,
                                       const std::string& dimension, const Product& product) {
   const auto runs_along = [&](const netcdf::Variable& v) {
-    return v.dimensions.size() == 1 && v.dimensions[0] == dimension && is_numeric(v) && v.name != data.name;
+    return v.dimensions.size() == 1 && v.dimensions[0] == dimension && is_numeric(v) &&
+           v.name != data.name;
   };
-  if (const netcdf::Variable* own = file.find(dimension); own != nullptr && runs_along(*own)) return own;
+  if (const netcdf::Variable* own = file.find(dimension); own != nullptr && runs_along(*own))
+    return own;
   const netcdf::Variable* found = nullptr;
   for (const netcdf::Variable& candidate : file.variables()) {
     if (!runs_along(candidate) || axis_kind(candidate, product) == AxisKind::other) continue;
@@ -93,10 +100,15 @@ void refuse_other_grids(const netcdf::File& file, const netcdf::Variable& data) 
     const std::string standard_name = coordinate->text("standard_name").value_or("");
     const AxisKind by_name = kind_from_name(lower_case(name));
     const AxisKind by_units = kind_from_units(lower_case(coordinate->text("units").value_or("")));
-    const auto horizontal = [](AxisKind kind) { return kind == AxisKind::latitude || kind == AxisKind::longitude; };
-    if (is_one_of(standard_name, {"latitude", "longitude"}) || horizontal(by_name) || horizontal(by_units)) {
-      refuse(data, "lies on a curvilinear grid (" + name + " has " + std::to_string(coordinate->dimensions.size()) +
-                       " dimensions); expected one-dimensional latitude and longitude; regrid it first (cdo remapbil)");
+    const auto horizontal = [](AxisKind kind) {
+      return kind == AxisKind::latitude || kind == AxisKind::longitude;
+    };
+    if (is_one_of(standard_name, {"latitude", "longitude"}) || horizontal(by_name) ||
+        horizontal(by_units)) {
+      refuse(data, "lies on a curvilinear grid (" + name + " has " +
+                       std::to_string(coordinate->dimensions.size()) +
+                       " dimensions); expected one-dimensional latitude and longitude; regrid it "
+                       "first (cdo remapbil)");
     }
   }
 }
@@ -108,7 +120,8 @@ void bind(BoundVariable& bound, AxisKind kind, const BoundAxis& axis) {
                                                   : &bound.longitude;
   if (place->dimension && axis.dimension) {
     refuse(*bound.variable, "has two axes of one kind, '" + place->coordinate->name + "' and '" +
-                                axis.coordinate->name + "'; expected one time, level, latitude and longitude");
+                                axis.coordinate->name +
+                                "'; expected one time, level, latitude and longitude");
   }
   if (place->coordinate == nullptr || axis.dimension) *place = axis;
 }
@@ -118,7 +131,8 @@ bool fits_realm(const netcdf::Variable& scalar, Realm realm, const Product& prod
   const std::string standard_name = product.attribute(scalar, "standard_name").value_or("");
   const std::string positive = lower_case(product.attribute(scalar, "positive").value_or(""));
   const std::string name = lower_case(scalar.name);
-  if (realm == Realm::sea) return standard_name == "depth" || (name.starts_with("dep") && positive != "up");
+  if (realm == Realm::sea)
+    return standard_name == "depth" || (name.starts_with("dep") && positive != "up");
   if (realm == Realm::air) return standard_name == "height" || name == "height";
   return false;
 }
@@ -130,25 +144,28 @@ AxisKind axis_kind(const netcdf::Variable& coordinate, const Product& product) {
   if (standard_name == "time") return AxisKind::time;
   if (standard_name == "latitude") return AxisKind::latitude;
   if (standard_name == "longitude") return AxisKind::longitude;
-  if (is_one_of(standard_name, {"depth", "height", "altitude", "height_above_mean_sea_level",
-                                "height_above_geopotential_datum", "air_pressure", "sea_water_pressure"}) ||
+  if (is_one_of(standard_name,
+                {"depth", "height", "altitude", "height_above_mean_sea_level",
+                 "height_above_geopotential_datum", "air_pressure", "sea_water_pressure"}) ||
       standard_name.starts_with("ocean_") || standard_name.starts_with("atmosphere_")) {
     return AxisKind::vertical;
   }
   if (is_one_of(standard_name, {"forecast_reference_time", "forecast_period", "realization",
-                                "projection_x_coordinate", "projection_y_coordinate", "grid_latitude",
-                                "grid_longitude"})) {
+                                "projection_x_coordinate", "projection_y_coordinate",
+                                "grid_latitude", "grid_longitude"})) {
     return AxisKind::other;
   }
   AxisKind kind = kind_from_units(lower_case(product.attribute(coordinate, "units").value_or("")));
-  if (kind == AxisKind::other) kind = kind_from_axis(lower_case(product.attribute(coordinate, "axis").value_or("")));
+  if (kind == AxisKind::other)
+    kind = kind_from_axis(lower_case(product.attribute(coordinate, "axis").value_or("")));
   if (kind == AxisKind::other) kind = kind_from_name(lower_case(coordinate.name));
-  if (kind == AxisKind::other && product.attribute(coordinate, "positive")) kind = AxisKind::vertical;
+  if (kind == AxisKind::other && product.attribute(coordinate, "positive"))
+    kind = AxisKind::vertical;
   return kind;
 }
 
-BoundVariable bind_axes(const netcdf::File& file, const netcdf::Variable& variable, const Quantity& quantity,
-                        const Product& product) {
+BoundVariable bind_axes(const netcdf::File& file, const netcdf::Variable& variable,
+                        const Quantity& quantity, const Product& product) {
   BoundVariable bound;
   bound.variable = &variable;
   bound.quantity = &quantity;
@@ -163,37 +180,46 @@ BoundVariable bind_axes(const netcdf::File& file, const netcdf::Variable& variab
       const std::string standard_name =
           coordinate == nullptr ? "" : coordinate->text("standard_name").value_or("");
       if (standard_name.starts_with("projection_") || standard_name.starts_with("grid_")) {
-        refuse(variable, "lies on a projected or rotated grid ('" + dimension + "' is a " + standard_name +
+        refuse(variable, "lies on a projected or rotated grid ('" + dimension + "' is a " +
+                             standard_name +
                              "); expected latitude and longitude; regrid it first (cdo remapbil)");
       }
-      refuse(variable, "dimension '" + dimension + "' of length " + std::to_string(variable.shape[d]) +
-                           (coordinate == nullptr ? " has no coordinate variable"
-                                                  : " is neither time, level, latitude nor longitude") +
-                           "; expected (time, level, latitude, longitude) with coordinates; select one slice first");
+      refuse(variable,
+             "dimension '" + dimension + "' of length " + std::to_string(variable.shape[d]) +
+                 (coordinate == nullptr ? " has no coordinate variable"
+                                        : " is neither time, level, latitude nor longitude") +
+                 "; expected (time, level, latitude, longitude) with coordinates; select one slice "
+                 "first");
     }
   }
   for (const netcdf::Variable& scalar : file.variables()) {
-    const bool is_scalar = scalar.dimensions.empty() || (scalar.dimensions.size() == 1 && scalar.shape[0] == 1);
+    const bool is_scalar =
+        scalar.dimensions.empty() || (scalar.dimensions.size() == 1 && scalar.shape[0] == 1);
     if (!is_scalar || !is_numeric(scalar) || &scalar == &variable) continue;
     const AxisKind kind = axis_kind(scalar, product);
     const bool named = is_named_by(variable, scalar.name);
     const BoundAxis axis{&scalar, std::nullopt};
     const bool dates_it = scalar.dimensions.empty() || named || !quantity.is_static;
-    if (kind == AxisKind::time && bound.time.coordinate == nullptr && dates_it) bind(bound, kind, axis);
+    if (kind == AxisKind::time && bound.time.coordinate == nullptr && dates_it)
+      bind(bound, kind, axis);
     if (kind == AxisKind::latitude && bound.latitude.coordinate == nullptr) bind(bound, kind, axis);
-    if (kind == AxisKind::longitude && bound.longitude.coordinate == nullptr) bind(bound, kind, axis);
+    if (kind == AxisKind::longitude && bound.longitude.coordinate == nullptr)
+      bind(bound, kind, axis);
     if (kind == AxisKind::vertical && bound.vertical.coordinate == nullptr && named &&
         fits_realm(scalar, quantity.realm, product)) {
       bind(bound, kind, axis);
     }
   }
   if (bound.latitude.coordinate == nullptr || bound.longitude.coordinate == nullptr) {
-    refuse(variable, std::string("has no ") + (bound.latitude.coordinate == nullptr ? "latitude" : "longitude") +
+    refuse(variable, std::string("has no ") +
+                         (bound.latitude.coordinate == nullptr ? "latitude" : "longitude") +
                          "; expected coordinate variables of latitude and longitude");
   }
   if (bound.time.coordinate == nullptr && !quantity.is_static) {
-    refuse(variable, "has no time, neither an axis nor a scalar coordinate; expected 'time' with units like 'hours "
-                     "since 1950-01-01'");
+    refuse(variable,
+           "has no time, neither an axis nor a scalar coordinate; expected 'time' with units like "
+           "'hours "
+           "since 1950-01-01'");
   }
   return bound;
 }
@@ -206,7 +232,8 @@ void refuse_terrain_following(const netcdf::File& file) {
                                             standard_name.starts_with("ocean_double_sigma"))) {
       throw Error(ErrorKind::invalid_input,
                   "terrain-following (s) vertical coordinate ('" + variable.name + "', " +
-                      standard_name + "); expected levels of fixed depth; interpolate it to depths first");
+                      standard_name +
+                      "); expected levels of fixed depth; interpolate it to depths first");
     }
   }
 }
@@ -218,7 +245,8 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
   LevelAxis axis;
   if (quantity.realm == Realm::surface) {
     if (bound.vertical.dimension && data.shape[*bound.vertical.dimension] > 1) {
-      refuse(data, quantity.standard_name + " comes on " + std::to_string(data.shape[*bound.vertical.dimension]) +
+      refuse(data, quantity.standard_name + " comes on " +
+                       std::to_string(data.shape[*bound.vertical.dimension]) +
                        " levels; expected none or one");
     }
     return axis;
@@ -236,7 +264,8 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
     if (!assumed) {
       refuse(data, std::string("has no ") + (air ? "height" : "depth") +
                        ", neither an axis nor a scalar coordinate, and product '" + product.id +
-                       "' does not settle it; expected metres below the surface; download it with its depth");
+                       "' does not settle it; expected metres below the surface; download it with "
+                       "its depth");
     }
     axis.order = level_axis({*assumed});
     return axis;
@@ -248,25 +277,31 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
   std::vector<double> metres = coordinate_values(file, coordinate, product, "m");
   if (positive.empty()) {
     const bool down = standard_name == "depth" || name.starts_with("dep");
-    const bool up = is_one_of(standard_name, {"height", "altitude"}) || name.starts_with("height") || name == "elevation";
+    const bool up = is_one_of(standard_name, {"height", "altitude"}) ||
+                    name.starts_with("height") || name == "elevation";
     if (!down && !up) {
-      refuse(coordinate, "says neither 'positive' nor a standard name; expected positive: up or down");
+      refuse(coordinate,
+             "says neither 'positive' nor a standard name; expected positive: up or down");
     }
     positive = up ? "up" : "down";
     if (down && std::all_of(metres.begin(), metres.end(), [](double z) { return z <= 0; }) &&
         std::any_of(metres.begin(), metres.end(), [](double z) { return z < 0; })) {
-      warnings.push_back("axis '" + coordinate.name + "' has negative depths; read as heights, positive up");
+      warnings.push_back("axis '" + coordinate.name +
+                         "' has negative depths; read as heights, positive up");
       positive = "up";
     }
   }
-  if (positive != "up" && positive != "down") refuse(coordinate, "positive is '" + positive + "'; expected up or down");
+  if (positive != "up" && positive != "down")
+    refuse(coordinate, "positive is '" + positive + "'; expected up or down");
   if ((positive == "up") != air) {
     for (double& z : metres) z = z == 0.0 ? 0.0 : -z;
   }
   axis.order = level_axis(metres);
   if (axis.order.values.front() < (air ? 0.0 : -1.0)) {
-    refuse(coordinate, std::string(air ? "heights" : "depths") + " start at " + std::to_string(axis.order.values.front()) +
-                           " m, on the wrong side of the sea surface; expected `positive` to tell which way they count");
+    refuse(coordinate, std::string(air ? "heights" : "depths") + " start at " +
+                           std::to_string(axis.order.values.front()) +
+                           " m, on the wrong side of the sea surface; expected `positive` to tell "
+                           "which way they count");
   }
   return axis;
 }
@@ -274,19 +309,20 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
 std::vector<double> coordinate_values(const netcdf::File& file, const netcdf::Variable& coordinate,
                                       const Product& product, std::string_view unit) {
   if (coordinate.size() > longest_axis) {
-    refuse(coordinate, "an axis of " + std::to_string(coordinate.size()) + " places; expected at most " +
-                           std::to_string(longest_axis));
+    refuse(coordinate, "an axis of " + std::to_string(coordinate.size()) +
+                           " places; expected at most " + std::to_string(longest_axis));
   }
   std::vector<std::string> ignored;
   Packing packing = Packing::of(coordinate, ignored);
   if (!unit.empty()) {
     const auto found = product.attribute(coordinate, "units");
     if (!found) {
-      refuse(coordinate, "has no units, and product '" + product.id + "' does not settle them; expected '" +
-                             std::string(unit) + "'");
+      refuse(coordinate, "has no units, and product '" + product.id +
+                             "' does not settle them; expected '" + std::string(unit) + "'");
     }
     const std::string what = "axis '" + coordinate.name + "'";
-    const bool geographic = unit == "degree" && kind_from_units(lower_case(*found)) != AxisKind::other;
+    const bool geographic =
+        unit == "degree" && kind_from_units(lower_case(*found)) != AxisKind::other;
     if (!geographic) packing.convert(unit_conversion(*found, unit, what));
   }
   std::vector<double> values = file.read_all(coordinate);

@@ -16,11 +16,12 @@ constexpr double lone_half_cell_deg = 0.045;
 [[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
 
 void expect_finite(const std::vector<double>& values, double limit, const char* what) {
-  if (values.empty()) refuse(std::string("the ") + what + " axis is empty; expected at least one cell");
+  if (values.empty())
+    refuse(std::string("the ") + what + " axis is empty; expected at least one cell");
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(std::abs(values[i]) <= limit)) {
-      refuse(std::string(what) + " " + std::to_string(i) + " is " + std::to_string(values[i]) + "; expected within +-" +
-             std::to_string(static_cast<int>(limit)) + " degrees");
+      refuse(std::string(what) + " " + std::to_string(i) + " is " + std::to_string(values[i]) +
+             "; expected within +-" + std::to_string(static_cast<int>(limit)) + " degrees");
     }
   }
 }
@@ -37,9 +38,9 @@ AxisOrder monotonic(std::vector<double> values, const char* what) {
   }
   for (std::size_t i = 1; i < order.values.size(); ++i) {
     if (!(order.values[i] > order.values[i - 1])) {
-      refuse(std::string("the ") + what + " axis is not monotonic near index " + std::to_string(order.source[i]) +
-             " (" + std::to_string(order.values[i - 1]) + ", " + std::to_string(order.values[i]) +
-             "); expected a rectilinear grid");
+      refuse(std::string("the ") + what + " axis is not monotonic near index " +
+             std::to_string(order.source[i]) + " (" + std::to_string(order.values[i - 1]) + ", " +
+             std::to_string(order.values[i]) + "); expected a rectilinear grid");
     }
   }
   return order;
@@ -88,10 +89,11 @@ std::string shown(double degrees) {
   return text;
 }
 
-[[noreturn]] void refuse_cut(const char* what, const Interval& wanted, const std::vector<double>& values) {
-  refuse(std::string("the cut selects nothing: it spans ") + what + " " + shown(wanted.low) + " to " +
-         shown(wanted.high) + ", the file " + shown(values.front()) + " to " + shown(values.back()) +
-         "; give a --bbox or --site inside the file");
+[[noreturn]] void refuse_cut(const char* what, const Interval& wanted,
+                             const std::vector<double>& values) {
+  refuse(std::string("the cut selects nothing: it spans ") + what + " " + shown(wanted.low) +
+         " to " + shown(wanted.high) + ", the file " + shown(values.front()) + " to " +
+         shown(values.back()) + "; give a --bbox or --site inside the file");
 }
 
 double positive_modulo(double value, double period) {
@@ -154,7 +156,9 @@ std::vector<AxisOrder::Run> AxisOrder::runs(std::size_t first, std::size_t count
   for (std::size_t i = first; i < first + count;) {
     std::size_t end = i + 1;
     const bool reversed = end < first + count && source[end] + 1 == source[i];
-    while (end < first + count && (reversed ? source[end] + 1 == source[end - 1] : source[end] == source[end - 1] + 1)) ++end;
+    while (end < first + count &&
+           (reversed ? source[end] + 1 == source[end - 1] : source[end] == source[end - 1] + 1))
+      ++end;
     found.push_back({i, end - i, reversed ? source[end - 1] : source[i], reversed});
     i = end;
   }
@@ -166,17 +170,21 @@ AxisOrder level_axis(const std::vector<double>& levels_m) {
   order.source.resize(levels_m.size());
   std::iota(order.source.begin(), order.source.end(), std::size_t{0});
   for (const double level : levels_m) {
-    if (!(std::abs(level) < 2e4)) refuse("a level lies at " + std::to_string(level) + " m; expected metres from the sea surface");
+    if (!(std::abs(level) < 2e4))
+      refuse("a level lies at " + std::to_string(level) +
+             " m; expected metres from the sea surface");
   }
   std::sort(order.source.begin(), order.source.end(),
             [&](std::size_t a, std::size_t b) { return levels_m[a] < levels_m[b]; });
   for (const std::size_t i : order.source) order.values.push_back(levels_m[i]);
   const auto twin = std::adjacent_find(order.values.begin(), order.values.end());
-  if (twin != order.values.end()) refuse("two levels lie at " + std::to_string(*twin) + " m; expected levels that differ");
+  if (twin != order.values.end())
+    refuse("two levels lie at " + std::to_string(*twin) + " m; expected levels that differ");
   return order;
 }
 
-AxisOrder latitude_axis(const std::vector<double>& latitudes_deg, const std::optional<BoundingBox>& cut) {
+AxisOrder latitude_axis(const std::vector<double>& latitudes_deg,
+                        const std::optional<BoundingBox>& cut) {
   expect_finite(latitudes_deg, 90.0, "latitude");
   AxisOrder order = monotonic(latitudes_deg, "latitude");
   if (cut) {
@@ -186,13 +194,18 @@ AxisOrder latitude_axis(const std::vector<double>& latitudes_deg, const std::opt
   return order;
 }
 
-AxisOrder longitude_axis(const std::vector<double>& longitudes_deg, const std::optional<BoundingBox>& cut) {
+AxisOrder longitude_axis(const std::vector<double>& longitudes_deg,
+                         const std::optional<BoundingBox>& cut) {
   expect_finite(longitudes_deg, 720.0, "longitude");
   AxisOrder order = monotonic(unwrapped(longitudes_deg), "longitude");
   const bool circle = is_around_the_globe(order);
-  const double width = cut ? (cut->east_deg < cut->west_deg ? cut->east_deg + 360.0 : cut->east_deg) - cut->west_deg : 360.0;
+  const double width =
+      cut ? (cut->east_deg < cut->west_deg ? cut->east_deg + 360.0 : cut->east_deg) - cut->west_deg
+          : 360.0;
   const bool all = width >= 360.0;
-  if (circle) rotate(order, all ? (place_west_of(order, -180.0) + 1) % order.values.size() : place_west_of(order, cut->west_deg));
+  if (circle)
+    rotate(order, all ? (place_west_of(order, -180.0) + 1) % order.values.size()
+                      : place_west_of(order, cut->west_deg));
   put_first_in_range(order);
   // A column at exactly -180 is its own neighbour to the west.
   if (circle && all && order.values.back() >= 180.0) {

@@ -12,7 +12,8 @@ namespace slackwater::ingest {
 namespace {
 
 [[noreturn]] void refuse(const netcdf::File& file, const std::string& why) {
-  throw Error(ErrorKind::invalid_input, file.path().string() + ": not a content file of the store: " + why +
+  throw Error(ErrorKind::invalid_input, file.path().string() +
+                                            ": not a content file of the store: " + why +
                                             "; run `slackwater store check`");
 }
 
@@ -72,12 +73,15 @@ std::optional<double> number_of(const netcdf::File& file, std::string_view name)
 Granule read_granule(const netcdf::File& file) {
   Granule granule;
   granule.grid = read_grid(file);
-  const std::vector<std::size_t> shape = GranuleLayout::of(granule.grid).present(
-      {granule.grid.times(), granule.grid.levels(), granule.grid.rows(), granule.grid.columns()});
+  const std::vector<std::size_t> shape =
+      GranuleLayout::of(granule.grid)
+          .present({granule.grid.times(), granule.grid.levels(), granule.grid.rows(),
+                    granule.grid.columns()});
   for (const netcdf::Variable& variable : file.variables()) {
     const auto source_name = variable.text("source_name");
     if (!source_name) continue;
-    if (variable.shape != shape) refuse(file, "variable '" + variable.name + "' does not fit the axes");
+    if (variable.shape != shape)
+      refuse(file, "variable '" + variable.name + "' does not fit the axes");
     granule.variables.push_back({variable.name, variable.text("units").value_or(""), *source_name,
                                  variable.text("contains_stokes") == "true",
                                  variable.find("ancillary_variables") != nullptr});
@@ -95,7 +99,8 @@ Granule read_granule(const netcdf::File& file) {
   const auto status = data_status_from(file.text("status").value_or(""));
   if (!status) refuse(file, "no status");
   granule.status = *status;
-  if (const auto reference = file.text("reference_time")) granule.reference_time = parse_utc(*reference);
+  if (const auto reference = file.text("reference_time"))
+    granule.reference_time = parse_utc(*reference);
   return granule;
 }
 
@@ -118,18 +123,20 @@ GranuleFile GranuleFile::open(const std::filesystem::path& file) {
 
 const Granule& GranuleFile::granule() const noexcept { return state_->granule; }
 
-GriddedField GranuleFile::read(std::string_view standard_name, std::size_t first_time, std::size_t times,
-                               std::size_t first_row, std::size_t rows, std::size_t first_column,
-                               std::size_t columns) const {
+GriddedField GranuleFile::read(std::string_view standard_name, std::size_t first_time,
+                               std::size_t times, std::size_t first_row, std::size_t rows,
+                               std::size_t first_column, std::size_t columns) const {
   const Grid& whole = state_->granule.grid;
   expects(first_time + times <= whole.times() && first_row + rows <= whole.rows() &&
               first_column + columns <= whole.columns() && times > 0 && rows > 0 && columns > 0,
           "read: a block inside the granule");
   const auto& variables = state_->granule.variables;
-  const auto found = std::find_if(variables.begin(), variables.end(),
-                                  [&](const GranuleVariable& v) { return v.standard_name == standard_name; });
+  const auto found =
+      std::find_if(variables.begin(), variables.end(),
+                   [&](const GranuleVariable& v) { return v.standard_name == standard_name; });
   if (found == variables.end()) {
-    throw Error(ErrorKind::not_found, state_->file.path().string() + ": holds no " + std::string(standard_name));
+    throw Error(ErrorKind::not_found,
+                state_->file.path().string() + ": holds no " + std::string(standard_name));
   }
   GriddedField field;
   field.standard_name = found->standard_name;
@@ -149,13 +156,16 @@ GriddedField GranuleFile::read(std::string_view standard_name, std::size_t first
   const auto start = layout.present({first_time, 0, first_row, first_column});
   const auto count = layout.present({times, whole.levels(), rows, columns});
   field.values.resize(times * whole.levels() * rows * columns);
-  state_->file.read(need(state_->file, found->standard_name), start, count, std::span<float>(field.values));
+  state_->file.read(need(state_->file, found->standard_name), start, count,
+                    std::span<float>(field.values));
   if (found->has_status) {
     std::vector<float> flags(field.values.size());
-    state_->file.read(need(state_->file, found->standard_name + "_status"), start, count, std::span<float>(flags));
+    state_->file.read(need(state_->file, found->standard_name + "_status"), start, count,
+                      std::span<float>(flags));
     field.status.reserve(flags.size());
     for (const float flag : flags) {
-      if (!(flag <= static_cast<float>(SampleStatus::suspect))) refuse(state_->file, "an unknown status flag");
+      if (!(flag <= static_cast<float>(SampleStatus::suspect)))
+        refuse(state_->file, "an unknown status flag");
       field.status.push_back(static_cast<SampleStatus>(static_cast<int>(flag)));
     }
   }

@@ -22,16 +22,21 @@ GranuleLayout GranuleLayout::of(const Grid& grid) {
   layout.levels = grid.levels();
   layout.rows = grid.rows();
   layout.columns = grid.columns();
-  // A column is read for a day at a time: one chunk holds all levels of a small patch for up to 24 stamps.
+  // A column is read for a day at a time: one chunk holds all levels of a small patch for up to 24
+  // stamps.
   layout.chunk_rows = even_chunk(layout.rows);
   layout.chunk_columns = even_chunk(layout.columns);
-  const std::size_t patch = layout.levels * layout.chunk_rows * layout.chunk_columns * sizeof(float);
+  const std::size_t patch =
+      layout.levels * layout.chunk_rows * layout.chunk_columns * sizeof(float);
   // A series at one place is small: as many stamps in a chunk as it takes.
   const std::size_t most_times = layout.rows * layout.columns == 1 ? layout.times : 24;
-  layout.chunk_times = std::clamp<std::size_t>(chunk_bytes / patch, 1, std::min(most_times, layout.times));
-  // The decoder holds whole rows of all columns: shorten the chunk in time where that would be too much.
+  layout.chunk_times =
+      std::clamp<std::size_t>(chunk_bytes / patch, 1, std::min(most_times, layout.times));
+  // The decoder holds whole rows of all columns: shorten the chunk in time where that would be too
+  // much.
   const std::size_t row_band = layout.levels * layout.chunk_rows * layout.columns * sizeof(float);
-  layout.chunk_times = std::min(layout.chunk_times, std::max<std::size_t>(1, block_bytes / row_band));
+  layout.chunk_times =
+      std::min(layout.chunk_times, std::max<std::size_t>(1, block_bytes / row_band));
   return layout;
 }
 
@@ -48,6 +53,8 @@ std::vector<std::size_t> GranuleLayout::chunks() const {
   return present({chunk_times, levels, chunk_rows, chunk_columns});
 }
 
-std::string level_name(VerticalKind kind) { return kind == VerticalKind::height_m ? "height" : "depth"; }
+std::string level_name(VerticalKind kind) {
+  return kind == VerticalKind::height_m ? "height" : "depth";
+}
 
 }  // namespace slackwater::ingest

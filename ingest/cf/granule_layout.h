@@ -8,11 +8,13 @@
 
 namespace slackwater::ingest {
 
-/// How a granule lies in its content file: which of the four canonical dimensions exist, and the chunk that one
-/// write fills.
+/// How a granule lies in its content file: which of the four canonical dimensions exist, and the
+/// chunk that one write fills.
 struct GranuleLayout {
-  static constexpr std::size_t chunk_bytes = std::size_t{1} << 20;   ///< a chunk is at most about this
-  static constexpr std::size_t block_bytes = std::size_t{4} << 20;  ///< a block that the decoder holds
+  static constexpr std::size_t chunk_bytes = std::size_t{1}
+                                             << 20;  ///< a chunk is at most about this
+  static constexpr std::size_t block_bytes = std::size_t{4}
+                                             << 20;  ///< a block that the decoder holds
 
   bool has_time = false;
   bool has_level = false;

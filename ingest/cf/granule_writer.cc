@@ -31,19 +31,22 @@ struct Definition {
 
   void axes() {
     const Grid& grid = granule.grid;
-    has_means = std::any_of(grid.time.begin(), grid.time.end(), [](const TimeCell& cell) { return cell.is_mean(); });
+    has_means = std::any_of(grid.time.begin(), grid.time.end(),
+                            [](const TimeCell& cell) { return cell.is_mean(); });
     if (layout.has_time) {
       const int dimension = writer.dimension("time", grid.time.size());
       dimensions.push_back(dimension);
       time = writer.variable("time", Type::float64, {dimension});
       writer.attribute(time, "standard_name", "time");
-      writer.attribute(time, "long_name", has_means ? "centre of the interval of the mean" : "valid time");
+      writer.attribute(time, "long_name",
+                       has_means ? "centre of the interval of the mean" : "valid time");
       writer.attribute(time, "axis", "T");
       writer.attribute(time, "units", "seconds since 1970-01-01 00:00:00");
       writer.attribute(time, "calendar", "proleptic_gregorian");
       if (has_means) {
         writer.attribute(time, "bounds", "time_bnds");
-        bounds = writer.variable("time_bnds", Type::float64, {dimension, writer.dimension("bnds", 2)});
+        bounds =
+            writer.variable("time_bnds", Type::float64, {dimension, writer.dimension("bnds", 2)});
       }
     }
     if (layout.has_level) {
@@ -53,7 +56,8 @@ struct Definition {
       dimensions.push_back(dimension);
       level = writer.variable(name, Type::float64, {dimension});
       writer.attribute(level, "standard_name", name);
-      writer.attribute(level, "long_name", up ? "height above mean sea level" : "depth below mean sea level");
+      writer.attribute(level, "long_name",
+                       up ? "height above mean sea level" : "depth below mean sea level");
       writer.attribute(level, "units", "m");
       writer.attribute(level, "positive", up ? "up" : "down");
       writer.attribute(level, "axis", "Z");
@@ -62,7 +66,8 @@ struct Definition {
     longitude = horizontal("longitude", "degrees_east", "X", grid.columns());
   }
 
-  int horizontal(const std::string& name, const std::string& unit, const std::string& axis, std::size_t length) {
+  int horizontal(const std::string& name, const std::string& unit, const std::string& axis,
+                 std::size_t length) {
     const int dimension = writer.dimension(name, length);
     dimensions.push_back(dimension);
     const int id = writer.variable(name, Type::float64, {dimension});
@@ -80,9 +85,11 @@ struct Definition {
     writer.attribute(id, "long_name", long_name(variable));
     writer.attribute(id, "units", variable.unit);
     writer.attribute(id, "source_name", variable.source_name);
-    if (layout.has_time) writer.attribute(id, "cell_methods", has_means ? "time: mean" : "time: point");
+    if (layout.has_time)
+      writer.attribute(id, "cell_methods", has_means ? "time: mean" : "time: point");
     if (variable.contains_stokes) writer.attribute(id, "contains_stokes", "true");
-    if (variable.has_status) writer.attribute(id, "ancillary_variables", variable.standard_name + "_status");
+    if (variable.has_status)
+      writer.attribute(id, "ancillary_variables", variable.standard_name + "_status");
     return id;
   }
 
@@ -94,7 +101,8 @@ struct Definition {
 
   int status(const GranuleVariable& variable) {
     if (!variable.has_status) return -1;
-    const int id = writer.variable(variable.standard_name + "_status", Type::uint8, dimensions, {layout.chunks(), 0, {}});
+    const int id = writer.variable(variable.standard_name + "_status", Type::uint8, dimensions,
+                                   {layout.chunks(), 0, {}});
     std::vector<double> flags;
     std::string meanings;
     for (int flag = 0; flag <= static_cast<int>(SampleStatus::suspect); ++flag) {
@@ -123,10 +131,12 @@ struct Definition {
     text("dataset", granule.dataset_id);
     text("status", std::string(name_of(granule.status)));
     if (granule.reference_time) text("reference_time", format_utc(*granule.reference_time));
-    if (granule.ensemble_member) writer.attribute(Writer::global, "ensemble_member", *granule.ensemble_member);
+    if (granule.ensemble_member)
+      writer.attribute(Writer::global, "ensemble_member", *granule.ensemble_member);
     if (granule.is_point_series) text("featureType_of_source", "point series");
     text("station", granule.station);
-    if (granule.water_depth_m) writer.attribute(Writer::global, "water_depth_m", *granule.water_depth_m);
+    if (granule.water_depth_m)
+      writer.attribute(Writer::global, "water_depth_m", *granule.water_depth_m);
   }
 
   void write_axes() {
@@ -158,11 +168,13 @@ struct GranuleWriter::State {
   std::vector<float> chunk;  ///< one chunk, reused
 
   void put_chunk(int variable, std::array<std::size_t, 4> at, std::array<std::size_t, 4> count,
-                 std::size_t first_time, std::size_t first_row, std::size_t rows, std::span<const float> block);
+                 std::size_t first_time, std::size_t first_row, std::size_t rows,
+                 std::span<const float> block);
 };
 
-void GranuleWriter::State::put_chunk(int variable, std::array<std::size_t, 4> at, std::array<std::size_t, 4> count,
-                                     std::size_t first_time, std::size_t first_row, std::size_t rows,
+void GranuleWriter::State::put_chunk(int variable, std::array<std::size_t, 4> at,
+                                     std::array<std::size_t, 4> count, std::size_t first_time,
+                                     std::size_t first_row, std::size_t rows,
                                      std::span<const float> block) {
   chunk.resize(count[0] * count[1] * count[2] * count[3]);
   float* out = chunk.data();
@@ -170,7 +182,8 @@ void GranuleWriter::State::put_chunk(int variable, std::array<std::size_t, 4> at
   for (std::size_t t = 0; t < count[0]; ++t) {
     for (std::size_t k = 0; k < count[1]; ++k) {
       for (std::size_t j = 0; j < count[2]; ++j) {
-        const std::size_t line = ((at[0] + t - first_time) * layout.levels + k) * rows + at[2] + j - first_row;
+        const std::size_t line =
+            ((at[0] + t - first_time) * layout.levels + k) * rows + at[2] + j - first_row;
         const float* in = block.data() + line * layout.columns + at[3];
         for (std::size_t i = 0; i < count[3]; ++i) {
           out[i] = in[i];
@@ -180,13 +193,16 @@ void GranuleWriter::State::put_chunk(int variable, std::array<std::size_t, 4> at
       }
     }
   }
-  if (!empty) writer.write(variable, layout.present(at), layout.present(count), std::span<const float>(chunk));
+  if (!empty)
+    writer.write(variable, layout.present(at), layout.present(count),
+                 std::span<const float>(chunk));
 }
 
 GranuleWriter::GranuleWriter(const std::filesystem::path& file, const Granule& granule) {
   expect_canonical(granule.grid);
   expects(!granule.variables.empty(), "a granule holds at least one variable");
-  state_ = std::make_unique<State>(State{Writer::create(file), GranuleLayout::of(granule.grid), {}, {}, {}});
+  state_ = std::make_unique<State>(
+      State{Writer::create(file), GranuleLayout::of(granule.grid), {}, {}, {}});
   Definition definition{state_->writer, granule, state_->layout, {}};
   definition.axes();
   for (const GranuleVariable& variable : granule.variables) {
@@ -202,16 +218,18 @@ GranuleWriter::~GranuleWriter() = default;
 
 GranuleWriter::Block GranuleWriter::block() const noexcept {
   const GranuleLayout& layout = state_->layout;
-  const std::size_t band = layout.chunk_times * layout.levels * layout.chunk_rows * layout.columns * sizeof(float);
+  const std::size_t band =
+      layout.chunk_times * layout.levels * layout.chunk_rows * layout.columns * sizeof(float);
   const std::size_t bands = std::max<std::size_t>(1, GranuleLayout::block_bytes / band);
   return {layout.chunk_times, std::min(layout.rows, bands * layout.chunk_rows)};
 }
 
-void GranuleWriter::put(std::size_t variable, std::size_t first_time, std::size_t times, std::size_t first_row,
-                        std::size_t rows, std::span<const float> values) {
+void GranuleWriter::put(std::size_t variable, std::size_t first_time, std::size_t times,
+                        std::size_t first_row, std::size_t rows, std::span<const float> values) {
   const GranuleLayout& layout = state_->layout;
   expects(variable < state_->values.size(), "put: a variable of the granule");
-  expects(first_time + times <= layout.times && first_row + rows <= layout.rows, "put: inside the granule");
+  expects(first_time + times <= layout.times && first_row + rows <= layout.rows,
+          "put: inside the granule");
   expects(values.size() == times * layout.levels * rows * layout.columns, "put: a whole block");
   const auto next = [](std::size_t at, std::size_t chunk) { return (at / chunk + 1) * chunk; };
   for (std::size_t t = first_time; t < first_time + times;) {
@@ -220,8 +238,9 @@ void GranuleWriter::put(std::size_t variable, std::size_t first_time, std::size_
       const std::size_t j_end = std::min(next(j, layout.chunk_rows), first_row + rows);
       for (std::size_t i = 0; i < layout.columns; i += layout.chunk_columns) {
         const std::size_t columns = std::min(layout.chunk_columns, layout.columns - i);
-        state_->put_chunk(state_->values[variable], {t, 0, j, i}, {t_end - t, layout.levels, j_end - j, columns},
-                          first_time, first_row, rows, values);
+        state_->put_chunk(state_->values[variable], {t, 0, j, i},
+                          {t_end - t, layout.levels, j_end - j, columns}, first_time, first_row,
+                          rows, values);
       }
       j = j_end;
     }
@@ -232,9 +251,11 @@ void GranuleWriter::put(std::size_t variable, std::size_t first_time, std::size_
 void GranuleWriter::put_status(std::size_t variable, std::size_t first_time, std::size_t times,
                                std::span<const SampleStatus> status) {
   const GranuleLayout& layout = state_->layout;
-  expects(variable < state_->status.size() && state_->status[variable] >= 0, "put_status: a variable with status");
+  expects(variable < state_->status.size() && state_->status[variable] >= 0,
+          "put_status: a variable with status");
   expects(first_time + times <= layout.times, "put_status: inside the granule");
-  expects(status.size() == times * layout.levels * layout.rows * layout.columns, "put_status: a whole block");
+  expects(status.size() == times * layout.levels * layout.rows * layout.columns,
+          "put_status: a whole block");
   std::vector<float> flags(status.size());
   std::transform(status.begin(), status.end(), flags.begin(),
                  [](SampleStatus flag) { return static_cast<float>(flag); });

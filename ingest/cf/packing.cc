@@ -12,22 +12,32 @@ namespace {
 using netcdf::Type;
 
 bool is_integer(Type type) {
-  return type != Type::float32 && type != Type::float64 && type != Type::character && type != Type::string &&
-         type != Type::other;
+  return type != Type::float32 && type != Type::float64 && type != Type::character &&
+         type != Type::string && type != Type::other;
 }
 
-/// Fill values of the NetCDF library where a file names none (netcdf.h, NC_FILL_*). Bytes have none.
+/// Fill values of the NetCDF library where a file names none (netcdf.h, NC_FILL_*). Bytes have
+/// none.
 double default_fill(Type type) {
   switch (type) {
-    case Type::int16: return -32767.0;
-    case Type::uint16: return 65535.0;
-    case Type::int32: return -2147483647.0;
-    case Type::uint32: return 4294967295.0;
-    case Type::int64: return -9223372036854775806.0;
-    case Type::uint64: return 18446744073709551614.0;
-    case Type::float32: return static_cast<double>(9.9692099683868690e+36F);
-    case Type::float64: return 9.9692099683868690e+36;
-    default: return std::numeric_limits<double>::quiet_NaN();
+    case Type::int16:
+      return -32767.0;
+    case Type::uint16:
+      return 65535.0;
+    case Type::int32:
+      return -2147483647.0;
+    case Type::uint32:
+      return 4294967295.0;
+    case Type::int64:
+      return -9223372036854775806.0;
+    case Type::uint64:
+      return 18446744073709551614.0;
+    case Type::float32:
+      return static_cast<double>(9.9692099683868690e+36F);
+    case Type::float64:
+      return 9.9692099683868690e+36;
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
   }
 }
 
@@ -35,10 +45,14 @@ double unsigned_turn(const netcdf::Variable& variable) {
   const auto text = variable.text("_Unsigned");
   if (!text || (*text != "true" && *text != "True" && *text != "TRUE")) return 0.0;
   switch (variable.type) {
-    case Type::int8: return 256.0;
-    case Type::int16: return 65536.0;
-    case Type::int32: return 4294967296.0;
-    default: return 0.0;
+    case Type::int8:
+      return 256.0;
+    case Type::int16:
+      return 65536.0;
+    case Type::int32:
+      return 4294967296.0;
+    default:
+      return 0.0;
   }
 }
 
@@ -48,13 +62,16 @@ constexpr auto smallest_depth = static_cast<double>(std::numeric_limits<float>::
 template <typename T>
 void keep_unless_equal(T* values, std::size_t n, T missing) noexcept {
   if (std::isnan(missing)) return;
-  for (std::size_t i = 0; i < n; ++i) values[i] = values[i] == missing ? std::numeric_limits<T>::quiet_NaN() : values[i];
+  for (std::size_t i = 0; i < n; ++i)
+    values[i] = values[i] == missing ? std::numeric_limits<T>::quiet_NaN() : values[i];
 }
 
 template <typename T>
 void keep_inside(T* values, std::size_t n, T low, T high) noexcept {
-  for (std::size_t i = 0; i < n; ++i) values[i] = values[i] >= low ? values[i] : std::numeric_limits<T>::quiet_NaN();
-  for (std::size_t i = 0; i < n; ++i) values[i] = values[i] <= high ? values[i] : std::numeric_limits<T>::quiet_NaN();
+  for (std::size_t i = 0; i < n; ++i)
+    values[i] = values[i] >= low ? values[i] : std::numeric_limits<T>::quiet_NaN();
+  for (std::size_t i = 0; i < n; ++i)
+    values[i] = values[i] <= high ? values[i] : std::numeric_limits<T>::quiet_NaN();
 }
 
 template <typename T>
@@ -78,21 +95,25 @@ Packing Packing::of(const netcdf::Variable& variable, std::vector<std::string>& 
   packing.scale_ = scale.value_or(1.0);
   packing.offset_ = offset.value_or(0.0);
   if (!std::isfinite(packing.scale_) || packing.scale_ == 0.0 || !std::isfinite(packing.offset_)) {
-    throw Error(ErrorKind::invalid_input, "variable '" + variable.name + "': scale_factor " +
-                                              std::to_string(packing.scale_) + ", add_offset " +
-                                              std::to_string(packing.offset_) +
-                                              "; expected finite numbers and a scale that is not 0");
+    throw Error(ErrorKind::invalid_input,
+                "variable '" + variable.name + "': scale_factor " + std::to_string(packing.scale_) +
+                    ", add_offset " + std::to_string(packing.offset_) +
+                    "; expected finite numbers and a scale that is not 0");
   }
   packing.unsigned_turn_ = unsigned_turn(variable);
-  packing.wide_ = variable.type == Type::float64 || variable.type == Type::int32 || variable.type == Type::uint32 ||
-                  variable.type == Type::int64 || variable.type == Type::uint64;
-  const auto as_raw = [&](double value) { return value < 0.0 ? value + packing.unsigned_turn_ : value; };
+  packing.wide_ = variable.type == Type::float64 || variable.type == Type::int32 ||
+                  variable.type == Type::uint32 || variable.type == Type::int64 ||
+                  variable.type == Type::uint64;
+  const auto as_raw = [&](double value) {
+    return value < 0.0 ? value + packing.unsigned_turn_ : value;
+  };
 
   const auto fill = variable.number("_FillValue");
   packing.missing_[0] = as_raw(fill.value_or(default_fill(variable.type)));
   if (const netcdf::Attribute* missing = variable.find("missing_value")) {
     if (const auto* values = std::get_if<std::vector<double>>(&missing->value)) {
-      for (std::size_t i = 0; i < std::min<std::size_t>(values->size(), 2); ++i) packing.missing_[i + 1] = as_raw((*values)[i]);
+      for (std::size_t i = 0; i < std::min<std::size_t>(values->size(), 2); ++i)
+        packing.missing_[i + 1] = as_raw((*values)[i]);
     }
   }
 
@@ -108,10 +129,12 @@ Packing Packing::of(const netcdf::Variable& variable, std::vector<std::string>& 
       bounds = {raw_limit(*attribute, (*values)[0]), raw_limit(*attribute, (*values)[1])};
     }
   }
-  if (const netcdf::Attribute* attribute = variable.find("valid_min"); attribute != nullptr && attribute->number()) {
+  if (const netcdf::Attribute* attribute = variable.find("valid_min");
+      attribute != nullptr && attribute->number()) {
     bounds.low = raw_limit(*attribute, *attribute->number());
   }
-  if (const netcdf::Attribute* attribute = variable.find("valid_max"); attribute != nullptr && attribute->number()) {
+  if (const netcdf::Attribute* attribute = variable.find("valid_max");
+      attribute != nullptr && attribute->number()) {
     bounds.high = raw_limit(*attribute, *attribute->number());
   }
   if (packed && packing.scale_ < 0 && bounds.low > bounds.high) std::swap(bounds.low, bounds.high);
@@ -119,7 +142,8 @@ Packing Packing::of(const netcdf::Variable& variable, std::vector<std::string>& 
     packing.low_ = bounds.low;
     packing.high_ = bounds.high;
   } else {
-    warnings.push_back("variable '" + variable.name + "': its valid range is empty or not a number and is ignored");
+    warnings.push_back("variable '" + variable.name +
+                       "': its valid range is empty or not a number and is ignored");
   }
   return packing;
 }
@@ -143,7 +167,8 @@ double Packing::coordinate(double raw) const noexcept {
 }
 
 template <typename Raw>
-void Packing::decode_as(std::span<const Raw> raw, std::span<float> out, DecodeCounts& counts) const noexcept {
+void Packing::decode_as(std::span<const Raw> raw, std::span<float> out,
+                        DecodeCounts& counts) const noexcept {
   const auto limited = [](double limit) {
     constexpr auto largest = static_cast<double>(std::numeric_limits<Raw>::max());
     return static_cast<Raw>(std::clamp(limit, -largest, largest));
@@ -151,7 +176,9 @@ void Packing::decode_as(std::span<const Raw> raw, std::span<float> out, DecodeCo
   // Limits and missing values in the type of the data: 1e20f must meet 1e20f, not 1e20.
   const Raw low = limited(low_);
   const Raw high = limited(high_);
-  const auto mark = [&](double value) { return std::isnan(value) ? static_cast<Raw>(value) : limited(value); };
+  const auto mark = [&](double value) {
+    return std::isnan(value) ? static_cast<Raw>(value) : limited(value);
+  };
   const Raw m0 = mark(missing_[0]);
   const Raw m1 = mark(missing_[1]);
   const Raw m2 = mark(missing_[2]);
@@ -161,7 +188,8 @@ void Packing::decode_as(std::span<const Raw> raw, std::span<float> out, DecodeCo
   const double gross_high = gross_.high;
   std::size_t missing = 0;
   std::size_t gross = 0;
-  // One condition a pass over a stretch that stays in the nearest cache: each loop becomes vector code.
+  // One condition a pass over a stretch that stays in the nearest cache: each loop becomes vector
+  // code.
   constexpr std::size_t stretch = 2048;
   Raw clean[stretch];
   for (std::size_t first = 0; first < raw.size(); first += stretch) {
@@ -185,7 +213,8 @@ void Packing::decode_as(std::span<const Raw> raw, std::span<float> out, DecodeCo
     } else {
       const auto float_low = static_cast<float>(gross_low);
       const auto float_high = static_cast<float>(gross_high);
-      for (std::size_t i = 0; i < n; ++i) to[i] = static_cast<float>(static_cast<double>(clean[i]) * scale_ + offset_);
+      for (std::size_t i = 0; i < n; ++i)
+        to[i] = static_cast<float>(static_cast<double>(clean[i]) * scale_ + offset_);
       keep_inside(to, n, float_low, float_high);
     }
     gross += count_missing(to, n) - absent;
@@ -200,11 +229,13 @@ void Packing::decode_as(std::span<const Raw> raw, std::span<float> out, DecodeCo
   counts.gross += gross;
 }
 
-void Packing::decode(std::span<const float> raw, std::span<float> out, DecodeCounts& counts) const noexcept {
+void Packing::decode(std::span<const float> raw, std::span<float> out,
+                     DecodeCounts& counts) const noexcept {
   decode_as<float>(raw, out, counts);
 }
 
-void Packing::decode(std::span<const double> raw, std::span<float> out, DecodeCounts& counts) const noexcept {
+void Packing::decode(std::span<const double> raw, std::span<float> out,
+                     DecodeCounts& counts) const noexcept {
   decode_as<double>(raw, out, counts);
 }
 

@@ -19,18 +19,20 @@ struct DecodeCounts {
   std::size_t gross = 0;    ///< outside the gross range of the quantity: taken as missing, and told
 };
 
-/// From the numbers in a file to canonical values: fill and missing values, valid range, unsigned integers, scale
-/// and offset, unit.
+/// From the numbers in a file to canonical values: fill and missing values, valid range, unsigned
+/// integers, scale and offset, unit.
 ///
 ///   value = unit.scale * (raw * scale_factor + add_offset) + unit.offset
 ///
-/// `_FillValue` and `missing_value` both count, and the library's default fill where a file names none. valid_min,
-/// valid_max and valid_range are compared in packed space unless their type says that they are unpacked.
-/// Source: CF conventions 1.11, sections 2.5.1 and 8.1; NetCDF User's Guide, attribute conventions.
+/// `_FillValue` and `missing_value` both count, and the library's default fill where a file names
+/// none. valid_min, valid_max and valid_range are compared in packed space unless their type says
+/// that they are unpacked. Source: CF conventions 1.11, sections 2.5.1 and 8.1; NetCDF User's
+/// Guide, attribute conventions.
 class Packing {
  public:
   /// Throws Error(invalid_input) for a scale factor that is 0 or not finite.
-  [[nodiscard]] static Packing of(const netcdf::Variable& variable, std::vector<std::string>& warnings);
+  [[nodiscard]] static Packing of(const netcdf::Variable& variable,
+                                  std::vector<std::string>& warnings);
 
   /// Puts the conversion to the canonical unit behind the unpacking.
   void convert(const UnitConversion& unit) noexcept;
@@ -42,21 +44,26 @@ class Packing {
 
   /// Whether raw values need a double to be read exactly.
   [[nodiscard]] bool is_wide() const noexcept { return wide_; }
-  /// Raw values to canonical ones, NaN where missing; `out` may be the same memory as a float `raw`.
-  void decode(std::span<const float> raw, std::span<float> out, DecodeCounts& counts) const noexcept;
-  void decode(std::span<const double> raw, std::span<float> out, DecodeCounts& counts) const noexcept;
+  /// Raw values to canonical ones, NaN where missing; `out` may be the same memory as a float
+  /// `raw`.
+  void decode(std::span<const float> raw, std::span<float> out,
+              DecodeCounts& counts) const noexcept;
+  void decode(std::span<const double> raw, std::span<float> out,
+              DecodeCounts& counts) const noexcept;
   /// One coordinate value: valid range ignored (it often describes the whole product, not the cut).
   [[nodiscard]] double coordinate(double raw) const noexcept;
 
  private:
   template <typename Raw>
-  void decode_as(std::span<const Raw> raw, std::span<float> out, DecodeCounts& counts) const noexcept;
+  void decode_as(std::span<const Raw> raw, std::span<float> out,
+                 DecodeCounts& counts) const noexcept;
 
   double scale_ = 1.0;
   double offset_ = 0.0;
   bool wide_ = false;
   double unsigned_turn_ = 0.0;  ///< added to negative raw values
-  std::array<double, 3> missing_{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+  std::array<double, 3> missing_{std::numeric_limits<double>::quiet_NaN(),
+                                 std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::quiet_NaN()};
   double low_ = -std::numeric_limits<double>::infinity();
   double high_ = std::numeric_limits<double>::infinity();

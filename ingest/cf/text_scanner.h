@@ -4,7 +4,8 @@
 
 namespace slackwater::ingest {
 
-/// Reads a short text from left to right; every step takes what it recognises or leaves the place unchanged.
+/// Reads a short text from left to right; every step takes what it recognises or leaves the place
+/// unchanged.
 class TextScanner {
  public:
   explicit TextScanner(std::string_view text) : rest_(text) {}
@@ -14,7 +15,8 @@ class TextScanner {
   /// Whether there were any.
   bool skip_blanks() noexcept {
     const std::size_t before = rest_.size();
-    while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\t')) rest_.remove_prefix(1);
+    while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\t'))
+      rest_.remove_prefix(1);
     return rest_.size() != before;
   }
   bool take(char c) noexcept {
@@ -43,7 +45,8 @@ class TextScanner {
   std::optional<int> number(std::size_t fewest, std::size_t most) noexcept {
     std::size_t length = 0;
     int value = 0;
-    while (length < most && length < rest_.size() && is_digit(rest_[length])) value = value * 10 + (rest_[length++] - '0');
+    while (length < most && length < rest_.size() && is_digit(rest_[length]))
+      value = value * 10 + (rest_[length++] - '0');
     if (length < fewest || length == 0) return std::nullopt;
     rest_.remove_prefix(length);
     return value;
@@ -64,7 +67,9 @@ class TextScanner {
 
  private:
   static bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
-  static bool is_letter(char c) noexcept { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+  static bool is_letter(char c) noexcept {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  }
   std::string_view rest_;
 };
 

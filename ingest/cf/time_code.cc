@@ -18,8 +18,9 @@ constexpr const char* expected_form = "expected e.g. 'hours since 1950-01-01 00:
 
 double unit_of(std::string_view word, std::string_view units) {
   std::string name(word);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
   const auto is = [&](std::initializer_list<const char*> names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
@@ -38,7 +39,8 @@ double unit_of(std::string_view word, std::string_view units) {
 }
 
 /// Days from 1970-01-01 (Gregorian) of a date in the Julian calendar.
-/// Source: Richards, Explanatory Supplement to the Astronomical Almanac (3rd ed.), section 15.11, Julian day number.
+/// Source: Richards, Explanatory Supplement to the Astronomical Almanac (3rd ed.), section 15.11,
+/// Julian day number.
 std::int64_t days_of_julian_date(int year, int month, int day) {
   const int a = (14 - month) / 12;
   const std::int64_t y = std::int64_t{year} + 4800 - a;
@@ -47,7 +49,8 @@ std::int64_t days_of_julian_date(int year, int month, int day) {
 }
 
 std::int64_t days_of_gregorian_date(int year, int month, int day, std::string_view units) {
-  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day))};
   if (!date.ok()) refuse(units, std::string("no such reference date; ") + expected_form);
   return std::chrono::sys_days(date).time_since_epoch().count();
@@ -75,7 +78,8 @@ std::optional<std::int64_t> time_of_day(TextScanner& scan) {
     }
   }
   if (*hour > 24 || minute > 59 || second > 60.0) return std::nullopt;
-  return *hour * std::int64_t{3'600'000} + minute * std::int64_t{60'000} + std::llround(second * 1000.0);
+  return *hour * std::int64_t{3'600'000} + minute * std::int64_t{60'000} +
+         std::llround(second * 1000.0);
 }
 
 /// "Z", "UTC", "GMT", "+01:00", "-0330", "+2" in milliseconds east of Greenwich.
@@ -120,7 +124,8 @@ Reference parse_reference(TextScanner& scan, std::string_view units) {
   if (!scan.at_end()) {
     const auto offset = zone(scan);
     scan.skip_blanks();
-    if (!offset || !scan.at_end()) refuse(units, std::string("unreadable after the date; ") + expected_form);
+    if (!offset || !scan.at_end())
+      refuse(units, std::string("unreadable after the date; ") + expected_form);
     reference.time_of_day_ms -= *offset;
   }
   return reference;
@@ -128,44 +133,55 @@ Reference parse_reference(TextScanner& scan, std::string_view units) {
 
 enum class Calendar { standard, proleptic };
 
-Calendar calendar_of(std::string_view name, int reference_year, std::vector<std::string>& warnings) {
+Calendar calendar_of(std::string_view name, int reference_year,
+                     std::vector<std::string>& warnings) {
   std::string word(name);
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(word.begin(), word.end(), word.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
   if (word.empty() || word == "standard" || word == "gregorian") return Calendar::standard;
   if (word == "proleptic_gregorian") return Calendar::proleptic;
   if (word == "julian" || word == "noleap" || word == "365_day") {
     if (reference_year >= 1900) {
-      warnings.push_back("the time axis says calendar '" + word + "', read as Gregorian (reference year " +
-                         std::to_string(reference_year) + ")");
+      warnings.push_back("the time axis says calendar '" + word +
+                         "', read as Gregorian (reference year " + std::to_string(reference_year) +
+                         ")");
       return Calendar::standard;
     }
-    throw Error(ErrorKind::invalid_input, "calendar '" + word + "' with a reference in the year " +
-                                              std::to_string(reference_year) +
-                                              "; expected standard or proleptic_gregorian; rewrite the time axis");
+    throw Error(ErrorKind::invalid_input,
+                "calendar '" + word + "' with a reference in the year " +
+                    std::to_string(reference_year) +
+                    "; expected standard or proleptic_gregorian; rewrite the time axis");
   }
-  throw Error(ErrorKind::invalid_input, "calendar '" + std::string(name) +
-                                            "'; expected standard, gregorian or proleptic_gregorian; model years "
-                                            "cannot be put on real days");
+  throw Error(ErrorKind::invalid_input,
+              "calendar '" + std::string(name) +
+                  "'; expected standard, gregorian or proleptic_gregorian; model years "
+                  "cannot be put on real days");
 }
 
 }  // namespace
 
-TimeCode TimeCode::parse(std::string_view units, std::string_view calendar, std::vector<std::string>& warnings) {
+TimeCode TimeCode::parse(std::string_view units, std::string_view calendar,
+                         std::vector<std::string>& warnings) {
   TextScanner scan(units);
   scan.skip_blanks();
   const std::string_view word = scan.word();
   scan.skip_blanks();
-  if (word.empty() || !scan.take_word("since")) refuse(units, std::string("no time units; ") + expected_form);
+  if (word.empty() || !scan.take_word("since"))
+    refuse(units, std::string("no time units; ") + expected_form);
   scan.skip_blanks();
   TimeCode code;
   code.unit_ms_ = unit_of(word, units);
   const Reference reference = parse_reference(scan, units);
   const Calendar kind = calendar_of(calendar, reference.year, warnings);
-  const bool before_gregory = reference.year < 1582 || (reference.year == 1582 && (reference.month < 10 || (reference.month == 10 && reference.day < 15)));
-  const std::int64_t days = kind == Calendar::standard && before_gregory
-                                ? days_of_julian_date(reference.year, reference.month, reference.day)
-                                : days_of_gregorian_date(reference.year, reference.month, reference.day, units);
+  const bool before_gregory =
+      reference.year < 1582 ||
+      (reference.year == 1582 &&
+       (reference.month < 10 || (reference.month == 10 && reference.day < 15)));
+  const std::int64_t days =
+      kind == Calendar::standard && before_gregory
+          ? days_of_julian_date(reference.year, reference.month, reference.day)
+          : days_of_gregorian_date(reference.year, reference.month, reference.day, units);
   code.reference_ms_ = days * day_ms + reference.time_of_day_ms;
   return code;
 }
@@ -174,15 +190,18 @@ UtcTime TimeCode::decode(double value) const {
   const double ms = value * unit_ms_;
   constexpr double largest_ms = 1e15;  // some 30 000 years
   if (!(std::abs(ms) < largest_ms)) {
-    throw Error(ErrorKind::invalid_input, "a time of " + std::to_string(value) + " units is no date; expected a finite "
-                                              "number near the present; the stamp is missing or damaged");
+    throw Error(ErrorKind::invalid_input,
+                "a time of " + std::to_string(value) +
+                    " units is no date; expected a finite "
+                    "number near the present; the stamp is missing or damaged");
   }
   const UtcTime time{Duration(reference_ms_ + std::llround(ms))};
   static const UtcTime earliest = parse_utc("1600-01-01T00:00:00Z");
   static const UtcTime latest = parse_utc("2500-01-01T00:00:00Z");
   if (time < earliest || time > latest) {
-    throw Error(ErrorKind::invalid_input, "a time of " + std::to_string(value) +
-                                              " units lies outside the years 1600 to 2500; check its units");
+    throw Error(ErrorKind::invalid_input,
+                "a time of " + std::to_string(value) +
+                    " units lies outside the years 1600 to 2500; check its units");
   }
   return time;
 }
@@ -192,10 +211,12 @@ void check_stamps(const std::vector<UtcTime>& stamps, std::vector<std::string>& 
   for (std::size_t t = 1; t < stamps.size(); ++t) {
     if (stamps[t] <= stamps[t - 1]) {
       const bool same = stamps[t] == stamps[t - 1];
-      throw Error(ErrorKind::invalid_input,
-                  std::string(same ? "duplicate time" : "time runs backward") + " at index " + std::to_string(t) +
-                      ": " + format_utc(stamps[t]) + " after " + format_utc(stamps[t - 1]) +
-                      "; expected times that ascend; sort the file and drop duplicates (cdo mergetime)");
+      throw Error(
+          ErrorKind::invalid_input,
+          std::string(same ? "duplicate time" : "time runs backward") + " at index " +
+              std::to_string(t) + ": " + format_utc(stamps[t]) + " after " +
+              format_utc(stamps[t - 1]) +
+              "; expected times that ascend; sort the file and drop duplicates (cdo mergetime)");
     }
     steps.push_back(stamps[t] - stamps[t - 1]);
   }
@@ -224,7 +245,8 @@ std::optional<UtcTime> find_date(std::string_view text) {
     if (!month || (dashed && !scan.take('-'))) continue;
     const auto day = scan.number(2, 2);
     if (!day) continue;
-    const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
+    const std::chrono::year_month_day date{std::chrono::year(*year),
+                                           std::chrono::month(static_cast<unsigned>(*month)),
                                            std::chrono::day(static_cast<unsigned>(*day))};
     if (!date.ok() || *year < 1900) continue;
     UtcTime time{std::chrono::sys_days(date)};

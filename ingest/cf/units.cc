@@ -17,22 +17,51 @@ struct Spelling {
   std::string_view meaning;  ///< a spelling that UDUNITS knows; our canonical units among them
 };
 
-/// Spellings that UDUNITS lacks, and frequent ones that need not wake it (it reads an XML data base).
+/// Spellings that UDUNITS lacks, and frequent ones that need not wake it (it reads an XML data
+/// base).
 constexpr std::array spellings{
-    Spelling{"m/s", "m s-1"},           Spelling{"m.s-1", "m s-1"},          Spelling{"m s**-1", "m s-1"},
-    Spelling{"m s^-1", "m s-1"},        Spelling{"m*s-1", "m s-1"},          Spelling{"meter second-1", "m s-1"},
-    Spelling{"meters/second", "m s-1"}, Spelling{"meter/sec", "m s-1"},      Spelling{"metre second-1", "m s-1"},
-    Spelling{"m/sec", "m s-1"},         Spelling{"ms-1", "m s-1"},           Spelling{"meters", "m"},
-    Spelling{"meter", "m"},             Spelling{"metres", "m"},             Spelling{"metre", "m"},
-    Spelling{"seconds", "s"},           Spelling{"second", "s"},             Spelling{"sec", "s"},
-    Spelling{"Degree true", "degree"},  Spelling{"degree true", "degree"},   Spelling{"degrees true", "degree"},
-    Spelling{"Degrees true", "degree"}, Spelling{"degree_true", "degree"},   Spelling{"degrees_true", "degree"},
-    Spelling{"degrees", "degree"},      Spelling{"deg", "degree"},           Spelling{"Degree", "degree"},
-    Spelling{"Degrees", "degree"},      Spelling{"degrees_C", "degC"},       Spelling{"degree_C", "degC"},
-    Spelling{"degree_Celsius", "degC"}, Spelling{"degrees_Celsius", "degC"}, Spelling{"Celsius", "degC"},
-    Spelling{"celsius", "degC"},        Spelling{"deg C", "degC"},           Spelling{"deg_C", "degC"},
-    Spelling{"°C", "degC"},             Spelling{"C", "degC"},               Spelling{"kelvin", "K"},
-    Spelling{"Kelvin", "K"},            Spelling{"dimensionless", "1"},      Spelling{"(0 - 1)", "1"},
+    Spelling{"m/s", "m s-1"},
+    Spelling{"m.s-1", "m s-1"},
+    Spelling{"m s**-1", "m s-1"},
+    Spelling{"m s^-1", "m s-1"},
+    Spelling{"m*s-1", "m s-1"},
+    Spelling{"meter second-1", "m s-1"},
+    Spelling{"meters/second", "m s-1"},
+    Spelling{"meter/sec", "m s-1"},
+    Spelling{"metre second-1", "m s-1"},
+    Spelling{"m/sec", "m s-1"},
+    Spelling{"ms-1", "m s-1"},
+    Spelling{"meters", "m"},
+    Spelling{"meter", "m"},
+    Spelling{"metres", "m"},
+    Spelling{"metre", "m"},
+    Spelling{"seconds", "s"},
+    Spelling{"second", "s"},
+    Spelling{"sec", "s"},
+    Spelling{"Degree true", "degree"},
+    Spelling{"degree true", "degree"},
+    Spelling{"degrees true", "degree"},
+    Spelling{"Degrees true", "degree"},
+    Spelling{"degree_true", "degree"},
+    Spelling{"degrees_true", "degree"},
+    Spelling{"degrees", "degree"},
+    Spelling{"deg", "degree"},
+    Spelling{"Degree", "degree"},
+    Spelling{"Degrees", "degree"},
+    Spelling{"degrees_C", "degC"},
+    Spelling{"degree_C", "degC"},
+    Spelling{"degree_Celsius", "degC"},
+    Spelling{"degrees_Celsius", "degC"},
+    Spelling{"Celsius", "degC"},
+    Spelling{"celsius", "degC"},
+    Spelling{"deg C", "degC"},
+    Spelling{"deg_C", "degC"},
+    Spelling{"°C", "degC"},
+    Spelling{"C", "degC"},
+    Spelling{"kelvin", "K"},
+    Spelling{"Kelvin", "K"},
+    Spelling{"dimensionless", "1"},
+    Spelling{"(0 - 1)", "1"},
     Spelling{"-", "1"},
 };
 
@@ -60,21 +89,24 @@ ut_system* unit_system() {
     return ut_read_xml(nullptr);
   }();
   if (system == nullptr) {
-    throw Error(ErrorKind::unavailable, "the UDUNITS unit data base cannot be read; install libudunits2-data");
+    throw Error(ErrorKind::unavailable,
+                "the UDUNITS unit data base cannot be read; install libudunits2-data");
   }
   return system;
 }
 
 [[noreturn]] void refuse(std::string_view found, std::string_view canonical, std::string_view what,
                          std::string_view why) {
-  throw Error(ErrorKind::invalid_input, std::string(what) + ": found unit '" + std::string(found) + "' (" +
-                                            std::string(why) + "); expected a unit that converts to '" +
-                                            std::string(canonical) + "'; correct the units attribute");
+  throw Error(ErrorKind::invalid_input,
+              std::string(what) + ": found unit '" + std::string(found) + "' (" + std::string(why) +
+                  "); expected a unit that converts to '" + std::string(canonical) +
+                  "'; correct the units attribute");
 }
 
 }  // namespace
 
-UnitConversion unit_conversion(std::string_view found, std::string_view canonical, std::string_view what) {
+UnitConversion unit_conversion(std::string_view found, std::string_view canonical,
+                               std::string_view what) {
   const std::string meaning(meaning_of(found));
   const std::string target(meaning_of(canonical));
   if (meaning == target) return {};
@@ -88,18 +120,21 @@ UnitConversion unit_conversion(std::string_view found, std::string_view canonica
   if (from == nullptr) refuse(found, canonical, what, "no unit that UDUNITS knows");
   if (to == nullptr) refuse(found, canonical, what, "the canonical unit is unknown");
   const Unit one(ut_get_dimensionless_unit_one(system));
-  const bool number_for_angle = ut_compare(from.get(), one.get()) == 0 && ut_compare(to.get(), one.get()) != 0;
+  const bool number_for_angle =
+      ut_compare(from.get(), one.get()) == 0 && ut_compare(to.get(), one.get()) != 0;
   if (number_for_angle || ut_are_convertible(from.get(), to.get()) == 0) {
     refuse(found, canonical, what, "another dimension");
   }
-  const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(from.get(), to.get()));
+  const std::unique_ptr<cv_converter, FreeConverter> converter(
+      ut_get_converter(from.get(), to.get()));
   if (converter == nullptr) refuse(found, canonical, what, "no conversion");
   UnitConversion conversion;
   conversion.offset = cv_convert_double(converter.get(), 0.0);
   conversion.scale = cv_convert_double(converter.get(), 1.0) - conversion.offset;
   // A logarithmic unit (dB) is not linear, and none of our quantities comes in one.
   const double at_ten = cv_convert_double(converter.get(), 10.0);
-  if (!(std::abs(at_ten - (10.0 * conversion.scale + conversion.offset)) <= 1e-6 * (1.0 + std::abs(at_ten)))) {
+  if (!(std::abs(at_ten - (10.0 * conversion.scale + conversion.offset)) <=
+        1e-6 * (1.0 + std::abs(at_ten)))) {
     refuse(found, canonical, what, "not a linear unit");
   }
   return conversion;

@@ -19,8 +19,8 @@ MatchRule read_match(const Config& config) {
 }
 
 SettledAttributes read_settled(const Config& config) {
-  return {config.text("variable"), config.optional_text("units"), config.optional_text("standard_name"),
-          config.optional_text("positive")};
+  return {config.text("variable"), config.optional_text("units"),
+          config.optional_text("standard_name"), config.optional_text("positive")};
 }
 
 MeanRule read_mean(const Config& config) {
@@ -28,7 +28,8 @@ MeanRule read_mean(const Config& config) {
   rule.attribute = config.text("attribute");
   rule.contains = config.text("contains");
   rule.step = parse_duration(config.text("step"));
-  if (rule.step <= Duration::zero()) config.refuse("step", "a mean needs an interval longer than nothing");
+  if (rule.step <= Duration::zero())
+    config.refuse("step", "a mean needs an interval longer than nothing");
   const std::string label = config.text("label");
   if (label == "centre") {
     rule.label = MeanLabel::centre;
@@ -60,7 +61,8 @@ Download read_download(const Config& config, const std::string& product_id) {
   download.dataset_id = config.text("dataset");
   download.kind = kind_of(config);
   download.variables = config.texts("variables");
-  if (download.variables.empty()) config.refuse("variables", "a download names at least one variable");
+  if (download.variables.empty())
+    config.refuse("variables", "a download names at least one variable");
   const std::vector<double> box = config.numbers("domain", {-360.0, 360.0});
   if (box.size() != 4) config.refuse("domain", "expected [west, south, east, north] in degrees");
   download.domain = BoundingBox::from_degrees(box[0], box[1], box[2], box[3]);
@@ -91,13 +93,15 @@ Product Product::load(const std::filesystem::path& file) {
   product.attribution = config.text("attribution");
   product.match_order = config.optional_integer("match_order", 0, 1000).value_or(50);
   for (const Config& rule : config.children("match")) product.match.push_back(read_match(rule));
-  for (const Config& entry : config.children("settles")) product.settles.push_back(read_settled(entry));
+  for (const Config& entry : config.children("settles"))
+    product.settles.push_back(read_settled(entry));
   for (const Config& rule : config.children("means")) product.means.push_back(read_mean(rule));
   product.reference_time = config.texts("reference_time");
   product.contains_stokes = config.texts("contains_stokes");
   product.current_depth_m = config.optional_number("current_depth_m", {0.0, 20.0});
   if (const auto variables = config.optional_child("variables")) {
-    for (const std::string& name : variables->keys()) product.variables[name] = variables->text(name);
+    for (const std::string& name : variables->keys())
+      product.variables[name] = variables->text(name);
   }
   for (const Config& entry : config.children("downloads")) {
     product.downloads.push_back(read_download(entry, product.id));
@@ -117,7 +121,8 @@ bool Product::matches(const netcdf::File& file) const {
   });
 }
 
-std::optional<std::string> Product::attribute(const netcdf::Variable& variable, std::string_view name) const {
+std::optional<std::string> Product::attribute(const netcdf::Variable& variable,
+                                              std::string_view name) const {
   if (auto own = variable.text(name); own && !own->empty()) return own;
   for (const SettledAttributes& entry : settles) {
     if (entry.variable == variable.name) {

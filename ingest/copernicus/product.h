@@ -52,12 +52,12 @@ struct Download {
   std::string dataset_id;
   DownloadKind kind = DownloadKind::current;
   std::vector<std::string> variables;
-  BoundingBox domain;                 ///< the dataset's, inside which a site must lie
-  bool has_depth = false;             ///< take -z/-Z
-  bool has_tide = false;              ///< the current contains the tide
-  int priority = 100;                 ///< smaller first
-  double horizon_h = 0;               ///< how far it forecasts past the day of issue; 0: past only
-  std::optional<std::string> part;    ///< --dataset-part, e.g. bathy
+  BoundingBox domain;               ///< the dataset's, inside which a site must lie
+  bool has_depth = false;           ///< take -z/-Z
+  bool has_tide = false;            ///< the current contains the tide
+  int priority = 100;               ///< smaller first
+  double horizon_h = 0;             ///< how far it forecasts past the day of issue; 0: past only
+  std::optional<std::string> part;  ///< --dataset-part, e.g. bathy
 };
 
 /// The descriptor of one product or family: data, not code.
@@ -66,14 +66,15 @@ struct Product {
   std::string title;
   std::string doi;
   std::string attribution;
-  int match_order = 50;                            ///< descriptors are tried in this order
-  std::vector<MatchRule> match;                    ///< any of these
+  int match_order = 50;          ///< descriptors are tried in this order
+  std::vector<MatchRule> match;  ///< any of these
   std::vector<SettledAttributes> settles;
   std::vector<MeanRule> means;
-  std::vector<std::string> reference_time;         ///< global attributes to believe
-  std::vector<std::string> contains_stokes;        ///< variables that hold Stokes drift
-  std::map<std::string, std::string> variables;    ///< short name -> standard name, beyond the vocabulary
-  std::optional<double> current_depth_m;           ///< of currents that come without a depth axis
+  std::vector<std::string> reference_time;   ///< global attributes to believe
+  std::vector<std::string> contains_stokes;  ///< variables that hold Stokes drift
+  std::map<std::string, std::string>
+      variables;                          ///< short name -> standard name, beyond the vocabulary
+  std::optional<double> current_depth_m;  ///< of currents that come without a depth axis
   std::vector<Download> downloads;
 
   [[nodiscard]] static Product load(const std::filesystem::path& file);

@@ -9,14 +9,16 @@ namespace {
 
 /// Some writers say that they do not know; that is not a name.
 bool is_a_name(const std::optional<std::string>& standard_name) {
-  return standard_name && !standard_name->empty() && *standard_name != "unknown" && *standard_name != "none";
+  return standard_name && !standard_name->empty() && *standard_name != "unknown" &&
+         *standard_name != "none";
 }
 
 std::vector<std::filesystem::path> descriptor_files(const std::filesystem::path& folder) {
   std::error_code status;
   std::filesystem::directory_iterator entries(folder, status);
   if (status) {
-    throw Error(ErrorKind::not_found, "no product descriptors in " + folder.string() + " (" + status.message() +
+    throw Error(ErrorKind::not_found, "no product descriptors in " + folder.string() + " (" +
+                                          status.message() +
                                           "); expected the folder data/products of Slackwater");
   }
   std::vector<std::filesystem::path> files;
@@ -43,19 +45,21 @@ ProductCatalogue ProductCatalogue::load(const std::filesystem::path& products_fo
     }
     for (const auto& [name, standard_name] : product.variables) {
       if (catalogue.vocabulary_.by_standard_name(standard_name) == nullptr) {
-        throw Error(ErrorKind::invalid_input, file.string() + ": variables: " + name + ": '" + standard_name +
-                                                  "' is not in variables.yaml");
+        throw Error(ErrorKind::invalid_input, file.string() + ": variables: " + name + ": '" +
+                                                  standard_name + "' is not in variables.yaml");
       }
     }
     catalogue.products_.push_back(std::move(product));
   }
-  std::stable_sort(catalogue.products_.begin(), catalogue.products_.end(),
-                   [](const Product& a, const Product& b) { return a.match_order < b.match_order; });
+  std::stable_sort(
+      catalogue.products_.begin(), catalogue.products_.end(),
+      [](const Product& a, const Product& b) { return a.match_order < b.match_order; });
   const auto generic = std::find_if(catalogue.products_.begin(), catalogue.products_.end(),
                                     [](const Product& product) { return product.id == "cf"; });
   if (generic == catalogue.products_.end()) {
-    throw Error(ErrorKind::invalid_input, products_folder.string() + ": no descriptor with id 'cf' for files that "
-                                                                     "match no other; restore cf.yaml");
+    throw Error(ErrorKind::invalid_input, products_folder.string() +
+                                              ": no descriptor with id 'cf' for files that "
+                                              "match no other; restore cf.yaml");
   }
   std::rotate(generic, generic + 1, catalogue.products_.end());
   return catalogue;
@@ -69,12 +73,13 @@ const Product& ProductCatalogue::product_of(const netcdf::File& file) const {
 }
 
 const Product* ProductCatalogue::find(std::string_view id) const noexcept {
-  const auto found =
-      std::find_if(products_.begin(), products_.end(), [&](const Product& product) { return product.id == id; });
+  const auto found = std::find_if(products_.begin(), products_.end(),
+                                  [&](const Product& product) { return product.id == id; });
   return found == products_.end() ? nullptr : &*found;
 }
 
-const Quantity* ProductCatalogue::quantity_of(const netcdf::Variable& variable, const Product& product) const {
+const Quantity* ProductCatalogue::quantity_of(const netcdf::Variable& variable,
+                                              const Product& product) const {
   if (const auto own = product.variables.find(variable.name); own != product.variables.end()) {
     return vocabulary_.by_standard_name(own->second);
   }

@@ -11,8 +11,9 @@ namespace slackwater::ingest {
 /// The vocabulary and the product descriptors of `data/products`. Immutable once loaded.
 class ProductCatalogue {
  public:
-  /// Reads `variables.yaml` and every other `*.yaml` of the folder. Throws Error(not_found) without the folder,
-  /// Error(invalid_input) for an unknown key, a value out of range, a product named twice.
+  /// Reads `variables.yaml` and every other `*.yaml` of the folder. Throws Error(not_found) without
+  /// the folder, Error(invalid_input) for an unknown key, a value out of range, a product named
+  /// twice.
   [[nodiscard]] static ProductCatalogue load(const std::filesystem::path& products_folder);
 
   [[nodiscard]] const Vocabulary& vocabulary() const noexcept { return vocabulary_; }
@@ -22,10 +23,11 @@ class ProductCatalogue {
   [[nodiscard]] const Product& product_of(const netcdf::File& file) const;
   /// By id, null if unknown.
   [[nodiscard]] const Product* find(std::string_view id) const noexcept;
-  /// The quantity that a variable of this product holds, or null. The product's own table decides, then the
-  /// file's standard name; the vocabulary's short names count only where the file gives no standard name, so
-  /// that a known short name never hides a foreign quantity.
-  [[nodiscard]] const Quantity* quantity_of(const netcdf::Variable& variable, const Product& product) const;
+  /// The quantity that a variable of this product holds, or null. The product's own table decides,
+  /// then the file's standard name; the vocabulary's short names count only where the file gives no
+  /// standard name, so that a known short name never hides a foreign quantity.
+  [[nodiscard]] const Quantity* quantity_of(const netcdf::Variable& variable,
+                                            const Product& product) const;
   /// Every dataset worth downloading, smallest priority first.
   [[nodiscard]] std::vector<Download> downloads() const;
 

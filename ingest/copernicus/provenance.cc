@@ -10,16 +10,19 @@ namespace slackwater::ingest {
 namespace {
 
 bool is_id_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-' || c == '.';
 }
 
 }  // namespace
 
 std::optional<UtcTime> stated_reference_time(const netcdf::File& file, const Product& product) {
   for (const netcdf::Variable& variable : file.variables()) {
-    if (variable.text("standard_name") != "forecast_reference_time" || variable.size() != 1) continue;
+    if (variable.text("standard_name") != "forecast_reference_time" || variable.size() != 1)
+      continue;
     const auto units = variable.text("units");
-    if (!units || variable.type == netcdf::Type::character || variable.type == netcdf::Type::string) continue;
+    if (!units || variable.type == netcdf::Type::character || variable.type == netcdf::Type::string)
+      continue;
     std::vector<std::string> ignored;
     const TimeCode code = TimeCode::parse(*units, variable.text("calendar").value_or(""), ignored);
     return code.decode(file.read_all(variable).front());

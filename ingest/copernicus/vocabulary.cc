@@ -30,12 +30,14 @@ Quantity read_quantity(const std::string& standard_name, const Config& config) {
   quantity.spike = config.optional_number("spike", {0.0, 1e6});
   quantity.height_m = config.optional_number("height_m", {0.0, 500.0});
   quantity.also = config.texts("also");
-  for (const std::string& name : config.texts("aliases")) quantity.aliases.push_back({name, std::nullopt});
+  for (const std::string& name : config.texts("aliases"))
+    quantity.aliases.push_back({name, std::nullopt});
   if (const auto heights = config.optional_child("alias_heights_m")) {
     for (const std::string& name : heights->keys()) {
       const auto found = std::find_if(quantity.aliases.begin(), quantity.aliases.end(),
                                       [&](const Alias& alias) { return alias.name == name; });
-      if (found == quantity.aliases.end()) heights->refuse(name, "not among the aliases of " + standard_name);
+      if (found == quantity.aliases.end())
+        heights->refuse(name, "not among the aliases of " + standard_name);
       found->height_m = heights->number(name, {0.0, 500.0});
     }
   }
@@ -45,8 +47,8 @@ Quantity read_quantity(const std::string& standard_name, const Config& config) {
 }  // namespace
 
 const Alias* Quantity::alias(std::string_view name) const noexcept {
-  const auto found =
-      std::find_if(aliases.begin(), aliases.end(), [&](const Alias& alias) { return alias.name == name; });
+  const auto found = std::find_if(aliases.begin(), aliases.end(),
+                                  [&](const Alias& alias) { return alias.name == name; });
   return found == aliases.end() ? nullptr : &*found;
 }
 
@@ -60,7 +62,8 @@ Vocabulary Vocabulary::load(const std::filesystem::path& file) {
     all.push_back(standard_name);
     for (const Alias& alias : quantity.aliases) all.push_back(alias.name);
     for (const std::string& name : all) {
-      if (!names.insert(name).second) config.refuse(standard_name, "the name '" + name + "' is given twice");
+      if (!names.insert(name).second)
+        config.refuse(standard_name, "the name '" + name + "' is given twice");
     }
     vocabulary.quantities_.push_back(std::move(quantity));
   }
@@ -71,7 +74,8 @@ Vocabulary Vocabulary::load(const std::filesystem::path& file) {
 const Quantity* Vocabulary::by_standard_name(std::string_view name) const noexcept {
   for (const Quantity& quantity : quantities_) {
     if (quantity.standard_name == name) return &quantity;
-    if (std::find(quantity.also.begin(), quantity.also.end(), name) != quantity.also.end()) return &quantity;
+    if (std::find(quantity.also.begin(), quantity.also.end(), name) != quantity.also.end())
+      return &quantity;
   }
   return nullptr;
 }

@@ -24,15 +24,16 @@ struct Alias {
 
 /// One quantity that we take from files; `data/products/variables.yaml` holds the list.
 struct Quantity {
-  std::string standard_name;               ///< CF, the key at every boundary
-  std::string unit;                        ///< canonical SI; "degree" for directions, "K" for temperatures
+  std::string standard_name;  ///< CF, the key at every boundary
+  std::string unit;           ///< canonical SI; "degree" for directions, "K" for temperatures
   Realm realm = Realm::surface;
-  bool is_static = false;                  ///< does not change in time: bed, mask
-  Range gross;                             ///< a value outside is an instrument or packing error, canonical unit
-  std::optional<double> spike;             ///< largest believable jump between neighbours in time, canonical unit
-  std::optional<double> height_m;          ///< where a file names none (winds: 10 m)
-  std::vector<std::string> also;           ///< older or kindred standard names that mean the same
-  std::vector<Alias> aliases;              ///< product short names, the preferred one first
+  bool is_static = false;  ///< does not change in time: bed, mask
+  Range gross;             ///< a value outside is an instrument or packing error, canonical unit
+  std::optional<double>
+      spike;  ///< largest believable jump between neighbours in time, canonical unit
+  std::optional<double> height_m;  ///< where a file names none (winds: 10 m)
+  std::vector<std::string> also;   ///< older or kindred standard names that mean the same
+  std::vector<Alias> aliases;      ///< product short names, the preferred one first
 
   [[nodiscard]] const Alias* alias(std::string_view name) const noexcept;
 };

@@ -78,7 +78,8 @@ std::string rounded(double metres) {
 
 }  // namespace
 
-std::vector<SeriesGroup> group_series(const std::vector<PlacedSeries>& placed, const SeriesTimes& times) {
+std::vector<SeriesGroup> group_series(const std::vector<PlacedSeries>& placed,
+                                      const SeriesTimes& times) {
   std::vector<Gathering> gatherings;
   for (const PlacedSeries& one : placed) {
     std::vector<bool> records = records_of(one.series);

@@ -38,8 +38,8 @@ std::optional<FlagScheme> scheme_of(const netcdf::Variable& flags) {
   for (const char* attribute : {"conventions", "quality_control_conventions", "References"}) {
     conventions += flags.text(attribute).value_or("") + " ";
   }
-  return FlagScheme::from_attributes(numbers_of(flags, "flag_values"), flags.text("flag_meanings").value_or(""),
-                                     conventions);
+  return FlagScheme::from_attributes(numbers_of(flags, "flag_values"),
+                                     flags.text("flag_meanings").value_or(""), conventions);
 }
 
 /// Values of a variable in (time, level) order at one station, raw.
@@ -61,6 +61,25 @@ std::vector<double> read_time_by_level(const netcdf::File& file, const netcdf::V
     return turned;
   }
   return values;
+}
+
+/// Gives each value of a series the status that its quality flag states.
+void apply_flags(const netcdf::File& file, const SeriesDimensions& dimensions, std::size_t station,
+                 SeriesValues& series, std::vector<std::string>& warnings) {
+  const netcdf::Variable* flags = flag_variable_of(file, *series.variable);
+  if (flags == nullptr) return;
+  const auto unused = [&](const std::string& why) {
+    warnings.push_back("quality flags '" + flags->name + "' " + why + "; '" +
+                       series.variable->name + "' counts as not checked");
+  };
+  if (flags->dimensions != series.variable->dimensions) return unused("have other dimensions");
+  const auto scheme = scheme_of(*flags);
+  if (!scheme) return unused("do not say what their numbers mean");
+  const std::vector<double> raw =
+      read_time_by_level(file, *flags, dimensions, station, series.times, series.levels);
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (std::abs(raw[i]) < 1e9) series.status[i] = scheme->status_of(std::lround(raw[i]));
+  }
 }
 
 }  // namespace
@@ -101,11 +120,7 @@ const netcdf::Variable* flag_variable_of(const netcdf::File& file,
 }
 
 std::vector<SampleStatus> flags_of(const netcdf::File& file, const netcdf::Variable& flags) {
-  const auto scheme = FlagScheme::from_attributes(
-      numbers_of(flags, "flag_values"), flags.text("flag_meanings").value_or(""),
-      flags.text("conventions")
-          .value_or(flags.text("quality_control_conventions")
-                        .value_or(flags.text("References").value_or(""))));
+  const auto scheme = scheme_of(flags);
   std::vector<SampleStatus> status(flags.size(), SampleStatus::not_checked);
   if (!scheme) return status;
   const std::vector<double> raw = file.read_all(flags);
@@ -144,30 +159,7 @@ SeriesValues read_series(const netcdf::File& file, const netcdf::Variable& varia
     packing.decode(std::span<const double>(raw), series.values, counts);
 
     series.status.assign(raw.size(), SampleStatus::not_checked);
-    if (const netcdf::Variable* flags = flag_variable_of(file, variable)) {
-      if (flags->dimensions != variable.dimensions) {
-        warnings.push_back("quality flags '" + flags->name + "' have other dimensions than '" +
-                           variable.name + "' and are not used");
-      } else {
-        const auto scheme = FlagScheme::from_attributes(
-            numbers_of(*flags, "flag_values"), flags->text("flag_meanings").value_or(""),
-            flags->text("conventions")
-                .value_or(flags->text("quality_control_conventions")
-                              .value_or(flags->text("References").value_or(""))));
-        if (!scheme) {
-          warnings.push_back("quality flags '" + flags->name +
-                             "' do not say what their numbers mean; '" + variable.name +
-                             "' counts as not checked");
-        } else {
-          const std::vector<double> raw_flags =
-              read_time_by_level(file, *flags, dimensions, station, series.times, series.levels);
-          for (std::size_t i = 0; i < raw.size(); ++i) {
-            if (std::abs(raw_flags[i]) < 1e9)
-              series.status[i] = scheme->status_of(std::lround(raw_flags[i]));
-          }
-        }
-      }
-    }
+    apply_flags(file, dimensions, station, series, warnings);
     for (std::size_t i = 0; i < raw.size(); ++i) {
       if (std::isnan(series.values[i])) series.status[i] = SampleStatus::missing;
     }

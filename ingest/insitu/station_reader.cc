@@ -174,8 +174,9 @@ std::vector<Wanted> wanted_in(const netcdf::File& file, const StationAxes& axes,
 }
 
 std::vector<PlacedSeries> read_station(const netcdf::File& file, const StationAxes& axes,
-                                       const ProductCatalogue& products, const std::vector<Wanted>& wanted,
-                                       std::size_t station, const std::optional<double>& water_depth_m,
+                                       const ProductCatalogue& products,
+                                       const std::vector<Wanted>& wanted, std::size_t station,
+                                       const std::optional<double>& water_depth_m,
                                        std::vector<std::string>& warnings) {
   return StationReader(file, axes, products, station, warnings).read(wanted, water_depth_m);
 }

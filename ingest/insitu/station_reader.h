@@ -16,15 +16,17 @@ struct Wanted {
   const Quantity* quantity;  ///< null for a speed or a direction
 };
 
-/// The variables over time that hold a quantity of the vocabulary, or the speed or direction of a vector.
+/// The variables over time that hold a quantity of the vocabulary, or the speed or direction of a
+/// vector.
 [[nodiscard]] std::vector<Wanted> wanted_in(const netcdf::File& file, const StationAxes& axes,
-                                            const ProductCatalogue& products, const Product& product);
+                                            const ProductCatalogue& products,
+                                            const Product& product);
 
-/// Reads what is wanted at one station, makes vectors of speeds and directions and finds the levels of each.
-[[nodiscard]] std::vector<PlacedSeries> read_station(const netcdf::File& file, const StationAxes& axes,
-                                                     const ProductCatalogue& products,
-                                                     const std::vector<Wanted>& wanted, std::size_t station,
-                                                     const std::optional<double>& water_depth_m,
-                                                     std::vector<std::string>& warnings);
+/// Reads what is wanted at one station, makes vectors of speeds and directions and finds the levels
+/// of each.
+[[nodiscard]] std::vector<PlacedSeries> read_station(
+    const netcdf::File& file, const StationAxes& axes, const ProductCatalogue& products,
+    const std::vector<Wanted>& wanted, std::size_t station,
+    const std::optional<double>& water_depth_m, std::vector<std::string>& warnings);
 
 }  // namespace slackwater::ingest

@@ -12,7 +12,8 @@
 namespace slackwater::ingest::netcdf {
 namespace {
 
-constexpr std::uint64_t max_list = 1u << 16;  // entries in a list of dimensions, attributes or variables
+constexpr std::uint64_t max_list =
+    1u << 16;  // entries in a list of dimensions, attributes or variables
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw Error(ErrorKind::invalid_input, path.string() + ": " + why + "; fetch it again");
@@ -20,7 +21,8 @@ constexpr std::uint64_t max_list = 1u << 16;  // entries in a list of dimensions
 
 std::uint64_t saturating_multiply(std::uint64_t a, std::uint64_t b) noexcept {
   std::uint64_t product = 0;
-  return __builtin_mul_overflow(a, b, &product) ? std::numeric_limits<std::uint64_t>::max() : product;
+  return __builtin_mul_overflow(a, b, &product) ? std::numeric_limits<std::uint64_t>::max()
+                                                : product;
 }
 
 std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) noexcept {
@@ -28,7 +30,9 @@ std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) noexcept {
   return __builtin_add_overflow(a, b, &sum) ? std::numeric_limits<std::uint64_t>::max() : sum;
 }
 
-std::uint64_t padded(std::uint64_t bytes) noexcept { return saturating_add(bytes, 3) & ~std::uint64_t{3}; }
+std::uint64_t padded(std::uint64_t bytes) noexcept {
+  return saturating_add(bytes, 3) & ~std::uint64_t{3};
+}
 
 /// Walks the big-endian header; a read past the end is a truncated header.
 class Header {
@@ -51,7 +55,8 @@ class Header {
   std::uint64_t list() {
     word();
     const std::uint64_t entries = count();
-    if (entries > max_list) refuse(path_, "damaged header (a list of " + std::to_string(entries) + " entries)");
+    if (entries > max_list)
+      refuse(path_, "damaged header (a list of " + std::to_string(entries) + " entries)");
     return entries;
   }
   void skip_name() { skip(padded(count())); }
@@ -64,20 +69,24 @@ class Header {
   }
   [[nodiscard]] std::uint64_t bytes_of(std::uint64_t type) const {
     constexpr std::uint64_t bytes[] = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
-    if (type == 0 || type >= std::size(bytes)) refuse(path_, "damaged header (type " + std::to_string(type) + ")");
+    if (type == 0 || type >= std::size(bytes))
+      refuse(path_, "damaged header (type " + std::to_string(type) + ")");
     return bytes[type];
   }
 
  private:
   void skip(std::uint64_t bytes) {
-    if (bytes > size_ - at_) refuse(path_, "is truncated inside its header (" + std::to_string(size_) + " bytes)");
+    if (bytes > size_ - at_)
+      refuse(path_, "is truncated inside its header (" + std::to_string(size_) + " bytes)");
     at_ += bytes;
     stream_.seekg(static_cast<std::streamoff>(at_));
   }
   std::uint64_t big_endian(std::uint64_t bytes) {
-    if (bytes > size_ - at_) refuse(path_, "is truncated inside its header (" + std::to_string(size_) + " bytes)");
+    if (bytes > size_ - at_)
+      refuse(path_, "is truncated inside its header (" + std::to_string(size_) + " bytes)");
     std::uint64_t value = 0;
-    for (std::uint64_t i = 0; i < bytes; ++i) value = value << 8 | static_cast<std::uint64_t>(stream_.get() & 0xFF);
+    for (std::uint64_t i = 0; i < bytes; ++i)
+      value = value << 8 | static_cast<std::uint64_t>(stream_.get() & 0xFF);
     at_ += bytes;
     return value;
   }
@@ -113,11 +122,13 @@ void expect_classic_file_is_whole(const std::filesystem::path& path) {
     Block block;
     header.skip_name();
     const std::uint64_t rank = header.count();
-    if (rank > max_list) refuse(path, "damaged header (a variable of rank " + std::to_string(rank) + ")");
+    if (rank > max_list)
+      refuse(path, "damaged header (a variable of rank " + std::to_string(rank) + ")");
     block.bytes = 1;
     for (std::uint64_t d = 0; d < rank; ++d) {
       const std::uint64_t dimension = header.count();
-      if (dimension >= lengths.size()) refuse(path, "damaged header (dimension " + std::to_string(dimension) + ")");
+      if (dimension >= lengths.size())
+        refuse(path, "damaged header (dimension " + std::to_string(dimension) + ")");
       const std::uint64_t length = lengths[dimension];
       if (length == 0 && d == 0) {
         block.is_record = true;
@@ -143,13 +154,15 @@ void expect_classic_file_is_whole(const std::filesystem::path& path) {
   }
   std::uint64_t end = 0;
   for (const Block& block : blocks) {
-    if (block.bytes == 0 || (block.is_record && (records == 0 || header.is_streaming(records)))) continue;
-    const std::uint64_t before = block.is_record ? saturating_multiply(records - 1, record_bytes) : 0;
+    if (block.bytes == 0 || (block.is_record && (records == 0 || header.is_streaming(records))))
+      continue;
+    const std::uint64_t before =
+        block.is_record ? saturating_multiply(records - 1, record_bytes) : 0;
     end = std::max(end, saturating_add(saturating_add(block.begin, before), block.bytes));
   }
   if (end > header.size()) {
-    refuse(path, "is truncated: it has " + std::to_string(header.size()) + " bytes where its header announces " +
-                     std::to_string(end));
+    refuse(path, "is truncated: it has " + std::to_string(header.size()) +
+                     " bytes where its header announces " + std::to_string(end));
   }
 }
 

@@ -14,7 +14,8 @@
 namespace slackwater::ingest::netcdf {
 namespace {
 
-// A product file has tens of variables with tens of attributes. These bounds keep a hostile one from eating memory.
+// A product file has tens of variables with tens of attributes. These bounds keep a hostile one
+// from eating memory.
 constexpr int max_variables = 4096;
 constexpr int max_dimensions = 4096;
 constexpr int max_attributes = 1024;
@@ -28,19 +29,32 @@ constexpr std::size_t max_text = std::size_t{1} << 16;
 
 Type type_of(nc_type type) noexcept {
   switch (type) {
-    case NC_BYTE: return Type::int8;
-    case NC_UBYTE: return Type::uint8;
-    case NC_CHAR: return Type::character;
-    case NC_SHORT: return Type::int16;
-    case NC_USHORT: return Type::uint16;
-    case NC_INT: return Type::int32;
-    case NC_UINT: return Type::uint32;
-    case NC_INT64: return Type::int64;
-    case NC_UINT64: return Type::uint64;
-    case NC_FLOAT: return Type::float32;
-    case NC_DOUBLE: return Type::float64;
-    case NC_STRING: return Type::string;
-    default: return Type::other;
+    case NC_BYTE:
+      return Type::int8;
+    case NC_UBYTE:
+      return Type::uint8;
+    case NC_CHAR:
+      return Type::character;
+    case NC_SHORT:
+      return Type::int16;
+    case NC_USHORT:
+      return Type::uint16;
+    case NC_INT:
+      return Type::int32;
+    case NC_UINT:
+      return Type::uint32;
+    case NC_INT64:
+      return Type::int64;
+    case NC_UINT64:
+      return Type::uint64;
+    case NC_FLOAT:
+      return Type::float32;
+    case NC_DOUBLE:
+      return Type::float64;
+    case NC_STRING:
+      return Type::string;
+    default:
+      return Type::other;
   }
 }
 
@@ -49,23 +63,28 @@ void expect_netcdf_magic(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path, status)) {
     throw Error(ErrorKind::not_found, "no such file: " + path.string());
   }
-  if (!std::filesystem::is_regular_file(path, status)) refuse(path, "is not a regular file; give a NetCDF file");
+  if (!std::filesystem::is_regular_file(path, status))
+    refuse(path, "is not a regular file; give a NetCDF file");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw Error(ErrorKind::unavailable, "cannot read " + path.string() + "; check its permissions");
+  if (!stream)
+    throw Error(ErrorKind::unavailable, "cannot read " + path.string() + "; check its permissions");
   std::string magic(8, '\0');
   stream.read(magic.data(), 8);
   const auto found = static_cast<std::size_t>(stream.gcount());
   if (found == 0) refuse(path, "is empty (0 bytes); expected a NetCDF file; fetch it again");
   const bool hdf5 = found == 8 && magic == std::string("\x89HDF\r\n\x1a\n", 8);
-  const bool classic = found >= 4 && magic.starts_with("CDF") && (magic[3] == 1 || magic[3] == 2 || magic[3] == 5);
+  const bool classic =
+      found >= 4 && magic.starts_with("CDF") && (magic[3] == 1 || magic[3] == 2 || magic[3] == 5);
   if (!hdf5 && !classic) {
     std::string shown;
     for (std::size_t i = 0; i < std::min<std::size_t>(found, 8); ++i) {
       const auto byte = static_cast<unsigned char>(magic[i]);
       shown += byte >= 32 && byte < 127 ? magic[i] : '.';
     }
-    refuse(path, "is not a NetCDF file (it starts with '" + shown +
-                     "'); expected netCDF classic, 64-bit offset or netCDF-4; convert it or leave it out");
+    refuse(
+        path,
+        "is not a NetCDF file (it starts with '" + shown +
+            "'); expected netCDF classic, 64-bit offset or netCDF-4; convert it or leave it out");
   }
   if (classic) expect_classic_file_is_whole(path);
 }
@@ -86,7 +105,8 @@ Attribute read_attribute(int file, int variable, int number, const std::filesyst
   }
   if (attribute.type == Type::character) {
     std::string text(length, '\0');
-    if (length > 0) check(nc_get_att_text(file, variable, attribute.name.c_str(), text.data()), path, doing);
+    if (length > 0)
+      check(nc_get_att_text(file, variable, attribute.name.c_str(), text.data()), path, doing);
     while (!text.empty() && text.back() == '\0') text.pop_back();
     attribute.value = std::move(text);
   } else if (attribute.type == Type::string) {
@@ -105,14 +125,17 @@ Attribute read_attribute(int file, int variable, int number, const std::filesyst
     attribute.value = std::string();
   } else {
     std::vector<double> numbers(length);
-    if (length > 0) check(nc_get_att_double(file, variable, attribute.name.c_str(), numbers.data()), path, doing);
+    if (length > 0)
+      check(nc_get_att_double(file, variable, attribute.name.c_str(), numbers.data()), path, doing);
     attribute.value = std::move(numbers);
   }
   return attribute;
 }
 
-std::vector<Attribute> read_attributes(int file, int variable, int count, const std::filesystem::path& path) {
-  if (count > max_attributes) refuse(path, "has " + std::to_string(count) + " attributes on one variable");
+std::vector<Attribute> read_attributes(int file, int variable, int count,
+                                       const std::filesystem::path& path) {
+  if (count > max_attributes)
+    refuse(path, "has " + std::to_string(count) + " attributes on one variable");
   std::vector<Attribute> attributes;
   attributes.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) attributes.push_back(read_attribute(file, variable, i, path));
@@ -149,7 +172,8 @@ Variable read_variable(int file, int id, const std::filesystem::path& path) {
   nc_type type = NC_NAT;
   int rank = 0;
   int attribute_count = 0;
-  check(nc_inq_var(file, id, name.data(), &type, &rank, nullptr, &attribute_count), path, "reading a variable");
+  check(nc_inq_var(file, id, name.data(), &type, &rank, nullptr, &attribute_count), path,
+        "reading a variable");
   variable.name = name.c_str();
   variable.type = type_of(type);
   variable.dimension_ids.resize(static_cast<std::size_t>(rank));
@@ -163,25 +187,29 @@ Variable read_variable(int file, int id, const std::filesystem::path& path) {
   }
   int storage = NC_CONTIGUOUS;
   std::vector<std::size_t> chunks(variable.shape.size());
-  if (rank > 0 && nc_inq_var_chunking(file, id, &storage, chunks.data()) == NC_NOERR && storage == NC_CHUNKED) {
+  if (rank > 0 && nc_inq_var_chunking(file, id, &storage, chunks.data()) == NC_NOERR &&
+      storage == NC_CHUNKED) {
     variable.chunks = std::move(chunks);
   }
   int shuffle = 0;
   int deflate = 0;
   int level = 0;
-  if (nc_inq_var_deflate(file, id, &shuffle, &deflate, &level) == NC_NOERR) variable.compressed = deflate != 0;
+  if (nc_inq_var_deflate(file, id, &shuffle, &deflate, &level) == NC_NOERR)
+    variable.compressed = deflate != 0;
   variable.attributes = read_attributes(file, id, attribute_count, path);
   return variable;
 }
 
-/// The promises of read(): rank, bounds and buffer agree. A mismatch is a bug of the caller, never of the file.
+/// The promises of read(): rank, bounds and buffer agree. A mismatch is a bug of the caller, never
+/// of the file.
 void expect_hyperslab(const Variable& variable, std::span<const std::size_t> start,
                       std::span<const std::size_t> count, std::size_t values) {
   expects(start.size() == variable.shape.size() && count.size() == start.size(),
           "read: one start and count per dimension");
   std::size_t product = 1;
   for (std::size_t d = 0; d < start.size(); ++d) {
-    expects(start[d] <= variable.shape[d] && count[d] <= variable.shape[d] - start[d], "read: inside the shape");
+    expects(start[d] <= variable.shape[d] && count[d] <= variable.shape[d] - start[d],
+            "read: inside the shape");
     product *= count[d];
   }
   expects(product == values, "read: the buffer holds product(count) values");
@@ -219,7 +247,8 @@ std::optional<double> Variable::number(std::string_view attribute) const {
 std::size_t Variable::size() const noexcept {
   std::size_t product = 1;
   for (const std::size_t length : shape) {
-    if (__builtin_mul_overflow(product, length, &product)) return std::numeric_limits<std::size_t>::max();
+    if (__builtin_mul_overflow(product, length, &product))
+      return std::numeric_limits<std::size_t>::max();
   }
   return product;
 }
@@ -239,11 +268,13 @@ File File::open(const std::filesystem::path& path) {
   }
   int variables = 0;
   int global_attributes = 0;
-  check(nc_inq(file.id_, nullptr, &variables, &global_attributes, nullptr), path, "reading the header");
+  check(nc_inq(file.id_, nullptr, &variables, &global_attributes, nullptr), path,
+        "reading the header");
   if (variables > max_variables) refuse(path, "has " + std::to_string(variables) + " variables");
   file.dimensions_ = read_dimensions(file.id_, path);
   file.attributes_ = read_attributes(file.id_, NC_GLOBAL, global_attributes, path);
-  for (int id = 0; id < variables; ++id) file.variables_.push_back(read_variable(file.id_, id, path));
+  for (int id = 0; id < variables; ++id)
+    file.variables_.push_back(read_variable(file.id_, id, path));
   return file;
 }
 
@@ -265,8 +296,8 @@ File& File::operator=(File&& other) noexcept {
 }
 
 const Variable* File::find(std::string_view name) const noexcept {
-  const auto found =
-      std::find_if(variables_.begin(), variables_.end(), [&](const Variable& v) { return v.name == name; });
+  const auto found = std::find_if(variables_.begin(), variables_.end(),
+                                  [&](const Variable& v) { return v.name == name; });
   return found == variables_.end() ? nullptr : &*found;
 }
 
@@ -292,7 +323,8 @@ void File::read(const Variable& variable, std::span<const std::size_t> start,
   if (out.empty()) return;
   const LibraryLock lock;
   const int status = nc_get_vara_float(id_, variable.id, start.data(), count.data(), out.data());
-  if (status == NC_ERANGE) return;  // a double beyond float, e.g. a fill value of 1e308, reads as infinity
+  if (status == NC_ERANGE)
+    return;  // a double beyond float, e.g. a fill value of 1e308, reads as infinity
   check(status, path_, "reading variable '" + variable.name + "'");
 }
 
@@ -311,7 +343,8 @@ std::vector<double> File::read_all(const Variable& variable) const {
   const std::size_t size = variable.size();
   if (size > max_read_all) {
     refuse(path_, "variable '" + variable.name + "' holds " + std::to_string(size) +
-                      " values; expected at most " + std::to_string(max_read_all) + " in one piece");
+                      " values; expected at most " + std::to_string(max_read_all) +
+                      " in one piece");
   }
   std::vector<double> values(size);
   const std::vector<std::size_t> start(variable.shape.size(), 0);
@@ -322,7 +355,8 @@ std::vector<double> File::read_all(const Variable& variable) const {
 std::string File::read_text(const Variable& variable) const {
   const LibraryLock lock;
   const std::string doing = "reading text variable '" + variable.name + "'";
-  if (variable.size() > max_text) refuse(path_, "variable '" + variable.name + "' is too long for a text");
+  if (variable.size() > max_text)
+    refuse(path_, "variable '" + variable.name + "' is too long for a text");
   std::string text;
   if (variable.type == Type::character) {
     text.resize(variable.size());

@@ -12,7 +12,21 @@
 namespace slackwater::ingest::netcdf {
 
 /// Storage type of a variable, the NetCDF external types we meet.
-enum class Type { int8, uint8, character, int16, uint16, int32, uint32, int64, uint64, float32, float64, string, other };
+enum class Type {
+  int8,
+  uint8,
+  character,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64,
+  string,
+  other
+};
 
 struct Dimension {
   int id = 0;
@@ -34,11 +48,11 @@ struct Variable {
   int id = 0;
   std::string name;
   Type type = Type::other;
-  std::vector<int> dimension_ids;      ///< slowest first
+  std::vector<int> dimension_ids;  ///< slowest first
   std::vector<std::string> dimensions;
   std::vector<std::size_t> shape;
-  std::vector<std::size_t> chunks;     ///< empty: contiguous
-  bool compressed = false;             ///< deflated chunks
+  std::vector<std::size_t> chunks;  ///< empty: contiguous
+  bool compressed = false;          ///< deflated chunks
   std::vector<Attribute> attributes;
 
   [[nodiscard]] const Attribute* find(std::string_view attribute) const noexcept;
@@ -47,11 +61,13 @@ struct Variable {
   [[nodiscard]] std::size_t size() const noexcept;  ///< product of shape, saturated
 };
 
-/// A NetCDF file (classic, 64-bit offset, netCDF-4) open for reading. Every failure is an Error that carries path,
-/// variable and the library's own text. NetCDF/HDF5 is not thread-safe: all calls take one process-wide lock.
+/// A NetCDF file (classic, 64-bit offset, netCDF-4) open for reading. Every failure is an Error
+/// that carries path, variable and the library's own text. NetCDF/HDF5 is not thread-safe: all
+/// calls take one process-wide lock.
 class File {
  public:
-  /// Throws Error(not_found) if absent, Error(invalid_input) if it is not NetCDF, is empty or is truncated.
+  /// Throws Error(not_found) if absent, Error(invalid_input) if it is not NetCDF, is empty or is
+  /// truncated.
   [[nodiscard]] static File open(const std::filesystem::path& path);
   ~File();
   File(File&& other) noexcept;
@@ -88,7 +104,8 @@ class File {
   std::vector<Attribute> attributes_;
 };
 
-/// A netCDF-4 file being written. `close()` flushes and fsyncs; without it the destructor discards quietly.
+/// A netCDF-4 file being written. `close()` flushes and fsyncs; without it the destructor discards
+/// quietly.
 class Writer {
  public:
   [[nodiscard]] static Writer create(const std::filesystem::path& path);
@@ -100,9 +117,9 @@ class Writer {
   int dimension(const std::string& name, std::size_t length);
   int unlimited_dimension(const std::string& name);
   struct Layout {
-    std::vector<std::size_t> chunks;         ///< empty: contiguous
-    int deflate = 0;                         ///< 0..9
-    std::optional<double> fill_value;        ///< _FillValue, in the variable's type
+    std::vector<std::size_t> chunks;   ///< empty: contiguous
+    int deflate = 0;                   ///< 0..9
+    std::optional<double> fill_value;  ///< _FillValue, in the variable's type
   };
   int variable(const std::string& name, Type type, const std::vector<int>& dimension_ids,
                const Layout& layout);
@@ -121,7 +138,8 @@ class Writer {
   void write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
              std::span<const std::int64_t> values);
   void write_all(int variable, std::span<const double> values);
-  void write_text(int variable, std::string_view text);  ///< a char variable with one dimension, padded with NULs
+  void write_text(int variable,
+                  std::string_view text);  ///< a char variable with one dimension, padded with NULs
   void close();
 
  private:

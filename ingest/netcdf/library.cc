@@ -16,8 +16,8 @@ void check(int status, const std::filesystem::path& path, std::string_view doing
   const char* advice = kind == ErrorKind::unavailable
                            ? "; check free space and permissions"
                            : "; the file is damaged or of a kind not supported; fetch it again";
-  throw Error(kind, path.string() + ": " + std::string(doing) + ": NetCDF says '" + nc_strerror(status) +
-                        "' (" + std::to_string(status) + ")" + advice);
+  throw Error(kind, path.string() + ": " + std::string(doing) + ": NetCDF says '" +
+                        nc_strerror(status) + "' (" + std::to_string(status) + ")" + advice);
 }
 
 }  // namespace slackwater::ingest::netcdf

@@ -14,19 +14,32 @@ namespace {
 
 nc_type external_type(Type type) {
   switch (type) {
-    case Type::int8: return NC_BYTE;
-    case Type::uint8: return NC_UBYTE;
-    case Type::character: return NC_CHAR;
-    case Type::int16: return NC_SHORT;
-    case Type::uint16: return NC_USHORT;
-    case Type::int32: return NC_INT;
-    case Type::uint32: return NC_UINT;
-    case Type::int64: return NC_INT64;
-    case Type::uint64: return NC_UINT64;
-    case Type::float32: return NC_FLOAT;
-    case Type::float64: return NC_DOUBLE;
-    case Type::string: return NC_STRING;
-    case Type::other: break;
+    case Type::int8:
+      return NC_BYTE;
+    case Type::uint8:
+      return NC_UBYTE;
+    case Type::character:
+      return NC_CHAR;
+    case Type::int16:
+      return NC_SHORT;
+    case Type::uint16:
+      return NC_USHORT;
+    case Type::int32:
+      return NC_INT;
+    case Type::uint32:
+      return NC_UINT;
+    case Type::int64:
+      return NC_INT64;
+    case Type::uint64:
+      return NC_UINT64;
+    case Type::float32:
+      return NC_FLOAT;
+    case Type::float64:
+      return NC_DOUBLE;
+    case Type::string:
+      return NC_STRING;
+    case Type::other:
+      break;
   }
   expects(false, "Writer: a type that can be written");
   return NC_NAT;
@@ -41,17 +54,29 @@ int define_fill(int file, int variable, double value) {
 
 int define_fill(int file, int variable, Type type, double value) {
   switch (type) {
-    case Type::int8: return define_fill<signed char>(file, variable, value);
-    case Type::uint8: return define_fill<unsigned char>(file, variable, value);
-    case Type::int16: return define_fill<short>(file, variable, value);
-    case Type::uint16: return define_fill<unsigned short>(file, variable, value);
-    case Type::int32: return define_fill<int>(file, variable, value);
-    case Type::uint32: return define_fill<unsigned int>(file, variable, value);
-    case Type::int64: return define_fill<long long>(file, variable, value);
-    case Type::uint64: return define_fill<unsigned long long>(file, variable, value);
-    case Type::float32: return define_fill<float>(file, variable, value);
-    case Type::float64: return define_fill<double>(file, variable, value);
-    default: expects(false, "Writer: a fill value needs a numeric type"); return NC_EBADTYPE;
+    case Type::int8:
+      return define_fill<signed char>(file, variable, value);
+    case Type::uint8:
+      return define_fill<unsigned char>(file, variable, value);
+    case Type::int16:
+      return define_fill<short>(file, variable, value);
+    case Type::uint16:
+      return define_fill<unsigned short>(file, variable, value);
+    case Type::int32:
+      return define_fill<int>(file, variable, value);
+    case Type::uint32:
+      return define_fill<unsigned int>(file, variable, value);
+    case Type::int64:
+      return define_fill<long long>(file, variable, value);
+    case Type::uint64:
+      return define_fill<unsigned long long>(file, variable, value);
+    case Type::float32:
+      return define_fill<float>(file, variable, value);
+    case Type::float64:
+      return define_fill<double>(file, variable, value);
+    default:
+      expects(false, "Writer: a fill value needs a numeric type");
+      return NC_EBADTYPE;
   }
 }
 
@@ -102,20 +127,23 @@ Writer::~Writer() {
   std::filesystem::remove(path_, ignored);
 }
 
-Writer::Writer(Writer&& other) noexcept : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
+Writer::Writer(Writer&& other) noexcept
+    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
 
 int Writer::dimension(const std::string& name, std::size_t length) {
   expects(length > 0, "Writer: a dimension has a length (0 would mean unlimited)");
   const LibraryLock lock;
   int id = -1;
-  check_write(nc_def_dim(id_, name.c_str(), length, &id), path_, "defining dimension '" + name + "'");
+  check_write(nc_def_dim(id_, name.c_str(), length, &id), path_,
+              "defining dimension '" + name + "'");
   return id;
 }
 
 int Writer::unlimited_dimension(const std::string& name) {
   const LibraryLock lock;
   int id = -1;
-  check_write(nc_def_dim(id_, name.c_str(), NC_UNLIMITED, &id), path_, "defining dimension '" + name + "'");
+  check_write(nc_def_dim(id_, name.c_str(), NC_UNLIMITED, &id), path_,
+              "defining dimension '" + name + "'");
   return id;
 }
 
@@ -124,14 +152,15 @@ int Writer::variable(const std::string& name, Type type, const std::vector<int>&
   const LibraryLock lock;
   const std::string doing = "defining variable '" + name + "'";
   int id = -1;
-  check_write(nc_def_var(id_, name.c_str(), external_type(type), static_cast<int>(dimension_ids.size()),
-                         dimension_ids.data(), &id),
+  check_write(nc_def_var(id_, name.c_str(), external_type(type),
+                         static_cast<int>(dimension_ids.size()), dimension_ids.data(), &id),
               path_, doing);
   if (!layout.chunks.empty()) {
     expects(layout.chunks.size() == dimension_ids.size(), "Writer: one chunk length per dimension");
     check_write(nc_def_var_chunking(id_, id, NC_CHUNKED, layout.chunks.data()), path_, doing);
   }
-  if (layout.deflate > 0) check_write(nc_def_var_deflate(id_, id, 1, 1, layout.deflate), path_, doing);
+  if (layout.deflate > 0)
+    check_write(nc_def_var_deflate(id_, id, 1, 1, layout.deflate), path_, doing);
   if (layout.fill_value) check_write(define_fill(id_, id, type, *layout.fill_value), path_, doing);
   return id;
 }
@@ -146,9 +175,11 @@ void Writer::attribute(int variable, const std::string& name, double value) {
   attribute(variable, name, std::span<const double>(&value, 1), Type::float64);
 }
 
-void Writer::attribute(int variable, const std::string& name, std::span<const double> values, Type type) {
+void Writer::attribute(int variable, const std::string& name, std::span<const double> values,
+                       Type type) {
   const LibraryLock lock;
-  check_write(nc_put_att_double(id_, variable, name.c_str(), external_type(type), values.size(), values.data()),
+  check_write(nc_put_att_double(id_, variable, name.c_str(), external_type(type), values.size(),
+                                values.data()),
               path_, "writing attribute '" + name + "'");
 }
 
@@ -157,23 +188,28 @@ void Writer::end_definitions() {
   check_write(nc_enddef(id_), path_, "ending the definitions");
 }
 
-void Writer::write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
-                   std::span<const double> values) {
-  expects(start.size() == count.size() && product_of(count) == values.size(), "Writer: a whole hyperslab");
+void Writer::write(int variable, std::span<const std::size_t> start,
+                   std::span<const std::size_t> count, std::span<const double> values) {
+  expects(start.size() == count.size() && product_of(count) == values.size(),
+          "Writer: a whole hyperslab");
   const LibraryLock lock;
-  check_write(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()), path_, "writing values");
+  check_write(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()), path_,
+              "writing values");
 }
 
-void Writer::write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
-                   std::span<const float> values) {
-  expects(start.size() == count.size() && product_of(count) == values.size(), "Writer: a whole hyperslab");
+void Writer::write(int variable, std::span<const std::size_t> start,
+                   std::span<const std::size_t> count, std::span<const float> values) {
+  expects(start.size() == count.size() && product_of(count) == values.size(),
+          "Writer: a whole hyperslab");
   const LibraryLock lock;
-  check_write(nc_put_vara_float(id_, variable, start.data(), count.data(), values.data()), path_, "writing values");
+  check_write(nc_put_vara_float(id_, variable, start.data(), count.data(), values.data()), path_,
+              "writing values");
 }
 
-void Writer::write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
-                   std::span<const std::int64_t> values) {
-  expects(start.size() == count.size() && product_of(count) == values.size(), "Writer: a whole hyperslab");
+void Writer::write(int variable, std::span<const std::size_t> start,
+                   std::span<const std::size_t> count, std::span<const std::int64_t> values) {
+  expects(start.size() == count.size() && product_of(count) == values.size(),
+          "Writer: a whole hyperslab");
   static_assert(sizeof(long long) == sizeof(std::int64_t));
   const LibraryLock lock;
   check_write(nc_put_vara_longlong(id_, variable, start.data(), count.data(),
@@ -208,7 +244,8 @@ void Writer::close() {
     const int cause = errno;
     if (descriptor >= 0) ::close(descriptor);
     if (!synced) {
-      throw Error(ErrorKind::unavailable, "cannot flush " + path_.string() + " to disk (" + std::strerror(cause) +
+      throw Error(ErrorKind::unavailable, "cannot flush " + path_.string() + " to disk (" +
+                                              std::strerror(cause) +
                                               "); check free space and permissions");
     }
   } catch (...) {

@@ -7,14 +7,12 @@
 
 #include "fields/base/error.h"
 #include "tests/data/store/disk_model.h"
+#include "tests/data/store/memory_folder.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/data/store/worker_process.h"
-#include "tests/support/temporary_folder.h"
 
 namespace slackwater::store::tests {
 namespace {
-
-using slackwater::tests::TemporaryFolder;
 
 struct Trouble {
   int error;
@@ -37,7 +35,7 @@ void expect_intact(Store& store, int number) {
 void fail_everywhere(const std::string& step, const Trouble& trouble,
                      const std::function<bool(Store&)>& is_there,
                      const std::function<void(Store&)>& again) {
-  const TemporaryFolder folder;
+  const MemoryFolder folder;
   const std::filesystem::path root = std::filesystem::canonical(folder.path());
   {
     Store store = Store::open(root / "template", OpenMode::create_or_write);

@@ -1,52 +1,23 @@
 // A recorded run is cut short after every single call, and everything that was not synced by then
 // is lost, kept or torn.
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <functional>
-#include <optional>
 #include <set>
 
 #include "fields/base/error.h"
 #include "tests/data/store/disk_model.h"
+#include "tests/data/store/memory_folder.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/data/store/worker_process.h"
-#include "tests/support/temporary_folder.h"
 
 namespace slackwater::store::tests {
 namespace {
 
-using slackwater::tests::TemporaryFolder;
 using Survival = DiskModel::Survival;
 
-/// A folder in memory where there is one, for its fsync costs nothing.
-class MemoryFolder {
- public:
-  MemoryFolder() {
-    std::string form = "/dev/shm/slackwater-test-XXXXXX";
-    if (::mkdtemp(form.data()) != nullptr) {
-      path_ = form;
-    } else {
-      otherwise_.emplace();
-      path_ = otherwise_->path();
-    }
-  }
-  ~MemoryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  MemoryFolder(const MemoryFolder&) = delete;
-  MemoryFolder& operator=(const MemoryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-  std::optional<TemporaryFolder> otherwise_;
-};
-
 struct Recording {
-  TemporaryFolder folder;
+  MemoryFolder folder;
   std::filesystem::path root = std::filesystem::canonical(folder.path()) / "disk";
   std::vector<RecordedCall> calls;
 

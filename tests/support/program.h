@@ -1,0 +1,29 @@
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace slackwater::tests {
+
+/// What a run of the program left behind.
+struct ProgramResult {
+  int exit_code = -1;   ///< 128 + signal where a signal ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs the built `slackwater` with these arguments and waits for it; `environment` adds to ours.
+[[nodiscard]] ProgramResult run_program(const std::vector<std::string>& arguments,
+                                        const std::map<std::string, std::string>& environment = {});
+
+/// Starts it and returns at once, output discarded; the caller waits or kills.
+[[nodiscard]] pid_t start_program(const std::vector<std::string>& arguments,
+                                  const std::map<std::string, std::string>& environment = {});
+
+/// The path of the built program.
+[[nodiscard]] std::filesystem::path program_path();
+
+}  // namespace slackwater::tests
