@@ -106,7 +106,7 @@ class ForecastWriter {
     period_id_ = out_.variable("forecast_period", Type::float64, {time_});
     out_.attribute(period_id_, "standard_name", "forecast_period");
     out_.attribute(period_id_, "long_name", "lead since the end of the last calibrated day");
-    out_.attribute(period_id_, "units", "hours");
+    out_.attribute(period_id_, "units", "h");
     bed_id_ = out_.variable("sea_floor_depth", Type::float64, place);
     out_.attribute(bed_id_, "standard_name", "sea_floor_depth_below_geoid");
     out_.attribute(bed_id_, "long_name", "water depth used");

@@ -124,6 +124,13 @@ Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& p
              "' is a wave spectrum over frequency; expected heights, periods, directions, "
              "wind or current over time: spectra are not ingested");
     }
+    if (!options.as && file.text("title").value_or("").starts_with("Slackwater current forecast")) {
+      refuse(
+          "a forecast that Slackwater issued; expected observations: it would be taken for the "
+          "truth that it is "
+          "scored against. Say --as forecast --issued TIME if it is meant as a provider's "
+          "forecast");
+    }
     const auto axes = station_axes_of(file);
     if (!axes) {
       refuse(

@@ -178,7 +178,7 @@ std::filesystem::path write_product(const std::filesystem::path& file, const Pro
         for (const double y : product.latitude_deg) {
           for (const double x : product.longitude_deg) {
             const double value = q.value({time, depth, y, x});
-            values.push_back(std::isnan(value) ? fill : value);
+            values.push_back(std::isnan(value) && !product.writes_nan ? fill : value);
           }
         }
       }

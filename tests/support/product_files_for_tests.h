@@ -34,6 +34,7 @@ struct ProductForTests {
   std::vector<double> latitude_deg{53.8, 53.9, 54.0, 54.1, 54.2};
   std::vector<double> longitude_deg{6.3, 6.4, 6.5, 6.6, 6.7};
   std::optional<UtcTime> reference_time;
+  bool writes_nan = false;  ///< missing values are written as NaN, not as the fill value
   std::vector<ProductQuantity> quantities;
 
   [[nodiscard]] ProductQuantity& quantity(const std::string& name);

@@ -16,6 +16,7 @@ struct Recipe {
   std::string time_units = "hours since 2024-03-10 00:00:00";
   std::string speed_units = "cm s-1";
   double position_step_deg = 0.0;
+  std::string title = "a buoy";
   bool backward = false;
   bool all_fill = false;
   bool with_wanted = true;
@@ -50,6 +51,7 @@ class SyntheticSeries : public SeriesTest {
     const int towards = variable("HCDT", "sea_water_velocity_to_direction", "degree", 2.0);
     writer.attribute(Writer::global, "featureType", recipe.feature);
     writer.attribute(Writer::global, "platform_code", "B1");
+    writer.attribute(Writer::global, "title", recipe.title);
     writer.end_definitions();
     std::vector<double> hours;
     std::vector<double> good;
@@ -167,6 +169,13 @@ TEST_F(SyntheticSeries, WhatTheOperatorSaysWins) {
   options = {};
   options.cut = BoundingBox::from_degrees(0, 50, 10, 60);
   EXPECT_NE(refusal().find("outside the box"), std::string::npos);
+}
+
+TEST_F(SyntheticSeries, AForecastOfOursIsNotTakenForAnObservation) {
+  Recipe recipe;
+  recipe.title = "Slackwater current forecast for somewhere";
+  write_buoy(recipe);
+  EXPECT_NE(refusal().find("Slackwater issued"), std::string::npos);
 }
 
 /// Two stations, each with a profile, bins before time in memory.

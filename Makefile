@@ -1,0 +1,65 @@
+# The two commands of the README are `make demo` and `make test`; each installs what it needs on a bare Debian 12.
+JOBS ?= 2
+CTEST_PARALLEL ?= 2
+
+.PHONY: all demo test bench soak tsan coverage fuzz tidy format check-format packages test-packages venv clean
+
+all: packages
+	cmake --preset release
+	cmake --build --preset release -j$(JOBS) --target slackwater
+
+demo: all
+	build/release/api/slackwater demo --out build/demo
+
+test: test-packages venv
+	cmake --preset dev
+	cmake --build --preset dev -j$(JOBS)
+	ctest --preset dev -j$(CTEST_PARALLEL)
+
+bench: test-packages
+	cmake --preset release
+	cmake --build --preset release -j$(JOBS) --target slackwater slackwater_bench_all
+	tests/bench/run build/release
+
+# Long runs: 200 kills instead of 20, half an hour of fuzzing.
+soak: test-packages venv
+	cmake --preset release
+	cmake --build --preset release -j$(JOBS)
+	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
+	$(MAKE) fuzz
+
+fuzz: test-packages
+	cmake/install-packages cmake/debian-packages-fuzz.txt
+	cmake --preset fuzz
+	cmake --build --preset fuzz -j$(JOBS)
+	tests/fuzz/run build/fuzz
+
+tsan: test-packages
+	cmake --preset tsan
+	cmake --build --preset tsan -j$(JOBS)
+	ctest --preset tsan -LE 'fuzz|bench-answers'
+
+coverage: test-packages
+	cmake --preset coverage
+	cmake --build --preset coverage -j$(JOBS)
+	ctest --preset coverage
+
+SOURCES = $(shell git ls-files '*.h' '*.cc')
+format:
+	clang-format-14 -i $(SOURCES)
+check-format:
+	clang-format-14 --dry-run --Werror $(SOURCES)
+tidy:
+	cmake --preset release
+	clang-tidy-14 -quiet -p build/release $(shell git ls-files '*.cc' | grep -E '^(fields|ingest|calibration|data|api)/')
+
+packages:
+	@cmake/install-packages cmake/debian-packages.txt
+test-packages:
+	@cmake/install-packages cmake/debian-packages.txt cmake/debian-packages-test.txt
+# Validators that only tests use; absent (with a message) where PyPI cannot be reached.
+venv:
+	@tests/strangers/make-venv build/venv
+
+clean:
+	rm -rf build

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/shared_data.h"
+
+// Who may include whom: fields -> nothing of ours; ingest, calibration, twin, data -> fields; api and tests -> all.
+
+namespace slackwater::tests {
+namespace {
+
+using Arrows = std::map<std::string, std::set<std::string>>;
+
+const std::set<std::string> rooms{"fields", "ingest", "calibration", "twin", "data", "api", "tests"};
+
+const Arrows& allowed_arrows() {
+  static const Arrows arrows{{"fields", {}},
+                             {"ingest", {"fields"}},
+                             {"calibration", {"fields"}},
+                             {"twin", {"fields"}},
+                             {"data", {"fields"}},
+                             {"api", {"fields", "ingest", "calibration", "twin", "data"}},
+                             {"tests", rooms}};
+  return arrows;
+}
+
+/// The room an include line of ours points to, or nothing.
+std::string room_of_include(const std::string& line) {
+  if (!line.starts_with("#include \"")) return {};
+  const std::string path = line.substr(10);
+  const std::string room = path.substr(0, path.find('/'));
+  return rooms.contains(room) ? room : std::string();
+}
+
+std::string forbidden_in(const std::string& room, const std::string& line) {
+  const std::string target = room_of_include(line);
+  if (target.empty() || target == room || allowed_arrows().at(room).contains(target)) return {};
+  return room + " -> " + target + ": " + line;
+}
+
+template <typename Visit>
+void for_each_line(const std::string& room, const Visit& visit) {
+  const auto folder = source_folder() / room;
+  if (!std::filesystem::is_directory(folder)) return;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const auto ending = entry.path().extension();
+    if (ending != ".h" && ending != ".cc") continue;
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);) visit(entry.path(), line);
+  }
+}
+
+TEST(IncludeArrows, NoRoomIncludesWhatItMayNot) {
+  std::size_t lines = 0;
+  for (const std::string& room : rooms) {
+    for_each_line(room, [&](const std::filesystem::path& file, const std::string& line) {
+      lines += room_of_include(line).empty() ? 0 : 1;
+      EXPECT_EQ(forbidden_in(room, line), "") << file;
+    });
+  }
+  EXPECT_GT(lines, 200U) << "the sources were not found";
+}
+
+TEST(IncludeArrows, AForbiddenArrowIsSeen) {
+  EXPECT_NE(forbidden_in("fields", "#include \"ingest/ingest.h\""), "");
+  EXPECT_NE(forbidden_in("ingest", "#include \"calibration/solve/calibration.h\""), "");
+  EXPECT_NE(forbidden_in("data", "#include \"api/cli/command.h\""), "");
+  EXPECT_EQ(forbidden_in("api", "#include \"data/store/store.h\""), "");
+  EXPECT_EQ(forbidden_in("ingest", "#include <vector>"), "");
+}
+
+TEST(IncludeArrows, EachLibraryHasOneDoor) {
+  const std::vector<std::pair<std::string, std::string>> doors{
+      {"netcdf.h", "ingest/netcdf"},    {"ceres/", "calibration"},     {"sqlite3.h", "data/store"},
+      {"eccodes.h", "ingest/grib"},     {"udunits2.h", "ingest/cf"},   {"proj.h", "fields/geo"},
+      {"yaml-cpp/", "fields/base"},     {"nlohmann/", "api"},          {"CLI/", "api"},
+      {"openssl/", "fields/base"}};
+  for (const std::string& room : {"fields", "ingest", "calibration", "data", "api"}) {
+    for_each_line(room, [&](const std::filesystem::path& file, const std::string& line) {
+      if (!line.starts_with("#include <")) return;
+      const std::string where = std::filesystem::relative(file, source_folder()).string();
+      for (const auto& [library, door] : doors) {
+        if (line.substr(10).starts_with(library)) {
+          EXPECT_TRUE(where.starts_with(door)) << where << ": " << line;
+          EXPECT_FALSE(where.ends_with(".h") && library != "nlohmann/") << "a library in a header: " << where;
+        }
+      }
+    });
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::tests
