@@ -11,7 +11,7 @@ namespace slackwater::api {
 namespace {
 
 int report(const Context& context, ErrorKind kind, const std::string& message) {
-  if (context.json) {
+  if (context.json && !context.answered) {
     const nlohmann::json problem = {{"error", {{"kind", std::string(name_of(kind))}, {"message", message}}}};
     std::printf("%s\n", problem.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   }

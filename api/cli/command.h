@@ -20,6 +20,7 @@ struct Context {
   std::filesystem::path store_folder;
   bool json = false;
   std::string at;                      ///< `--at`, else the clock
+  mutable bool answered = false;       ///< the JSON document is printed: trouble after it goes to stderr alone
 
   [[nodiscard]] UtcTime now() const;
   [[nodiscard]] store::Store open(store::OpenMode mode) const;

@@ -108,7 +108,10 @@ void ingest_all(const IngestArguments& arguments, const Context& context) {
       if (!first_problem) first_problem = problem;
     }
   }
-  if (context.json) std::printf("%s\n", json{{"files", done}, {"failed", failed}}.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+  if (context.json) {
+    std::printf("%s\n", json{{"files", done}, {"failed", failed}}.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+    context.answered = true;
+  }
   if (first_problem) {
     throw Error(first_problem->kind(), "not every file was ingested; first: " + first_problem->message());
   }

@@ -30,6 +30,7 @@ void run_check(const Context& context, bool quick) {
                                 {"content_files", report.content_files},
                                 {"content_bytes", report.content_bytes}})
                             .c_str());
+    context.answered = true;
   } else {
     for (const store::CheckFinding& finding : report.findings) {
       std::printf("%s %s\n    %s\n", finding.harmful ? "PROBLEM:" : "note:", finding.found.c_str(),

@@ -141,6 +141,11 @@ std::optional<UtcDay> newest_whole_day(const SiteData& data, UtcTime issued) {
   return std::nullopt;
 }
 
+bool holds_day(const SiteData& data, UtcDay day, UtcTime issued) {
+  const ColumnData* column = leading_column(data);
+  return column != nullptr && holds_throughout(currents_of(*column, day, issued).first, day);
+}
+
 DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   DailyForecast result;
   Snapshot& snapshot = result.snapshot;

@@ -39,6 +39,9 @@ inline constexpr Duration history_read = std::chrono::days(60);
 /// Whether a day's currents are there: no gap at its ends or within it wider than two and a half usual steps.
 [[nodiscard]] bool holds_throughout(const VectorColumn& currents, UtcDay day);
 
+/// Whether the currents of this day are held throughout, as known at the issue time.
+[[nodiscard]] bool holds_day(const SiteData& data, UtcDay day, UtcTime issued);
+
 /// The daily job without the store: calibrate on D, propagate to the horizon, wind and waves beside it. Where D lacks
 /// currents it falls back on the last good day before it (longer lead, wider bands, `degraded`, a headline that says
 /// so); without any currents the forecast carries wind and waves alone.

@@ -25,7 +25,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     job.wind = options.wind;
     job.origin = "hindcast";
     job.threads = options.threads;
-    if (!data.has_currents() || newest_whole_day(data, job.issued) != day) {
+    if (!holds_day(data, day, job.issued)) {
       report.skipped.push_back(format_day(day) + ": no whole day of currents");
     } else {
       forecasts.push_back(make_forecast(data, job));

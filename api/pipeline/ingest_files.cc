@@ -90,9 +90,7 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   } else {
     hash = std::async(std::launch::async, [file] { return sha256_of_file(file); });
   }
-  ingest::Ingested ingested = with_context("ingesting " + file.string(), [&] {
-    return ingest::decode_file(file, products, options, store.staging_folder(), progress);
-  });
+  ingest::Ingested ingested = ingest::decode_file(file, products, options, store.staging_folder(), progress);
   if (hash.valid()) source.sha256 = hash.get();
 
   std::vector<store::NewGranule> granules;

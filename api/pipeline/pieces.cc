@@ -68,6 +68,7 @@ Origin origin_of(const Loaded& loaded) {
   origin.status = loaded.row.status;
   origin.reference_time = loaded.row.reference_time;
   origin.dataset = dataset_of(loaded.row, loaded.granule);
+  origin.ensemble_member = loaded.row.ensemble_member.value_or(0);
   origin.product_id = loaded.row.product_id;
   origin.attribution = loaded.row.attribution;
   origin.sources = {loaded.row.source_sha256};
@@ -124,12 +125,10 @@ std::vector<VectorPiece> read_vector_pieces(store::Store& store, const std::stri
   std::vector<VectorPiece> pieces;
   std::vector<Loaded> lone_north;
   for (const store::GranuleRow& row : store.find_granules(query_for(north_name, window))) {
-    if (names(row, east_name) || row.ensemble_member.value_or(0) != 0) continue;
+    if (names(row, east_name)) continue;
     if (auto loaded = load(store, row, north_name, window)) lone_north.push_back(std::move(*loaded));
   }
   for (const store::GranuleRow& row : store.find_granules(query_for(east_name, window))) {
-    // Member 0 is the central one; the others are for ensembles.
-    if (row.ensemble_member.value_or(0) != 0) continue;
     auto east = load(store, row, east_name, window);
     if (!east) continue;
     Origin origin = origin_of(*east);
@@ -153,7 +152,6 @@ std::vector<ScalarPiece> read_scalar_pieces(store::Store& store, const std::stri
                                             const Window& window) {
   std::vector<ScalarPiece> pieces;
   for (const store::GranuleRow& row : store.find_granules(query_for(name, window))) {
-    if (row.ensemble_member.value_or(0) != 0) continue;
     if (auto loaded = load(store, row, name, window)) {
       Origin origin = origin_of(*loaded);
       pieces.push_back({std::move(origin), std::move(loaded->field)});

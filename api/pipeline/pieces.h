@@ -18,6 +18,7 @@ struct Origin {
   std::string product_id;
   std::string attribution;
   std::vector<std::string> sources;            ///< sha256 of the product files
+  int ensemble_member = 0;                     ///< of a weather model; 0 is the control
   std::string station;                         ///< platform of a point series
   bool contains_stokes = false;
   bool is_point_series = false;

@@ -55,7 +55,8 @@ bool is_known(const Origin& origin, const TimeCell& cell, const Knowledge& knowl
 /// Larger is better.
 auto rank_of(const Origin& origin) {
   const bool known_for_sure = origin.status != DataStatus::forecast;
-  return std::tuple(known_for_sure, origin.reference_time.value_or(UtcTime{}), origin.granules.front());
+  return std::tuple(known_for_sure, origin.reference_time.value_or(UtcTime{}), -origin.ensemble_member,
+                    origin.granules.front());
 }
 
 template <typename T>

@@ -51,7 +51,8 @@ struct Choice {
 };
 
 /// Joins pieces into one series. At each valid time an analysis or observation beats a forecast, a forecast with the
-/// later reference time (the shorter lead) beats the earlier, and the later ingested beats the earlier. Pieces on other
+/// later reference time (the shorter lead) beats the earlier, an ensemble's control (its lowest member) beats the others,
+/// and the later ingested beats the earlier. Pieces on other
 /// levels than the first chosen dataset are left out.
 [[nodiscard]] Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge, const Choice& choice);
 [[nodiscard]] Chosen<double> choose(const ScalarRecord& record, const Knowledge& knowledge, const Choice& choice);

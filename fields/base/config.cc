@@ -72,8 +72,8 @@ struct Config::Node {
   std::vector<std::shared_ptr<Node>> children;
   std::map<std::string, std::shared_ptr<Node>, std::less<>> child_of;
 
-  Node(YAML::Node node, std::string file_name, std::string above)
-      : yaml(std::move(node)), file(std::move(file_name)), path(std::move(above)) {
+  Node(const YAML::Node& node, std::string file_name, std::string above)
+      : yaml(node), file(std::move(file_name)), path(std::move(above)) {
     if (!yaml.IsMap()) {
       throw Error(ErrorKind::invalid_input, where(yaml) + (path.empty() ? "" : path + ": ") +
                                                 "found " + shape(yaml) +

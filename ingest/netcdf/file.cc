@@ -9,6 +9,7 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "ingest/netcdf/classic_header.h"
+#include "ingest/netcdf/hdf5_heap.h"
 #include "ingest/netcdf/header.h"
 #include "ingest/netcdf/library.h"
 
@@ -52,6 +53,7 @@ void expect_netcdf_magic(const std::filesystem::path& path) {
             "'); expected netCDF classic, 64-bit offset or netCDF-4; convert it or leave it out");
   }
   if (classic) expect_classic_file_is_whole(path);
+  if (hdf5) expect_sound_global_heaps(path);
 }
 
 /// The promises of read(): rank, bounds and buffer agree. A mismatch is a bug of the caller, never

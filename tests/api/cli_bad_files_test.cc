@@ -24,14 +24,14 @@ class BadFile : public ::testing::Test {
   /// The file is refused with exit code 3, the error names it and holds these words, and nothing has changed.
   void expect_refused(const std::filesystem::path& file, const std::vector<std::string>& words) {
     const std::string listing = store_.listing();
-    const auto bytes = store_.bytes();
+    const auto digests = store_.digests();
     const ProgramResult result = store_.run({"ingest", file.string()});
     EXPECT_EQ(result.exit_code, 3) << result.out << result.err;
     EXPECT_NE(result.err.find(file.filename().string()), std::string::npos) << result.err;
     for (const std::string& word : words) EXPECT_NE(result.err.find(word), std::string::npos) << word << " in: " << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "one error, not several: " << result.err;
     EXPECT_EQ(store_.listing(), listing);
-    EXPECT_EQ(store_.bytes(), bytes) << "the store is as it was, to the byte";
+    EXPECT_EQ(store_.digests(), digests) << "the store is as it was, to the byte";
   }
 
   [[nodiscard]] std::filesystem::path currents(const std::function<void(ProductForTests&)>& spoil) {
@@ -131,8 +131,20 @@ TEST_F(BadFile, BackwardTimesAreRefused) {
   expect_refused(currents([](ProductForTests& p) { std::swap(p.time[7], p.time[15]); }), {"time"});
 }
 
-TEST_F(BadFile, DepthsThatGoUpAndDownAreRefused) {
-  expect_refused(currents([](ProductForTests& p) { std::swap(p.depth_m[1], p.depth_m[3]); }), {"depth"});
+TEST_F(BadFile, DepthsInAnyOrderAreTheSameWater) {
+  store_.ingest(currents([](ProductForTests&) {}));
+  StoreForTests shuffled;
+  ProductForTests product = current_product(day + days(1));
+  std::swap(product.depth_m[1], product.depth_m[3]);
+  shuffled.ingest(write_product(shuffled.file("shuffled.nc"), product));
+  const auto newest = [](const StoreForTests& store) {
+    return nlohmann::json::parse(store.listing())["granules"].back()["content_sha256"].get<std::string>();
+  };
+  EXPECT_EQ(newest(shuffled), newest(store_));
+}
+
+TEST_F(BadFile, TwoEqualDepthsAreRefused) {
+  expect_refused(currents([](ProductForTests& p) { p.depth_m[2] = p.depth_m[1]; }), {"depth"});
 }
 
 TEST_F(BadFile, LatitudesBeyondThePoleAreRefused) {

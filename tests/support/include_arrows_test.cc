@@ -81,7 +81,7 @@ TEST(IncludeArrows, EachLibraryHasOneDoor) {
       {"eccodes.h", "ingest/grib"},     {"udunits2.h", "ingest/cf"},   {"proj.h", "fields/geo"},
       {"yaml-cpp/", "fields/base"},     {"nlohmann/", "api"},          {"CLI/", "api"},
       {"openssl/", "fields/base"}};
-  for (const std::string& room : {"fields", "ingest", "calibration", "data", "api"}) {
+  for (const std::string room : {"fields", "ingest", "calibration", "data", "api"}) {
     for_each_line(room, [&](const std::filesystem::path& file, const std::string& line) {
       if (!line.starts_with("#include <")) return;
       const std::string where = std::filesystem::relative(file, source_folder()).string();

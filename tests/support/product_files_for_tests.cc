@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 
 #include "ingest/netcdf/file.h"
@@ -172,18 +173,22 @@ std::filesystem::path write_product(const std::filesystem::path& file, const Pro
     const ProductQuantity& q = product.quantities[i];
     const bool deep = q.has_depth && !product.depth_m.empty();
     const std::vector<double> depths = deep ? product.depth_m : std::vector<double>{0.0};
-    std::vector<double> values;
+    std::vector<float> values;
     for (const UtcTime time : times) {
       for (const double depth : depths) {
         for (const double y : product.latitude_deg) {
           for (const double x : product.longitude_deg) {
             const double value = q.value({time, depth, y, x});
-            values.push_back(std::isnan(value) && !product.writes_nan ? fill : value);
+            values.push_back(static_cast<float>(std::isnan(value) && !product.writes_nan ? fill : value));
           }
         }
       }
     }
-    writer.write_all(ids[i], values);
+    std::vector<std::size_t> shape;
+    if (!product.time.empty()) shape.push_back(times.size());
+    if (deep) shape.push_back(depths.size());
+    shape.insert(shape.end(), {product.latitude_deg.size(), product.longitude_deg.size()});
+    writer.write(ids[i], std::vector<std::size_t>(shape.size(), 0), shape, std::span<const float>(values));
   }
   writer.close();
   return file;

@@ -34,8 +34,9 @@ class StoreForTests {
 
   /// `store list --json`.
   [[nodiscard]] std::string listing() const;
-  /// Every file of the store with its bytes: equal before and after means that the store is as it was.
-  [[nodiscard]] std::map<std::string, std::string> bytes() const;
+  /// Every file of the store with its sha256: equal before and after means that the store is as it was. SQLite's side
+  /// files are left out where they hold nothing.
+  [[nodiscard]] std::map<std::string, std::string> digests() const;
 
  private:
   TemporaryFolder folder_;

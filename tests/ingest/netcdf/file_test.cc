@@ -142,6 +142,34 @@ TEST(NetcdfFile, AnHdf5FileThatEndsEarlyIsRefused) {
   }
 }
 
+TEST(NetcdfFile, AnHdf5FileWithADamagedHeapIsRefusedNotWalkedForever) {
+  const TemporaryFolder folder;
+  Writer writer = Writer::create(folder / "f.nc");
+  const int x = writer.dimension("x", 3);
+  const int y = writer.dimension("y", 4);
+  writer.variable("x", Type::float64, {x});
+  writer.variable("values", Type::float64,
+                  {x, y});  // the references of its axes lie in a global heap
+  writer.end_definitions();
+  writer.close();
+  std::string bytes;
+  {
+    std::ifstream stream(folder / "f.nc", std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  }
+  const std::size_t heap = bytes.find("GCOL");
+  ASSERT_NE(heap, std::string::npos);
+  EXPECT_NO_THROW((void)File::open(folder / "f.nc"));
+  std::string stands_still = bytes;
+  std::fill_n(stands_still.begin() + static_cast<std::ptrdiff_t>(heap + 16), 16, '\0');
+  write_bytes(folder / "still.nc", stands_still);
+  EXPECT_TRUE(holds(refusal(folder / "still.nc"), "a global heap of HDF5"));
+  std::string runs_over = bytes;
+  runs_over[heap + 16 + 12] = '\x7f';
+  write_bytes(folder / "over.nc", runs_over);
+  EXPECT_TRUE(holds(refusal(folder / "over.nc"), "a global heap of HDF5"));
+}
+
 TEST(NetcdfFile, ADimensionOfNothingReadsAsNothing) {
   const TemporaryFolder folder;
   Writer writer = Writer::create(folder / "f.nc");

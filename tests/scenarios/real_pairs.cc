@@ -1,0 +1,60 @@
+#include "tests/scenarios/real_pairs.h"
+
+#include <cmath>
+#include <limits>
+
+#include "api/pipeline/ingest_files.h"
+#include "ingest/cf/granule_file.h"
+#include "ingest/copernicus/product_catalogue.h"
+#include "tests/support/shared_data.h"
+
+namespace slackwater::tests {
+
+void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& folders, bool as_analysis) {
+  const auto products = ingest::ProductCatalogue::load(source_folder() / "data" / "products");
+  ingest::IngestOptions options;
+  if (as_analysis) options.as = DataStatus::analysis;
+  for (const auto& file : api::product_files(folders)) {
+    static_cast<void>(api::ingest_file(store, products, file, options, UtcTime{}, {}));
+  }
+}
+
+std::vector<GeoPoint> wet_cells(store::Store& store, std::size_t first, std::size_t every) {
+  std::vector<bool> wet;
+  Grid grid;
+  store::GranuleQuery query;
+  query.any_of = {"eastward_sea_water_velocity"};
+  for (const store::GranuleRow& row : store.find_granules(query)) {
+    const auto file = ingest::GranuleFile::open(store.content_path(row.content_sha256));
+    grid = file.granule().grid;
+    const GriddedField u = file.read("eastward_sea_water_velocity", 0, grid.times(), 0, grid.rows(), 0, grid.columns());
+    wet.resize(grid.rows() * grid.columns(), true);
+    for (std::size_t o = 0; o < u.values.size(); ++o) {
+      if (std::isnan(u.values[o])) wet[o % wet.size()] = false;
+    }
+  }
+  std::vector<GeoPoint> points;
+  for (std::size_t j = first; j < grid.rows(); j += every) {
+    for (std::size_t i = first; i < grid.columns(); i += every) {
+      if (wet[j * grid.columns() + i]) {
+        points.push_back(GeoPoint::from_degrees(grid.latitude_deg[j], grid.longitude_deg[i]));
+      }
+    }
+  }
+  return points;
+}
+
+api::Site site_of(const std::string& id, const std::vector<GeoPoint>& columns) {
+  api::Site site;
+  site.id = id;
+  site.name = id;
+  site.point = columns.front();
+  site.columns = columns;
+  return site;
+}
+
+double set_error(const std::vector<api::SkillEntry>& skill, const std::string& method) {
+  return api::set_rmse(skill, "sea_water_velocity", method, {0, 24}).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace slackwater::tests

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "api/demo/demo_run.h"
+#include "tests/support/temporary_folder.h"
+
+// Day D to forecast on an ocean whose truth is known: what comes out of the files, the store, the calibration and the
+// propagation must be that truth, within the errors that are stated.
+
+namespace slackwater::tests {
+namespace {
+
+class SyntheticTwin : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    result_ = new api::DemoResult(api::run_demo({folder_->path(), 2025, 3}, [](double, const std::string&) {}));
+  }
+  static void TearDownTestSuite() {
+    delete result_;
+    delete folder_;
+  }
+  static TemporaryFolder* folder_;
+  static api::DemoResult* result_;
+};
+TemporaryFolder* SyntheticTwin::folder_ = nullptr;
+api::DemoResult* SyntheticTwin::result_ = nullptr;
+
+TEST_F(SyntheticTwin, CalibrationFindsTheMixingThatTheOceanWasMadeWith) {
+  const auto summary = nlohmann::json::parse(result_->last_summary_json);
+  const auto& calibration = summary["columns"][0]["calibration"];
+  ASSERT_FALSE(calibration.is_null());
+  EXPECT_EQ(calibration["form"], "finite_depth");
+  EXPECT_TRUE(calibration["wind_used"].get<bool>());
+  const api::ColumnMixing truth = result_->ocean.mixing_truth(result_->site.point);
+  const std::map<std::string, double> known{{"eddy_viscosity", truth.eddy_viscosity_m2_s},
+                                            {"bottom_friction", truth.bottom_friction_m_s},
+                                            {"stress_factor", 1.0}};
+  std::size_t found = 0;
+  for (const auto& p : calibration["parameters"]) {
+    const auto truth_of = known.find(p["name"].get<std::string>());
+    if (truth_of == known.end()) continue;
+    ++found;
+    const double departure = std::log(p["value"].get<double>() / truth_of->second);
+    EXPECT_LT(std::abs(departure), 2.5 * p["sigma"].get<double>()) << p.dump();
+    EXPECT_FALSE(p["at_bound"].get<bool>()) << p.dump();
+  }
+  EXPECT_EQ(found, 3U);
+}
+
+TEST_F(SyntheticTwin, TheForecastBeatsPersistenceAndDayMeanEveryDay) {
+  ASSERT_EQ(result_->days.size(), 3U);
+  for (const api::DemoDay& day : result_->days) {
+    EXPECT_LT(day.forecast_rmse_m_s, day.persistence_rmse_m_s) << format_day(day.day);
+    EXPECT_LT(day.forecast_rmse_m_s, day.day_mean_rmse_m_s) << format_day(day.day);
+  }
+}
+
+TEST_F(SyntheticTwin, TheEightyPercentBandHoldsAboutEightyPercent) {
+  double share = 0;
+  for (const api::DemoDay& day : result_->days) share += day.coverage_80 / 3;
+  // Three days of a tidal sea hold few independent errors: a band that is honest covers well over half and not all.
+  EXPECT_GT(share, 0.6);
+  EXPECT_LT(share, 0.995);
+}
+
+TEST_F(SyntheticTwin, WindAndWavesOfTheForecastFollowTheirRuns) {
+  const ForecastColumn& column = result_->last.columns.front();
+  ASSERT_EQ(column.wind_m_s.size(), result_->last.time.size());
+  ASSERT_EQ(column.sea.size(), result_->last.time.size());
+  double miss = 0;
+  for (std::size_t t = 0; t < 24; ++t) {
+    EXPECT_EQ(column.wind_source[t + 1], DataStatus::forecast);
+    miss += std::norm(column.wind_m_s[t] - result_->ocean.wind_truth(column.point, result_->last.time[t])) / 24;
+    const auto sea = result_->ocean.sea_truth(column.point, result_->last.time[t]);
+    ASSERT_TRUE(sea);
+    EXPECT_NEAR(column.sea[t].significant_height_m, sea->significant_height_m, 0.25 * sea->significant_height_m + 0.1);
+  }
+  // The weather model's own error in its first day is some 1 m/s a component.
+  EXPECT_LT(std::sqrt(miss), 3.0);
+}
+
+TEST_F(SyntheticTwin, TheSameSeedGivesTheSameForecast) {
+  const TemporaryFolder again;
+  const api::DemoResult second = api::run_demo({again.path(), 2025, 1}, [](double, const std::string&) {});
+  const TemporaryFolder third;
+  const api::DemoResult same = api::run_demo({third.path(), 2025, 1}, [](double, const std::string&) {});
+  ASSERT_FALSE(second.last.columns[0].current_m_s.empty());
+  EXPECT_EQ(second.last.columns[0].current_m_s, same.last.columns[0].current_m_s);
+}
+
+}  // namespace
+}  // namespace slackwater::tests
