@@ -12,8 +12,10 @@ namespace {
 
 int report(const Context& context, ErrorKind kind, const std::string& message) {
   if (context.json && !context.answered) {
-    const nlohmann::json problem = {{"error", {{"kind", std::string(name_of(kind))}, {"message", message}}}};
-    std::printf("%s\n", problem.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    const nlohmann::json problem = {
+        {"error", {{"kind", std::string(name_of(kind))}, {"message", message}}}};
+    std::printf("%s\n",
+                problem.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   }
   std::fprintf(stderr, "slackwater: %s\n", message.c_str());
   return exit_code(kind);
@@ -26,16 +28,24 @@ UtcTime Context::now() const {
   return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
 }
 
-store::Store Context::open(store::OpenMode mode) const { return store::Store::open(store_folder, mode); }
+store::Store Context::open(store::OpenMode mode) const {
+  return store::Store::open(store_folder, mode);
+}
 
 int exit_code(ErrorKind kind) noexcept {
   switch (kind) {
-    case ErrorKind::internal: return 1;
-    case ErrorKind::usage: return 2;
-    case ErrorKind::invalid_input: return 3;
-    case ErrorKind::not_found: return 4;
-    case ErrorKind::unavailable: return 5;
-    case ErrorKind::not_converged: return 6;
+    case ErrorKind::internal:
+      return 1;
+    case ErrorKind::usage:
+      return 2;
+    case ErrorKind::invalid_input:
+      return 3;
+    case ErrorKind::not_found:
+      return 4;
+    case ErrorKind::unavailable:
+      return 5;
+    case ErrorKind::not_converged:
+      return 6;
   }
   return 1;
 }
@@ -44,17 +54,22 @@ int run_command_line(int argc, const char* const* argv) {
   Context context;
   const char* folder = std::getenv("SLACKWATER_STORE");
   context.store_folder = folder != nullptr ? folder : "slackwater-store";
-  CLI::App app{"Slackwater: tomorrow's current, wind and waves at an offshore site, with the skill it has earned."};
+  CLI::App app{
+      "Slackwater: tomorrow's current, wind and waves at an offshore site, with the skill it has "
+      "earned."};
   app.name("slackwater");
   app.set_version_flag("--version", code_version());
   app.require_subcommand(1);
   app.fallthrough();
   app.add_option("--store", context.store_folder,
                  "folder of the store (default ./slackwater-store, or $SLACKWATER_STORE)");
-  app.add_flag("--json", context.json, "print one JSON document instead of text (schemas: api/docs)");
-  app.footer("Exit codes: 0 ok, 1 internal, 2 usage, 3 invalid input, 4 not found, 5 unavailable, 6 not converged.\n"
-             "A day at a site:  slackwater ingest FILES…  then  slackwater forecast --site S  then\n"
-             "                  slackwater profile --site S --time 2025-03-10T06:00:00Z");
+  app.add_flag("--json", context.json,
+               "print one JSON document instead of text (schemas: api/docs)");
+  app.footer(
+      "Exit codes: 0 ok, 1 internal, 2 usage, 3 invalid input, 4 not found, 5 unavailable, 6 not "
+      "converged.\n"
+      "A day at a site:  slackwater ingest FILES…  then  slackwater forecast --site S  then\n"
+      "                  slackwater profile --site S --time 2025-03-10T06:00:00Z");
   add_ingest(app, context);
   add_forecast(app, context);
   add_hindcast(app, context);
@@ -68,14 +83,17 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& problem) {
-    return report(context, ErrorKind::usage, std::string(problem.what()) + "; `slackwater --help` shows the commands");
+    return report(context, ErrorKind::usage,
+                  std::string(problem.what()) + "; `slackwater --help` shows the commands");
   } catch (const Error& problem) {
     return report(context, problem.kind(), problem.message());
   } catch (const std::bad_alloc&) {
-    return report(context, ErrorKind::unavailable, "out of memory; give a smaller --bbox or fewer columns");
+    return report(context, ErrorKind::unavailable,
+                  "out of memory; give a smaller --bbox or fewer columns");
   } catch (const std::exception& problem) {
     return report(context, ErrorKind::internal,
-                  std::string("internal error: ") + problem.what() + "; please report it with the command you ran");
+                  std::string("internal error: ") + problem.what() +
+                      "; please report it with the command you ran");
   }
   return 0;
 }

@@ -19,18 +19,20 @@ namespace slackwater::api {
 struct Context {
   std::filesystem::path store_folder;
   bool json = false;
-  std::string at;                      ///< `--at`, else the clock
-  mutable bool answered = false;       ///< the JSON document is printed: trouble after it goes to stderr alone
+  std::string at;  ///< `--at`, else the clock
+  mutable bool answered =
+      false;  ///< the JSON document is printed: trouble after it goes to stderr alone
 
   [[nodiscard]] UtcTime now() const;
   [[nodiscard]] store::Store open(store::OpenMode mode) const;
 };
 
-/// Exit code of an error kind (DESIGN §5): 1 internal, 2 usage, 3 invalid input, 4 not found, 5 unavailable, 6 not
-/// converged.
+/// Exit code of an error kind (DESIGN §5): 1 internal, 2 usage, 3 invalid input, 4 not found, 5
+/// unavailable, 6 not converged.
 [[nodiscard]] int exit_code(ErrorKind kind) noexcept;
 
-/// Parses and runs a command line; prints results on stdout, trouble on stderr. @return the exit code.
+/// Parses and runs a command line; prints results on stdout, trouble on stderr. @return the exit
+/// code.
 int run_command_line(int argc, const char* const* argv);
 
 // One file each in api/cli; each adds its subcommand to the app.

@@ -46,7 +46,8 @@ void run(const DemoArguments& arguments, const Context& context) {
     return run_demo(options, [&](double share, const std::string&) { bar.update(share); });
   }();
   const std::filesystem::path page = folder / "report.html";
-  write_report(demo_page(result, format_utc(context.now()) + " by slackwater " + code_version()), page);
+  write_report(demo_page(result, format_utc(context.now()) + " by slackwater " + code_version()),
+               page);
   const Means mean = means_of(result.days);
   if (context.json) {
     json days = json::array();
@@ -68,29 +69,41 @@ void run(const DemoArguments& arguments, const Context& context) {
                             .c_str());
     return;
   }
-  std::printf("A synthetic coastal ocean with known truth (seed %llu): %zu daily jobs at %s, %.0f m of water.\n\n",
-              static_cast<unsigned long long>(arguments.seed), result.days.size(), result.site.name.c_str(),
-              result.last.columns.front().water_depth_m);
-  std::printf("Against the truth, lead 0-24 h, all levels, root mean square vector error in m/s:\n");
-  std::printf("  %-12s %9s %12s %9s %10s %8s\n", "day D", "forecast", "persistence", "day mean", "same hour", "in 80%");
+  std::printf(
+      "A synthetic coastal ocean with known truth (seed %llu): %zu daily jobs at %s, %.0f m of "
+      "water.\n\n",
+      static_cast<unsigned long long>(arguments.seed), result.days.size(), result.site.name.c_str(),
+      result.last.columns.front().water_depth_m);
+  std::printf(
+      "Against the truth, lead 0-24 h, all levels, root mean square vector error in m/s:\n");
+  std::printf("  %-12s %9s %12s %9s %10s %8s\n", "day D", "forecast", "persistence", "day mean",
+              "same hour", "in 80%");
   for (const DemoDay& d : result.days) {
-    std::printf("  %-12s %9.3f %12.3f %9.3f %10.3f %7.0f%%\n", format_day(d.day).c_str(), d.forecast_rmse_m_s,
-                d.persistence_rmse_m_s, d.day_mean_rmse_m_s, d.same_hour_rmse_m_s, 100 * d.coverage_80);
+    std::printf("  %-12s %9.3f %12.3f %9.3f %10.3f %7.0f%%\n", format_day(d.day).c_str(),
+                d.forecast_rmse_m_s, d.persistence_rmse_m_s, d.day_mean_rmse_m_s,
+                d.same_hour_rmse_m_s, 100 * d.coverage_80);
   }
-  std::printf("  %-12s %9.3f %12.3f %9.3f %10.3f\n", "all", mean.forecast, mean.persistence, mean.day_mean, mean.same_hour);
-  std::printf("\nAgainst the analysed products, as `slackwater verify` sees it:\n%s", skill_table(result.skill).c_str());
-  std::printf("\nOpen %s in a browser. The store is %s; try\n  slackwater --store %s profile --site %s --time %s\n",
-              page.c_str(), (folder / "store").c_str(), (folder / "store").c_str(),
-              (folder / "synthetic.yaml").c_str(), format_utc(result.last.time[12]).c_str());
+  std::printf("  %-12s %9.3f %12.3f %9.3f %10.3f\n", "all", mean.forecast, mean.persistence,
+              mean.day_mean, mean.same_hour);
+  std::printf("\nAgainst the analysed products, as `slackwater verify` sees it:\n%s",
+              skill_table(result.skill).c_str());
+  std::printf(
+      "\nOpen %s in a browser. The store is %s; try\n  slackwater --store %s profile --site %s "
+      "--time %s\n",
+      page.c_str(), (folder / "store").c_str(), (folder / "store").c_str(),
+      (folder / "synthetic.yaml").c_str(), format_utc(result.last.time[12]).c_str());
 }
 
 }  // namespace
 
 void add_demo(CLI::App& app, Context& context) {
   auto arguments = std::make_shared<DemoArguments>();
-  CLI::App* command = app.add_subcommand("demo", "Everything above on a synthetic ocean with known truth; no account, no network");
-  command->add_option("--out", arguments->folder, "folder for product files, store and page (default demo-out)");
-  command->add_option("--days", arguments->days, "consecutive daily jobs (default 6)")->check(CLI::Range(1, 20));
+  CLI::App* command = app.add_subcommand(
+      "demo", "Everything above on a synthetic ocean with known truth; no account, no network");
+  command->add_option("--out", arguments->folder,
+                      "folder for product files, store and page (default demo-out)");
+  command->add_option("--days", arguments->days, "consecutive daily jobs (default 6)")
+      ->check(CLI::Range(1, 20));
   command->add_option("--seed", arguments->seed, "which ocean (default 2025)");
   command->callback([arguments, &context] { run(*arguments, context); });
 }

@@ -32,13 +32,15 @@ void print_calibration(const ColumnForecast& column) {
     return;
   }
   const calibration::Calibration& c = *column.calibration;
-  std::printf("Calibration: %s form, rms misfit %.3f m/s over %zu values. %s\n", std::string(name_of(c.form)).c_str(),
-              c.rms_m_s, c.observations, c.termination.c_str());
+  std::printf("Calibration: %s form, rms misfit %.3f m/s over %zu values. %s\n",
+              std::string(name_of(c.form)).c_str(), c.rms_m_s, c.observations,
+              c.termination.c_str());
   for (const calibration::Parameter& p : c.parameters) {
     const double low = p.is_logarithmic ? p.value * std::exp(-p.sigma) : p.value - p.sigma;
     const double high = p.is_logarithmic ? p.value * std::exp(p.sigma) : p.value + p.sigma;
-    std::printf("  %-22s %11.5g %-6s (%.4g to %.4g)%s%s\n", p.name.c_str(), p.value, p.unit.c_str(), low, high,
-                p.at_bound ? "  AT ITS BOUND" : "", p.weakly_determined ? "  weakly determined by this day" : "");
+    std::printf("  %-22s %11.5g %-6s (%.4g to %.4g)%s%s\n", p.name.c_str(), p.value, p.unit.c_str(),
+                low, high, p.at_bound ? "  AT ITS BOUND" : "",
+                p.weakly_determined ? "  weakly determined by this day" : "");
   }
   for (const std::string& warning : c.warnings) std::printf("  warning: %s\n", warning.c_str());
   for (const std::string& note : column.notes) std::printf("  note: %s\n", note.c_str());
@@ -47,12 +49,14 @@ void print_calibration(const ColumnForecast& column) {
 void print_days(const Snapshot& snapshot) {
   const ForecastColumn& column = snapshot.columns.front();
   const std::size_t levels = snapshot.depth_m.size();
-  std::printf("%-22s %14s %14s %10s %8s %8s\n", "UTC", "surface m/s", "to deg", "wind m/s", "Hs m", "Tp s");
+  std::printf("%-22s %14s %14s %10s %8s %8s\n", "UTC", "surface m/s", "to deg", "wind m/s", "Hs m",
+              "Tp s");
   for (std::size_t t = 0; t < snapshot.time.size(); t += 3) {
     std::printf("%-22s", format_utc(snapshot.time[t]).c_str());
     if (levels > 0 && has_value(column.current_status[t * levels])) {
       const Horizontal u = column.current_m_s[t * levels];
-      std::printf(" %6.2f +/- %.2f %13.0f", std::abs(u), column.current_sigma_m_s[t * levels], to_direction_deg(u));
+      std::printf(" %6.2f +/- %.2f %13.0f", std::abs(u), column.current_sigma_m_s[t * levels],
+                  to_direction_deg(u));
     } else {
       std::printf(" %14s %14s", "-", "-");
     }
@@ -62,7 +66,8 @@ void print_days(const Snapshot& snapshot) {
       std::printf(" %10s", "-");
     }
     if (t < column.sea.size() && !std::isnan(column.sea[t].significant_height_m)) {
-      std::printf(" %8.2f %8.1f\n", column.sea[t].significant_height_m, column.sea[t].peak_period_s);
+      std::printf(" %8.2f %8.1f\n", column.sea[t].significant_height_m,
+                  column.sea[t].peak_period_s);
     } else {
       std::printf(" %8s %8s\n", "-", "-");
     }
@@ -76,7 +81,8 @@ std::string verdict_of(const std::vector<SkillEntry>& skill) {
   if (!ours) return "Not verified yet: no truth after a stored forecast of this site.";
   std::string best_name;
   double best = 0;
-  for (const char* const name : {"persistence", "day-mean", "same-hour", "tide-phase", "tide-harmonic", "reference-slab", "provider"}) {
+  for (const char* const name : {"persistence", "day-mean", "same-hour", "tide-phase",
+                                 "tide-harmonic", "reference-slab", "provider"}) {
     const auto theirs = set_rmse(skill, "sea_water_velocity", name, day);
     if (theirs && (best_name.empty() || *theirs < best)) {
       best = *theirs;
@@ -84,8 +90,10 @@ std::string verdict_of(const std::vector<SkillEntry>& skill) {
     }
   }
   char text[200];
-  std::snprintf(text, sizeof text, "Verified over past days, lead 0-24 h: %.3f m/s; best baseline %s %.3f m/s%s", *ours,
-                best_name.c_str(), best, *ours <= best ? "." : ": THE FORECAST DOES NOT BEAT IT.");
+  std::snprintf(text, sizeof text,
+                "Verified over past days, lead 0-24 h: %.3f m/s; best baseline %s %.3f m/s%s",
+                *ours, best_name.c_str(), best,
+                *ours <= best ? "." : ": THE FORECAST DOES NOT BEAT IT.");
   return text;
 }
 
@@ -104,7 +112,9 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     const UtcDay day = options.day.value_or(day_of(options.issued) - days(1));
     const auto lines = download_lines(products, site, day, options.horizon);
     if (context.json) {
-      std::printf("%s\n", json{{"site", site.id}, {"day", format_day(day)}, {"lines", lines}}.dump(2).c_str());
+      std::printf(
+          "%s\n",
+          json{{"site", site.id}, {"day", format_day(day)}, {"lines", lines}}.dump(2).c_str());
     } else {
       for (const std::string& line : lines) std::printf("%s\n", line.c_str());
     }
@@ -112,7 +122,8 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   }
   // A job for a past day without --at is issued when that day ends at the earliest.
   if (options.day && UtcTime(*options.day) + days(1) > options.issued) {
-    throw Error(ErrorKind::usage, "day D " + arguments.day + " has not ended at " + format_utc(options.issued) +
+    throw Error(ErrorKind::usage, "day D " + arguments.day + " has not ended at " +
+                                      format_utc(options.issued) +
                                       "; give an earlier --day, or --at");
   }
   store::Store store = context.open(store::OpenMode::create_or_write);
@@ -147,12 +158,14 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     return;
   }
-  std::printf("%s, issued %s: forecast %lld for %s to %s\n", site.name.c_str(), format_utc(snapshot.issued).c_str(),
-              static_cast<long long>(id), format_utc(snapshot.time.front()).c_str(),
-              format_utc(snapshot.time.back()).c_str());
-  std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(), verdict.c_str());
+  std::printf("%s, issued %s: forecast %lld for %s to %s\n", site.name.c_str(),
+              format_utc(snapshot.issued).c_str(), static_cast<long long>(id),
+              format_utc(snapshot.time.front()).c_str(), format_utc(snapshot.time.back()).c_str());
+  std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(),
+              verdict.c_str());
   print_calibration(forecast.columns.front());
-  if (snapshot.columns.size() > 1) std::printf("  … and %zu more columns\n", snapshot.columns.size() - 1);
+  if (snapshot.columns.size() > 1)
+    std::printf("  … and %zu more columns\n", snapshot.columns.size() - 1);
   print_days(snapshot);
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }
@@ -161,15 +174,21 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
 
 void add_forecast(CLI::App& app, Context& context) {
   auto arguments = std::make_shared<ForecastArguments>();
-  CLI::App* command = app.add_subcommand("forecast", "The daily job: calibrate on day D, forecast to the horizon, store as issued");
-  command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file")->required();
-  command->add_option("--day", arguments->day, "day D, e.g. 2025-03-09 (default: the newest whole day in the store)");
+  CLI::App* command = app.add_subcommand(
+      "forecast", "The daily job: calibrate on day D, forecast to the horizon, store as issued");
+  command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file")
+      ->required();
+  command->add_option("--day", arguments->day,
+                      "day D, e.g. 2025-03-09 (default: the newest whole day in the store)");
   command->add_option("--horizon", arguments->horizon, "how far beyond the end of D (default 72h)");
-  command->add_option("--wind", arguments->wind, "best | forecast | persist: where tomorrow's wind comes from (default best)");
+  command->add_option("--wind", arguments->wind,
+                      "best | forecast | persist: where tomorrow's wind comes from (default best)");
   command->add_option("--out", arguments->out, "also write the forecast as a CF NetCDF file");
-  command->add_option("--at", context.at, "issue time, e.g. 2025-03-10T05:00:00Z (default: the clock)");
-  command->add_flag("--print-downloads", arguments->print_downloads,
-                    "print the copernicusmarine lines that fetch what this forecast wants, and stop");
+  command->add_option("--at", context.at,
+                      "issue time, e.g. 2025-03-10T05:00:00Z (default: the clock)");
+  command->add_flag(
+      "--print-downloads", arguments->print_downloads,
+      "print the copernicusmarine lines that fetch what this forecast wants, and stop");
   command->callback([arguments, &context] { run_forecast(*arguments, context); });
 }
 

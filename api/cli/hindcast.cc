@@ -43,8 +43,8 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   if (context.json) {
     std::printf("%s\n", skill_json(report.skill).c_str());
   } else {
-    std::printf("%s: %zu forecasts issued as of their days\n%s", site.name.c_str(), report.forecasts.size(),
-                skill_table(report.skill).c_str());
+    std::printf("%s: %zu forecasts issued as of their days\n%s", site.name.c_str(),
+                report.forecasts.size(), skill_table(report.skill).c_str());
   }
   for (const std::string& line : report.skipped) std::fprintf(stderr, "skipped %s\n", line.c_str());
 }
@@ -53,12 +53,15 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
 
 void add_hindcast(CLI::App& app, Context& context) {
   auto arguments = std::make_shared<HindcastArguments>();
-  CLI::App* command = app.add_subcommand("hindcast", "The daily job over a past period as if live, then its skill");
-  command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file")->required();
+  CLI::App* command =
+      app.add_subcommand("hindcast", "The daily job over a past period as if live, then its skill");
+  command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file")
+      ->required();
   command->add_option("--from", arguments->from, "first day D")->required();
   command->add_option("--to", arguments->to, "last day D")->required();
   command->add_option("--wind", arguments->wind, "best | forecast | persist (default best)");
-  command->add_option("--latency", arguments->latency, "how late a day's data arrive after it ends (default 0h)");
+  command->add_option("--latency", arguments->latency,
+                      "how late a day's data arrive after it ends (default 0h)");
   command->add_option("--horizon", arguments->horizon, "how far beyond the end of D (default 72h)");
   command->add_option("--bands", arguments->bands, "edges of depth bands in metres, e.g. 0,150");
   command->add_option("--levels", arguments->levels, "native: score on the truth's own levels")

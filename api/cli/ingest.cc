@@ -29,38 +29,40 @@ ingest::IngestOptions options_of(const IngestArguments& arguments, const Context
   ingest::IngestOptions options;
   if (!arguments.as.empty()) {
     options.as = data_status_from(arguments.as);
-    if (!options.as || (*options.as != DataStatus::analysis && *options.as != DataStatus::forecast)) {
-      throw Error(ErrorKind::usage, "found --as " + arguments.as + ", expected analysis or forecast");
+    if (!options.as ||
+        (*options.as != DataStatus::analysis && *options.as != DataStatus::forecast)) {
+      throw Error(ErrorKind::usage,
+                  "found --as " + arguments.as + ", expected analysis or forecast");
     }
   }
   if (!arguments.issued.empty()) options.issued = parse_utc(arguments.issued);
   if (options.as == DataStatus::forecast && !options.issued) {
-    throw Error(ErrorKind::usage, "--as forecast needs --issued TIME, the provider's reference time");
+    throw Error(ErrorKind::usage,
+                "--as forecast needs --issued TIME, the provider's reference time");
   }
   if (options.as == DataStatus::analysis && options.issued) {
-    throw Error(ErrorKind::usage, "--as analysis and --issued contradict each other; give one of them");
+    throw Error(ErrorKind::usage,
+                "--as analysis and --issued contradict each other; give one of them");
   }
   if (!arguments.box.empty() && !arguments.site.empty()) {
     throw Error(ErrorKind::usage, "give --bbox or --site, not both");
   }
   if (!arguments.box.empty()) {
-    options.cut = BoundingBox::from_degrees(arguments.box[0], arguments.box[1], arguments.box[2], arguments.box[3]);
+    options.cut = BoundingBox::from_degrees(arguments.box[0], arguments.box[1], arguments.box[2],
+                                            arguments.box[3]);
   }
   if (!arguments.site.empty()) {
-    options.cut = find_site(arguments.site, site_folders(context.store_folder)).box(site_margin_deg);
+    options.cut =
+        find_site(arguments.site, site_folders(context.store_folder)).box(site_margin_deg);
   }
   return options;
 }
 
 json to_json(const IngestReport& report) {
-  return {{"file", report.file.string()},
-          {"stored", report.stored},
-          {"sha256", report.sha256},
-          {"product", report.product_id},
-          {"status", report.status},
-          {"granules", report.granules},
-          {"times", report.times},
-          {"standard_names", report.standard_names},
+  return {{"file", report.file.string()}, {"stored", report.stored},
+          {"sha256", report.sha256},      {"product", report.product_id},
+          {"status", report.status},      {"granules", report.granules},
+          {"times", report.times},        {"standard_names", report.standard_names},
           {"warnings", report.warnings}};
 }
 
@@ -71,9 +73,10 @@ void print(const IngestReport& report) {
   }
   std::string names;
   for (const std::string& name : report.standard_names) names += (names.empty() ? "" : ", ") + name;
-  std::printf("%s: %s, %s, %zu times: %s\n", report.file.c_str(), report.product_id.c_str(), report.status.c_str(),
-              report.times, names.c_str());
-  for (const std::string& warning : report.warnings) std::printf("  warning: %s\n", warning.c_str());
+  std::printf("%s: %s, %s, %zu times: %s\n", report.file.c_str(), report.product_id.c_str(),
+              report.status.c_str(), report.times, names.c_str());
+  for (const std::string& warning : report.warnings)
+    std::printf("  warning: %s\n", warning.c_str());
 }
 
 /// All files are tried; the first trouble decides the exit code, each one is told.
@@ -88,9 +91,10 @@ void ingest_all(const IngestArguments& arguments, const Context& context) {
   ProgressBar bar("ingest", context.json);
   for (std::size_t i = 0; i < files.size(); ++i) {
     try {
-      const IngestReport report = ingest_file(store, products, files[i], options, context.now(), [&](double share) {
-        bar.update((static_cast<double>(i) + share) / static_cast<double>(files.size()));
-      });
+      const IngestReport report =
+          ingest_file(store, products, files[i], options, context.now(), [&](double share) {
+            bar.update((static_cast<double>(i) + share) / static_cast<double>(files.size()));
+          });
       if (context.json) {
         done.push_back(to_json(report));
       } else {
@@ -101,7 +105,9 @@ void ingest_all(const IngestArguments& arguments, const Context& context) {
       // A full disk or a locked store will not mend itself for the next file.
       if (problem.kind() == ErrorKind::unavailable || files.size() == 1) throw;
       if (context.json) {
-        failed.push_back({{"file", files[i].string()}, {"kind", std::string(name_of(problem.kind()))}, {"message", problem.message()}});
+        failed.push_back({{"file", files[i].string()},
+                          {"kind", std::string(name_of(problem.kind()))},
+                          {"message", problem.message()}});
       } else {
         std::fprintf(stderr, "slackwater: %s\n", problem.message().c_str());
       }
@@ -109,11 +115,14 @@ void ingest_all(const IngestArguments& arguments, const Context& context) {
     }
   }
   if (context.json) {
-    std::printf("%s\n", json{{"files", done}, {"failed", failed}}.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+    std::printf("%s\n", json{{"files", done}, {"failed", failed}}
+                            .dump(2, ' ', false, json::error_handler_t::replace)
+                            .c_str());
     context.answered = true;
   }
   if (first_problem) {
-    throw Error(first_problem->kind(), "not every file was ingested; first: " + first_problem->message());
+    throw Error(first_problem->kind(),
+                "not every file was ingested; first: " + first_problem->message());
   }
 }
 
@@ -121,17 +130,22 @@ void ingest_all(const IngestArguments& arguments, const Context& context) {
 
 void add_ingest(CLI::App& app, Context& context) {
   auto arguments = std::make_shared<IngestArguments>();
-  CLI::App* command = app.add_subcommand("ingest", "Read product files (NetCDF, GRIB, in-situ) into the store");
+  CLI::App* command =
+      app.add_subcommand("ingest", "Read product files (NetCDF, GRIB, in-situ) into the store");
   command->add_option("paths", arguments->paths, "files, or folders of files")->required();
-  command->add_option("--as", arguments->as, "analysis | forecast: what the files are, whatever they say");
-  command->add_option("--issued", arguments->issued, "reference time of a forecast, e.g. 2025-03-10T00:00:00Z");
+  command->add_option("--as", arguments->as,
+                      "analysis | forecast: what the files are, whatever they say");
+  command->add_option("--issued", arguments->issued,
+                      "reference time of a forecast, e.g. 2025-03-10T00:00:00Z");
   command->add_option("--bbox", arguments->box, "keep only W,S,E,N (degrees), with one cell around")
       ->delimiter(',')
       ->expected(4);
   command->add_option("--site", arguments->site, "keep only what surrounds this site");
-  command->add_option("--at", context.at, "the present moment, for tests and replays (default: the clock)");
-  command->footer("Ingesting a file twice does nothing. A file is in the store wholly or not at all.\n"
-                  "Files over 512 MB need --bbox or --site.");
+  command->add_option("--at", context.at,
+                      "the present moment, for tests and replays (default: the clock)");
+  command->footer(
+      "Ingesting a file twice does nothing. A file is in the store wholly or not at all.\n"
+      "Files over 512 MB need --bbox or --site.");
   command->callback([arguments, &context] { ingest_all(*arguments, context); });
 }
 

@@ -8,7 +8,9 @@
 namespace slackwater::api {
 
 ProgressBar::ProgressBar(std::string title, bool quiet)
-    : title_(std::move(title)), on_(!quiet && ::isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+    : title_(std::move(title)),
+      on_(!quiet && ::isatty(STDERR_FILENO) == 1),
+      start_(std::chrono::steady_clock::now()) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::fprintf(stderr, "\r\033[K");
@@ -16,7 +18,8 @@ ProgressBar::~ProgressBar() {
 
 void ProgressBar::update(double share) {
   if (!on_) return;
-  const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const double elapsed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const int percent = static_cast<int>(100 * std::clamp(share, 0.0, 1.0));
   if (elapsed < 1.0 || percent == last_percent_) return;
   last_percent_ = percent;

@@ -23,10 +23,11 @@ void run_site_check(const std::string& name, const Context& context) {
               {"longitude_deg", site.point.longitude_deg()},
               {"valid", true}};
   if (!context.json) {
-    std::printf("%s (%s): %.4f N %.4f E\n", site.name.c_str(), site.id.c_str(), site.point.latitude_deg(),
-                site.point.longitude_deg());
+    std::printf("%s (%s): %.4f N %.4f E\n", site.name.c_str(), site.id.c_str(),
+                site.point.latitude_deg(), site.point.longitude_deg());
   }
-  std::string data_line = "no store at " + context.store_folder.string() + ": nothing to compare with";
+  std::string data_line =
+      "no store at " + context.store_folder.string() + ": nothing to compare with";
   out["store"] = nullptr;
   if (std::filesystem::exists(context.store_folder)) {
     store::Store store = context.open(store::OpenMode::read_only);
@@ -43,10 +44,13 @@ void run_site_check(const std::string& name, const Context& context) {
                       {"has_wind", !column.wind.pieces.empty()},
                       {"has_waves", !column.significant_height.pieces.empty()}};
       char text[240];
-      std::snprintf(text, sizeof text, "%zu columns (%zu dry), %.1f m of water (%s), newest whole day of currents %s, wind %s, waves %s",
+      std::snprintf(text, sizeof text,
+                    "%zu columns (%zu dry), %.1f m of water (%s), newest whole day of currents %s, "
+                    "wind %s, waves %s",
                     data.columns.size(), data.dry_columns, column.water_depth.depth_m,
                     column.water_depth.source.c_str(), day ? format_day(*day).c_str() : "none",
-                    column.wind.pieces.empty() ? "no" : "yes", column.significant_height.pieces.empty() ? "no" : "yes");
+                    column.wind.pieces.empty() ? "no" : "yes",
+                    column.significant_height.pieces.empty() ? "no" : "yes");
       data_line = text;
     } catch (const Error& problem) {
       if (problem.kind() != ErrorKind::not_found) throw;
@@ -60,10 +64,12 @@ void run_site_check(const std::string& name, const Context& context) {
 }  // namespace
 
 void add_site(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("site", "Check a site's description, or list the known sites");
+  CLI::App* command =
+      app.add_subcommand("site", "Check a site's description, or list the known sites");
   command->require_subcommand(1);
   auto name = std::make_shared<std::string>();
-  CLI::App* check = command->add_subcommand("check", "Is the YAML sound, and what does the store hold for it?");
+  CLI::App* check =
+      command->add_subcommand("check", "Is the YAML sound, and what does the store hold for it?");
   check->add_option("site", *name, "id, or path of the YAML file")->required();
   check->add_option("--at", context.at, "the present moment (default: the clock)");
   check->callback([name, &context] { run_site_check(*name, context); });

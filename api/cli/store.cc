@@ -20,7 +20,8 @@ void run_check(const Context& context, bool quick) {
   if (context.json) {
     json findings = json::array();
     for (const store::CheckFinding& finding : report.findings) {
-      findings.push_back({{"harmful", finding.harmful}, {"found", finding.found}, {"advice", finding.advice}});
+      findings.push_back(
+          {{"harmful", finding.harmful}, {"found", finding.found}, {"advice", finding.advice}});
     }
     std::printf("%s\n", dumped({{"sound", report.sound},
                                 {"findings", findings},
@@ -37,10 +38,12 @@ void run_check(const Context& context, bool quick) {
                   finding.advice.c_str());
     }
     std::printf("%s: %zu sources, %zu granules, %zu forecasts, %.1f MB in %zu files\n",
-                report.sound ? "sound" : "NOT SOUND", report.sources, report.granules, report.forecasts,
-                static_cast<double>(report.content_bytes) / 1e6, report.content_files);
+                report.sound ? "sound" : "NOT SOUND", report.sources, report.granules,
+                report.forecasts, static_cast<double>(report.content_bytes) / 1e6,
+                report.content_files);
   }
-  if (!report.sound) throw Error(ErrorKind::invalid_input, "the store is not sound; follow the advice above");
+  if (!report.sound)
+    throw Error(ErrorKind::invalid_input, "the store is not sound; follow the advice above");
 }
 
 void run_list(const Context& context) {
@@ -49,7 +52,8 @@ void run_list(const Context& context) {
   const auto granules = store.find_granules({});
   const auto forecasts = store.list_forecasts();
   if (context.json) {
-    json document = {{"sources", json::array()}, {"granules", json::array()}, {"forecasts", json::array()}};
+    json document = {
+        {"sources", json::array()}, {"granules", json::array()}, {"forecasts", json::array()}};
     for (const auto& s : sources) {
       document["sources"].push_back({{"name", s.name},
                                      {"sha256", s.sha256},
@@ -68,7 +72,8 @@ void run_list(const Context& context) {
            {"content_sha256", g.content_sha256},
            {"standard_names", g.standard_names},
            {"status", std::string(name_of(g.status))},
-           {"reference_time", g.reference_time ? json(format_utc(*g.reference_time)) : json(nullptr)},
+           {"reference_time",
+            g.reference_time ? json(format_utc(*g.reference_time)) : json(nullptr)},
            {"from", g.first_time ? json(format_utc(*g.first_time)) : json(nullptr)},
            {"to", g.last_time ? json(format_utc(*g.last_time)) : json(nullptr)},
            {"times", g.times},
@@ -99,13 +104,14 @@ void run_list(const Context& context) {
     for (const std::string& name : g.standard_names) names += (names.empty() ? "" : ", ") + name;
     std::printf("  %-11s %s to %s  %-40s %s\n", std::string(name_of(g.status)).c_str(),
                 g.first_time ? format_utc(*g.first_time).c_str() : "static              ",
-                g.last_time ? format_utc(*g.last_time).c_str() : "", g.product_id.c_str(), names.c_str());
+                g.last_time ? format_utc(*g.last_time).c_str() : "", g.product_id.c_str(),
+                names.c_str());
   }
   std::printf("%zu forecasts\n", forecasts.size());
   for (const auto& f : forecasts) {
-    std::printf("  %-6lld %-22s day %s issued %s wind %-8s %s%s\n", static_cast<long long>(f.id), f.site_id.c_str(),
-                format_day(f.day).c_str(), format_utc(f.issued).c_str(), f.wind_policy.c_str(), f.origin.c_str(),
-                f.degraded ? " DEGRADED" : "");
+    std::printf("  %-6lld %-22s day %s issued %s wind %-8s %s%s\n", static_cast<long long>(f.id),
+                f.site_id.c_str(), format_day(f.day).c_str(), format_utc(f.issued).c_str(),
+                f.wind_policy.c_str(), f.origin.c_str(), f.degraded ? " DEGRADED" : "");
   }
 }
 
@@ -134,8 +140,8 @@ void run_prune(const Context& context, const PruneArguments& arguments) {
                                 {"staging_folders", report.staging_folders}})
                             .c_str());
   } else {
-    std::printf("removed %zu sources, %zu forecasts, %zu files (%.1f MB)\n", report.sources, report.forecasts,
-                report.content_files, static_cast<double>(report.bytes) / 1e6);
+    std::printf("removed %zu sources, %zu forecasts, %zu files (%.1f MB)\n", report.sources,
+                report.forecasts, report.content_files, static_cast<double>(report.bytes) / 1e6);
   }
 }
 
@@ -145,13 +151,18 @@ void add_store(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("store", "Look after the store: check, list, prune");
   command->require_subcommand(1);
   auto quick = std::make_shared<bool>(false);
-  CLI::App* check = command->add_subcommand("check", "Is every row and every file whole? With advice where not");
+  CLI::App* check =
+      command->add_subcommand("check", "Is every row and every file whole? With advice where not");
   check->add_flag("--quick", *quick, "sizes only, no checksums");
   check->callback([quick, &context] { run_check(context, *quick); });
-  command->add_subcommand("list", "What the store holds")->callback([&context] { run_list(context); });
+  command->add_subcommand("list", "What the store holds")->callback([&context] {
+    run_list(context);
+  });
   auto arguments = std::make_shared<PruneArguments>();
-  CLI::App* prune = command->add_subcommand("prune", "Remove old product files; never an issued forecast without --forecasts");
-  prune->add_option("--older-than", arguments->older_than, "remove what was ingested before this day, e.g. 2025-01-01");
+  CLI::App* prune = command->add_subcommand(
+      "prune", "Remove old product files; never an issued forecast without --forecasts");
+  prune->add_option("--older-than", arguments->older_than,
+                    "remove what was ingested before this day, e.g. 2025-01-01");
   prune->add_flag("--forecasts", arguments->forecasts, "issued forecasts too");
   prune->add_flag("--orphans", arguments->orphans, "remove files that no row names");
   prune->callback([arguments, &context] { run_prune(context, *arguments); });

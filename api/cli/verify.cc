@@ -30,7 +30,8 @@ void run_verify(const VerifyArguments& arguments, const Context& context) {
   if (context.json) {
     std::printf("%s\n", skill_json(skill).c_str());
   } else if (skill.empty()) {
-    std::printf("%s: the truth of the issued forecasts is not in the store yet\n", site.name.c_str());
+    std::printf("%s: the truth of the issued forecasts is not in the store yet\n",
+                site.name.c_str());
   } else {
     std::printf("%s: skill of issued forecasts%s", site.name.c_str(), skill_table(skill).c_str());
   }
@@ -40,8 +41,10 @@ void run_verify(const VerifyArguments& arguments, const Context& context) {
 
 void add_verify(CLI::App& app, Context& context) {
   auto arguments = std::make_shared<VerifyArguments>();
-  CLI::App* command = app.add_subcommand("verify", "Skill of issued forecasts by lead, depth and baseline");
-  command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file")->required();
+  CLI::App* command =
+      app.add_subcommand("verify", "Skill of issued forecasts by lead, depth and baseline");
+  command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file")
+      ->required();
   command->add_option("--from", arguments->from, "first day D");
   command->add_option("--to", arguments->to, "last day D");
   command->add_option("--bands", arguments->bands, "edges of depth bands in metres, e.g. 0,150");

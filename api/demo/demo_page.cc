@@ -28,7 +28,8 @@ ReportProfile profile_of(const DemoResult& result) {
   ReportProfile profile;
   profile.water_depth_m = column.water_depth_m;
   for (double depth = 0; depth < column.water_depth_m; depth += 1) profile.depth_m.push_back(depth);
-  for (UtcTime time = s.time.front(); time <= s.time.back(); time += minutes(30)) profile.time.push_back(time);
+  for (UtcTime time = s.time.front(); time <= s.time.back(); time += minutes(30))
+    profile.time.push_back(time);
   std::vector<CurrentSample> samples(profile.depth_m.size());
   for (const UtcTime time : profile.time) {
     sample_profile(s, 0, time, profile.depth_m, samples);
@@ -94,13 +95,16 @@ void add_wind_and_waves(ReportInput& page, const DemoResult& result) {
 ReportTable truth_table(const DemoResult& result) {
   ReportTable table;
   table.title = "Each day against the known truth, lead 0–24 h";
-  table.note = "Root mean square vector error over all levels and hours, m/s. The truth is the synthetic ocean itself, "
-               "without the noise of its products.";
+  table.note =
+      "Root mean square vector error over all levels and hours, m/s. The truth is the synthetic "
+      "ocean itself, "
+      "without the noise of its products.";
   table.columns = {"day D", "forecast", "persistence", "day mean", "same hour", "inside 80 % band"};
   for (const DemoDay& day : result.days) {
-    table.rows.push_back({format_day(day.day), number(day.forecast_rmse_m_s, "%.3f"),
-                          number(day.persistence_rmse_m_s, "%.3f"), number(day.day_mean_rmse_m_s, "%.3f"),
-                          number(day.same_hour_rmse_m_s, "%.3f"), number(100 * day.coverage_80, "%.0f %%")});
+    table.rows.push_back(
+        {format_day(day.day), number(day.forecast_rmse_m_s, "%.3f"),
+         number(day.persistence_rmse_m_s, "%.3f"), number(day.day_mean_rmse_m_s, "%.3f"),
+         number(day.same_hour_rmse_m_s, "%.3f"), number(100 * day.coverage_80, "%.0f %%")});
   }
   return table;
 }
@@ -110,15 +114,18 @@ ReportTable calibration_table(const DemoResult& result) {
   table.title = "Calibration of the last day";
   table.columns = {"parameter", "value", "unit", "prior", "note"};
   const auto summary = nlohmann::json::parse(result.last_summary_json, nullptr, false);
-  if (summary.is_discarded() || summary["columns"].empty() || summary["columns"][0]["calibration"].is_null()) {
+  if (summary.is_discarded() || summary["columns"].empty() ||
+      summary["columns"][0]["calibration"].is_null()) {
     return table;
   }
   const auto& calibration = summary["columns"][0]["calibration"];
   for (const auto& p : calibration["parameters"]) {
     std::string note = p["at_bound"].get<bool>() ? "at its bound" : "";
-    if (p["weakly_determined"].get<bool>()) note += note.empty() ? "weakly determined" : ", weakly determined";
+    if (p["weakly_determined"].get<bool>())
+      note += note.empty() ? "weakly determined" : ", weakly determined";
     table.rows.push_back({p["name"].get<std::string>(), number(p["value"].get<double>(), "%.4g"),
-                          p["unit"].get<std::string>(), number(p["prior"].get<double>(), "%.4g"), note});
+                          p["unit"].get<std::string>(), number(p["prior"].get<double>(), "%.4g"),
+                          note});
   }
   table.note = calibration["termination"].get<std::string>();
   return table;
@@ -131,7 +138,8 @@ ReportInput demo_page(const DemoResult& result, const std::string& generated) {
   const ForecastColumn& column = s.columns.front();
   ReportInput page;
   page.title = "Current forecast for " + s.site_name;
-  page.site = number(column.point.latitude_deg(), "%.3f N ") + number(column.point.longitude_deg(), "%.3f E, ") +
+  page.site = number(column.point.latitude_deg(), "%.3f N ") +
+              number(column.point.longitude_deg(), "%.3f E, ") +
               number(column.water_depth_m, "%.0f m of water");
   page.headline = s.headline;
   page.degraded = s.degraded;
@@ -143,7 +151,8 @@ ReportInput demo_page(const DemoResult& result, const std::string& generated) {
   page.profile = profile_of(result);
   page.skill = skill_of(result);
   page.skill_note = "Root mean square vector error over " + std::to_string(result.days.size()) +
-                    " consecutive daily forecasts, all levels, against the analysed product; days weigh the same.";
+                    " consecutive daily forecasts, all levels, against the analysed product; days "
+                    "weigh the same.";
   add_wind_and_waves(page, result);
   page.tables = {truth_table(result), calibration_table(result)};
   page.attributions = s.attributions;

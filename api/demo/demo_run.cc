@@ -21,8 +21,9 @@ constexpr int history_days = 4;
 constexpr double normal_p90 = 1.2815515655446004;
 
 /// One day's arrival: yesterday's analyses and the night's weather forecasts.
-void deliver(store::Store& store, const ingest::ProductCatalogue& products, const SyntheticOcean& ocean, UtcDay day,
-             bool with_forecasts, const std::filesystem::path& folder) {
+void deliver(store::Store& store, const ingest::ProductCatalogue& products,
+             const SyntheticOcean& ocean, UtcDay day, bool with_forecasts,
+             const std::filesystem::path& folder) {
   const UtcTime midnight = UtcTime(day) + days(1);
   std::vector<std::filesystem::path> files = write_current_product(ocean, day, day, folder);
   files.push_back(write_wave_product(ocean, day, day, folder));
@@ -53,12 +54,14 @@ class TruthScore {
 /// The analysed current of the site nearest to a time: what the baselines know.
 std::optional<Horizontal> analysed(const VectorColumn& column, UtcTime time, std::size_t k) {
   for (std::size_t t = 0; t < column.times(); ++t) {
-    if (column.time[t].centre() == time && column.has(t, k)) return column.value[column.offset(t, k)];
+    if (column.time[t].centre() == time && column.has(t, k))
+      return column.value[column.offset(t, k)];
   }
   return std::nullopt;
 }
 
-DemoDay score_against_truth(const SyntheticOcean& ocean, const SiteData& data, const DailyForecast& forecast) {
+DemoDay score_against_truth(const SyntheticOcean& ocean, const SiteData& data,
+                            const DailyForecast& forecast) {
   const Snapshot& s = forecast.snapshot;
   DemoDay result;
   result.day = s.day;
@@ -66,7 +69,8 @@ DemoDay score_against_truth(const SyntheticOcean& ocean, const SiteData& data, c
   plan.day = s.day;
   plan.issued = s.issued;
   plan.dataset = forecast.dataset;
-  const VectorColumn known = slice(known_currents(data.columns.front(), plan).column, UtcTime(s.day), plan.end_of_day());
+  const VectorColumn known =
+      slice(known_currents(data.columns.front(), plan).column, UtcTime(s.day), plan.end_of_day());
   TruthScore ours;
   TruthScore persistence;
   TruthScore day_mean;
@@ -93,7 +97,8 @@ DemoDay score_against_truth(const SyntheticOcean& ocean, const SiteData& data, c
       ours.add(column.current_m_s[o], *truth);
       persistence.add(last, *truth);
       day_mean.add(mean, *truth);
-      if (const auto before = analysed(known, s.time[t] - hours(24), k)) same_hour.add(*before, *truth);
+      if (const auto before = analysed(known, s.time[t] - hours(24), k))
+        same_hour.add(*before, *truth);
       const Horizontal miss = column.current_m_s[o] - *truth;
       const double band = normal_p90 * column.current_sigma_m_s[o];
       inside += (std::abs(miss.real()) <= band ? 1 : 0) + (std::abs(miss.imag()) <= band ? 1 : 0);
@@ -110,7 +115,8 @@ DemoDay score_against_truth(const SyntheticOcean& ocean, const SiteData& data, c
 
 }  // namespace
 
-DemoResult run_demo(const DemoOptions& options, const std::function<void(double, const std::string&)>& say) {
+DemoResult run_demo(const DemoOptions& options,
+                    const std::function<void(double, const std::string&)>& say) {
   SyntheticOceanSettings settings;
   settings.seed = options.seed;
   settings.days = history_days + options.days + 4;
@@ -121,10 +127,12 @@ DemoResult run_demo(const DemoOptions& options, const std::function<void(double,
   const std::filesystem::path files = options.folder / "products";
   std::filesystem::create_directories(files);
   const auto products = ingest::ProductCatalogue::load(data_folder() / "products");
-  store::Store store = store::Store::open(options.folder / "store", store::OpenMode::create_or_write);
+  store::Store store =
+      store::Store::open(options.folder / "store", store::OpenMode::create_or_write);
   const std::filesystem::path site_file = write_site_yaml(ocean, options.folder);
   result.site = find_site(site_file.string(), {});
-  static_cast<void>(ingest_file(store, products, write_bathymetry(ocean, files), {}, UtcTime(settings.first_day), {}));
+  static_cast<void>(ingest_file(store, products, write_bathymetry(ocean, files), {},
+                                UtcTime(settings.first_day), {}));
 
   for (int i = 0; i < history_days + options.days; ++i) {
     const UtcDay day = settings.first_day + days(i);
@@ -135,7 +143,8 @@ DemoResult run_demo(const DemoOptions& options, const std::function<void(double,
     JobOptions options_of_day;
     options_of_day.issued = UtcTime(day) + days(1) + hours(5);
     options_of_day.threads = 2;
-    const SiteData data = load_site_data(store, result.site, UtcTime(day) - history_read, UtcTime(day) + days(4));
+    const SiteData data =
+        load_site_data(store, result.site, UtcTime(day) - history_read, UtcTime(day) + days(4));
     const DailyForecast forecast = make_forecast(data, options_of_day);
     static_cast<void>(publish(store, forecast, options_of_day));
     result.days.push_back(score_against_truth(ocean, data, forecast));

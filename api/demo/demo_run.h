@@ -12,19 +12,19 @@
 namespace slackwater::api {
 
 struct DemoOptions {
-  std::filesystem::path folder;      ///< product files, store and page go here
+  std::filesystem::path folder;  ///< product files, store and page go here
   std::uint64_t seed = 2025;
-  int days = 6;                      ///< consecutive daily jobs
+  int days = 6;  ///< consecutive daily jobs
 };
 
 /// How one day's forecast did against the known truth at the site, lead (0, 24] h, all levels.
 struct DemoDay {
   UtcDay day{};
   double forecast_rmse_m_s = 0;
-  double persistence_rmse_m_s = 0;   ///< the last analysed profile of D, held
-  double day_mean_rmse_m_s = 0;      ///< mean of D
-  double same_hour_rmse_m_s = 0;     ///< the analysed value 24 h before
-  double coverage_80 = 0;            ///< share of true components inside the 80 % band
+  double persistence_rmse_m_s = 0;  ///< the last analysed profile of D, held
+  double day_mean_rmse_m_s = 0;     ///< mean of D
+  double same_hour_rmse_m_s = 0;    ///< the analysed value 24 h before
+  double coverage_80 = 0;           ///< share of true components inside the 80 % band
 };
 
 /// What the demonstration earned.
@@ -32,14 +32,14 @@ struct DemoResult {
   SyntheticOcean ocean;
   Site site;
   std::vector<DemoDay> days;
-  std::vector<SkillEntry> skill;     ///< `verify` against the analysed products
-  Snapshot last;                     ///< the newest forecast
-  std::string last_summary_json;     ///< its calibration
+  std::vector<SkillEntry> skill;  ///< `verify` against the analysed products
+  Snapshot last;                  ///< the newest forecast
+  std::string last_summary_json;  ///< its calibration
 };
 
-/// Writes a synthetic ocean as product files day by day, as they would arrive, ingests them and runs the daily job at
-/// 05:00 after each day; scores every forecast against the truth and through `verify`. `say` is called with a share
-/// done and what is being done.
+/// Writes a synthetic ocean as product files day by day, as they would arrive, ingests them and
+/// runs the daily job at 05:00 after each day; scores every forecast against the truth and through
+/// `verify`. `say` is called with a share done and what is being done.
 [[nodiscard]] DemoResult run_demo(const DemoOptions& options,
                                   const std::function<void(double, const std::string&)>& say);
 

@@ -38,7 +38,8 @@ std::vector<UtcDay> candidate_days(const ColumnData& column, UtcTime issued) {
 }
 
 /// The currents of a day as known at the issue time, and the dataset they are from.
-std::pair<VectorColumn, std::string> currents_of(const ColumnData& column, UtcDay day, UtcTime issued) {
+std::pair<VectorColumn, std::string> currents_of(const ColumnData& column, UtcDay day,
+                                                 UtcTime issued) {
   const UtcTime from(day);
   const UtcTime to = from + days(1);
   const auto dataset = fullest_dataset(column.current, from, to);
@@ -68,7 +69,8 @@ std::vector<double> wet_levels(const SiteData& data, const std::string& dataset)
       }
     }
   }
-  if (levels.empty()) return {0.0};  // a surface product without a depth: its one level is the surface
+  if (levels.empty())
+    return {0.0};  // a surface product without a depth: its one level is the surface
   levels.resize(deepest);
   return levels;
 }
@@ -94,7 +96,8 @@ void for_all_columns(std::size_t count, int threads, const std::function<void(st
     }
   };
   std::vector<std::thread> pool;
-  const auto extra = std::min<std::size_t>(count, static_cast<std::size_t>(std::max(1, threads))) - (count > 0 ? 1 : 0);
+  const auto extra = std::min<std::size_t>(count, static_cast<std::size_t>(std::max(1, threads))) -
+                     (count > 0 ? 1 : 0);
   for (std::size_t i = 0; i < extra; ++i) pool.emplace_back(loop);
   loop();
   for (std::thread& thread : pool) thread.join();
@@ -122,8 +125,10 @@ bool holds_throughout(const VectorColumn& currents, UtcDay day) {
   // One daily mean (also a 25-hour mean cut at the day's ends) holds the whole day.
   if (cells.size() == 1) return cells[0].end - cells[0].start >= hours(20);
   std::vector<Duration> steps;
-  for (std::size_t i = 1; i < cells.size(); ++i) steps.push_back(cells[i].centre() - cells[i - 1].centre());
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    steps.push_back(cells[i].centre() - cells[i - 1].centre());
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2),
+                   steps.end());
   const Duration usual = steps[steps.size() / 2];
   const auto too_wide = [&](Duration gap) { return 2 * gap > 5 * usual; };
   for (std::size_t i = 1; i < cells.size(); ++i) {
@@ -179,15 +184,16 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   result.dataset = plan.dataset;
   if (usable) plan.depth_m = wet_levels(data, plan.dataset);
   if (usable && *usable != *wanted) {
-    troubles.push_back("currents of " + format_day(*wanted) + " are missing or not whole, the last good day " +
-                       format_day(*usable) + " is used");
+    troubles.push_back("currents of " + format_day(*wanted) +
+                       " are missing or not whole, the last good day " + format_day(*usable) +
+                       " is used");
   }
   if (!usable) troubles.push_back("no whole day of currents is stored: wind and waves alone");
   // A plan of more than some weeks of lead is no forecast.
   if (plan.stamps.size() > 24 * 40) {
-    throw Error(ErrorKind::not_found, "the newest usable day of currents is " + format_day(plan.day) +
-                                          ", more than 30 days before " + format_day(*wanted) +
-                                          "; ingest newer currents");
+    throw Error(ErrorKind::not_found, "the newest usable day of currents is " +
+                                          format_day(plan.day) + ", more than 30 days before " +
+                                          format_day(*wanted) + "; ingest newer currents");
   }
 
   result.columns.resize(data.columns.size());
@@ -214,17 +220,20 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   if (uncalibrated == result.columns.size() && usable) {
     troubles.push_back("calibration failed: " + first_problem);
   } else if (uncalibrated > 0) {
-    troubles.push_back(std::to_string(uncalibrated) + " of " + std::to_string(result.columns.size()) +
+    troubles.push_back(std::to_string(uncalibrated) + " of " +
+                       std::to_string(result.columns.size()) +
                        " columns are not calibrated: " + first_problem);
   }
   const ForecastColumn& first = snapshot.columns.front();
   if (first.wind_m_s.empty()) {
     troubles.push_back("no wind is stored: the wind-driven part is left out");
   } else if (options.wind != WindPolicy::persist) {
-    const auto persisted = std::count(first.wind_source.begin(), first.wind_source.end(), DataStatus::persisted);
+    const auto persisted =
+        std::count(first.wind_source.begin(), first.wind_source.end(), DataStatus::persisted);
     if (2 * persisted > static_cast<std::ptrdiff_t>(first.wind_source.size())) {
       troubles.push_back("wind is persisted for " + std::to_string(persisted) + " of " +
-                         std::to_string(first.wind_source.size()) + " hours: no wind forecast is stored");
+                         std::to_string(first.wind_source.size()) +
+                         " hours: no wind forecast is stored");
     }
   }
   snapshot.site_id = data.site.id;
@@ -236,7 +245,8 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   snapshot.depth_m = plan.depth_m;
   snapshot.degraded = !troubles.empty();
   for (const std::string& trouble : troubles) {
-    snapshot.headline += (snapshot.headline.empty() ? "" : "; ") + (snapshot.headline.empty() ? capitalised(trouble) : trouble);
+    snapshot.headline += (snapshot.headline.empty() ? "" : "; ") +
+                         (snapshot.headline.empty() ? capitalised(trouble) : trouble);
   }
   if (snapshot.headline.empty()) {
     snapshot.headline = "Currents calibrated on " + format_day(plan.day) + ", forecast to " +
@@ -250,7 +260,8 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   return result;
 }
 
-std::int64_t publish(store::Store& store, const DailyForecast& forecast, const JobOptions& options) {
+std::int64_t publish(store::Store& store, const DailyForecast& forecast,
+                     const JobOptions& options) {
   return publish(store, std::span(&forecast, 1), options).front();
 }
 

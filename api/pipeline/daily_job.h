@@ -12,39 +12,42 @@
 namespace slackwater::api {
 
 struct JobOptions {
-  std::optional<UtcDay> day;                  ///< D; absent: the newest day the store holds throughout
-  UtcTime issued{};                           ///< when the job runs
+  std::optional<UtcDay> day;  ///< D; absent: the newest day the store holds throughout
+  UtcTime issued{};           ///< when the job runs
   Duration horizon = std::chrono::hours(72);  ///< beyond the end of D
   WindPolicy wind = WindPolicy::best;
-  std::string origin = "forecast";            ///< forecast | hindcast
+  std::string origin = "forecast";  ///< forecast | hindcast
   int threads = 1;
 };
 
 /// A forecast made, not yet stored.
 struct DailyForecast {
   Snapshot snapshot;
-  std::vector<ColumnForecast> columns;         ///< calibrations, notes and origins, in the snapshot's order
+  std::vector<ColumnForecast>
+      columns;  ///< calibrations, notes and origins, in the snapshot's order
   std::vector<std::int64_t> input_granules;
-  std::string dataset;                         ///< of the currents; empty where there are none
-  std::string summary_json;                    ///< calibration report, inputs, effective configuration
+  std::string dataset;       ///< of the currents; empty where there are none
+  std::string summary_json;  ///< calibration report, inputs, effective configuration
 };
 
 /// How much history a job reads for the tide: two spring-neap cycles and a month beyond.
 inline constexpr Duration history_read = std::chrono::days(60);
 
-/// The newest day up to the issue time for which the currents of the site are held throughout; nothing where there is
-/// none.
+/// The newest day up to the issue time for which the currents of the site are held throughout;
+/// nothing where there is none.
 [[nodiscard]] std::optional<UtcDay> newest_whole_day(const SiteData& data, UtcTime issued);
 
-/// Whether a day's currents are there: no gap at its ends or within it wider than two and a half usual steps.
+/// Whether a day's currents are there: no gap at its ends or within it wider than two and a half
+/// usual steps.
 [[nodiscard]] bool holds_throughout(const VectorColumn& currents, UtcDay day);
 
 /// Whether the currents of this day are held throughout, as known at the issue time.
 [[nodiscard]] bool holds_day(const SiteData& data, UtcDay day, UtcTime issued);
 
-/// The daily job without the store: calibrate on D, propagate to the horizon, wind and waves beside it. Where D lacks
-/// currents it falls back on the last good day before it (longer lead, wider bands, `degraded`, a headline that says
-/// so); without any currents the forecast carries wind and waves alone.
+/// The daily job without the store: calibrate on D, propagate to the horizon, wind and waves beside
+/// it. Where D lacks currents it falls back on the last good day before it (longer lead, wider
+/// bands, `degraded`, a headline that says so); without any currents the forecast carries wind and
+/// waves alone.
 [[nodiscard]] DailyForecast make_forecast(const SiteData& data, const JobOptions& options);
 
 /// Writes the forecast's file and stores it as issued; returns its id.

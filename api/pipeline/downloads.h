@@ -8,10 +8,11 @@
 
 namespace slackwater::api {
 
-/// The exact `copernicusmarine subset` lines that fetch what a forecast of this day at this site wants: currents (the
-/// finest product with tide that covers the site), waves, bathymetry and past wind; with a comment line above each, and
-/// one that says where a wind forecast comes from.
-[[nodiscard]] std::vector<std::string> download_lines(const ingest::ProductCatalogue& products, const Site& site,
-                                                      UtcDay day, Duration horizon);
+/// The exact `copernicusmarine subset` lines that fetch what a forecast of this day at this site
+/// wants: currents (the finest product with tide that covers the site), waves, bathymetry and past
+/// wind; with a comment line above each, and one that says where a wind forecast comes from.
+[[nodiscard]] std::vector<std::string> download_lines(const ingest::ProductCatalogue& products,
+                                                      const Site& site, UtcDay day,
+                                                      Duration horizon);
 
 }  // namespace slackwater::api

@@ -10,7 +10,8 @@
 namespace slackwater::api {
 namespace {
 
-/// The tide of every level, fitted on the whole known record; empty where the record is too short for any.
+/// The tide of every level, fitted on the whole known record; empty where the record is too short
+/// for any.
 struct ColumnTide {
   std::vector<TideFit> levels;
   std::vector<std::string> notes;
@@ -124,9 +125,11 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   }
   const calibration::Propagated propagated = calibration::propagate(
       *result.calibration, plan.stamps, plan.depth_m, wind.series, plan.end_of_day());
-  // Levels of the plan are those of the dataset; a column whose product has fewer levels keeps them in order.
+  // Levels of the plan are those of the dataset; a column whose product has fewer levels keeps them
+  // in order.
   for (std::size_t k = 0; k < levels; ++k) {
-    const SampleStatus status = k < day.levels() ? level_status(known.column, k) : SampleStatus::below_bed;
+    const SampleStatus status =
+        k < day.levels() ? level_status(known.column, k) : SampleStatus::below_bed;
     for (std::size_t t = 0; t < plan.stamps.size(); ++t) {
       const std::size_t o = t * levels + k;
       out.current_status[o] = status;

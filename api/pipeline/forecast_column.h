@@ -13,12 +13,12 @@ namespace slackwater::api {
 
 /// What every column of one run shares.
 struct ForecastPlan {
-  UtcDay day{};                          ///< D
+  UtcDay day{};  ///< D
   UtcTime issued{};
   WindPolicy wind = WindPolicy::best;
-  std::vector<UtcTime> stamps;           ///< hourly from the end of D, both ends included
-  std::vector<double> depth_m;           ///< the product's native wet levels
-  std::string dataset;                   ///< of the currents; empty where there are none
+  std::vector<UtcTime> stamps;  ///< hourly from the end of D, both ends included
+  std::vector<double> depth_m;  ///< the product's native wet levels
+  std::string dataset;          ///< of the currents; empty where there are none
 
   [[nodiscard]] UtcTime end_of_day() const noexcept { return UtcTime(day) + std::chrono::days(1); }
 };
@@ -26,18 +26,21 @@ struct ForecastPlan {
 /// One column's forecast with the calibration it rests on.
 struct ColumnForecast {
   ForecastColumn column;
-  std::optional<calibration::Calibration> calibration;  ///< nothing where the column has no current on D
-  std::string calibration_problem;                      ///< why there is none
-  std::vector<std::string> notes;                       ///< what an operator should know
-  std::vector<const Origin*> origins;                   ///< whose values were used
+  std::optional<calibration::Calibration>
+      calibration;                     ///< nothing where the column has no current on D
+  std::string calibration_problem;     ///< why there is none
+  std::vector<std::string> notes;      ///< what an operator should know
+  std::vector<const Origin*> origins;  ///< whose values were used
   bool contains_stokes = false;
 };
 
 /// The currents of a column up to the end of D as known then, one dataset.
 [[nodiscard]] Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan);
 
-/// Calibrates the column on day D and propagates it over the plan's stamps: tide (where the record allows) + Ekman
-/// model + decaying residual, with wind and waves beside it. Pure; safe to run for many columns at once.
-[[nodiscard]] ColumnForecast forecast_column(const ColumnData& column, const Site& site, const ForecastPlan& plan);
+/// Calibrates the column on day D and propagates it over the plan's stamps: tide (where the record
+/// allows) + Ekman model + decaying residual, with wind and waves beside it. Pure; safe to run for
+/// many columns at once.
+[[nodiscard]] ColumnForecast forecast_column(const ColumnData& column, const Site& site,
+                                             const ForecastPlan& plan);
 
 }  // namespace slackwater::api

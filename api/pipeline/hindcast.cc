@@ -9,7 +9,8 @@ using std::chrono::days;
 HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOptions& options,
                         const std::function<void(double)>& progress) {
   if (options.to < options.from) {
-    throw Error(ErrorKind::usage, "found --from " + format_day(options.from) + " after --to " + format_day(options.to));
+    throw Error(ErrorKind::usage, "found --from " + format_day(options.from) + " after --to " +
+                                      format_day(options.to));
   }
   const UtcTime first(options.from);
   const UtcTime last = UtcTime(options.to) + days(1) + options.horizon;
@@ -33,8 +34,9 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     if (progress) progress(0.8 * static_cast<double>((day - options.from).count() + 1) / count);
   }
   if (forecasts.empty()) {
-    throw Error(ErrorKind::not_found, "the store holds no whole day of currents for site " + site.id + " from " +
-                                          format_day(options.from) + " to " + format_day(options.to) +
+    throw Error(ErrorKind::not_found, "the store holds no whole day of currents for site " +
+                                          site.id + " from " + format_day(options.from) + " to " +
+                                          format_day(options.to) +
                                           "; ingest current products of these days");
   }
   JobOptions job;
@@ -43,7 +45,8 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
   for (std::size_t i = 0; i < forecasts.size(); ++i) {
     auto scored = score_forecast(data, forecasts[i].snapshot, forecasts[i].dataset, options.verify);
     report.skill.insert(report.skill.end(), scored.begin(), scored.end());
-    if (progress) progress(0.8 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(forecasts.size()));
+    if (progress)
+      progress(0.8 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(forecasts.size()));
   }
   return report;
 }

@@ -8,10 +8,10 @@
 namespace slackwater::api {
 
 struct HindcastOptions {
-  UtcDay from{};                              ///< first day D
-  UtcDay to{};                                ///< last day D
+  UtcDay from{};  ///< first day D
+  UtcDay to{};    ///< last day D
   WindPolicy wind = WindPolicy::best;
-  Duration latency{0};                        ///< a day's data are available when it ends plus this
+  Duration latency{0};  ///< a day's data are available when it ends plus this
   Duration horizon = std::chrono::hours(72);
   int threads = 2;
   VerifyOptions verify;
@@ -19,14 +19,16 @@ struct HindcastOptions {
 
 struct HindcastReport {
   std::vector<SkillEntry> skill;
-  std::vector<std::int64_t> forecasts;        ///< ids in the store
-  std::vector<std::string> skipped;           ///< "2024-01-03: no whole day of currents"
+  std::vector<std::int64_t> forecasts;  ///< ids in the store
+  std::vector<std::string> skipped;     ///< "2024-01-03: no whole day of currents"
 };
 
-/// The daily job over a past period as if live: each day D is forecast with what was known when it ended plus the
-/// latency, stored as issued (origin hindcast), and scored against what the store holds now. Days without a whole day
-/// of currents are skipped and named; a period without any is Error(not_found).
-[[nodiscard]] HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOptions& options,
+/// The daily job over a past period as if live: each day D is forecast with what was known when it
+/// ended plus the latency, stored as issued (origin hindcast), and scored against what the store
+/// holds now. Days without a whole day of currents are skipped and named; a period without any is
+/// Error(not_found).
+[[nodiscard]] HindcastReport hindcast(store::Store& store, const Site& site,
+                                      const HindcastOptions& options,
                                       const std::function<void(double)>& progress);
 
 }  // namespace slackwater::api

@@ -17,17 +17,19 @@ using std::chrono::hours;
 constexpr Duration widest_wind_gap = hours(12);
 /// Waves change more slowly than wind and come 1- to 6-hourly.
 constexpr Duration widest_wave_gap = hours(12);
-/// Persisted wind relaxes to the mean of the known record with this e-folding time: mid-latitude 10 m wind keeps a
-/// correlation of about 1/e over two to three days.
+/// Persisted wind relaxes to the mean of the known record with this e-folding time: mid-latitude 10
+/// m wind keeps a correlation of about 1/e over two to three days.
 constexpr double wind_memory_h = 72.0;
 /// Fetch where the site states none: open shelf sea.
 constexpr double default_fetch_m = 200e3;
 
 Knowledge knowledge_of(WindPolicy policy, UtcTime end_of_day) {
   switch (policy) {
-    case WindPolicy::best: return {};
-    case WindPolicy::forecast: return {end_of_day, end_of_day};
-    case WindPolicy::persist: return {end_of_day, UtcTime::min()};
+    case WindPolicy::best:
+      return {};
+    case WindPolicy::forecast:
+    case WindPolicy::persist:
+      return {end_of_day, end_of_day};
   }
   return {};
 }
@@ -38,12 +40,18 @@ bool has_grid(const Record<T>& record) {
                      [](const auto& piece) { return !piece.origin->is_point_series; });
 }
 
-/// Products where there are any, else moored instruments.
+/// Products where there are any, else moored instruments; with `persist` nothing that is valid
+/// after D.
 template <typename T>
-Chosen<T> choose_input(const Record<T>& record, const Knowledge& knowledge) {
+Chosen<T> choose_input(const Record<T>& record, WindPolicy policy, UtcTime end_of_day) {
   Choice choice;
   choice.only_grids = has_grid(record);
-  return choose(record, knowledge, choice);
+  Chosen<T> chosen = choose(record, knowledge_of(policy, end_of_day), choice);
+  if (policy == WindPolicy::persist) {
+    chosen.column = slice(chosen.column, UtcTime::min(), end_of_day);
+    chosen.origin.resize(chosen.column.times());
+  }
+  return chosen;
 }
 
 /// The status of the stored value nearest to a time.
@@ -51,7 +59,9 @@ template <typename T>
 std::size_t nearest_index(const Column<T>& column, UtcTime time) {
   std::size_t best = 0;
   for (std::size_t t = 1; t < column.times(); ++t) {
-    const auto distance = [&](std::size_t i) { return std::chrono::abs(column.time[i].centre() - time); };
+    const auto distance = [&](std::size_t i) {
+      return std::chrono::abs(column.time[i].centre() - time);
+    };
     if (distance(t) <= distance(best)) best = t;
   }
   return best;
@@ -75,12 +85,13 @@ std::optional<UtcTime> last_known(const Chosen<double>& height, UtcTime stamp) {
   return std::nullopt;
 }
 
-/// The sea at stamps [first, stamps.size()) from the state before them: the stamp before, else the last one stored
-/// before the horizon, else a sea that the first wind has raised for half a day.
+/// The sea at stamps [first, stamps.size()) from the state before them: the stamp before, else the
+/// last one stored before the horizon, else a sea that the first wind has raised for half a day.
 template <typename StoredAt>
 std::vector<SeaState> grow_sea(const std::vector<SeaState>& before, const Chosen<double>& height,
-                               const StoredAt& stored_at, std::span<const UtcTime> stamps, std::size_t first,
-                               const HorizonWind& wind, const WaveSetting& setting) {
+                               const StoredAt& stored_at, std::span<const UtcTime> stamps,
+                               std::size_t first, const HorizonWind& wind,
+                               const WaveSetting& setting) {
   std::optional<SeaState> start;
   std::vector<Horizontal> blown;
   if (first > 0) {
@@ -90,16 +101,19 @@ std::vector<SeaState> grow_sea(const std::vector<SeaState>& before, const Chosen
     start = stored_at(*then);
     // The hours between that state and the horizon blow as the series says.
     for (UtcTime time = *then; wind.series && time < stamps[first]; time += hours(1)) {
-      blown.push_back(value_at(*wind.series, time, widest_wind_gap).value_or(wind.wind_m_s.front()));
+      blown.push_back(
+          value_at(*wind.series, time, widest_wind_gap).value_or(wind.wind_m_s.front()));
     }
   }
   if (wind.wind_m_s.empty()) {
-    return std::vector<SeaState>(stamps.size() - first, start.value_or(SeaState{std::nan(""), std::nan(""), std::nan("")}));
+    return std::vector<SeaState>(
+        stamps.size() - first, start.value_or(SeaState{std::nan(""), std::nan(""), std::nan("")}));
   }
   if (!start) {
     constexpr double half_day_s = 43200;
     const Horizontal now = wind.wind_m_s[first];
-    const WindSea sea = limited_wind_sea(std::abs(now), setting.fetch_m, half_day_s, setting.water_depth_m);
+    const WindSea sea =
+        limited_wind_sea(std::abs(now), setting.fetch_m, half_day_s, setting.water_depth_m);
     start = SeaState{sea.significant_height_m, sea.peak_period_s, from_direction_deg(now)};
   }
   const std::size_t skipped = blown.size();
@@ -112,9 +126,12 @@ std::vector<SeaState> grow_sea(const std::vector<SeaState>& before, const Chosen
 
 std::string_view name_of(WindPolicy policy) noexcept {
   switch (policy) {
-    case WindPolicy::best: return "best";
-    case WindPolicy::forecast: return "forecast";
-    case WindPolicy::persist: return "persist";
+    case WindPolicy::best:
+      return "best";
+    case WindPolicy::forecast:
+      return "forecast";
+    case WindPolicy::persist:
+      return "persist";
   }
   return "best";
 }
@@ -123,13 +140,14 @@ WindPolicy wind_policy_from(std::string_view name) {
   for (const WindPolicy policy : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
     if (name == name_of(policy)) return policy;
   }
-  throw Error(ErrorKind::usage, "found wind policy '" + std::string(name) + "', expected best, forecast or persist");
+  throw Error(ErrorKind::usage,
+              "found wind policy '" + std::string(name) + "', expected best, forecast or persist");
 }
 
 HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day,
                          std::span<const UtcTime> stamps) {
   HorizonWind result;
-  const Chosen<Horizontal> known = choose_input(wind, knowledge_of(policy, end_of_day));
+  const Chosen<Horizontal> known = choose_input(wind, policy, end_of_day);
   const VectorColumn& column = known.column;
   VectorColumn series;
   series.point = column.point;
@@ -140,8 +158,6 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
   for (std::size_t t = 0; t < column.times(); ++t) {
     const UtcTime centre = column.time[t].centre();
     if (!column.has(t)) continue;
-    // The policy, not the file, says what lies beyond D.
-    if (policy == WindPolicy::persist && centre > end_of_day) continue;
     append(series, centre, column.value[t], column.source[t]);
     result.origins.push_back(known.origin[t]);
     sum += column.value[t];
@@ -163,7 +179,8 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
     result.wind_m_s.push_back(weight * *last + (1 - weight) * mean);
     result.source.push_back(DataStatus::persisted);
   }
-  // Calibration and propagation see one series: stored values, then the stamps beyond the last of them.
+  // Calibration and propagation see one series: stored values, then the stamps beyond the last of
+  // them.
   for (std::size_t t = 0; t < stamps.size(); ++t) {
     if (stamps[t] > last_time) append(series, stamps[t], result.wind_m_s[t], result.source[t]);
   }
@@ -171,13 +188,13 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
   return result;
 }
 
-HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy policy, UtcTime end_of_day,
-                       std::span<const UtcTime> stamps, const HorizonWind& wind) {
+HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy policy,
+                       UtcTime end_of_day, std::span<const UtcTime> stamps,
+                       const HorizonWind& wind) {
   HorizonSea result;
-  const Knowledge knowledge = knowledge_of(policy, end_of_day);
-  const Chosen<double> height = choose_input(column.significant_height, knowledge);
-  const Chosen<double> period = choose_input(column.peak_period, knowledge);
-  const Chosen<double> direction = choose_input(column.wave_direction, knowledge);
+  const Chosen<double> height = choose_input(column.significant_height, policy, end_of_day);
+  const Chosen<double> period = choose_input(column.peak_period, policy, end_of_day);
+  const Chosen<double> direction = choose_input(column.wave_direction, policy, end_of_day);
   if (height.empty() && wind.wind_m_s.empty()) return result;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto at = [](const Chosen<double>& chosen, UtcTime time) {
@@ -187,15 +204,16 @@ HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy po
   VectorColumn heading;
   for (std::size_t t = 0; t < direction.column.times(); ++t) {
     if (direction.column.has(t)) {
-      append(heading, direction.column.time[t].centre(), vector_to_direction(1, direction.column.value[t]),
-             direction.column.source[t]);
+      append(heading, direction.column.time[t].centre(),
+             vector_to_direction(1, direction.column.value[t]), direction.column.source[t]);
     }
   }
   const auto stored_at = [&](UtcTime time) -> std::optional<SeaState> {
     const auto stored = at(height, time);
     if (!stored) return std::nullopt;
     const auto toward = value_at(heading, time, widest_wave_gap);
-    return SeaState{*stored, at(period, time).value_or(unknown), toward ? to_direction_deg(*toward) : unknown};
+    return SeaState{*stored, at(period, time).value_or(unknown),
+                    toward ? to_direction_deg(*toward) : unknown};
   };
   WaveSetting setting;
   if (site.fetch_km) setting.fetch_m = *site.fetch_km * 1000;

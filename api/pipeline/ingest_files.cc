@@ -55,15 +55,16 @@ store::NewGranule to_row(const ingest::DecodedGranule& decoded) {
 }
 
 bool is_product_file(const std::filesystem::path& file) {
-  static constexpr std::array<std::string_view, 7> endings{".nc", ".nc4", ".cdf", ".grib", ".grib2", ".grb", ".grb2"};
+  static constexpr std::array<std::string_view, 7> endings{".nc",    ".nc4", ".cdf", ".grib",
+                                                           ".grib2", ".grb", ".grb2"};
   return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
 }
 
 }  // namespace
 
 IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& products,
-                         const std::filesystem::path& file, const ingest::IngestOptions& options, UtcTime now,
-                         const ingest::Progress& progress) {
+                         const std::filesystem::path& file, const ingest::IngestOptions& options,
+                         UtcTime now, const ingest::Progress& progress) {
   IngestReport report;
   report.file = file;
   std::error_code problem;
@@ -76,8 +77,8 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   source.bytes = std::filesystem::file_size(file);
   source.ingested_at = now;
 
-  // Small files are hashed first: a file that is there already then costs no decoding. Large ones are hashed while they
-  // are decoded, which keeps both cores busy.
+  // Small files are hashed first: a file that is there already then costs no decoding. Large ones
+  // are hashed while they are decoded, which keeps both cores busy.
   constexpr std::uint64_t small = 64U << 20U;
   std::future<std::string> hash;
   if (source.bytes <= small) {
@@ -90,7 +91,8 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   } else {
     hash = std::async(std::launch::async, [file] { return sha256_of_file(file); });
   }
-  ingest::Ingested ingested = ingest::decode_file(file, products, options, store.staging_folder(), progress);
+  ingest::Ingested ingested =
+      ingest::decode_file(file, products, options, store.staging_folder(), progress);
   if (hash.valid()) source.sha256 = hash.get();
 
   std::vector<store::NewGranule> granules;
@@ -98,8 +100,8 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
     granules.push_back(to_row(decoded));
     report.times += decoded.granule.grid.time.size();
     for (const GranuleVariable& variable : decoded.granule.variables) {
-      if (std::find(report.standard_names.begin(), report.standard_names.end(), variable.standard_name) ==
-          report.standard_names.end()) {
+      if (std::find(report.standard_names.begin(), report.standard_names.end(),
+                    variable.standard_name) == report.standard_names.end()) {
         report.standard_names.push_back(variable.standard_name);
       }
     }
@@ -131,7 +133,8 @@ std::vector<std::filesystem::path> product_files(const std::vector<std::filesyst
       if (entry.is_regular_file() && is_product_file(entry.path())) inside.push_back(entry.path());
     }
     if (inside.empty()) {
-      throw Error(ErrorKind::not_found, "found no product files (.nc, .grib …) below " + path.string());
+      throw Error(ErrorKind::not_found,
+                  "found no product files (.nc, .grib …) below " + path.string());
     }
     std::sort(inside.begin(), inside.end());
     files.insert(files.end(), inside.begin(), inside.end());

@@ -83,21 +83,23 @@ std::string job_summary(const SiteData& data, const ForecastPlan& plan, const Jo
     }
     columns.push_back(std::move(entry));
   }
-  const json summary = {{"site", data.site.id},
-                        {"site_yaml", data.site.yaml},
-                        {"day", format_day(plan.day)},
-                        {"issued", format_utc(options.issued)},
-                        {"wind", std::string(name_of(options.wind))},
-                        {"horizon_h", std::chrono::duration<double, std::ratio<3600>>(options.horizon).count()},
-                        {"dataset", plan.dataset},
-                        {"inputs", inputs_of(forecast)},
-                        {"dry_columns", data.dry_columns},
-                        {"columns", columns},
-                        {"code_version", code_version()}};
+  const json summary = {
+      {"site", data.site.id},
+      {"site_yaml", data.site.yaml},
+      {"day", format_day(plan.day)},
+      {"issued", format_utc(options.issued)},
+      {"wind", std::string(name_of(options.wind))},
+      {"horizon_h", std::chrono::duration<double, std::ratio<3600>>(options.horizon).count()},
+      {"dataset", plan.dataset},
+      {"inputs", inputs_of(forecast)},
+      {"dry_columns", data.dry_columns},
+      {"columns", columns},
+      {"code_version", code_version()}};
   return summary.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-std::string job_provenance(const SiteData& data, const JobOptions& options, const DailyForecast& forecast) {
+std::string job_provenance(const SiteData& data, const JobOptions& options,
+                           const DailyForecast& forecast) {
   json provenance = {{"site", data.site.id},
                      {"issued", format_utc(options.issued)},
                      {"inputs", inputs_of(forecast)},

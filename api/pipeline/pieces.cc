@@ -16,8 +16,8 @@ struct IndexRange {
   std::size_t count = 0;
 };
 
-/// The indices of an axis inside [low, high] with one more on either side, so that a point at the edge of the box
-/// still has its neighbours.
+/// The indices of an axis inside [low, high] with one more on either side, so that a point at the
+/// edge of the box still has its neighbours.
 IndexRange around(const std::vector<double>& axis, double low, double high) {
   const auto begin = std::lower_bound(axis.begin(), axis.end(), low);
   const auto end = std::upper_bound(axis.begin(), axis.end(), high);
@@ -50,9 +50,12 @@ IndexRange times_within(const Grid& grid, const Window& window) {
 
 std::string dataset_of(const store::GranuleRow& row, const Granule& granule) {
   std::ostringstream text;
-  text << row.product_id << '/' << row.dataset_id << '/' << row.station << '/' << granule.grid.levels_m.size();
-  if (!granule.grid.levels_m.empty()) text << '@' << granule.grid.levels_m.front() << '-' << granule.grid.levels_m.back();
-  if (!granule.grid.time.empty()) text << (granule.grid.time.front().is_mean() ? "/mean" : "/instant");
+  text << row.product_id << '/' << row.dataset_id << '/' << row.station << '/'
+       << granule.grid.levels_m.size();
+  if (!granule.grid.levels_m.empty())
+    text << '@' << granule.grid.levels_m.front() << '-' << granule.grid.levels_m.back();
+  if (!granule.grid.time.empty())
+    text << (granule.grid.time.front().is_mean() ? "/mean" : "/instant");
   return text.str();
 }
 
@@ -75,7 +78,8 @@ Origin origin_of(const Loaded& loaded) {
   origin.station = loaded.row.station;
   origin.is_point_series = loaded.row.is_point_series;
   for (const GranuleVariable& variable : loaded.granule.variables) {
-    if (variable.standard_name == loaded.field.standard_name) origin.contains_stokes = variable.contains_stokes;
+    if (variable.standard_name == loaded.field.standard_name)
+      origin.contains_stokes = variable.contains_stokes;
   }
   return origin;
 }
@@ -90,32 +94,39 @@ store::GranuleQuery query_for(const std::string& name, const Window& window) {
   return query;
 }
 
-/// Reads the window's part of one variable of a granule; nothing where the window holds no cell of it.
-std::optional<Loaded> load(store::Store& store, const store::GranuleRow& row, const std::string& name,
-                           const Window& window) {
-  return with_context("reading stored " + name + " of " + row.product_id, [&]() -> std::optional<Loaded> {
-    const ingest::GranuleFile file = ingest::GranuleFile::open(store.content_path(row.content_sha256));
-    const Grid& grid = file.granule().grid;
-    const IndexRange rows = around(grid.latitude_deg, window.box.south_deg, window.box.north_deg);
-    const IndexRange columns = columns_around(grid, window.box);
-    const IndexRange times = times_within(grid, window);
-    if (rows.count == 0 || columns.count == 0 || times.count == 0) return std::nullopt;
-    Loaded loaded{row, file.granule(), {}};
-    loaded.field =
-        file.read(name, times.first, times.count, rows.first, rows.count, columns.first, columns.count);
-    return loaded;
-  });
+/// Reads the window's part of one variable of a granule; nothing where the window holds no cell of
+/// it.
+std::optional<Loaded> load(store::Store& store, const store::GranuleRow& row,
+                           const std::string& name, const Window& window) {
+  return with_context("reading stored " + name + " of " + row.product_id,
+                      [&]() -> std::optional<Loaded> {
+                        const ingest::GranuleFile file =
+                            ingest::GranuleFile::open(store.content_path(row.content_sha256));
+                        const Grid& grid = file.granule().grid;
+                        const IndexRange rows =
+                            around(grid.latitude_deg, window.box.south_deg, window.box.north_deg);
+                        const IndexRange columns = columns_around(grid, window.box);
+                        const IndexRange times = times_within(grid, window);
+                        if (rows.count == 0 || columns.count == 0 || times.count == 0)
+                          return std::nullopt;
+                        Loaded loaded{row, file.granule(), {}};
+                        loaded.field = file.read(name, times.first, times.count, rows.first,
+                                                 rows.count, columns.first, columns.count);
+                        return loaded;
+                      });
 }
 
 bool names(const store::GranuleRow& row, const std::string& name) {
-  return std::find(row.standard_names.begin(), row.standard_names.end(), name) != row.standard_names.end();
+  return std::find(row.standard_names.begin(), row.standard_names.end(), name) !=
+         row.standard_names.end();
 }
 
 /// Whether two granules, one with U and one with V, belong together.
 bool pair_up(const Loaded& u, const Loaded& v) {
   return u.row.product_id == v.row.product_id && u.row.status == v.row.status &&
-         u.row.reference_time == v.row.reference_time && u.row.ensemble_member == v.row.ensemble_member &&
-         u.row.station == v.row.station && u.field.grid == v.field.grid;
+         u.row.reference_time == v.row.reference_time &&
+         u.row.ensemble_member == v.row.ensemble_member && u.row.station == v.row.station &&
+         u.field.grid == v.field.grid;
 }
 
 }  // namespace
@@ -126,7 +137,8 @@ std::vector<VectorPiece> read_vector_pieces(store::Store& store, const std::stri
   std::vector<Loaded> lone_north;
   for (const store::GranuleRow& row : store.find_granules(query_for(north_name, window))) {
     if (names(row, east_name)) continue;
-    if (auto loaded = load(store, row, north_name, window)) lone_north.push_back(std::move(*loaded));
+    if (auto loaded = load(store, row, north_name, window))
+      lone_north.push_back(std::move(*loaded));
   }
   for (const store::GranuleRow& row : store.find_granules(query_for(east_name, window))) {
     auto east = load(store, row, east_name, window);

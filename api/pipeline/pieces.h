@@ -11,15 +11,15 @@ namespace slackwater::api {
 
 /// Where a piece of data came from, as far as choosing between pieces needs it.
 struct Origin {
-  std::vector<std::int64_t> granules;          ///< one, or two where U and V came in separate files
+  std::vector<std::int64_t> granules;  ///< one, or two where U and V came in separate files
   DataStatus status = DataStatus::analysis;
-  std::optional<UtcTime> reference_time;       ///< of a provider's forecast
-  std::string dataset;                         ///< product/dataset/levels: pieces of one dataset may be joined
+  std::optional<UtcTime> reference_time;  ///< of a provider's forecast
+  std::string dataset;  ///< product/dataset/levels: pieces of one dataset may be joined
   std::string product_id;
   std::string attribution;
-  std::vector<std::string> sources;            ///< sha256 of the product files
-  int ensemble_member = 0;                     ///< of a weather model; 0 is the control
-  std::string station;                         ///< platform of a point series
+  std::vector<std::string> sources;  ///< sha256 of the product files
+  int ensemble_member = 0;           ///< of a weather model; 0 is the control
+  std::string station;               ///< platform of a point series
   bool contains_stokes = false;
   bool is_point_series = false;
 };
@@ -44,13 +44,17 @@ struct Window {
   BoundingBox box;
 };
 
-/// Reads every stored piece of a vector (two CF standard names) that touches the window, in catalogue order. Files are
-/// cut to the cells around the box; U and V of one product in separate files are paired by their times and grid.
-[[nodiscard]] std::vector<VectorPiece> read_vector_pieces(store::Store& store, const std::string& east_name,
-                                                          const std::string& north_name, const Window& window);
+/// Reads every stored piece of a vector (two CF standard names) that touches the window, in
+/// catalogue order. Files are cut to the cells around the box; U and V of one product in separate
+/// files are paired by their times and grid.
+[[nodiscard]] std::vector<VectorPiece> read_vector_pieces(store::Store& store,
+                                                          const std::string& east_name,
+                                                          const std::string& north_name,
+                                                          const Window& window);
 
 /// The same for a scalar.
-[[nodiscard]] std::vector<ScalarPiece> read_scalar_pieces(store::Store& store, const std::string& name,
+[[nodiscard]] std::vector<ScalarPiece> read_scalar_pieces(store::Store& store,
+                                                          const std::string& name,
                                                           const Window& window);
 
 }  // namespace slackwater::api

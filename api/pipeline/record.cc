@@ -16,8 +16,10 @@ GeoPoint place_of(const Grid& grid) {
   return GeoPoint::from_degrees(grid.latitude_deg.front(), grid.longitude_deg.front());
 }
 
-/// A series answers at its own place wherever within reach it is asked; a grid answers where it is asked.
-std::optional<GeoPoint> where_to_ask(const Origin& origin, const Grid& grid, const GeoPoint& point) {
+/// A series answers at its own place wherever within reach it is asked; a grid answers where it is
+/// asked.
+std::optional<GeoPoint> where_to_ask(const Origin& origin, const Grid& grid,
+                                     const GeoPoint& point) {
   if (!origin.is_point_series) return point;
   const GeoPoint mooring = place_of(grid);
   if (distance_m(mooring, point) > series_reach_m) return std::nullopt;
@@ -26,11 +28,13 @@ std::optional<GeoPoint> where_to_ask(const Origin& origin, const Grid& grid, con
 
 template <typename T>
 bool anything(const Column<T>& column) {
-  return std::any_of(column.status.begin(), column.status.end(), [](SampleStatus s) { return has_value(s); });
+  return std::any_of(column.status.begin(), column.status.end(),
+                     [](SampleStatus s) { return has_value(s); });
 }
 
 template <typename T, typename Piece, typename GridOf, typename ColumnOf>
-Record<T> record_of(const std::vector<Piece>& pieces, const GeoPoint& point, GridOf grid_of, ColumnOf column_of_piece) {
+Record<T> record_of(const std::vector<Piece>& pieces, const GeoPoint& point, GridOf grid_of,
+                    ColumnOf column_of_piece) {
   Record<T> record;
   for (const Piece& piece : pieces) {
     const auto place = where_to_ask(piece.origin, grid_of(piece), point);
@@ -55,8 +59,8 @@ bool is_known(const Origin& origin, const TimeCell& cell, const Knowledge& knowl
 /// Larger is better.
 auto rank_of(const Origin& origin) {
   const bool known_for_sure = origin.status != DataStatus::forecast;
-  return std::tuple(known_for_sure, origin.reference_time.value_or(UtcTime{}), -origin.ensemble_member,
-                    origin.granules.front());
+  return std::tuple(known_for_sure, origin.reference_time.value_or(UtcTime{}),
+                    -origin.ensemble_member, origin.granules.front());
 }
 
 template <typename T>
@@ -120,11 +124,13 @@ ScalarRecord record_at(const std::vector<ScalarPiece>& pieces, const GeoPoint& p
       });
 }
 
-Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge, const Choice& choice) {
+Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge,
+                          const Choice& choice) {
   return choose_from(record, knowledge, choice);
 }
 
-Chosen<double> choose(const ScalarRecord& record, const Knowledge& knowledge, const Choice& choice) {
+Chosen<double> choose(const ScalarRecord& record, const Knowledge& knowledge,
+                      const Choice& choice) {
   return choose_from(record, knowledge, choice);
 }
 
@@ -135,7 +141,8 @@ std::optional<std::string> fullest_dataset(const VectorRecord& record, UtcTime f
     levels = std::max(levels, piece.column.levels());
     for (std::size_t t = 0; t < piece.column.times(); ++t) {
       if (piece.column.time[t].end < from || piece.column.time[t].start > to) continue;
-      for (std::size_t k = 0; k < piece.column.levels(); ++k) values += piece.column.has(t, k) ? 1 : 0;
+      for (std::size_t k = 0; k < piece.column.levels(); ++k)
+        values += piece.column.has(t, k) ? 1 : 0;
     }
   }
   std::optional<std::string> best;

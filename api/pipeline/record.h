@@ -8,10 +8,13 @@
 
 namespace slackwater::api {
 
-/// What was known when: the glass through which a forecast, a hindcast or a verification looks at the store.
+/// What was known when: the glass through which a forecast, a hindcast or a verification looks at
+/// the store.
 struct Knowledge {
-  UtcTime values_until = UtcTime::max();       ///< analysed and observed values that end later are unknown
-  UtcTime forecasts_issued_by = UtcTime::max();  ///< provider forecasts with a later reference time are unknown
+  UtcTime values_until =
+      UtcTime::max();  ///< analysed and observed values that end later are unknown
+  UtcTime forecasts_issued_by =
+      UtcTime::max();  ///< provider forecasts with a later reference time are unknown
 };
 
 /// One stored piece seen at one place.
@@ -44,21 +47,25 @@ struct Chosen {
 
 /// Which pieces may be joined, and which win.
 struct Choice {
-  bool only_forecasts = false;          ///< the provider's own forecast, nothing analysed
-  bool only_grids = false;              ///< products, no moored instruments
-  bool only_series = false;             ///< moored instruments, no products
-  std::optional<std::string> dataset;   ///< only this dataset
+  bool only_forecasts = false;         ///< the provider's own forecast, nothing analysed
+  bool only_grids = false;             ///< products, no moored instruments
+  bool only_series = false;            ///< moored instruments, no products
+  std::optional<std::string> dataset;  ///< only this dataset
 };
 
-/// Joins pieces into one series. At each valid time an analysis or observation beats a forecast, a forecast with the
-/// later reference time (the shorter lead) beats the earlier, an ensemble's control (its lowest member) beats the others,
-/// and the later ingested beats the earlier. Pieces on other
-/// levels than the first chosen dataset are left out.
-[[nodiscard]] Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge, const Choice& choice);
-[[nodiscard]] Chosen<double> choose(const ScalarRecord& record, const Knowledge& knowledge, const Choice& choice);
+/// Joins pieces into one series. At each valid time an analysis or observation beats a forecast, a
+/// forecast with the later reference time (the shorter lead) beats the earlier, an ensemble's
+/// control (its lowest member) beats the others, and the later ingested beats the earlier. Pieces
+/// on other levels than the first chosen dataset are left out.
+[[nodiscard]] Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge,
+                                        const Choice& choice);
+[[nodiscard]] Chosen<double> choose(const ScalarRecord& record, const Knowledge& knowledge,
+                                    const Choice& choice);
 
-/// The dataset with most values in the cells of a time span: ties go to more levels, then to the name.
-[[nodiscard]] std::optional<std::string> fullest_dataset(const VectorRecord& record, UtcTime from, UtcTime to);
+/// The dataset with most values in the cells of a time span: ties go to more levels, then to the
+/// name.
+[[nodiscard]] std::optional<std::string> fullest_dataset(const VectorRecord& record, UtcTime from,
+                                                         UtcTime to);
 
 /// The part of a series whose cells lie wholly inside [from, to].
 template <typename T>

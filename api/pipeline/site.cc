@@ -36,7 +36,8 @@ std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
-  if (!stream) throw Error(ErrorKind::not_found, "cannot read " + file.string() + "; check the path");
+  if (!stream)
+    throw Error(ErrorKind::not_found, "cannot read " + file.string() + "; check the path");
   return text.str();
 }
 
@@ -49,9 +50,10 @@ bool looks_like_path(const std::string& text) {
 BoundingBox Site::box(double margin_deg) const {
   if (column_block) {
     const BoundingBox& b = column_block->box;
-    return BoundingBox::from_degrees(b.west_deg - margin_deg, std::max(-90.0, b.south_deg - margin_deg),
-                                     (b.west_deg > b.east_deg ? b.east_deg + 360 : b.east_deg) + margin_deg,
-                                     std::min(90.0, b.north_deg + margin_deg));
+    return BoundingBox::from_degrees(
+        b.west_deg - margin_deg, std::max(-90.0, b.south_deg - margin_deg),
+        (b.west_deg > b.east_deg ? b.east_deg + 360 : b.east_deg) + margin_deg,
+        std::min(90.0, b.north_deg + margin_deg));
   }
   double south = point.latitude_deg();
   double north = south;
@@ -61,13 +63,14 @@ BoundingBox Site::box(double margin_deg) const {
     south = std::min(south, column.latitude_deg());
     north = std::max(north, column.latitude_deg());
     // Longitudes next to the site's own, so that a farm across the antimeridian stays small.
-    const double longitude = column.longitude_deg() +
-                             360.0 * std::round((point.longitude_deg() - column.longitude_deg()) / 360.0);
+    const double longitude =
+        column.longitude_deg() +
+        360.0 * std::round((point.longitude_deg() - column.longitude_deg()) / 360.0);
     west = std::min(west, longitude);
     east = std::max(east, longitude);
   }
-  return BoundingBox::from_degrees(west - margin_deg, std::max(-90.0, south - margin_deg), east + margin_deg,
-                                   std::min(90.0, north + margin_deg));
+  return BoundingBox::from_degrees(west - margin_deg, std::max(-90.0, south - margin_deg),
+                                   east + margin_deg, std::min(90.0, north + margin_deg));
 }
 
 Site parse_site(std::string_view yaml, std::string_view name) {
@@ -92,7 +95,8 @@ Site parse_site(std::string_view yaml, std::string_view name) {
   if (config.is_mapping("columns")) {
     site.column_block = read_block(config.child("columns"));
   } else {
-    for (const Config& entry : config.children("columns")) site.columns.push_back(read_point(entry));
+    for (const Config& entry : config.children("columns"))
+      site.columns.push_back(read_point(entry));
   }
   config.expect_all_read();
   return site;
@@ -119,8 +123,8 @@ Site find_site(const std::string& id_or_path, const std::vector<std::filesystem:
   }
   std::string known;
   for (const std::string& id : known_sites(folders)) known += " " + id;
-  throw Error(ErrorKind::not_found, "found no site '" + id_or_path + "'; known sites are:" +
-                                        (known.empty() ? " none" : known) +
+  throw Error(ErrorKind::not_found, "found no site '" + id_or_path +
+                                        "'; known sites are:" + (known.empty() ? " none" : known) +
                                         "; or give the path of a site's YAML file");
 }
 

@@ -9,20 +9,23 @@
 namespace slackwater::api {
 namespace {
 
-/// Cells up to this far from a column take part in its interpolation: more than the coarsest wind grid's step.
+/// Cells up to this far from a column take part in its interpolation: more than the coarsest wind
+/// grid's step.
 constexpr double margin_deg = 0.3;
 
-/// Neutral wind over open sea, z0 = 0.2 mm (reference values for a calm to moderate sea; DNV-RP-C205 table 2-1).
+/// Neutral wind over open sea, z0 = 0.2 mm (reference values for a calm to moderate sea;
+/// DNV-RP-C205 table 2-1).
 constexpr double sea_roughness_m = 0.0002;
 
-/// Brings each piece to 10 m: the level nearest to it, by the logarithmic profile where it is another height.
+/// Brings each piece to 10 m: the level nearest to it, by the logarithmic profile where it is
+/// another height.
 VectorRecord at_ten_metres(VectorRecord record) {
   for (auto& piece : record.pieces) {
     VectorColumn& column = piece.column;
     if (column.levels_m.empty()) continue;
-    const auto nearest = std::min_element(column.levels_m.begin(), column.levels_m.end(), [](double a, double b) {
-      return std::abs(a - 10.0) < std::abs(b - 10.0);
-    });
+    const auto nearest = std::min_element(
+        column.levels_m.begin(), column.levels_m.end(),
+        [](double a, double b) { return std::abs(a - 10.0) < std::abs(b - 10.0); });
     const auto k = static_cast<std::size_t>(nearest - column.levels_m.begin());
     const double factor = std::log(10.0 / sea_roughness_m) / std::log(*nearest / sea_roughness_m);
     VectorColumn flat;
@@ -38,9 +41,10 @@ VectorRecord at_ten_metres(VectorRecord record) {
   return record;
 }
 
-/// The centres of the cells that a block asks for, wet at the top level at some time, in the first current product
-/// that covers the block.
-std::vector<GeoPoint> cells_of(const ColumnBlock& block, const std::vector<VectorPiece>& pieces, std::size_t& dry) {
+/// The centres of the cells that a block asks for, wet at the top level at some time, in the first
+/// current product that covers the block.
+std::vector<GeoPoint> cells_of(const ColumnBlock& block, const std::vector<VectorPiece>& pieces,
+                               std::size_t& dry) {
   std::vector<GeoPoint> points;
   for (const VectorPiece& piece : pieces) {
     const Grid& grid = piece.east.grid;
@@ -48,11 +52,14 @@ std::vector<GeoPoint> cells_of(const ColumnBlock& block, const std::vector<Vecto
     std::vector<std::size_t> rows;
     std::vector<std::size_t> columns;
     for (std::size_t j = 0; j < grid.rows(); ++j) {
-      if (grid.latitude_deg[j] >= block.box.south_deg && grid.latitude_deg[j] <= block.box.north_deg) rows.push_back(j);
+      if (grid.latitude_deg[j] >= block.box.south_deg &&
+          grid.latitude_deg[j] <= block.box.north_deg)
+        rows.push_back(j);
     }
     for (std::size_t i = 0; i < grid.columns(); ++i) {
       const double middle = 0.5 * (block.box.south_deg + block.box.north_deg);
-      if (block.box.contains(GeoPoint::from_degrees(middle, grid.longitude_deg[i]))) columns.push_back(i);
+      if (block.box.contains(GeoPoint::from_degrees(middle, grid.longitude_deg[i])))
+        columns.push_back(i);
     }
     const auto step = static_cast<std::size_t>(block.every);
     for (std::size_t j = 0; j < rows.size(); j += step) {
@@ -63,7 +70,8 @@ std::vector<GeoPoint> cells_of(const ColumnBlock& block, const std::vector<Vecto
           wet = !std::isnan(piece.east.values[offset]) && !std::isnan(piece.north.values[offset]);
         }
         if (wet) {
-          points.push_back(GeoPoint::from_degrees(grid.latitude_deg[rows[j]], grid.longitude_deg[columns[i]]));
+          points.push_back(
+              GeoPoint::from_degrees(grid.latitude_deg[rows[j]], grid.longitude_deg[columns[i]]));
         } else {
           ++dry;
         }
@@ -74,10 +82,13 @@ std::vector<GeoPoint> cells_of(const ColumnBlock& block, const std::vector<Vecto
   return points;
 }
 
-WaterDepth water_depth_at(const Site& site, const std::vector<ScalarPiece>& bathymetry, const ColumnData& column) {
-  if (site.water_depth_m && site.columns.empty() && !site.column_block) return {*site.water_depth_m, "site"};
+WaterDepth water_depth_at(const Site& site, const std::vector<ScalarPiece>& bathymetry,
+                          const ColumnData& column) {
+  if (site.water_depth_m && site.columns.empty() && !site.column_block)
+    return {*site.water_depth_m, "site"};
   for (const auto& piece : record_at(bathymetry, column.point).pieces) {
-    if (piece.column.has(0) && piece.column.value[0] > 0) return {piece.column.value[0], "bathymetry"};
+    if (piece.column.has(0) && piece.column.value[0] > 0)
+      return {piece.column.value[0], "bathymetry"};
   }
   if (site.water_depth_m) return {*site.water_depth_m, "site"};
   double deepest = 0;
@@ -101,7 +112,8 @@ std::string describe(const GeoPoint& point) {
 }  // namespace
 
 bool SiteData::has_currents() const {
-  return std::any_of(columns.begin(), columns.end(), [](const ColumnData& c) { return !c.current.pieces.empty(); });
+  return std::any_of(columns.begin(), columns.end(),
+                     [](const ColumnData& c) { return !c.current.pieces.empty(); });
 }
 
 SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, UtcTime to) {
@@ -110,15 +122,16 @@ SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, Utc
   data.pieces = std::make_unique<SiteData::Pieces>();
   SiteData::Pieces& pieces = *data.pieces;
   const Window window{from, to, site.box(margin_deg)};
-  pieces.current =
-      read_vector_pieces(store, "eastward_sea_water_velocity", "northward_sea_water_velocity", window);
+  pieces.current = read_vector_pieces(store, "eastward_sea_water_velocity",
+                                      "northward_sea_water_velocity", window);
   pieces.wind = read_vector_pieces(store, "eastward_wind", "northward_wind", window);
-  pieces.significant_height = read_scalar_pieces(store, "sea_surface_wave_significant_height", window);
-  pieces.peak_period =
-      read_scalar_pieces(store, "sea_surface_wave_period_at_variance_spectral_density_maximum", window);
+  pieces.significant_height =
+      read_scalar_pieces(store, "sea_surface_wave_significant_height", window);
+  pieces.peak_period = read_scalar_pieces(
+      store, "sea_surface_wave_period_at_variance_spectral_density_maximum", window);
   pieces.wave_direction = read_scalar_pieces(store, "sea_surface_wave_from_direction", window);
-  pieces.water_depth =
-      read_scalar_pieces(store, "sea_floor_depth_below_geoid", {std::nullopt, std::nullopt, window.box});
+  pieces.water_depth = read_scalar_pieces(store, "sea_floor_depth_below_geoid",
+                                          {std::nullopt, std::nullopt, window.box});
 
   std::vector<GeoPoint> points = site.columns;
   if (site.column_block) points = cells_of(*site.column_block, pieces.current, data.dry_columns);
@@ -141,27 +154,30 @@ SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, Utc
     column.water_depth = water_depth_at(site, pieces.water_depth, column);
     data.columns.push_back(std::move(column));
   }
-  const bool nothing = std::all_of(data.columns.begin(), data.columns.end(), [](const ColumnData& c) {
-    return c.current.pieces.empty() && c.wind.pieces.empty() && c.significant_height.pieces.empty();
-  });
+  const bool nothing =
+      std::all_of(data.columns.begin(), data.columns.end(), [](const ColumnData& c) {
+        return c.current.pieces.empty() && c.wind.pieces.empty() &&
+               c.significant_height.pieces.empty();
+      });
   if (!data.has_currents() && on_land) {
-    throw Error(ErrorKind::not_found, "site " + site.id + " at " + describe(site.point) +
-                                          " is on land in the stored current product; move the site into the water or "
-                                          "ingest a product that is wet there");
+    throw Error(ErrorKind::not_found,
+                "site " + site.id + " at " + describe(site.point) +
+                    " is on land in the stored current product; move the site into the water or "
+                    "ingest a product that is wet there");
   }
   if (!data.has_currents() && !pieces.current.empty() && !site.column_block) {
     const BoundingBox box = coverage_of(pieces.current.front().east.grid);
     char text[128];
-    std::snprintf(text, sizeof text, "%.3f..%.3f E, %.3f..%.3f N", box.west_deg, box.east_deg, box.south_deg,
-                  box.north_deg);
+    std::snprintf(text, sizeof text, "%.3f..%.3f E, %.3f..%.3f N", box.west_deg, box.east_deg,
+                  box.south_deg, box.north_deg);
     throw Error(ErrorKind::not_found, "site " + site.id + " at " + describe(site.point) +
-                                          " lies outside the stored currents nearest to it (" + text +
-                                          "); ingest a product that covers it");
+                                          " lies outside the stored currents nearest to it (" +
+                                          text + "); ingest a product that covers it");
   }
   if (nothing) {
     throw Error(ErrorKind::not_found,
-                "the store holds nothing for site " + site.id + " at " + describe(site.point) + " from " +
-                    format_utc(from) + " to " + format_utc(to) +
+                "the store holds nothing for site " + site.id + " at " + describe(site.point) +
+                    " from " + format_utc(from) + " to " + format_utc(to) +
                     "; ingest product files first (`forecast --print-downloads` shows which)");
   }
   return data;

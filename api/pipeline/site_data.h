@@ -26,8 +26,8 @@ struct ColumnData {
   WaterDepth water_depth;
 };
 
-/// The stored data of a site over a window of time, read once and seen at each of its columns. Movable, not copyable:
-/// the records point into the pieces.
+/// The stored data of a site over a window of time, read once and seen at each of its columns.
+/// Movable, not copyable: the records point into the pieces.
 struct SiteData {
   struct Pieces {
     std::vector<VectorPiece> current;
@@ -40,13 +40,16 @@ struct SiteData {
   Site site;
   std::unique_ptr<Pieces> pieces;
   std::vector<ColumnData> columns;
-  std::size_t dry_columns = 0;  ///< columns asked for that lie on land or outside every current product
+  std::size_t dry_columns =
+      0;  ///< columns asked for that lie on land or outside every current product
 
   [[nodiscard]] bool has_currents() const;
 };
 
-/// Reads what the store holds for the site from `from` to `to`. Columns without any water are left out and counted; a
-/// site with no data of any kind is Error(not_found), one on land or outside the grid says so.
-[[nodiscard]] SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, UtcTime to);
+/// Reads what the store holds for the site from `from` to `to`. Columns without any water are left
+/// out and counted; a site with no data of any kind is Error(not_found), one on land or outside the
+/// grid says so.
+[[nodiscard]] SiteData load_site_data(store::Store& store, const Site& site, UtcTime from,
+                                      UtcTime to);
 
 }  // namespace slackwater::api

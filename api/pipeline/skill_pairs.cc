@@ -11,7 +11,8 @@ namespace {
 
 using std::chrono::hours;
 
-/// Neighbouring snapshot levels of a truth level; nothing outside them by more than a hand's breadth.
+/// Neighbouring snapshot levels of a truth level; nothing outside them by more than a hand's
+/// breadth.
 struct LevelPlace {
   std::size_t low = 0;
   std::size_t high = 0;
@@ -26,11 +27,13 @@ std::optional<LevelPlace> level_place(const std::vector<double>& depth_m, double
   const auto above = std::upper_bound(depth_m.begin(), depth_m.end(), wanted_m);
   if (above == depth_m.begin() || above == depth_m.end()) return std::nullopt;
   const auto high = static_cast<std::size_t>(above - depth_m.begin());
-  return LevelPlace{high - 1, high, (wanted_m - depth_m[high - 1]) / (depth_m[high] - depth_m[high - 1])};
+  return LevelPlace{high - 1, high,
+                    (wanted_m - depth_m[high - 1]) / (depth_m[high] - depth_m[high - 1])};
 }
 
 std::size_t six_hour_block(const TimeCell& cell) {
-  return static_cast<std::size_t>(std::max<std::int64_t>(0, cell.centre().time_since_epoch() / hours(6)));
+  return static_cast<std::size_t>(
+      std::max<std::int64_t>(0, cell.centre().time_since_epoch() / hours(6)));
 }
 
 void add(Pairs& pairs, Horizontal forecast, Horizontal truth, double depth_m, const TimeCell& cell,
@@ -43,8 +46,8 @@ void add(Pairs& pairs, Horizontal forecast, Horizontal truth, double depth_m, co
 }
 
 /// The forecast as issued at the truth's own cells and levels.
-void add_forecast(Pairs& pairs, const Snapshot& snapshot, std::size_t index, const VectorColumn& truth,
-                  UtcTime end_of_day) {
+void add_forecast(Pairs& pairs, const Snapshot& snapshot, std::size_t index,
+                  const VectorColumn& truth, UtcTime end_of_day) {
   const ForecastColumn& column = snapshot.columns[index];
   const std::size_t levels = snapshot.depth_m.size();
   if (column.current_m_s.empty()) return;
@@ -52,7 +55,8 @@ void add_forecast(Pairs& pairs, const Snapshot& snapshot, std::size_t index, con
   for (std::size_t k = 0; k < truth.levels(); ++k) {
     const double depth = truth.levels_m[k];
     const auto place = level_place(snapshot.depth_m, depth);
-    if (!place || !has_value(column.current_status[place->low]) || !has_value(column.current_status[place->high])) {
+    if (!place || !has_value(column.current_status[place->low]) ||
+        !has_value(column.current_status[place->high])) {
       continue;
     }
     for (std::size_t t = 0; t < truth.times(); ++t) {
@@ -71,8 +75,8 @@ void add_forecast(Pairs& pairs, const Snapshot& snapshot, std::size_t index, con
   }
 }
 
-void add_baseline(Pairs& pairs, const calibration::BaselineForecast& made, const VectorColumn& truth,
-                  UtcTime end_of_day) {
+void add_baseline(Pairs& pairs, const calibration::BaselineForecast& made,
+                  const VectorColumn& truth, UtcTime end_of_day) {
   for (std::size_t k = 0; k < truth.levels(); ++k) {
     for (std::size_t t = 0; t < truth.times(); ++t) {
       const std::size_t o = truth.offset(t, k);
@@ -83,8 +87,8 @@ void add_baseline(Pairs& pairs, const calibration::BaselineForecast& made, const
 }
 
 /// The provider's own forecast issued by the end of D, at the truth's cells.
-void add_provider(Pairs& pairs, const ColumnData& column, const std::string& dataset, const VectorColumn& truth,
-                  UtcTime end_of_day) {
+void add_provider(Pairs& pairs, const ColumnData& column, const std::string& dataset,
+                  const VectorColumn& truth, UtcTime end_of_day) {
   Choice choice;
   choice.dataset = dataset;
   choice.only_forecasts = true;
@@ -95,8 +99,8 @@ void add_provider(Pairs& pairs, const ColumnData& column, const std::string& dat
       if (!(provider.column.time[p] == truth.time[t])) continue;
       for (std::size_t k = 0; k < truth.levels(); ++k) {
         if (!truth.has(t, k) || !provider.column.has(p, k)) continue;
-        add(pairs, provider.column.value[provider.column.offset(p, k)], truth.value[truth.offset(t, k)],
-            truth.levels_m[k], truth.time[t], end_of_day);
+        add(pairs, provider.column.value[provider.column.offset(p, k)],
+            truth.value[truth.offset(t, k)], truth.levels_m[k], truth.time[t], end_of_day);
       }
     }
   }
@@ -104,7 +108,8 @@ void add_provider(Pairs& pairs, const ColumnData& column, const std::string& dat
 
 }  // namespace
 
-Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset, UtcTime end_of_day, UtcTime until) {
+Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset,
+                            UtcTime end_of_day, UtcTime until) {
   VectorRecord known;
   for (const auto& piece : column.current.pieces) {
     if (piece.origin->status != DataStatus::forecast) known.pieces.push_back(piece);
@@ -139,7 +144,8 @@ std::map<std::string, Pairs> current_pairs(const ColumnData& column, const Forec
     calibration::BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,
                                      column.point.latitude, plan.wind == WindPolicy::persist};
     for (const calibration::Baseline baseline : calibration::all_baselines) {
-      const auto made = calibration::make_baseline(baseline, input, truth.column.time, &truth.column);
+      const auto made =
+          calibration::make_baseline(baseline, input, truth.column.time, &truth.column);
       if (made.forecast) {
         add_baseline(pairs[std::string(name_of(baseline))], *made.forecast, truth.column, end);
       }

@@ -12,19 +12,22 @@ namespace slackwater::api {
 struct Pairs {
   std::vector<Horizontal> forecast;
   std::vector<Horizontal> truth;
-  std::vector<double> sigma_m_s;        ///< empty for baselines
+  std::vector<double> sigma_m_s;  ///< empty for baselines
   std::vector<double> depth_m;
-  std::vector<double> lead_h;           ///< of the cell's centre
-  std::vector<std::size_t> block;       ///< six-hour block of the truth's time, for the bootstrap
+  std::vector<double> lead_h;      ///< of the cell's centre
+  std::vector<std::size_t> block;  ///< six-hour block of the truth's time, for the bootstrap
 };
 
-/// The truth of a column after D, on its native levels: analysed or observed, of the dataset the forecast was made from.
-[[nodiscard]] Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset, UtcTime end_of_day,
-                                          UtcTime until);
+/// The truth of a column after D, on its native levels: analysed or observed, of the dataset the
+/// forecast was made from.
+[[nodiscard]] Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset,
+                                          UtcTime end_of_day, UtcTime until);
 
 /// Pairs by method: "forecast" and every baseline that the column's record allows.
-[[nodiscard]] std::map<std::string, Pairs> current_pairs(const ColumnData& column, const ForecastPlan& plan,
-                                                         const Snapshot& snapshot, std::size_t column_index,
+[[nodiscard]] std::map<std::string, Pairs> current_pairs(const ColumnData& column,
+                                                         const ForecastPlan& plan,
+                                                         const Snapshot& snapshot,
+                                                         std::size_t column_index,
                                                          const Chosen<Horizontal>& truth);
 
 }  // namespace slackwater::api

@@ -27,7 +27,8 @@ json entry_json(const SkillEntry& e) {
             {"depth_m", e.band ? json::array({e.band->from_m, e.band->to_m}) : json(nullptr)},
             {"lead_h", json::array({e.lead.from_h, e.lead.to_h})},
             {"method", e.method},
-            {"interval_95", e.interval ? json::array({e.interval->low, e.interval->high}) : json(nullptr)},
+            {"interval_95",
+             e.interval ? json::array({e.interval->low, e.interval->high}) : json(nullptr)},
             {"truth", e.truth}};
   if (e.scalar) {
     j["unit"] = "m";
@@ -46,7 +47,9 @@ json entry_json(const SkillEntry& e) {
   j["bias_north_m_s"] = v.bias_north_m_s;
   j["speed_bias_m_s"] = v.speed_bias_m_s;
   j["direction_mae_deg"] = or_null(v.direction_mae_deg);
-  j["correlation"] = v.correlation_abs ? json::array({*v.correlation_abs, or_null(v.correlation_deg)}) : json(nullptr);
+  j["correlation"] = v.correlation_abs
+                         ? json::array({*v.correlation_abs, or_null(v.correlation_deg)})
+                         : json(nullptr);
   j["crps_m_s"] = or_null(v.crps_m_s);
   j["coverage_80"] = or_null(v.coverage_80);
   return j;
@@ -69,7 +72,8 @@ std::string band_text(const std::optional<DepthBand>& band) {
   if (!band) return "surface";
   char text[64];
   if (band->to_m >= 1e5) {
-    std::snprintf(text, sizeof text, band->from_m > 0 ? "below %.0f m" : "all depths", band->from_m);
+    std::snprintf(text, sizeof text, band->from_m > 0 ? "below %.0f m" : "all depths",
+                  band->from_m);
   } else {
     std::snprintf(text, sizeof text, "%.0f-%.0f m", band->from_m, band->to_m);
   }
@@ -90,7 +94,8 @@ std::optional<double> set_rmse(const std::vector<SkillEntry>& entries, const std
   double count = 0;
   std::optional<DepthBand> widest;
   for (const SkillEntry& e : entries) {
-    if (e.variable != variable || e.method != method || e.column || e.lead.to_h != lead.to_h) continue;
+    if (e.variable != variable || e.method != method || e.column || e.lead.to_h != lead.to_h)
+      continue;
     if (e.band && widest && e.band->to_m - e.band->from_m < widest->to_m - widest->from_m) continue;
     if (e.band && widest && e.band->to_m - e.band->from_m > widest->to_m - widest->from_m) {
       squares = 0;
@@ -128,20 +133,23 @@ std::string skill_table(const std::vector<SkillEntry>& entries) {
   std::string table;
   char line[256];
   for (const Key& key : order) {
-    std::snprintf(line, sizeof line, "\n%s, %s, lead %s, wind %s\n", key[0].c_str(), key[2].c_str(), key[3].c_str(),
-                  key[1].c_str());
+    std::snprintf(line, sizeof line, "\n%s, %s, lead %s, wind %s\n", key[0].c_str(), key[2].c_str(),
+                  key[3].c_str(), key[1].c_str());
     table += line;
     const bool scalar = key[0] == "sea_surface_wave_significant_height";
-    std::snprintf(line, sizeof line, "  %-15s %5s %9s %10s %9s %9s %7s\n", "method", "days", "values",
-                  scalar ? "rmse m" : "rmse m/s", scalar ? "bias m" : "bias E", scalar ? "" : "bias N", "in 80%");
+    std::snprintf(line, sizeof line, "  %-15s %5s %9s %10s %9s %9s %7s\n", "method", "days",
+                  "values", scalar ? "rmse m" : "rmse m/s", scalar ? "bias m" : "bias E",
+                  scalar ? "" : "bias N", "in 80%");
     table += line;
     std::vector<std::pair<double, std::string>> ranked;
-    for (const auto& [method, pool] : rows[key]) ranked.emplace_back(std::sqrt(pool.squares / pool.weight), method);
+    for (const auto& [method, pool] : rows[key])
+      ranked.emplace_back(std::sqrt(pool.squares / pool.weight), method);
     std::sort(ranked.begin(), ranked.end());
     for (const auto& [rmse, method] : ranked) {
       const Pool& pool = rows[key][method];
-      std::snprintf(line, sizeof line, "%s %-15s %5.0f %9zu %10.4f %+9.4f", method == "forecast" ? " >" : "  ",
-                    method.c_str(), pool.weight, pool.n, rmse, pool.east / pool.weight);
+      std::snprintf(line, sizeof line, "%s %-15s %5.0f %9zu %10.4f %+9.4f",
+                    method == "forecast" ? " >" : "  ", method.c_str(), pool.weight, pool.n, rmse,
+                    pool.east / pool.weight);
       table += line;
       if (!scalar) {
         std::snprintf(line, sizeof line, " %+9.4f", pool.north / pool.weight);

@@ -55,7 +55,8 @@ Pairs select(const Pairs& pairs, const DepthBand& band, const LeadBin& lead) {
 
 std::optional<calibration::Interval95> interval_of(const Pairs& pairs, UtcDay day) {
   std::vector<double> squared;
-  for (std::size_t i = 0; i < pairs.truth.size(); ++i) squared.push_back(std::norm(pairs.forecast[i] - pairs.truth[i]));
+  for (std::size_t i = 0; i < pairs.truth.size(); ++i)
+    squared.push_back(std::norm(pairs.forecast[i] - pairs.truth[i]));
   Rng random(static_cast<std::uint64_t>(day.time_since_epoch().count()), "verify/bootstrap");
   // Many columns make the sums long; fewer draws then say the same.
   const int draws = squared.size() > 20000 ? 200 : 1000;
@@ -64,7 +65,8 @@ std::optional<calibration::Interval95> interval_of(const Pairs& pairs, UtcDay da
 
 class Scorer {
  public:
-  Scorer(const Snapshot& snapshot, const VerifyOptions& options) : snapshot_(snapshot), options_(options) {}
+  Scorer(const Snapshot& snapshot, const VerifyOptions& options)
+      : snapshot_(snapshot), options_(options) {}
 
   void currents(const std::map<std::string, Pairs>& methods, std::optional<std::size_t> column,
                 const std::string& truth) {
@@ -137,7 +139,8 @@ class Scorer {
   std::vector<SkillEntry> entries_;
 };
 
-void add_surface_pair(Pairs& pairs, Horizontal forecast, Horizontal truth, UtcTime time, UtcTime end) {
+void add_surface_pair(Pairs& pairs, Horizontal forecast, Horizontal truth, UtcTime time,
+                      UtcTime end) {
   pairs.forecast.push_back(forecast);
   pairs.truth.push_back(truth);
   pairs.depth_m.push_back(0);
@@ -212,8 +215,8 @@ std::string dataset_of_summary(const std::string& summary_json) {
 
 }  // namespace
 
-std::vector<SkillEntry> score_forecast(const SiteData& data, const Snapshot& snapshot, const std::string& dataset,
-                                       const VerifyOptions& options) {
+std::vector<SkillEntry> score_forecast(const SiteData& data, const Snapshot& snapshot,
+                                       const std::string& dataset, const VerifyOptions& options) {
   Scorer scorer(snapshot, options);
   ForecastPlan plan;
   plan.day = snapshot.day;
@@ -226,9 +229,9 @@ std::vector<SkillEntry> score_forecast(const SiteData& data, const Snapshot& sna
   std::map<std::string, Pairs> pooled;
   std::string truth_label;
   for (std::size_t i = 0; i < snapshot.columns.size(); ++i) {
-    const auto column = std::find_if(data.columns.begin(), data.columns.end(), [&](const ColumnData& c) {
-      return distance_m(c.point, snapshot.columns[i].point) < 50.0;
-    });
+    const auto column = std::find_if(
+        data.columns.begin(), data.columns.end(),
+        [&](const ColumnData& c) { return distance_m(c.point, snapshot.columns[i].point) < 50.0; });
     if (column == data.columns.end() || dataset.empty()) continue;
     const Chosen<Horizontal> truth = truth_of(*column, dataset, end, until);
     if (truth.empty()) continue;
@@ -263,13 +266,15 @@ std::vector<store::ForecastRow> forecasts_to_score(store::Store& store, const Si
   return rows;
 }
 
-std::vector<SkillEntry> score_all(const store::Store& store, const std::vector<store::ForecastRow>& rows,
-                                  const SiteData& data, const VerifyOptions& options) {
+std::vector<SkillEntry> score_all(const store::Store& store,
+                                  const std::vector<store::ForecastRow>& rows, const SiteData& data,
+                                  const VerifyOptions& options) {
   std::vector<SkillEntry> entries;
   for (const store::ForecastRow& row : rows) {
     const Snapshot snapshot = ingest::read_forecast(store.content_path(row.content_sha256));
     auto scored = score_forecast(data, snapshot, dataset_of_summary(row.summary_json), options);
-    entries.insert(entries.end(), std::make_move_iterator(scored.begin()), std::make_move_iterator(scored.end()));
+    entries.insert(entries.end(), std::make_move_iterator(scored.begin()),
+                   std::make_move_iterator(scored.end()));
   }
   return entries;
 }
@@ -281,11 +286,13 @@ std::vector<SkillEntry> verify_with(store::Store& store, const Site& site, const
   return score_all(store, forecasts_to_score(store, site, options), data, options);
 }
 
-std::vector<SkillEntry> verify(store::Store& store, const Site& site, const VerifyOptions& options) {
+std::vector<SkillEntry> verify(store::Store& store, const Site& site,
+                               const VerifyOptions& options) {
   const std::vector<store::ForecastRow> rows = forecasts_to_score(store, site, options);
   if (rows.empty()) {
-    throw Error(ErrorKind::not_found, "found no issued forecast for site " + site.id +
-                                          " in this range; run `slackwater forecast` or `slackwater hindcast` first");
+    throw Error(ErrorKind::not_found,
+                "found no issued forecast for site " + site.id +
+                    " in this range; run `slackwater forecast` or `slackwater hindcast` first");
   }
   UtcTime to = UtcTime::min();
   for (const store::ForecastRow& row : rows) to = std::max(to, row.valid_to);
@@ -298,7 +305,9 @@ std::vector<DepthBand> parse_bands(const std::string& text) {
   std::istringstream stream(text);
   std::string part;
   const auto refuse = [&] {
-    return Error(ErrorKind::usage, "found bands '" + text + "', expected ascending depths in metres such as 0,150 or 0,5,20,50");
+    return Error(ErrorKind::usage,
+                 "found bands '" + text +
+                     "', expected ascending depths in metres such as 0,150 or 0,5,20,50");
   };
   while (std::getline(stream, part, ',')) {
     std::size_t used = 0;
@@ -307,7 +316,8 @@ std::vector<DepthBand> parse_bands(const std::string& text) {
     } catch (const std::exception&) {
       throw refuse();
     }
-    if (used != part.size() || !(edges.back() >= 0 && edges.back() <= whole_column_m)) throw refuse();
+    if (used != part.size() || !(edges.back() >= 0 && edges.back() <= whole_column_m))
+      throw refuse();
     if (edges.size() > 1 && !(edges.back() > edges[edges.size() - 2])) throw refuse();
   }
   if (edges.size() < 2) throw refuse();

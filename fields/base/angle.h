@@ -12,8 +12,12 @@ class Angle {
   [[nodiscard]] static constexpr Angle from_degrees(double degrees) noexcept {
     return Angle(degrees * (constants::pi / 180.0));
   }
-  [[nodiscard]] static constexpr Angle from_radians(double radians) noexcept { return Angle(radians); }
-  [[nodiscard]] constexpr double degrees() const noexcept { return radians_ * (180.0 / constants::pi); }
+  [[nodiscard]] static constexpr Angle from_radians(double radians) noexcept {
+    return Angle(radians);
+  }
+  [[nodiscard]] constexpr double degrees() const noexcept {
+    return radians_ * (180.0 / constants::pi);
+  }
   [[nodiscard]] constexpr double radians() const noexcept { return radians_; }
   constexpr auto operator<=>(const Angle&) const = default;
   constexpr Angle operator-() const noexcept { return Angle(-radians_); }

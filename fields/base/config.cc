@@ -22,14 +22,16 @@ constexpr std::size_t most_nodes = 200000;
 /// Refuses documents that would cost too much to walk: aliases can make small files huge.
 void limit_size(const YAML::Node& node, int depth, std::size_t& count, const std::string& name) {
   if (depth > deepest_nesting || ++count > most_nodes) {
-    throw Error(ErrorKind::invalid_input,
-                name + ": nested deeper than 64 levels or longer than 200000 nodes; write a plain file");
+    throw Error(
+        ErrorKind::invalid_input,
+        name + ": nested deeper than 64 levels or longer than 200000 nodes; write a plain file");
   }
   if (node.IsMap()) {
     for (const auto& entry : node) {
       if (!entry.first.IsScalar()) {
-        throw Error(ErrorKind::invalid_input, name + ":" + std::to_string(entry.first.Mark().line + 1) +
-                                                  ": found a key that is not a word; write `key: value`");
+        throw Error(ErrorKind::invalid_input,
+                    name + ":" + std::to_string(entry.first.Mark().line + 1) +
+                        ": found a key that is not a word; write `key: value`");
       }
       limit_size(entry.second, depth + 1, count, name);
     }
@@ -38,7 +40,8 @@ void limit_size(const YAML::Node& node, int depth, std::size_t& count, const std
   }
 }
 
-/// yaml-cpp recurses once per bracket while it parses, so deep flow nesting is refused before it sees the text.
+/// yaml-cpp recurses once per bracket while it parses, so deep flow nesting is refused before it
+/// sees the text.
 void limit_brackets(std::string_view yaml, const std::string& name) {
   int depth = 0;
   int dashes = 0;
@@ -48,7 +51,8 @@ void limit_brackets(std::string_view yaml, const std::string& name) {
     // "- - - -" and "? ? ?" also nest without brackets.
     dashes = (c == '-' || c == '?' || c == ' ' || c == ':') ? dashes + (c == ' ' ? 0 : 1) : 0;
     if (depth > deepest_nesting || dashes > deepest_nesting) {
-      throw Error(ErrorKind::invalid_input, name + ": nested deeper than 64 levels; write a plain file");
+      throw Error(ErrorKind::invalid_input,
+                  name + ": nested deeper than 64 levels; write a plain file");
     }
   }
 }
@@ -113,7 +117,8 @@ struct Config::Node {
     throw Error(ErrorKind::invalid_input,
                 where(yaml) + "key '" + dotted(key) + "' is missing; add it");
   }
-  [[noreturn]] void refuse(std::string_view key, const YAML::Node& node, std::string_view why) const {
+  [[noreturn]] void refuse(std::string_view key, const YAML::Node& node,
+                           std::string_view why) const {
     throw Error(ErrorKind::invalid_input, where(node) + dotted(key) + ": " + std::string(why));
   }
   double number(std::string_view key, const YAML::Node& node, Range range) const {
@@ -122,8 +127,9 @@ struct Config::Node {
       refuse(key, node, "found " + shape(node) + " where a number was expected");
     }
     if (!(value >= range.low && value <= range.high)) {
-      refuse(key, node, "found " + node.Scalar() + ", expected a value from " + plain(range.low) +
-                            " to " + plain(range.high) + "; check the unit in the key's name");
+      refuse(key, node,
+             "found " + node.Scalar() + ", expected a value from " + plain(range.low) + " to " +
+                 plain(range.high) + "; check the unit in the key's name");
     }
     return value;
   }
@@ -136,7 +142,8 @@ struct Config::Node {
 Config Config::parse(std::string_view yaml, std::string_view name) {
   const std::string file(name);
   if (yaml.size() > largest_file) {
-    throw Error(ErrorKind::invalid_input, file + ": longer than 4 MiB; this is not a configuration file");
+    throw Error(ErrorKind::invalid_input,
+                file + ": longer than 4 MiB; this is not a configuration file");
   }
   limit_brackets(yaml, file);
   try {
@@ -250,7 +257,8 @@ std::vector<Config> Config::children(std::string_view key) const {
   const YAML::Node* node = node_->find(key);
   std::vector<Config> result;
   if (node == nullptr) return result;
-  if (!node->IsSequence()) node_->refuse(key, *node, "found " + Node::shape(*node) + " where a list was expected");
+  if (!node->IsSequence())
+    node_->refuse(key, *node, "found " + Node::shape(*node) + " where a list was expected");
   std::size_t index = 0;
   for (const auto& entry : *node) {
     auto child = std::make_shared<Node>(entry, node_->file,
@@ -299,7 +307,8 @@ void Config::refuse(std::string_view key, std::string_view why) const {
 
 const std::string& Config::name() const noexcept { return node_->file; }
 
-std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& known) {
+std::optional<std::string> nearest_word(std::string_view word,
+                                        const std::vector<std::string>& known) {
   std::optional<std::string> best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : known) {

@@ -15,14 +15,16 @@ struct Range {
   double high = std::numeric_limits<double>::infinity();
 };
 
-/// One mapping of a YAML file, read strictly: every key is asked for by name, every number has a range, and
-/// `expect_all_read` refuses keys nobody asked for, naming the line and the nearest known key.
+/// One mapping of a YAML file, read strictly: every key is asked for by name, every number has a
+/// range, and `expect_all_read` refuses keys nobody asked for, naming the line and the nearest
+/// known key.
 ///
-/// All errors are Error(invalid_input) that begin with "FILE:LINE: key: ...". Copies share the record of keys
-/// that were read. Not thread-safe.
+/// All errors are Error(invalid_input) that begin with "FILE:LINE: key: ...". Copies share the
+/// record of keys that were read. Not thread-safe.
 class Config {
  public:
-  /// Throws Error(not_found) / Error(invalid_input). Files over 4 MiB or nested deeper than 64 are refused.
+  /// Throws Error(not_found) / Error(invalid_input). Files over 4 MiB or nested deeper than 64 are
+  /// refused.
   [[nodiscard]] static Config load(const std::filesystem::path& file);
   [[nodiscard]] static Config parse(std::string_view yaml, std::string_view name);
 
@@ -34,11 +36,14 @@ class Config {
   [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] std::optional<std::string> optional_text(std::string_view key) const;
   [[nodiscard]] std::optional<bool> optional_flag(std::string_view key) const;
-  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;    ///< [] if absent; a lone scalar is a list of one
-  [[nodiscard]] std::vector<double> numbers(std::string_view key, Range range) const;  ///< [] if absent
-  [[nodiscard]] Config child(std::string_view key) const;                      ///< a mapping; error if absent
+  [[nodiscard]] std::vector<std::string> texts(
+      std::string_view key) const;  ///< [] if absent; a lone scalar is a list of one
+  [[nodiscard]] std::vector<double> numbers(std::string_view key,
+                                            Range range) const;  ///< [] if absent
+  [[nodiscard]] Config child(std::string_view key) const;        ///< a mapping; error if absent
   [[nodiscard]] std::optional<Config> optional_child(std::string_view key) const;
-  [[nodiscard]] std::vector<Config> children(std::string_view key) const;      ///< a list of mappings; [] if absent
+  [[nodiscard]] std::vector<Config> children(
+      std::string_view key) const;  ///< a list of mappings; [] if absent
   [[nodiscard]] bool is_list(std::string_view key) const;
   [[nodiscard]] bool is_mapping(std::string_view key) const;
   /// The keys of this mapping in file order; marks them all as read (for free-form maps).

@@ -8,7 +8,8 @@
 
 namespace slackwater {
 
-/// What kind of trouble an `Error` is; each kind has one exit code (api/cli) and one HTTP status (api/http).
+/// What kind of trouble an `Error` is; each kind has one exit code (api/cli) and one HTTP status
+/// (api/http).
 enum class ErrorKind {
   internal,       ///< ours to mend
   usage,          ///< the command line makes no sense
@@ -21,11 +22,11 @@ enum class ErrorKind {
 /// The name of a kind as it stands in JSON and messages, e.g. "invalid_input".
 [[nodiscard]] std::string_view name_of(ErrorKind kind) noexcept;
 
-/// Bad input or environment (STYLE: family 2). The message says what was found, what was expected and what to do.
+/// Bad input or environment (STYLE: family 2). The message says what was found, what was expected
+/// and what to do.
 class Error : public std::exception {
  public:
-  Error(ErrorKind kind, std::string message,
-        SourcePlace where = SourcePlace::current());
+  Error(ErrorKind kind, std::string message, SourcePlace where = SourcePlace::current());
 
   [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
   /// The whole chain, outermost context first: "reading wind.nc: variable u10: unit 'K' ...".

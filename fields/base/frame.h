@@ -22,8 +22,12 @@ class Vector3 {
   [[nodiscard]] double y() const noexcept { return value_.y(); }
   [[nodiscard]] double z() const noexcept { return value_.z(); }
   [[nodiscard]] double norm() const noexcept { return value_.norm(); }
-  friend Vector3 operator+(const Vector3& a, const Vector3& b) { return Vector3(a.value_ + b.value_); }
-  friend Vector3 operator-(const Vector3& a, const Vector3& b) { return Vector3(a.value_ - b.value_); }
+  friend Vector3 operator+(const Vector3& a, const Vector3& b) {
+    return Vector3(a.value_ + b.value_);
+  }
+  friend Vector3 operator-(const Vector3& a, const Vector3& b) {
+    return Vector3(a.value_ - b.value_);
+  }
   friend Vector3 operator*(double s, const Vector3& a) { return Vector3(s * a.value_); }
 
  private:
@@ -42,7 +46,8 @@ using Horizontal = std::complex<double>;
 /// Direction that a wind or wave comes *from*, clockwise from true north, in [0, 360).
 [[nodiscard]] double from_direction_deg(Horizontal velocity) noexcept;
 /// The vector of a wind or wave that comes from this direction.
-[[nodiscard]] Horizontal vector_from_direction(double magnitude, double from_direction_deg) noexcept;
+[[nodiscard]] Horizontal vector_from_direction(double magnitude,
+                                               double from_direction_deg) noexcept;
 /// The vector of a current that flows to this direction.
 [[nodiscard]] Horizontal vector_to_direction(double magnitude, double to_direction_deg) noexcept;
 

@@ -7,10 +7,12 @@ namespace slackwater {
 /// Where in the source an error was made.
 using SourcePlace = std::source_location;
 #else
-/// Stands for std::source_location under clang 14 (fuzzing, clang-tidy), which lacks the builtin it rests on.
+/// Stands for std::source_location under clang 14 (fuzzing, clang-tidy), which lacks the builtin it
+/// rests on.
 class SourcePlace {
  public:
-  static constexpr SourcePlace current(const char* file = __builtin_FILE(), const char* function = __builtin_FUNCTION(),
+  static constexpr SourcePlace current(const char* file = __builtin_FILE(),
+                                       const char* function = __builtin_FUNCTION(),
                                        unsigned line = __builtin_LINE()) noexcept {
     SourcePlace place;
     place.file_ = file;

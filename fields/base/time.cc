@@ -90,8 +90,9 @@ UtcDay parse_day(std::string_view text) {
   std::size_t position = 0;
   const auto day = read_day(text, position);
   if (day && position == text.size()) return *day;
-  throw Error(ErrorKind::invalid_input, "found '" + std::string(text) +
-                                            "' where a UTC day was expected; write it as 2024-02-29");
+  throw Error(
+      ErrorKind::invalid_input,
+      "found '" + std::string(text) + "' where a UTC day was expected; write it as 2024-02-29");
 }
 
 std::string format_day(UtcDay day) {

@@ -28,10 +28,11 @@ GeoPoint GeoPoint::from_degrees(double latitude_deg, double longitude_deg) {
 }
 
 BoundingBox BoundingBox::from_degrees(double west, double south, double east, double north) {
-  if (!(south >= -90 && south <= north && north <= 90 && std::abs(west) <= 360 && std::abs(east) <= 360)) {
+  if (!(south >= -90 && south <= north && north <= 90 && std::abs(west) <= 360 &&
+        std::abs(east) <= 360)) {
     throw Error(ErrorKind::invalid_input,
-                "found box west " + std::to_string(west) + " south " + std::to_string(south) + " east " +
-                    std::to_string(east) + " north " + std::to_string(north) +
+                "found box west " + std::to_string(west) + " south " + std::to_string(south) +
+                    " east " + std::to_string(east) + " north " + std::to_string(north) +
                     ", expected degrees with -90 <= south <= north <= 90; give it as W,S,E,N");
   }
   // A box that goes once around keeps its width; others are brought to [-180, 180].

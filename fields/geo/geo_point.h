@@ -3,12 +3,14 @@
 
 namespace slackwater {
 
-/// A place on WGS 84. Longitude in [-180, 180). Depth and height are counted from mean sea level, elsewhere.
+/// A place on WGS 84. Longitude in [-180, 180). Depth and height are counted from mean sea level,
+/// elsewhere.
 struct GeoPoint {
   Angle latitude;
   Angle longitude;
 
-  /// Normalises the longitude; throws Error(invalid_input) for |latitude| > 90 or a value that is not finite.
+  /// Normalises the longitude; throws Error(invalid_input) for |latitude| > 90 or a value that is
+  /// not finite.
   [[nodiscard]] static GeoPoint from_degrees(double latitude_deg, double longitude_deg);
   [[nodiscard]] double latitude_deg() const noexcept { return latitude.degrees(); }
   [[nodiscard]] double longitude_deg() const noexcept { return longitude.degrees(); }
@@ -27,7 +29,8 @@ struct BoundingBox {
 
   [[nodiscard]] bool contains(const GeoPoint& point) const noexcept;
   /// Throws Error(invalid_input) unless -90 <= south <= north <= 90 and |west|, |east| <= 360.
-  [[nodiscard]] static BoundingBox from_degrees(double west, double south, double east, double north);
+  [[nodiscard]] static BoundingBox from_degrees(double west, double south, double east,
+                                                double north);
   bool operator==(const BoundingBox&) const = default;
 };
 

@@ -41,15 +41,15 @@ LocalFrame& LocalFrame::operator=(LocalFrame&&) noexcept = default;
 const GeoPoint& LocalFrame::origin() const noexcept { return state_->origin; }
 
 Vector3<Enu> LocalFrame::to_local(const GeoPoint& point, double height_m) const {
-  const PJ_COORD out = proj_trans(
-      state_->transform, PJ_FWD,
-      proj_coord(point.longitude.radians(), point.latitude.radians(), height_m, 0));
+  const PJ_COORD out =
+      proj_trans(state_->transform, PJ_FWD,
+                 proj_coord(point.longitude.radians(), point.latitude.radians(), height_m, 0));
   return {out.xyz.x, out.xyz.y, out.xyz.z};
 }
 
 LocalFrame::Geodetic LocalFrame::to_geodetic(const Vector3<Enu>& position) const {
-  const PJ_COORD out =
-      proj_trans(state_->transform, PJ_INV, proj_coord(position.x(), position.y(), position.z(), 0));
+  const PJ_COORD out = proj_trans(state_->transform, PJ_INV,
+                                  proj_coord(position.x(), position.y(), position.z(), 0));
   return {GeoPoint::from_degrees(Angle::from_radians(out.lpz.phi).degrees(),
                                  Angle::from_radians(out.lpz.lam).degrees()),
           out.lpz.z};

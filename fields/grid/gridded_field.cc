@@ -10,7 +10,8 @@ namespace slackwater {
 namespace {
 
 bool ascends(const std::vector<double>& axis) {
-  return std::adjacent_find(axis.begin(), axis.end(), [](double a, double b) { return !(a < b); }) == axis.end();
+  return std::adjacent_find(axis.begin(), axis.end(),
+                            [](double a, double b) { return !(a < b); }) == axis.end();
 }
 
 /// A lone cell is 10 km wide (DESIGN §2: 5 km for a one-cell grid).
@@ -30,22 +31,29 @@ void expect_canonical(const Grid& grid) {
   expects(ascends(grid.levels_m), "levels ascend");
   expects(grid.longitude_deg.front() >= -180.0 && grid.longitude_deg.front() < 180.0,
           "the first longitude lies in [-180, 180)");
-  expects(std::adjacent_find(grid.time.begin(), grid.time.end(), [](const TimeCell& a, const TimeCell& b) {
-            return !(a.centre() < b.centre());
-          }) == grid.time.end(),
+  expects(std::adjacent_find(grid.time.begin(), grid.time.end(),
+                             [](const TimeCell& a, const TimeCell& b) {
+                               return !(a.centre() < b.centre());
+                             }) == grid.time.end(),
           "times ascend");
 }
 
 BoundingBox coverage_of(const Grid& grid) {
   constexpr double degree_m = constants::earth_radius_m * constants::pi / 180.0;
   const double lone_latitude = lone_half_cell_m / degree_m;
-  const double middle = Angle::from_degrees(grid.latitude_deg[grid.latitude_deg.size() / 2]).radians();
+  const double middle =
+      Angle::from_degrees(grid.latitude_deg[grid.latitude_deg.size() / 2]).radians();
   const double lone_longitude = lone_latitude / std::max(0.01, std::cos(middle));
-  const double west = grid.longitude_deg.front() - half_step(grid.longitude_deg, false, lone_longitude);
-  const double east = grid.longitude_deg.back() + half_step(grid.longitude_deg, true, lone_longitude);
+  const double west =
+      grid.longitude_deg.front() - half_step(grid.longitude_deg, false, lone_longitude);
+  const double east =
+      grid.longitude_deg.back() + half_step(grid.longitude_deg, true, lone_longitude);
   return BoundingBox::from_degrees(
-      west, std::max(-90.0, grid.latitude_deg.front() - half_step(grid.latitude_deg, false, lone_latitude)),
-      east, std::min(90.0, grid.latitude_deg.back() + half_step(grid.latitude_deg, true, lone_latitude)));
+      west,
+      std::max(-90.0,
+               grid.latitude_deg.front() - half_step(grid.latitude_deg, false, lone_latitude)),
+      east,
+      std::min(90.0, grid.latitude_deg.back() + half_step(grid.latitude_deg, true, lone_latitude)));
 }
 
 }  // namespace slackwater

@@ -8,14 +8,14 @@ namespace slackwater {
 /// Why a value is, or is not, there. A missing value is a status, never a silent zero.
 enum class SampleStatus : std::uint8_t {
   ok = 0,
-  missing = 1,         ///< the product has no value here though it is water
-  land = 2,            ///< masked at all times at the surface
-  below_bed = 3,       ///< masked at all times at this depth, water above
+  missing = 1,    ///< the product has no value here though it is water
+  land = 2,       ///< masked at all times at the surface
+  below_bed = 3,  ///< masked at all times at this depth, water above
   outside_area = 4,
   outside_time = 5,
   above_surface = 6,
-  not_checked = 7,     ///< a value, but nobody has checked it (QC flag "no QC performed")
-  suspect = 8,         ///< rejected: bad QC flag, gross range or spike
+  not_checked = 7,  ///< a value, but nobody has checked it (QC flag "no QC performed")
+  suspect = 8,      ///< rejected: bad QC flag, gross range or spike
 };
 
 /// Whether a number stands behind this status (ok or not_checked).
@@ -27,10 +27,10 @@ enum class SampleStatus : std::uint8_t {
 /// Where a value came from in time: see DESIGN "Status of a file".
 enum class DataStatus : std::uint8_t {
   analysis = 0,
-  forecast = 1,      ///< a provider's forecast, with a reference time
+  forecast = 1,  ///< a provider's forecast, with a reference time
   observation = 2,
-  persisted = 3,     ///< ours: the last known value carried forward
-  modelled = 4,      ///< ours: growth law or current model
+  persisted = 3,  ///< ours: the last known value carried forward
+  modelled = 4,   ///< ours: growth law or current model
 };
 [[nodiscard]] std::string_view name_of(DataStatus status) noexcept;
 [[nodiscard]] std::optional<DataStatus> data_status_from(std::string_view name) noexcept;

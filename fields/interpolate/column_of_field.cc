@@ -103,31 +103,43 @@ VectorColumn column_of(const GriddedField& east, const GriddedField& north, cons
         return has_value(worse(own_status(*c.first, o), own_status(*c.second, o)));
       },
       [](const Cells<Horizontal>& c, std::size_t o) {
-        return Horizontal(static_cast<double>(c.first->values[o]), static_cast<double>(c.second->values[o]));
+        return Horizontal(static_cast<double>(c.first->values[o]),
+                          static_cast<double>(c.second->values[o]));
       },
       [](const Cells<Horizontal>& c, std::size_t o) {
         return worse(own_status(*c.first, o), own_status(*c.second, o));
       },
-      &east, &north};
+      &east,
+      &north};
   return interpolate(cells, point, status_of_file);
 }
 
-ScalarColumn column_of(const GriddedField& field, const GeoPoint& point, DataStatus status_of_file) {
-  const auto valid = [](const auto& c, std::size_t o) { return has_value(own_status(*c.first, o)); };
+ScalarColumn column_of(const GriddedField& field, const GeoPoint& point,
+                       DataStatus status_of_file) {
+  const auto valid = [](const auto& c, std::size_t o) {
+    return has_value(own_status(*c.first, o));
+  };
   const auto status = [](const auto& c, std::size_t o) { return own_status(*c.first, o); };
   if (field.unit != "degree") {
-    const Cells<double> cells{
-        field.grid, valid,
-        [](const Cells<double>& c, std::size_t o) { return static_cast<double>(c.first->values[o]); },
-        status, &field, nullptr};
+    const Cells<double> cells{field.grid,
+                              valid,
+                              [](const Cells<double>& c, std::size_t o) {
+                                return static_cast<double>(c.first->values[o]);
+                              },
+                              status,
+                              &field,
+                              nullptr};
     return interpolate(cells, point, status_of_file);
   }
-  const Cells<Horizontal> cells{
-      field.grid, valid,
-      [](const Cells<Horizontal>& c, std::size_t o) {
-        return vector_to_direction(1.0, static_cast<double>(c.first->values[o]));
-      },
-      status, &field, nullptr};
+  const Cells<Horizontal> cells{field.grid,
+                                valid,
+                                [](const Cells<Horizontal>& c, std::size_t o) {
+                                  return vector_to_direction(
+                                      1.0, static_cast<double>(c.first->values[o]));
+                                },
+                                status,
+                                &field,
+                                nullptr};
   const VectorColumn directions = interpolate(cells, point, status_of_file);
   ScalarColumn column;
   column.point = directions.point;

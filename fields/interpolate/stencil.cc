@@ -15,11 +15,12 @@ struct AxisPlace {
   double upper = 0;
 };
 
-/// Coordinates read from float files miss the cell centre by up to 1e-5 degrees; within this share of a cell
-/// the point is the centre, so that a column at a cell is exactly that cell.
+/// Coordinates read from float files miss the cell centre by up to 1e-5 degrees; within this share
+/// of a cell the point is the centre, so that a column at a cell is exactly that cell.
 constexpr double centre_tolerance = 1e-3;
 
-std::optional<AxisPlace> place_on(const std::vector<double>& axis, double value, double lone_half_cell) {
+std::optional<AxisPlace> place_on(const std::vector<double>& axis, double value,
+                                  double lone_half_cell) {
   const std::size_t n = axis.size();
   if (n == 1) {
     if (std::abs(value - axis[0]) > lone_half_cell) return std::nullopt;
@@ -56,12 +57,14 @@ double longitude_on_axis_deg(const Grid& grid, const GeoPoint& point) {
 std::optional<HorizontalStencil> bilinear_stencil(const Grid& grid, const GeoPoint& point) {
   const double cosine = std::max(0.01, std::cos(point.latitude.radians()));
   const auto row = place_on(grid.latitude_deg, point.latitude_deg(), lone_half_cell_deg());
-  const auto column = place_on(grid.longitude_deg, longitude_on_axis_deg(grid, point), lone_half_cell_deg() / cosine);
+  const auto column = place_on(grid.longitude_deg, longitude_on_axis_deg(grid, point),
+                               lone_half_cell_deg() / cosine);
   if (!row || !column) return std::nullopt;
   HorizontalStencil stencil;
   for (const std::size_t j : {0, 1}) {
     for (const std::size_t i : {0, 1}) {
-      const double weight = (j == 0 ? 1 - row->upper : row->upper) * (i == 0 ? 1 - column->upper : column->upper);
+      const double weight =
+          (j == 0 ? 1 - row->upper : row->upper) * (i == 0 ? 1 - column->upper : column->upper);
       if (weight > 0) stencil.corners[stencil.count++] = {row->low + j, column->low + i, weight};
     }
   }

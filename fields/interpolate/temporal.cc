@@ -7,11 +7,13 @@ namespace {
 
 template <typename T>
 std::optional<T> linear_at(const Column<T>& series, UtcTime time, Duration widest_gap) {
-  const auto above = std::lower_bound(series.time.begin(), series.time.end(), time,
-                                      [](const TimeCell& cell, UtcTime t) { return cell.centre() < t; });
+  const auto above =
+      std::lower_bound(series.time.begin(), series.time.end(), time,
+                       [](const TimeCell& cell, UtcTime t) { return cell.centre() < t; });
   auto high = static_cast<std::size_t>(above - series.time.begin());
   while (high < series.times() && !series.has(high)) ++high;
-  if (high < series.times() && series.time[high].centre() == time) return series.value[series.offset(high, 0)];
+  if (high < series.times() && series.time[high].centre() == time)
+    return series.value[series.offset(high, 0)];
   auto low = static_cast<std::size_t>(above - series.time.begin());
   while (low > 0 && !series.has(low - 1)) --low;
   if (low == 0 || high >= series.times()) return std::nullopt;
@@ -20,7 +22,8 @@ std::optional<T> linear_at(const Column<T>& series, UtcTime time, Duration wides
   const UtcTime to = series.time[high].centre();
   if (to - from > widest_gap) return std::nullopt;
   const double share = seconds_between(from, time) / seconds_between(from, to);
-  return (1 - share) * series.value[series.offset(low, 0)] + share * series.value[series.offset(high, 0)];
+  return (1 - share) * series.value[series.offset(low, 0)] +
+         share * series.value[series.offset(high, 0)];
 }
 
 }  // namespace
@@ -37,11 +40,13 @@ std::optional<TimePlace> place_in(std::span<const UtcTime> stamps, UtcTime time)
   if (stamps.size() == 1) return TimePlace{};
   const auto above = std::upper_bound(stamps.begin(), stamps.end() - 1, time);
   const auto low = static_cast<std::size_t>(above - stamps.begin()) - 1;
-  return TimePlace{low, seconds_between(stamps[low], time) / seconds_between(stamps[low], stamps[low + 1])};
+  return TimePlace{
+      low, seconds_between(stamps[low], time) / seconds_between(stamps[low], stamps[low + 1])};
 }
 
-std::optional<Horizontal> mean_over(std::span<const UtcTime> stamps, std::span<const Horizontal> values,
-                                    std::size_t stride, std::size_t offset, const TimeCell& cell) {
+std::optional<Horizontal> mean_over(std::span<const UtcTime> stamps,
+                                    std::span<const Horizontal> values, std::size_t stride,
+                                    std::size_t offset, const TimeCell& cell) {
   const auto first = place_in(stamps, cell.start);
   const auto last = place_in(stamps, cell.end);
   if (!first || !last) return std::nullopt;

@@ -7,8 +7,9 @@
 namespace slackwater {
 namespace {
 
-/// Neighbouring levels of a depth and the share of the lower one. The first model level stands for the water above it
-/// (products start at 0 to 1 m); below the deepest level its value holds to the bed, where the status ends it.
+/// Neighbouring levels of a depth and the share of the lower one. The first model level stands for
+/// the water above it (products start at 0 to 1 m); below the deepest level its value holds to the
+/// bed, where the status ends it.
 struct LevelPlace {
   std::size_t low = 0;
   double lower_share = 0;
@@ -24,8 +25,8 @@ LevelPlace level_of(const std::vector<double>& depth_m, double wanted_m) noexcep
 
 }  // namespace
 
-void sample_profile(const Snapshot& snapshot, std::size_t column, UtcTime time, std::span<const double> depths_m,
-                    std::span<CurrentSample> out) noexcept {
+void sample_profile(const Snapshot& snapshot, std::size_t column, UtcTime time,
+                    std::span<const double> depths_m, std::span<CurrentSample> out) noexcept {
   const ForecastColumn& c = snapshot.columns[column];
   const std::size_t levels = snapshot.depth_m.size();
   const auto place = place_in(snapshot.time, time);
@@ -38,7 +39,8 @@ void sample_profile(const Snapshot& snapshot, std::size_t column, UtcTime time, 
   }
   const std::size_t t0 = place->low * levels;
   const std::size_t t1 = place->upper > 0 ? t0 + levels : t0;
-  // Levels under this column's bed hold nothing: the deepest wet level stands for the water down to the bed.
+  // Levels under this column's bed hold nothing: the deepest wet level stands for the water down to
+  // the bed.
   std::size_t wet = levels;
   while (wet > 1 && c.current_status[t0 + wet - 1] == SampleStatus::below_bed) --wet;
   for (std::size_t i = 0; i < depths_m.size(); ++i) {

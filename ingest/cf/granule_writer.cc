@@ -7,6 +7,7 @@
 #include "ingest/cf/granule_file.h"
 #include "ingest/cf/granule_layout.h"
 #include "ingest/netcdf/file.h"
+#include "ingest/netcdf/writeback.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -166,6 +167,7 @@ struct GranuleWriter::State {
   std::vector<int> values;
   std::vector<int> status;
   std::vector<float> chunk;  ///< one chunk, reused
+  netcdf::Writeback writeback;
 
   void put_chunk(int variable, std::array<std::size_t, 4> at, std::array<std::size_t, 4> count,
                  std::size_t first_time, std::size_t first_row, std::size_t rows,
@@ -193,16 +195,16 @@ void GranuleWriter::State::put_chunk(int variable, std::array<std::size_t, 4> at
       }
     }
   }
-  if (!empty)
-    writer.write(variable, layout.present(at), layout.present(count),
-                 std::span<const float>(chunk));
+  if (empty) return;
+  writer.write(variable, layout.present(at), layout.present(count), std::span<const float>(chunk));
+  writeback.wrote(chunk.size() * sizeof(float));
 }
 
 GranuleWriter::GranuleWriter(const std::filesystem::path& file, const Granule& granule) {
   expect_canonical(granule.grid);
   expects(!granule.variables.empty(), "a granule holds at least one variable");
-  state_ = std::make_unique<State>(
-      State{Writer::create(file), GranuleLayout::of(granule.grid), {}, {}, {}});
+  state_ = std::unique_ptr<State>(new State{
+      Writer::create(file), GranuleLayout::of(granule.grid), {}, {}, {}, netcdf::Writeback(file)});
   Definition definition{state_->writer, granule, state_->layout, {}};
   definition.axes();
   for (const GranuleVariable& variable : granule.variables) {

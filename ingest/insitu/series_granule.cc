@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "fields/base/error.h"
+
 namespace slackwater::ingest {
 namespace {
 
@@ -144,7 +146,8 @@ void keep_useful_levels(SeriesGroup& group, const std::optional<double>& water_d
   std::string dropped;
   for (std::size_t k = 0; k < group.levels.levels_m.size(); ++k) {
     const double level = group.levels.levels_m[k];
-    const bool in_water = !depths || (level >= 0.0 && level <= water_depth_m.value_or(12000.0));
+    const bool in_water =
+        depths ? level >= 0.0 && level <= water_depth_m.value_or(12000.0) : std::isfinite(level);
     bool accepted = false;
     for (const SeriesValues& series : group.series) {
       for (std::size_t t = 0; t < series.times && !accepted; ++t)
@@ -159,6 +162,15 @@ void keep_useful_levels(SeriesGroup& group, const std::optional<double>& water_d
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return group.levels.levels_m[a] < group.levels.levels_m[b];
   });
+  const auto twice =
+      std::adjacent_find(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return group.levels.levels_m[a] == group.levels.levels_m[b];
+      });
+  if (twice != order.end()) {
+    throw Error(ErrorKind::invalid_input,
+                "two levels at " + rounded(group.levels.levels_m[*twice]) +
+                    " m; expected levels that differ; correct the depths or heights");
+  }
   if (!dropped.empty()) {
     warnings.push_back("left out " + std::to_string(group.levels.levels_m.size() - order.size()) +
                        " of " + std::to_string(group.levels.levels_m.size()) +

@@ -1,6 +1,7 @@
 #include "ingest/netcdf/header.h"
 
 #include <netcdf.h>
+#include <netcdf_filter.h>
 
 #include <algorithm>
 #include <string>
@@ -95,6 +96,29 @@ Attribute read_attribute(int file, int variable, int number, const std::filesyst
   return attribute;
 }
 
+/// A hyperslab that takes a few rows of each chunk must not fetch whole chunks that the cache drops
+/// again: without filters, HDF5 reads just the rows once the cache is too small for a chunk. Small
+/// chunks are better fetched whole.
+void read_large_plain_chunks_in_place(int file, const Variable& variable) {
+  constexpr std::size_t large_chunk = std::size_t{256} << 10;  // values, of 1 to 8 bytes
+  int shuffle = 0;
+  int deflate = 0;
+  int level = 0;
+  int checksum = NC_NOCHECKSUM;
+  std::size_t filters = 0;
+  if (nc_inq_var_deflate(file, variable.id, &shuffle, &deflate, &level) != NC_NOERR ||
+      nc_inq_var_fletcher32(file, variable.id, &checksum) != NC_NOERR ||
+      nc_inq_var_filter_ids(file, variable.id, &filters, nullptr) != NC_NOERR) {
+    return;
+  }
+  std::size_t values = 1;
+  for (const std::size_t n : variable.chunks) {
+    if (__builtin_mul_overflow(values, n, &values)) return;
+  }
+  const bool plain = shuffle == 0 && deflate == 0 && checksum == NC_NOCHECKSUM && filters == 0;
+  if (plain && values >= large_chunk) nc_set_var_chunk_cache(file, variable.id, 0, 1, 0.0F);
+}
+
 }  // namespace
 
 std::vector<Attribute> read_attributes(int file, int variable, int count,
@@ -161,6 +185,7 @@ Variable read_variable(int file, int id, const std::filesystem::path& path) {
   int level = 0;
   if (nc_inq_var_deflate(file, id, &shuffle, &deflate, &level) == NC_NOERR)
     variable.compressed = deflate != 0;
+  if (!variable.chunks.empty()) read_large_plain_chunks_in_place(file, variable);
   variable.attributes = read_attributes(file, id, attribute_count, path);
   return variable;
 }

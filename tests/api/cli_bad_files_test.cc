@@ -144,7 +144,7 @@ TEST_F(BadFile, DepthsInAnyOrderAreTheSameWater) {
 }
 
 TEST_F(BadFile, TwoEqualDepthsAreRefused) {
-  expect_refused(currents([](ProductForTests& p) { p.depth_m[2] = p.depth_m[1]; }), {"depth"});
+  expect_refused(currents([](ProductForTests& p) { p.depth_m[2] = p.depth_m[1]; }), {"levels", "5.0"});
 }
 
 TEST_F(BadFile, LatitudesBeyondThePoleAreRefused) {

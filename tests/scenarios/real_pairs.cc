@@ -10,7 +10,8 @@
 
 namespace slackwater::tests {
 
-void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& folders, bool as_analysis) {
+void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& folders,
+                bool as_analysis) {
   const auto products = ingest::ProductCatalogue::load(source_folder() / "data" / "products");
   ingest::IngestOptions options;
   if (as_analysis) options.as = DataStatus::analysis;
@@ -27,7 +28,8 @@ std::vector<GeoPoint> wet_cells(store::Store& store, std::size_t first, std::siz
   for (const store::GranuleRow& row : store.find_granules(query)) {
     const auto file = ingest::GranuleFile::open(store.content_path(row.content_sha256));
     grid = file.granule().grid;
-    const GriddedField u = file.read("eastward_sea_water_velocity", 0, grid.times(), 0, grid.rows(), 0, grid.columns());
+    const GriddedField u = file.read("eastward_sea_water_velocity", 0, grid.times(), 0, grid.rows(),
+                                     0, grid.columns());
     wet.resize(grid.rows() * grid.columns(), true);
     for (std::size_t o = 0; o < u.values.size(); ++o) {
       if (std::isnan(u.values[o])) wet[o % wet.size()] = false;
@@ -54,7 +56,8 @@ api::Site site_of(const std::string& id, const std::vector<GeoPoint>& columns) {
 }
 
 double set_error(const std::vector<api::SkillEntry>& skill, const std::string& method) {
-  return api::set_rmse(skill, "sea_water_velocity", method, {0, 24}).value_or(std::numeric_limits<double>::quiet_NaN());
+  return api::set_rmse(skill, "sea_water_velocity", method, {0, 24})
+      .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace slackwater::tests

@@ -10,16 +10,19 @@
 namespace slackwater::tests {
 
 /// Ingests every product file below the folders, as analysis where `as_analysis`.
-void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& folders, bool as_analysis);
+void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& folders,
+                bool as_analysis);
 
-/// The cells of the stored currents that have a value at every time and every level, every `every`-th row and column
-/// from index `first`: the column selections of reference/baselines.md.
-[[nodiscard]] std::vector<GeoPoint> wet_cells(store::Store& store, std::size_t first, std::size_t every);
+/// The cells of the stored currents that have a value at every time and every level, every
+/// `every`-th row and column from index `first`: the column selections of reference/baselines.md.
+[[nodiscard]] std::vector<GeoPoint> wet_cells(store::Store& store, std::size_t first,
+                                              std::size_t every);
 
 /// A site whose columns are these points.
 [[nodiscard]] api::Site site_of(const std::string& id, const std::vector<GeoPoint>& columns);
 
 /// Root mean square over days of a method's error, lead (0, 24] h, one band.
-[[nodiscard]] double set_error(const std::vector<api::SkillEntry>& skill, const std::string& method);
+[[nodiscard]] double set_error(const std::vector<api::SkillEntry>& skill,
+                               const std::string& method);
 
 }  // namespace slackwater::tests

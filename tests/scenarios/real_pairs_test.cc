@@ -5,8 +5,9 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-// The D -> D+1 pairs of reference/baselines.md: our persistence and day-mean must be that page's, to its last digit
-// (tolerance: half of it, plus float storage), so that our skill is measured with the ruler everyone else uses.
+// The D -> D+1 pairs of reference/baselines.md: our persistence and day-mean must be that page's,
+// to its last digit (tolerance: half of it, plus float storage), so that our skill is measured with
+// the ruler everyone else uses.
 
 namespace slackwater::tests {
 namespace {
@@ -52,7 +53,8 @@ TEST(RealPairs, OtrantoReproducesTheBaselinesPage) {
   ingest_all(store, {shared / "data/otranto_2021-10/wind"}, false);
   const std::vector<GeoPoint> cells = wet_cells(store, 1, 3);
   ASSERT_EQ(cells.size(), 394U);
-  const auto report = api::hindcast(store, site_of("otranto", cells), pair_options("2021-10-12", "2021-10-13", 120), {});
+  const auto report = api::hindcast(store, site_of("otranto", cells),
+                                    pair_options("2021-10-12", "2021-10-13", 120), {});
   EXPECT_NEAR(set_error(report.skill, "persistence"), 0.1228, half_last_digit);
   EXPECT_NEAR(set_error(report.skill, "day-mean"), 0.1197, half_last_digit);
   EXPECT_NEAR(set_error(report.skill, "oracle-mean"), 0.0882, half_last_digit);
@@ -67,7 +69,8 @@ TEST(RealPairs, ElbaReproducesTheBaselinesPage) {
   ingest_all(store, {shared / "data/elba_2014-05"}, true);
   const std::vector<GeoPoint> cells = wet_cells(store, 0, 1);
   ASSERT_EQ(cells.size(), 168U);
-  const auto report = api::hindcast(store, site_of("elba", cells), pair_options("2014-05-17", "2014-05-19", 120), {});
+  const auto report = api::hindcast(store, site_of("elba", cells),
+                                    pair_options("2014-05-17", "2014-05-19", 120), {});
   EXPECT_EQ(report.forecasts.size(), 3U);
   EXPECT_NEAR(set_error(report.skill, "persistence"), 0.0678, half_last_digit);
   EXPECT_NEAR(set_error(report.skill, "day-mean"), 0.0693, half_last_digit);
@@ -92,7 +95,8 @@ TEST(RealPairs, WavesAreScoredAgainstTheBuoyOfHollandseKustNoord) {
                                         UtcTime(*job.day) + std::chrono::days(2));
   const api::DailyForecast forecast = api::make_forecast(data, job);
   EXPECT_TRUE(forecast.snapshot.degraded);
-  EXPECT_NE(forecast.snapshot.headline.find("currents"), std::string::npos) << forecast.snapshot.headline;
+  EXPECT_NE(forecast.snapshot.headline.find("currents"), std::string::npos)
+      << forecast.snapshot.headline;
   static_cast<void>(api::publish(store, forecast, job));
   const auto skill = api::verify(store, site, {});
   const std::string height = "sea_surface_wave_significant_height";

@@ -6,8 +6,8 @@
 #include "api/demo/demo_run.h"
 #include "tests/support/temporary_folder.h"
 
-// Day D to forecast on an ocean whose truth is known: what comes out of the files, the store, the calibration and the
-// propagation must be that truth, within the errors that are stated.
+// Day D to forecast on an ocean whose truth is known: what comes out of the files, the store, the
+// calibration and the propagation must be that truth, within the errors that are stated.
 
 namespace slackwater::tests {
 namespace {
@@ -16,7 +16,8 @@ class SyntheticTwin : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    result_ = new api::DemoResult(api::run_demo({folder_->path(), 2025, 3}, [](double, const std::string&) {}));
+    result_ = new api::DemoResult(
+        api::run_demo({folder_->path(), 2025, 3}, [](double, const std::string&) {}));
   }
   static void TearDownTestSuite() {
     delete result_;
@@ -61,7 +62,8 @@ TEST_F(SyntheticTwin, TheForecastBeatsPersistenceAndDayMeanEveryDay) {
 TEST_F(SyntheticTwin, TheEightyPercentBandHoldsAboutEightyPercent) {
   double share = 0;
   for (const api::DemoDay& day : result_->days) share += day.coverage_80 / 3;
-  // Three days of a tidal sea hold few independent errors: a band that is honest covers well over half and not all.
+  // Three days of a tidal sea hold few independent errors: a band that is honest covers well over
+  // half and not all.
   EXPECT_GT(share, 0.6);
   EXPECT_LT(share, 0.995);
 }
@@ -73,10 +75,13 @@ TEST_F(SyntheticTwin, WindAndWavesOfTheForecastFollowTheirRuns) {
   double miss = 0;
   for (std::size_t t = 0; t < 24; ++t) {
     EXPECT_EQ(column.wind_source[t + 1], DataStatus::forecast);
-    miss += std::norm(column.wind_m_s[t] - result_->ocean.wind_truth(column.point, result_->last.time[t])) / 24;
+    miss += std::norm(column.wind_m_s[t] -
+                      result_->ocean.wind_truth(column.point, result_->last.time[t])) /
+            24;
     const auto sea = result_->ocean.sea_truth(column.point, result_->last.time[t]);
     ASSERT_TRUE(sea);
-    EXPECT_NEAR(column.sea[t].significant_height_m, sea->significant_height_m, 0.25 * sea->significant_height_m + 0.1);
+    EXPECT_NEAR(column.sea[t].significant_height_m, sea->significant_height_m,
+                0.25 * sea->significant_height_m + 0.1);
   }
   // The weather model's own error in its first day is some 1 m/s a component.
   EXPECT_LT(std::sqrt(miss), 3.0);
@@ -84,9 +89,11 @@ TEST_F(SyntheticTwin, WindAndWavesOfTheForecastFollowTheirRuns) {
 
 TEST_F(SyntheticTwin, TheSameSeedGivesTheSameForecast) {
   const TemporaryFolder again;
-  const api::DemoResult second = api::run_demo({again.path(), 2025, 1}, [](double, const std::string&) {});
+  const api::DemoResult second =
+      api::run_demo({again.path(), 2025, 1}, [](double, const std::string&) {});
   const TemporaryFolder third;
-  const api::DemoResult same = api::run_demo({third.path(), 2025, 1}, [](double, const std::string&) {});
+  const api::DemoResult same =
+      api::run_demo({third.path(), 2025, 1}, [](double, const std::string&) {});
   ASSERT_FALSE(second.last.columns[0].current_m_s.empty());
   EXPECT_EQ(second.last.columns[0].current_m_s, same.last.columns[0].current_m_s);
 }

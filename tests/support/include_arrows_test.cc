@@ -10,14 +10,16 @@
 
 #include "tests/support/shared_data.h"
 
-// Who may include whom: fields -> nothing of ours; ingest, calibration, twin, data -> fields; api and tests -> all.
+// Who may include whom: fields -> nothing of ours; ingest, calibration, twin, data -> fields; api
+// and tests -> all.
 
 namespace slackwater::tests {
 namespace {
 
 using Arrows = std::map<std::string, std::set<std::string>>;
 
-const std::set<std::string> rooms{"fields", "ingest", "calibration", "twin", "data", "api", "tests"};
+const std::set<std::string> rooms{"fields", "ingest", "calibration", "twin",
+                                  "data",   "api",    "tests"};
 
 const Arrows& allowed_arrows() {
   static const Arrows arrows{{"fields", {}},
@@ -77,9 +79,9 @@ TEST(IncludeArrows, AForbiddenArrowIsSeen) {
 
 TEST(IncludeArrows, EachLibraryHasOneDoor) {
   const std::vector<std::pair<std::string, std::string>> doors{
-      {"netcdf.h", "ingest/netcdf"},    {"ceres/", "calibration"},     {"sqlite3.h", "data/store"},
-      {"eccodes.h", "ingest/grib"},     {"udunits2.h", "ingest/cf"},   {"proj.h", "fields/geo"},
-      {"yaml-cpp/", "fields/base"},     {"nlohmann/", "api"},          {"CLI/", "api"},
+      {"netcdf.h", "ingest/netcdf"}, {"ceres/", "calibration"},   {"sqlite3.h", "data/store"},
+      {"eccodes.h", "ingest/grib"},  {"udunits2.h", "ingest/cf"}, {"proj.h", "fields/geo"},
+      {"yaml-cpp/", "fields/base"},  {"nlohmann/", "api"},        {"CLI/", "api"},
       {"openssl/", "fields/base"}};
   for (const std::string room : {"fields", "ingest", "calibration", "data", "api"}) {
     for_each_line(room, [&](const std::filesystem::path& file, const std::string& line) {
@@ -88,7 +90,8 @@ TEST(IncludeArrows, EachLibraryHasOneDoor) {
       for (const auto& [library, door] : doors) {
         if (line.substr(10).starts_with(library)) {
           EXPECT_TRUE(where.starts_with(door)) << where << ": " << line;
-          EXPECT_FALSE(where.ends_with(".h") && library != "nlohmann/") << "a library in a header: " << where;
+          EXPECT_FALSE(where.ends_with(".h") && library != "nlohmann/")
+              << "a library in a header: " << where;
         }
       }
     });

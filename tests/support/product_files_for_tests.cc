@@ -18,7 +18,9 @@ using ingest::netcdf::Writer;
 constexpr double fill = 9.969209968386869e36;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-bool is_land(const ProductCell& cell) { return cell.longitude_deg > WaterForTests::land_east_of_deg; }
+bool is_land(const ProductCell& cell) {
+  return cell.longitude_deg > WaterForTests::land_east_of_deg;
+}
 
 /// Phase of the M2 tide, 12.4206 h.
 double tide_phase(const ProductCell& cell) {
@@ -26,7 +28,9 @@ double tide_phase(const ProductCell& cell) {
 }
 
 /// Slow weather, about three days long.
-double weather_phase(const ProductCell& cell) { return 2 * std::numbers::pi * hours_between(UtcTime{}, cell.time) / 76; }
+double weather_phase(const ProductCell& cell) {
+  return 2 * std::numbers::pi * hours_between(UtcTime{}, cell.time) / 76;
+}
 
 /// A tide loses strength in the lowest metres.
 double share_of_tide(const ProductCell& cell) {
@@ -59,19 +63,25 @@ ProductQuantity& ProductForTests::quantity(const std::string& name) {
 double WaterForTests::eastward_m_s(const ProductCell& cell) {
   if (is_land(cell)) return none;
   const double tide = 0.6 * share_of_tide(cell) * std::cos(tide_phase(cell));
-  const double driven = 0.012 * eastward_wind_m_s(cell) * std::exp(-cell.depth_m / 8) * std::cos(cell.depth_m / 10 + 0.8);
+  const double driven = 0.012 * eastward_wind_m_s(cell) * std::exp(-cell.depth_m / 8) *
+                        std::cos(cell.depth_m / 10 + 0.8);
   return tide + driven + 0.05 + 0.02 * (cell.latitude_deg - site_latitude_deg);
 }
 
 double WaterForTests::northward_m_s(const ProductCell& cell) {
   if (is_land(cell)) return none;
   const double tide = 0.2 * share_of_tide(cell) * std::sin(tide_phase(cell));
-  const double driven = -0.012 * eastward_wind_m_s(cell) * std::exp(-cell.depth_m / 8) * std::sin(cell.depth_m / 10 + 0.8);
+  const double driven = -0.012 * eastward_wind_m_s(cell) * std::exp(-cell.depth_m / 8) *
+                        std::sin(cell.depth_m / 10 + 0.8);
   return tide + driven - 0.03;
 }
 
-double WaterForTests::eastward_wind_m_s(const ProductCell& cell) { return 9 + 3 * std::sin(weather_phase(cell)); }
-double WaterForTests::northward_wind_m_s(const ProductCell& cell) { return 2 * std::cos(weather_phase(cell)); }
+double WaterForTests::eastward_wind_m_s(const ProductCell& cell) {
+  return 9 + 3 * std::sin(weather_phase(cell));
+}
+double WaterForTests::northward_wind_m_s(const ProductCell& cell) {
+  return 2 * std::cos(weather_phase(cell));
+}
 
 double WaterForTests::significant_height_m(const ProductCell& cell) {
   return is_land(cell) ? none : 1.5 + 0.4 * std::sin(weather_phase(cell) - 0.5);
@@ -88,8 +98,9 @@ ProductForTests current_product(UtcDay day, int hours) {
   product.title = "NWSHELF_ANALYSISFORECAST_PHY_004_013 hourly currents";
   product.time = hourly_times(day, hours);
   product.depth_m = {0, 5, 10, 20, 30};
-  product.quantities = {{"uo", "eastward_sea_water_velocity", "m s-1", true, WaterForTests::eastward_m_s},
-                        {"vo", "northward_sea_water_velocity", "m s-1", true, WaterForTests::northward_m_s}};
+  product.quantities = {
+      {"uo", "eastward_sea_water_velocity", "m s-1", true, WaterForTests::eastward_m_s},
+      {"vo", "northward_sea_water_velocity", "m s-1", true, WaterForTests::northward_m_s}};
   return product;
 }
 
@@ -97,8 +108,9 @@ ProductForTests wind_product(UtcDay day, int hours) {
   ProductForTests product;
   product.title = "WIND_GLO_PHY_L4_NRT_012_004 hourly wind";
   product.time = hourly_times(day, hours);
-  product.quantities = {{"eastward_wind", "eastward_wind", "m s-1", false, WaterForTests::eastward_wind_m_s},
-                        {"northward_wind", "northward_wind", "m s-1", false, WaterForTests::northward_wind_m_s}};
+  product.quantities = {
+      {"eastward_wind", "eastward_wind", "m s-1", false, WaterForTests::eastward_wind_m_s},
+      {"northward_wind", "northward_wind", "m s-1", false, WaterForTests::northward_wind_m_s}};
   return product;
 }
 
@@ -109,22 +121,25 @@ ProductForTests wave_product(UtcDay day, int hours) {
   const auto wet = [](double value) {
     return [value](const ProductCell& cell) { return is_land(cell) ? none : value; };
   };
-  product.quantities = {
-      {"VHM0", "sea_surface_wave_significant_height", "m", false, WaterForTests::significant_height_m},
-      {"VTPK", "sea_surface_wave_period_at_variance_spectral_density_maximum", "s", false, wet(6.5)},
-      {"VMDR", "sea_surface_wave_from_direction", "degree", false, wet(265)}};
+  product.quantities = {{"VHM0", "sea_surface_wave_significant_height", "m", false,
+                         WaterForTests::significant_height_m},
+                        {"VTPK", "sea_surface_wave_period_at_variance_spectral_density_maximum",
+                         "s", false, wet(6.5)},
+                        {"VMDR", "sea_surface_wave_from_direction", "degree", false, wet(265)}};
   return product;
 }
 
 ProductForTests bathymetry_product() {
   ProductForTests product;
   product.title = "NWSHELF_ANALYSISFORECAST_PHY_004_013 bathymetry";
-  product.quantities = {{"deptho", "sea_floor_depth_below_geoid", "m", false,
-                         [](const ProductCell& cell) { return is_land(cell) ? none : WaterForTests::depth_m; }}};
+  product.quantities = {
+      {"deptho", "sea_floor_depth_below_geoid", "m", false,
+       [](const ProductCell& cell) { return is_land(cell) ? none : WaterForTests::depth_m; }}};
   return product;
 }
 
-std::filesystem::path write_product(const std::filesystem::path& file, const ProductForTests& product) {
+std::filesystem::path write_product(const std::filesystem::path& file,
+                                    const ProductForTests& product) {
   Writer writer = Writer::create(file);
   writer.attribute(Writer::global, "Conventions", "CF-1.8");
   writer.attribute(Writer::global, "title", product.title);
@@ -157,7 +172,8 @@ std::filesystem::path write_product(const std::filesystem::path& file, const Pro
     std::vector<int> dimensions = plane;
     if (q.has_depth && depth_dimension >= 0) dimensions.push_back(depth_dimension);
     dimensions.insert(dimensions.end(), {latitude, longitude});
-    ids.push_back(writer.variable(q.name, Type::float32, dimensions, {.chunks = {}, .deflate = 0, .fill_value = fill}));
+    ids.push_back(writer.variable(q.name, Type::float32, dimensions,
+                                  {.chunks = {}, .deflate = 0, .fill_value = fill}));
     if (!q.standard_name.empty()) writer.attribute(ids.back(), "standard_name", q.standard_name);
     if (!q.unit.empty()) writer.attribute(ids.back(), "units", q.unit);
   }
@@ -168,7 +184,8 @@ std::filesystem::path write_product(const std::filesystem::path& file, const Pro
   writer.write_all(longitude_id, product.longitude_deg);
   if (reference_id >= 0) writer.write_all(reference_id, seconds_of({*product.reference_time}));
 
-  const std::vector<UtcTime> times = product.time.empty() ? std::vector<UtcTime>{UtcTime{}} : product.time;
+  const std::vector<UtcTime> times =
+      product.time.empty() ? std::vector<UtcTime>{UtcTime{}} : product.time;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const ProductQuantity& q = product.quantities[i];
     const bool deep = q.has_depth && !product.depth_m.empty();
@@ -179,7 +196,8 @@ std::filesystem::path write_product(const std::filesystem::path& file, const Pro
         for (const double y : product.latitude_deg) {
           for (const double x : product.longitude_deg) {
             const double value = q.value({time, depth, y, x});
-            values.push_back(static_cast<float>(std::isnan(value) && !product.writes_nan ? fill : value));
+            values.push_back(
+                static_cast<float>(std::isnan(value) && !product.writes_nan ? fill : value));
           }
         }
       }
@@ -188,17 +206,19 @@ std::filesystem::path write_product(const std::filesystem::path& file, const Pro
     if (!product.time.empty()) shape.push_back(times.size());
     if (deep) shape.push_back(depths.size());
     shape.insert(shape.end(), {product.latitude_deg.size(), product.longitude_deg.size()});
-    writer.write(ids[i], std::vector<std::size_t>(shape.size(), 0), shape, std::span<const float>(values));
+    writer.write(ids[i], std::vector<std::size_t>(shape.size(), 0), shape,
+                 std::span<const float>(values));
   }
   writer.close();
   return file;
 }
 
-std::filesystem::path write_site(const std::filesystem::path& file, const std::string& more, double latitude_deg,
-                                 double longitude_deg) {
+std::filesystem::path write_site(const std::filesystem::path& file, const std::string& more,
+                                 double latitude_deg, double longitude_deg) {
   std::ofstream stream(file);
-  stream << "id: test_site\nname: Test site\nlatitude_deg: " << latitude_deg << "\nlongitude_deg: " << longitude_deg
-         << "\nwater_depth_m: " << WaterForTests::depth_m << "\n"
+  stream << "id: test_site\nname: Test site\nlatitude_deg: " << latitude_deg
+         << "\nlongitude_deg: " << longitude_deg << "\nwater_depth_m: " << WaterForTests::depth_m
+         << "\n"
          << more;
   return file;
 }

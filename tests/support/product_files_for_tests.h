@@ -26,7 +26,8 @@ struct ProductQuantity {
   std::function<double(const ProductCell&)> value;
 };
 
-/// A tiny file in the shape of a Copernicus Marine subset. Tests spoil one thing about it, then write it.
+/// A tiny file in the shape of a Copernicus Marine subset. Tests spoil one thing about it, then
+/// write it.
 struct ProductForTests {
   std::string title;
   std::vector<UtcTime> time;    ///< empty: a static file
@@ -40,8 +41,8 @@ struct ProductForTests {
   [[nodiscard]] ProductQuantity& quantity(const std::string& name);
 };
 
-/// The water that all these files tell of: a semidiurnal tide with less of it near the bed, a slow drift, and a
-/// wind-driven part that decays with depth. East of 6.65 E there is land. 30 m deep.
+/// The water that all these files tell of: a semidiurnal tide with less of it near the bed, a slow
+/// drift, and a wind-driven part that decays with depth. East of 6.65 E there is land. 30 m deep.
 struct WaterForTests {
   static constexpr double depth_m = 30;
   static constexpr double site_latitude_deg = 54.0;
@@ -67,9 +68,11 @@ struct WaterForTests {
 [[nodiscard]] ProductForTests bathymetry_product();
 
 /// Writes it as netCDF-4 and returns the path.
-std::filesystem::path write_product(const std::filesystem::path& file, const ProductForTests& product);
+std::filesystem::path write_product(const std::filesystem::path& file,
+                                    const ProductForTests& product);
 
-/// Writes the YAML of a site in that water (id "test_site", 30 m) and returns the path; `more` adds lines to it.
+/// Writes the YAML of a site in that water (id "test_site", 30 m) and returns the path; `more` adds
+/// lines to it.
 std::filesystem::path write_site(const std::filesystem::path& file, const std::string& more = "",
                                  double latitude_deg = WaterForTests::site_latitude_deg,
                                  double longitude_deg = WaterForTests::site_longitude_deg);

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -14,8 +15,9 @@
 namespace slackwater::tests {
 namespace {
 
-pid_t spawn(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment,
-            const std::string& out, const std::string& err) {
+pid_t spawn(const std::vector<std::string>& arguments,
+            const std::map<std::string, std::string>& environment, const std::string& out,
+            const std::string& err) {
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("cannot fork");
   if (child > 0) return child;
@@ -52,19 +54,26 @@ std::filesystem::path program_path() {
 ProgramResult run_program(const std::vector<std::string>& arguments,
                           const std::map<std::string, std::string>& environment) {
   const TemporaryFolder folder;
-  const pid_t child = spawn(arguments, environment, (folder / "out").string(), (folder / "err").string());
-  int status = 0;
-  ::waitpid(child, &status, 0);
+  const pid_t child =
+      spawn(arguments, environment, (folder / "out").string(), (folder / "err").string());
   ProgramResult result;
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  result.exit_code = wait_for_program(child);
   result.out = read_all(folder / "out");
   result.err = read_all(folder / "err");
   return result;
 }
 
 pid_t start_program(const std::vector<std::string>& arguments,
-                    const std::map<std::string, std::string>& environment) {
-  return spawn(arguments, environment, "/dev/null", "/dev/null");
+                    const std::map<std::string, std::string>& environment,
+                    const std::filesystem::path& out) {
+  return spawn(arguments, environment, out.string(), "/dev/null");
+}
+
+int wait_for_program(pid_t program) {
+  int status = 0;
+  while (::waitpid(program, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 }  // namespace slackwater::tests

@@ -10,7 +10,7 @@ namespace slackwater::tests {
 
 /// What a run of the program left behind.
 struct ProgramResult {
-  int exit_code = -1;   ///< 128 + signal where a signal ended it
+  int exit_code = -1;  ///< 128 + signal where a signal ended it
   std::string out;
   std::string err;
 };
@@ -19,9 +19,14 @@ struct ProgramResult {
 [[nodiscard]] ProgramResult run_program(const std::vector<std::string>& arguments,
                                         const std::map<std::string, std::string>& environment = {});
 
-/// Starts it and returns at once, output discarded; the caller waits or kills.
+/// Starts it and returns at once, standard output to a file (discarded unless named); the caller
+/// waits or kills.
 [[nodiscard]] pid_t start_program(const std::vector<std::string>& arguments,
-                                  const std::map<std::string, std::string>& environment = {});
+                                  const std::map<std::string, std::string>& environment = {},
+                                  const std::filesystem::path& out = "/dev/null");
+
+/// Waits for a started program. @return its exit code, 128 + signal where a signal ended it.
+int wait_for_program(pid_t program);
 
 /// The path of the built program.
 [[nodiscard]] std::filesystem::path program_path();

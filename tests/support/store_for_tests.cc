@@ -16,14 +16,16 @@ ProgramResult StoreForTests::run(std::vector<std::string> arguments) const {
   return run_program(arguments);
 }
 
-pid_t StoreForTests::start(std::vector<std::string> arguments) const {
+pid_t StoreForTests::start(std::vector<std::string> arguments,
+                           const std::filesystem::path& out) const {
   arguments.insert(arguments.end(), {"--store", store_.string()});
-  return start_program(arguments);
+  return start_program(arguments, {}, out);
 }
 
 void StoreForTests::ingest(const std::filesystem::path& product) const {
   const ProgramResult result = run({"ingest", product.string(), "--at", "2025-03-20T00:00:00Z"});
-  if (result.exit_code != 0) throw std::runtime_error("cannot ingest " + product.string() + ": " + result.err);
+  if (result.exit_code != 0)
+    throw std::runtime_error("cannot ingest " + product.string() + ": " + result.err);
 }
 
 void StoreForTests::ingest_days(UtcDay first, int days) const {

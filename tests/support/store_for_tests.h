@@ -23,7 +23,8 @@ class StoreForTests {
   /// Runs the program on this store.
   [[nodiscard]] ProgramResult run(std::vector<std::string> arguments) const;
   /// The same, started only; see `start_program`.
-  [[nodiscard]] pid_t start(std::vector<std::string> arguments) const;
+  [[nodiscard]] pid_t start(std::vector<std::string> arguments,
+                            const std::filesystem::path& out = "/dev/null") const;
 
   /// Writes and ingests currents, wind and waves of these days; throws if that fails.
   void ingest_days(UtcDay first, int days) const;
@@ -34,8 +35,8 @@ class StoreForTests {
 
   /// `store list --json`.
   [[nodiscard]] std::string listing() const;
-  /// Every file of the store with its sha256: equal before and after means that the store is as it was. SQLite's side
-  /// files are left out where they hold nothing.
+  /// Every file of the store with its sha256: equal before and after means that the store is as it
+  /// was. SQLite's side files are left out where they hold nothing.
   [[nodiscard]] std::map<std::string, std::string> digests() const;
 
  private:

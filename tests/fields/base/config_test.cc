@@ -31,13 +31,17 @@ TEST(StrictConfig, AnUnknownKeyNamesItsLineAndTheNearestKnownKey) {
 
 TEST(StrictConfig, AnUnknownKeyOfAChildIsSeenFromItsParent) {
   const Config config = Config::parse("columns:\n  - {latitude_deg: 1, depht: 3}\n", "f");
-  for (const Config& child : config.children("columns")) static_cast<void>(child.number("latitude_deg", {-90, 90}));
-  EXPECT_NE(message_of([&] { config.expect_all_read(); }).find("columns[0].depht"), std::string::npos);
+  for (const Config& child : config.children("columns"))
+    static_cast<void>(child.number("latitude_deg", {-90, 90}));
+  EXPECT_NE(message_of([&] { config.expect_all_read(); }).find("columns[0].depht"),
+            std::string::npos);
 }
 
 TEST(StrictConfig, ValuesOutsideTheirRangeAreRefusedWithBoth) {
   const Config config = Config::parse("latitude_deg: 470\n", "f");
-  const std::string message = message_of([&] { static_cast<void>(config.number("latitude_deg", {-90, 90})); });
+  const std::string message = message_of([&] {
+    static_cast<void>(config.number("latitude_deg", {-90, 90}));
+  });
   EXPECT_NE(message.find("470"), std::string::npos);
   EXPECT_NE(message.find("-90 to 90"), std::string::npos) << message;
 }
@@ -45,22 +49,34 @@ TEST(StrictConfig, ValuesOutsideTheirRangeAreRefusedWithBoth) {
 TEST(StrictConfig, NotANumberIsOutsideEveryRange) {
   const Config config = Config::parse("a: .nan\nb: .inf\nc: twelve\nd: [1]\n", "f");
   for (const char* const key : {"a", "b", "c", "d"}) {
-    EXPECT_NE(message_of([&] { static_cast<void>(config.number(key, {0, 10})); }), "no error") << key;
+    EXPECT_NE(message_of([&] {
+                static_cast<void>(config.number(key, {0, 10}));
+              }),
+              "no error")
+        << key;
   }
 }
 
 TEST(StrictConfig, MissingDoubledAndMisshapenKeysAreRefused) {
-  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: 1\n", "f").text("b")); }).find("missing"),
+  EXPECT_NE(
+      message_of([] { static_cast<void>(Config::parse("a: 1\n", "f").text("b")); }).find("missing"),
+      std::string::npos);
+  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: 1\na: 2\n", "f")); }).find("twice"),
             std::string::npos);
-  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: 1\na: 2\n", "f")); }).find("twice"), std::string::npos);
-  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("- 1\n", "f")); }).find("mapping"), std::string::npos);
-  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: [1\n", "f")); }).find("YAML"), std::string::npos);
-  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: 1.5\n", "f").integer("a", 0, 9)); }).find("whole"),
+  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("- 1\n", "f")); }).find("mapping"),
+            std::string::npos);
+  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: [1\n", "f")); }).find("YAML"),
+            std::string::npos);
+  EXPECT_NE(message_of([] {
+              static_cast<void>(Config::parse("a: 1.5\n", "f").integer("a", 0, 9));
+            }).find("whole"),
             std::string::npos);
 }
 
 TEST(StrictConfig, DeepNestingIsRefusedBeforeTheParserSeesIt) {
-  EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: " + std::string(100000, '['), "f")); }).find("64 levels"),
+  EXPECT_NE(message_of([] {
+              static_cast<void>(Config::parse("a: " + std::string(100000, '['), "f"));
+            }).find("64 levels"),
             std::string::npos);
 }
 

@@ -10,8 +10,9 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST(UtcTimeText, RoundTripsThroughItsOwnText) {
-  for (const char* const text : {"1970-01-01T00:00:00Z", "2024-02-29T23:59:59Z", "1899-12-31T12:00:00Z",
-                                 "2025-03-10T05:00:00.125Z", "0001-01-01T00:00:00Z"}) {
+  for (const char* const text :
+       {"1970-01-01T00:00:00Z", "2024-02-29T23:59:59Z", "1899-12-31T12:00:00Z",
+        "2025-03-10T05:00:00.125Z", "0001-01-01T00:00:00Z"}) {
     EXPECT_EQ(format_utc(parse_utc(text)), text);
   }
 }
@@ -22,9 +23,10 @@ TEST(UtcTimeText, ReadsShorterFormsAndTheEndOfTheDay) {
 }
 
 TEST(UtcTimeText, RefusesWhatIsNotAUtcTime) {
-  for (const char* const text : {"", "2025-03-10", "2025-03-10T05:00:00", "2025-02-29T00:00:00Z", "2025-13-01T00:00:00Z",
-                                 "2025-03-10T25:00:00Z", "2025-03-10T05:60:00Z", "2025-03-10T05:00:00+01:00",
-                                 "2025-03-10T24:00:01Z", "2025-03-10T05:00:00.Z", "yesterday"}) {
+  for (const char* const text :
+       {"", "2025-03-10", "2025-03-10T05:00:00", "2025-02-29T00:00:00Z", "2025-13-01T00:00:00Z",
+        "2025-03-10T25:00:00Z", "2025-03-10T05:60:00Z", "2025-03-10T05:00:00+01:00",
+        "2025-03-10T24:00:01Z", "2025-03-10T05:00:00.Z", "yesterday"}) {
     try {
       static_cast<void>(parse_utc(text));
       FAIL() << text;

@@ -65,8 +65,10 @@ TEST(BoundingBoxes, HoldPointsAcrossTheAntimeridian) {
 
 TEST(GeodesicDistance, MatchesAMeridianAndAParallel) {
   // One degree of latitude at 45 N and of longitude on the equator: WGS 84 tables (NIMA TR8350.2).
-  EXPECT_NEAR(distance_m(GeoPoint::from_degrees(44.5, 0), GeoPoint::from_degrees(45.5, 0)), 111131.75, 0.5);
-  EXPECT_NEAR(distance_m(GeoPoint::from_degrees(0, 179.5), GeoPoint::from_degrees(0, -179.5)), 111319.49, 0.01);
+  EXPECT_NEAR(distance_m(GeoPoint::from_degrees(44.5, 0), GeoPoint::from_degrees(45.5, 0)),
+              111131.75, 0.5);
+  EXPECT_NEAR(distance_m(GeoPoint::from_degrees(0, 179.5), GeoPoint::from_degrees(0, -179.5)),
+              111319.49, 0.01);
 }
 
 }  // namespace

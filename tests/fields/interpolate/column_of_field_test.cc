@@ -15,8 +15,9 @@ using std::chrono::hours;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /// A field on 3 times x 2 levels x the given axes.
-GriddedField field(std::vector<double> latitude, std::vector<double> longitude,
-                   const std::function<float(std::size_t t, std::size_t k, double lat, double lon)>& value) {
+GriddedField field(
+    std::vector<double> latitude, std::vector<double> longitude,
+    const std::function<float(std::size_t t, std::size_t k, double lat, double lon)>& value) {
   GriddedField f;
   f.standard_name = "eastward_sea_water_velocity";
   f.unit = "m s-1";
@@ -36,7 +37,8 @@ GriddedField field(std::vector<double> latitude, std::vector<double> longitude,
 }
 
 float plane(std::size_t t, std::size_t k, double lat, double lon) {
-  return static_cast<float>(2 * lat + 3 * lon + 10.0 * static_cast<double>(t) + 100.0 * static_cast<double>(k));
+  return static_cast<float>(2 * lat + 3 * lon + 10.0 * static_cast<double>(t) +
+                            100.0 * static_cast<double>(k));
 }
 
 TEST(ColumnOfField, ReproducesABilinearFieldExactly) {
@@ -45,7 +47,8 @@ TEST(ColumnOfField, ReproducesABilinearFieldExactly) {
   for (std::size_t t = 0; t < 3; ++t) {
     for (std::size_t k = 0; k < 2; ++k) {
       ASSERT_EQ(column.status[column.offset(t, k)], SampleStatus::ok);
-      EXPECT_NEAR(column.value[column.offset(t, k)], plane(t, k, 50.2, 1.8), 2e-5);  // float storage
+      EXPECT_NEAR(column.value[column.offset(t, k)], plane(t, k, 50.2, 1.8),
+                  2e-5);  // float storage
     }
   }
 }
@@ -57,30 +60,36 @@ TEST(ColumnOfField, AtACellCentreIsThatCell) {
 }
 
 TEST(ColumnOfField, NeverAveragesAMaskedCellIn) {
-  // The north-east cell is land: its weight goes to the others, and the answer stays within their range.
-  const GriddedField f = field({50, 51}, {1, 2}, [](std::size_t, std::size_t, double lat, double lon) {
-    return lat > 50.5 && lon > 1.5 ? nan : 0.25F;
-  });
+  // The north-east cell is land: its weight goes to the others, and the answer stays within their
+  // range.
+  const GriddedField f =
+      field({50, 51}, {1, 2}, [](std::size_t, std::size_t, double lat, double lon) {
+        return lat > 50.5 && lon > 1.5 ? nan : 0.25F;
+      });
   const auto column = column_of(f, GeoPoint::from_degrees(50.7, 1.7), DataStatus::analysis);
   EXPECT_EQ(column.status[0], SampleStatus::ok);
   EXPECT_DOUBLE_EQ(column.value[0], 0.25);
 }
 
 TEST(ColumnOfField, TellsLandFromBed) {
-  const auto land = column_of(field({50, 51}, {1, 2}, [](auto, auto, double, double) { return nan; }),
-                              GeoPoint::from_degrees(50.5, 1.5), DataStatus::analysis);
+  const auto land =
+      column_of(field({50, 51}, {1, 2}, [](auto, auto, double, double) { return nan; }),
+                GeoPoint::from_degrees(50.5, 1.5), DataStatus::analysis);
   EXPECT_EQ(land.status[0], SampleStatus::land);
   const auto shallow =
-      column_of(field({50, 51}, {1, 2}, [](auto, std::size_t k, double, double) { return k == 1 ? nan : 0.1F; }),
+      column_of(field({50, 51}, {1, 2},
+                      [](auto, std::size_t k, double, double) { return k == 1 ? nan : 0.1F; }),
                 GeoPoint::from_degrees(50.5, 1.5), DataStatus::analysis);
   EXPECT_EQ(shallow.status[0], SampleStatus::ok);
   EXPECT_EQ(shallow.status[1], SampleStatus::below_bed);
 }
 
 TEST(ColumnOfField, AValueMissingAtOneTimeIsMissingThere) {
-  const auto column = column_of(
-      field({50, 51}, {1, 2}, [](std::size_t t, auto, double lat, double) { return t == 1 && lat > 50.5 ? nan : 1.0F; }),
-      GeoPoint::from_degrees(50.5, 1.5), DataStatus::analysis);
+  const auto column = column_of(field({50, 51}, {1, 2},
+                                      [](std::size_t t, auto, double lat, double) {
+                                        return t == 1 && lat > 50.5 ? nan : 1.0F;
+                                      }),
+                                GeoPoint::from_degrees(50.5, 1.5), DataStatus::analysis);
   EXPECT_EQ(column.status[column.offset(0, 0)], SampleStatus::ok);
   EXPECT_EQ(column.status[column.offset(1, 0)], SampleStatus::missing);
   EXPECT_EQ(column.status[column.offset(2, 0)], SampleStatus::ok);
@@ -100,24 +109,28 @@ TEST(ColumnOfField, OutsideByMoreThanHalfACellIsOutside) {
 TEST(ColumnOfField, ALoneCellReachesFiveKilometres) {
   const GriddedField f = field({46.83}, {-6.08}, plane);
   const auto north_by = [&](double km) {
-    return column_of(f, GeoPoint::from_degrees(46.83 + km / 111.195, -6.08), DataStatus::analysis).status[0];
+    return column_of(f, GeoPoint::from_degrees(46.83 + km / 111.195, -6.08), DataStatus::analysis)
+        .status[0];
   };
   EXPECT_EQ(north_by(4.9), SampleStatus::ok);
   EXPECT_EQ(north_by(5.1), SampleStatus::outside_area);
 }
 
 TEST(ColumnOfField, WorksAcrossTheAntimeridianAndFrom0To360) {
-  // A grid from 179 E to 181 E holds its longitudes as 179, 180, 181; points come as -179.5 or 180.5.
+  // A grid from 179 E to 181 E holds its longitudes as 179, 180, 181; points come as -179.5 or
+  // 180.5.
   const GriddedField f = field({-20, -19}, {179, 180, 181}, plane);
   for (const double longitude : {-179.5, 180.5}) {
-    const auto column = column_of(f, GeoPoint::from_degrees(-19.5, longitude), DataStatus::analysis);
+    const auto column =
+        column_of(f, GeoPoint::from_degrees(-19.5, longitude), DataStatus::analysis);
     ASSERT_EQ(column.status[0], SampleStatus::ok);
     EXPECT_NEAR(column.value[0], plane(0, 0, -19.5, 180.5), 1e-4);
   }
 }
 
 TEST(ColumnOfField, DirectionsPassThroughUnitVectors) {
-  GriddedField f = field({50, 51}, {1, 2}, [](auto, auto, double lat, double) { return lat < 50.5 ? 350.0F : 10.0F; });
+  GriddedField f = field(
+      {50, 51}, {1, 2}, [](auto, auto, double lat, double) { return lat < 50.5 ? 350.0F : 10.0F; });
   f.standard_name = "sea_surface_wave_from_direction";
   f.unit = "degree";
   const auto column = column_of(f, GeoPoint::from_degrees(50.5, 1.5), DataStatus::analysis);
@@ -126,15 +139,20 @@ TEST(ColumnOfField, DirectionsPassThroughUnitVectors) {
 }
 
 TEST(ColumnOfField, OpposedDirectionsHaveNoMean) {
-  GriddedField f = field({50, 51}, {1, 2}, [](auto, auto, double lat, double) { return lat < 50.5 ? 90.0F : 270.0F; });
+  GriddedField f = field(
+      {50, 51}, {1, 2}, [](auto, auto, double lat, double) { return lat < 50.5 ? 90.0F : 270.0F; });
   f.unit = "degree";
-  EXPECT_EQ(column_of(f, GeoPoint::from_degrees(50.5, 1.5), DataStatus::analysis).status[0], SampleStatus::missing);
+  EXPECT_EQ(column_of(f, GeoPoint::from_degrees(50.5, 1.5), DataStatus::analysis).status[0],
+            SampleStatus::missing);
 }
 
 TEST(ColumnOfField, AVectorNeedsBothComponents) {
-  const GriddedField east = field({50, 51}, {1, 2}, [](auto, auto, double, double) { return 0.3F; });
-  const GriddedField north = field({50, 51}, {1, 2}, [](auto, auto, double lat, double) { return lat < 50.5 ? nan : 0.4F; });
-  const auto column = column_of(east, north, GeoPoint::from_degrees(50.5, 1.5), DataStatus::forecast);
+  const GriddedField east =
+      field({50, 51}, {1, 2}, [](auto, auto, double, double) { return 0.3F; });
+  const GriddedField north = field(
+      {50, 51}, {1, 2}, [](auto, auto, double lat, double) { return lat < 50.5 ? nan : 0.4F; });
+  const auto column =
+      column_of(east, north, GeoPoint::from_degrees(50.5, 1.5), DataStatus::forecast);
   EXPECT_EQ(column.status[0], SampleStatus::ok);
   EXPECT_NEAR(std::abs(column.value[0]), 0.5, 1e-7);
   EXPECT_EQ(column.source[0], DataStatus::forecast);

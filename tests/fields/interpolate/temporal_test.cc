@@ -20,7 +20,8 @@ TEST(MeanOver, IsTheExactIntegralOfThePiecewiseLinearSeries) {
   ASSERT_TRUE(mean);
   EXPECT_NEAR(mean->real(), 0.75, 1e-15);
   EXPECT_NEAR(mean->imag(), 1.5, 1e-15);
-  EXPECT_NEAR(mean_over(stamps, values, 1, 0, {at(0), at(3)})->real(), (0.5 + 0.5 + 1.5) / 3, 1e-15);
+  EXPECT_NEAR(mean_over(stamps, values, 1, 0, {at(0), at(3)})->real(), (0.5 + 0.5 + 1.5) / 3,
+              1e-15);
   EXPECT_EQ(mean_over(stamps, values, 1, 0, TimeCell::instant(at(3)))->real(), 3);
 }
 

@@ -55,7 +55,8 @@ TEST(SampleProfile, OutsideIsAStatusNotANumber) {
   EXPECT_EQ(sample(s, UtcTime(hours(2)), std::nan("")).status, SampleStatus::above_surface);
   EXPECT_EQ(sample(s, UtcTime(hours(4)), 5.0).status, SampleStatus::outside_time);
   EXPECT_EQ(sample(s, UtcTime(hours(-1)), 5.0).status, SampleStatus::outside_time);
-  EXPECT_EQ(sample(s, UtcTime(hours(3)), 5.0).status, SampleStatus::ok) << "the last stamp belongs to the forecast";
+  EXPECT_EQ(sample(s, UtcTime(hours(3)), 5.0).status, SampleStatus::ok)
+      << "the last stamp belongs to the forecast";
 }
 
 }  // namespace

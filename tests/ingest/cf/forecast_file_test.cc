@@ -15,7 +15,8 @@ namespace {
 
 using std::chrono::hours;
 
-/// A forecast with everything in it: several statuses, a column below the bed, waves without a period.
+/// A forecast with everything in it: several statuses, a column below the bed, waves without a
+/// period.
 Snapshot full_snapshot(std::size_t columns) {
   Rng random(11, "tests/forecast_file");
   Snapshot s;
@@ -41,12 +42,14 @@ Snapshot full_snapshot(std::size_t columns) {
       for (std::size_t k = 0; k < s.depth_m.size(); ++k) {
         const bool there = k < 2;
         column.current_status.push_back(there ? SampleStatus::ok : SampleStatus::below_bed);
-        column.current_m_s.push_back(there ? Horizontal(random.normal(), random.normal()) : Horizontal{});
+        column.current_m_s.push_back(there ? Horizontal(random.normal(), random.normal())
+                                           : Horizontal{});
         column.current_sigma_m_s.push_back(there ? random.uniform() : 0);
       }
       column.wind_m_s.emplace_back(random.normal(), random.normal());
       column.wind_source.push_back(t < 5 ? DataStatus::forecast : DataStatus::persisted);
-      column.sea.push_back({random.uniform(), t == 3 ? std::numeric_limits<double>::quiet_NaN() : 8.0, 240.0});
+      column.sea.push_back(
+          {random.uniform(), t == 3 ? std::numeric_limits<double>::quiet_NaN() : 8.0, 240.0});
       column.sea_source.push_back(DataStatus::modelled);
     }
   }
@@ -79,7 +82,8 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
     EXPECT_EQ(a.columns[c].sea_source, b.columns[c].sea_source);
     for (std::size_t t = 0; t < a.columns[c].sea.size(); ++t) {
       EXPECT_EQ(a.columns[c].sea[t].significant_height_m, b.columns[c].sea[t].significant_height_m);
-      EXPECT_EQ(std::isnan(a.columns[c].sea[t].peak_period_s), std::isnan(b.columns[c].sea[t].peak_period_s));
+      EXPECT_EQ(std::isnan(a.columns[c].sea[t].peak_period_s),
+                std::isnan(b.columns[c].sea[t].peak_period_s));
     }
   }
 }

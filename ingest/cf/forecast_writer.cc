@@ -1,5 +1,3 @@
-#include "ingest/cf/forecast_file.h"
-
 #include <cmath>
 #include <limits>
 #include <string>
@@ -7,26 +5,21 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast_names.h"
 #include "ingest/netcdf/file.h"
 
 namespace slackwater::ingest {
 namespace {
 
+using forecast_names::fill;
 using netcdf::Type;
 using netcdf::Writer;
 
-constexpr double fill = 9.969209968386869e+36;  // NC_FILL_DOUBLE
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// 90 % quantile of the standard normal: p10 and p90 stand this many standard deviations from the median.
+/// 90 % quantile of the standard normal: p10 and p90 stand this many standard deviations from the
+/// median.
 constexpr double normal_p90 = 1.2815515655446004;
-
-const char* const east_name = "eastward_sea_water_velocity";
-const char* const north_name = "northward_sea_water_velocity";
-const char* const sigma_name = "sea_water_velocity_component_standard_deviation";
-const char* const status_name = "sea_water_velocity_status";
-const char* const height_name = "sea_surface_wave_significant_height";
-const char* const period_name = "sea_surface_wave_period_at_variance_spectral_density_maximum";
-const char* const direction_name = "sea_surface_wave_from_direction";
 
 /// One file being written: the snapshot with the ids of what was defined.
 class ForecastWriter {
@@ -49,7 +42,9 @@ class ForecastWriter {
   }
 
  private:
-  std::vector<int> surface_dims() const { return many_ ? std::vector{time_, column_} : std::vector{time_}; }
+  std::vector<int> surface_dims() const {
+    return many_ ? std::vector{time_, column_} : std::vector{time_};
+  }
   std::vector<int> depth_dims() const {
     return many_ ? std::vector{time_, depth_, column_} : std::vector{time_, depth_};
   }
@@ -57,8 +52,9 @@ class ForecastWriter {
     return std::string("time ") + (with_depth ? "depth " : "") + "latitude longitude station_name";
   }
 
-  int define(const std::string& name, Type type, const std::vector<int>& dims, const std::string& standard_name,
-             const std::string& long_name, const std::string& units, bool on_depth) {
+  int define(const std::string& name, Type type, const std::vector<int>& dims,
+             const std::string& standard_name, const std::string& long_name,
+             const std::string& units, bool on_depth) {
     Writer::Layout layout;
     if (type == Type::float64) layout.fill_value = fill;
     const int id = out_.variable(name, type, dims, layout);
@@ -100,7 +96,8 @@ class ForecastWriter {
     if (!many_) out_.attribute(station_id_, "cf_role", "timeseries_id");
     reference_id_ = out_.variable("forecast_reference_time", Type::float64, {});
     out_.attribute(reference_id_, "standard_name", "forecast_reference_time");
-    out_.attribute(reference_id_, "long_name", "end of the last calibrated day; lead counts from here");
+    out_.attribute(reference_id_, "long_name",
+                   "end of the last calibrated day; lead counts from here");
     out_.attribute(reference_id_, "units", "seconds since 1970-01-01 00:00:00");
     out_.attribute(reference_id_, "calendar", "standard");
     period_id_ = out_.variable("forecast_period", Type::float64, {time_});
@@ -115,26 +112,31 @@ class ForecastWriter {
 
   void define_currents() {
     if (s_.depth_m.empty()) return;
-    east_id_ = define(east_name, Type::float64, depth_dims(), east_name, "eastward current, member 0, Eulerian",
-                      "m s-1", true);
-    north_id_ = define(north_name, Type::float64, depth_dims(), north_name,
+    east_id_ = define(forecast_names::east, Type::float64, depth_dims(), forecast_names::east,
+                      "eastward current, member 0, Eulerian", "m s-1", true);
+    north_id_ = define(forecast_names::north, Type::float64, depth_dims(), forecast_names::north,
                        "northward current, member 0, Eulerian", "m s-1", true);
     for (const int id : {east_id_, north_id_}) {
-      out_.attribute(id, "ancillary_variables", std::string(status_name) + " " + sigma_name);
+      out_.attribute(id, "ancillary_variables",
+                     std::string(forecast_names::status) + " " + forecast_names::sigma);
     }
-    sigma_id_ = define(sigma_name, Type::float64, depth_dims(), "",
+    sigma_id_ = define(forecast_names::sigma, Type::float64, depth_dims(), "",
                        "standard deviation of each current component", "m s-1", true);
-    status_id_ = define(status_name, Type::int8, depth_dims(), "", "why a current is, or is not, there", "", true);
+    status_id_ = define(forecast_names::status, Type::int8, depth_dims(), "",
+                        "why a current is, or is not, there", "", true);
     const std::vector<double> flags{0, 1, 2, 3, 4, 5, 6, 7, 8};
     out_.attribute(status_id_, "flag_values", flags, Type::int8);
-    out_.attribute(status_id_, "flag_meanings",
-                   "ok missing land below_bed outside_area outside_time above_surface not_checked suspect");
+    out_.attribute(
+        status_id_, "flag_meanings",
+        "ok missing land below_bed outside_area outside_time above_surface not_checked suspect");
     for (const char* const quantile : {"_p10", "_p50", "_p90"}) {
       const std::string percent = std::string(quantile).substr(2) + " % quantile";
-      quantile_ids_.push_back(define(east_name + std::string(quantile), Type::float64, depth_dims(), "",
-                                     "eastward current, " + percent, "m s-1", true));
-      quantile_ids_.push_back(define(north_name + std::string(quantile), Type::float64, depth_dims(), "",
-                                     "northward current, " + percent, "m s-1", true));
+      quantile_ids_.push_back(define(std::string(forecast_names::east) + quantile, Type::float64,
+                                     depth_dims(), "", "eastward current, " + percent, "m s-1",
+                                     true));
+      quantile_ids_.push_back(define(std::string(forecast_names::north) + quantile, Type::float64,
+                                     depth_dims(), "", "northward current, " + percent, "m s-1",
+                                     true));
     }
   }
 
@@ -151,8 +153,8 @@ class ForecastWriter {
 
   void define_wind() {
     if (!has_wind()) return;
-    wind_ids_ = {define("eastward_wind", Type::float64, surface_dims(), "eastward_wind", "eastward wind at 10 m",
-                        "m s-1", false),
+    wind_ids_ = {define("eastward_wind", Type::float64, surface_dims(), "eastward_wind",
+                        "eastward wind at 10 m", "m s-1", false),
                  define("northward_wind", Type::float64, surface_dims(), "northward_wind",
                         "northward wind at 10 m", "m s-1", false),
                  define_source("wind_source", "where the wind comes from")};
@@ -160,11 +162,15 @@ class ForecastWriter {
 
   void define_sea() {
     if (!has_sea()) return;
-    sea_ids_ = {define(height_name, Type::float64, surface_dims(), height_name, "significant wave height", "m", false),
-                define(period_name, Type::float64, surface_dims(), period_name, "peak wave period", "s", false),
-                define(direction_name, Type::float64, surface_dims(), direction_name,
-                       "direction that waves come from, clockwise from true north", "degree", false),
-                define_source("wave_source", "where the sea state comes from")};
+    sea_ids_ = {
+        define(forecast_names::wave_height, Type::float64, surface_dims(),
+               forecast_names::wave_height, "significant wave height", "m", false),
+        define(forecast_names::wave_period, Type::float64, surface_dims(),
+               forecast_names::wave_period, "peak wave period", "s", false),
+        define(forecast_names::wave_direction, Type::float64, surface_dims(),
+               forecast_names::wave_direction,
+               "direction that waves come from, clockwise from true north", "degree", false),
+        define_source("wave_source", "where the sea state comes from")};
   }
 
   void describe() {
@@ -252,8 +258,9 @@ class ForecastWriter {
     put(sigma_id_, levels, [](const ForecastColumn& c, std::size_t o) {
       return has_value(c.current_status[o]) ? c.current_sigma_m_s[o] : nan;
     });
-    put(status_id_, levels,
-        [](const ForecastColumn& c, std::size_t o) { return static_cast<double>(c.current_status[o]); });
+    put(status_id_, levels, [](const ForecastColumn& c, std::size_t o) {
+      return static_cast<double>(c.current_status[o]);
+    });
     std::size_t next = 0;
     for (const double sigmas : {-normal_p90, 0.0, normal_p90}) {
       put(quantile_ids_[next++], levels, current(false, sigmas));
@@ -278,9 +285,12 @@ class ForecastWriter {
     const auto at = [](const ForecastColumn& c, std::size_t o) {
       return o < c.sea.size() ? c.sea[o] : SeaState{nan, nan, nan};
     };
-    put(sea_ids_[0], 1, [&](const ForecastColumn& c, std::size_t o) { return at(c, o).significant_height_m; });
-    put(sea_ids_[1], 1, [&](const ForecastColumn& c, std::size_t o) { return at(c, o).peak_period_s; });
-    put(sea_ids_[2], 1, [&](const ForecastColumn& c, std::size_t o) { return at(c, o).from_direction_deg; });
+    put(sea_ids_[0], 1,
+        [&](const ForecastColumn& c, std::size_t o) { return at(c, o).significant_height_m; });
+    put(sea_ids_[1], 1,
+        [&](const ForecastColumn& c, std::size_t o) { return at(c, o).peak_period_s; });
+    put(sea_ids_[2], 1,
+        [&](const ForecastColumn& c, std::size_t o) { return at(c, o).from_direction_deg; });
     put(sea_ids_[3], 1, [](const ForecastColumn& c, std::size_t o) {
       return o < c.sea_source.size() ? static_cast<double>(c.sea_source[o]) : 0.0;
     });
@@ -290,155 +300,18 @@ class ForecastWriter {
   const Snapshot& s_;
   bool many_;
   int time_ = 0, depth_ = 0, column_ = 0;
-  int time_id_ = 0, depth_id_ = 0, latitude_id_ = 0, longitude_id_ = 0, station_id_ = 0, reference_id_ = 0,
-      period_id_ = 0, bed_id_ = 0, east_id_ = 0, north_id_ = 0, sigma_id_ = 0, status_id_ = 0;
+  int time_id_ = 0, depth_id_ = 0, latitude_id_ = 0, longitude_id_ = 0, station_id_ = 0,
+      reference_id_ = 0, period_id_ = 0, bed_id_ = 0, east_id_ = 0, north_id_ = 0, sigma_id_ = 0,
+      status_id_ = 0;
   std::vector<int> quantile_ids_, wind_ids_, sea_ids_;
-};
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::size_t from = 0;
-  while (from < text.size()) {
-    const std::size_t to = std::min(text.find('\n', from), text.size());
-    lines.push_back(text.substr(from, to - from));
-    from = to + 1;
-  }
-  return lines;
-}
-
-/// One file being read.
-class ForecastReader {
- public:
-  explicit ForecastReader(const std::filesystem::path& path) : in_(netcdf::File::open(path)) {}
-
-  Snapshot read() {
-    Snapshot s;
-    s.site_id = text("slackwater_site_id");
-    s.site_name = text("slackwater_site_name");
-    s.day = parse_day(text("slackwater_day"));
-    s.issued = parse_utc(text("slackwater_issued"));
-    s.wind_policy = text("slackwater_wind_policy");
-    s.degraded = text("slackwater_degraded") == "true";
-    s.contains_stokes = text("slackwater_contains_stokes") == "true";
-    s.headline = text("slackwater_headline");
-    s.attributions = lines_of(text("slackwater_attributions"));
-    s.provenance_json = text("slackwater_provenance");
-    for (const double seconds : values("time")) {
-      s.time.push_back(UtcTime(Duration(static_cast<Duration::rep>(std::llround(seconds * 1000)))));
-    }
-    if (in_.find(east_name) != nullptr) s.depth_m = values("depth");
-    const std::vector<double> latitude = values("latitude");
-    const std::vector<double> longitude = values("longitude");
-    const std::vector<double> bed = values("sea_floor_depth");
-    const std::vector<std::string> depth_sources = lines_of(text("slackwater_water_depth_sources"));
-    columns_ = latitude.size();
-    if (longitude.size() != columns_ || bed.size() != columns_ || s.time.empty()) refuse("axes of unequal length");
-    s.columns.resize(columns_);
-    for (std::size_t c = 0; c < columns_; ++c) {
-      s.columns[c].point = GeoPoint::from_degrees(latitude[c], longitude[c]);
-      s.columns[c].water_depth_m = bed[c];
-      if (c < depth_sources.size()) s.columns[c].water_depth_source = depth_sources[c];
-    }
-    read_currents(s);
-    read_wind(s);
-    read_sea(s);
-    return s;
-  }
-
- private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(ErrorKind::invalid_input, in_.path().string() + ": " + what +
-                                              "; expected a forecast written by Slackwater; run `slackwater store check`");
-  }
-  std::string text(const char* name) const {
-    if (auto found = in_.text(name)) return *found;
-    refuse(std::string("found no attribute ") + name);
-  }
-  std::vector<double> values(const char* name) const {
-    const netcdf::Variable* variable = in_.find(name);
-    if (variable == nullptr) refuse(std::string("found no variable ") + name);
-    return in_.read_all(*variable);
-  }
-  /// Values of a data variable over (time[, depth], column), missing as NaN; empty where the variable is absent.
-  std::vector<double> data(const char* name, std::size_t per_column) const {
-    if (in_.find(name) == nullptr) return {};
-    std::vector<double> found = values(name);
-    if (found.size() != per_column * columns_) refuse(std::string(name) + " has an unexpected size");
-    for (double& value : found) {
-      if (value == fill) value = nan;
-    }
-    return found;
-  }
-
-  void read_currents(Snapshot& s) const {
-    const std::size_t size = s.time.size() * s.depth_m.size();
-    const auto east = data(east_name, size);
-    const auto north = data(north_name, size);
-    const auto sigma = data(sigma_name, size);
-    const auto status = data(status_name, size);
-    if (east.empty()) return;
-    if (north.empty() || sigma.empty() || status.empty()) refuse("the current is not whole");
-    for (std::size_t c = 0; c < columns_; ++c) {
-      ForecastColumn& column = s.columns[c];
-      for (std::size_t o = 0; o < size; ++o) {
-        const std::size_t i = o * columns_ + c;
-        const bool there = !std::isnan(east[i]) && !std::isnan(north[i]);
-        column.current_m_s.push_back(there ? Horizontal(east[i], north[i]) : Horizontal{});
-        column.current_sigma_m_s.push_back(there ? sigma[i] : 0.0);
-        if (!(status[i] >= 0 && status[i] <= 8)) refuse("found an unknown status");
-        column.current_status.push_back(static_cast<SampleStatus>(static_cast<int>(status[i])));
-      }
-    }
-  }
-
-  std::vector<DataStatus> sources(const std::vector<double>& flags, std::size_t c) const {
-    std::vector<DataStatus> result;
-    for (std::size_t i = c; i < flags.size(); i += columns_) {
-      if (!(flags[i] >= 0 && flags[i] <= 4)) refuse("found an unknown source");
-      result.push_back(static_cast<DataStatus>(static_cast<int>(flags[i])));
-    }
-    return result;
-  }
-
-  void read_wind(Snapshot& s) const {
-    const auto east = data("eastward_wind", s.time.size());
-    const auto north = data("northward_wind", s.time.size());
-    const auto source = data("wind_source", s.time.size());
-    if (east.empty() || north.empty() || source.empty()) return;
-    for (std::size_t c = 0; c < columns_; ++c) {
-      if (std::isnan(east[c])) continue;
-      for (std::size_t i = c; i < east.size(); i += columns_) s.columns[c].wind_m_s.emplace_back(east[i], north[i]);
-      s.columns[c].wind_source = sources(source, c);
-    }
-  }
-
-  void read_sea(Snapshot& s) const {
-    const auto height = data(height_name, s.time.size());
-    const auto period = data(period_name, s.time.size());
-    const auto direction = data(direction_name, s.time.size());
-    const auto source = data("wave_source", s.time.size());
-    if (height.empty() || period.empty() || direction.empty() || source.empty()) return;
-    for (std::size_t c = 0; c < columns_; ++c) {
-      for (std::size_t i = c; i < height.size(); i += columns_) {
-        s.columns[c].sea.push_back({height[i], period[i], direction[i]});
-      }
-      s.columns[c].sea_source = sources(source, c);
-    }
-  }
-
-  netcdf::File in_;
-  std::size_t columns_ = 0;
 };
 
 }  // namespace
 
 void write_forecast(const std::filesystem::path& file, const Snapshot& snapshot) {
   expects(!snapshot.columns.empty() && !snapshot.time.empty(), "a forecast has columns and times");
-  with_context("writing forecast " + file.string(), [&] { ForecastWriter(file, snapshot).write(); });
-}
-
-Snapshot read_forecast(const std::filesystem::path& file) {
-  return with_context("reading forecast", [&] { return ForecastReader(file).read(); });
+  with_context("writing forecast " + file.string(),
+               [&] { ForecastWriter(file, snapshot).write(); });
 }
 
 }  // namespace slackwater::ingest

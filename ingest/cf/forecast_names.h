@@ -1,0 +1,16 @@
+#pragma once
+
+/// Names and constants that the writer and the reader of forecast files share.
+namespace slackwater::ingest::forecast_names {
+
+inline constexpr double fill = 9.969209968386869e+36;  // NC_FILL_DOUBLE
+inline constexpr const char* east = "eastward_sea_water_velocity";
+inline constexpr const char* north = "northward_sea_water_velocity";
+inline constexpr const char* sigma = "sea_water_velocity_component_standard_deviation";
+inline constexpr const char* status = "sea_water_velocity_status";
+inline constexpr const char* wave_height = "sea_surface_wave_significant_height";
+inline constexpr const char* wave_period =
+    "sea_surface_wave_period_at_variance_spectral_density_maximum";
+inline constexpr const char* wave_direction = "sea_surface_wave_from_direction";
+
+}  // namespace slackwater::ingest::forecast_names

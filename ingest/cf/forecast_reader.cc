@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fields/base/error.h"
+#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast_names.h"
+#include "ingest/netcdf/file.h"
+
+namespace slackwater::ingest {
+namespace {
+
+using forecast_names::fill;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::size_t from = 0;
+  while (from < text.size()) {
+    const std::size_t to = std::min(text.find('\n', from), text.size());
+    lines.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return lines;
+}
+
+/// One file being read.
+class ForecastReader {
+ public:
+  explicit ForecastReader(const std::filesystem::path& path) : in_(netcdf::File::open(path)) {}
+
+  Snapshot read() {
+    Snapshot s;
+    s.site_id = text("slackwater_site_id");
+    s.site_name = text("slackwater_site_name");
+    s.day = parse_day(text("slackwater_day"));
+    s.issued = parse_utc(text("slackwater_issued"));
+    s.wind_policy = text("slackwater_wind_policy");
+    s.degraded = text("slackwater_degraded") == "true";
+    s.contains_stokes = text("slackwater_contains_stokes") == "true";
+    s.headline = text("slackwater_headline");
+    s.attributions = lines_of(text("slackwater_attributions"));
+    s.provenance_json = text("slackwater_provenance");
+    for (const double seconds : values("time")) {
+      s.time.push_back(UtcTime(Duration(static_cast<Duration::rep>(std::llround(seconds * 1000)))));
+    }
+    if (in_.find(forecast_names::east) != nullptr) s.depth_m = values("depth");
+    const std::vector<double> latitude = values("latitude");
+    const std::vector<double> longitude = values("longitude");
+    const std::vector<double> bed = values("sea_floor_depth");
+    const std::vector<std::string> depth_sources = lines_of(text("slackwater_water_depth_sources"));
+    columns_ = latitude.size();
+    if (longitude.size() != columns_ || bed.size() != columns_ || s.time.empty())
+      refuse("axes of unequal length");
+    s.columns.resize(columns_);
+    for (std::size_t c = 0; c < columns_; ++c) {
+      s.columns[c].point = GeoPoint::from_degrees(latitude[c], longitude[c]);
+      s.columns[c].water_depth_m = bed[c];
+      if (c < depth_sources.size()) s.columns[c].water_depth_source = depth_sources[c];
+    }
+    read_currents(s);
+    read_wind(s);
+    read_sea(s);
+    return s;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error(ErrorKind::invalid_input,
+                in_.path().string() + ": " + what +
+                    "; expected a forecast written by Slackwater; run `slackwater store check`");
+  }
+  std::string text(const char* name) const {
+    if (auto found = in_.text(name)) return *found;
+    refuse(std::string("found no attribute ") + name);
+  }
+  std::vector<double> values(const char* name) const {
+    const netcdf::Variable* variable = in_.find(name);
+    if (variable == nullptr) refuse(std::string("found no variable ") + name);
+    return in_.read_all(*variable);
+  }
+  /// Values of a data variable over (time[, depth], column), missing as NaN; empty where the
+  /// variable is absent.
+  std::vector<double> data(const char* name, std::size_t per_column) const {
+    if (in_.find(name) == nullptr) return {};
+    std::vector<double> found = values(name);
+    if (found.size() != per_column * columns_)
+      refuse(std::string(name) + " has an unexpected size");
+    for (double& value : found) {
+      if (value == fill) value = nan;
+    }
+    return found;
+  }
+
+  void read_currents(Snapshot& s) const {
+    const std::size_t size = s.time.size() * s.depth_m.size();
+    const auto east = data(forecast_names::east, size);
+    const auto north = data(forecast_names::north, size);
+    const auto sigma = data(forecast_names::sigma, size);
+    const auto status = data(forecast_names::status, size);
+    if (east.empty()) return;
+    if (north.empty() || sigma.empty() || status.empty()) refuse("the current is not whole");
+    for (std::size_t c = 0; c < columns_; ++c) {
+      ForecastColumn& column = s.columns[c];
+      for (std::size_t o = 0; o < size; ++o) {
+        const std::size_t i = o * columns_ + c;
+        const bool there = !std::isnan(east[i]) && !std::isnan(north[i]);
+        column.current_m_s.push_back(there ? Horizontal(east[i], north[i]) : Horizontal{});
+        column.current_sigma_m_s.push_back(there ? sigma[i] : 0.0);
+        if (!(status[i] >= 0 && status[i] <= 8)) refuse("found an unknown status");
+        column.current_status.push_back(static_cast<SampleStatus>(static_cast<int>(status[i])));
+      }
+    }
+  }
+
+  std::vector<DataStatus> sources(const std::vector<double>& flags, std::size_t c) const {
+    std::vector<DataStatus> result;
+    for (std::size_t i = c; i < flags.size(); i += columns_) {
+      if (!(flags[i] >= 0 && flags[i] <= 4)) refuse("found an unknown source");
+      result.push_back(static_cast<DataStatus>(static_cast<int>(flags[i])));
+    }
+    return result;
+  }
+
+  void read_wind(Snapshot& s) const {
+    const auto east = data("eastward_wind", s.time.size());
+    const auto north = data("northward_wind", s.time.size());
+    const auto source = data("wind_source", s.time.size());
+    if (east.empty() || north.empty() || source.empty()) return;
+    for (std::size_t c = 0; c < columns_; ++c) {
+      if (std::isnan(east[c])) continue;
+      for (std::size_t i = c; i < east.size(); i += columns_)
+        s.columns[c].wind_m_s.emplace_back(east[i], north[i]);
+      s.columns[c].wind_source = sources(source, c);
+    }
+  }
+
+  void read_sea(Snapshot& s) const {
+    const auto height = data(forecast_names::wave_height, s.time.size());
+    const auto period = data(forecast_names::wave_period, s.time.size());
+    const auto direction = data(forecast_names::wave_direction, s.time.size());
+    const auto source = data("wave_source", s.time.size());
+    if (height.empty() || period.empty() || direction.empty() || source.empty()) return;
+    for (std::size_t c = 0; c < columns_; ++c) {
+      for (std::size_t i = c; i < height.size(); i += columns_) {
+        s.columns[c].sea.push_back({height[i], period[i], direction[i]});
+      }
+      s.columns[c].sea_source = sources(source, c);
+    }
+  }
+
+  netcdf::File in_;
+  std::size_t columns_ = 0;
+};
+
+}  // namespace
+
+Snapshot read_forecast(const std::filesystem::path& file) {
+  return with_context("reading forecast", [&] { return ForecastReader(file).read(); });
+}
+
+}  // namespace slackwater::ingest
