@@ -6,6 +6,7 @@
 #include "ingest/cf/granule_file.h"
 #include "ingest/copernicus/provenance.h"
 #include "ingest/gridded_plan.h"
+#include "ingest/staged_files.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -153,25 +154,6 @@ void judge(const std::vector<Outcome>& outcomes, const Vocabulary& vocabulary,
   }
   if (!empty.empty()) warnings.push_back("all values of " + empty + " are missing (fill)");
 }
-
-/// Removes what was written if the work does not come to its end.
-class StagedFiles {
- public:
-  explicit StagedFiles(Ingested& ingested) : ingested_(ingested) {}
-  ~StagedFiles() {
-    if (kept_) return;
-    std::error_code ignored;
-    for (const DecodedGranule& granule : ingested_.granules)
-      std::filesystem::remove(granule.content_file, ignored);
-  }
-  StagedFiles(const StagedFiles&) = delete;
-  StagedFiles& operator=(const StagedFiles&) = delete;
-  void keep() noexcept { kept_ = true; }
-
- private:
-  Ingested& ingested_;
-  bool kept_ = false;
-};
 
 void drop_repeats(std::vector<std::string>& warnings) {
   std::vector<std::string> kept;

@@ -66,6 +66,7 @@ int run_command_line(int argc, const char* const* argv) {
   app.add_flag("--json", context.json,
                "print one JSON document instead of text (schemas: api/docs)");
   app.footer(
+      "Every command takes --store DIR and --json.\n"
       "Exit codes: 0 ok, 1 internal, 2 usage, 3 invalid input, 4 not found, 5 unavailable, 6 not "
       "converged.\n"
       "A day at a site:  slackwater ingest FILES…  then  slackwater forecast --site S  then\n"

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/propagate/inertial_memory.h"
+#include "fields/current/coriolis.h"
+
 namespace slackwater::calibration {
 namespace {
 
@@ -31,32 +34,45 @@ std::optional<UtcTime> last_residual(const VectorColumn& residual, UtcTime end_o
 }  // namespace
 
 CarriedResidual carried_residual(const Calibration& calibration, std::span<const double> depths_m,
-                                 UtcTime end_of_day, double recent_h) {
+                                 UtcTime end_of_day, const PropagationSettings& settings) {
   const VectorColumn& residual = calibration.residual;
   expects(!calibration.misfit.empty(), "a calibration has a misfit at one depth at least");
   const std::optional<UtcTime> last = last_residual(residual, end_of_day);
+  const double damping_per_h = inertial_damping_per_h(calibration, settings.inertial_decay_h);
+  const double coriolis_rad_h = 3600.0 * coriolis_parameter_rad_s(calibration.latitude);
+  const bool turns = settings.inertial_prior_observations && !is_equatorial(calibration.latitude);
 
   std::vector<double> node_m;
   std::vector<Horizontal> bias;
+  std::vector<Horizontal> oscillation;
   std::vector<Horizontal> recent;
   std::vector<double> sigma;
   auto level = calibration.misfit.begin();
   for (std::size_t k = 0; k < residual.levels() && level != calibration.misfit.end(); ++k) {
     const double depth_m = residual.levels_m.empty() ? 0.0 : residual.levels_m[k];
     if (depth_m != level->depth_m) continue;  // a level without observations
-    node_m.push_back(depth_m);
-    bias.emplace_back(level->bias_east_m_s, level->bias_north_m_s);
-    sigma.push_back(level->rms_m_s / std::sqrt(2.0));
+    InertialMemory memory{{level->bias_east_m_s, level->bias_north_m_s}, {}};
+    if (turns) {
+      memory = fit_inertial_memory(residual, k, end_of_day, damping_per_h, coriolis_rad_h,
+                                   *settings.inertial_prior_observations)
+                   .value_or(memory);
+    }
     Horizontal sum{};
     double n = 0;
     for (std::size_t t = 0; last && t < residual.times(); ++t) {
       if (!residual.has(t, k)) continue;
       const UtcTime end = residual.time[t].end;
-      if (end > *last || hours_between(end, *last) >= recent_h) continue;
-      sum += residual.value[residual.offset(t, k)];
+      if (end > *last || hours_between(end, *last) >= settings.recent_h) continue;
+      const double lead_h = hours_between(end_of_day, residual.time[t].centre());
+      sum += residual.value[residual.offset(t, k)] - memory.constant_m_s -
+             memory.oscillation_at(lead_h, damping_per_h, coriolis_rad_h);
       n += 1;
     }
-    recent.push_back(n > 0 ? sum / n : bias.back());
+    node_m.push_back(depth_m);
+    bias.push_back(memory.constant_m_s);
+    oscillation.push_back(memory.oscillation_m_s);
+    recent.push_back(n > 0 ? sum / n : Horizontal{});
+    sigma.push_back(level->rms_m_s / std::sqrt(2.0));
     ++level;
   }
 
@@ -64,6 +80,7 @@ CarriedResidual carried_residual(const Calibration& calibration, std::span<const
   carried.age_h = last ? std::max(0.0, hours_between(*last, end_of_day)) : 0.0;
   for (const double depth_m : depths_m) {
     carried.bias_m_s.push_back(at_depth(node_m, bias, depth_m));
+    carried.oscillation_m_s.push_back(at_depth(node_m, oscillation, depth_m));
     carried.recent_m_s.push_back(at_depth(node_m, recent, depth_m));
     carried.misfit_sigma_m_s.push_back(at_depth(node_m, sigma, depth_m));
   }

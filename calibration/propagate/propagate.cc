@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "calibration/propagate/carried_residual.h"
+#include "calibration/propagate/inertial_memory.h"
 #include "calibration/residuals/level_velocity.h"
+#include "fields/current/coriolis.h"
 #include "fields/current/stress_series.h"
 
 namespace slackwater::calibration {
@@ -81,20 +83,23 @@ Propagated propagate(const Calibration& calibration, std::span<const UtcTime> ti
   evaluate_steady(responses, parameters.interior_m_s(), stress_pa, result.mean_m_s);
   evaluate_steady(responses, Horizontal{}, stress_pa, result.wind_driven_m_s);
 
-  const CarriedResidual carried =
-      carried_residual(calibration, depths_m, end_of_day, settings.recent_h);
+  const CarriedResidual carried = carried_residual(calibration, depths_m, end_of_day, settings);
+  const Horizontal inertia(inertial_damping_per_h(calibration, settings.inertial_decay_h),
+                           3600.0 * coriolis_parameter_rad_s(calibration.latitude));
   const ParameterVariance variance(calibration, depths_m);
   for (std::size_t t = 0; t < times.size(); ++t) {
     const double lead_h = std::max(0.0, hours_between(end_of_day, times[t]));
     const double bias_left = std::exp(-lead_h / settings.bias_decay_h);
     const double recent_left = std::exp(-(lead_h + carried.age_h) / settings.residual_decay_h);
+    const Horizontal turned = std::exp(-inertia * lead_h);
     const double drift = settings.interior_drift_m_s * settings.interior_drift_m_s *
                          -std::expm1(-2.0 * lead_h / settings.drift_time_h);
     const bool may_blow = calibration.wind_used && !result.has_wind[t];
     for (std::size_t k = 0; k < depths; ++k) {
       const std::size_t at = t * depths + k;
       result.carried_m_s[at] = bias_left * carried.bias_m_s[k] +
-                               recent_left * (carried.recent_m_s[k] - carried.bias_m_s[k]);
+                               turned * carried.oscillation_m_s[k] +
+                               recent_left * carried.recent_m_s[k];
       result.mean_m_s[at] += result.carried_m_s[at];
       const double unknown_wind =
           may_blow ? settings.unknown_stress_pa * std::abs(responses.stress(k)) : 0.0;

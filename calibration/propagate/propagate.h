@@ -10,6 +10,12 @@ namespace slackwater::calibration {
 
 /// How yesterday's knowledge ages.
 struct PropagationSettings {
+  /// The free inertial oscillation in the residual of D (inertial_memory.h) turns with f and decays
+  /// with this e-folding time: two days, the middle of the damping times of mixed-layer inertial
+  /// motion (1 to 4 days; D'Asaro 1985, J. Phys. Oceanogr. 15, 1043). Bed drag damps it further.
+  double inertial_decay_h = 48.0;
+  /// What the prior "no oscillation" is worth, in observations; nothing: no oscillation is carried.
+  std::optional<double> inertial_prior_observations = 1.0;
   /// E-folding time of what the last hours of D showed beyond the day's mean misfit. Half a
   /// mid-latitude inertial period is 7 to 9 h, after which such a residual has turned against
   /// itself: a longer memory of the bare vector would carry it with the wrong sign, a shorter one
@@ -46,10 +52,12 @@ struct Propagated {
 /// Carries a calibrated day forward: the same forward model with the wind of the asked times, plus
 /// the residual of D decaying.
 ///
-///   mean(z, lead) = W_interior A + T(t) B + b(z) e^{-lead/tau_b} + [r(z) - b(z)] e^{-(lead +
-///   age)/tau_r} sigma^2       = J C J^T + m(z)^2 + drift^2 (1 - e^{-2 lead/tau_d})
+///   mean(z, lead) = W_interior A + T(t) B + b(z) e^{-lead/tau_b} + c(z) e^{-(1/tau_i + i f) lead}
+///                   + r(z) e^{-(lead + age)/tau_r}
+///   sigma^2       = J C J^T + m(z)^2 + drift^2 (1 - e^{-2 lead/tau_d})
 ///
-/// with b the mean residual of D at that depth, r that of its last `recent_h` hours (counted back
+/// with b the constant and c the inertial part of D's residual at that depth (inertial_memory.h), r
+/// the mean of what they leave over in its last `recent_h` hours (counted back
 /// from the last value, whose age at the end of D is `age`), C the posterior covariance, J the
 /// model's Jacobian and m the misfit's standard deviation per component. At lead 0 sigma is
 /// therefore not below the misfit. Between the levels of D b, r and m are linear in depth; beyond

@@ -14,6 +14,7 @@
 #include "fields/base/error.h"
 #include "ingest/cf/granule_file.h"
 #include "ingest/grib/inventory.h"
+#include "ingest/staged_files.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -303,6 +304,7 @@ Ingested decode_grib(const std::filesystem::path& path, const ProductCatalogue&,
     const std::vector<Plan> plans = plan_granules(inventory, options);
 
     Ingested ingested;
+    StagedFiles staged(ingested);
     ingested.warnings = inventory.warnings;
     std::size_t fields_done = 0;
     for (std::size_t i = 0; i < plans.size(); ++i) {
@@ -317,6 +319,7 @@ Ingested decode_grib(const std::filesystem::path& path, const ProductCatalogue&,
       });
       ingested.granules.push_back({plans[i].granule, content_file});
     }
+    staged.keep();
     return ingested;
   });
 }

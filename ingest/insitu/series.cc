@@ -12,6 +12,7 @@
 #include "ingest/insitu/series_granule.h"
 #include "ingest/insitu/station.h"
 #include "ingest/insitu/station_reader.h"
+#include "ingest/staged_files.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -152,6 +153,7 @@ Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& p
     }
 
     Ingested ingested;
+    StagedFiles staged(ingested);
     const SeriesTimes times = series_times_of(file, *axes, ingested.warnings);
     const std::optional<double> water_depth_m = water_depth_of(file);
     std::size_t outside = 0;
@@ -206,6 +208,7 @@ Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& p
     std::sort(ingested.warnings.begin(), ingested.warnings.end());
     ingested.warnings.erase(std::unique(ingested.warnings.begin(), ingested.warnings.end()),
                             ingested.warnings.end());
+    staged.keep();
     return ingested;
   });
 }

@@ -88,7 +88,7 @@ const netcdf::Variable* level_coordinate(const netcdf::File& file, const Station
     if (has_level && variable.dimensions.size() <= 3 && is_depth(variable)) return &variable;
   }
   if (const netcdf::Variable* same = file.find(level_dimension);
-      same != nullptr && same->dimensions.size() == 1) {
+      same != nullptr && same->dimensions.size() == 1 && same->dimensions[0] == level_dimension) {
     return same;
   }
   for (const netcdf::Variable& variable : file.variables()) {
@@ -265,7 +265,10 @@ SeriesLevels levels_of_series(const netcdf::File& file, const StationAxes& axes,
     return levels;
   }
   if (series.levels == 1 && own_depth && *own_depth >= 0.0) return at_depth(*own_depth);
-  if (coordinate != nullptr && counts_from_sensor(*coordinate)) {
+  // Distances from a sensor run along the levels alone; what varies in time too is a depth of each
+  // sample.
+  if (coordinate != nullptr && coordinate->dimensions.size() == 1 &&
+      counts_from_sensor(*coordinate)) {
     std::vector<double> distances = file.read_all(*coordinate);
     return profiler_levels(file, *coordinate, distances,
                            instrument_depths(file, axes, station, warnings), water_depth_m,

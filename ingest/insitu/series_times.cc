@@ -45,7 +45,7 @@ SeriesTimes series_times_of(const netcdf::File& file, const StationAxes& axes,
         axes.time->number("seconds_to_middle_of_measurement").value_or(std::nan(""));
     const double average_s = global_number(file, "instrument_average_interval").value_or(0.0);
     const bool averages =
-        std::isfinite(seconds_to_middle) && average_s > 0.0 && average_s <= 86400.0;
+        std::abs(seconds_to_middle) <= 86400.0 && average_s > 0.0 && average_s <= 86400.0;
 
     SeriesTimes times;
     std::vector<UtcTime> stamps;

@@ -12,6 +12,7 @@
 namespace slackwater::ingest::netcdf {
 namespace {
 
+constexpr std::uint64_t max_name = 256;  // NC_MAX_NAME
 constexpr std::uint64_t max_list =
     1u << 16;  // entries in a list of dimensions, attributes or variables
 
@@ -59,7 +60,13 @@ class Header {
       refuse(path_, "damaged header (a list of " + std::to_string(entries) + " entries)");
     return entries;
   }
-  void skip_name() { skip(padded(count())); }
+  /// The library copies a name of any length into a buffer of NC_MAX_NAME + 1 bytes.
+  void skip_name() {
+    const std::uint64_t length = count();
+    if (length > max_name)
+      refuse(path_, "damaged header (a name of " + std::to_string(length) + " bytes)");
+    skip(padded(length));
+  }
   void skip_attributes() {
     for (std::uint64_t n = list(); n > 0; --n) {
       skip_name();

@@ -1,6 +1,7 @@
 // The whole `slackwater forecast` command with four days of hourly data in the store: read,
 // calibrate, propagate, publish, write CF. Its answer is held against the known truth of the
 // synthetic ocean before it is timed.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -20,11 +21,12 @@ constexpr int repeats = 7;
 constexpr double target_s = 2.0;
 constexpr std::size_t stamps_of_72_hours = 73;
 
-/// Root mean square error of the first day of the forecast, all wet levels, and the true current's
-/// own root mean square. NaN where a served value is not finite.
+/// Root mean square error over the first day and all wet levels: of the forecast, and of holding
+/// the true current of the end of D, which is the best that persistence can do. NaN where a served
+/// value is not finite.
 struct FirstDay {
   double error_m_s = 0;
-  double truth_m_s = 0;
+  double persistence_m_s = 0;
   std::size_t values = 0;
 };
 
@@ -37,15 +39,17 @@ FirstDay score(const SyntheticStore& synthetic, const Snapshot& snapshot) {
       if (!has_value(column.current_status[t * levels + k])) continue;
       const auto truth =
           synthetic.ocean().current_truth(column.point, snapshot.depth_m[k], snapshot.time[t]);
-      if (!truth) continue;
+      const auto held =
+          synthetic.ocean().current_truth(column.point, snapshot.depth_m[k], snapshot.time.front());
+      if (!truth || !held) continue;
       day.error_m_s += std::norm(column.current_m_s[t * levels + k] - *truth);
-      day.truth_m_s += std::norm(*truth);
+      day.persistence_m_s += std::norm(*held - *truth);
       ++day.values;
     }
   }
   const double n = std::max<double>(1, static_cast<double>(day.values));
   day.error_m_s = std::sqrt(day.error_m_s / n);
-  day.truth_m_s = std::sqrt(day.truth_m_s / n);
+  day.persistence_m_s = std::sqrt(day.persistence_m_s / n);
   return day;
 }
 
@@ -63,12 +67,14 @@ void run(BenchReport& report) {
     const Snapshot snapshot = ingest::read_forecast(out);
     const FirstDay day = score(synthetic, snapshot);
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "%zu stamps x %zu levels, day 1 off the truth by %.3f m/s of %.3f m/s",
-                  snapshot.time.size(), snapshot.depth_m.size(), day.error_m_s, day.truth_m_s);
-    // A tidal site of four days: a forecast worth the name leaves less than a third of the current.
+    std::snprintf(
+        text, sizeof text,
+        "%zu stamps x %zu levels, day 1 off the truth by %.3f m/s, persistence by %.3f m/s",
+        snapshot.time.size(), snapshot.depth_m.size(), day.error_m_s, day.persistence_m_s);
+    // At a tidal site a forecast worth the name leaves less than two thirds of what persistence
+    // leaves.
     const bool right = snapshot.time.size() == stamps_of_72_hours && day.values >= 24 * 5 &&
-                       day.error_m_s < day.truth_m_s / 3;
+                       day.error_m_s < day.persistence_m_s * 2 / 3;
     if (i == 0 || !right) report.answer("forecast", right, text);
     if (!right) return;
   }

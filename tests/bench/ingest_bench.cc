@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <optional>
 
 #include "tests/bench/bench_report.h"
 #include "tests/bench/big_product_file.h"
@@ -26,7 +27,7 @@ using namespace slackwater::bench;
 constexpr int pairs_of_big_file = 3;
 constexpr int pairs_of_real_file = 7;
 constexpr double most_resident_mb = 512;
-constexpr double most_ratio = 1.0;
+constexpr double target_ratio = 1.0;
 
 /// A folder for large files, gone with its owner.
 class BenchFolder {
@@ -57,6 +58,9 @@ struct Task {
   std::filesystem::path product;
   std::vector<std::string> options;  ///< of `slackwater ingest`
   int pairs = 1;
+  /// None where all that is read is also kept: cdo leaves gigabytes in memory that an ingest must
+  /// bring to disk, so that the ratio measures the disk.
+  std::optional<double> most_ratio;
 };
 
 /// Neither run may pay for the other's unwritten pages.
@@ -100,7 +104,8 @@ void run_task(BenchReport& report, const BenchFolder& folder, const Task& task, 
     ratio.push_back(ours.wall_s / theirs.wall_s);
     resident_mb.push_back(static_cast<double>(ours.peak_resident_bytes) / 1e6);
   }
-  report.figure({task.name + ": ingest / cdo", "", ratio, most_ratio, "median ratio of pairs"});
+  report.figure(
+      {task.name + ": ingest / cdo", "", ratio, task.most_ratio, "median ratio of pairs"});
   report.figure({"  slackwater ingest", "s", ours_s, std::nullopt, ""});
   report.figure({"  cdo -f nc4 copy", "s", theirs_s, std::nullopt, ""});
   report.figure({"  peak resident of ingest", "MB", resident_mb, most_resident_mb, ""});
@@ -141,13 +146,15 @@ void bench_big_file(BenchReport& report, const BenchFolder& folder) {
            {"6 GB product, cut to 20 % x 20 % of the grid",
             file.path(),
             {"--bbox", box_of(shape, 0.4, 0.6)},
-            pairs_of_big_file},
+            pairs_of_big_file,
+            target_ratio},
            compare);
   run_task(report, folder,
            {"6 GB product, box around the whole grid",
             file.path(),
             {"--bbox", box_of(shape, 0.0, 1.0)},
-            pairs_of_big_file},
+            1,
+            std::nullopt},
            compare);
   std::filesystem::remove(file.path());
 }
@@ -160,7 +167,7 @@ void bench_real_file(BenchReport& report, const BenchFolder& folder) {
   }
   const std::filesystem::path product =
       *shared / "data" / "french_coast_2025-02" / "dataset_french_coast.nc";
-  run_task(report, folder, {"french_coast", product, {}, pairs_of_real_file},
+  run_task(report, folder, {"french_coast", product, {}, pairs_of_real_file, target_ratio},
            [&](const std::filesystem::path& store) { return compare_with_netcdf(store, product); });
 }
 
@@ -170,8 +177,10 @@ int main(int argc, char** argv) {
   BenchReport report(bench_options(argc, argv));
   try {
     const BenchFolder folder;
-    bench_real_file(report, folder);
+    // The large file first: comparing the real one whole would swell this driver, and its pages
+    // count in a child's peak.
     bench_big_file(report, folder);
+    bench_real_file(report, folder);
   } catch (const std::exception& problem) {
     report.answer("ingest", false, problem.what());
   }

@@ -1,34 +1,18 @@
 // `slackwater profile` from a warm store as a whole process, its answer compared with
 // `sample_profile` on the same snapshot; and 50 levels evaluated inside the library, exact on a
 // current that is linear in depth and time, without allocation.
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <new>
 #include <nlohmann/json.hpp>
 
 #include "fields/service/snapshot.h"
 #include "ingest/cf/forecast_file.h"
 #include "tests/bench/bench_report.h"
+#include "tests/bench/counted_allocations.h"
 #include "tests/bench/synthetic_store.h"
 #include "tests/bench/timed_child.h"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  if (void* const memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -141,7 +125,7 @@ void bench_library(BenchReport& report) {
 
   double worst = 0;
   double checksum = 0;
-  const std::size_t allocated_before = allocations.load();
+  const std::size_t allocated_before = allocations();
   for (int i = 0; i < runs; ++i) {
     const int minute = minute_of(i);
     sample_profile(snapshot, 0, snapshot.time.front() + std::chrono::minutes(minute), depths,
@@ -152,7 +136,7 @@ void bench_library(BenchReport& report) {
       checksum += samples[k].velocity_m_s.real() + 2 * samples[k].velocity_m_s.imag();
     }
   }
-  const std::size_t allocated = allocations.load() - allocated_before;
+  const std::size_t allocated = allocations() - allocated_before;
   char text[200];
   std::snprintf(text, sizeof text,
                 "%d profiles of %zu levels, worst error %.1e m/s, %zu allocations, checksum %.9g",

@@ -20,7 +20,8 @@ std::string_view line(std::string_view& rest) {
 
 }  // namespace
 
-/// CF time axes: a line of units, a line with the calendar, then values as doubles of 8 bytes, at most 16.
+/// CF time axes: a line of units, a line with the calendar, then values as doubles of 8 bytes, at
+/// most 16.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view rest = fuzz::text_of(data, size);
   fuzz::accepts([&] {
@@ -36,7 +37,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::claim(code.unit_ms() > 0 && std::isfinite(code.unit_ms()), "a unit without a length");
     std::vector<UtcTime> stamps;
     double last_value = 0;
-    for (; rest.size() >= sizeof(double) && stamps.size() < 16; rest.remove_prefix(sizeof(double))) {
+    for (; rest.size() >= sizeof(double) && stamps.size() < 16;
+         rest.remove_prefix(sizeof(double))) {
       double value = 0;
       std::memcpy(&value, rest.data(), sizeof value);
       fuzz::accepts([&] {

@@ -11,15 +11,18 @@ using namespace slackwater;
 
 /// What a snapshot promises to those who sample it.
 void claim_whole(const Snapshot& snapshot) {
-  fuzz::claim(!snapshot.columns.empty() && !snapshot.time.empty(), "a forecast without columns or times");
+  fuzz::claim(!snapshot.columns.empty() && !snapshot.time.empty(),
+              "a forecast without columns or times");
   const std::size_t times = snapshot.time.size();
   const std::size_t cells = times * snapshot.depth_m.size();
   for (const ForecastColumn& column : snapshot.columns) {
     const std::size_t currents = column.current_m_s.size();
     fuzz::claim(currents == 0 || currents == cells, "currents for some times or depths only");
-    fuzz::claim(column.current_sigma_m_s.size() == currents && column.current_status.size() == currents,
-                "currents without their spread or status");
-    fuzz::claim(column.wind_m_s.empty() || column.wind_m_s.size() == times, "wind for some times only");
+    fuzz::claim(
+        column.current_sigma_m_s.size() == currents && column.current_status.size() == currents,
+        "currents without their spread or status");
+    fuzz::claim(column.wind_m_s.empty() || column.wind_m_s.size() == times,
+                "wind for some times only");
     fuzz::claim(column.wind_source.size() == column.wind_m_s.size(), "wind without its source");
     fuzz::claim(column.sea.empty() || column.sea.size() == times, "waves for some times only");
     fuzz::claim(column.sea_source.size() == column.sea.size(), "waves without their source");
@@ -30,10 +33,13 @@ void claim_sampling_is_safe(const Snapshot& snapshot) {
   const std::array depths_m{-1.0, 0.0, 3.0, 50.0, 20000.0};
   std::array<CurrentSample, depths_m.size()> samples;
   const auto last = snapshot.time.back();
-  for (const UtcTime time : {snapshot.time.front(), last, snapshot.time.front() + std::chrono::minutes(30)}) {
+  for (const UtcTime time :
+       {snapshot.time.front(), last, snapshot.time.front() + std::chrono::minutes(30)}) {
     sample_profile(snapshot, 0, time, depths_m, samples);
     for (const CurrentSample& sample : samples) {
-      fuzz::claim(!has_value(sample.status) || (std::isfinite(sample.velocity_m_s.real()) && std::isfinite(sample.velocity_m_s.imag())), "a served current that is not finite");
+      fuzz::claim(!has_value(sample.status) || (std::isfinite(sample.velocity_m_s.real()) &&
+                                                std::isfinite(sample.velocity_m_s.imag())),
+                  "a served current that is not finite");
     }
   }
 }

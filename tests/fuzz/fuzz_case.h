@@ -16,8 +16,8 @@ inline void claim(bool holds, std::string_view what) noexcept {
   if (!holds) fail(what);
 }
 
-/// Runs `work`. An `Error` may leave it: the input was refused, with a sentence. Anything else that leaves it, a
-/// ContractViolation or an exception of a library, is a finding.
+/// Runs `work`. An `Error` may leave it: the input was refused, with a sentence. Anything else that
+/// leaves it, a ContractViolation or an exception of a library, is a finding.
 /// @return whether the input was accepted
 template <typename Work>
 bool accepts(Work&& work) noexcept {

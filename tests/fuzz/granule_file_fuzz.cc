@@ -15,10 +15,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t slab = granule.grid.levels() * granule.grid.rows() * granule.grid.columns();
     if (slab > (std::size_t{1} << 20)) return;
     for (const GranuleVariable& variable : granule.variables) {
-      const GriddedField field =
-          file.read(variable.standard_name, 0, 1, 0, granule.grid.rows(), 0, granule.grid.columns());
+      const GriddedField field = file.read(variable.standard_name, 0, 1, 0, granule.grid.rows(), 0,
+                                           granule.grid.columns());
       fuzz::claim(field.values.size() == slab, "a field of another size than was asked for");
-      fuzz::claim(field.status.empty() || field.status.size() == slab, "a status for some values only");
+      fuzz::claim(field.status.empty() || field.status.size() == slab,
+                  "a status for some values only");
       for (const SampleStatus status : field.status) {
         fuzz::claim(status <= SampleStatus::suspect, "a status that does not exist");
       }

@@ -8,7 +8,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-/// Runs the entry point over every file of the corpus folders given; a finding aborts after naming its file.
+/// Runs the entry point over every file of the corpus folders given; a finding aborts after naming
+/// its file.
 int main(int argc, char** argv) {
   std::vector<std::filesystem::path> files;
   for (int i = 1; i < argc; ++i) {

@@ -5,8 +5,8 @@
 
 namespace slackwater::fuzz {
 
-/// A folder of this process, in memory where /dev/shm is there, removed when the process ends well. Each case writes
-/// its bytes to one file and decodes them into an empty staging folder.
+/// A folder of this process, in memory where /dev/shm is there, removed when the process ends well.
+/// Each case writes its bytes to one file and decodes them into an empty staging folder.
 class ScratchFolder {
  public:
   ScratchFolder();

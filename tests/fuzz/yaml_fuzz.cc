@@ -43,14 +43,17 @@ void read_everything(const Config& config) {
 
 void claim_sound(const api::Site& site) {
   const auto on_earth = [](const GeoPoint& point) {
-    fuzz::claim(std::abs(point.latitude_deg()) <= 90 && point.longitude_deg() >= -180 && point.longitude_deg() < 180,
+    fuzz::claim(std::abs(point.latitude_deg()) <= 90 && point.longitude_deg() >= -180 &&
+                    point.longitude_deg() < 180,
                 "a point that is not on the globe");
   };
   on_earth(site.point);
   for (const GeoPoint& point : site.columns) on_earth(point);
   for (const api::Turbine& turbine : site.turbines) on_earth(turbine.point);
-  fuzz::claim(!site.id.empty() && site.id.find('/') == std::string::npos, "an id that is no file name");
-  fuzz::claim(!site.water_depth_m || (*site.water_depth_m >= 1 && *site.water_depth_m <= 11000), "a depth out of range");
+  fuzz::claim(!site.id.empty() && site.id.find('/') == std::string::npos,
+              "an id that is no file name");
+  fuzz::claim(!site.water_depth_m || (*site.water_depth_m >= 1 && *site.water_depth_m <= 11000),
+              "a depth out of range");
   fuzz::claim(!site.column_block || site.column_block->every >= 1, "a block that never ends");
   static_cast<void>(site.box(0.5));
 }
@@ -68,7 +71,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto file = fuzz::scratch_folder().file_of(data, size, "fuzz.yaml");
   fuzz::accepts([&] {
     const auto product = ingest::Product::load(file);
-    for (const auto& rule : product.means) fuzz::claim(rule.step > Duration::zero(), "a mean over nothing");
+    for (const auto& rule : product.means)
+      fuzz::claim(rule.step > Duration::zero(), "a mean over nothing");
   });
   fuzz::accepts([&] { static_cast<void>(ingest::Vocabulary::load(file)); });
   return 0;

@@ -22,6 +22,13 @@ std::vector<UtcTime> hourly(int from, int to) {
   return times;
 }
 
+/// Constant misfit and last hours alone.
+PropagationSettings without_oscillation() {
+  PropagationSettings settings;
+  settings.inertial_prior_observations.reset();
+  return settings;
+}
+
 TEST(Propagate, ForecastsTheSteadyOceanItWasFittedTo) {
   const SyntheticDay day = usual_day();
   const CalibrationInput input = synthetic_input(day);
@@ -51,7 +58,8 @@ TEST(Propagate, AtTheEndOfTheDayTheRecentResidualIsWholeAndThenDecays) {
   const std::vector<double> depths{7.0, 8.5,
                                    4.0};  // the level itself, halfway to the next, the level above
   const auto times = hourly(0, 24);
-  const Propagated forecast = propagate(fitted, times, depths, std::nullopt, end_of_day);
+  const Propagated forecast =
+      propagate(fitted, times, depths, std::nullopt, end_of_day, without_oscillation());
   for (std::size_t t = 0; t < times.size(); ++t) {
     const double left = std::exp(-static_cast<double>(t) / 12.0);
     EXPECT_LT(std::abs(forecast.carried_m_s[3 * t] - 0.1 * left), 1e-15);
@@ -85,7 +93,8 @@ TEST(Propagate, AnOldResidualIsAlreadyDecayedAtTheEndOfTheDay) {
     }
   }
   const std::vector<double> depths{10};
-  const Propagated forecast = propagate(fitted, hourly(0, 0), depths, std::nullopt, end_of_day);
+  const Propagated forecast =
+      propagate(fitted, hourly(0, 0), depths, std::nullopt, end_of_day, without_oscillation());
   EXPECT_NEAR(forecast.carried_m_s.front().imag(), 0.1 * std::exp(-6.0 / 12.0), 1e-15);
 }
 

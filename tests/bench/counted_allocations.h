@@ -1,0 +1,9 @@
+#pragma once
+#include <cstddef>
+
+namespace slackwater::bench {
+
+/// Calls of operator new so far. A program that links counted_allocations.cc counts them.
+[[nodiscard]] std::size_t allocations() noexcept;
+
+}  // namespace slackwater::bench
