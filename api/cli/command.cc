@@ -24,12 +24,20 @@ int report(const Context& context, ErrorKind kind, const std::string& message) {
 }  // namespace
 
 UtcTime Context::now() const {
-  if (!at.empty()) return parse_utc(at);
+  if (!at.empty()) return option_value("--at", at, parse_utc);
   return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
 }
 
 store::Store Context::open(store::OpenMode mode) const {
   return store::Store::open(store_folder, mode);
+}
+
+Duration horizon_from(const std::string& text) {
+  const Duration horizon = option_value("--horizon", text, parse_duration);
+  if (horizon < std::chrono::hours(1) || horizon > std::chrono::days(15)) {
+    throw Error(ErrorKind::usage, "found --horizon " + text + ", expected 1h to 15d");
+  }
+  return horizon;
 }
 
 int exit_code(ErrorKind kind) noexcept {
@@ -84,8 +92,11 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& problem) {
+    // An unknown word hides behind what it leaves missing.
+    const std::vector<std::string> unknown = app.remaining(true);
+    const std::string found = unknown.empty() ? "" : "found '" + unknown.front() + "', which is not known here; ";
     return report(context, ErrorKind::usage,
-                  std::string(problem.what()) + "; `slackwater --help` shows the commands");
+                  found + problem.what() + "; `slackwater --help` shows the commands");
   } catch (const Error& problem) {
     return report(context, problem.kind(), problem.message());
   } catch (const std::bad_alloc&) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "data/store/store.h"
 #include "fields/base/error.h"
@@ -30,6 +31,19 @@ struct Context {
 /// Exit code of an error kind (DESIGN §5): 1 internal, 2 usage, 3 invalid input, 4 not found, 5
 /// unavailable, 6 not converged.
 [[nodiscard]] int exit_code(ErrorKind kind) noexcept;
+
+/// The value of an option, read by `parse`; what it cannot read is Error(usage) that names the option.
+template <typename Parse>
+[[nodiscard]] auto option_value(std::string_view option, const std::string& text, Parse parse) {
+  try {
+    return parse(text);
+  } catch (const Error& problem) {
+    throw Error(ErrorKind::usage, std::string(option) + ": " + problem.message());
+  }
+}
+
+/// `--horizon`: 1 hour to 15 days.
+[[nodiscard]] Duration horizon_from(const std::string& text);
 
 /// Parses and runs a command line; prints results on stdout, trouble on stderr. @return the exit
 /// code.

@@ -101,12 +101,9 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   JobOptions options;
   options.issued = context.now();
-  options.horizon = parse_duration(arguments.horizon);
-  if (options.horizon < std::chrono::hours(1) || options.horizon > days(15)) {
-    throw Error(ErrorKind::usage, "found --horizon " + arguments.horizon + ", expected 1h to 15d");
-  }
+  options.horizon = horizon_from(arguments.horizon);
   options.wind = wind_policy_from(arguments.wind);
-  if (!arguments.day.empty()) options.day = parse_day(arguments.day);
+  if (!arguments.day.empty()) options.day = option_value("--day", arguments.day, parse_day);
   if (arguments.print_downloads) {
     const auto products = ingest::ProductCatalogue::load(data_folder() / "products");
     const UtcDay day = options.day.value_or(day_of(options.issued) - days(1));

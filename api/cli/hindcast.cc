@@ -26,11 +26,11 @@ struct HindcastArguments {
 void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   HindcastOptions options;
-  options.from = parse_day(arguments.from);
-  options.to = parse_day(arguments.to);
+  options.from = option_value("--from", arguments.from, parse_day);
+  options.to = option_value("--to", arguments.to, parse_day);
   options.wind = wind_policy_from(arguments.wind);
-  options.latency = parse_duration(arguments.latency);
-  options.horizon = parse_duration(arguments.horizon);
+  options.latency = option_value("--latency", arguments.latency, parse_duration);
+  options.horizon = horizon_from(arguments.horizon);
   options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   if (!arguments.bands.empty()) options.verify.bands = parse_bands(arguments.bands);
   options.verify.per_column = arguments.per_column;

@@ -35,7 +35,7 @@ ingest::IngestOptions options_of(const IngestArguments& arguments, const Context
                   "found --as " + arguments.as + ", expected analysis or forecast");
     }
   }
-  if (!arguments.issued.empty()) options.issued = parse_utc(arguments.issued);
+  if (!arguments.issued.empty()) options.issued = option_value("--issued", arguments.issued, parse_utc);
   if (options.as == DataStatus::forecast && !options.issued) {
     throw Error(ErrorKind::usage,
                 "--as forecast needs --issued TIME, the provider's reference time");
@@ -48,8 +48,10 @@ ingest::IngestOptions options_of(const IngestArguments& arguments, const Context
     throw Error(ErrorKind::usage, "give --bbox or --site, not both");
   }
   if (!arguments.box.empty()) {
-    options.cut = BoundingBox::from_degrees(arguments.box[0], arguments.box[1], arguments.box[2],
-                                            arguments.box[3]);
+    options.cut = option_value("--bbox", "", [&](const std::string&) {
+      return BoundingBox::from_degrees(arguments.box[0], arguments.box[1], arguments.box[2],
+                                       arguments.box[3]);
+    });
   }
   if (!arguments.site.empty()) {
     options.cut =

@@ -58,7 +58,7 @@ Snapshot read(store::Store& store, const store::ForecastRow& row) {
 /// point.
 Answer find_answer(store::Store& store, const ProfileArguments& arguments, const Context& context) {
   Answer answer;
-  answer.time = parse_utc(arguments.time);
+  answer.time = option_value("--time", arguments.time, parse_utc);
   store::ForecastQuery query;
   std::optional<GeoPoint> point;
   if (!arguments.site.empty()) {
@@ -199,6 +199,9 @@ void run_profile(const ProfileArguments& arguments, const Context& context) {
   }
   if (arguments.latitude.has_value() != arguments.longitude.has_value()) {
     throw Error(ErrorKind::usage, "--lat and --lon go together");
+  }
+  for (const double depth : arguments.depths) {
+    if (!std::isfinite(depth)) throw Error(ErrorKind::usage, "--depth: expected metres below mean sea level");
   }
   if (arguments.csv && context.json)
     throw Error(ErrorKind::usage, "give --csv or --json, not both");

@@ -21,11 +21,11 @@ struct VerifyArguments {
 void run_verify(const VerifyArguments& arguments, const Context& context) {
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   VerifyOptions options;
-  if (!arguments.from.empty()) options.from = parse_day(arguments.from);
-  if (!arguments.to.empty()) options.to = parse_day(arguments.to);
+  if (!arguments.from.empty()) options.from = option_value("--from", arguments.from, parse_day);
+  if (!arguments.to.empty()) options.to = option_value("--to", arguments.to, parse_day);
   if (!arguments.bands.empty()) options.bands = parse_bands(arguments.bands);
   options.per_column = arguments.per_column;
-  store::Store store = context.open(store::OpenMode::create_or_write);
+  store::Store store = context.open(store::OpenMode::read_only);
   const std::vector<SkillEntry> skill = verify(store, site, options);
   if (context.json) {
     std::printf("%s\n", skill_json(skill).c_str());

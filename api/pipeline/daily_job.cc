@@ -173,7 +173,8 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
     }
   }
   const UtcDay newest_possible = day_of(options.issued) - days(1);
-  if (!wanted) wanted = usable.value_or(newest_possible);
+  // Providers deliver a day late; more than that is late, and the forecast still has to reach as far.
+  if (!wanted) wanted = std::max(usable.value_or(newest_possible), newest_possible - days(1));
   ForecastPlan plan;
   plan.day = usable.value_or(*wanted);
   plan.issued = options.issued;

@@ -27,6 +27,12 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+template <typename T>
+bool ascends(const std::vector<T>& axis) {
+  return std::adjacent_find(axis.begin(), axis.end(),
+                            [](const T& a, const T& b) { return !(a < b); }) == axis.end();
+}
+
 /// One file being read.
 class ForecastReader {
  public:
@@ -45,15 +51,17 @@ class ForecastReader {
     s.attributions = lines_of(text("slackwater_attributions"));
     s.provenance_json = text("slackwater_provenance");
     for (const double seconds : values("time")) {
+      if (!(std::abs(seconds) < 1e12)) refuse("a time that is none");
       s.time.push_back(UtcTime(Duration(static_cast<Duration::rep>(std::llround(seconds * 1000)))));
     }
     if (in_.find(forecast_names::east) != nullptr) s.depth_m = values("depth");
+    if (!ascends(s.time) || !ascends(s.depth_m)) refuse("times or depths that do not ascend");
     const std::vector<double> latitude = values("latitude");
     const std::vector<double> longitude = values("longitude");
     const std::vector<double> bed = values("sea_floor_depth");
     const std::vector<std::string> depth_sources = lines_of(text("slackwater_water_depth_sources"));
     columns_ = latitude.size();
-    if (longitude.size() != columns_ || bed.size() != columns_ || s.time.empty())
+    if (longitude.size() != columns_ || bed.size() != columns_ || s.time.empty() || columns_ == 0)
       refuse("axes of unequal length");
     s.columns.resize(columns_);
     for (std::size_t c = 0; c < columns_; ++c) {
@@ -107,11 +115,13 @@ class ForecastReader {
       ForecastColumn& column = s.columns[c];
       for (std::size_t o = 0; o < size; ++o) {
         const std::size_t i = o * columns_ + c;
-        const bool there = !std::isnan(east[i]) && !std::isnan(north[i]);
+        const bool there = std::isfinite(east[i]) && std::isfinite(north[i]);
         column.current_m_s.push_back(there ? Horizontal(east[i], north[i]) : Horizontal{});
         column.current_sigma_m_s.push_back(there ? sigma[i] : 0.0);
         if (!(status[i] >= 0 && status[i] <= 8)) refuse("found an unknown status");
         column.current_status.push_back(static_cast<SampleStatus>(static_cast<int>(status[i])));
+        if (!there && has_value(column.current_status.back()))
+          refuse("a current without its value");
       }
     }
   }

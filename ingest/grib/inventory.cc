@@ -14,13 +14,26 @@ UtcTime reference_time_of(const Message& message) {
   const std::chrono::year_month_day day{std::chrono::year(static_cast<int>(date / 10000)),
                                         std::chrono::month(static_cast<unsigned>(date / 100 % 100)),
                                         std::chrono::day(static_cast<unsigned>(date % 100))};
-  if (date <= 0 || !day.ok() || time < 0 || time / 100 > 23 || time % 100 > 59) {
+  const bool believable = date / 10000 >= 1600 && date / 10000 <= 2500;
+  if (!believable || !day.ok() || time < 0 || time / 100 > 23 || time % 100 > 59) {
     throw Error(ErrorKind::invalid_input, message.name() + ": reference time " +
                                               std::to_string(date) + " " + std::to_string(time) +
                                               "; expected a date and a time of day");
   }
   return UtcTime(std::chrono::sys_days(day)) + std::chrono::hours(time / 100) +
          std::chrono::minutes(time % 100);
+}
+
+/// From the run to an end of the interval that the message speaks of; `stepUnits` is seconds.
+std::chrono::seconds step_of(const Message& message, const char* key) {
+  constexpr long longest_s = 10L * 366 * 86400;
+  const long step_s = message.integer(key);
+  if (step_s < -longest_s || step_s > longest_s) {
+    throw Error(ErrorKind::invalid_input,
+                message.name() + ": " + key + " is " + std::to_string(step_s) +
+                    " s; expected at most ten years; the file is damaged");
+  }
+  return std::chrono::seconds(step_s);
 }
 
 /// The perturbation number of an ensemble member. GRIB 1 carries the key in deterministic runs too
@@ -52,8 +65,8 @@ std::optional<TimeCell> valid_time_of(Message& message, const Parameter& paramet
   message.set("stepUnits",
               13L);  // seconds (code table 4.4): every whole unit of GRIB becomes whole seconds
   const UtcTime run = reference_time_of(message);
-  const UtcTime end = run + std::chrono::seconds(message.integer("endStep"));
-  const UtcTime start = run + std::chrono::seconds(message.integer("startStep"));
+  const UtcTime end = run + step_of(message, "endStep");
+  const UtcTime start = run + step_of(message, "startStep");
   if (end < start) {
     throw Error(ErrorKind::invalid_input,
                 message.name() + ": its interval ends before it begins; the file is damaged");

@@ -118,11 +118,20 @@ std::vector<double> Message::values(std::size_t expected) {
                                               " values for a grid of " + std::to_string(expected) +
                                               " points; the file is damaged");
   }
+  // With a bitmap, the library takes memory for as many coded values as section 5 claims.
+  const long coded = integer_if_any("numberOfCodedValues").value_or(0);
+  constexpr long padding = 64;
+  if (coded < 0 || coded > static_cast<long>(expected) + padding) {
+    throw Error(ErrorKind::invalid_input,
+                name_ + ": claims " + std::to_string(coded) + " coded values for a grid of " +
+                    std::to_string(expected) + " points; the file is damaged");
+  }
   std::vector<double> values(count);
   check(codes_get_double_array(handle_, "values", values.data(), &count), name_,
         "unpacking the values");
   for (double& value : values) {
-    if (value == masked || !std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
+    const bool storable = std::abs(value) <= std::numeric_limits<float>::max();
+    if (value == masked || !storable) value = std::numeric_limits<double>::quiet_NaN();
   }
   return values;
 }

@@ -1,0 +1,141 @@
+// Command lines that make no sense: exit code 2, one line that says what was found, nothing done.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/product_files_for_tests.h"
+#include "tests/support/store_for_tests.h"
+
+namespace slackwater::tests {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
+
+struct UsageCase {
+  Arguments arguments;
+  std::string word;  ///< of the error
+};
+
+std::vector<UsageCase> usage_cases(const std::string& site, const std::string& file) {
+  const std::string time = "2025-03-08T05:00:00Z";
+  return {
+      {{}, "subcommand"},
+      {{"frobnicate"}, "frobnicate"},
+      {{"--frobnicate"}, "--frobnicate"},
+      {{"forecast", "--site", site, "--frobnicate"}, "--frobnicate"},
+      {{"forecast"}, "--site"},
+      {{"forecast", "--site", site, "--at", "yesterday"}, "--at"},
+      {{"forecast", "--site", site, "--at", "2025-03-08T05:00:00"}, "--at"},
+      {{"forecast", "--site", site, "--at", time, "--wind", "nonsense"}, "nonsense"},
+      {{"forecast", "--site", site, "--at", time, "--horizon", "junk"}, "--horizon"},
+      {{"forecast", "--site", site, "--at", time, "--horizon", "-3h"}, "--horizon"},
+      {{"forecast", "--site", site, "--at", time, "--horizon", "0h"}, "--horizon"},
+      {{"forecast", "--site", site, "--at", time, "--horizon", "99d"}, "--horizon"},
+      {{"forecast", "--site", site, "--day", "2025-02-30"}, "--day"},
+      {{"forecast", "--site", site, "--at", time, "--day", "2025-03-08"}, "2025-03-08"},
+      {{"forecast", "--site", site, "--day", "2999-01-01"}, "2999-01-01"},
+      {{"ingest"}, "paths"},
+      {{"ingest", file, "--bbox", "1,2,3"}, "--bbox"},
+      {{"ingest", file, "--bbox", "1,2,3,x"}, "--bbox"},
+      {{"ingest", file, "--bbox", "6,55,7,54"}, "--bbox"},
+      {{"ingest", file, "--bbox", "6,53,7,54", "--site", site}, "--bbox"},
+      {{"ingest", file, "--as", "nonsense"}, "nonsense"},
+      {{"ingest", file, "--as", "forecast"}, "--issued"},
+      {{"ingest", file, "--as", "analysis", "--issued", time}, "contradict"},
+      {{"ingest", file, "--issued", "junk"}, "--issued"},
+      {{"profile", "--site", site}, "--time"},
+      {{"profile", "--time", time}, "--site"},
+      {{"profile", "--site", site, "--time", "noon"}, "--time"},
+      {{"profile", "--lat", "54", "--time", time}, "--lon"},
+      {{"profile", "--lat", "95", "--lon", "6", "--time", time}, "--lat"},
+      {{"profile", "--site", site, "--time", time, "--depth", "deep"}, "--depth"},
+      {{"profile", "--site", site, "--time", time, "--depth", "nan"}, "--depth"},
+      {{"profile", "--site", site, "--time", time, "--csv", "--json"}, "--csv"},
+      {{"hindcast", "--site", site, "--from", "2025-03-07", "--to", "2025-03-06"}, "--from"},
+      {{"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-06", "--horizon", "0h"}, "--horizon"},
+      {{"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-06", "--latency", "x"}, "--latency"},
+      {{"hindcast", "--site", site, "--from", "soon", "--to", "2025-03-06"}, "--from"},
+      {{"verify", "--site", site, "--bands", "5"}, "bands"},
+      {{"verify", "--site", site, "--bands", "50,5"}, "bands"},
+      {{"verify", "--site", site, "--levels", "mine"}, "--levels"},
+      {{"verify", "--site", site, "--from", "junk"}, "--from"},
+      {{"store"}, "subcommand"},
+      {{"store", "burn"}, "burn"},
+      {{"store", "prune"}, "--older-than"},
+      {{"store", "prune", "--older-than", "junk"}, "--older-than"},
+      {{"site", "check"}, "site"},
+  };
+}
+
+std::string joined(const Arguments& arguments) {
+  std::string line = "slackwater";
+  for (const std::string& argument : arguments) line += " " + argument;
+  return line;
+}
+
+TEST(Usage, NonsenseIsToldInOneLineWithExitCodeTwoAndChangesNothing) {
+  const StoreForTests store;
+  const UtcDay day = std::chrono::sys_days{std::chrono::year{2025} / 3 / 6};
+  store.ingest_days(day, 2);
+  const std::string file = write_product(store.file("more.nc"), current_product(day + std::chrono::days(2))).string();
+  const auto digests = store.digests();
+  for (const UsageCase& c : usage_cases(store.site(), file)) {
+    const ProgramResult result = store.run(c.arguments);
+    SCOPED_TRACE(joined(c.arguments) + "\n" + result.err);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_TRUE(contains(result.err, c.word)) << "does not name " << c.word;
+    EXPECT_EQ(result.err.rfind("slackwater: ", 0), 0U);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+  }
+  EXPECT_EQ(store.digests(), digests);
+}
+
+TEST(Usage, WithJsonTheErrorIsOneDocumentThatSaysTheSameAsStandardError) {
+  const StoreForTests store;
+  for (const auto& [arguments, kind] :
+       std::vector<std::pair<Arguments, std::string>>{{{"forecast", "--site", store.site(), "--horizon", "junk"}, "usage"},
+                                                      {{"ingest", "/nowhere/absent.nc"}, "not_found"},
+                                                      {{"store", "list"}, "not_found"}}) {
+    Arguments with_json = arguments;
+    with_json.emplace_back("--json");
+    const ProgramResult result = store.run(with_json);
+    ASSERT_TRUE(json::accept(result.out)) << joined(arguments) << ": " << result.out;
+    const json error = json::parse(result.out).at("error");
+    EXPECT_EQ(error.at("kind"), kind) << joined(arguments);
+    EXPECT_EQ("slackwater: " + error.at("message").get<std::string>() + "\n", result.err);
+  }
+}
+
+TEST(Help, OfEveryCommandExitsWithZeroAndNamesItsOptions) {
+  const std::vector<std::pair<Arguments, std::vector<std::string>>> commands{
+      {{}, {"ingest", "forecast", "hindcast", "profile", "verify", "store", "site", "demo", "--store", "--json", "Exit codes"}},
+      {{"ingest"}, {"--as", "--issued", "--bbox", "--site"}},
+      {{"forecast"}, {"--site", "--day", "--horizon", "--wind", "--out", "--at", "--print-downloads"}},
+      {{"hindcast"}, {"--site", "--from", "--to", "--wind", "--latency"}},
+      {{"profile"}, {"--site", "--lat", "--lon", "--time", "--depth", "--csv"}},
+      {{"verify"}, {"--site", "--from", "--to", "--bands", "--levels"}},
+      {{"store"}, {"check", "list", "prune"}},
+      {{"store", "check"}, {"--quick"}},
+      {{"store", "list"}, {}},
+      {{"store", "prune"}, {"--older-than", "--forecasts", "--orphans"}},
+      {{"site"}, {"check", "list"}},
+      {{"site", "check"}, {"site"}},
+      {{"demo"}, {"--out"}},
+  };
+  for (const auto& [command, words] : commands) {
+    Arguments arguments = command;
+    arguments.emplace_back("--help");
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 0) << joined(arguments);
+    EXPECT_TRUE(result.err.empty()) << result.err;
+    for (const std::string& word : words) EXPECT_TRUE(contains(result.out, word)) << word << " in " << joined(arguments);
+  }
+  EXPECT_EQ(run_program({"--version"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace slackwater::tests
