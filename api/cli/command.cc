@@ -94,7 +94,8 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& problem) {
     // An unknown word hides behind what it leaves missing.
     const std::vector<std::string> unknown = app.remaining(true);
-    const std::string found = unknown.empty() ? "" : "found '" + unknown.front() + "', which is not known here; ";
+    const std::string found =
+        unknown.empty() ? "" : "found '" + unknown.front() + "', which is not known here; ";
     return report(context, ErrorKind::usage,
                   found + problem.what() + "; `slackwater --help` shows the commands");
   } catch (const Error& problem) {

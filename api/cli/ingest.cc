@@ -35,7 +35,8 @@ ingest::IngestOptions options_of(const IngestArguments& arguments, const Context
                   "found --as " + arguments.as + ", expected analysis or forecast");
     }
   }
-  if (!arguments.issued.empty()) options.issued = option_value("--issued", arguments.issued, parse_utc);
+  if (!arguments.issued.empty())
+    options.issued = option_value("--issued", arguments.issued, parse_utc);
   if (options.as == DataStatus::forecast && !options.issued) {
     throw Error(ErrorKind::usage,
                 "--as forecast needs --issued TIME, the provider's reference time");

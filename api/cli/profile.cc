@@ -201,7 +201,8 @@ void run_profile(const ProfileArguments& arguments, const Context& context) {
     throw Error(ErrorKind::usage, "--lat and --lon go together");
   }
   for (const double depth : arguments.depths) {
-    if (!std::isfinite(depth)) throw Error(ErrorKind::usage, "--depth: expected metres below mean sea level");
+    if (!std::isfinite(depth))
+      throw Error(ErrorKind::usage, "--depth: expected metres below mean sea level");
   }
   if (arguments.csv && context.json)
     throw Error(ErrorKind::usage, "give --csv or --json, not both");

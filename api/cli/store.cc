@@ -123,7 +123,8 @@ struct PruneArguments {
 
 void run_prune(const Context& context, const PruneArguments& arguments) {
   store::PruneOptions options;
-  if (!arguments.older_than.empty()) options.older_than = UtcTime(option_value("--older-than", arguments.older_than, parse_day));
+  if (!arguments.older_than.empty())
+    options.older_than = UtcTime(option_value("--older-than", arguments.older_than, parse_day));
   options.forecasts = arguments.forecasts;
   options.orphans = arguments.orphans;
   if (!options.older_than && !options.orphans) {

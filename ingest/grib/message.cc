@@ -18,8 +18,16 @@ constexpr double masked = -1.0e100;
 /// ecCodes would print to stderr; its complaints come back as error codes too, and those we report.
 void keep_quiet(const codes_context*, int, const char*) {}
 
+/// ecCodes ends the process where a damaged message breaks an assumption of its own; this throws instead, through
+/// its frames (they carry unwind tables), and what it was building is not freed.
+[[noreturn]] void refuse_assertion(const char* message) {
+  throw Error(ErrorKind::invalid_input, std::string("ecCodes holds it for impossible (") + message +
+                                            "); the file is damaged: download it again");
+}
+
 void silence_library() {
   static const bool silenced = [] {
+    codes_set_codes_assertion_failed_proc(&refuse_assertion);
     codes_context_set_logging_proc(codes_context_get_default(), &keep_quiet);
     return true;
   }();
@@ -39,7 +47,8 @@ void check(int code, const std::string& message, const std::string& action) {
 Message::Message(std::vector<std::byte> bytes, std::string name)
     : bytes_(std::move(bytes)), name_(std::move(name)) {
   silence_library();
-  handle_ = codes_handle_new_from_message(nullptr, bytes_.data(), bytes_.size());
+  handle_ = with_context(
+      name_, [&] { return codes_handle_new_from_message(nullptr, bytes_.data(), bytes_.size()); });
   if (handle_ == nullptr) {
     throw Error(
         ErrorKind::invalid_input,

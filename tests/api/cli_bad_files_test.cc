@@ -28,8 +28,10 @@ class BadFile : public ::testing::Test {
     const ProgramResult result = store_.run({"ingest", file.string()});
     EXPECT_EQ(result.exit_code, 3) << result.out << result.err;
     EXPECT_NE(result.err.find(file.filename().string()), std::string::npos) << result.err;
-    for (const std::string& word : words) EXPECT_NE(result.err.find(word), std::string::npos) << word << " in: " << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "one error, not several: " << result.err;
+    for (const std::string& word : words)
+      EXPECT_NE(result.err.find(word), std::string::npos) << word << " in: " << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1)
+        << "one error, not several: " << result.err;
     EXPECT_EQ(store_.listing(), listing);
     EXPECT_EQ(store_.digests(), digests) << "the store is as it was, to the byte";
   }
@@ -47,7 +49,8 @@ TEST_F(BadFile, TruncatedAtAnyPlaceIsRefused) {
   const std::string whole = read_bytes(currents([](ProductForTests&) {}));
   for (const double share : {0.001, 0.1, 0.5, 0.9, 0.999}) {
     const auto file = store_.file("cut_short.nc");
-    write_bytes(file, whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+    write_bytes(
+        file, whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
     expect_refused(file, {"truncated"});
   }
 }
@@ -66,8 +69,8 @@ TEST_F(BadFile, TextIsNotNetcdf) {
 
 TEST_F(BadFile, WithoutAnyKnownVariableIsRefusedAndTheVariablesFoundAreNamed) {
   expect_refused(currents([](ProductForTests& p) {
-                   p.quantities = {{"chl", "mass_concentration_of_chlorophyll_a_in_sea_water", "mg m-3", true,
-                                    [](const ProductCell&) { return 1.0; }}};
+                   p.quantities = {{"chl", "mass_concentration_of_chlorophyll_a_in_sea_water",
+                                    "mg m-3", true, [](const ProductCell&) { return 1.0; }}};
                  }),
                  {"chl", "expected"});
 }
@@ -81,12 +84,14 @@ TEST_F(BadFile, OneComponentOfACurrentAloneIsToldOrStoredAsSuch) {
 }
 
 TEST_F(BadFile, WrongUnitIsRefusedWithBothUnits) {
-  expect_refused(currents([](ProductForTests& p) { p.quantity("uo").unit = "K"; }), {"uo", "K", "m s-1"});
+  expect_refused(currents([](ProductForTests& p) { p.quantity("uo").unit = "K"; }),
+                 {"uo", "K", "m s-1"});
 }
 
 TEST_F(BadFile, WithoutAnyValueIsRefused) {
   expect_refused(currents([](ProductForTests& p) {
-                   for (auto& q : p.quantities) q.value = [](const ProductCell&) { return nothing; };
+                   for (auto& q : p.quantities)
+                     q.value = [](const ProductCell&) { return nothing; };
                  }),
                  {"uo"});
 }
@@ -96,7 +101,8 @@ TEST_F(BadFile, NanIsAMissingValueLikeTheFillValue) {
   const ProgramResult result = store_.run({"ingest", file.string()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string site = write_site(store_.file("coast.yaml"), "", 54.0, 6.7).string();
-  const ProgramResult on_land = store_.run({"forecast", "--site", site, "--at", "2025-03-08T05:00:00Z"});
+  const ProgramResult on_land =
+      store_.run({"forecast", "--site", site, "--at", "2025-03-08T05:00:00Z"});
   EXPECT_EQ(on_land.exit_code, 4) << on_land.out;
   EXPECT_NE(on_land.err.find("land"), std::string::npos) << on_land.err;
 }
@@ -112,7 +118,8 @@ TEST_F(BadFile, AnInfiniteOrAbsurdCurrentNeverReachesAForecast) {
     const ProgramResult ingest = store.run({"ingest", file.string()});
     if (ingest.exit_code == 3) continue;  // refused is good too
     ASSERT_EQ(ingest.exit_code, 0) << ingest.err;
-    const ProgramResult forecast = store.run({"forecast", "--site", store.site(), "--at", "2025-03-07T05:00:00Z"});
+    const ProgramResult forecast =
+        store.run({"forecast", "--site", store.site(), "--at", "2025-03-07T05:00:00Z"});
     ASSERT_EQ(forecast.exit_code, 0) << forecast.err;
     const ProgramResult profile =
         store.run({"profile", "--site", store.site(), "--time", "2025-03-07T05:00:00Z", "--json"});
@@ -124,7 +131,8 @@ TEST_F(BadFile, AnInfiniteOrAbsurdCurrentNeverReachesAForecast) {
 }
 
 TEST_F(BadFile, DuplicateTimesAreRefused) {
-  expect_refused(currents([](ProductForTests& p) { p.time[7] = p.time[6]; }), {"time", "2025-03-07T06:00:00Z"});
+  expect_refused(currents([](ProductForTests& p) { p.time[7] = p.time[6]; }),
+                 {"time", "2025-03-07T06:00:00Z"});
 }
 
 TEST_F(BadFile, BackwardTimesAreRefused) {
@@ -138,17 +146,23 @@ TEST_F(BadFile, DepthsInAnyOrderAreTheSameWater) {
   std::swap(product.depth_m[1], product.depth_m[3]);
   shuffled.ingest(write_product(shuffled.file("shuffled.nc"), product));
   const auto newest = [](const StoreForTests& store) {
-    return nlohmann::json::parse(store.listing())["granules"].back()["content_sha256"].get<std::string>();
+    return nlohmann::json::parse(store.listing())["granules"]
+        .back()["content_sha256"]
+        .get<std::string>();
   };
   EXPECT_EQ(newest(shuffled), newest(store_));
 }
 
 TEST_F(BadFile, TwoEqualDepthsAreRefused) {
-  expect_refused(currents([](ProductForTests& p) { p.depth_m[2] = p.depth_m[1]; }), {"levels", "5.0"});
+  expect_refused(currents([](ProductForTests& p) { p.depth_m[2] = p.depth_m[1]; }),
+                 {"levels", "5.0"});
 }
 
 TEST_F(BadFile, LatitudesBeyondThePoleAreRefused) {
-  expect_refused(currents([](ProductForTests& p) { p.latitude_deg = {540, 541, 542, 543, 544}; }), {"latitude"});
+  expect_refused(currents([](ProductForTests& p) {
+                   p.latitude_deg = {540, 541, 542, 543, 544};
+                 }),
+                 {"latitude"});
 }
 
 TEST_F(BadFile, WithoutDepthAxisTheDescriptorSettlesTheLevelOfAKnownProduct) {

@@ -13,7 +13,9 @@ using namespace std::chrono;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
 
-bool contains(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
+bool contains(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
 
 class BadSite : public ::testing::Test {
  protected:
@@ -23,17 +25,20 @@ class BadSite : public ::testing::Test {
     return store_.run({"forecast", "--site", site.string(), "--at", "2025-03-08T05:00:00Z"});
   }
 
-  void expect_refused(const std::string& yaml, const std::vector<std::string>& words, int exit_code = 3) {
+  void expect_refused(const std::string& yaml, const std::vector<std::string>& words,
+                      int exit_code = 3) {
     const auto file = store_.file("spoilt.yaml");
     write_bytes(file, yaml);
     const auto digests = store_.digests();
     for (const std::vector<std::string>& command :
-         {std::vector<std::string>{"forecast", "--site", file.string(), "--at", "2025-03-08T05:00:00Z"},
+         {std::vector<std::string>{"forecast", "--site", file.string(), "--at",
+                                   "2025-03-08T05:00:00Z"},
           {"site", "check", file.string()}}) {
       const ProgramResult result = store_.run(command);
       EXPECT_EQ(result.exit_code, exit_code) << command[0] << ": " << result.out << result.err;
       EXPECT_TRUE(contains(result.err, "spoilt.yaml")) << result.err;
-      for (const std::string& word : words) EXPECT_TRUE(contains(result.err, word)) << word << " in: " << result.err;
+      for (const std::string& word : words)
+        EXPECT_TRUE(contains(result.err, word)) << word << " in: " << result.err;
     }
     EXPECT_EQ(store_.digests(), digests);
   }
@@ -42,13 +47,15 @@ class BadSite : public ::testing::Test {
 };
 
 TEST_F(BadSite, UnknownKeyIsRefusedWithItsLineAndTheNearestKnownKey) {
-  expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: 6.5\nwater_dept_m: 30\n", {"water_dept_m", "water_depth_m", "4"});
+  expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: 6.5\nwater_dept_m: 30\n",
+                 {"water_dept_m", "water_depth_m", "4"});
 }
 
 TEST_F(BadSite, ValuesOutOfRangeAreRefusedWithTheRange) {
   expect_refused("id: a\nlatitude_deg: 95\nlongitude_deg: 6.5\n", {"latitude_deg", "95", "90"});
   expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: 666\n", {"longitude_deg", "666", "360"});
-  expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: 6.5\nwater_depth_m: -30\n", {"water_depth_m", "-30"});
+  expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: 6.5\nwater_depth_m: -30\n",
+                 {"water_depth_m", "-30"});
   expect_refused("id: a\nlatitude_deg: .nan\nlongitude_deg: 6.5\n", {"latitude_deg"});
   expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: .inf\n", {"longitude_deg"});
 }
@@ -66,7 +73,8 @@ TEST_F(BadSite, MissingKeysWrongTypesAndBrokenYamlAreRefused) {
 TEST_F(BadSite, AnAbsentSiteListsTheKnownOnes) {
   const ProgramResult result = forecast("nowhere");
   EXPECT_EQ(result.exit_code, 4);
-  EXPECT_TRUE(contains(result.err, "nowhere") && contains(result.err, "saint_brieuc")) << result.err;
+  EXPECT_TRUE(contains(result.err, "nowhere") && contains(result.err, "saint_brieuc"))
+      << result.err;
   const ProgramResult file = forecast(store_.file("absent.yaml"));
   EXPECT_EQ(file.exit_code, 4);
   EXPECT_TRUE(contains(file.err, "absent.yaml")) << file.err;

@@ -14,7 +14,9 @@ using namespace std::chrono;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
 
-bool contains(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
+bool contains(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
 
 TEST(UnwritableStore, BelowAFileIsUnavailableAndNamesTheFolder) {
   const TemporaryFolder folder;
@@ -38,7 +40,8 @@ TEST(UnwritableStore, InTheKernelsFoldersIsUnavailable) {
 TEST(AbsentStore, IsNotFoundByEveryReaderAndNotMadeByThem) {
   const StoreForTests store;
   for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"store", "list"}, {"profile", "--site", store.site(), "--time", "2025-03-07T06:00:00Z"}}) {
+       {std::vector<std::string>{"store", "list"},
+        {"profile", "--site", store.site(), "--time", "2025-03-07T06:00:00Z"}}) {
     const ProgramResult result = store.run(command);
     EXPECT_EQ(result.exit_code, 4) << command[0] << result.err;
     EXPECT_TRUE(contains(result.err, store.store().string())) << result.err;
@@ -52,7 +55,8 @@ class DamagedStore : public ::testing::Test {
  protected:
   DamagedStore() {
     store_.ingest_days(day, 2);
-    const ProgramResult result = store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-08T05:00:00Z", "--json"});
+    const ProgramResult result =
+        store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-08T05:00:00Z", "--json"});
     if (result.exit_code != 0) throw std::runtime_error(result.err);
     forecast_file_ = content_of(nlohmann::json::parse(store_.listing())["forecasts"][0]);
     current_file_ = content_of(nlohmann::json::parse(store_.listing())["granules"][0]);
@@ -67,7 +71,8 @@ class DamagedStore : public ::testing::Test {
     std::string bytes = read_bytes(file);
     const auto at = static_cast<std::size_t>(where * static_cast<double>(bytes.size()));
     bytes[at] = static_cast<char>(bytes[at] ^ 0x55);
-    std::filesystem::permissions(file, std::filesystem::perms::owner_write, std::filesystem::perm_options::add);
+    std::filesystem::permissions(file, std::filesystem::perms::owner_write,
+                                 std::filesystem::perm_options::add);
     write_bytes(file, bytes);
   }
 
@@ -78,10 +83,12 @@ class DamagedStore : public ::testing::Test {
     const auto report = nlohmann::json::parse(check.out);
     EXPECT_FALSE(report["sound"].get<bool>());
     const auto& findings = report["findings"];
-    const bool named = std::any_of(findings.begin(), findings.end(), [&](const nlohmann::json& finding) {
-      return finding["harmful"].get<bool>() && contains(finding["found"].get<std::string>(), what) &&
-             !finding["advice"].get<std::string>().empty();
-    });
+    const bool named =
+        std::any_of(findings.begin(), findings.end(), [&](const nlohmann::json& finding) {
+          return finding["harmful"].get<bool>() &&
+                 contains(finding["found"].get<std::string>(), what) &&
+                 !finding["advice"].get<std::string>().empty();
+        });
     EXPECT_TRUE(named) << what << " in " << check.out;
   }
 
@@ -96,15 +103,18 @@ TEST_F(DamagedStore, CatalogueOverwrittenWithTextIsRefusedByEveryCommandAndLeftA
   const auto digests = store_.digests();
   const std::string site = store_.site();
   for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"store", "list"}, {"ingest", product.string()},
+       {std::vector<std::string>{"store", "list"},
+        {"ingest", product.string()},
         {"forecast", "--site", site, "--at", "2025-03-08T05:00:00Z"},
-        {"profile", "--site", site, "--time", "2025-03-08T05:00:00Z"}, {"verify", "--site", site},
+        {"profile", "--site", site, "--time", "2025-03-08T05:00:00Z"},
+        {"verify", "--site", site},
         {"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-07"},
         {"store", "prune", "--orphans"}}) {
     const ProgramResult result = store_.run(command);
     EXPECT_EQ(result.exit_code, 3) << command[0] << ": " << result.err;
     EXPECT_TRUE(contains(result.err, "catalogue.sqlite")) << command[0] << ": " << result.err;
-    EXPECT_TRUE(contains(result.err, "store check")) << command[0] << " says what to do: " << result.err;
+    EXPECT_TRUE(contains(result.err, "store check"))
+        << command[0] << " says what to do: " << result.err;
     EXPECT_EQ(store_.digests(), digests) << command[0];
   }
   expect_found("catalogue.sqlite");
@@ -140,7 +150,8 @@ TEST_F(DamagedStore, FlippedByteInACurrentFileIsFoundAndMendedByIngestingAgain) 
 TEST_F(DamagedStore, DamagedForecastIsAnErrorThatNamesItsFileNotANumber) {
   write_bytes(forecast_file_, read_bytes(forecast_file_).substr(0, 2000));
   expect_found(forecast_file_.filename().string().substr(0, 12));
-  const ProgramResult result = store_.run({"profile", "--site", store_.site(), "--time", "2025-03-08T05:00:00Z"});
+  const ProgramResult result =
+      store_.run({"profile", "--site", store_.site(), "--time", "2025-03-08T05:00:00Z"});
   EXPECT_EQ(result.exit_code, 3) << result.out << result.err;
   EXPECT_TRUE(contains(result.err, forecast_file_.filename().string())) << result.err;
   EXPECT_TRUE(result.out.empty()) << result.out;
@@ -148,14 +159,16 @@ TEST_F(DamagedStore, DamagedForecastIsAnErrorThatNamesItsFileNotANumber) {
 
 TEST_F(DamagedStore, LostForecastFileIsAnErrorThatNamesIt) {
   std::filesystem::remove(forecast_file_);
-  const ProgramResult result = store_.run({"profile", "--site", store_.site(), "--time", "2025-03-08T05:00:00Z"});
+  const ProgramResult result =
+      store_.run({"profile", "--site", store_.site(), "--time", "2025-03-08T05:00:00Z"});
   EXPECT_TRUE(result.exit_code == 3 || result.exit_code == 4) << result.exit_code << result.err;
   EXPECT_TRUE(contains(result.err, forecast_file_.filename().string())) << result.err;
 }
 
 TEST_F(DamagedStore, LostCurrentFileStopsNoCommandWithoutSayingSo) {
   std::filesystem::remove(current_file_);
-  const ProgramResult result = store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-08T05:00:00Z"});
+  const ProgramResult result =
+      store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-08T05:00:00Z"});
   if (result.exit_code == 0) {
     EXPECT_TRUE(contains(result.out, "DEGRADED")) << result.out;
   } else {
@@ -181,7 +194,8 @@ TEST_F(DamagedStore, PruneNeverTakesAnIssuedForecastUnlessTold) {
   EXPECT_EQ(read_bytes(forecast_file_), before);
   EXPECT_EQ(nlohmann::json::parse(store_.listing())["forecasts"].size(), 1U);
   EXPECT_EQ(store_.run({"store", "check"}).exit_code, 0);
-  ASSERT_EQ(store_.run({"store", "prune", "--older-than", "2026-01-01", "--forecasts"}).exit_code, 0);
+  ASSERT_EQ(store_.run({"store", "prune", "--older-than", "2026-01-01", "--forecasts"}).exit_code,
+            0);
   EXPECT_EQ(nlohmann::json::parse(store_.listing())["forecasts"].size(), 0U);
 }
 

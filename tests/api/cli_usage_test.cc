@@ -13,7 +13,9 @@ namespace {
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-bool contains(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
+bool contains(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
 
 struct UsageCase {
   Arguments arguments;
@@ -56,8 +58,11 @@ std::vector<UsageCase> usage_cases(const std::string& site, const std::string& f
       {{"profile", "--site", site, "--time", time, "--depth", "nan"}, "--depth"},
       {{"profile", "--site", site, "--time", time, "--csv", "--json"}, "--csv"},
       {{"hindcast", "--site", site, "--from", "2025-03-07", "--to", "2025-03-06"}, "--from"},
-      {{"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-06", "--horizon", "0h"}, "--horizon"},
-      {{"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-06", "--latency", "x"}, "--latency"},
+      {{"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-06", "--horizon",
+        "0h"},
+       "--horizon"},
+      {{"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-06", "--latency", "x"},
+       "--latency"},
       {{"hindcast", "--site", site, "--from", "soon", "--to", "2025-03-06"}, "--from"},
       {{"verify", "--site", site, "--bands", "5"}, "bands"},
       {{"verify", "--site", site, "--bands", "50,5"}, "bands"},
@@ -81,7 +86,8 @@ TEST(Usage, NonsenseIsToldInOneLineWithExitCodeTwoAndChangesNothing) {
   const StoreForTests store;
   const UtcDay day = std::chrono::sys_days{std::chrono::year{2025} / 3 / 6};
   store.ingest_days(day, 2);
-  const std::string file = write_product(store.file("more.nc"), current_product(day + std::chrono::days(2))).string();
+  const std::string file =
+      write_product(store.file("more.nc"), current_product(day + std::chrono::days(2))).string();
   const auto digests = store.digests();
   for (const UsageCase& c : usage_cases(store.site(), file)) {
     const ProgramResult result = store.run(c.arguments);
@@ -96,10 +102,10 @@ TEST(Usage, NonsenseIsToldInOneLineWithExitCodeTwoAndChangesNothing) {
 
 TEST(Usage, WithJsonTheErrorIsOneDocumentThatSaysTheSameAsStandardError) {
   const StoreForTests store;
-  for (const auto& [arguments, kind] :
-       std::vector<std::pair<Arguments, std::string>>{{{"forecast", "--site", store.site(), "--horizon", "junk"}, "usage"},
-                                                      {{"ingest", "/nowhere/absent.nc"}, "not_found"},
-                                                      {{"store", "list"}, "not_found"}}) {
+  for (const auto& [arguments, kind] : std::vector<std::pair<Arguments, std::string>>{
+           {{"forecast", "--site", store.site(), "--horizon", "junk"}, "usage"},
+           {{"store", "list"}, "not_found"},
+           {{"ingest", "/nowhere/absent.nc"}, "not_found"}}) {
     Arguments with_json = arguments;
     with_json.emplace_back("--json");
     const ProgramResult result = store.run(with_json);
@@ -112,9 +118,12 @@ TEST(Usage, WithJsonTheErrorIsOneDocumentThatSaysTheSameAsStandardError) {
 
 TEST(Help, OfEveryCommandExitsWithZeroAndNamesItsOptions) {
   const std::vector<std::pair<Arguments, std::vector<std::string>>> commands{
-      {{}, {"ingest", "forecast", "hindcast", "profile", "verify", "store", "site", "demo", "--store", "--json", "Exit codes"}},
+      {{},
+       {"ingest", "forecast", "hindcast", "profile", "verify", "store", "site", "demo", "--store",
+        "--json", "Exit codes"}},
       {{"ingest"}, {"--as", "--issued", "--bbox", "--site"}},
-      {{"forecast"}, {"--site", "--day", "--horizon", "--wind", "--out", "--at", "--print-downloads"}},
+      {{"forecast"},
+       {"--site", "--day", "--horizon", "--wind", "--out", "--at", "--print-downloads"}},
       {{"hindcast"}, {"--site", "--from", "--to", "--wind", "--latency"}},
       {{"profile"}, {"--site", "--lat", "--lon", "--time", "--depth", "--csv"}},
       {{"verify"}, {"--site", "--from", "--to", "--bands", "--levels"}},
@@ -132,7 +141,8 @@ TEST(Help, OfEveryCommandExitsWithZeroAndNamesItsOptions) {
     const ProgramResult result = run_program(arguments);
     EXPECT_EQ(result.exit_code, 0) << joined(arguments);
     EXPECT_TRUE(result.err.empty()) << result.err;
-    for (const std::string& word : words) EXPECT_TRUE(contains(result.out, word)) << word << " in " << joined(arguments);
+    for (const std::string& word : words)
+      EXPECT_TRUE(contains(result.out, word)) << word << " in " << joined(arguments);
   }
   EXPECT_EQ(run_program({"--version"}).exit_code, 0);
 }

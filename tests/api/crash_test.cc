@@ -43,7 +43,8 @@ Round round_of(const StoreForTests& store, int index) {
                  write_product(store.file("waves-" + name), wave_product(day)).string()};
   round.ingest = {"ingest"};
   round.ingest.insert(round.ingest.end(), round.files.begin(), round.files.end());
-  round.forecast = {"forecast", "--site", store.site(), "--at", format_utc(UtcTime(day) + days(1) + hours(5))};
+  round.forecast = {"forecast", "--site", store.site(), "--at",
+                    format_utc(UtcTime(day) + days(1) + hours(5))};
   return round;
 }
 
@@ -57,10 +58,14 @@ struct Promises {
     const json list = json::parse(store.listing());
     std::set<std::string> listed_sources;
     std::set<std::string> listed_forecasts;
-    for (const auto& source : list["sources"]) listed_sources.insert(source["name"].get<std::string>());
-    for (const auto& row : list["forecasts"]) listed_forecasts.insert(row["content_sha256"].get<std::string>());
-    for (const std::string& name : sources) EXPECT_TRUE(listed_sources.contains(name)) << name << " is lost";
-    for (const std::string& hash : forecasts) EXPECT_TRUE(listed_forecasts.contains(hash)) << hash << " is lost";
+    for (const auto& source : list["sources"])
+      listed_sources.insert(source["name"].get<std::string>());
+    for (const auto& row : list["forecasts"])
+      listed_forecasts.insert(row["content_sha256"].get<std::string>());
+    for (const std::string& name : sources)
+      EXPECT_TRUE(listed_sources.contains(name)) << name << " is lost";
+    for (const std::string& hash : forecasts)
+      EXPECT_TRUE(listed_forecasts.contains(hash)) << hash << " is lost";
     sources = listed_sources;
     forecasts = listed_forecasts;
   }
@@ -74,8 +79,8 @@ microseconds time_to_run(const StoreForTests& store, const std::vector<std::stri
 }
 
 /// Starts a command, kills it after the delay. @return whether it was killed before it was done.
-bool run_and_kill(const StoreForTests& store, const std::vector<std::string>& command, microseconds delay,
-                  const std::filesystem::path& out) {
+bool run_and_kill(const StoreForTests& store, const std::vector<std::string>& command,
+                  microseconds delay, const std::filesystem::path& out) {
   const pid_t program = store.start(command, out);
   std::this_thread::sleep_for(delay);
   ::kill(program, SIGKILL);
@@ -108,12 +113,14 @@ TEST(Kill, AtAnyInstantLeavesASoundStoreThatForgetsNothing) {
       promises.check_and_renew(*store);
     }
     const microseconds usual = at_forecast ? forecast_time : ingest_time;
-    const auto delay = microseconds(static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(usual.count() + 1)));
+    const auto delay = microseconds(
+        static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(usual.count() + 1)));
     SCOPED_TRACE("seed " + std::to_string(seed) + ", kill " + std::to_string(k) + " of " +
-                 (at_forecast ? "forecast" : "ingest") + " after " + std::to_string(delay.count()) + " us of " +
-                 std::to_string(usual.count()));
+                 (at_forecast ? "forecast" : "ingest") + " after " + std::to_string(delay.count()) +
+                 " us of " + std::to_string(usual.count()));
     const auto out = store->file("out");
-    interrupted += run_and_kill(*store, at_forecast ? round.forecast : round.ingest, delay, out) ? 1 : 0;
+    interrupted +=
+        run_and_kill(*store, at_forecast ? round.forecast : round.ingest, delay, out) ? 1 : 0;
 
     // A line on standard output is a promise.
     if (!at_forecast) {
@@ -132,9 +139,11 @@ TEST(Kill, AtAnyInstantLeavesASoundStoreThatForgetsNothing) {
     ASSERT_EQ(ingested.exit_code, 0) << ingested.err;
     const ProgramResult forecast = store->run(round.forecast);
     ASSERT_EQ(forecast.exit_code, 0) << forecast.err;
-    for (const std::string& file : round.files) promises.sources.insert(std::filesystem::path(file).filename().string());
+    for (const std::string& file : round.files)
+      promises.sources.insert(std::filesystem::path(file).filename().string());
     promises.check_and_renew(*store);
-    EXPECT_EQ(json::parse(store->listing())["sources"].size(), promises.sources.size()) << "each file once";
+    EXPECT_EQ(json::parse(store->listing())["sources"].size(), promises.sources.size())
+        << "each file once";
   }
   // A test that always came too late would prove nothing.
   EXPECT_GE(interrupted, kills / 2) << "of " << kills;
@@ -173,7 +182,8 @@ TEST(TwoWriters, IngestingTheSameFilesStoreThemOnce) {
   EXPECT_EQ(list["granules"].size(), 15U);
   const ProgramResult check = store.run({"store", "check", "--json"});
   EXPECT_EQ(check.exit_code, 0) << check.out;
-  EXPECT_EQ(json::parse(check.out)["findings"].size(), 0U) << "nothing is left lying about: " << check.out;
+  EXPECT_EQ(json::parse(check.out)["findings"].size(), 0U)
+      << "nothing is left lying about: " << check.out;
 }
 
 TEST(TwoWriters, IngestWhileForecasting) {

@@ -39,8 +39,8 @@ class SmallDisk {
   void fill(std::uintmax_t leave_bytes) const {
     std::ofstream ballast(folder_ / "ballast", std::ios::binary);
     const std::vector<char> page(4096, 'x');
-    for (auto free = std::filesystem::space(folder_.path()).available; free >= leave_bytes + page.size();
-         free -= page.size()) {
+    for (auto free = std::filesystem::space(folder_.path()).available;
+         free >= leave_bytes + page.size(); free -= page.size()) {
       ballast.write(page.data(), static_cast<std::streamsize>(page.size()));
     }
   }
@@ -58,7 +58,9 @@ class SmallDisk {
   const SmallDisk disk(options);             \
   if (!disk.is_mounted()) GTEST_SKIP() << "cannot mount a tmpfs here: " << disk.problem()
 
-bool contains(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
+bool contains(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
 
 void expect_told(const ProgramResult& result, const SmallDisk& disk) {
   EXPECT_EQ(result.exit_code, 5) << result.out << result.err;
@@ -115,7 +117,8 @@ TEST(FullDisk, StillAnswersAProfileAndACheck) {
   const std::string site = store.site();
   ASSERT_EQ(store.run({"forecast", "--site", site, "--at", at}).exit_code, 0);
   disk.fill(0);
-  const ProgramResult profile = store.run({"profile", "--site", site, "--time", "2025-03-08T12:00:00Z"});
+  const ProgramResult profile =
+      store.run({"profile", "--site", site, "--time", "2025-03-08T12:00:00Z"});
   EXPECT_EQ(profile.exit_code, 0) << profile.err;
   const ProgramResult check = store.run({"store", "check"});
   EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
@@ -129,7 +132,8 @@ TEST(FullDisk, StopsTheOutputFileWithoutAHalfOne) {
   store.ingest_days(day, 2);
   const auto out = disk.store().parent_path() / "forecast.nc";
   disk.fill(8192);
-  const ProgramResult result = store.run({"forecast", "--site", store.site(), "--at", at, "--out", out.string()});
+  const ProgramResult result =
+      store.run({"forecast", "--site", store.site(), "--at", at, "--out", out.string()});
   EXPECT_EQ(result.exit_code, 5) << result.err;
   EXPECT_TRUE(contains(result.err, "forecast.nc")) << result.err;
   EXPECT_FALSE(std::filesystem::exists(out));
@@ -157,14 +161,18 @@ TEST(ReadOnlyDisk, AnswersQueriesAndRefusesToWrite) {
   ASSERT_TRUE(disk.make_read_only()) << std::strerror(errno);
   EXPECT_EQ(store.listing(), listing);
   for (const std::vector<std::string>& query :
-       {std::vector<std::string>{"profile", "--site", site, "--time", "2025-03-08T12:00:00Z"}, {"store", "check"},
-        {"site", "check", site, "--at", at}, {"verify", "--site", site}}) {
+       {std::vector<std::string>{"profile", "--site", site, "--time", "2025-03-08T12:00:00Z"},
+        {"store", "check"},
+        {"site", "check", site, "--at", at},
+        {"verify", "--site", site}}) {
     const ProgramResult result = store.run(query);
     EXPECT_EQ(result.exit_code, 0) << query[0] << ": " << result.err;
   }
   for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"ingest", product.string()}, {"forecast", "--site", site, "--at", at},
-        {"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-07"}, {"store", "prune", "--orphans"}}) {
+       {std::vector<std::string>{"ingest", product.string()},
+        {"forecast", "--site", site, "--at", at},
+        {"hindcast", "--site", site, "--from", "2025-03-06", "--to", "2025-03-07"},
+        {"store", "prune", "--orphans"}}) {
     const ProgramResult result = store.run(command);
     EXPECT_EQ(result.exit_code, 5) << command[0] << ": " << result.err;
     EXPECT_TRUE(contains(result.err, disk.store().string())) << result.err;

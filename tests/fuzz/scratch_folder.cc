@@ -29,7 +29,7 @@ std::filesystem::path ScratchFolder::file_of(const std::uint8_t* data, std::size
                                              const char* name) {
   for (const auto& staged : std::filesystem::directory_iterator(staging()))
     std::filesystem::remove_all(staged);
-  const std::filesystem::path file = path_ / name;
+  std::filesystem::path file = path_ / name;
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
   stream.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   stream.close();

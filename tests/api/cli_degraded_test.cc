@@ -1,0 +1,182 @@
+// Late or missing inputs degrade, never silence: the forecast is made, says what was missing, and reaches as far.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/product_files_for_tests.h"
+#include "tests/support/store_for_tests.h"
+
+namespace slackwater::tests {
+namespace {
+
+using namespace std::chrono;
+using nlohmann::json;
+
+constexpr UtcDay day = sys_days{2025y / March / 6};
+
+bool contains(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
+
+class Degraded : public ::testing::Test {
+ protected:
+  void ingest(const std::string& name, const ProductForTests& product) {
+    store_.ingest(write_product(store_.file(name), product));
+  }
+  void ingest_currents(int days_of_data) {
+    for (int i = 0; i < days_of_data; ++i)
+      ingest("currents" + std::to_string(i) + ".nc", current_product(day + days(i)));
+  }
+  void ingest_wind_and_waves(int days_of_data) {
+    for (int i = 0; i < days_of_data; ++i) {
+      ingest("wind" + std::to_string(i) + ".nc", wind_product(day + days(i)));
+      ingest("waves" + std::to_string(i) + ".nc", wave_product(day + days(i)));
+    }
+  }
+
+  json forecast(const std::string& at, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"forecast", "--site", store_.site(), "--at", at, "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult result = store_.run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.exit_code == 0
+               ? json::parse(result.out)
+               : json{{"degraded", false}, {"headline", ""}, {"day", ""}, {"valid_to", ""}};
+  }
+  /// Degraded, with these words on its face: in the answer, the listing and the profile.
+  void expect_degraded(const json& forecast, const std::vector<std::string>& words) {
+    EXPECT_TRUE(forecast["degraded"].get<bool>()) << forecast["headline"];
+    const auto headline = forecast["headline"].get<std::string>();
+    for (const std::string& word : words)
+      EXPECT_TRUE(contains(headline, word)) << word << " in: " << headline;
+    const json row = json::parse(store_.listing())["forecasts"].back();
+    EXPECT_EQ(row["degraded"], true);
+    EXPECT_EQ(row["headline"], headline);
+  }
+
+  StoreForTests store_;
+};
+
+TEST_F(Degraded, WithAWindForecastNothingIsMissingAndNothingIsSaidToBe) {
+  ingest_currents(2);
+  ingest_wind_and_waves(2);
+  for (ProductForTests product :
+       {wind_product(day + days(2), 96), wave_product(day + days(2), 96)}) {
+    product.reference_time = UtcTime(day + days(2));
+    ingest("ahead-" + product.quantities[0].name + ".nc", product);
+  }
+  const json made = forecast("2025-03-08T05:00:00Z");
+  EXPECT_FALSE(made["degraded"].get<bool>()) << made["headline"];
+}
+
+TEST_F(Degraded, NoWindDropsTheWindDrivenPartAndSaysSo) {
+  ingest_currents(2);
+  const json made = forecast("2025-03-08T05:00:00Z");
+  expect_degraded(made, {"wind"});
+  EXPECT_FALSE(made["columns"][0]["calibration"]["wind_used"].get<bool>());
+}
+
+TEST_F(Degraded, NoWindForecastIsNamed) {
+  ingest_currents(2);
+  ingest_wind_and_waves(2);
+  expect_degraded(forecast("2025-03-08T05:00:00Z"), {"ind is persisted"});
+}
+
+TEST_F(Degraded, AMissingDayFallsBackToTheLastGoodOneAndStillReachesAsFar) {
+  ingest_currents(2);
+  ingest_wind_and_waves(3);
+  const json made = forecast("2025-03-09T05:00:00Z", {"--day", "2025-03-08"});
+  expect_degraded(made, {"2025-03-08", "2025-03-07"});
+  EXPECT_EQ(made["day"], "2025-03-07");
+  EXPECT_EQ(made["valid_to"], "2025-03-12T00:00:00Z") << "72 h beyond the day asked for";
+}
+
+TEST_F(Degraded, AProviderMoreThanADayLateIsNamedWithoutBeingAskedForADay) {
+  ingest_currents(2);
+  ingest_wind_and_waves(2);
+  const json usual =
+      forecast("2025-03-09T05:00:00Z");  // the newest analysed day is X-2, as it often is
+  EXPECT_FALSE(contains(usual["headline"].get<std::string>(), "missing")) << usual["headline"];
+  const json late = forecast("2025-03-12T05:00:00Z");
+  expect_degraded(late, {"2025-03-07", "missing"});
+  EXPECT_EQ(late["valid_to"], "2025-03-14T00:00:00Z")
+      << "72 h beyond the day that should have been there";
+}
+
+TEST_F(Degraded, AGapInTheNewestDayIsAMissingDay) {
+  ingest_currents(2);
+  ingest_wind_and_waves(3);
+  ProductForTests holed = current_product(day + days(2));
+  holed.time.erase(holed.time.begin() + 8, holed.time.begin() + 15);
+  ingest("holed.nc", holed);
+  const json made = forecast("2025-03-09T05:00:00Z", {"--day", "2025-03-08"});
+  expect_degraded(made, {"2025-03-08", "2025-03-07"});
+  EXPECT_EQ(made["day"], "2025-03-07");
+}
+
+TEST_F(Degraded, ADayOfMissingValuesIsAMissingDay) {
+  ingest_currents(2);
+  ingest_wind_and_waves(3);
+  ProductForTests holed = current_product(day + days(2));
+  for (ProductQuantity& q : holed.quantities) {
+    q.value = [value = q.value](const ProductCell& cell) {
+      return cell.time < UtcTime(day + days(2)) + hours(12) ? value(cell) : std::nan("");
+    };
+  }
+  ingest("holed.nc", holed);
+  const json made = forecast("2025-03-09T05:00:00Z", {"--day", "2025-03-08"});
+  expect_degraded(made, {"2025-03-08", "2025-03-07"});
+}
+
+TEST_F(Degraded, WindAndWavesAloneAreForecastWithoutACurrent) {
+  ingest_wind_and_waves(2);
+  const json made = forecast("2025-03-08T05:00:00Z");
+  expect_degraded(made, {"current", "wind and waves"});
+  const ProgramResult profile =
+      store_.run({"profile", "--site", store_.site(), "--time", "2025-03-08T12:00:00Z", "--json"});
+  EXPECT_EQ(profile.exit_code, 0) << profile.err;
+  for (const json& level : json::parse(profile.out)["levels"]) {
+    EXPECT_NE(level["status"], "ok") << "a missing current is a status, never calm water";
+  }
+}
+
+TEST_F(Degraded, AWeekOldStoreStillAnswersAndATooOldOneSaysSo) {
+  ingest_currents(2);
+  ingest_wind_and_waves(2);
+  expect_degraded(forecast("2025-03-15T05:00:00Z"), {"2025-03-07"});
+  for (const char* at : {"2025-04-20T05:00:00Z", "2026-03-01T05:00:00Z"}) {
+    const ProgramResult result = store_.run({"forecast", "--site", store_.site(), "--at", at});
+    EXPECT_EQ(result.exit_code, 4) << result.out;
+    EXPECT_TRUE(contains(result.err, "ingest")) << result.err;
+  }
+}
+
+TEST_F(Degraded, AnEmptyStoreIsAnErrorThatSaysWhatToFetch) {
+  ingest("bathymetry.nc", bathymetry_product());
+  const ProgramResult result =
+      store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-08T05:00:00Z"});
+  EXPECT_EQ(result.exit_code, 4) << result.out;
+  EXPECT_TRUE(contains(result.err, "--print-downloads")) << result.err;
+}
+
+TEST_F(Degraded, TheDepthOfTheWaterComesFromTheSiteElseTheBathymetryElseTheDeepestWetLevel) {
+  ingest_currents(2);
+  const auto site = store_.file("bare.yaml");
+  write_bytes(site, "id: bare\nlatitude_deg: 54.0\nlongitude_deg: 6.5\n");
+  const auto source = [&] {
+    const ProgramResult result =
+        store_.run({"forecast", "--site", site.string(), "--at", "2025-03-08T05:00:00Z", "--json"});
+    return result.exit_code == 0
+               ? json::parse(result.out)["columns"][0]["water_depth_source"].get<std::string>()
+               : result.err;
+  };
+  EXPECT_EQ(source(), "deepest wet level");
+  ingest("bathymetry.nc", bathymetry_product());
+  EXPECT_EQ(source(), "bathymetry");
+  write_bytes(site, "id: bare\nlatitude_deg: 54.0\nlongitude_deg: 6.5\nwater_depth_m: 31\n");
+  EXPECT_EQ(source(), "site");
+}
+
+}  // namespace
+}  // namespace slackwater::tests
