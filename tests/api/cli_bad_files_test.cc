@@ -84,8 +84,8 @@ TEST_F(BadFile, OneComponentOfACurrentAloneIsToldOrStoredAsSuch) {
 }
 
 TEST_F(BadFile, WrongUnitIsRefusedWithBothUnits) {
-  expect_refused(currents([](ProductForTests& p) { p.quantity("uo").unit = "K"; }),
-                 {"uo", "K", "m s-1"});
+  expect_refused(currents([](ProductForTests& p) { p.quantity("uo").unit = "kelvin"; }),
+                 {"uo", "kelvin", "m s-1"});
 }
 
 TEST_F(BadFile, WithoutAnyValueIsRefused) {
@@ -202,10 +202,10 @@ TEST_F(BadFile, AnAbsentFileAndAnEmptyFolderAreNotFound) {
   EXPECT_NE(empty.err.find("void"), std::string::npos) << empty.err;
 }
 
-TEST_F(BadFile, WaveHeightInFeetIsConvertedAndInKelvinRefused) {
+TEST_F(BadFile, WaveHeightInKelvinIsRefused) {
   ProductForTests product = wave_product(day + days(1));
-  product.quantity("VHM0").unit = "K";
-  expect_refused(write_product(store_.file("waves.nc"), product), {"VHM0", "K"});
+  product.quantity("VHM0").unit = "kelvin";
+  expect_refused(write_product(store_.file("waves.nc"), product), {"VHM0", "kelvin"});
 }
 
 }  // namespace

@@ -178,7 +178,8 @@ TEST_F(DamagedStore, LostCurrentFileStopsNoCommandWithoutSayingSo) {
 }
 
 TEST_F(DamagedStore, ALeftoverOfAKilledProcessIsANoteNotAProblemAndPruneRemovesIt) {
-  const auto orphan = store_.store() / "files" / "ab" / ("ab" + std::string(62, '0') + ".nc");
+  const auto orphan =
+      store_.store() / "files" / "ab" / std::string("ab").append(62, '0').append(".nc");
   std::filesystem::create_directories(orphan.parent_path());
   write_bytes(orphan, "unnamed");
   const ProgramResult check = store_.run({"store", "check"});
