@@ -22,7 +22,7 @@ endfunction()
 
 slackwater_library(eigen LINK Eigen3::Eigen)
 slackwater_library(ceres LINK Ceres::ceres)
-slackwater_library(netcdf PKG netcdf)
+slackwater_library(netcdf PKG netcdf hdf5)
 slackwater_library(proj PKG proj)
 slackwater_library(yaml LINK yaml-cpp)
 slackwater_library(json LINK nlohmann_json::nlohmann_json)

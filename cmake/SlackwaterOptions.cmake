@@ -13,6 +13,9 @@ endif()
 if(SLACKWATER_WERROR)
   target_compile_options(slackwater_options INTERFACE -Werror)
 endif()
+# Under ASan Eigen would align by hand, unlike the Ceres library of the system: memory that crosses between them must be
+# allocated one way. glibc's malloc is aligned to 16 bytes, which is all that either asks for.
+target_compile_definitions(slackwater_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 if(SLACKWATER_SANITIZE)
   target_compile_options(slackwater_options INTERFACE -fsanitize=${SLACKWATER_SANITIZE} -fno-omit-frame-pointer
                          -fno-sanitize-recover=all)

@@ -123,6 +123,13 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
                                       format_utc(options.issued) +
                                       "; give an earlier --day, or --at");
   }
+  if (!arguments.out.empty()) {
+    const auto out_folder = std::filesystem::absolute(arguments.out).parent_path();
+    if (!std::filesystem::is_directory(out_folder)) {
+      throw Error(ErrorKind::usage, "found no folder " + out_folder.string() +
+                                        " for --out; make it, or name another");
+    }
+  }
   store::Store store = context.open(store::OpenMode::create_or_write);
   const UtcDay last = options.day.value_or(day_of(options.issued));
   const SiteData data = load_site_data(store, site, UtcTime(last) - history_read,

@@ -232,6 +232,9 @@ HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy po
     while (end < stamps.size() && !stored_at(stamps[end])) ++end;
     const std::vector<SeaState> grown =
         grow_sea(result.sea, height, stored_at, stamps.subspan(0, end), t, wind, setting);
+    if (t == 0 && !height.empty() && last_known(height, stamps[0])) {
+      result.origins.push_back(height.origin[nearest_index(height.column, stamps[0])]);
+    }
     for (const SeaState& state : grown) {
       result.sea.push_back(state);
       result.source.push_back(wind.wind_m_s.empty() ? DataStatus::persisted : DataStatus::modelled);

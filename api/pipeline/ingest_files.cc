@@ -125,6 +125,9 @@ std::vector<std::filesystem::path> product_files(const std::vector<std::filesyst
   for (const auto& path : paths) {
     std::error_code problem;
     if (!std::filesystem::is_directory(path, problem)) {
+      if (!std::filesystem::exists(path, problem)) {
+        throw Error(ErrorKind::not_found, "found no file " + path.string() + "; check the path");
+      }
       files.push_back(path);
       continue;
     }

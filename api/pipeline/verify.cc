@@ -168,6 +168,15 @@ std::string truth_name(const Origin& origin) {
   return origin.is_point_series ? "station " + origin.station : origin.product_id;
 }
 
+/// Whether a forecast's value at a time is the later analysis itself (`--wind best` over the past): held against the
+/// same analysis it would score nothing but its own copy.
+bool is_its_own_truth(const Snapshot& snapshot, const std::vector<DataStatus>& source, UtcTime time,
+                      const Origin& truth) {
+  if (truth.is_point_series) return false;
+  const auto place = place_in(snapshot.time, time);
+  return place && place->low < source.size() && source[place->low] == DataStatus::analysis;
+}
+
 void score_wind(Scorer& scorer, const ColumnData& data, const Snapshot& snapshot, UtcTime end) {
   const ForecastColumn& column = snapshot.columns.front();
   if (column.wind_m_s.empty()) return;
@@ -176,6 +185,7 @@ void score_wind(Scorer& scorer, const ColumnData& data, const Snapshot& snapshot
   for (std::size_t t = 0; t < truth.column.times(); ++t) {
     const UtcTime time = truth.column.time[t].centre();
     if (time <= end || !truth.column.has(t)) continue;
+    if (is_its_own_truth(snapshot, column.wind_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, column.wind_m_s, 1, 0, TimeCell::instant(time));
     if (forecast) add_surface_pair(pairs, *forecast, truth.column.value[t], time, end);
   }
@@ -199,6 +209,7 @@ void score_waves(Scorer& scorer, const ColumnData& data, const Snapshot& snapsho
       last = value;
       continue;
     }
+    if (is_its_own_truth(snapshot, column.sea_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, height, 1, 0, TimeCell::instant(time));
     if (!forecast || std::isnan(forecast->real())) continue;
     add_surface_pair(methods["forecast"], *forecast, value, time, end);

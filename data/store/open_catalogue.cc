@@ -58,6 +58,13 @@ bool is_closed_to_us(const std::filesystem::path& folder) {
   return ::faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0;
 }
 
+/// No room for the index (32 KiB) that readers and writers of a WAL share.
+bool is_full(const std::filesystem::path& folder) {
+  std::error_code problem;
+  const auto disk = std::filesystem::space(folder, problem);
+  return !problem && disk.available < (std::uintmax_t{64} << 10);
+}
+
 bool is_current(Database& database) {
   expect_known_schema(database);
   return schema_version(database) == newest_schema_version();
@@ -96,6 +103,7 @@ Database open_readable(const std::filesystem::path& folder) {
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::unavailable) throw;
     if (!is_closed_to_us(folder)) {
+      if (is_full(folder) && !has_wal(folder) && !was_being_made(folder)) return open_copy(folder);
       if (!was_being_made(folder)) throw;
       static_cast<void>(open_catalogue_for_writing(folder));
       return open_shared(folder);

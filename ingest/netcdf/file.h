@@ -144,8 +144,11 @@ class Writer {
 
  private:
   Writer() = default;
+  /// Throws Error(unavailable) unless `status` is 0.
+  void checked(int status, std::string_view doing);
   std::filesystem::path path_;
   int id_ = -1;
+  bool failed_ = false;  ///< a write failed: the library must not touch the file again
 };
 
 }  // namespace slackwater::ingest::netcdf

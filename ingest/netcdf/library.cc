@@ -1,5 +1,6 @@
 #include "ingest/netcdf/library.h"
 
+#include <H5public.h>
 #include <netcdf.h>
 
 #include <string>
@@ -8,6 +9,9 @@ namespace slackwater::ingest::netcdf {
 
 std::recursive_mutex& LibraryLock::mutex() {
   static std::recursive_mutex the_mutex;
+  // HDF5's exit handler crashes where a file could not be written to its end (a full disk). Files are closed by their
+  // owners, so it has nothing else to do; it must be declined before the library is first used.
+  [[maybe_unused]] static const int declined = H5dont_atexit();
   return the_mutex;
 }
 

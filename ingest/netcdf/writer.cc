@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <limits>
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
@@ -80,8 +81,15 @@ int define_fill(int file, int variable, Type type, double value) {
   }
 }
 
-void check_write(int status, const std::filesystem::path& path, std::string_view doing) {
-  check(status, path, doing, ErrorKind::unavailable);
+/// With less room than this, a write that failed is told as a full disk: the library does not say why it failed.
+constexpr std::uintmax_t full_disk_bytes = std::uintmax_t{1} << 20;
+/// Room that the library's caches may still want when a file is given up.
+constexpr std::uintmax_t room_to_abort_bytes = std::uintmax_t{64} << 20;
+
+std::uintmax_t room_at(const std::filesystem::path& file) {
+  std::error_code problem;
+  const auto disk = std::filesystem::space(std::filesystem::absolute(file).parent_path(), problem);
+  return problem ? std::numeric_limits<std::uintmax_t>::max() : disk.available;
 }
 
 std::size_t length_of(int file, int dimension) {
@@ -115,35 +123,46 @@ Writer Writer::create(const std::filesystem::path& path) {
   const std::string name = std::filesystem::absolute(path).string();
   const int status = nc_create(name.c_str(), NC_NETCDF4 | NC_CLOBBER, &writer.id_);
   if (status != NC_NOERR) writer.id_ = -1;
-  check_write(status, path, "creating the file");
+  writer.checked(status, "creating the file");
   return writer;
 }
 
 Writer::~Writer() {
   if (id_ < 0) return;
   const LibraryLock lock;
-  nc_abort(id_);
+  // To give a file up the library writes it to its end, and crashes where it cannot (HDF5 1.10, NetCDF 4.9): then the
+  // file stays open in the library until the process ends.
+  if (!failed_ && room_at(path_) >= room_to_abort_bytes) nc_abort(id_);
   std::error_code ignored;
   std::filesystem::remove(path_, ignored);
 }
 
 Writer::Writer(Writer&& other) noexcept
-    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
+    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)), failed_(other.failed_) {}
+
+void Writer::checked(int status, std::string_view doing) {
+  if (status == NC_NOERR) return;
+  failed_ = true;
+  if (room_at(path_) < full_disk_bytes) {
+    throw Error(ErrorKind::unavailable,
+                path_.string() + ": " + std::string(doing) +
+                    ": no space left on the disk; free some space and run the command again");
+  }
+  check(status, path_, doing, ErrorKind::unavailable);
+}
 
 int Writer::dimension(const std::string& name, std::size_t length) {
   expects(length > 0, "Writer: a dimension has a length (0 would mean unlimited)");
   const LibraryLock lock;
   int id = -1;
-  check_write(nc_def_dim(id_, name.c_str(), length, &id), path_,
-              "defining dimension '" + name + "'");
+  checked(nc_def_dim(id_, name.c_str(), length, &id), "defining dimension '" + name + "'");
   return id;
 }
 
 int Writer::unlimited_dimension(const std::string& name) {
   const LibraryLock lock;
   int id = -1;
-  check_write(nc_def_dim(id_, name.c_str(), NC_UNLIMITED, &id), path_,
-              "defining dimension '" + name + "'");
+  checked(nc_def_dim(id_, name.c_str(), NC_UNLIMITED, &id), "defining dimension '" + name + "'");
   return id;
 }
 
@@ -152,23 +171,22 @@ int Writer::variable(const std::string& name, Type type, const std::vector<int>&
   const LibraryLock lock;
   const std::string doing = "defining variable '" + name + "'";
   int id = -1;
-  check_write(nc_def_var(id_, name.c_str(), external_type(type),
-                         static_cast<int>(dimension_ids.size()), dimension_ids.data(), &id),
-              path_, doing);
+  checked(nc_def_var(id_, name.c_str(), external_type(type), static_cast<int>(dimension_ids.size()),
+                     dimension_ids.data(), &id),
+          doing);
   if (!layout.chunks.empty()) {
     expects(layout.chunks.size() == dimension_ids.size(), "Writer: one chunk length per dimension");
-    check_write(nc_def_var_chunking(id_, id, NC_CHUNKED, layout.chunks.data()), path_, doing);
+    checked(nc_def_var_chunking(id_, id, NC_CHUNKED, layout.chunks.data()), doing);
   }
-  if (layout.deflate > 0)
-    check_write(nc_def_var_deflate(id_, id, 1, 1, layout.deflate), path_, doing);
-  if (layout.fill_value) check_write(define_fill(id_, id, type, *layout.fill_value), path_, doing);
+  if (layout.deflate > 0) checked(nc_def_var_deflate(id_, id, 1, 1, layout.deflate), doing);
+  if (layout.fill_value) checked(define_fill(id_, id, type, *layout.fill_value), doing);
   return id;
 }
 
 void Writer::attribute(int variable, const std::string& name, const std::string& text) {
   const LibraryLock lock;
-  check_write(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()), path_,
-              "writing attribute '" + name + "'");
+  checked(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()),
+          "writing attribute '" + name + "'");
 }
 
 void Writer::attribute(int variable, const std::string& name, double value) {
@@ -178,14 +196,14 @@ void Writer::attribute(int variable, const std::string& name, double value) {
 void Writer::attribute(int variable, const std::string& name, std::span<const double> values,
                        Type type) {
   const LibraryLock lock;
-  check_write(nc_put_att_double(id_, variable, name.c_str(), external_type(type), values.size(),
-                                values.data()),
-              path_, "writing attribute '" + name + "'");
+  checked(nc_put_att_double(id_, variable, name.c_str(), external_type(type), values.size(),
+                            values.data()),
+          "writing attribute '" + name + "'");
 }
 
 void Writer::end_definitions() {
   const LibraryLock lock;
-  check_write(nc_enddef(id_), path_, "ending the definitions");
+  checked(nc_enddef(id_), "ending the definitions");
 }
 
 void Writer::write(int variable, std::span<const std::size_t> start,
@@ -193,8 +211,8 @@ void Writer::write(int variable, std::span<const std::size_t> start,
   expects(start.size() == count.size() && product_of(count) == values.size(),
           "Writer: a whole hyperslab");
   const LibraryLock lock;
-  check_write(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()), path_,
-              "writing values");
+  checked(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()),
+          "writing values");
 }
 
 void Writer::write(int variable, std::span<const std::size_t> start,
@@ -202,8 +220,8 @@ void Writer::write(int variable, std::span<const std::size_t> start,
   expects(start.size() == count.size() && product_of(count) == values.size(),
           "Writer: a whole hyperslab");
   const LibraryLock lock;
-  check_write(nc_put_vara_float(id_, variable, start.data(), count.data(), values.data()), path_,
-              "writing values");
+  checked(nc_put_vara_float(id_, variable, start.data(), count.data(), values.data()),
+          "writing values");
 }
 
 void Writer::write(int variable, std::span<const std::size_t> start,
@@ -212,9 +230,9 @@ void Writer::write(int variable, std::span<const std::size_t> start,
           "Writer: a whole hyperslab");
   static_assert(sizeof(long long) == sizeof(std::int64_t));
   const LibraryLock lock;
-  check_write(nc_put_vara_longlong(id_, variable, start.data(), count.data(),
-                                   reinterpret_cast<const long long*>(values.data())),
-              path_, "writing values");
+  checked(nc_put_vara_longlong(id_, variable, start.data(), count.data(),
+                               reinterpret_cast<const long long*>(values.data())),
+          "writing values");
 }
 
 void Writer::write_all(int variable, std::span<const double> values) {
@@ -230,7 +248,7 @@ void Writer::write_text(int variable, std::string_view text) {
   expects(shape.size() == 1 && text.size() <= shape[0], "Writer: the text fits its char dimension");
   std::string padded_text(text);
   padded_text.resize(shape[0], '\0');
-  check_write(nc_put_var_text(id_, variable, padded_text.data()), path_, "writing text");
+  checked(nc_put_var_text(id_, variable, padded_text.data()), "writing text");
 }
 
 void Writer::close() {
@@ -238,7 +256,7 @@ void Writer::close() {
   const LibraryLock lock;
   const int status = nc_close(std::exchange(id_, -1));
   try {
-    check_write(status, path_, "closing the file");
+    checked(status, "closing the file");
     const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
     const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
     const int cause = errno;
