@@ -136,7 +136,8 @@ TEST_F(Degraded, WindAndWavesAloneAreForecastWithoutACurrent) {
   const ProgramResult profile =
       store_.run({"profile", "--site", store_.site(), "--time", "2025-03-08T12:00:00Z", "--json"});
   EXPECT_EQ(profile.exit_code, 0) << profile.err;
-  for (const json& level : json::parse(profile.out)["levels"]) {
+  const json answer = json::parse(profile.out);
+  for (const json& level : answer.at("levels")) {
     EXPECT_NE(level["status"], "ok") << "a missing current is a status, never calm water";
   }
 }
