@@ -4,22 +4,26 @@
 #include <span>
 #include <vector>
 
+#include "calibration/propagate/inertial_memory.h"
 #include "calibration/solve/calibration.h"
 
 namespace slackwater::calibration {
 
 /// How yesterday's knowledge ages.
 struct PropagationSettings {
-  /// The free inertial oscillation in the residual of D (inertial_memory.h) turns with f and decays
-  /// with this e-folding time: two days, the middle of the damping times of mixed-layer inertial
-  /// motion (1 to 4 days; D'Asaro 1985, J. Phys. Oceanogr. 15, 1043). Bed drag damps it further.
-  double inertial_decay_h = 48.0;
-  /// What the prior "no oscillation" is worth, in observations; nothing: no oscillation is carried.
-  std::optional<double> inertial_prior_observations = 1.0;
-  /// E-folding time of what the last hours of D showed beyond the day's mean misfit. Half a
-  /// mid-latitude inertial period is 7 to 9 h, after which such a residual has turned against
-  /// itself: a longer memory of the bare vector would carry it with the wrong sign, a shorter one
-  /// would waste the first hours.
+  /// E-folding times of inertial motion, of which the one that leaves least of the residual of D
+  /// unexplained is taken, the first where they do equally well: 1 to 4 days are the damping times of
+  /// mixed-layer inertial motion (D'Asaro 1985, J. Phys. Oceanogr. 15, 1043). Bed drag damps it
+  /// further.
+  std::vector<double> inertial_decays_h{48.0, 24.0, 96.0};
+  /// What is believed of the memory of a level before its day is seen.
+  MemoryPrior memory_prior;
+  /// How far back before D the changes of the wind still count: ten e-foldings of the quickest
+  /// decay and more than one of the slowest.
+  double stress_history_h = 72.0;
+  /// E-folding time of what the last hours of D showed beyond the memory: half a mid-latitude
+  /// inertial period is 7 to 9 h, after which a motion that the memory has missed has turned
+  /// against itself.
   double residual_decay_h = 12.0;
   /// E-folding time of the day's mean misfit of each depth: the vertical shear of the interior,
   /// which the steady model does not have. Mesoscale flow at a fixed place keeps its sense for
@@ -41,27 +45,35 @@ struct PropagationSettings {
 
 /// The current after D. Arrays over times x depths, depth fastest, unless said.
 struct Propagated {
-  std::vector<Horizontal> mean_m_s;         ///< Eulerian, towards
-  std::vector<double> sigma_m_s;            ///< standard deviation of each component
-  std::vector<Horizontal> wind_driven_m_s;  ///< the part of the mean that today's wind makes
-  std::vector<Horizontal> carried_m_s;      ///< the part of the mean that the residual of D makes
-  std::vector<bool> has_wind;               ///< per time: the wind-driven part is in the mean
-  std::size_t wind_missing = 0;  ///< times at which the model wants a wind and there is none
+  std::vector<Horizontal> mean_m_s;  ///< Eulerian, towards
+  std::vector<double> sigma_m_s;     ///< standard deviation of each component
+  std::vector<Horizontal>
+      wind_driven_m_s;  ///< the part of the mean that the wind makes: T B + transient
+  std::vector<Horizontal> carried_m_s;  ///< the part of the mean that the residual of D makes
+  std::vector<bool> has_wind;           ///< per time: the wind-driven part is in the mean
+  std::size_t wind_missing = 0;         ///< times at which the model wants a wind and there is none
 };
 
-/// Carries a calibrated day forward: the same forward model with the wind of the asked times, plus
-/// the residual of D decaying.
+/// Carries a calibrated day forward: the same forward model with the wind of the asked times, what
+/// the unsteady column adds to it, and the memory of the residual of D.
 ///
-///   mean(z, lead) = W_interior A + T(t) B + b(z) e^{-lead/tau_b} + c(z) e^{-(1/tau_i + i f) lead}
-///                   + r(z) e^{-(lead + age)/tau_r}
-///   sigma^2       = J C J^T + m(z)^2 + drift^2 (1 - e^{-2 lead/tau_d})
+///   mean(z, t) = W_interior A + T(t) B + transient(z, t)
+///                + b e^{-lead/tau_b} + g s(t) + c e^{-lambda lead} + q e^{-(lead + age)/tau_r}
+///   sigma^2    = J C J^T + x^H P x + m^2 + |b|^2/2 (1 - e^{-2 lead/tau_b})
+///                + |c|^2/2 (1 - e^{-2 r lead}) + drift^2 (1 - e^{-2 lead/tau_d})
 ///
-/// with b the constant and c the inertial part of D's residual at that depth (inertial_memory.h), r
-/// the mean of what they leave over in its last `recent_h` hours (counted back
-/// from the last value, whose age at the end of D is `age`), C the posterior covariance, J the
-/// model's Jacobian and m the misfit's standard deviation per component. At lead 0 sigma is
-/// therefore not below the misfit. Between the levels of D b, r and m are linear in depth; beyond
-/// the outermost they hold.
+/// - transient: the steady answer to the wind of an instant has arrived at once, the sea's has not
+///   (transient_column.h). It is 0 under a constant wind: the steady forecast.
+/// - b, g, c with covariance P: constant, share of a slab s(t) and free inertial oscillation in the
+///   residual of D less the transient, per level (inertial_memory.h); g in the three_layer form only.
+///   x their functions of time, lambda = r + i f.
+/// - q: mean of what they leave over in the last `recent_h` hours of D (counted back from the last
+///   value, whose age at the end of D is `age`); m: the standard deviation of it over D.
+/// - C: posterior covariance of the parameters, J the model's Jacobian. A level with values enough
+///   for a motion knows its own mean: the doubt about the interior is then that of b, in P.
+///
+/// What a decay takes out of the mean goes to the spread. At lead 0 sigma is not below m. Between
+/// the levels of D the memory is linear in depth, beyond the outermost it holds.
 ///
 /// A time before the end of D has lead 0. Where the calibration used a wind and the time has none,
 /// the mean is the interior alone, `has_wind` is false and sigma holds the wind that may blow. A

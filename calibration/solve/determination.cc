@@ -1,6 +1,7 @@
 #include "calibration/solve/determination.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -10,6 +11,7 @@ namespace slackwater::calibration {
 namespace {
 
 constexpr double determined_share = 0.8;  ///< of the prior's standard deviation
+constexpr double member_share = 0.3;      ///< of a direction of length one
 
 std::string bound_warning(const Parameter& p, bool is_lower) {
   std::ostringstream text;
@@ -19,24 +21,31 @@ std::string bound_warning(const Parameter& p, bool is_lower) {
   return text.str();
 }
 
-std::string direction_warning(const Eigen::VectorXd& direction, double share,
-                              const std::vector<Parameter>& parameters) {
-  std::ostringstream text;
-  text.precision(2);
-  text << "the day hardly determines";
-  bool is_first = true;
-  for (Eigen::Index i = 0; i < direction.size(); ++i) {
-    if (std::abs(direction(i)) < 0.3) continue;
-    const Parameter& p = parameters[static_cast<std::size_t>(i)];
-    text << (is_first ? " " : direction(i) < 0 ? " - " : " + ");
-    if (is_first && direction(i) < 0) text << '-';
-    if (std::abs(direction(i)) < 0.95) text << std::abs(direction(i)) << ' ';
-    text << (p.is_logarithmic ? "ln " : "") << p.name;
-    is_first = false;
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+    text += names[i];
   }
-  text << " (in prior standard deviations): its uncertainty is " << std::round(100.0 * share)
-       << " % of the prior's";
-  return text.str();
+  return text;
+}
+
+std::string little_said_of(const std::vector<std::string>& names) {
+  return "the day says little about " + listed(names) +
+         (names.size() == 1 ? ": its value is mostly the prior's"
+                            : ": their values are mostly the priors'");
+}
+
+/// The parameters that share a direction.
+std::vector<const Parameter*> members_of(const Eigen::VectorXd& direction,
+                                         const std::vector<Parameter>& parameters) {
+  std::vector<const Parameter*> members;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (std::abs(direction(static_cast<Eigen::Index>(i))) >= member_share)
+      members.push_back(&parameters[i]);
+  }
+  return members;
 }
 
 }  // namespace
@@ -63,12 +72,32 @@ std::vector<std::string> judge_determination(const std::vector<double>& estimate
   const Eigen::VectorXd inverse = prior_sigma.cwiseInverse();
   const Eigen::MatrixXd whitened = inverse.asDiagonal() * covariance * inverse.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(whitened);
+  std::vector<std::string> unsaid;
+  for (const Parameter& p : parameters) {
+    if (p.weakly_determined) unsaid.push_back(p.name);
+  }
+  std::vector<std::string> together;
   for (Eigen::Index i = 0; i < whitened.rows(); ++i) {
     const double share = std::sqrt(std::max(eigen.eigenvalues()(i), 0.0));
-    if (share > determined_share) {
-      warnings.push_back(direction_warning(eigen.eigenvectors().col(i), share, parameters));
+    if (share <= determined_share) continue;
+    const auto members = members_of(eigen.eigenvectors().col(i), parameters);
+    // A parameter that is weak by itself has its sentence already.
+    if (std::any_of(members.begin(), members.end(),
+                    [](const Parameter* p) { return p->weakly_determined; })) {
+      continue;
+    }
+    std::vector<std::string> names;
+    for (const Parameter* p : members) names.push_back(p->name);
+    if (names.size() == 1) {
+      unsaid.push_back(names.front());
+    } else {
+      together.push_back(listed(names) + " can only be told together: the day fits as well with " +
+                         "one a little off when the " +
+                         (names.size() == 2 ? "other makes" : "others make") + " up for it");
     }
   }
+  if (!unsaid.empty()) warnings.push_back(little_said_of(unsaid));
+  warnings.insert(warnings.end(), together.begin(), together.end());
   return warnings;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "calibration/propagate/inertial_memory.h"
+#include "fields/current/coriolis.h"
 #include "tests/calibration/solve/synthetic_day.h"
 
 namespace slackwater::calibration {
@@ -22,29 +24,166 @@ std::vector<UtcTime> hourly(int from, int to) {
   return times;
 }
 
-/// Constant misfit and last hours alone.
+/// The day under a wind that never changes: no transient.
+CalibrationInput steady_wind_input(const SyntheticDay& day, Horizontal wind_m_s = {8, 3}) {
+  CalibrationInput input = synthetic_input(day);
+  const StressSeries veering(*input.wind, input.drag_law);
+  std::fill(input.wind->value.begin(), input.wind->value.end(), wind_m_s);
+  const StressSeries steady(*input.wind, input.drag_law);
+  const LevelResponses responses =
+      level_responses(day.form, day.truth, input.latitude, day.water_depth_m, day.depth_m);
+  for (std::size_t t = 0; t < input.current.times(); ++t) {
+    const TimeCell& cell = input.current.time[t];
+    for (std::size_t k = 0; k < day.depth_m.size(); ++k) {
+      input.current.value[input.current.offset(t, k)] +=
+          (*steady.over(cell) - *veering.over(cell)) * responses.stress(k);
+    }
+  }
+  return input;
+}
+
+/// No belief in any motion: constant misfit and last hours alone.
 PropagationSettings without_oscillation() {
   PropagationSettings settings;
-  settings.inertial_prior_observations.reset();
+  settings.memory_prior.oscillation_m_s = settings.memory_prior.slab_share = 1e-9;
   return settings;
+}
+
+TEST(Propagate, WithAConstantWindAndNoResidualItIsTheSteadyForecast) {
+  for (const bool is_mean : {false, true}) {
+    SyntheticDay day = usual_day();
+    day.is_mean = is_mean;
+    const CalibrationInput input = steady_wind_input(day);
+    Calibration fitted = calibrate_day(input);
+    std::fill(fitted.residual.value.begin(), fitted.residual.value.end(), Horizontal{});
+    const auto times = hourly(0, 48);
+    const Propagated forecast = propagate(fitted, times, day.depth_m, input.wind, end_of_day);
+    const LevelResponses responses = level_responses(
+        fitted.form, steady_parameters(fitted), fitted.latitude, fitted.water_depth_m, day.depth_m);
+    const std::vector<Horizontal> stress(times.size(), wind_stress_pa({8, 3}, fitted.drag_law));
+    std::vector<Horizontal> steady(forecast.mean_m_s.size());
+    evaluate_steady(responses, steady_parameters(fitted).interior_m_s(), stress, steady);
+    EXPECT_EQ(forecast.mean_m_s, steady);
+  }
 }
 
 TEST(Propagate, ForecastsTheSteadyOceanItWasFittedTo) {
   const SyntheticDay day = usual_day();
-  const CalibrationInput input = synthetic_input(day);
+  const CalibrationInput input = steady_wind_input(day);
   const Calibration fitted = calibrate_day(input);
   const auto times = hourly(0, 48);
   const Propagated forecast = propagate(fitted, times, day.depth_m, input.wind, end_of_day);
-  std::vector<TimeCell> cells;
-  for (const UtcTime t : times) cells.push_back(TimeCell::instant(t));
-  const std::vector<Horizontal> truth = synthetic_truth(day, cells);
-  ASSERT_EQ(forecast.mean_m_s.size(), truth.size());
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    EXPECT_LT(std::abs(forecast.mean_m_s[i] - truth[i]), 4 * forecast.sigma_m_s[i]);
-    EXPECT_LT(std::abs(forecast.mean_m_s[i] - truth[i]),
+  const LevelResponses responses =
+      level_responses(day.form, day.truth, input.latitude, day.water_depth_m, day.depth_m);
+  const Horizontal stress = wind_stress_pa({8, 3}, fitted.drag_law);
+  for (std::size_t i = 0; i < forecast.mean_m_s.size(); ++i) {
+    const std::size_t k = i % day.depth_m.size();
+    const Horizontal truth =
+        day.truth.interior_m_s() * responses.interior(k) + stress * responses.stress(k);
+    EXPECT_LT(std::abs(forecast.mean_m_s[i] - truth), 4 * forecast.sigma_m_s[i]);
+    EXPECT_LT(std::abs(forecast.mean_m_s[i] - truth),
               0.06);  // noise of three values in the last hours, decaying
   }
   EXPECT_EQ(forecast.wind_missing, 0u);
+}
+
+TEST(Propagate, AnInertialOscillationOnASteadyColumnGoesOnTurning) {
+  // In both hemispheres, from hourly means and from values every six hours; the prior keeps 2 %.
+  for (const double latitude : {54.0, -33.0}) {
+    for (const bool is_mean : {true, false}) {
+      SyntheticDay day = usual_day();
+      day.latitude_deg = latitude;
+      day.noise_m_s = 0;
+      day.is_mean = is_mean;
+      const CalibrationInput input = steady_wind_input(day);
+      Calibration fitted = calibrate_day(input);
+      const Horizontal lambda(inertial_damping_per_h(fitted, 48),
+                              3600.0 * coriolis_parameter_rad_s(fitted.latitude));
+      const InertialBasis basis(end_of_day, lambda);
+      const Horizontal at_end(0.12, -0.2);
+      for (std::size_t t = 0; t < fitted.residual.times(); ++t) {
+        for (std::size_t k = 0; k < fitted.residual.levels(); ++k) {
+          const std::size_t at = fitted.residual.offset(t, k);
+          fitted.residual.value[at] = at_end * basis.over(fitted.residual.time[t])(2);
+          if (!is_mean && t % 6 != 0) fitted.residual.status[at] = SampleStatus::missing;
+        }
+      }
+      const auto times = hourly(0, 36);
+      const Propagated forecast = propagate(fitted, times, day.depth_m, input.wind, end_of_day);
+      for (std::size_t t = 0; t < times.size(); ++t) {
+        const Horizontal truth = at_end * std::exp(-lambda * static_cast<double>(t));
+        EXPECT_LT(std::abs(forecast.carried_m_s[t * day.depth_m.size() + 4] - truth), 0.008)
+            << latitude << ' ' << is_mean << ' ' << t;
+      }
+    }
+  }
+}
+
+TEST(Propagate, AWindThatTurnsAfterTheDayMakesNewInertialMotion) {
+  // The steady forecast jumps to its new place; the sea circles about it and comes to rest there.
+  SyntheticDay day = usual_day();
+  day.noise_m_s = 0;
+  day.truth.bottom_friction_m_s = 2e-3;
+  CalibrationInput input = steady_wind_input(day);
+  const Calibration fitted = calibrate_day(input);
+  for (std::size_t t = 0; t < input.wind->times(); ++t) {
+    if (input.wind->time[t].start > end_of_day) input.wind->value[t] = {-8, 6};
+  }
+  const std::vector<UtcTime> times{add_hours(end_of_day, 1.5), add_hours(end_of_day, 48)};
+  const std::vector<double> depth{2.0};
+  const Propagated forecast = propagate(fitted, times, depth, input.wind, end_of_day);
+  const Horizontal response = level_responses(fitted.form, steady_parameters(fitted),
+                                              fitted.latitude, fitted.water_depth_m, depth)
+                                  .stress(0);
+  const Horizontal before = response * wind_stress_pa({8, 3}, fitted.drag_law);
+  const Horizontal after = response * wind_stress_pa({-8, 6}, fitted.drag_law);
+  EXPECT_GT(std::abs(forecast.wind_driven_m_s[0] - after), 0.25 * std::abs(after - before));
+  EXPECT_LT(std::abs(forecast.wind_driven_m_s[1] - after), 0.1 * std::abs(after - before));
+}
+
+TEST(Propagate, TurnsWithTheAxes) {
+  for (const SteadyForm form : {SteadyForm::finite_depth, SteadyForm::three_layer}) {
+    SyntheticDay day = usual_day();
+    day.form = form;
+    day.water_depth_m = form == SteadyForm::finite_depth ? 45 : 2000;
+    const CalibrationInput input = synthetic_input(day);
+    Calibration fitted = calibrate_day(input);
+    const auto times = hourly(0, 30);
+    const Propagated a = propagate(fitted, times, day.depth_m, input.wind, end_of_day);
+    const Horizontal turn = std::exp(Horizontal(0, 2.1));
+    VectorColumn wind = *input.wind;
+    for (Horizontal& w : wind.value) w *= turn;
+    for (Horizontal& r : fitted.residual.value) r *= turn;
+    const Horizontal interior = turn * steady_parameters(fitted).interior_m_s();
+    fitted.parameters[0].value = interior.real();
+    fitted.parameters[1].value = interior.imag();
+    const Propagated b = propagate(fitted, times, day.depth_m, wind, end_of_day);
+    for (std::size_t i = 0; i < a.mean_m_s.size(); ++i)
+      EXPECT_LT(std::abs(turn * a.mean_m_s[i] - b.mean_m_s[i]), 1e-12);
+  }
+}
+
+TEST(Propagate, OneDailyMeanIsCarriedAsAConstant) {
+  SyntheticDay day = usual_day();
+  const CalibrationInput input = steady_wind_input(day);
+  Calibration fitted = calibrate_day(input);
+  VectorColumn& residual = fitted.residual;
+  const std::size_t levels = residual.levels();
+  residual.time = {{synthetic_midnight, end_of_day}};
+  residual.source.resize(1);
+  residual.value.assign(levels, {0.06, -0.02});
+  residual.status.assign(levels, SampleStatus::ok);
+  const auto times = hourly(0, 48);
+  const Propagated forecast = propagate(fitted, times, day.depth_m, input.wind, end_of_day);
+  for (std::size_t t = 0; t < times.size(); ++t) {
+    const double left = std::exp(-static_cast<double>(t) / 120.0);
+    for (std::size_t k = 0; k < levels; ++k) {
+      EXPECT_LT(std::abs(forecast.carried_m_s[t * levels + k] - left * Horizontal(0.06, -0.02)),
+                1e-15);
+      // A day that cannot tell a motion keeps the whole misfit in its spread.
+      EXPECT_GE(forecast.sigma_m_s[t * levels + k], std::hypot(0.06, 0.02) / std::sqrt(2.0));
+    }
+  }
 }
 
 TEST(Propagate, AtTheEndOfTheDayTheRecentResidualIsWholeAndThenDecays) {
@@ -54,16 +193,18 @@ TEST(Propagate, AtTheEndOfTheDayTheRecentResidualIsWholeAndThenDecays) {
   std::fill(fitted.residual.value.begin(), fitted.residual.value.end(), Horizontal{});
   for (const std::size_t t : {22u, 23u, 24u})
     fitted.residual.value[fitted.residual.offset(t, 3)] = {0.1, 0};
-  for (MisfitAtDepth& m : fitted.misfit) m.bias_east_m_s = m.bias_north_m_s = 0;
   const std::vector<double> depths{7.0, 8.5,
                                    4.0};  // the level itself, halfway to the next, the level above
   const auto times = hourly(0, 24);
   const Propagated forecast =
       propagate(fitted, times, depths, std::nullopt, end_of_day, without_oscillation());
   for (std::size_t t = 0; t < times.size(); ++t) {
-    const double left = std::exp(-static_cast<double>(t) / 12.0);
-    EXPECT_LT(std::abs(forecast.carried_m_s[3 * t] - 0.1 * left), 1e-15);
-    EXPECT_LT(std::abs(forecast.carried_m_s[3 * t + 1] - 0.05 * left), 1e-15);
+    // Three of 25 values make the mean, which decays more slowly.
+    const double mean = 0.3 / 25;
+    const auto lead_h = static_cast<double>(t);
+    const double left = mean * std::exp(-lead_h / 120) + (0.1 - mean) * std::exp(-lead_h / 12);
+    EXPECT_LT(std::abs(forecast.carried_m_s[3 * t] - left), 1e-14);
+    EXPECT_LT(std::abs(forecast.carried_m_s[3 * t + 1] - 0.5 * left), 1e-14);
     EXPECT_LT(std::abs(forecast.carried_m_s[3 * t + 2]), 1e-15);
   }
 }
@@ -71,10 +212,6 @@ TEST(Propagate, AtTheEndOfTheDayTheRecentResidualIsWholeAndThenDecays) {
 TEST(Propagate, TheMeanMisfitOfADepthIsCarriedLongerThanThatOfTheLastHours) {
   Calibration fitted = calibrate_day(synthetic_input(usual_day()));
   std::fill(fitted.residual.value.begin(), fitted.residual.value.end(), Horizontal{0.05, 0});
-  for (MisfitAtDepth& m : fitted.misfit) {
-    m.bias_east_m_s = 0.05;
-    m.bias_north_m_s = 0;
-  }
   const std::vector<double> depths{10};
   const Propagated forecast = propagate(fitted, hourly(0, 24), depths, std::nullopt, end_of_day);
   EXPECT_NEAR(forecast.carried_m_s.front().real(), 0.05, 1e-15);
@@ -84,7 +221,6 @@ TEST(Propagate, TheMeanMisfitOfADepthIsCarriedLongerThanThatOfTheLastHours) {
 TEST(Propagate, AnOldResidualIsAlreadyDecayedAtTheEndOfTheDay) {
   Calibration fitted = calibrate_day(synthetic_input(usual_day()));
   std::fill(fitted.residual.value.begin(), fitted.residual.value.end(), Horizontal{});
-  for (MisfitAtDepth& m : fitted.misfit) m.bias_east_m_s = m.bias_north_m_s = 0;
   for (std::size_t t = 0; t < 25; ++t) {
     for (std::size_t k = 0; k < fitted.residual.levels(); ++k) {
       const std::size_t at = fitted.residual.offset(t, k);
@@ -95,19 +231,20 @@ TEST(Propagate, AnOldResidualIsAlreadyDecayedAtTheEndOfTheDay) {
   const std::vector<double> depths{10};
   const Propagated forecast =
       propagate(fitted, hourly(0, 0), depths, std::nullopt, end_of_day, without_oscillation());
-  EXPECT_NEAR(forecast.carried_m_s.front().imag(), 0.1 * std::exp(-6.0 / 12.0), 1e-15);
+  const double mean = 0.3 / 19;
+  EXPECT_NEAR(forecast.carried_m_s.front().imag(), mean + (0.1 - mean) * std::exp(-6.0 / 12.0),
+              1e-14);
 }
 
 TEST(Propagate, SigmaIsNotBelowTheMisfitAndGrowsWithLead) {
   const SyntheticDay day = usual_day();
-  CalibrationInput input = synthetic_input(day);
-  for (Horizontal& wind : input.wind->value)
-    wind = {8, 3};  // a steady wind: the parameters' share is constant
+  const CalibrationInput input = steady_wind_input(day);  // the parameters' share is constant
   const Calibration fitted = calibrate_day(input);
   const auto times = hourly(0, 48);
   const Propagated forecast = propagate(fitted, times, day.depth_m, input.wind, end_of_day);
   for (std::size_t k = 0; k < day.depth_m.size(); ++k) {
-    EXPECT_GE(forecast.sigma_m_s[k], fitted.misfit[k].rms_m_s / std::sqrt(2.0));
+    // The memory explains three numbers' worth of 25 values of white noise.
+    EXPECT_GE(forecast.sigma_m_s[k], 0.85 * fitted.misfit[k].rms_m_s / std::sqrt(2.0));
     for (std::size_t t = 1; t < times.size(); ++t) {
       EXPECT_GT(forecast.sigma_m_s[t * day.depth_m.size() + k],
                 forecast.sigma_m_s[(t - 1) * day.depth_m.size() + k]);
@@ -124,7 +261,11 @@ TEST(Propagate, ParameterVarianceAgreesWithASampleOfTheParameters) {
   fitted.covariance.assign(25, 0.0);
   const std::vector<double> sigma{0.01, 0.02, 0.05, 0.05, 0.03};
   for (std::size_t i = 0; i < 5; ++i) fitted.covariance[i * 6] = sigma[i] * sigma[i];
-  for (MisfitAtDepth& m : fitted.misfit) m.rms_m_s = 0;
+  // One value without misfit: nothing to remember, and the doubt is that of the parameters alone.
+  std::fill(fitted.residual.value.begin(), fitted.residual.value.end(), Horizontal{});
+  std::fill(fitted.residual.status.begin() + static_cast<std::ptrdiff_t>(fitted.residual.levels()),
+            fitted.residual.status.end(), SampleStatus::missing);
+  std::fill(input.wind->value.begin(), input.wind->value.end(), Horizontal(8, 3));
   const auto times = hourly(0, 0);
   const Propagated forecast = propagate(fitted, times, day.depth_m, input.wind, end_of_day);
 
@@ -160,7 +301,7 @@ TEST(Propagate, ParameterVarianceAgreesWithASampleOfTheParameters) {
 
 TEST(Propagate, WhereTheWindIsMissingTheInteriorIsLeftAndItIsCounted) {
   const SyntheticDay day = usual_day();
-  CalibrationInput input = synthetic_input(day);
+  CalibrationInput input = steady_wind_input(day);
   const Calibration fitted = calibrate_day(input);
   for (std::size_t t = 0; t < input.wind->times(); ++t) {
     if (input.wind->time[t].start > add_hours(end_of_day, 6))
@@ -179,7 +320,7 @@ TEST(Propagate, WhereTheWindIsMissingTheInteriorIsLeftAndItIsCounted) {
     const std::size_t at = 10 * levels + k;
     EXPECT_EQ(forecast.wind_driven_m_s[at], Horizontal(0, 0));
     EXPECT_LT(std::abs(forecast.mean_m_s[at] - forecast.carried_m_s[at] -
-                       p.interior_m_s() * responses.interior(k)),
+                       forecast.wind_driven_m_s[at] - p.interior_m_s() * responses.interior(k)),
               1e-14);
   }
   EXPECT_GT(forecast.sigma_m_s[10 * levels], 1.2 * forecast.sigma_m_s[9 * levels]);

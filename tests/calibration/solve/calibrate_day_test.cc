@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "calibration/solve/determination.h"
 #include "calibration/solve/residual_memory.h"
 #include "fields/base/error.h"
 #include "tests/calibration/solve/synthetic_day.h"
@@ -162,6 +163,48 @@ TEST(CalibrateDay, WhatADayCannotDetermineIsFlaggedAndNamed) {
     EXPECT_TRUE(warns_of(fitted, name)) << name;
   }
   EXPECT_FALSE(find_parameter(fitted, "interior_east")->weakly_determined);
+  // One sentence for an operator, not one per parameter and direction.
+  EXPECT_TRUE(warns_of(fitted,
+                       "the day says little about eddy_viscosity, bottom_eddy_viscosity and "
+                       "stress_factor: their values are mostly the priors'"));
+  EXPECT_EQ(fitted.warnings.size(), 1u);
+}
+
+TEST(JudgeDetermination, AWeakCombinationOfStrongParametersIsNamedInWords) {
+  // Both are known to 0.79 of the prior, their sum to 1.1, their difference to 0.2.
+  std::vector<Parameter> parameters(2);
+  parameters[0].name = "bottom_friction";
+  parameters[1].name = "stress_factor";
+  for (Parameter& p : parameters) {
+    p.prior_sigma = 1;
+    p.lower = -9;
+    p.upper = 9;
+  }
+  Eigen::MatrixXd covariance(2, 2);
+  covariance << 0.6241, 0.5841, 0.5841, 0.6241;
+  const std::vector<std::string> warnings = judge_determination({0, 0}, covariance, parameters);
+  EXPECT_FALSE(parameters[0].weakly_determined || parameters[1].weakly_determined);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(
+      warnings[0].starts_with("bottom_friction and stress_factor can only be told together"))
+      << warnings[0];
+}
+
+TEST(JudgeDetermination, AWeakParameterIsNamedOnce) {
+  std::vector<Parameter> parameters(2);
+  parameters[0].name = "bottom_friction";
+  parameters[1].name = "stress_factor";
+  for (Parameter& p : parameters) {
+    p.prior_sigma = 1;
+    p.lower = -9;
+    p.upper = 9;
+  }
+  Eigen::MatrixXd covariance(2, 2);
+  covariance << 0.98, 0.1, 0.1, 0.02;
+  const std::vector<std::string> warnings = judge_determination({0, 0}, covariance, parameters);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "the day says little about bottom_friction: its value is mostly the prior's");
 }
 
 TEST(CalibrateDay, AParameterOnItsBoundIsFlaggedAndWarnedOf) {
