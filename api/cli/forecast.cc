@@ -27,11 +27,11 @@ struct ForecastArguments {
 };
 
 void print_calibration(const ColumnForecast& column) {
-  if (!column.calibration) {
+  if (column.calibration() == nullptr) {
     std::printf("  not calibrated: %s\n", column.calibration_problem.c_str());
     return;
   }
-  const calibration::Calibration& c = *column.calibration;
+  const calibration::Calibration& c = *column.calibration();
   std::printf("Calibration: %s form, rms misfit %.3f m/s over %zu values. %s\n",
               std::string(name_of(c.form)).c_str(), c.rms_m_s, c.observations,
               c.termination.c_str());

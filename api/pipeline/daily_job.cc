@@ -211,7 +211,7 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
       granules.insert(origin->granules.begin(), origin->granules.end());
       if (!origin->attribution.empty()) attributions.insert(origin->attribution);
     }
-    if (usable && !column.calibration) {
+    if (usable && column.forms.empty()) {
       ++uncalibrated;
       if (first_problem.empty()) first_problem = column.calibration_problem;
     }

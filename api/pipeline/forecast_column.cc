@@ -3,49 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/pipeline/column_calibration.h"
 #include "calibration/propagate/propagate.h"
-#include "fields/base/error.h"
-#include "fields/current/tide.h"
 
 namespace slackwater::api {
 namespace {
-
-/// The tide of every level, fitted on the whole known record; empty where the record is too short
-/// for any.
-struct ColumnTide {
-  std::vector<TideFit> levels;
-  std::vector<std::string> notes;
-};
-
-ColumnTide fit_column_tide(const VectorColumn& known, Angle latitude) {
-  ColumnTide tide;
-  bool any = false;
-  std::vector<Horizontal> value(known.times());
-  std::vector<SampleStatus> status(known.times());
-  for (std::size_t k = 0; k < known.levels(); ++k) {
-    for (std::size_t t = 0; t < known.times(); ++t) {
-      value[t] = known.value[known.offset(t, k)];
-      status[t] = known.status[known.offset(t, k)];
-    }
-    tide.levels.push_back(fit_tide(known.time, value, status, latitude));
-    any = any || !tide.levels.back().terms.empty();
-  }
-  if (!any) {
-    tide.levels.clear();
-    return tide;
-  }
-  tide.notes = tide.levels.front().notes;
-  return tide;
-}
-
-void remove_tide(VectorColumn& column, const ColumnTide& tide) {
-  if (tide.levels.empty()) return;
-  for (std::size_t t = 0; t < column.times(); ++t) {
-    for (std::size_t k = 0; k < column.levels(); ++k) {
-      column.value[column.offset(t, k)] -= tidal_oscillation(tide.levels[k], column.time[t]);
-    }
-  }
-}
 
 /// Why a level of a column holds nothing, from the record itself.
 SampleStatus level_status(const VectorColumn& column, std::size_t k) {
@@ -99,7 +61,7 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   result.origins.insert(result.origins.end(), sea.origins.begin(), sea.origins.end());
 
   const Chosen<Horizontal> known = known_currents(data, plan);
-  VectorColumn day = slice(known.column, UtcTime(plan.day), plan.end_of_day());
+  const VectorColumn day = slice(known.column, UtcTime(plan.day), plan.end_of_day());
   if (day.time.empty()) {
     result.calibration_problem = "no currents of " + format_day(plan.day) + " at this column";
     return result;
@@ -108,23 +70,17 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
     result.contains_stokes = result.contains_stokes || origin->contains_stokes;
   }
   result.origins.insert(result.origins.end(), known.origin.begin(), known.origin.end());
-  const ColumnTide tide = fit_column_tide(known.column, data.point.latitude);
+  ColumnCalibration fitted = calibrate_column(known.column, plan.day, data.point.latitude,
+                                              data.water_depth.depth_m, wind.series);
+  const ColumnTide& tide = fitted.tide;
   result.notes = tide.notes;
-  remove_tide(day, tide);
-
-  calibration::CalibrationInput input;
-  input.latitude = data.point.latitude;
-  input.water_depth_m = data.water_depth.depth_m;
-  input.current = day;
-  input.wind = wind.series;
-  try {
-    result.calibration = calibration::calibrate_day(input);
-  } catch (const Error& problem) {
-    result.calibration_problem = problem.message();
+  if (fitted.forms.empty()) {
+    result.calibration_problem = fitted.problem;
     return result;
   }
+  const std::size_t fitted_best = fitted.best();
   const calibration::Propagated propagated = calibration::propagate(
-      *result.calibration, plan.stamps, plan.depth_m, wind.series, plan.end_of_day());
+      fitted.forms, plan.stamps, wind.series, plan.end_of_day(), plan.spread, plan.seed);
   // Levels of the plan are those of the dataset; a column whose product has fewer levels keeps them
   // in order.
   for (std::size_t k = 0; k < levels; ++k) {
@@ -134,17 +90,18 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
       const std::size_t o = t * levels + k;
       out.current_status[o] = status;
       if (!has_value(status)) continue;
-      out.current_m_s[o] = propagated.mean_m_s[o];
-      out.current_sigma_m_s[o] = propagated.sigma_m_s[o];
-      if (!tide.levels.empty()) {
-        out.current_m_s[o] += tidal_oscillation(tide.levels[k], TimeCell::instant(plan.stamps[t]));
-      }
+      const std::size_t own = t * day.levels() + k;
+      out.current_m_s[o] = propagated.mean_m_s[own] + tide.at(k, TimeCell::instant(plan.stamps[t]));
+      out.current_sigma_m_s[o] = propagated.sigma_m_s[own];
     }
   }
   if (propagated.wind_missing > 0) {
     result.notes.push_back("no wind at " + std::to_string(propagated.wind_missing) +
                            " of the forecast's times: the wind-driven part is left out there");
   }
+  result.form_weight = propagated.form_weight;
+  result.forms = std::move(fitted.forms);
+  result.best_form = fitted_best;
   return result;
 }
 

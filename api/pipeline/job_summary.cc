@@ -75,8 +75,15 @@ std::string job_summary(const SiteData& data, const ForecastPlan& plan, const Jo
                   {"water_depth_m", column.column.water_depth_m},
                   {"water_depth_source", column.column.water_depth_source},
                   {"notes", column.notes}};
-    if (column.calibration) {
-      entry["calibration"] = calibration_json(*column.calibration);
+    if (const calibration::Calibration* best = column.calibration()) {
+      entry["calibration"] = calibration_json(*best);
+      entry["forms"] = json::array();
+      for (std::size_t f = 0; f < column.forms.size(); ++f) {
+        entry["forms"].push_back({{"form", std::string(name_of(column.forms[f].form))},
+                                  {"probability", column.form_weight[f]},
+                                  {"rms_m_s", column.forms[f].rms_m_s},
+                                  {"log_occam", column.forms[f].log_occam}});
+      }
     } else {
       entry["calibration"] = nullptr;
       entry["calibration_problem"] = column.calibration_problem;
@@ -104,8 +111,8 @@ std::string job_provenance(const SiteData& data, const JobOptions& options,
                      {"issued", format_utc(options.issued)},
                      {"inputs", inputs_of(forecast)},
                      {"code_version", code_version()}};
-  if (!forecast.columns.empty() && forecast.columns.front().calibration) {
-    const auto& c = *forecast.columns.front().calibration;
+  if (!forecast.columns.empty() && forecast.columns.front().calibration() != nullptr) {
+    const auto& c = *forecast.columns.front().calibration();
     json parameters;
     for (const auto& p : c.parameters) parameters[p.name] = p.value;
     provenance["calibration"] = {{"form", std::string(name_of(c.form))},

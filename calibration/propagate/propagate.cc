@@ -1,174 +1,255 @@
 #include "calibration/propagate/propagate.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/propagate/carried_residual.h"
-#include "calibration/propagate/inertial_memory.h"
-#include "calibration/propagate/transient_column.h"
-#include "calibration/residuals/level_velocity.h"
+#include "calibration/propagate/gaussian_memory.h"
+#include "calibration/propagate/member_wind.h"
+#include "calibration/propagate/wind_error.h"
+#include "calibration/residuals/column_rows.h"
+#include "calibration/solve/parameter_set.h"
+#include "fields/base/check.h"
 #include "fields/current/coriolis.h"
-#include "fields/current/stress_series.h"
 
 namespace slackwater::calibration {
 namespace {
 
-/// Variance of one component (mean of the two) that the parameters' covariance gives the model. The
-/// interior enters with a share: a level that knows its own mean over D has the doubt about it in
-/// its memory, and there without what inertial motion adds to the misfit of a steady fit.
-class ParameterVariance {
- public:
-  ParameterVariance(const Calibration& calibration, std::span<const double> depths_m)
-      : count_(calibration.parameters.size()), response_(depths_m.size()) {
-    for (const Parameter& p : calibration.parameters) {
-      estimate_.push_back(p.is_logarithmic ? std::log(p.value) : p.value);
-    }
-    stress_factor_ =
-        count_ > log_stress_factor ? calibration.parameters[log_stress_factor].value : 1.0;
-    const auto n = static_cast<Eigen::Index>(count_);
-    expects(calibration.covariance.size() == count_ * count_, "the covariance is n x n");
-    covariance_ = Eigen::Map<const Eigen::MatrixXd>(calibration.covariance.data(), n, n);
-    response_derivatives(calibration.form,
-                         count_ > log_bottom ? estimate_[log_eddy_viscosity] : 0.0,
-                         count_ > log_bottom ? estimate_[log_bottom] : 0.0, calibration.latitude,
-                         calibration.water_depth_m, depths_m, response_);
-  }
-
-  [[nodiscard]] double at(std::size_t depth, Horizontal stress_pa, double share_of_interior) const {
-    double value[2];
-    double jacobian[2 * parameter_count];
-    level_velocity_residual({{}, stress_pa, depth}, response_[depth], estimate_.data(), count_,
-                            stress_factor_, 1.0, value, jacobian);
-    for (const std::size_t i : {interior_east, interior_north}) {
-      jacobian[i] *= share_of_interior;
-      jacobian[count_ + i] *= share_of_interior;
-    }
-    const auto n = static_cast<Eigen::Index>(count_);
-    const Eigen::Map<const Eigen::VectorXd> east(jacobian, n);
-    const Eigen::Map<const Eigen::VectorXd> north(jacobian + count_, n);
-    return 0.5 * (east.dot(covariance_ * east) + north.dot(covariance_ * north));
-  }
-
- private:
-  std::size_t count_;
-  std::vector<double> estimate_;
-  double stress_factor_ = 1;
-  Eigen::MatrixXd covariance_;
-  std::vector<ResponseDerivatives> response_;
+/// What all forms share.
+struct Horizon {
+  std::span<const UtcTime> times;
+  UtcTime end_of_day;
+  const std::optional<VectorColumn>& wind;
+  StressSeries stress;  ///< empty where the calibration used none
+  const Spread& spread;
 };
 
-std::vector<double> levels_of(const VectorColumn& column) {
-  return column.levels_m.empty() ? std::vector<double>{0.0} : column.levels_m;
-}
-
-/// The residual of D less what the unsteady column explains of it.
-VectorColumn without(const TransientColumn& transient, VectorColumn residual) {
-  std::vector<Horizontal> velocity(residual.levels());
-  for (std::size_t t = 0; t < residual.times(); ++t) {
-    transient.velocities(residual.time[t], velocity);
-    for (std::size_t k = 0; k < velocity.size(); ++k)
-      residual.value[residual.offset(t, k)] -= velocity[k];
-  }
-  return residual;
-}
-
-/// The sea's memory for one decay of inertial motion.
-struct SeaMemory {
-  TransientColumn transient;
-  CarriedResidual carried;
+/// One form carried forward.
+struct FormOutlook {
+  std::vector<Horizontal> mean;
+  std::vector<Horizontal> driven;
+  std::vector<double> variance;        ///< of a component: the memory's
+  std::vector<Horizontal> departures;  ///< of the members of this form, members x times x levels
 };
 
-/// The memory whose decay leaves least of D's residual unexplained.
-SeaMemory remember(const Calibration& calibration, const LevelResponses& responses,
-                   const StressSeries& series, UtcTime end_of_day, double last_lead_h,
-                   const PropagationSettings& settings) {
-  expects(!settings.inertial_decays_h.empty(), "inertial motion decays");
-  const HourlyStress hourly =
-      HourlyStress::sample(series, end_of_day, 24.0 + settings.stress_history_h, last_lead_h);
-  const LevelResponses observed =
-      level_responses(calibration.form, steady_parameters(calibration), calibration.latitude,
-                      calibration.water_depth_m, levels_of(calibration.residual));
-  const double coriolis_rad_h = 3600.0 * coriolis_parameter_rad_s(calibration.latitude);
-  // The modes of the finite column hold all of its answer; how deep the open sea's layer is, no
-  // parameter of the three-layer form says.
-  const bool is_slab = calibration.wind_used && calibration.form == SteadyForm::three_layer &&
-                       !is_equatorial(calibration.latitude);
-  std::optional<SeaMemory> best;
-  for (const double decay_h : settings.inertial_decays_h) {
-    const double damping_per_h = 1.0 / decay_h;
-    const TransientColumn at_levels(calibration, observed, hourly, damping_per_h);
-    const Horizontal lambda_per_h(inertial_damping_per_h(calibration, decay_h), coriolis_rad_h);
-    CarriedResidual carried(calibration, without(at_levels, calibration.residual),
-                            is_slab ? InertialBasis(end_of_day, lambda_per_h, series, hourly)
-                                    : InertialBasis(end_of_day, lambda_per_h),
-                            settings);
-    if (best && carried.left_over_m2_s2() >= best->carried.left_over_m2_s2()) continue;
-    best.emplace(SeaMemory{TransientColumn(calibration, responses, hourly, damping_per_h),
-                           std::move(carried)});
+ColumnDay day_of_horizon(const Calibration& c, const Horizon& horizon) {
+  ColumnDay day;
+  day.layout = c.layout;
+  day.latitude = c.latitude;
+  day.water_depth_m = c.water_depth_m;
+  day.depth_m = c.remembered.levels_m.empty() ? std::vector<double>{0.0} : c.remembered.levels_m;
+  day.start = c.start;
+  for (const UtcTime time : horizon.times) {
+    day.time.push_back(TimeCell::instant(time));
+    day.stress_pa.push_back(horizon.stress.at(time).value_or(Horizontal{}));
   }
-  return std::move(*best);
+  const double last_h = std::max(0.0, hours_between(horizon.end_of_day, horizon.times.back()));
+  day.hourly =
+      HourlyStress::sample(horizon.stress, horizon.end_of_day, 24.0 + stress_history_h, last_h);
+  return day;
+}
+
+/// The stress that may blow unseen makes currents that no member has.
+void add_unknown_wind(const Calibration& c, const Horizon& horizon,
+                      const std::vector<double>& depth_m, std::vector<double>& variance) {
+  if (!c.layout.has_wind) return;
+  const LevelResponses responses =
+      level_responses(c.form, steady_parameters(c), c.latitude, c.water_depth_m, depth_m);
+  for (std::size_t t = 0; t < horizon.times.size(); ++t) {
+    if (horizon.stress.at(horizon.times[t])) continue;
+    for (std::size_t k = 0; k < depth_m.size(); ++k) {
+      const double unseen = horizon.spread.unknown_stress_pa * std::abs(responses.stress(k));
+      variance[t * depth_m.size() + k] += unseen * unseen;
+    }
+  }
+}
+
+GaussianMemory memory_of(const Calibration& c, const Horizon& horizon) {
+  const double coriolis_rad_h = 3600.0 * coriolis_parameter_rad_s(c.latitude);
+  return {c.remembered,
+          c.wind_driven_m_s,
+          horizon.end_of_day,
+          inertial_damping_per_h(c, horizon.spread.inertial_decay_h),
+          coriolis_rad_h,
+          horizon.spread.memory,
+          {}};
+}
+
+FormOutlook carry(const Calibration& c, const Horizon& horizon) {
+  ColumnRows rows(day_of_horizon(c, horizon));
+  rows.evaluate(without_flow(estimates_of(c.parameters), c.layout).data(), false);
+  FormOutlook out;
+  const auto size = static_cast<std::size_t>(rows.model().size());
+  out.driven.assign(rows.wind_driven().data(), rows.wind_driven().data() + size);
+  out.mean.resize(size);
+  out.variance.resize(size);
+  memory_of(c, horizon).predict(horizon.times, out.driven, out.mean, out.variance);
+  for (std::size_t i = 0; i < size; ++i) out.mean[i] += rows.model().data()[i];
+  add_unknown_wind(c, horizon, rows.day().depth_m, out.variance);
+  return out;
+}
+
+std::vector<UtcTime> wind_samples_after(const VectorColumn& wind, UtcTime end_of_day) {
+  std::vector<UtcTime> times;
+  for (const TimeCell& cell : wind.time) {
+    if (cell.centre() > end_of_day) times.push_back(cell.centre());
+  }
+  return times;
+}
+
+std::vector<Horizontal> opposite(std::vector<Horizontal> values) {
+  for (Horizontal& value : values) value = -value;
+  return values;
+}
+
+/// Departures of the wind-driven part and of the memory for one pair of members of a form.
+void draw_pair(const Calibration& c, const Horizon& horizon, const WindDriven& model,
+               const std::vector<Horizontal>& central, std::span<const Horizontal> wind_departure,
+               Rng& random, std::span<Horizontal> plus, std::span<Horizontal> minus) {
+  std::vector<double> normals(c.parameters.size());
+  for (double& z : normals) z = random.normal();
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<double> z = normals;
+    for (double& x : z) x *= sign;
+    const std::vector<Horizontal> wind(wind_departure.begin(), wind_departure.end());
+    const StressSeries stress(
+        departed_wind(*horizon.wind, horizon.end_of_day, sign > 0 ? wind : opposite(wind)),
+        c.drag_law);
+    const std::vector<Horizontal> driven = model.under(stress, drawn_parameters(c, z));
+    const std::span<Horizontal> out = sign > 0 ? plus : minus;
+    for (std::size_t i = 0; i < driven.size(); ++i) out[i] = driven[i] - central[i];
+  }
+  // Nonlinear drag gives the pair a mean; member 0 is the centre.
+  for (std::size_t i = 0; i < plus.size(); ++i) {
+    const Horizontal half = 0.5 * (plus[i] + minus[i]);
+    plus[i] -= half;
+    minus[i] -= half;
+  }
+}
+
+/// Which form each pair of members follows: as often as its weight asks, in order.
+std::vector<std::size_t> form_of_pairs(const std::vector<double>& weight, std::size_t pairs) {
+  std::vector<std::size_t> form;
+  double sum = 0;
+  std::size_t f = 0;
+  for (std::size_t p = 0; p < pairs; ++p) {
+    const double at = (static_cast<double>(p) + 0.5) / static_cast<double>(pairs);
+    while (f + 1 < weight.size() && sum + weight[f] < at) sum += weight[f++];
+    form.push_back(f);
+  }
+  return form;
+}
+
+/// Sum over members of |d|^2/2 over their number: variance of a component.
+std::vector<double> component_variance(const std::vector<Horizontal>& departures,
+                                       std::size_t members, std::size_t size) {
+  std::vector<double> variance(size);
+  if (members == 0) return variance;
+  for (std::size_t m = 0; m < members; ++m) {
+    for (std::size_t i = 0; i < size; ++i)
+      variance[i] += 0.5 * std::norm(departures[m * size + i]) / static_cast<double>(members);
+  }
+  return variance;
 }
 
 }  // namespace
 
-Propagated propagate(const Calibration& calibration, std::span<const UtcTime> times,
-                     std::span<const double> depths_m, const std::optional<VectorColumn>& wind,
-                     UtcTime end_of_day, const PropagationSettings& settings) {
-  const std::size_t depths = depths_m.size();
-  const StressSeries series =
-      wind && calibration.wind_used ? StressSeries(*wind, calibration.drag_law) : StressSeries();
+double inertial_damping_per_h(const Calibration& calibration, double decay_h) {
+  double damping_per_h = 1.0 / decay_h;
+  if (calibration.form == SteadyForm::finite_depth && calibration.layout.has_shape) {
+    damping_per_h +=
+        3600.0 * steady_parameters(calibration).bottom_friction_m_s / calibration.water_depth_m;
+  }
+  return damping_per_h;
+}
+
+Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime> times,
+                     const std::optional<VectorColumn>& wind, UtcTime end_of_day,
+                     const Spread& spread, std::uint64_t seed) {
+  expects(!forms.empty() && !times.empty(), "something to carry, and somewhere to carry it");
+  const bool uses_wind = wind && forms.front().wind_used;
+  const Horizon horizon{times, end_of_day, wind,
+                        uses_wind ? StressSeries(*wind, forms.front().drag_law) : StressSeries(),
+                        spread};
+  const std::size_t levels = forms.front().remembered.levels();
+  const std::size_t size = times.size() * levels;
+
   Propagated result;
-  std::vector<Horizontal> stress_pa(times.size());
-  result.has_wind.assign(times.size(), false);
-  for (std::size_t t = 0; t < times.size(); ++t) {
-    if (!calibration.wind_used) continue;
-    const std::optional<Horizontal> stress = series.at(times[t]);
-    result.has_wind[t] = stress.has_value();
-    if (stress) {
-      stress_pa[t] = *stress;
-    } else {
-      ++result.wind_missing;
+  for (const UtcTime time : times) {
+    result.has_wind.push_back(horizon.stress.at(time).has_value());
+    if (forms.front().wind_used && !result.has_wind.back()) ++result.wind_missing;
+  }
+  result.form_weight = form_weights({forms.begin(), forms.end()});
+  std::vector<FormOutlook> outlook;
+  for (const Calibration& c : forms) {
+    expects(c.remembered.levels() == levels, "all forms stand on the same levels");
+    outlook.push_back(carry(c, horizon));
+  }
+  result.mean_m_s.resize(size);
+  result.wind_driven_m_s.resize(size);
+  std::vector<double> variance(size);
+  for (std::size_t f = 0; f < forms.size(); ++f) {
+    for (std::size_t i = 0; i < size; ++i) {
+      result.mean_m_s[i] += result.form_weight[f] * outlook[f].mean[i];
+      result.wind_driven_m_s[i] += result.form_weight[f] * outlook[f].driven[i];
+    }
+  }
+  for (std::size_t f = 0; f < forms.size(); ++f) {
+    for (std::size_t i = 0; i < size; ++i) {
+      const double apart = 0.5 * std::norm(outlook[f].mean[i] - result.mean_m_s[i]);
+      variance[i] += result.form_weight[f] * (outlook[f].variance[i] + apart);
     }
   }
 
-  const SteadyParameters parameters = steady_parameters(calibration);
-  const LevelResponses responses = level_responses(
-      calibration.form, parameters, calibration.latitude, calibration.water_depth_m, depths_m);
-  result.mean_m_s.resize(times.size() * depths);
-  result.wind_driven_m_s.resize(times.size() * depths);
-  result.carried_m_s.resize(times.size() * depths);
-  result.sigma_m_s.resize(times.size() * depths);
-  evaluate_steady(responses, parameters.interior_m_s(), stress_pa, result.mean_m_s);
-  evaluate_steady(responses, Horizontal{}, stress_pa, result.wind_driven_m_s);
-
-  double last_lead_h = 0;
-  for (const UtcTime time : times)
-    last_lead_h = std::max(last_lead_h, hours_between(end_of_day, time));
-  const SeaMemory memory =
-      remember(calibration, responses, series, end_of_day, last_lead_h, settings);
-  const ParameterVariance variance(calibration, depths_m);
-  std::vector<Carried> carried(depths);
-  std::vector<Horizontal> behind(depths);
-  for (std::size_t t = 0; t < times.size(); ++t) {
-    const double lead_h = std::max(0.0, hours_between(end_of_day, times[t]));
-    const double drift = settings.interior_drift_m_s * settings.interior_drift_m_s *
-                         -std::expm1(-2.0 * lead_h / settings.drift_time_h);
-    const bool may_blow = calibration.wind_used && !result.has_wind[t];
-    memory.carried.at(times[t], depths_m, carried);
-    memory.transient.velocities(TimeCell::instant(times[t]), behind);
-    for (std::size_t k = 0; k < depths; ++k) {
-      const std::size_t at = t * depths + k;
-      result.wind_driven_m_s[at] += behind[k];
-      result.carried_m_s[at] = carried[k].mean_m_s;
-      result.mean_m_s[at] += behind[k] + carried[k].mean_m_s;
-      const double unknown_wind =
-          may_blow ? settings.unknown_stress_pa * std::abs(responses.stress(k)) : 0.0;
-      result.sigma_m_s[at] =
-          std::sqrt(variance.at(k, stress_pa[t], carried[k].interior_doubt) +
-                    carried[k].variance_m2_s2 + drift + unknown_wind * unknown_wind);
+  const auto pairs = static_cast<std::size_t>(std::max(0, spread.members) / 2);
+  const std::size_t members = 2 * pairs;
+  std::vector<Horizontal> departures(members * size);
+  const auto member = [&](std::size_t m) { return std::span(departures).subspan(m * size, size); };
+  const std::vector<std::size_t> form = form_of_pairs(result.form_weight, pairs);
+  if (uses_wind) {
+    const std::vector<UtcTime> samples = wind_samples_after(*wind, end_of_day);
+    std::vector<Horizontal> wind_departure;
+    for (std::size_t p = 0; p < pairs; ++p) {
+      Rng random(seed, "calibration/member_wind/" + std::to_string(p));
+      const std::vector<Horizontal> drawn =
+          draw_wind_error(samples, end_of_day, spread.wind, random);
+      const Calibration& c = forms[form[p]];
+      const WindDriven model(c, times, end_of_day);
+      const std::vector<Horizontal> central = model.under(horizon.stress, steady_parameters(c));
+      draw_pair(c, horizon, model, central, drawn, random, member(2 * p), member(2 * p + 1));
+      const std::vector<Horizontal> at_times = at_stamps(samples, drawn, times, end_of_day);
+      for (const double sign : {1.0, -1.0}) {
+        for (const Horizontal& w : at_times) result.wind_departure_m_s.push_back(sign * w);
+      }
+    }
+    const std::vector<double> driven = component_variance(departures, members, size);
+    for (std::size_t i = 0; i < size; ++i) variance[i] += driven[i];
+  }
+  for (std::size_t f = 0; f < forms.size(); ++f) {
+    const auto count = static_cast<int>(std::count(form.begin(), form.end(), f));
+    if (count == 0) continue;
+    Rng random(seed, "calibration/member_memory/" + std::to_string(f));
+    std::vector<Horizontal> drawn(static_cast<std::size_t>(count) * size);
+    memory_of(forms[f], horizon).sample(times, outlook[f].driven, random, count, drawn);
+    std::size_t next = 0;
+    for (std::size_t p = 0; p < pairs; ++p) {
+      if (form[p] != f) continue;
+      for (std::size_t i = 0; i < size; ++i) {
+        member(2 * p)[i] += drawn[next * size + i];
+        member(2 * p + 1)[i] -= drawn[next * size + i];
+      }
+      ++next;
     }
   }
+  result.sigma_m_s.resize(size);
+  for (std::size_t i = 0; i < size; ++i) result.sigma_m_s[i] = std::sqrt(variance[i]);
+  const std::vector<double> drawn = component_variance(departures, members, size);
+  for (std::size_t m = 0; m < members; ++m) {
+    for (std::size_t i = 0; i < size; ++i) {
+      const double scale = drawn[i] > 0 ? result.sigma_m_s[i] / std::sqrt(drawn[i]) : 0.0;
+      member(m)[i] *= scale;
+    }
+  }
+  result.departure_m_s = std::move(departures);
   return result;
 }
 

@@ -1,93 +1,62 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "calibration/propagate/inertial_memory.h"
+#include "calibration/propagate/spread.h"
 #include "calibration/solve/calibration.h"
 
 namespace slackwater::calibration {
 
-/// How yesterday's knowledge ages.
-struct PropagationSettings {
-  /// E-folding times of inertial motion, of which the one that leaves least of the residual of D
-  /// unexplained is taken, the first where they do equally well: 1 to 4 days are the damping times of
-  /// mixed-layer inertial motion (D'Asaro 1985, J. Phys. Oceanogr. 15, 1043). Bed drag damps it
-  /// further.
-  std::vector<double> inertial_decays_h{48.0, 24.0, 96.0};
-  /// What is believed of the memory of a level before its day is seen.
-  MemoryPrior memory_prior;
-  /// How far back before D the changes of the wind still count: ten e-foldings of the quickest
-  /// decay and more than one of the slowest.
-  double stress_history_h = 72.0;
-  /// E-folding time of what the last hours of D showed beyond the memory: half a mid-latitude
-  /// inertial period is 7 to 9 h, after which a motion that the memory has missed has turned
-  /// against itself.
-  double residual_decay_h = 12.0;
-  /// E-folding time of the day's mean misfit of each depth: the vertical shear of the interior,
-  /// which the steady model does not have. Mesoscale flow at a fixed place keeps its sense for
-  /// about five days (Eulerian time scale of shelf currents, Davis 1985, J. Geophys. Res. 90,
-  /// 4741).
-  double bias_decay_h = 120.0;
-  /// How far back from the last residual of D "the last hours" reach.
-  double recent_h = 3.0;
-  /// Standard deviation, per component, by which the interior leaves its value of D, and the time
-  /// of the approach. The error of a day's mean as a forecast of the next day, less that of the
-  /// next day's own mean, is 0.04 to 0.06 m/s per component on regional products of the Adriatic,
-  /// the Tyrrhenian Sea and Biscay.
-  double interior_drift_m_s = 0.05;
-  double drift_time_h = 24.0;
-  /// Stress that may be blowing where the wind is missing, Pa, per component: that of a wind of 7.5
-  /// m/s.
-  double unknown_stress_pa = 0.1;
-};
-
-/// The current after D. Arrays over times x depths, depth fastest, unless said.
+/// The current after D at the levels of the calibrated column. Arrays over times x levels, level
+/// fastest, unless said.
 struct Propagated {
-  std::vector<Horizontal> mean_m_s;  ///< Eulerian, towards
-  std::vector<double> sigma_m_s;     ///< standard deviation of each component
-  std::vector<Horizontal>
-      wind_driven_m_s;  ///< the part of the mean that the wind makes: T B + transient
-  std::vector<Horizontal> carried_m_s;  ///< the part of the mean that the residual of D makes
-  std::vector<bool> has_wind;           ///< per time: the wind-driven part is in the mean
-  std::size_t wind_missing = 0;         ///< times at which the model wants a wind and there is none
+  std::vector<Horizontal> mean_m_s;         ///< Eulerian, towards: member 0
+  std::vector<double> sigma_m_s;            ///< standard deviation of each component
+  std::vector<Horizontal> wind_driven_m_s;  ///< the part of the mean that the wind makes
+  /// Departures of members 1..N from the mean, members x times x levels, scaled to sigma.
+  std::vector<Horizontal> departure_m_s;
+  std::vector<Horizontal> wind_departure_m_s;  ///< of the same members, members x times
+  std::vector<bool> has_wind;                  ///< per time: the wind-driven part is in the mean
+  std::size_t wind_missing = 0;     ///< times at which the model wants a wind and there is none
+  std::vector<double> form_weight;  ///< of each form given
 };
 
-/// Carries a calibrated day forward: the same forward model with the wind of the asked times, what
-/// the unsteady column adds to it, and the memory of the residual of D.
+/// Carries a calibrated day forward: per form
 ///
-///   mean(z, t) = W_interior A + T(t) B + transient(z, t)
-///                + b e^{-lead/tau_b} + g s(t) + c e^{-lambda lead} + q e^{-(lead + age)/tau_r}
-///   sigma^2    = J C J^T + x^H P x + m^2 + |b|^2/2 (1 - e^{-2 lead/tau_b})
-///                + |c|^2/2 (1 - e^{-2 r lead}) + drift^2 (1 - e^{-2 lead/tau_d})
+///   mean(z, t) = tide fitted with the day + F [T(t) B(z) - sum_n B_n(z) m_n(t)] + memory(z, t)
 ///
-/// - transient: the steady answer to the wind of an instant has arrived at once, the sea's has not
-///   (transient_column.h). It is 0 under a constant wind: the steady forecast.
-/// - b, g, c with covariance P: constant, share of a slab s(t) and free inertial oscillation in the
-///   residual of D less the transient, per level (inertial_memory.h); g in the three_layer form only.
-///   x their functions of time, lambda = r + i f.
-/// - q: mean of what they leave over in the last `recent_h` hours of D (counted back from the last
-///   value, whose age at the end of D is `age`); m: the standard deviation of it over D.
-/// - C: posterior covariance of the parameters, J the model's Jacobian. A level with values enough
-///   for a motion knows its own mean: the doubt about the interior is then that of b, in P.
+/// the same forward model with the wind of the asked times, and by level what D remembers: interior and
+/// its shear, free inertial motion, slow and recent departures, a share of the wind's own answer
+/// (gaussian_memory.h). Forms are averaged with their probabilities (`form_weights`); their disagreement
+/// goes to the spread.
 ///
-/// What a decay takes out of the mean goes to the spread. At lead 0 sigma is not below m. Between
-/// the levels of D the memory is linear in depth, beyond the outermost it holds.
+///   sigma^2 = posterior variance of the memory + variance of the members' wind-driven part
+///             + disagreement of the forms + the wind that may blow where none is known
 ///
-/// A time before the end of D has lead 0. Where the calibration used a wind and the time has none,
-/// the mean is the interior alone, `has_wind` is false and sigma holds the wind that may blow. A
-/// calibration without wind ignores the wind given here: its interior already holds what the wind
-/// made.
+/// Members come in pairs of opposite sign: parameters drawn from the posterior, wind departures from
+/// the error of its source (wind_error.h), memory drawn from its posterior covariance in time. They are
+/// scaled to sigma at every time and level.
 ///
-/// @param times       instants, any order
-/// @param depths_m    positive down, >= 0
+/// Where the calibration used a wind and the time has none, the wind's instantaneous part is left out and
+/// `has_wind` is false. A calibration without wind ignores the wind given here: its memory already holds
+/// what the wind made.
+///
+/// @param forms       the same day under one or several forms, same levels
+/// @param times       instants after the end of D or at it, ascending
 /// @param wind        10 m, towards; empty: missing at all times
 /// @param end_of_day  24:00 of D, where lead is counted from
-/// Thread-safe.
-[[nodiscard]] Propagated propagate(const Calibration& calibration, std::span<const UtcTime> times,
-                                   std::span<const double> depths_m,
+/// Deterministic in (arguments, seed). Thread-safe.
+[[nodiscard]] Propagated propagate(std::span<const Calibration> forms,
+                                   std::span<const UtcTime> times,
                                    const std::optional<VectorColumn>& wind, UtcTime end_of_day,
-                                   const PropagationSettings& settings = {});
+                                   const Spread& spread, std::uint64_t seed);
+
+/// Rate at which free inertial motion dies out, 1/h: that of the mixed layer (e-folding `decay_h`),
+/// and where the column feels the bed (finite_depth) the spin-down r/H of its linear drag beside it:
+/// 20 h in 35 m of water.
+[[nodiscard]] double inertial_damping_per_h(const Calibration& calibration, double decay_h);
 
 }  // namespace slackwater::calibration

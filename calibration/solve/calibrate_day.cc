@@ -15,24 +15,6 @@
 namespace slackwater::calibration {
 namespace {
 
-SteadyParameters to_steady(const std::vector<Parameter>& set) {
-  SteadyParameters steady;
-  for (const Parameter& p : set) {
-    if (p.name == "interior_east") steady.interior_east_m_s = p.value;
-    if (p.name == "interior_north") steady.interior_north_m_s = p.value;
-    if (p.name == "eddy_viscosity") steady.eddy_viscosity_m2_s = p.value;
-    if (p.name == "bottom_friction") steady.bottom_friction_m_s = p.value;
-    if (p.name == "bottom_eddy_viscosity") steady.bottom_eddy_viscosity_m2_s = p.value;
-    if (p.name == "stress_factor") steady.stress_factor = p.value;
-  }
-  return steady;
-}
-
-SteadyParameters to_steady(std::vector<Parameter> set, const std::vector<double>& estimate) {
-  for (std::size_t i = 0; i < set.size(); ++i) set[i].value = physical(set[i], estimate[i]);
-  return to_steady(set);
-}
-
 Eigen::MatrixXd posterior_covariance(Eigen::MatrixXd information,
                                      const std::vector<Parameter>& parameters) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -52,43 +34,68 @@ Eigen::MatrixXd posterior_covariance(Eigen::MatrixXd information,
 DayProblem make_problem(const CalibrationInput& input, const Observations& observations,
                         SteadyForm form) {
   DayProblem problem;
-  problem.form = form;
-  problem.latitude = input.latitude;
-  problem.water_depth_m = observations.water_depth_m;
-  problem.depth_m = observations.depth_m;
+  ColumnDay& day = problem.day;
+  day.layout.form = form;
+  day.layout.has_shape = !is_equatorial(input.latitude);
+  day.layout.has_wind = observations.wind_used && day.layout.has_shape;
+  day.layout.is_unsteady = input.is_unsteady;
+  day.layout.tide = input.tide;
+  day.latitude = input.latitude;
+  day.water_depth_m = observations.water_depth_m;
+  day.depth_m = observations.depth_m;
+  day.time = input.current.time;
+  day.stress_pa = observations.stress_pa;
+  day.start = UtcTime(day_of(input.current.time.front().start));
+  if (day.layout.has_modes() && day.layout.has_wind) {
+    const double last_h = hours_between(day.start, input.current.time.back().end);
+    day.hourly = HourlyStress::sample(observations.stress, day.start, stress_history_h, last_h);
+  }
   problem.pairs = observations.pairs;
-  problem.parameters =
-      prior_parameters(form, is_equatorial(input.latitude), observations.wind_used);
+  problem.parameters = prior_parameters(day.layout, day.water_depth_m, input.known);
   problem.sigma_m_s = input.observation_sigma_m_s;
   return problem;
+}
+
+double log_occam(const std::vector<double>& estimate, const std::vector<Parameter>& parameters,
+                 const Eigen::MatrixXd& covariance) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+  double sum = 0;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double off = prior_of(parameters[i]).residual(estimate[i]);
+    sum += std::log(factor.matrixL()(row, row) / parameters[i].prior_sigma) - 0.5 * off * off;
+  }
+  return sum;
 }
 
 }  // namespace
 
 Calibration calibrate_day(const CalibrationInput& input) {
   const Observations observations = pair_observations(input);
+  const SteadyForm form =
+      input.form.value_or(default_form(observations.water_depth_m, input.latitude));
+  const DayProblem problem = make_problem(input, observations, form);
   Calibration result;
-  result.form = input.form.value_or(default_form(observations.water_depth_m, input.latitude));
+  result.form = form;
+  result.layout = problem.day.layout;
+  result.start = problem.day.start;
   result.drag_law = input.drag_law;
   result.latitude = input.latitude;
   result.water_depth_m = observations.water_depth_m;
   result.wind_used = observations.wind_used;
   result.observations = observations.pairs.size();
   result.warnings = observations.warnings;
-
-  const DayProblem problem = make_problem(input, observations, result.form);
   result.parameters = problem.parameters;
-  const auto residual_at = [&](const std::vector<double>& estimate) {
-    return residual_column(input.current, observations, result.form,
-                           to_steady(problem.parameters, estimate), input.latitude);
-  };
 
   // The misfit says what the day is worth: how large it is, and how much of it repeats itself. A
   // rough minimum under the first guess's misfit is enough to measure both.
+  DayFit fit(problem);
+  const auto residual_at = [&](const std::vector<double>& estimate) {
+    return residual_column(input.current, observations, fit.model(estimate));
+  };
   const auto whitening = [&](const VectorColumn& residual) {
     return std::max(problem.sigma_m_s, robust_component_sigma_m_s(residual));
   };
-  DayFit fit(problem);
   const std::vector<double> start = first_guess(problem);
   const DayMinimum rough =
       fit.minimise(start, whitening(residual_at(start)), 1.0, DayFit::Precision::rough);
@@ -103,10 +110,12 @@ Calibration calibrate_day(const CalibrationInput& input) {
   result.residual = residual_at(minimum.estimate);
   result.effective_observations = memory.effective_pairs;
   result.whitening_sigma_m_s = sigma_m_s;
+  result.misfit_sigma_m_s = robust_component_sigma_m_s(result.residual);
   result.termination = minimum.termination;
 
   const Eigen::MatrixXd covariance =
       posterior_covariance(fit.information(minimum.estimate, sigma_m_s, weight), result.parameters);
+  result.log_occam = log_occam(minimum.estimate, result.parameters, covariance);
   for (std::string& warning :
        judge_determination(minimum.estimate, covariance, result.parameters)) {
     result.warnings.push_back(std::move(warning));
@@ -115,13 +124,50 @@ Calibration calibrate_day(const CalibrationInput& input) {
     for (Eigen::Index j = 0; j < covariance.cols(); ++j)
       result.covariance.push_back(covariance(i, j));
   }
+  // The wind's part and the tide alone: the model without interior and free inertial motion.
+  const ColumnRows::Matrix driven = fit.model(without_flow(minimum.estimate, result.layout));
+  result.remembered = residual_column(input.current, observations, driven);
+  const ColumnRows::Matrix& wind = fit.wind_driven();
+  result.wind_driven_m_s.assign(wind.data(), wind.data() + wind.size());
   result.misfit = misfit_by_depth(result.residual, observations.depth_m);
   result.rms_m_s = rms_m_s(result.residual);
   return result;
 }
 
+std::vector<double> form_weights(const std::vector<Calibration>& forms) {
+  constexpr double finest_m_s = 0.005;
+  double observations = 0;
+  for (const Calibration& c : forms)
+    observations = std::max(observations, c.effective_observations);
+  std::vector<double> log_weight;
+  for (const Calibration& c : forms) {
+    const double sigma_m_s = std::max(finest_m_s, c.misfit_sigma_m_s);
+    log_weight.push_back(-2.0 * observations * std::log(sigma_m_s) + c.log_occam);
+  }
+  double sum = 0;
+  const double best = *std::max_element(log_weight.begin(), log_weight.end());
+  for (double& w : log_weight) sum += w = std::exp(w - best);
+  for (double& w : log_weight) w /= sum;
+  return log_weight;
+}
+
+SteadyParameters steady_parameters(const std::vector<Parameter>& parameters) {
+  SteadyParameters steady;
+  for (const Parameter& p : parameters) {
+    if (p.name == "interior_east") steady.interior_east_m_s = p.value;
+    if (p.name == "interior_north") steady.interior_north_m_s = p.value;
+    if (p.name == "eddy_viscosity") steady.eddy_viscosity_m2_s = p.value;
+    if (p.name == "bottom_friction") steady.bottom_friction_m_s = p.value;
+    if (p.name == "bottom_eddy_viscosity") steady.bottom_eddy_viscosity_m2_s = p.value;
+    if (p.name == "base_friction") steady.base_friction_m_s = p.value;
+    if (p.name == "mixed_layer_depth") steady.mixed_layer_depth_m = p.value;
+    if (p.name == "stress_factor") steady.stress_factor = p.value;
+  }
+  return steady;
+}
+
 SteadyParameters steady_parameters(const Calibration& calibration) {
-  return to_steady(calibration.parameters);
+  return steady_parameters(calibration.parameters);
 }
 
 const Parameter* find_parameter(const Calibration& calibration, std::string_view name) {

@@ -15,55 +15,59 @@ namespace {
 constexpr double huber_threshold = 2.0;
 
 /// What all pairs share at one evaluation point.
-struct SharedResponses {
-  const DayProblem& problem;
+struct SharedRows {
+  ColumnRows rows;
   std::vector<double> estimate;  ///< Ceres writes the point here before it calls
   double sigma_m_s = 1;
-  double stress_factor = 1;
-  std::vector<ResponseDerivatives> response;
 
-  explicit SharedResponses(const DayProblem& day)
-      : problem(day), estimate(day.parameters.size()), response(day.depth_m.size()) {}
-
-  void update() {
-    const bool has_shape = estimate.size() > log_bottom;
-    response_derivatives(problem.form, has_shape ? estimate[log_eddy_viscosity] : 0.0,
-                         has_shape ? estimate[log_bottom] : 0.0, problem.latitude,
-                         problem.water_depth_m, problem.depth_m, response);
-    stress_factor =
-        estimate.size() > log_stress_factor ? std::exp(estimate[log_stress_factor]) : 1.0;
-  }
+  explicit SharedRows(const DayProblem& problem)
+      : rows(problem.day), estimate(problem.parameters.size()) {}
 };
 
-class ResponseUpdate final : public ceres::EvaluationCallback {
+class RowsUpdate final : public ceres::EvaluationCallback {
  public:
-  explicit ResponseUpdate(SharedResponses& shared) : shared_(shared) {}
-  void PrepareForEvaluation(bool /*evaluate_jacobians*/, bool new_evaluation_point) override {
-    if (new_evaluation_point) shared_.update();
+  explicit RowsUpdate(SharedRows& shared) : shared_(shared) {}
+  void PrepareForEvaluation(bool evaluate_jacobians, bool new_evaluation_point) override {
+    if (new_evaluation_point) has_derivatives_ = false;
+    if (!new_evaluation_point && (has_derivatives_ || !evaluate_jacobians)) return;
+    shared_.rows.evaluate(shared_.estimate.data(), evaluate_jacobians);
+    has_derivatives_ = evaluate_jacobians;
   }
 
  private:
-  SharedResponses& shared_;
+  SharedRows& shared_;
+  bool has_derivatives_ = false;
 };
 
-class LevelVelocityCost final : public ceres::CostFunction {
+/// (model - observed)/sigma of one pair, east and north, with its row of derivatives.
+class PairCost final : public ceres::CostFunction {
  public:
-  LevelVelocityCost(const SharedResponses& shared, const LevelVelocity& pair)
-      : shared_(&shared), pair_(&pair) {
+  PairCost(const SharedRows& shared, const Pair& pair) : shared_(&shared), pair_(&pair) {
     set_num_residuals(2);
     mutable_parameter_block_sizes()->push_back(static_cast<int>(shared.estimate.size()));
   }
-  bool Evaluate(double const* const* parameters, double* residuals,
+  bool Evaluate(double const* const* /*parameters*/, double* residuals,
                 double** jacobians) const override {
-    level_velocity_residual(*pair_, shared_->response[pair_->level], parameters[0],
-                            shared_->estimate.size(), shared_->stress_factor, shared_->sigma_m_s,
-                            residuals, jacobians == nullptr ? nullptr : jacobians[0]);
+    const double whitening = 1.0 / shared_->sigma_m_s;
+    const auto t = static_cast<Eigen::Index>(pair_->time);
+    const auto k = static_cast<Eigen::Index>(pair_->level);
+    const Horizontal miss = shared_->rows.model()(t, k) - pair_->observed_m_s;
+    residuals[0] = whitening * miss.real();
+    residuals[1] = whitening * miss.imag();
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      const std::size_t count = shared_->estimate.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        const Horizontal by = shared_->rows.derivative(i)(t, k);
+        jacobians[0][i] = whitening * by.real();
+        jacobians[0][count + i] = whitening * by.imag();
+      }
+    }
     return std::isfinite(residuals[0]) && std::isfinite(residuals[1]);
   }
 
  private:
-  const SharedResponses* shared_;
-  const LevelVelocity* pair_;
+  const SharedRows* shared_;
+  const Pair* pair_;
 };
 
 class PriorCost final : public ceres::CostFunction {
@@ -147,10 +151,10 @@ double robust_weight(double squared_residual) noexcept {
 
 struct DayFit::State {
   DayProblem day;
-  SharedResponses shared;
-  ResponseUpdate update;
+  SharedRows shared;
+  RowsUpdate update;
   WeightedHuber loss;
-  std::deque<LevelVelocityCost> pair_costs;  // cost functions can be neither copied nor moved
+  std::deque<PairCost> pair_costs;  // cost functions can be neither copied nor moved
   std::deque<PriorCost> prior_costs;
   ceres::Problem problem;
 
@@ -159,7 +163,7 @@ struct DayFit::State {
     const std::size_t count = day.parameters.size();
     double* const block = shared.estimate.data();
     problem.AddParameterBlock(block, static_cast<int>(count));
-    for (const LevelVelocity& pair : day.pairs) {
+    for (const Pair& pair : day.pairs) {
       pair_costs.emplace_back(shared, pair);
       problem.AddResidualBlock(&pair_costs.back(), &loss, block);
     }
@@ -190,28 +194,38 @@ DayMinimum DayFit::minimise(const std::vector<double>& start, double sigma_m_s, 
                 sentence(summary) +
                     "; look at the day's currents and wind for values that are not physical");
   }
-  return {state_->shared.estimate, static_cast<int>(summary.iterations.size()), sentence(summary)};
+  return {state_->shared.estimate, summary.final_cost, static_cast<int>(summary.iterations.size()),
+          sentence(summary)};
 }
 
+const ColumnRows::Matrix& DayFit::model(const std::vector<double>& estimate) {
+  state_->shared.rows.evaluate(estimate.data(), false);
+  return state_->shared.rows.model();
+}
+
+const ColumnRows::Matrix& DayFit::wind_driven() const { return state_->shared.rows.wind_driven(); }
+
 Eigen::MatrixXd DayFit::information(const std::vector<double>& estimate, double sigma_m_s,
-                                    double weight) const {
-  SharedResponses at(state_->day);
-  at.estimate = estimate;
-  at.update();
-  const std::size_t count = estimate.size();
-  Eigen::MatrixXd information =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
-  double residual[2];
-  double jacobian[2 * parameter_count];
-  for (const LevelVelocity& pair : state_->day.pairs) {
-    level_velocity_residual(pair, at.response[pair.level], estimate.data(), count, at.stress_factor,
-                            sigma_m_s, residual, jacobian);
-    const Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor>> j(
-        jacobian, 2, static_cast<Eigen::Index>(count));
-    const double robust = robust_weight(residual[0] * residual[0] + residual[1] * residual[1]);
-    information.noalias() += (weight * robust) * j.transpose() * j;
+                                    double weight) {
+  ColumnRows& rows = state_->shared.rows;
+  rows.evaluate(estimate.data(), true);
+  const auto count = static_cast<Eigen::Index>(estimate.size());
+  const auto pairs = static_cast<Eigen::Index>(state_->day.pairs.size());
+  const double whitening = 1.0 / sigma_m_s;
+  Eigen::MatrixXd jacobian(2 * pairs, count);
+  for (Eigen::Index n = 0; n < pairs; ++n) {
+    const Pair& pair = state_->day.pairs[static_cast<std::size_t>(n)];
+    const auto t = static_cast<Eigen::Index>(pair.time);
+    const auto k = static_cast<Eigen::Index>(pair.level);
+    const double square = std::norm(whitening * (rows.model()(t, k) - pair.observed_m_s));
+    const double root = whitening * std::sqrt(weight * robust_weight(square));
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Horizontal by = root * rows.derivative(static_cast<std::size_t>(i))(t, k);
+      jacobian(2 * n, i) = by.real();
+      jacobian(2 * n + 1, i) = by.imag();
+    }
   }
-  return information;
+  return jacobian.transpose() * jacobian;
 }
 
 }  // namespace slackwater::calibration

@@ -4,32 +4,31 @@
 #include <string>
 #include <vector>
 
-#include "calibration/residuals/level_velocity.h"
+#include "calibration/residuals/column_rows.h"
 #include "calibration/solve/calibration.h"
+#include "calibration/solve/observations.h"
 
 namespace slackwater::calibration {
 
 /// Everything the minimiser needs of a day.
 struct DayProblem {
-  SteadyForm form = SteadyForm::finite_depth;
-  Angle latitude;
-  double water_depth_m = 0;
-  std::vector<double> depth_m;
-  std::vector<LevelVelocity> pairs;
-  std::vector<Parameter> parameters;  ///< priors and bounds, in the order of `ParameterIndex`
-  double sigma_m_s = 0.02;            ///< whitening of the pairs
+  ColumnDay day;
+  std::vector<Pair> pairs;
+  std::vector<Parameter> parameters;  ///< priors and bounds, in the order of the layout
+  double sigma_m_s = 0.02;            ///< whitening of the pairs, at best
 };
 
 /// A minimum.
 struct DayMinimum {
   std::vector<double> estimate;  ///< in the order of the parameters, logarithms where so
+  double cost = 0;               ///< half the sum of robust squares and of the priors'
   int iterations = 0;
   std::string termination;  ///< one sentence
 };
 
 /// The least-squares problem of one day, handed to Ceres: a block of two residuals per pair under a
-/// Huber loss, and one residual per prior. The levels' responses and their derivatives are computed
-/// once per evaluation point and shared by all blocks, so that a block costs nanoseconds.
+/// Huber loss, and one residual per prior. The model is evaluated once per point for all pairs and
+/// shared by the blocks, so that a block costs nanoseconds.
 ///
 /// The Huber threshold is 2 whitened units of the two-component residual: a pair beyond it counts
 /// linearly.
@@ -52,7 +51,12 @@ class DayFit {
 
   /// Information (inverse covariance) of the pairs at a point: weight * sum of rho' J^T J; n x n.
   [[nodiscard]] Eigen::MatrixXd information(const std::vector<double>& estimate, double sigma_m_s,
-                                            double weight) const;
+                                            double weight);
+
+  /// The model at a point.
+  [[nodiscard]] const ColumnRows::Matrix& model(const std::vector<double>& estimate);
+  /// Its wind-driven part at the point last asked for.
+  [[nodiscard]] const ColumnRows::Matrix& wind_driven() const;
 
  private:
   struct State;

@@ -5,13 +5,10 @@
 
 namespace slackwater::calibration {
 
-/// A point to start from, in the valley of the best minimum.
-///
-/// The shape parameters (eddy viscosity, bed) enter non-linearly and can have several minima;
-/// everything else is linear once they are fixed. So the shapes are scanned over a coarse grid
-/// within their bounds and the linear rest is solved exactly, with priors, at each point, from sums
-/// over the day that are made once. Deterministic. Cost: one pass over the pairs and about a
-/// hundred evaluations of the levels' responses.
+/// A start for the minimiser in the right valley: over a coarse grid of the parameters that shape the
+/// column (viscosity, bottom, mixed-layer depth; two standard deviations of their priors either way) all
+/// others, in which the model is linear, are solved for, and the best is taken. The stress factor is
+/// linear about 1. One grid point costs one evaluation of the model with its derivatives.
 [[nodiscard]] std::vector<double> first_guess(const DayProblem& problem);
 
 }  // namespace slackwater::calibration

@@ -6,18 +6,14 @@
 namespace slackwater::calibration {
 
 VectorColumn residual_column(const VectorColumn& current, const Observations& observations,
-                             SteadyForm form, const SteadyParameters& parameters, Angle latitude) {
-  const LevelResponses responses =
-      level_responses(form, parameters, latitude, observations.water_depth_m, observations.depth_m);
+                             const ColumnRows::Matrix& model) {
   VectorColumn residual = current;
   residual.value.assign(current.value.size(), Horizontal{});
   residual.status.assign(current.value.size(), SampleStatus::missing);
-  for (std::size_t i = 0; i < observations.pairs.size(); ++i) {
-    const LevelVelocity& pair = observations.pairs[i];
-    const Horizontal model = parameters.interior_m_s() * responses.interior(pair.level) +
-                             pair.stress_pa * responses.stress(pair.level);
-    const std::size_t at = residual.offset(observations.time_index[i], pair.level);
-    residual.value[at] = pair.observed_m_s - model;
+  for (const Pair& pair : observations.pairs) {
+    const std::size_t at = residual.offset(pair.time, pair.level);
+    residual.value[at] = pair.observed_m_s - model(static_cast<Eigen::Index>(pair.time),
+                                                   static_cast<Eigen::Index>(pair.level));
     residual.status[at] = SampleStatus::ok;
   }
   return residual;

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "calibration/residuals/column_rows.h"
 #include "calibration/solve/calibration.h"
 #include "calibration/solve/observations.h"
 
@@ -9,8 +10,8 @@ namespace slackwater::calibration {
 /// Observation minus model on the axes of the observed column; status missing where there was no
 /// pair.
 [[nodiscard]] VectorColumn residual_column(const VectorColumn& current,
-                                           const Observations& observations, SteadyForm form,
-                                           const SteadyParameters& parameters, Angle latitude);
+                                           const Observations& observations,
+                                           const ColumnRows::Matrix& model);
 
 /// Rms and bias by depth, levels without a value left out.
 [[nodiscard]] std::vector<MisfitAtDepth> misfit_by_depth(const VectorColumn& residual,

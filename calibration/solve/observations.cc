@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fields/base/error.h"
-#include "fields/current/stress_series.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -41,8 +40,7 @@ std::vector<std::optional<Horizontal>> stress_of_times(const CalibrationInput& i
         "fitted");
     return stress;
   }
-  const StressSeries series =
-      input.wind ? StressSeries(*input.wind, input.drag_law) : StressSeries();
+  StressSeries series = input.wind ? StressSeries(*input.wind, input.drag_law) : StressSeries();
   if (series.empty()) {
     found.warnings.emplace_back("no wind for this day: the wind-driven term is dropped");
     return stress;
@@ -63,6 +61,7 @@ std::vector<std::optional<Horizontal>> stress_of_times(const CalibrationInput& i
                              std::to_string(stress.size()) + " times: their currents are not used");
   }
   found.wind_used = true;
+  found.stress = std::move(series);
   return stress;
 }
 
@@ -77,14 +76,13 @@ Observations pair_observations(const CalibrationInput& input) {
   const std::vector<std::optional<Horizontal>> stress = stress_of_times(input, found);
 
   found.pairs.reserve(current.value.size());
-  found.time_index.reserve(current.value.size());
+  for (const auto& s : stress) found.stress_pa.push_back(s.value_or(Horizontal{}));
   double deepest_m = 0;
   for (std::size_t t = 0; t < current.times(); ++t) {
     if (!stress[t]) continue;
     for (std::size_t k = 0; k < current.levels(); ++k) {
       if (!is_usable(current, t, k)) continue;
-      found.pairs.push_back({current.value[current.offset(t, k)], *stress[t], k});
-      found.time_index.push_back(t);
+      found.pairs.push_back({current.value[current.offset(t, k)], t, k});
       deepest_m = std::max(deepest_m, found.depth_m[k]);
     }
   }

@@ -2,19 +2,27 @@
 #include <string>
 #include <vector>
 
-#include "calibration/residuals/level_velocity.h"
 #include "calibration/solve/calibration.h"
+#include "fields/current/stress_series.h"
 
 namespace slackwater::calibration {
+
+/// One observed current, as a place in the day's times and levels.
+struct Pair {
+  Horizontal observed_m_s{};
+  std::size_t time = 0;
+  std::size_t level = 0;
+};
 
 /// What of a day can be fitted.
 struct Observations {
   std::vector<double> depth_m;  ///< all levels of the column
   double water_depth_m = 0;     ///< as given, or the deepest level with a value
   bool wind_used = false;
-  std::vector<LevelVelocity> pairs;     ///< by time, then level
-  std::vector<std::size_t> time_index;  ///< of each pair, in the column
-  std::vector<std::string> warnings;    ///< what was left out, and why
+  std::vector<Pair> pairs;            ///< by time, then level
+  std::vector<Horizontal> stress_pa;  ///< of each time of the column; 0 where not used
+  StressSeries stress;                ///< the wind's, empty where none is used
+  std::vector<std::string> warnings;  ///< what was left out, and why
 };
 
 /// Pairs every current that has a value with the wind stress of its instant or interval.

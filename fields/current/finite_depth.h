@@ -1,6 +1,4 @@
 #pragma once
-#include <algorithm>
-
 #include "fields/current/ekman_scale.h"
 #include "fields/current/level_response.h"
 
@@ -33,7 +31,7 @@ class FiniteDepthColumn {
   /// @param water_depth_m        H > 0
   [[nodiscard]] static FiniteDepthColumn no_slip(const T& eddy_viscosity_m2_s,
                                                  double coriolis_rad_s, double water_density_kg_m3,
-                                                 double water_depth_m) {
+                                                 const T& water_depth_m) {
     return FiniteDepthColumn(eddy_viscosity_m2_s, Complex<T>{T(0.0), T(0.0)}, coriolis_rad_s,
                              water_density_kg_m3, water_depth_m);
   }
@@ -44,7 +42,7 @@ class FiniteDepthColumn {
                                                               const T& bottom_friction_m_s,
                                                               double coriolis_rad_s,
                                                               double water_density_kg_m3,
-                                                              double water_depth_m) {
+                                                              const T& water_depth_m) {
     const Complex<T> wavenumber = ekman_wavenumber(eddy_viscosity_m2_s, coriolis_rad_s);
     return FiniteDepthColumn(eddy_viscosity_m2_s,
                              scaled(wavenumber, T(eddy_viscosity_m2_s / bottom_friction_m_s)),
@@ -53,15 +51,15 @@ class FiniteDepthColumn {
 
   /// The response at a depth (m, positive down, >= 0). At and below the bed: the value on the bed.
   [[nodiscard]] LevelResponse<T> at_depth(double depth_m) const {
-    const double d = std::min(depth_m, water_depth_m_);
-    const double height_m = water_depth_m_ - d;
+    const T d = water_depth_m_ < T(depth_m) ? water_depth_m_ : T(depth_m);
+    const T height_m = water_depth_m_ - d;
     const Complex<T> below = decay_m1(water_depth_m_ + d);
     const Complex<T> above = decay_m1(height_m);
-    const Complex<T> above_twice = decay_m1(2.0 * height_m);
+    const Complex<T> above_twice = decay_m1(T(2.0) * height_m);
     const Complex<T> two{T(2.0), T(0.0)};
-    return {(below * above - slip_ * decay_m1_twice_depth_) * inverse_denominator_,
-            exp(scaled(wavenumber_, T(-d))) * (slip_ * (above_twice + two) - above_twice) *
-                stress_scale_};
+    return {
+        (below * above - slip_ * decay_m1_twice_depth_) * inverse_denominator_,
+        exp(scaled(wavenumber_, -d)) * (slip_ * (above_twice + two) - above_twice) * stress_scale_};
   }
 
   /// The mean over the whole depth: transport divided by H. Cost of one level.
@@ -69,32 +67,32 @@ class FiniteDepthColumn {
     // Momentum over the column: i f H (mean - W_g) = T/rho - (bottom stress)/rho, with i f = nu
     // lambda^2.
     const Complex<T> one{T(1.0), T(0.0)};
-    const Complex<T> inverse_lambda_h = reciprocal(scaled(wavenumber_, T(water_depth_m_)));
-    const Complex<T> two_decay = scaled(exp(scaled(wavenumber_, T(-water_depth_m_))), T(2.0));
+    const Complex<T> inverse_lambda_h = reciprocal(scaled(wavenumber_, water_depth_m_));
+    const Complex<T> two_decay = scaled(exp(scaled(wavenumber_, -water_depth_m_)), T(2.0));
     return {one + decay_m1_twice_depth_ * inverse_denominator_ * inverse_lambda_h,
             current_per_pascal_ * inverse_lambda_h * (one - two_decay * inverse_denominator_)};
   }
 
  private:
   FiniteDepthColumn(const T& eddy_viscosity_m2_s, const Complex<T>& slip, double coriolis_rad_s,
-                    double water_density_kg_m3, double water_depth_m)
+                    double water_density_kg_m3, const T& water_depth_m)
       : water_depth_m_(water_depth_m),
         wavenumber_(ekman_wavenumber(eddy_viscosity_m2_s, coriolis_rad_s)),
         slip_(slip),
         current_per_pascal_(
             surface_current_per_pascal(eddy_viscosity_m2_s, coriolis_rad_s, water_density_kg_m3)),
-        decay_m1_twice_depth_(decay_m1(2.0 * water_depth_m)) {
+        decay_m1_twice_depth_(decay_m1(T(2.0) * water_depth_m)) {
     const Complex<T> two{T(2.0), T(0.0)};
     inverse_denominator_ = reciprocal(two + decay_m1_twice_depth_ - slip_ * decay_m1_twice_depth_);
     stress_scale_ = current_per_pascal_ * inverse_denominator_;
   }
 
   /// e^{-lambda x} - 1
-  [[nodiscard]] Complex<T> decay_m1(double distance_m) const {
-    return expm1(scaled(wavenumber_, T(-distance_m)));
+  [[nodiscard]] Complex<T> decay_m1(const T& distance_m) const {
+    return expm1(scaled(wavenumber_, -distance_m));
   }
 
-  double water_depth_m_;
+  T water_depth_m_;
   Complex<T> wavenumber_;            ///< lambda
   Complex<T> slip_;                  ///< sigma
   Complex<T> current_per_pascal_;    ///< 1/(rho nu lambda)

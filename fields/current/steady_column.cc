@@ -5,7 +5,22 @@
 namespace slackwater {
 
 std::string_view name_of(SteadyForm form) noexcept {
-  return form == SteadyForm::three_layer ? "three_layer" : "finite_depth";
+  switch (form) {
+    case SteadyForm::three_layer:
+      return "three_layer";
+    case SteadyForm::finite_depth:
+      return "finite_depth";
+    case SteadyForm::mixed_layer:
+      return "mixed_layer";
+  }
+  return "unknown";
+}
+
+ColumnShape<double> shape_of(SteadyForm form, const SteadyParameters& parameters) noexcept {
+  const double bottom = form == SteadyForm::finite_depth  ? parameters.bottom_friction_m_s
+                        : form == SteadyForm::mixed_layer ? parameters.base_friction_m_s
+                                                          : parameters.bottom_eddy_viscosity_m2_s;
+  return {parameters.eddy_viscosity_m2_s, bottom, parameters.mixed_layer_depth_m};
 }
 
 SteadyForm default_form(double water_depth_m, Angle latitude, double eddy_viscosity_m2_s) {
@@ -18,16 +33,15 @@ SteadyForm default_form(double water_depth_m, Angle latitude, double eddy_viscos
 
 LevelResponses level_responses(SteadyForm form, const SteadyParameters& parameters, Angle latitude,
                                double water_depth_m, std::span<const double> depths_m) {
-  const double bottom = form == SteadyForm::finite_depth ? parameters.bottom_friction_m_s
-                                                         : parameters.bottom_eddy_viscosity_m2_s;
-  expects(parameters.eddy_viscosity_m2_s > 0 && bottom > 0 && parameters.stress_factor > 0,
-          "eddy viscosity, bottom parameter and stress factor must be positive");
+  const ColumnShape<double> shape = shape_of(form, parameters);
+  expects(shape.eddy_viscosity_m2_s > 0 && shape.bottom > 0 && shape.mixed_layer_depth_m > 0 &&
+              parameters.stress_factor > 0,
+          "eddy viscosity, bottom parameter, layer depth and stress factor must be positive");
   expects(water_depth_m > 0, "water depth must be positive");
 
   const std::size_t levels = depths_m.size();
   std::vector<LevelResponse<double>> response(levels);
-  steady_responses<double>(form, parameters.eddy_viscosity_m2_s, bottom, latitude, water_depth_m,
-                           depths_m, response);
+  steady_responses<double>(form, shape, latitude, water_depth_m, depths_m, response);
 
   LevelResponses result;
   result.depth_m.assign(depths_m.begin(), depths_m.end());

@@ -1,4 +1,4 @@
-#include "calibration/propagate/transient_column.h"
+#include "fields/current/unsteady_column.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "fields/base/constants.h"
 #include "fields/current/coriolis.h"
 
-namespace slackwater::calibration {
+namespace slackwater {
 namespace {
 
 using std::chrono::hours;
@@ -210,4 +210,4 @@ TEST(TransientColumn, WithoutRotationOrWindThereIsNone) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater

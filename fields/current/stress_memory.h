@@ -5,7 +5,7 @@
 #include "fields/base/time.h"
 #include "fields/current/stress_series.h"
 
-namespace slackwater::calibration {
+namespace slackwater {
 
 /// The wind stress at whole hours about the end of D, and where it is known.
 struct HourlyStress {
@@ -27,23 +27,33 @@ struct HourlyStress {
 /// either end, the stress is taken not to change: a gap makes no oscillation. Constant wind: m = 0.
 class StressMemory {
  public:
+  /// m and its derivative by lambda (holomorphic), Pa and Pa h.
+  struct Value {
+    Horizontal memory_pa{};
+    Horizontal by_lambda_pa_h{};
+  };
+
   /// @param lambda_per_h  real part > 0
   StressMemory(const HourlyStress& stress, Horizontal lambda_per_h);
 
-  /// m at an instant, or its exact mean over the interval.
-  [[nodiscard]] Horizontal over(const TimeCell& cell) const;
+  /// At an instant, or the exact mean over the interval.
+  [[nodiscard]] Value over(const TimeCell& cell) const;
 
  private:
-  struct At {
-    Horizontal value{};
-    Horizontal integral_h{};  ///< of m since the first hour, Pa h
+  /// m, d m/d lambda, and their integrals since the first hour.
+  struct Knot {
+    Value value;
+    Value integral_h;
   };
-  [[nodiscard]] At at(UtcTime time) const;
+  [[nodiscard]] Knot step(const Knot& from, Horizontal slope_pa_h, double hours,
+                          Horizontal decay) const;
+  [[nodiscard]] Knot at(UtcTime time) const;
 
   UtcTime first_;
   Horizontal lambda_per_h_;
+  Horizontal inverse_lambda_h_;
   std::vector<Horizontal> slope_pa_h_;  ///< within the hour that begins there; 0 after the last
-  std::vector<At> knot_;
+  std::vector<Knot> knot_;
 };
 
-}  // namespace slackwater::calibration
+}  // namespace slackwater

@@ -1,4 +1,4 @@
-#include "calibration/propagate/stress_memory.h"
+#include "fields/current/stress_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater {
 namespace {
 
 using std::chrono::hours;
@@ -101,4 +101,4 @@ TEST(StressMemory, OnceTheWindIsConstantItsModulusOnlyFalls) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater
