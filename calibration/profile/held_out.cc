@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "fields/base/check.h"
 #include "fields/base/error.h"
 
 namespace slackwater::calibration {
@@ -43,6 +44,7 @@ void check(std::span<const ProfileLevel> levels) {
 }  // namespace
 
 std::vector<bool> training_levels(std::size_t n, int parity) {
+  expects(parity == 0 || parity == 1, "parity of held-out levels is 0 or 1");
   std::vector<bool> trains(n);
   for (std::size_t i = 0; i < n; ++i)
     trains[i] = i % 2 == static_cast<std::size_t>(parity) || i == 0 || i + 1 == n;

@@ -10,7 +10,8 @@ namespace slackwater::calibration {
 struct HeldOutScore {
   double eps_m_s = 0;           ///< sqrt(mean |observed - predicted|^2) on held-out levels
   double eps_constant_m_s = 0;  ///< of the mean vector of the same training levels
-  /// What the profile takes off the constant's error: 1 is perfect, below 0 is worse.
+  /// What the profile takes off the constant's error: 1 is perfect, below 0 is worse; not finite
+  /// where all levels are alike.
   [[nodiscard]] double gain() const noexcept { return 1 - eps_m_s / eps_constant_m_s; }
 };
 

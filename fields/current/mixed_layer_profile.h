@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include "fields/current/complex.h"
 
 namespace slackwater {
