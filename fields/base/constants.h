@@ -1,6 +1,6 @@
 #pragma once
 
-/// Physical constants, SI. One place, each with its source.
+/// Physical and mathematical constants, SI. One place, each with its source.
 namespace slackwater::constants {
 
 inline constexpr double pi = 3.141592653589793238462643383279502884;
@@ -14,5 +14,8 @@ inline constexpr double sea_water_density_kg_m3 = 1025.0;
 inline constexpr double air_density_kg_m3 = 1.225;
 /// Mean Earth radius (IUGG R1), for distances on a sphere where metres do not matter.
 inline constexpr double earth_radius_m = 6371008.8;
+/// 90 % quantile of the standard normal (Abramowitz & Stegun 1964, table 26.5): the 10 and 90 %
+/// quantiles of a normal stand this many standard deviations from its median.
+inline constexpr double normal_p90 = 1.2815515655446004;
 
 }  // namespace slackwater::constants

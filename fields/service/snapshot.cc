@@ -1,7 +1,9 @@
 #include "fields/service/snapshot.h"
 
 #include <algorithm>
+#include <cassert>
 
+#include "fields/base/constants.h"
 #include "fields/interpolate/temporal.h"
 
 namespace slackwater {
@@ -23,14 +25,42 @@ LevelPlace level_of(const std::vector<double>& depth_m, double wanted_m) noexcep
   return {low, (wanted_m - depth_m[low]) / (depth_m[low + 1] - depth_m[low])};
 }
 
+/// The `member`-th block of `size` values, members counted from 1; empty where it is not there.
+std::span<const Horizontal> member_block(const std::vector<Horizontal>& members, std::size_t member,
+                                         std::size_t size) noexcept {
+  if (size == 0 || member > members.size() / size) return {};
+  return std::span(members).subspan((member - 1) * size, size);
+}
+
 }  // namespace
 
+std::span<const Horizontal> current_of_member(const ForecastColumn& column,
+                                              std::size_t member) noexcept {
+  if (member == 0) return column.current_m_s;
+  return member_block(column.member_m_s, member, column.current_m_s.size());
+}
+
+std::span<const Horizontal> wind_of_member(const ForecastColumn& column,
+                                           std::size_t member) noexcept {
+  if (member == 0 || column.wind_member_m_s.empty()) return column.wind_m_s;
+  return member_block(column.wind_member_m_s, member, column.wind_m_s.size());
+}
+
+CurrentQuantiles quantiles_of(const CurrentSample& central) noexcept {
+  assert(has_value(central.status));
+  const double reach = constants::normal_p90 * central.sigma_m_s;
+  const Horizontal both(reach, reach);
+  return {central.velocity_m_s - both, central.velocity_m_s, central.velocity_m_s + both};
+}
+
 void sample_profile(const Snapshot& snapshot, std::size_t column, UtcTime time,
-                    std::span<const double> depths_m, std::span<CurrentSample> out) noexcept {
+                    std::span<const double> depths_m, std::span<CurrentSample> out,
+                    std::size_t member) noexcept {
   const ForecastColumn& c = snapshot.columns[column];
   const std::size_t levels = snapshot.depth_m.size();
+  const std::span<const Horizontal> current = current_of_member(c, member);
   const auto place = place_in(snapshot.time, time);
-  if (!place || levels == 0 || c.current_m_s.empty()) {
+  if (!place || levels == 0 || current.empty()) {
     for (CurrentSample& sample : out) {
       sample = {};
       sample.status = place ? SampleStatus::missing : SampleStatus::outside_time;
@@ -66,8 +96,8 @@ void sample_profile(const Snapshot& snapshot, std::size_t column, UtcTime time,
           return (1 - v1) * ((1 - w1) * values[t0 + k0] + w1 * values[t0 + k1]) +
                  v1 * ((1 - w1) * values[t1 + k0] + w1 * values[t1 + k1]);
         };
-        sample.velocity_m_s = blend(c.current_m_s);
-        sample.sigma_m_s = blend(c.current_sigma_m_s);
+        sample.velocity_m_s = blend(current);
+        if (member == 0) sample.sigma_m_s = blend(c.current_sigma_m_s);
       }
     }
     out[i] = sample;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,18 +19,24 @@ struct SeaState {
 };
 
 /// The forecast at one place: every array runs over Snapshot::time, current arrays over time x
-/// depth (depth fastest).
+/// depth (depth fastest), member arrays over member x time [x depth].
 struct ForecastColumn {
   GeoPoint point;
   double water_depth_m = 0;
-  std::string water_depth_source;         ///< "site", "bathymetry" or "deepest wet level"
-  std::vector<Horizontal> current_m_s;    ///< Eulerian, towards
-  std::vector<double> current_sigma_m_s;  ///< standard deviation of each component
-  std::vector<SampleStatus> current_status;
+  std::string water_depth_source;            ///< "site", "bathymetry" or "deepest wet level"
+  std::vector<Horizontal> current_m_s;       ///< member 0, the central one; Eulerian, towards
+  std::vector<double> current_sigma_m_s;     ///< standard deviation of each component
+  std::vector<SampleStatus> current_status;  ///< the same for all members
+  /// Members 1, 2, ... of the current; member 0 is `current_m_s` and not kept twice. Empty where
+  /// this column has none: no ensemble was made, or its members were left in the file.
+  std::vector<Horizontal> member_m_s;
   std::vector<Horizontal> wind_m_s;     ///< at 10 m, towards; empty if the forecast has no wind
   std::vector<DataStatus> wind_source;  ///< per time
-  std::vector<SeaState> sea;            ///< empty if the forecast has no waves
-  std::vector<DataStatus> sea_source;   ///< per time
+  /// Wind of members 1, 2, ...; member n of the wind drives member n of the current. Empty where
+  /// all members share `wind_m_s`.
+  std::vector<Horizontal> wind_member_m_s;
+  std::vector<SeaState> sea;           ///< empty if the forecast has no waves
+  std::vector<DataStatus> sea_source;  ///< per time
 };
 
 /// One forecast as issued: everything needed to answer "what is the water doing here, then".
@@ -43,12 +50,22 @@ struct Snapshot {
   std::vector<UtcTime> time;    ///< hourly from the end of D, both ends included
   std::vector<double> depth_m;  ///< below mean sea level, ascending
   std::vector<ForecastColumn> columns;
+  std::size_t members = 1;  ///< equally likely futures as issued, the central one among them
+  std::uint64_t seed = 0;   ///< of the run: all randomness comes from (seed, stream name)
   bool degraded = false;
   bool contains_stokes = false;  ///< the currents it was fitted to still hold Stokes drift
   std::string headline;          ///< one sentence a coordinator reads first
   std::vector<std::string> attributions;
   std::string provenance_json;  ///< inputs (sha256), calibration, code version
 };
+
+/// The current of a member over time x depth, a view; empty where the column does not hold it.
+[[nodiscard]] std::span<const Horizontal> current_of_member(const ForecastColumn& column,
+                                                            std::size_t member) noexcept;
+/// The wind that belongs to a member, over time, a view; the central wind where all members share
+/// it, empty where the column does not hold it.
+[[nodiscard]] std::span<const Horizontal> wind_of_member(const ForecastColumn& column,
+                                                         std::size_t member) noexcept;
 
 /// The current at one place, depth and time.
 struct CurrentSample {
@@ -60,8 +77,28 @@ struct CurrentSample {
 /// Linear in time and depth between the snapshot's stamps. Above the top level the top value holds,
 /// below the deepest level down to the bed the deepest value holds (physics between: the model
 /// decides, see `snapshot.cc`). Batch call; no allocation, thread-safe. `depths_m` and `out` have
-/// the same length.
+/// the same length. Member 0 is the central forecast and carries the forecast's sigma; any other
+/// is one future, its sigma is 0, and it is `missing` where the column does not hold it.
 void sample_profile(const Snapshot& snapshot, std::size_t column, UtcTime time,
-                    std::span<const double> depths_m, std::span<CurrentSample> out) noexcept;
+                    std::span<const double> depths_m, std::span<CurrentSample> out,
+                    std::size_t member = 0) noexcept;
+
+/// Quantiles of each component of the current.
+struct CurrentQuantiles {
+  Horizontal p10_m_s{};
+  Horizontal p50_m_s{};
+  Horizontal p90_m_s{};
+};
+
+/// The one definition of the quantiles that file, profile and pages show: those of a normal about
+/// the central forecast with its standard deviation,
+///
+///   p10, p50, p90 = W - z sigma, W, W + z sigma  (east and north alike),  z = normal_p90
+///
+/// Sigma is the calibrated spread, and the maker of the members scales them to it. Members are not
+/// counted out: the p10 of twenty draws scatters by 0.38 sigma (sqrt(p (1 - p) / n) / density).
+///
+/// @param central  a sample of member 0 that has a value
+[[nodiscard]] CurrentQuantiles quantiles_of(const CurrentSample& central) noexcept;
 
 }  // namespace slackwater

@@ -4,6 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <string>
+
+#include "fields/base/random.h"
+#include "tests/support/made_up_forecast.h"
 
 namespace slackwater {
 namespace {
@@ -57,6 +62,109 @@ TEST(SampleProfile, OutsideIsAStatusNotANumber) {
   EXPECT_EQ(sample(s, UtcTime(hours(-1)), 5.0).status, SampleStatus::outside_time);
   EXPECT_EQ(sample(s, UtcTime(hours(3)), 5.0).status, SampleStatus::ok)
       << "the last stamp belongs to the forecast";
+}
+
+/// Times and depths all over a forecast and somewhat beyond it.
+template <typename Check>
+void for_many_places(const Snapshot& s, Check check) {
+  constexpr std::uint64_t seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Rng random(seed, "tests/sample_profile");
+  for (int i = 0; i < 500; ++i) {
+    const auto minute = static_cast<int>(random.uniform(-60, 74 * 60));
+    const std::array depths{random.uniform(-2, 60), random.uniform(0, 1), random.uniform(40, 50)};
+    for (std::size_t c = 0; c < s.columns.size(); ++c)
+      check(c, s.time.front() + minutes(minute), depths);
+  }
+}
+
+TEST(SampleMember, EqualToTheCentralOneIsSampledToTheSameBits) {
+  Snapshot s = tests::made_up_forecast({.columns = 2, .members = 3});
+  for (ForecastColumn& c : s.columns) {
+    c.member_m_s = c.current_m_s;
+    c.member_m_s.insert(c.member_m_s.end(), c.current_m_s.begin(), c.current_m_s.end());
+  }
+  int with_value = 0;
+  for_many_places(s, [&](std::size_t column, UtcTime time, const auto& depths) {
+    std::array<CurrentSample, 3> central;
+    std::array<CurrentSample, 3> member;
+    sample_profile(s, column, time, depths, central);
+    for (const std::size_t number : {1U, 2U}) {
+      sample_profile(s, column, time, depths, member, number);
+      for (std::size_t i = 0; i < depths.size(); ++i) {
+        EXPECT_EQ(member[i].status, central[i].status);
+        EXPECT_EQ(member[i].velocity_m_s, central[i].velocity_m_s);
+        EXPECT_EQ(member[i].sigma_m_s, 0) << "a member is one future";
+        with_value += has_value(member[i].status) ? 1 : 0;
+      }
+    }
+  });
+  EXPECT_GT(with_value, 1000);
+}
+
+TEST(SampleMember, IsTheForecastMadeOfItAlone) {
+  const Snapshot s = tests::made_up_forecast({.columns = 2, .members = 4});
+  Snapshot alone = s;
+  for (std::size_t c = 0; c < s.columns.size(); ++c) {
+    const auto current = current_of_member(s.columns[c], 2);
+    alone.columns[c].current_m_s.assign(current.begin(), current.end());
+    ASSERT_NE(alone.columns[c].current_m_s, s.columns[c].current_m_s);
+  }
+  for_many_places(s, [&](std::size_t column, UtcTime time, const auto& depths) {
+    std::array<CurrentSample, 3> expected;
+    std::array<CurrentSample, 3> found;
+    sample_profile(alone, column, time, depths, expected);
+    sample_profile(s, column, time, depths, found, 2);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      EXPECT_EQ(found[i].status, expected[i].status);
+      EXPECT_EQ(found[i].velocity_m_s, expected[i].velocity_m_s);
+    }
+  });
+}
+
+TEST(SampleMember, ThatIsNotThereIsMissingNotTheCentralOne) {
+  Snapshot s = tests::made_up_forecast({.members = 3});
+  std::array<CurrentSample, 1> out;
+  const auto status_of = [&](std::size_t member) {
+    sample_profile(s, 0, s.time[5], std::array{3.0}, out, member);
+    EXPECT_TRUE(has_value(out[0].status) || out[0].velocity_m_s == Horizontal{});
+    return out[0].status;
+  };
+  EXPECT_EQ(status_of(2), SampleStatus::ok);
+  EXPECT_EQ(status_of(3), SampleStatus::missing);
+  EXPECT_EQ(status_of(std::numeric_limits<std::size_t>::max()), SampleStatus::missing);
+  s.columns[0].member_m_s.clear();  // as where they were left in the file
+  EXPECT_EQ(status_of(1), SampleStatus::missing);
+  EXPECT_EQ(status_of(0), SampleStatus::ok);
+}
+
+TEST(WindOfMember, IsItsOwnOrTheSharedOne) {
+  Snapshot s = tests::made_up_forecast({.members = 3});
+  ForecastColumn& c = s.columns[0];
+  const std::size_t times = s.time.size();
+  EXPECT_EQ(wind_of_member(c, 0).data(), c.wind_m_s.data());
+  EXPECT_EQ(wind_of_member(c, 2).data(), c.wind_member_m_s.data() + times);
+  EXPECT_EQ(wind_of_member(c, 2).size(), times);
+  EXPECT_TRUE(wind_of_member(c, 3).empty());
+  c.wind_member_m_s.clear();
+  EXPECT_EQ(wind_of_member(c, 2).data(), c.wind_m_s.data()) << "shared by all";
+}
+
+TEST(CurrentQuantiles, LeaveATenthOfANormalOnEitherSide) {
+  CurrentSample central;
+  central.velocity_m_s = {0.3, -0.1};
+  central.sigma_m_s = 0.05;
+  central.status = SampleStatus::ok;
+  const CurrentQuantiles q = quantiles_of(central);
+  EXPECT_EQ(q.p50_m_s, central.velocity_m_s);
+  // Share of a normal below a value, by its definition.
+  const auto below = [&](double value, double mean) {
+    return 0.5 * std::erfc(-(value - mean) / central.sigma_m_s / std::sqrt(2.0));
+  };
+  EXPECT_NEAR(below(q.p10_m_s.real(), 0.3), 0.1, 1e-14);
+  EXPECT_NEAR(below(q.p90_m_s.real(), 0.3), 0.9, 1e-14);
+  EXPECT_NEAR(below(q.p10_m_s.imag(), -0.1), 0.1, 1e-14);
+  EXPECT_NEAR(below(q.p90_m_s.imag(), -0.1), 0.9, 1e-14);
 }
 
 }  // namespace
