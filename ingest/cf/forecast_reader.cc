@@ -1,11 +1,16 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <system_error>
 #include <vector>
 
+#include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast_members.h"
 #include "ingest/cf/forecast_names.h"
 #include "ingest/netcdf/file.h"
 
@@ -38,13 +43,15 @@ class ForecastReader {
  public:
   explicit ForecastReader(const std::filesystem::path& path) : in_(netcdf::File::open(path)) {}
 
-  Snapshot read() {
+  Snapshot read(Members members) {
     Snapshot s;
     s.site_id = text("slackwater_site_id");
     s.site_name = text("slackwater_site_name");
     s.day = parse_day(text("slackwater_day"));
     s.issued = parse_utc(text("slackwater_issued"));
     s.wind_policy = text("slackwater_wind_policy");
+    s.seed = seed();
+    s.members = count_members(in_);
     s.degraded = text("slackwater_degraded") == "true";
     s.contains_stokes = text("slackwater_contains_stokes") == "true";
     s.headline = text("slackwater_headline");
@@ -72,14 +79,21 @@ class ForecastReader {
     read_currents(s);
     read_wind(s);
     read_sea(s);
+    if (members == Members::all) read_members(in_, s, 0, columns_);
     return s;
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(ErrorKind::invalid_input,
-                in_.path().string() + ": " + what +
-                    "; expected a forecast written by Slackwater; run `slackwater store check`");
+  [[noreturn]] void refuse(const std::string& what) const { refuse_forecast(in_, what); }
+  /// 0 where the file was written before forecasts had one.
+  std::uint64_t seed() const {
+    const auto found = in_.text("slackwater_seed");
+    if (!found) return 0;
+    std::uint64_t value = 0;
+    const char* const end = found->data() + found->size();
+    const auto [stop, problem] = std::from_chars(found->data(), end, value);
+    if (problem != std::errc{} || stop != end) refuse("a seed that is no number: " + *found);
+    return value;
   }
   std::string text(const char* name) const {
     if (auto found = in_.text(name)) return *found;
@@ -168,8 +182,19 @@ class ForecastReader {
 
 }  // namespace
 
-Snapshot read_forecast(const std::filesystem::path& file) {
-  return with_context("reading forecast", [&] { return ForecastReader(file).read(); });
+Snapshot read_forecast(const std::filesystem::path& file, Members members) {
+  return with_context("reading forecast", [&] { return ForecastReader(file).read(members); });
+}
+
+void read_members(const std::filesystem::path& file, Snapshot& snapshot, std::size_t column) {
+  expects(column < snapshot.columns.size(), "read_members: a column of the snapshot");
+  with_context("reading members of a forecast", [&] {
+    const netcdf::File in = netcdf::File::open(file);
+    if (count_members(in) != snapshot.members) {
+      refuse_forecast(in, "found other members than when the forecast was read");
+    }
+    read_members(in, snapshot, column, 1);
+  });
 }
 
 }  // namespace slackwater::ingest

@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast_members.h"
 #include "ingest/cf/forecast_names.h"
 #include "ingest/netcdf/file.h"
 
@@ -17,27 +20,46 @@ using netcdf::Type;
 using netcdf::Writer;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// 90 % quantile of the standard normal: p10 and p90 stand this many standard deviations from the
-/// median.
-constexpr double normal_p90 = 1.2815515655446004;
+/// Values of a chunk, 8 MiB of doubles.
+constexpr std::size_t chunk_values = std::size_t{1} << 20;
+
+/// What a snapshot promises of its sizes.
+void expect_whole(const Snapshot& s) {
+  expects(!s.columns.empty() && !s.time.empty(), "a forecast has columns and times");
+  expects(s.members >= 1, "a forecast has a central member");
+  for (const ForecastColumn& c : s.columns) {
+    const std::size_t more = s.members - 1;
+    expects(c.member_m_s.empty() || (c.current_m_s.size() == s.time.size() * s.depth_m.size() &&
+                                     c.member_m_s.size() == more * c.current_m_s.size()),
+            "a column holds members - 1 blocks of currents, or none");
+    expects(c.wind_member_m_s.empty() || (c.wind_m_s.size() == s.time.size() &&
+                                          c.wind_member_m_s.size() == more * c.wind_m_s.size()),
+            "a column holds members - 1 blocks of wind, or none");
+  }
+}
 
 /// One file being written: the snapshot with the ids of what was defined.
 class ForecastWriter {
  public:
   ForecastWriter(const std::filesystem::path& file, const Snapshot& snapshot)
-      : out_(Writer::create(file)), s_(snapshot), many_(snapshot.columns.size() > 1) {}
+      : out_(Writer::create(file)),
+        s_(snapshot),
+        members_(out_, snapshot),
+        many_(snapshot.columns.size() > 1) {}
 
   void write() {
     define_axes();
     define_currents();
     define_wind();
     define_sea();
+    members_.define(time_, depth_, many_ ? std::optional(column_) : std::nullopt);
     describe();
     out_.end_definitions();
     write_axes();
     write_currents();
     write_wind();
     write_sea();
+    members_.write();
     out_.close();
   }
 
@@ -48,6 +70,26 @@ class ForecastWriter {
   std::vector<int> depth_dims() const {
     return many_ ? std::vector{time_, depth_, column_} : std::vector{time_, depth_};
   }
+  /// Whole arrays, cut in time where they grow large. Unlimited dimensions want chunks, and the
+  /// library's own are single values.
+  std::vector<std::size_t> chunks_of(const std::vector<int>& dims) const {
+    std::vector<std::size_t> lengths;
+    std::size_t values = 1;
+    for (const int dimension : dims) {
+      lengths.push_back(length_of(dimension));
+      values *= lengths.back();
+    }
+    if (values > chunk_values) {
+      const std::size_t pieces = (values + chunk_values - 1) / chunk_values;
+      lengths.front() = (lengths.front() + pieces - 1) / pieces;
+    }
+    return lengths;
+  }
+  std::size_t length_of(int dimension) const {
+    if (dimension == time_) return s_.time.size();
+    if (dimension == depth_) return std::max<std::size_t>(1, s_.depth_m.size());
+    return s_.columns.size();
+  }
   std::string coordinates(bool with_depth) const {
     return std::string("time ") + (with_depth ? "depth " : "") + "latitude longitude station_name";
   }
@@ -56,6 +98,7 @@ class ForecastWriter {
              const std::string& standard_name, const std::string& long_name,
              const std::string& units, bool on_depth) {
     Writer::Layout layout;
+    layout.chunks = chunks_of(dims);
     if (type == Type::float64) layout.fill_value = fill;
     const int id = out_.variable(name, type, dims, layout);
     if (!standard_name.empty()) out_.attribute(id, "standard_name", standard_name);
@@ -65,18 +108,27 @@ class ForecastWriter {
     return id;
   }
 
+  int define_axis(const std::string& name, int dimension) {
+    Writer::Layout layout;
+    layout.chunks = chunks_of({dimension});
+    return out_.variable(name, Type::float64, {dimension}, layout);
+  }
+
   void define_axes() {
-    time_ = out_.dimension("time", s_.time.size());
-    depth_ = out_.dimension("depth", std::max<std::size_t>(1, s_.depth_m.size()));
+    // Unlimited, since CF would have `realization` and `column` stand before time and depth, where
+    // tools that read profiles do not look for them. CF's rule of the order (§2.4) is checked for
+    // axes of fixed length only.
+    time_ = out_.unlimited_dimension("time");
+    depth_ = out_.unlimited_dimension("depth");
     if (many_) column_ = out_.dimension("column", s_.columns.size());
     const int text = out_.dimension("name_length", std::max<std::size_t>(1, s_.site_name.size()));
-    time_id_ = out_.variable("time", Type::float64, {time_});
+    time_id_ = define_axis("time", time_);
     out_.attribute(time_id_, "standard_name", "time");
     out_.attribute(time_id_, "long_name", "valid time");
     out_.attribute(time_id_, "units", "seconds since 1970-01-01 00:00:00");
     out_.attribute(time_id_, "calendar", "standard");
     out_.attribute(time_id_, "axis", "T");
-    depth_id_ = out_.variable("depth", Type::float64, {depth_});
+    depth_id_ = define_axis("depth", depth_);
     out_.attribute(depth_id_, "standard_name", "depth");
     out_.attribute(depth_id_, "long_name", "depth below mean sea level");
     out_.attribute(depth_id_, "units", "m");
@@ -100,7 +152,7 @@ class ForecastWriter {
                    "end of the last calibrated day; lead counts from here");
     out_.attribute(reference_id_, "units", "seconds since 1970-01-01 00:00:00");
     out_.attribute(reference_id_, "calendar", "standard");
-    period_id_ = out_.variable("forecast_period", Type::float64, {time_});
+    period_id_ = define_axis("forecast_period", time_);
     out_.attribute(period_id_, "standard_name", "forecast_period");
     out_.attribute(period_id_, "long_name", "lead since the end of the last calibrated day");
     out_.attribute(period_id_, "units", "h");
@@ -192,6 +244,7 @@ class ForecastWriter {
     global("slackwater_day", format_day(s_.day));
     global("slackwater_issued", format_utc(s_.issued));
     global("slackwater_wind_policy", s_.wind_policy);
+    global("slackwater_seed", std::to_string(s_.seed));
     global("slackwater_degraded", s_.degraded ? "true" : "false");
     global("slackwater_contains_stokes", s_.contains_stokes ? "true" : "false");
     global("slackwater_headline", s_.headline);
@@ -204,6 +257,10 @@ class ForecastWriter {
     global("slackwater_water_depth_sources", depth_sources);
   }
 
+  void write_axis(int id, const std::vector<double>& values) {
+    out_.write(id, std::vector<std::size_t>{0}, std::vector{values.size()}, values);
+  }
+
   void write_axes() {
     std::vector<double> time;
     std::vector<double> lead;
@@ -212,9 +269,10 @@ class ForecastWriter {
       time.push_back(seconds_between(UtcTime{}, stamp));
       lead.push_back(hours_between(reference, stamp));
     }
-    out_.write_all(time_id_, time);
+    // These give the unlimited dimensions their length, which all later writes go by.
+    write_axis(time_id_, time);
+    write_axis(depth_id_, s_.depth_m.empty() ? std::vector<double>{0.0} : s_.depth_m);
     out_.write_all(period_id_, lead);
-    out_.write_all(depth_id_, s_.depth_m.empty() ? std::vector<double>{0.0} : s_.depth_m);
     std::vector<double> latitude;
     std::vector<double> longitude;
     std::vector<double> bed;
@@ -246,15 +304,17 @@ class ForecastWriter {
   void write_currents() {
     const std::size_t levels = s_.depth_m.size();
     if (levels == 0) return;
-    const auto current = [](bool north, double sigmas) {
-      return [north, sigmas](const ForecastColumn& c, std::size_t o) {
+    const auto current = [](bool north, auto pick) {
+      return [north, pick](const ForecastColumn& c, std::size_t o) {
         if (!has_value(c.current_status[o])) return nan;
-        const double middle = north ? c.current_m_s[o].imag() : c.current_m_s[o].real();
-        return sigmas == 0 ? middle : middle + sigmas * c.current_sigma_m_s[o];
+        const Horizontal w =
+            pick(CurrentSample{c.current_m_s[o], c.current_sigma_m_s[o], c.current_status[o]});
+        return north ? w.imag() : w.real();
       };
     };
-    put(east_id_, levels, current(false, 0));
-    put(north_id_, levels, current(true, 0));
+    const auto central = [](const CurrentSample& sample) { return sample.velocity_m_s; };
+    put(east_id_, levels, current(false, central));
+    put(north_id_, levels, current(true, central));
     put(sigma_id_, levels, [](const ForecastColumn& c, std::size_t o) {
       return has_value(c.current_status[o]) ? c.current_sigma_m_s[o] : nan;
     });
@@ -262,9 +322,13 @@ class ForecastWriter {
       return static_cast<double>(c.current_status[o]);
     });
     std::size_t next = 0;
-    for (const double sigmas : {-normal_p90, 0.0, normal_p90}) {
-      put(quantile_ids_[next++], levels, current(false, sigmas));
-      put(quantile_ids_[next++], levels, current(true, sigmas));
+    for (const auto quantile :
+         {&CurrentQuantiles::p10_m_s, &CurrentQuantiles::p50_m_s, &CurrentQuantiles::p90_m_s}) {
+      const auto pick = [quantile](const CurrentSample& sample) {
+        return quantiles_of(sample).*quantile;
+      };
+      put(quantile_ids_[next++], levels, current(false, pick));
+      put(quantile_ids_[next++], levels, current(true, pick));
     }
   }
 
@@ -298,6 +362,7 @@ class ForecastWriter {
 
   Writer out_;
   const Snapshot& s_;
+  MemberWriter members_;
   bool many_;
   int time_ = 0, depth_ = 0, column_ = 0;
   int time_id_ = 0, depth_id_ = 0, latitude_id_ = 0, longitude_id_ = 0, station_id_ = 0,
@@ -309,7 +374,7 @@ class ForecastWriter {
 }  // namespace
 
 void write_forecast(const std::filesystem::path& file, const Snapshot& snapshot) {
-  expects(!snapshot.columns.empty() && !snapshot.time.empty(), "a forecast has columns and times");
+  expect_whole(snapshot);
   with_context("writing forecast " + file.string(),
                [&] { ForecastWriter(file, snapshot).write(); });
 }

@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::hours;
 
-/// A forecast with everything in it: several statuses, a column below the bed, waves without a
+/// A forecast with everything but an ensemble (see forecast_members_test.cc) in it: several statuses, a column below the bed, waves without a
 /// period.
 Snapshot full_snapshot(std::size_t columns) {
   Rng random(11, "tests/forecast_file");
@@ -25,6 +25,7 @@ Snapshot full_snapshot(std::size_t columns) {
   s.day = parse_day("2025-03-09");
   s.issued = parse_utc("2025-03-10T05:00:00Z");
   s.wind_policy = "best";
+  s.seed = 0xfedcba9876543210;  // more than a double holds
   s.degraded = true;
   s.contains_stokes = true;
   s.headline = "No wind is stored: the wind-driven part is left out.";
@@ -62,6 +63,8 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(a.day, b.day);
   EXPECT_EQ(a.issued, b.issued);
   EXPECT_EQ(a.wind_policy, b.wind_policy);
+  EXPECT_EQ(a.seed, b.seed);
+  EXPECT_EQ(a.members, b.members);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.depth_m, b.depth_m);
   EXPECT_EQ(a.degraded, b.degraded);
