@@ -2,18 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/cli/profile_print.h"
 #include "api/pipeline/paths.h"
 #include "api/pipeline/site.h"
-#include "fields/service/snapshot.h"
 #include "ingest/cf/forecast_file.h"
 
 namespace slackwater::api {
 namespace {
-
-using nlohmann::json;
 
 struct ProfileArguments {
   std::string site;
@@ -22,20 +19,12 @@ struct ProfileArguments {
   std::string time;
   std::vector<double> depths;
   bool csv = false;
+  std::size_t member = 0;
+  bool members = false;  ///< list them all
 };
 
 /// A point within this distance of a forecast column is answered by that column.
 constexpr double column_reach_m = 5000.0;
-constexpr double normal_p90 = 1.2815515655446004;
-
-struct Answer {
-  store::ForecastRow row;
-  Snapshot snapshot;
-  std::size_t column = 0;
-  UtcTime time;
-  std::vector<double> depth_m;
-  std::vector<CurrentSample> samples;
-};
 
 std::size_t nearest_column(const Snapshot& snapshot, const GeoPoint& point, double& distance) {
   std::size_t best = 0;
@@ -50,14 +39,44 @@ std::size_t nearest_column(const Snapshot& snapshot, const GeoPoint& point, doub
   return best;
 }
 
+/// Without its members: most questions do not need them, and they are most of the file.
 Snapshot read(store::Store& store, const store::ForecastRow& row) {
-  return ingest::read_forecast(store.content_path(row.content_sha256));
+  return ingest::read_forecast(store.content_path(row.content_sha256), ingest::Members::none);
+}
+
+/// The members that the question is about, in the snapshot's column.
+void add_members(ProfileAnswer& answer, store::Store& store, const ProfileArguments& arguments) {
+  if (arguments.member >= answer.snapshot.members) {
+    const std::size_t last = answer.snapshot.members - 1;
+    throw Error(ErrorKind::not_found,
+                "found no member " + std::to_string(arguments.member) + "; this forecast has " +
+                    (last == 0 ? "member 0, the central one, alone"
+                               : "members 0 (the central one) to " + std::to_string(last)));
+  }
+  answer.member = arguments.member;
+  if (arguments.member == 0 && !arguments.members) return;
+  ingest::read_members(store.content_path(answer.row.content_sha256), answer.snapshot,
+                       answer.column);
+}
+
+/// Samples the central forecast and what was asked for of the others.
+void sample(ProfileAnswer& answer, bool all_members) {
+  const auto of_member = [&](std::size_t member) {
+    std::vector<CurrentSample> samples(answer.depth_m.size());
+    sample_profile(answer.snapshot, answer.column, answer.time, answer.depth_m, samples, member);
+    return samples;
+  };
+  answer.central = of_member(0);
+  answer.samples = of_member(answer.member);
+  if (!all_members) return;
+  for (std::size_t m = 0; m < answer.snapshot.members; ++m) answer.members.push_back(of_member(m));
 }
 
 /// The newest forecast that covers the time, of the site or of whichever site has a column near the
 /// point.
-Answer find_answer(store::Store& store, const ProfileArguments& arguments, const Context& context) {
-  Answer answer;
+ProfileAnswer find_answer(store::Store& store, const ProfileArguments& arguments,
+                          const Context& context) {
+  ProfileAnswer answer;
   answer.time = option_value("--time", arguments.time, parse_utc);
   store::ForecastQuery query;
   std::optional<GeoPoint> point;
@@ -108,91 +127,6 @@ Answer find_answer(store::Store& store, const ProfileArguments& arguments, const
                   format_utc(rows.front().valid_from) + " to " + format_utc(rows.front().valid_to));
 }
 
-json to_json(const Answer& a) {
-  const ForecastColumn& column = a.snapshot.columns[a.column];
-  json levels = json::array();
-  for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
-    const CurrentSample& s = a.samples[i];
-    json level = {{"depth_m", a.depth_m[i]}, {"status", std::string(name_of(s.status))}};
-    if (has_value(s.status)) {
-      const double u = s.velocity_m_s.real();
-      const double v = s.velocity_m_s.imag();
-      const double spread = normal_p90 * s.sigma_m_s;
-      level["eastward_sea_water_velocity"] = {
-          {"value", u}, {"p10", u - spread}, {"p50", u}, {"p90", u + spread}};
-      level["northward_sea_water_velocity"] = {
-          {"value", v}, {"p10", v - spread}, {"p50", v}, {"p90", v + spread}};
-      level["sea_water_speed"] = std::abs(s.velocity_m_s);
-      level["sea_water_velocity_to_direction"] = to_direction_deg(s.velocity_m_s);
-    }
-    levels.push_back(std::move(level));
-  }
-  return {{"site", a.snapshot.site_id},
-          {"latitude_deg", column.point.latitude_deg()},
-          {"longitude_deg", column.point.longitude_deg()},
-          {"time", format_utc(a.time)},
-          {"issued", format_utc(a.snapshot.issued)},
-          {"day", format_day(a.snapshot.day)},
-          {"wind", a.snapshot.wind_policy},
-          {"origin", a.row.origin},
-          {"degraded", a.snapshot.degraded},
-          {"contains_stokes", a.snapshot.contains_stokes},
-          {"headline", a.snapshot.headline},
-          {"water_depth_m", column.water_depth_m},
-          {"units",
-           {{"velocity", "m s-1"}, {"direction", "degree, towards, clockwise from true north"}}},
-          {"levels", levels},
-          {"attributions", a.snapshot.attributions},
-          {"provenance", json::parse(a.snapshot.provenance_json, nullptr, false)}};
-}
-
-void print_csv(const Answer& a) {
-  std::printf(
-      "time,depth_m,east_m_s,east_p10_m_s,east_p90_m_s,north_m_s,north_p10_m_s,north_p90_m_s,speed_"
-      "m_s,"
-      "to_direction_deg,status\n");
-  for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
-    const CurrentSample& s = a.samples[i];
-    std::printf("%s,%g,", format_utc(a.time).c_str(), a.depth_m[i]);
-    if (has_value(s.status)) {
-      const double spread = normal_p90 * s.sigma_m_s;
-      const double u = s.velocity_m_s.real();
-      const double v = s.velocity_m_s.imag();
-      std::printf("%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.1f,", u, u - spread, u + spread, v,
-                  v - spread, v + spread, std::abs(s.velocity_m_s),
-                  to_direction_deg(s.velocity_m_s));
-    } else {
-      std::printf(",,,,,,,,");
-    }
-    std::printf("%s\n", std::string(name_of(s.status)).c_str());
-  }
-}
-
-void print_table(const Answer& a) {
-  const ForecastColumn& column = a.snapshot.columns[a.column];
-  std::printf("%s at %s (%.4f N %.4f E, %.0f m of water), forecast issued %s from day %s\n",
-              a.snapshot.site_name.c_str(), format_utc(a.time).c_str(), column.point.latitude_deg(),
-              column.point.longitude_deg(), column.water_depth_m,
-              format_utc(a.snapshot.issued).c_str(), format_day(a.snapshot.day).c_str());
-  if (a.snapshot.degraded) std::printf("DEGRADED: %s\n", a.snapshot.headline.c_str());
-  std::printf("%8s %9s %9s %24s %24s\n", "depth m", "speed m/s", "to deg", "east m/s (p10 to p90)",
-              "north m/s (p10 to p90)");
-  for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
-    const CurrentSample& s = a.samples[i];
-    if (!has_value(s.status)) {
-      std::printf("%8.1f %9s\n", a.depth_m[i], std::string(name_of(s.status)).c_str());
-      continue;
-    }
-    const double spread = normal_p90 * s.sigma_m_s;
-    const double u = s.velocity_m_s.real();
-    const double v = s.velocity_m_s.imag();
-    std::printf("%8.1f %9.3f %9.0f  %+7.3f (%+.3f to %+.3f) %+7.3f (%+.3f to %+.3f)\n",
-                a.depth_m[i], std::abs(s.velocity_m_s), to_direction_deg(s.velocity_m_s), u,
-                u - spread, u + spread, v, v - spread, v + spread);
-  }
-  for (const std::string& line : a.snapshot.attributions) std::printf("%s\n", line.c_str());
-}
-
 void run_profile(const ProfileArguments& arguments, const Context& context) {
   if (arguments.site.empty() && !arguments.latitude) {
     throw Error(ErrorKind::usage, "give --site, or --lat and --lon");
@@ -206,8 +140,12 @@ void run_profile(const ProfileArguments& arguments, const Context& context) {
   }
   if (arguments.csv && context.json)
     throw Error(ErrorKind::usage, "give --csv or --json, not both");
+  if (arguments.members && !context.json)
+    throw Error(ErrorKind::usage,
+                "--members lists all members in --json only; --member N shows one");
   store::Store store = context.open(store::OpenMode::read_only);
-  Answer answer = find_answer(store, arguments, context);
+  ProfileAnswer answer = find_answer(store, arguments, context);
+  add_members(answer, store, arguments);
   const ForecastColumn& column = answer.snapshot.columns[answer.column];
   answer.depth_m = arguments.depths;
   if (answer.depth_m.empty()) {
@@ -215,15 +153,13 @@ void run_profile(const ProfileArguments& arguments, const Context& context) {
       if (depth <= column.water_depth_m) answer.depth_m.push_back(depth);
     }
   }
-  answer.samples.resize(answer.depth_m.size());
-  sample_profile(answer.snapshot, answer.column, answer.time, answer.depth_m, answer.samples);
+  sample(answer, arguments.members);
   if (context.json) {
-    std::printf("%s\n",
-                to_json(answer).dump(2, ' ', false, json::error_handler_t::replace).c_str());
+    print_profile_json(answer);
   } else if (arguments.csv) {
-    print_csv(answer);
+    print_profile_csv(answer);
   } else {
-    print_table(answer);
+    print_profile_table(answer);
   }
 }
 
@@ -244,6 +180,11 @@ void add_profile(CLI::App& app, Context& context) {
                    "depths in metres below mean sea level (default: native levels)")
       ->delimiter(',');
   command->add_flag("--csv", arguments->csv, "comma-separated values");
+  command
+      ->add_option("--member", arguments->member,
+                   "one member of the ensemble, 0 the central one (default: 0)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--members", arguments->members, "list every member, with --json");
   command->callback([arguments, &context] { run_profile(*arguments, context); });
 }
 

@@ -6,6 +6,7 @@
 #include "api/pipeline/ingest_files.h"
 #include "api/pipeline/paths.h"
 #include "api/synthetic/product_files.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
@@ -18,7 +19,7 @@ using std::chrono::hours;
 
 /// Days of history before the first job: enough for the tide (three days are the least, DESIGN §3).
 constexpr int history_days = 4;
-constexpr double normal_p90 = 1.2815515655446004;
+using constants::normal_p90;
 
 /// One day's arrival: yesterday's analyses and the night's weather forecasts.
 void deliver(store::Store& store, const ingest::ProductCatalogue& products,

@@ -109,8 +109,8 @@ TEST_F(Commands, JsonHasTheDocumentedKeys) {
       run_json({"profile", "--site", store_.site(), "--time", "2025-03-09T06:00:00Z"});
   expect_keys(profile,
               {"site", "latitude_deg", "longitude_deg", "time", "issued", "day", "wind", "origin",
-               "degraded", "contains_stokes", "headline", "water_depth_m", "units", "levels",
-               "attributions", "provenance"},
+               "member", "members", "seed", "degraded", "contains_stokes", "headline",
+               "water_depth_m", "units", "levels", "attributions", "provenance"},
               "profile");
   EXPECT_FALSE(profile["attributions"].empty());
 

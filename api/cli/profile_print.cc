@@ -1,0 +1,130 @@
+#include "api/cli/profile_print.h"
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "api/cli/command.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+json component_json(const ProfileAnswer& a, std::size_t level,
+                    double (*component)(const Horizontal&)) {
+  const CurrentQuantiles quantiles = quantiles_of(a.central[level]);
+  json result = {{"value", component(a.samples[level].velocity_m_s)},
+                 {"p10", component(quantiles.p10_m_s)},
+                 {"p50", component(quantiles.p50_m_s)},
+                 {"p90", component(quantiles.p90_m_s)}};
+  if (a.members.empty()) return result;
+  json values = json::array();
+  for (const std::vector<CurrentSample>& member : a.members) {
+    const CurrentSample& s = member[level];
+    values.push_back(has_value(s.status) ? json(component(s.velocity_m_s)) : json());
+  }
+  result["members"] = std::move(values);
+  return result;
+}
+
+json level_json(const ProfileAnswer& a, std::size_t i) {
+  const CurrentSample& s = a.samples[i];
+  json level = {{"depth_m", a.depth_m[i]}, {"status", std::string(name_of(s.status))}};
+  if (!has_value(s.status)) return level;
+  level["eastward_sea_water_velocity"] =
+      component_json(a, i, [](const Horizontal& w) { return w.real(); });
+  level["northward_sea_water_velocity"] =
+      component_json(a, i, [](const Horizontal& w) { return w.imag(); });
+  level["sea_water_speed"] = std::abs(s.velocity_m_s);
+  level["sea_water_velocity_to_direction"] = to_direction_deg(s.velocity_m_s);
+  return level;
+}
+
+json to_json(const ProfileAnswer& a) {
+  const ForecastColumn& column = a.snapshot.columns[a.column];
+  json levels = json::array();
+  for (std::size_t i = 0; i < a.depth_m.size(); ++i) levels.push_back(level_json(a, i));
+  return {{"site", a.snapshot.site_id},
+          {"latitude_deg", column.point.latitude_deg()},
+          {"longitude_deg", column.point.longitude_deg()},
+          {"time", format_utc(a.time)},
+          {"issued", format_utc(a.snapshot.issued)},
+          {"day", format_day(a.snapshot.day)},
+          {"wind", a.snapshot.wind_policy},
+          {"origin", a.row.origin},
+          {"member", a.member},
+          {"members", a.snapshot.members},
+          {"seed", a.snapshot.seed},
+          {"degraded", a.snapshot.degraded},
+          {"contains_stokes", a.snapshot.contains_stokes},
+          {"headline", a.snapshot.headline},
+          {"water_depth_m", column.water_depth_m},
+          {"units",
+           {{"velocity", "m s-1"}, {"direction", "degree, towards, clockwise from true north"}}},
+          {"levels", levels},
+          {"attributions", a.snapshot.attributions},
+          {"provenance", json::parse(a.snapshot.provenance_json, nullptr, false)}};
+}
+
+/// "21 members" beside the central forecast, or which of them the table shows.
+std::string members_text(const ProfileAnswer& a) {
+  if (a.snapshot.members < 2) return {};
+  const std::string count = std::to_string(a.snapshot.members) + " members";
+  if (a.member == 0) return ", " + count;
+  return ", member " + std::to_string(a.member) + " of " + count + " (p10 to p90 of all)";
+}
+
+}  // namespace
+
+void print_profile_json(const ProfileAnswer& answer) {
+  std::printf("%s\n", to_json(answer).dump(2, ' ', false, json::error_handler_t::replace).c_str());
+}
+
+void print_profile_csv(const ProfileAnswer& a) {
+  std::printf(
+      "time,depth_m,east_m_s,east_p10_m_s,east_p90_m_s,north_m_s,north_p10_m_s,north_p90_m_s,speed_"
+      "m_s,"
+      "to_direction_deg,status\n");
+  for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
+    const CurrentSample& s = a.samples[i];
+    std::printf("%s,%g,", format_utc(a.time).c_str(), a.depth_m[i]);
+    if (has_value(s.status)) {
+      const CurrentQuantiles q = quantiles_of(a.central[i]);
+      std::printf("%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.1f,", s.velocity_m_s.real(),
+                  q.p10_m_s.real(), q.p90_m_s.real(), s.velocity_m_s.imag(), q.p10_m_s.imag(),
+                  q.p90_m_s.imag(), std::abs(s.velocity_m_s), to_direction_deg(s.velocity_m_s));
+    } else {
+      std::printf(",,,,,,,,");
+    }
+    std::printf("%s\n", std::string(name_of(s.status)).c_str());
+  }
+}
+
+void print_profile_table(const ProfileAnswer& a) {
+  const ForecastColumn& column = a.snapshot.columns[a.column];
+  std::printf("%s at %s (%.4f N %.4f E, %.0f m of water), forecast issued %s from day %s%s\n",
+              a.snapshot.site_name.c_str(), format_utc(a.time).c_str(), column.point.latitude_deg(),
+              column.point.longitude_deg(), column.water_depth_m,
+              format_utc(a.snapshot.issued).c_str(), format_day(a.snapshot.day).c_str(),
+              members_text(a).c_str());
+  if (a.snapshot.degraded) std::printf("DEGRADED: %s\n", a.snapshot.headline.c_str());
+  std::printf("%8s %9s %9s %24s %24s\n", "depth m", "speed m/s", "to deg", "east m/s (p10 to p90)",
+              "north m/s (p10 to p90)");
+  for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
+    const CurrentSample& s = a.samples[i];
+    if (!has_value(s.status)) {
+      std::printf("%8.1f %9s\n", a.depth_m[i], std::string(name_of(s.status)).c_str());
+      continue;
+    }
+    const CurrentQuantiles q = quantiles_of(a.central[i]);
+    std::printf("%8.1f %9.3f %9.0f  %+7.3f (%+.3f to %+.3f) %+7.3f (%+.3f to %+.3f)\n",
+                a.depth_m[i], std::abs(s.velocity_m_s), to_direction_deg(s.velocity_m_s),
+                s.velocity_m_s.real(), q.p10_m_s.real(), q.p90_m_s.real(), s.velocity_m_s.imag(),
+                q.p10_m_s.imag(), q.p90_m_s.imag());
+  }
+  for (const std::string& line : a.snapshot.attributions) std::printf("%s\n", line.c_str());
+}
+
+}  // namespace slackwater::api

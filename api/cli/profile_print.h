@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "data/store/store.h"
+#include "fields/service/snapshot.h"
+
+namespace slackwater::api {
+
+/// What `slackwater profile` found.
+struct ProfileAnswer {
+  store::ForecastRow row;
+  Snapshot snapshot;
+  std::size_t column = 0;
+  UtcTime time;
+  std::size_t member = 0;  ///< the one that was asked for
+  std::vector<double> depth_m;
+  std::vector<CurrentSample> central;               ///< one per depth; the quantiles come from here
+  std::vector<CurrentSample> samples;               ///< of the member that was asked for
+  std::vector<std::vector<CurrentSample>> members;  ///< of all, by number, if all were asked for
+};
+
+/// Writes the answer to standard output: schema in docs/json.md, a spreadsheet, a table for people.
+/// The quantiles are those of the forecast, whichever member is shown beside them.
+void print_profile_json(const ProfileAnswer& answer);
+void print_profile_csv(const ProfileAnswer& answer);
+void print_profile_table(const ProfileAnswer& answer);
+
+}  // namespace slackwater::api
