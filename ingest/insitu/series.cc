@@ -106,6 +106,94 @@ void write_granule(const std::filesystem::path& content_file, const Granule& gra
   writer.finish();
 }
 
+/// Decodes what runs along one of the file's time axes.
+class SeriesDecoder {
+ public:
+  SeriesDecoder(const netcdf::File& file, const ProductCatalogue& products, const Product& product,
+                const IngestOptions& options, const std::filesystem::path& staging_folder,
+                Ingested& ingested)
+      : file_(file),
+        products_(products),
+        product_(product),
+        options_(options),
+        staging_folder_(staging_folder),
+        ingested_(ingested),
+        water_depth_m_(water_depth_of(file)) {}
+
+  void decode(const StationAxes& axes, const std::vector<Wanted>& wanted) {
+    const SeriesTimes times = series_times_of(file_, axes, ingested_.warnings);
+    for (std::size_t station = 0; station < axes.stations; ++station) {
+      const GeoPoint position = position_of(file_, axes, station, ingested_.warnings);
+      if (options_.cut && !options_.cut->contains(position)) {
+        ++outside_;
+        continue;
+      }
+      const auto placed =
+          read_station(file_, axes, products_, wanted, station, water_depth_m_, ingested_.warnings);
+      for (SeriesGroup& group : group_series(placed, times)) {
+        check(group);
+        if (group.levels.kind != VerticalKind::none && group.levels.levels_m.empty()) continue;
+        add(group, position, station_name_of(file_, axes, station));
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t stations_outside() const noexcept { return outside_; }
+
+ private:
+  void check(SeriesGroup& group) {
+    reject_side_lobes(group, ingested_.warnings);
+    std::vector<UtcTime> stamps;
+    for (const TimeCell& cell : group.times) stamps.push_back(cell.centre());
+    std::vector<SeriesValues*> all;
+    for (SeriesValues& series : group.series) all.push_back(&series);
+    check_series(stamps, all, ingested_.warnings);
+    keep_useful_levels(group, water_depth_m_, ingested_.warnings);
+  }
+
+  void add(SeriesGroup& group, const GeoPoint& position, const std::string& station) {
+    Granule granule;
+    granule.grid.time = group.times;
+    granule.grid.vertical = group.levels.kind;
+    granule.grid.levels_m = group.levels.levels_m;
+    granule.grid.latitude_deg = {position.latitude_deg()};
+    granule.grid.longitude_deg = {position.longitude_deg()};
+    granule.is_point_series = true;
+    granule.station = station;
+    granule.water_depth_m = water_depth_m_;
+    granule.product_id = product_.id;
+    granule.dataset_id = file_.text("id").value_or("");
+    granule.attribution = attribution_of(file_, product_);
+    apply_status(granule, options_);
+    for (const SeriesValues& series : group.series) {
+      granule.variables.push_back(
+          {series.standard_name, series.unit, series.source_name, false, true});
+    }
+    const auto content_file =
+        staging_folder_ / ("series-" + std::to_string(ingested_.granules.size()) + ".nc");
+    write_granule(content_file, granule, group);
+    ingested_.granules.push_back({std::move(granule), content_file});
+  }
+
+  const netcdf::File& file_;
+  const ProductCatalogue& products_;
+  const Product& product_;
+  const IngestOptions& options_;
+  const std::filesystem::path& staging_folder_;
+  Ingested& ingested_;
+  std::optional<double> water_depth_m_;
+  std::size_t outside_ = 0;
+};
+
+[[noreturn]] void refuse_without_wanted(const netcdf::File& file) {
+  std::string names;
+  for (const netcdf::Variable& variable : file.variables()) {
+    if (names.size() < 200) names += (names.empty() ? "" : ", ") + variable.name;
+  }
+  refuse("found " + names +
+         "; expected a current, wind or wave variable over time with its CF standard name");
+}
+
 }  // namespace
 
 bool is_point_series(const netcdf::File& file) {
@@ -132,8 +220,8 @@ Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& p
           "scored against. Say --as forecast --issued TIME if it is meant as a provider's "
           "forecast");
     }
-    const auto axes = station_axes_of(file);
-    if (!axes) {
+    const std::vector<StationAxes> every_axis = all_station_axes_of(file);
+    if (every_axis.empty()) {
       refuse(
           "found no time axis of one dimension, or no latitude and longitude of a station; "
           "expected a CF "
@@ -142,64 +230,19 @@ Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& p
           "each station)");
     }
     const Product& product = products.product_of(file);
-    const std::vector<Wanted> wanted = wanted_in(file, *axes, products, product);
-    if (wanted.empty()) {
-      std::string names;
-      for (const netcdf::Variable& variable : file.variables()) {
-        if (names.size() < 200) names += (names.empty() ? "" : ", ") + variable.name;
-      }
-      refuse("found " + names +
-             "; expected a current, wind or wave variable over time with its CF standard name");
-    }
-
     Ingested ingested;
     StagedFiles staged(ingested);
-    const SeriesTimes times = series_times_of(file, *axes, ingested.warnings);
-    const std::optional<double> water_depth_m = water_depth_of(file);
-    std::size_t outside = 0;
-    for (std::size_t station = 0; station < axes->stations; ++station) {
-      const GeoPoint position = position_of(file, *axes, station, ingested.warnings);
-      if (options.cut && !options.cut->contains(position)) {
-        ++outside;
-        continue;
-      }
-      const auto placed =
-          read_station(file, *axes, products, wanted, station, water_depth_m, ingested.warnings);
-      for (SeriesGroup& group : group_series(placed, times)) {
-        reject_side_lobes(group, ingested.warnings);
-        std::vector<UtcTime> stamps;
-        for (const TimeCell& cell : group.times) stamps.push_back(cell.centre());
-        std::vector<SeriesValues*> all;
-        for (SeriesValues& series : group.series) all.push_back(&series);
-        check_series(stamps, all, ingested.warnings);
-        keep_useful_levels(group, water_depth_m, ingested.warnings);
-        if (group.levels.kind != VerticalKind::none && group.levels.levels_m.empty()) continue;
-
-        Granule granule;
-        granule.grid.time = group.times;
-        granule.grid.vertical = group.levels.kind;
-        granule.grid.levels_m = group.levels.levels_m;
-        granule.grid.latitude_deg = {position.latitude_deg()};
-        granule.grid.longitude_deg = {position.longitude_deg()};
-        granule.is_point_series = true;
-        granule.station = station_name_of(file, *axes, station);
-        granule.water_depth_m = water_depth_m;
-        granule.product_id = product.id;
-        granule.dataset_id = file.text("id").value_or("");
-        granule.attribution = attribution_of(file, product);
-        apply_status(granule, options);
-        for (const SeriesValues& series : group.series) {
-          granule.variables.push_back(
-              {series.standard_name, series.unit, series.source_name, false, true});
-        }
-        const auto content_file =
-            staging_folder / ("series-" + std::to_string(ingested.granules.size()) + ".nc");
-        write_granule(content_file, granule, group);
-        ingested.granules.push_back({std::move(granule), content_file});
-      }
+    SeriesDecoder decoder(file, products, product, options, staging_folder, ingested);
+    bool any_wanted = false;
+    for (const StationAxes& axes : every_axis) {
+      const std::vector<Wanted> wanted = wanted_in(file, axes, products, product);
+      if (wanted.empty()) continue;
+      any_wanted = true;
+      decoder.decode(axes, wanted);
     }
+    if (!any_wanted) refuse_without_wanted(file);
     if (ingested.granules.empty()) {
-      if (outside > 0)
+      if (decoder.stations_outside() > 0)
         refuse(
             "the station lies outside the box that was asked for; choose a --bbox or --site that "
             "holds it");

@@ -7,6 +7,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "ingest/copernicus/text_match.h"
+#include "ingest/insitu/vertical_coordinate.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -39,17 +40,8 @@ bool is_vertical_role(const netcdf::Variable& variable) {
       contains_ignoring_case(variable.name, "height"))
     return true;
   const std::string name = variable.text("standard_name").value_or("");
-  return name == "depth" || name == "height" || variable.text("axis") == "Z";
-}
-
-bool is_depth(const netcdf::Variable& variable) {
-  if (variable.type == netcdf::Type::character || variable.type == netcdf::Type::string)
-    return false;
-  if (variable.text("positive") == "up") return false;
-  const std::string standard_name = variable.text("standard_name").value_or("");
-  if (!standard_name.empty()) return standard_name == "depth";
-  const std::string lower = lower_case(variable.name);
-  return lower == "depth" || lower == "deph";
+  return name == "depth" || name == "height" || name == "altitude" ||
+         variable.text("axis") == "Z" || variable.text("positive") || counts_from_bed(variable);
 }
 
 /// Depths of a series of the instrument itself: DEPTH(t), or a scalar.
@@ -57,7 +49,7 @@ std::vector<double> instrument_depths(const netcdf::File& file, const StationAxe
                                       std::size_t station, std::vector<std::string>& warnings) {
   const netcdf::Variable* scalar = nullptr;
   for (const netcdf::Variable& variable : file.variables()) {
-    if (!is_depth(variable)) continue;
+    if (!is_depth_coordinate(variable)) continue;
     const bool over_time =
         variable.dimensions.size() == 1 && variable.dimensions[0] == axes.time_dimension;
     if (over_time) {
@@ -85,7 +77,8 @@ const netcdf::Variable* level_coordinate(const netcdf::File& file, const Station
   for (const netcdf::Variable& variable : file.variables()) {
     const bool has_level = std::find(variable.dimensions.begin(), variable.dimensions.end(),
                                      level_dimension) != variable.dimensions.end();
-    if (has_level && variable.dimensions.size() <= 3 && is_depth(variable)) return &variable;
+    if (has_level && variable.dimensions.size() <= 3 && is_depth_coordinate(variable))
+      return &variable;
   }
   if (const netcdf::Variable* same = file.find(level_dimension);
       same != nullptr && same->dimensions.size() == 1 && same->dimensions[0] == level_dimension) {
@@ -102,6 +95,7 @@ const netcdf::Variable* level_coordinate(const netcdf::File& file, const Station
 }
 
 bool counts_from_sensor(const netcdf::Variable& coordinate) {
+  if (counts_from_bed(coordinate)) return false;
   if (coordinate.text("reference_datum") == "sensor") return true;
   for (const char* part : {"above_sensor", "above sensor", "distance", "transducer"}) {
     if (contains_ignoring_case(coordinate.name, part) ||
@@ -180,7 +174,9 @@ SeriesLevels profiler_levels(const netcdf::File& file, const netcdf::Variable& c
 /// Depths that the file gives for each level, perhaps for each time too.
 SeriesLevels stated_levels(const netcdf::File& file, const StationAxes& axes,
                            const netcdf::Variable& coordinate, std::size_t levels,
-                           std::size_t station, std::vector<std::string>& warnings) {
+                           std::size_t station, bool of_water,
+                           const std::optional<double>& water_depth_m,
+                           std::vector<std::string>& warnings) {
   const SeriesDimensions dimensions =
       dimensions_of(coordinate, axes.time_dimension, axes.station_dimension);
   netcdf::Variable with_unit = coordinate;
@@ -196,13 +192,12 @@ SeriesLevels stated_levels(const netcdf::File& file, const StationAxes& axes,
   }
   SeriesLevels out;
   out.kind = VerticalKind::depth_m;
-  const double sign = coordinate.text("positive") == "up" ? -1.0 : 1.0;
   double widest_m = 0;
   for (std::size_t k = 0; k < levels; ++k) {
     std::vector<double> here;
     for (std::size_t t = 0; t < depths.times; ++t) {
       const double depth = depths.values[depths.at(t, k)];
-      if (has_value(depths.status[depths.at(t, k)])) here.push_back(sign * depth);
+      if (has_value(depths.status[depths.at(t, k)])) here.push_back(depth);
     }
     if (here.empty()) {
       throw Error(ErrorKind::invalid_input, "'" + coordinate.name + "' has no depth for level " +
@@ -213,6 +208,8 @@ SeriesLevels stated_levels(const netcdf::File& file, const StationAxes& axes,
     widest_m = std::max(widest_m, spread.width);
     out.levels_m.push_back(spread.median);
   }
+  if (of_water)
+    out.levels_m = depths_of(coordinate, std::move(out.levels_m), water_depth_m, warnings);
   const double spacing_m = levels > 1 ? std::abs(out.levels_m[1] - out.levels_m[0]) : 1.0;
   if (widest_m > 0.5 * spacing_m) {
     warnings.push_back("depths in '" + coordinate.name + "' span up to " + metres(widest_m) +
@@ -235,9 +232,13 @@ SeriesLevels levels_of_series(const netcdf::File& file, const StationAxes& axes,
   const std::optional<double> own_depth = series.variable->number("sensor_depth");
   const std::optional<double> own_height = series.variable->number("sensor_height");
   if (series.realm == Realm::surface) return {};
+  const netcdf::Variable* own =
+      series.levels == 1 ? own_vertical(file, axes, *series.variable) : nullptr;
   if (series.realm == Realm::air && series.levels == 1) {
     if (own_height) return at_height(*own_height);
     if (own_depth && *own_depth < 0.0) return at_height(-*own_depth);
+    if (own != nullptr && !is_depth_coordinate(*own))
+      return at_height(own_level_m(file, axes, *own, station, warnings));
     for (const netcdf::Variable& variable : file.variables()) {
       if (variable.size() == 1 && variable.text("standard_name") == "height" &&
           variable.text("units")) {
@@ -259,12 +260,17 @@ SeriesLevels levels_of_series(const netcdf::File& file, const StationAxes& axes,
                   "'" + series.source_name + "' has " + std::to_string(series.levels) +
                       " levels without heights; expected a height coordinate in metres");
     }
-    SeriesLevels levels = stated_levels(file, axes, *coordinate, series.levels, station, warnings);
+    SeriesLevels levels = stated_levels(file, axes, *coordinate, series.levels, station, false,
+                                        water_depth_m, warnings);
     levels.kind = VerticalKind::height_m;
     for (double& level : levels.levels_m) level = std::abs(level);
     return levels;
   }
   if (series.levels == 1 && own_depth && *own_depth >= 0.0) return at_depth(*own_depth);
+  if (own != nullptr) {
+    const double level_m = own_level_m(file, axes, *own, station, warnings);
+    return at_depth(depths_of(*own, {level_m}, water_depth_m, warnings).front());
+  }
   // Distances from a sensor run along the levels alone; what varies in time too is a depth of each
   // sample.
   if (coordinate != nullptr && coordinate->dimensions.size() == 1 &&
@@ -275,7 +281,8 @@ SeriesLevels levels_of_series(const netcdf::File& file, const StationAxes& axes,
                            warnings);
   }
   if (coordinate != nullptr)
-    return stated_levels(file, axes, *coordinate, series.levels, station, warnings);
+    return stated_levels(file, axes, *coordinate, series.levels, station, true, water_depth_m,
+                         warnings);
   if (series.levels == 1) {
     const std::vector<double> depths = instrument_depths(file, axes, station, warnings);
     if (!depths.empty()) return at_depth(spread_of(depths).median);

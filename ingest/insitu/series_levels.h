@@ -20,13 +20,12 @@ struct SeriesLevels {
 
 /// Finds the levels of a series, by what the file gives:
 ///
-/// | the vertical coordinate counts                        | depth |
-/// |-------------------------------------------------------|------------------------------------------------|
-/// | depth, perhaps a little different each time           | its median over time | | height above
-/// an upward-looking sensor                 | median over time of DEPTH(t) - height          | |
-/// distance along the axis of a profiler                 | sensor depth +- distance, as it looks |
-/// | nothing: a single sensor                              | its `sensor_depth`, the scalar or
-/// median depth |
+/// - depth, perhaps a little different each time: its median over time;
+/// - height above the sea bed: the water depth that the file states, less it;
+/// - height above an upward-looking sensor: the median over time of DEPTH(t) - height;
+/// - distance along the axis of a profiler: sensor depth +- distance, as it looks;
+/// - nothing, a single sensor: its `sensor_depth`, else the scalar coordinate that its
+///   `coordinates` name, or that of its station, else the scalar or median depth of the file.
 ///
 /// The vertical axis of a granule is fixed, so a median stands for depths that move; a warning says
 /// by how much where the middle nine tenths of them span more than half a bin. A profiler whose

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double farthest_mooring_m = 5000.0;
 constexpr double worth_telling_m = 10.0;
+constexpr std::size_t most_depths = std::size_t{1} << 20U;
 
 bool named(const netcdf::Variable& variable, std::initializer_list<std::string_view> names) {
   const std::string lower = lower_case(variable.name);
@@ -25,15 +26,36 @@ bool is_numeric(const netcdf::Variable& variable) {
   return variable.type != netcdf::Type::character && variable.type != netcdf::Type::string;
 }
 
+/// Whether a variable runs along one dimension at most; others may be there with a length of 1 (a
+/// lone station).
+bool runs_along_one_dimension(const netcdf::Variable& variable) {
+  return std::count_if(variable.shape.begin(), variable.shape.end(),
+                       [](std::size_t length) { return length != 1; }) <= 1;
+}
+
+/// The dimension a time runs along: the long one, else the last.
+std::string dimension_of_time(const netcdf::Variable& time) {
+  for (std::size_t i = 0; i < time.shape.size(); ++i) {
+    if (time.shape[i] != 1) return time.dimensions[i];
+  }
+  return time.dimensions.empty() ? std::string() : time.dimensions.back();
+}
+
+bool is_time(const netcdf::Variable& variable) {
+  return is_numeric(variable) && runs_along_one_dimension(variable) &&
+         contains_ignoring_case(variable.text("units").value_or(""), " since ");
+}
+
+bool is_coordinate_variable(const netcdf::Variable& variable) {
+  return variable.dimensions.size() == 1 && variable.dimensions[0] == variable.name;
+}
+
 const netcdf::Variable* time_of(const netcdf::File& file) {
   const netcdf::Variable* found = nullptr;
   for (const netcdf::Variable& variable : file.variables()) {
-    const bool since = contains_ignoring_case(variable.text("units").value_or(""), " since ");
-    if (!since || variable.dimensions.size() > 1 || !is_numeric(variable)) continue;
-    const bool coordinate =
-        variable.dimensions.size() == 1 && variable.dimensions[0] == variable.name;
+    if (!is_time(variable)) continue;
+    if (is_coordinate_variable(variable)) return &variable;
     const bool says_time = variable.text("standard_name") == "time" || named(variable, {"time"});
-    if (coordinate) return &variable;
     if (says_time && found == nullptr) found = &variable;
   }
   return found;
@@ -124,7 +146,7 @@ std::optional<StationAxes> station_axes_of(const netcdf::File& file) {
     return std::nullopt;
   if (axes.latitude->size() != axes.longitude->size()) return std::nullopt;
   if (axes.latitude->dimensions.size() > 1) return std::nullopt;
-  if (!axes.time->dimensions.empty()) axes.time_dimension = axes.time->dimensions[0];
+  axes.time_dimension = dimension_of_time(*axes.time);
 
   if (!axes.latitude->dimensions.empty() &&
       axes.latitude->dimensions == axes.longitude->dimensions &&
@@ -135,6 +157,24 @@ std::optional<StationAxes> station_axes_of(const netcdf::File& file) {
     return std::nullopt;
   }
   return axes;
+}
+
+std::vector<StationAxes> all_station_axes_of(const netcdf::File& file) {
+  std::vector<StationAxes> all;
+  const auto first = station_axes_of(file);
+  if (!first) return all;
+  all.push_back(*first);
+  for (const netcdf::Variable& variable : file.variables()) {
+    if (&variable == first->time || !is_time(variable) || !is_coordinate_variable(variable) ||
+        variable.name == first->time_dimension || variable.name == first->station_dimension) {
+      continue;
+    }
+    StationAxes other = *first;
+    other.time = &variable;
+    other.time_dimension = variable.name;
+    all.push_back(std::move(other));
+  }
+  return all;
 }
 
 GeoPoint position_of(const netcdf::File& file, const StationAxes& axes, std::size_t station,
@@ -202,10 +242,21 @@ std::string station_name_of(const netcdf::File& file, const StationAxes& axes,
 }
 
 std::optional<double> water_depth_of(const netcdf::File& file) {
+  const auto believable = [](double depth) { return depth > 0.0 && depth < 12000.0; };
   for (const char* attribute :
-       {"site_nominal_depth", "water_depth", "bottom_depth", "sea_floor_depth", "site_depth"}) {
+       {"site_nominal_depth", "water_depth", "water_depth_m", "bottom_depth", "sea_floor_depth",
+        "sea_floor_depth_below_sea_surface", "site_depth"}) {
     const auto depth = global_number(file, attribute);
-    if (depth && *depth > 0.0 && *depth < 12000.0) return depth;
+    if (depth && believable(*depth)) return depth;
+  }
+  for (const netcdf::Variable& variable : file.variables()) {
+    const std::string name = variable.text("standard_name").value_or(variable.name);
+    const bool is_it = name.starts_with("sea_floor_depth_below_") ||
+                       named(variable, {"water_depth", "bottom_depth", "sea_floor_depth"});
+    if (!is_it || !is_numeric(variable) || variable.size() > most_depths) continue;
+    std::vector<double> depths = file.read_all(variable);
+    std::erase_if(depths, [&](double depth) { return !believable(depth); });
+    if (!depths.empty()) return median(std::move(depths));
   }
   return std::nullopt;
 }

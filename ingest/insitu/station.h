@@ -25,6 +25,10 @@ struct StationAxes {
 /// longitude).
 [[nodiscard]] std::optional<StationAxes> station_axes_of(const netcdf::File& file);
 
+/// The same, once for each time axis of the file: instruments with clocks of their own write
+/// `time_wind` beside `time`. Empty where `station_axes_of` gives nothing.
+[[nodiscard]] std::vector<StationAxes> all_station_axes_of(const netcdf::File& file);
+
 /// Where a station stands. A buoy swings: the median of its good positions stands for it, and a
 /// warning says how far it strays. Throws Error(invalid_input) where it strays more than 5 km (a
 /// ship or a drifter), or has no position.
@@ -36,8 +40,8 @@ struct StationAxes {
 [[nodiscard]] std::string station_name_of(const netcdf::File& file, const StationAxes& axes,
                                           std::size_t station);
 
-/// The water depth that global attributes state (site_nominal_depth, water_depth, bottom_depth),
-/// metres.
+/// The water depth that the file states, metres: global attributes (site_nominal_depth,
+/// water_depth, bottom_depth, ...), else a variable `sea_floor_depth_below_...` (its median).
 [[nodiscard]] std::optional<double> water_depth_of(const netcdf::File& file);
 
 /// A number in a global attribute, also where it is written as text.

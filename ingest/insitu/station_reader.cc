@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/base/error.h"
 #include "ingest/insitu/vector_pair.h"
 #include "ingest/quality/spike.h"
 
@@ -51,11 +52,6 @@ class StationReader {
       const bool of_vector =
           is_vector_speed(one.standard_name) || is_vector_direction(one.standard_name);
       if (one.quantity == nullptr || of_vector) continue;
-      if (taken(one.standard_name)) {
-        warnings_.push_back("'" + one.variable->name + "' is a second " + one.standard_name +
-                            " and is left out");
-        continue;
-      }
       SeriesValues series = series_of(one, one.quantity->unit);
       describe(series, *one.quantity);
       place(std::move(series), water_depth_m, one.quantity->height_m);
@@ -67,10 +63,22 @@ class StationReader {
   }
 
  private:
+  /// A quantity may stand in several variables, each at a level of its own.
+  [[nodiscard]] bool taken(std::string_view standard_name, const SeriesLevels& levels) const {
+    return std::any_of(placed_.begin(), placed_.end(), [&](const PlacedSeries& one) {
+      return one.series.standard_name == standard_name && one.levels.kind == levels.kind &&
+             one.levels.levels_m == levels.levels_m;
+    });
+  }
   [[nodiscard]] bool taken(std::string_view standard_name) const {
     return std::any_of(placed_.begin(), placed_.end(), [&](const PlacedSeries& one) {
       return one.series.standard_name == standard_name;
     });
+  }
+
+  void leave_out(const SeriesValues& series) {
+    warnings_.push_back("'" + series.source_name + "' is a second " + series.standard_name +
+                        " and is left out");
   }
 
   SeriesValues series_of(const Wanted& wanted, const std::string& unit) {
@@ -100,9 +108,17 @@ class StationReader {
       warnings_.push_back("'" + series.source_name + "' has no value at all and is left out");
       return;
     }
-    SeriesLevels levels =
-        levels_of_series(file_, axes_, series, level_dimension_of(*series.variable, dimensions),
-                         station_, water_depth_m, default_height_m, warnings_);
+    SeriesLevels levels;
+    try {
+      levels =
+          levels_of_series(file_, axes_, series, level_dimension_of(*series.variable, dimensions),
+                           station_, water_depth_m, default_height_m, warnings_);
+    } catch (const Error&) {
+      // What cannot be placed is no reason to refuse the same quantity that could be.
+      if (!taken(series.standard_name)) throw;
+      return leave_out(series);
+    }
+    if (taken(series.standard_name, levels)) return leave_out(series);
     placed_.push_back({std::move(series), std::move(levels)});
   }
 
@@ -113,23 +129,22 @@ class StationReader {
                   const std::optional<double>& water_depth_m) {
     SeriesValues speeds = series_of(speed, "m s-1");
     bool keep_speed = true;
-    for (const Wanted& direction : wanted) {
-      const VectorPair* pair = vector_pair_of(speed.standard_name, direction.standard_name);
-      if (pair == nullptr || direction.variable->dimensions != speed.variable->dimensions) continue;
-      if (taken(pair->eastward)) return;
+    if (const Wanted* direction = direction_of(speed, wanted)) {
+      const VectorPair* pair = vector_pair_of(speed.standard_name, direction->standard_name);
+      if (is_given(pair->eastward, wanted)) return;
       const Quantity* east = products_.vocabulary().by_standard_name(pair->eastward);
       const Quantity* north = products_.vocabulary().by_standard_name(pair->northward);
-      if (east == nullptr || north == nullptr) continue;
-      Components components = components_of(*pair, speeds, series_of(direction, "degree"));
-      keep_speed = false;
-      for (std::size_t i = 0; i < speeds.values.size(); ++i) {
-        keep_speed |= has_value(speeds.status[i]) && std::isnan(components.east.values[i]);
+      if (east != nullptr && north != nullptr) {
+        Components components = components_of(*pair, speeds, series_of(*direction, "degree"));
+        keep_speed = false;
+        for (std::size_t i = 0; i < speeds.values.size(); ++i) {
+          keep_speed |= has_value(speeds.status[i]) && std::isnan(components.east.values[i]);
+        }
+        describe(components.east, *east);
+        describe(components.north, *north);
+        place(std::move(components.east), water_depth_m, east->height_m);
+        place(std::move(components.north), water_depth_m, north->height_m);
       }
-      describe(components.east, *east);
-      describe(components.north, *north);
-      place(std::move(components.east), water_depth_m, east->height_m);
-      place(std::move(components.north), water_depth_m, north->height_m);
-      break;
     }
     if (!keep_speed) return;
     if (speed.quantity == nullptr) {
@@ -139,6 +154,30 @@ class StationReader {
     }
     describe(speeds, *speed.quantity);
     place(std::move(speeds), water_depth_m, speed.quantity->height_m);
+  }
+
+  /// The direction of a speed: of those over the same dimensions the one with the same coordinates
+  /// (sensors at several depths each have theirs), else the first.
+  static const Wanted* direction_of(const Wanted& speed, const std::vector<Wanted>& wanted) {
+    const Wanted* found = nullptr;
+    for (const Wanted& direction : wanted) {
+      if (vector_pair_of(speed.standard_name, direction.standard_name) == nullptr ||
+          direction.variable->dimensions != speed.variable->dimensions) {
+        continue;
+      }
+      const bool beside =
+          direction.variable->text("coordinates") == speed.variable->text("coordinates") &&
+          direction.variable->number("sensor_depth") == speed.variable->number("sensor_depth");
+      if (beside) return &direction;
+      if (found == nullptr) found = &direction;
+    }
+    return found;
+  }
+
+  /// Whether the file itself gives this component.
+  static bool is_given(std::string_view component, const std::vector<Wanted>& wanted) {
+    return std::any_of(wanted.begin(), wanted.end(),
+                       [&](const Wanted& one) { return one.standard_name == component; });
   }
 
   const netcdf::File& file_;
@@ -159,14 +198,21 @@ std::vector<Wanted> wanted_in(const netcdf::File& file, const StationAxes& axes,
     const bool over_time = axes.time_dimension.empty() ||
                            std::find(variable.dimensions.begin(), variable.dimensions.end(),
                                      axes.time_dimension) != variable.dimensions.end();
-    const std::string name = variable.text("standard_name").value_or("");
+    std::string name = variable.text("standard_name").value_or("");
+    // A variable may be called what it is, and say no more.
+    const bool is_called_so =
+        name.empty() && (products.vocabulary().by_standard_name(variable.name) != nullptr ||
+                         is_vector_direction(variable.name));
+    if (is_called_so) name = variable.name;
     if (!over_time || &variable == axes.time || &variable == axes.latitude ||
         &variable == axes.longitude || name.find("status_flag") != std::string::npos) {
       continue;
     }
     if (is_vector_speed(name) || is_vector_direction(name)) {
       wanted.push_back({&variable, name, products.vocabulary().by_standard_name(name)});
-    } else if (const Quantity* quantity = products.quantity_of(variable, product)) {
+    } else if (const Quantity* quantity = is_called_so
+                                              ? products.vocabulary().by_standard_name(name)
+                                              : products.quantity_of(variable, product)) {
       wanted.push_back({&variable, quantity->standard_name, quantity});
     }
   }
