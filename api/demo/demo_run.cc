@@ -4,6 +4,7 @@
 
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/ingest_files.h"
+#include "api/pipeline/known_currents.h"
 #include "api/pipeline/paths.h"
 #include "api/synthetic/product_files.h"
 #include "fields/base/constants.h"

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "api/pipeline/job_summary.h"
+#include "api/pipeline/known_currents.h"
 #include "api/pipeline/version.h"
 #include "fields/base/error.h"
 #include "ingest/cf/forecast_file.h"
@@ -129,7 +130,8 @@ bool holds_throughout(const VectorColumn& currents, UtcDay day) {
     steps.push_back(cells[i].centre() - cells[i - 1].centre());
   std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2),
                    steps.end());
-  const Duration usual = steps[steps.size() / 2];
+  // Instruments that sample finer than hourly are held to what an hourly series is.
+  const Duration usual = std::max<Duration>(steps[steps.size() / 2], hours(1));
   const auto too_wide = [&](Duration gap) { return 2 * gap > 5 * usual; };
   for (std::size_t i = 1; i < cells.size(); ++i) {
     if (too_wide(cells[i].centre() - cells[i - 1].centre())) return false;
@@ -200,6 +202,8 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   result.columns.resize(data.columns.size());
   for_all_columns(data.columns.size(), options.threads, [&](std::size_t i) {
     result.columns[i] = forecast_column(data.columns[i], data.site, plan);
+    const std::vector<std::string> notes = notes_on_record(data.columns[i], plan);
+    result.columns[i].notes.insert(result.columns[i].notes.begin(), notes.begin(), notes.end());
   });
 
   std::set<std::int64_t> granules;

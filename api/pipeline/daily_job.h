@@ -38,7 +38,7 @@ inline constexpr Duration history_read = std::chrono::days(60);
 [[nodiscard]] std::optional<UtcDay> newest_whole_day(const SiteData& data, UtcTime issued);
 
 /// Whether a day's currents are there: no gap at its ends or within it wider than two and a half
-/// usual steps.
+/// usual steps (of two and a half hours for series finer than hourly).
 [[nodiscard]] bool holds_throughout(const VectorColumn& currents, UtcDay day);
 
 /// Whether the currents of this day are held throughout, as known at the issue time.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "api/pipeline/column_calibration.h"
+#include "api/pipeline/known_currents.h"
 #include "calibration/propagate/propagate.h"
 
 namespace slackwater::api {
@@ -21,24 +22,6 @@ SampleStatus level_status(const VectorColumn& column, std::size_t k) {
 }
 
 }  // namespace
-
-Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan) {
-  if (plan.dataset.empty()) return {};
-  Choice choice;
-  choice.dataset = plan.dataset;
-  Chosen<Horizontal> chosen = choose(column.current, {plan.end_of_day(), plan.issued}, choice);
-  // A forecast may reach beyond D; what is known of the sea ends with D.
-  Chosen<Horizontal> known;
-  known.column = slice(chosen.column, UtcTime::min(), plan.end_of_day());
-  // A surface product without a depth axis speaks of the surface.
-  if (known.column.levels_m.empty()) {
-    known.column.levels_m = {0.0};
-    known.column.vertical = VerticalKind::depth_m;
-  }
-  chosen.origin.resize(known.column.times());
-  known.origin = std::move(chosen.origin);
-  return known;
-}
 
 ColumnForecast forecast_column(const ColumnData& data, const Site& site, const ForecastPlan& plan) {
   ColumnForecast result;

@@ -43,9 +43,6 @@ struct ColumnForecast {
   }
 };
 
-/// The currents of a column up to the end of D as known then, one dataset.
-[[nodiscard]] Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan);
-
 /// Calibrates the column on day D and propagates it over the plan's stamps: tide (where the record
 /// allows) + Ekman model + decaying residual, with wind and waves beside it. Pure; safe to run for
 /// many columns at once.

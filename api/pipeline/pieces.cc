@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "api/pipeline/mooring.h"
 #include "fields/base/error.h"
 #include "ingest/cf/granule_file.h"
 
@@ -50,6 +51,12 @@ IndexRange times_within(const Grid& grid, const Window& window) {
 
 std::string dataset_of(const store::GranuleRow& row, const Granule& granule) {
   std::ostringstream text;
+  if (row.is_point_series) {  // its levels may differ from file to file, and are joined
+    text << row.product_id << "/in-situ/" << row.station
+         << (!granule.grid.time.empty() && granule.grid.time.front().is_mean() ? "/mean"
+                                                                               : "/instant");
+    return text.str();
+  }
   text << row.product_id << '/' << row.dataset_id << '/' << row.station << '/'
        << granule.grid.levels_m.size();
   if (!granule.grid.levels_m.empty())
@@ -157,6 +164,7 @@ std::vector<VectorPiece> read_vector_pieces(store::Store& store, const std::stri
     origin.sources.push_back(match->row.source_sha256);
     pieces.push_back({std::move(origin), std::move(east->field), match->field});
   }
+  if (east_name == "eastward_sea_water_velocity") join_moorings(pieces);
   return pieces;
 }
 

@@ -46,7 +46,8 @@ struct Window {
 
 /// Reads every stored piece of a vector (two CF standard names) that touches the window, in
 /// catalogue order. Files are cut to the cells around the box; U and V of one product in separate
-/// files are paired by their times and grid.
+/// files are paired by their times and grid. Current series of one mooring come as one piece
+/// (mooring.h).
 [[nodiscard]] std::vector<VectorPiece> read_vector_pieces(store::Store& store,
                                                           const std::string& east_name,
                                                           const std::string& north_name,

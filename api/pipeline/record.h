@@ -22,6 +22,7 @@ template <typename T>
 struct PieceColumn {
   const Origin* origin = nullptr;  ///< owned by the pieces, which outlive the record
   Column<T> column;
+  double distance_m = 0;  ///< of a point series from the place asked about; 0 for grids
 };
 
 /// Everything the store holds of one quantity at one place, not yet chosen from.
@@ -34,6 +35,12 @@ struct Record {
 using VectorRecord = Record<Horizontal>;
 using ScalarRecord = Record<double>;
 
+/// How far a point series speaks for the water, or the air, around it: currents 10 km (within which
+/// `calibration/fuse` knows what distance costs), winds 50 km (over open sea they change over the
+/// scale of weather), everything else 5 km.
+[[nodiscard]] double series_reach_m(const std::string& standard_name) noexcept;
+
+/// What the pieces hold at a point: grids interpolated, point series within reach as they are.
 [[nodiscard]] VectorRecord record_at(const std::vector<VectorPiece>& pieces, const GeoPoint& point);
 [[nodiscard]] ScalarRecord record_at(const std::vector<ScalarPiece>& pieces, const GeoPoint& point);
 
@@ -41,7 +48,7 @@ using ScalarRecord = Record<double>;
 template <typename T>
 struct Chosen {
   Column<T> column;
-  std::vector<const Origin*> origin;  ///< per time
+  std::vector<const Origin*> origin;  ///< per time; after them those that were fused into it
   [[nodiscard]] bool empty() const noexcept { return column.time.empty(); }
 };
 
@@ -56,14 +63,23 @@ struct Choice {
 /// Joins pieces into one series. At each valid time an analysis or observation beats a forecast, a
 /// forecast with the later reference time (the shorter lead) beats the earlier, an ensemble's
 /// control (its lowest member) beats the others, and the later ingested beats the earlier. Pieces
-/// on other levels than the first chosen dataset are left out.
+/// on other levels than the first chosen dataset are left out. Where no dataset is asked for, point
+/// series at several places are not mixed: the nearest that has a known value speaks.
 [[nodiscard]] Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge,
                                         const Choice& choice);
 [[nodiscard]] Chosen<double> choose(const ScalarRecord& record, const Knowledge& knowledge,
                                     const Choice& choice);
 
-/// The dataset with most values in the cells of a time span: ties go to more levels, then to the
-/// name.
+/// Whether a piece was measured at a place: a point series of observations. Model output written as
+/// a point series (`ingest --as analysis`) is a product.
+[[nodiscard]] inline bool is_in_situ(const Origin& origin) noexcept {
+  return origin.is_point_series && origin.status == DataStatus::observation;
+}
+
+/// The dataset that leads in a time span. Of products, and of in-situ series, the one with most
+/// values in the span leads (ties go to more levels, then to the name). Between the two the product
+/// leads where it steps by three hours or less, which resolves tide and inertia, and spans most of
+/// the time, because it knows the whole depth; else the series; else whatever there is.
 [[nodiscard]] std::optional<std::string> fullest_dataset(const VectorRecord& record, UtcTime from,
                                                          UtcTime to);
 

@@ -108,37 +108,13 @@ void add_provider(Pairs& pairs, const ColumnData& column, const std::string& dat
 
 }  // namespace
 
-Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset,
-                            UtcTime end_of_day, UtcTime until) {
-  VectorRecord known;
-  for (const auto& piece : column.current.pieces) {
-    if (piece.origin->status != DataStatus::forecast) known.pieces.push_back(piece);
-  }
-  Choice choice;
-  choice.dataset = dataset;
-  Chosen<Horizontal> chosen = choose(known, {}, choice);
-  Chosen<Horizontal> truth;
-  truth.column = slice(chosen.column, end_of_day, until);
-  // The instant at 24:00 of D belongs to D.
-  VectorColumn& c = truth.column;
-  while (!c.time.empty() && c.time.front().end <= end_of_day) {
-    c.value.erase(c.value.begin(), c.value.begin() + static_cast<std::ptrdiff_t>(c.levels()));
-    c.status.erase(c.status.begin(), c.status.begin() + static_cast<std::ptrdiff_t>(c.levels()));
-    c.time.erase(c.time.begin());
-    c.source.erase(c.source.begin());
-  }
-  if (c.levels_m.empty()) c.levels_m = {0.0};
-  if (!chosen.origin.empty()) truth.origin.assign(c.times(), chosen.origin.back());
-  return truth;
-}
-
 std::map<std::string, Pairs> current_pairs(const ColumnData& column, const ForecastPlan& plan,
                                            const Snapshot& snapshot, std::size_t column_index,
                                            const Chosen<Horizontal>& truth) {
   std::map<std::string, Pairs> pairs;
   const UtcTime end = plan.end_of_day();
   add_forecast(pairs["forecast"], snapshot, column_index, truth.column, end);
-  const Chosen<Horizontal> known = known_currents(column, plan);
+  const Chosen<Horizontal> known = known_beside(truth, column, plan);
   if (!known.empty()) {
     const HorizonWind wind = horizon_wind(column.wind, plan.wind, end, {});
     calibration::BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,

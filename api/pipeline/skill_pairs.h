@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "api/pipeline/forecast_column.h"
+#include "api/pipeline/known_currents.h"
 #include "api/pipeline/verify.h"
 
 namespace slackwater::api {
@@ -17,11 +18,6 @@ struct Pairs {
   std::vector<double> lead_h;      ///< of the cell's centre
   std::vector<std::size_t> block;  ///< six-hour block of the truth's time, for the bootstrap
 };
-
-/// The truth of a column after D, on its native levels: analysed or observed, of the dataset the
-/// forecast was made from.
-[[nodiscard]] Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset,
-                                          UtcTime end_of_day, UtcTime until);
 
 /// Pairs by method: "forecast" and every baseline that the column's record allows.
 [[nodiscard]] std::map<std::string, Pairs> current_pairs(const ColumnData& column,

@@ -1,0 +1,47 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+namespace slackwater::calibration {
+
+/// Follows the difference between what an instrument sees and a product, over depth and time:
+/// optimal interpolation in depth at each time, with what earlier times taught (a Kalman filter).
+///
+///   s = b + q,   Cov b = B exp(-|dz|/L),   Cov q = Q exp(-|dz|/L),   both forgotten exponentially
+///   y = H s + n, Cov n = R I
+///
+/// The components east and north are independent and share the covariances, so complex numbers carry
+/// both. Causal: an analysis knows nothing later.
+class ErrorFilter {
+ public:
+  struct Kind {
+    double variance_m2_s2 = 0;
+    double memory_h = 1;
+  };
+  /// @param depths_m  of the state, ascending
+  /// @param slow, quick  the two parts; @param length_m  e-folding distance in depth, > 0
+  /// @param noise_m2_s2  R, > 0
+  ErrorFilter(const std::vector<double>& depths_m, Kind slow, Kind quick, double length_m,
+              double noise_m2_s2);
+
+  /// Lets time pass.
+  void forget(double hours);
+
+  /// Takes in observations y of the state at rows of H (observations x depths).
+  void observe(const Eigen::MatrixXd& h, const Eigen::VectorXcd& y);
+
+  /// The state at each depth and its variance there.
+  [[nodiscard]] Eigen::VectorXcd mean() const;
+  [[nodiscard]] Eigen::VectorXd variance() const;
+
+ private:
+  Eigen::Index n_;
+  Kind slow_;
+  Kind quick_;
+  double noise_;
+  Eigen::MatrixXd shape_;       ///< exp(-|dz|/L)
+  Eigen::VectorXcd state_;      ///< b, then q
+  Eigen::MatrixXd covariance_;  ///< of both
+};
+
+}  // namespace slackwater::calibration

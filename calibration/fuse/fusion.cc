@@ -1,0 +1,215 @@
+#include "calibration/fuse/fusion.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "calibration/fuse/error_filter.h"
+#include "calibration/fuse/observed_at.h"
+#include "fields/base/check.h"
+
+namespace slackwater::calibration {
+namespace {
+
+/// Beyond the product's levels an observation counts for the outermost one within this distance.
+constexpr double beyond_levels_m = 3.0;
+
+/// An observed depth between two of the product's.
+struct DepthPlace {
+  std::size_t low = 0;
+  std::size_t high = 0;
+  double share = 0;
+};
+
+std::optional<DepthPlace> place_of(const std::vector<double>& levels, double depth_m) {
+  if (depth_m <= levels.front()) {
+    if (levels.front() - depth_m > beyond_levels_m) return std::nullopt;
+    return DepthPlace{0, 0, 0};
+  }
+  const std::size_t last = levels.size() - 1;
+  if (depth_m >= levels.back()) {
+    if (depth_m - levels.back() > beyond_levels_m) return std::nullopt;
+    return DepthPlace{last, last, 0};
+  }
+  const auto above = std::upper_bound(levels.begin(), levels.end(), depth_m);
+  const auto high = static_cast<std::size_t>(above - levels.begin());
+  return DepthPlace{high - 1, high,
+                    (depth_m - levels[high - 1]) / (levels[high] - levels[high - 1])};
+}
+
+/// The differences of one time, and where they lie.
+struct Differences {
+  std::vector<DepthPlace> place;
+  std::vector<Horizontal> value;
+  std::vector<Horizontal> observed;
+};
+
+class Comparison {
+ public:
+  Comparison(const VectorColumn& product, const VectorColumn& observed,
+             const FusionSettings& settings)
+      : product_(product) {
+    for (std::size_t k = 0; k < observed.levels(); ++k) {
+      const auto place = place_of(product.levels_m, observed.levels_m[k]);
+      if (!place) continue;
+      place_.push_back(*place);
+      level_.emplace_back(observed, k, settings);
+    }
+  }
+
+  [[nodiscard]] Differences at(std::size_t t) const {
+    Differences found;
+    for (std::size_t m = 0; m < level_.size(); ++m) {
+      const DepthPlace& place = place_[m];
+      if (!product_.has(t, place.low) || !product_.has(t, place.high)) continue;
+      const auto seen = level_[m].at(product_.time[t]);
+      if (!seen) continue;
+      const Horizontal there = (1 - place.share) * product_.value[product_.offset(t, place.low)] +
+                               place.share * product_.value[product_.offset(t, place.high)];
+      found.place.push_back(place);
+      found.value.push_back(*seen - there);
+      found.observed.push_back(*seen);
+    }
+    return found;
+  }
+
+ private:
+  const VectorColumn& product_;
+  std::vector<DepthPlace> place_;
+  std::vector<ObservedLevel> level_;
+};
+
+/// Variance of one component about the mean of all.
+class Spread {
+ public:
+  void add(Horizontal value) {
+    sum_ += value;
+    squares_ += std::norm(value);
+    ++count_;
+  }
+  [[nodiscard]] double of_component() const {
+    if (count_ < 2) return 0;
+    const auto n = static_cast<double>(count_);
+    return 0.5 * (squares_ / n - std::norm(sum_ / n));
+  }
+
+ private:
+  Horizontal sum_{};
+  double squares_ = 0;
+  std::size_t count_ = 0;
+};
+
+double variance_lacking(const std::vector<Differences>& all) {
+  Spread observed;
+  Spread product;
+  for (const Differences& one : all) {
+    for (std::size_t i = 0; i < one.value.size(); ++i) {
+      observed.add(one.observed[i]);
+      product.add(one.observed[i] - one.value[i]);
+    }
+  }
+  return std::max(0.0, observed.of_component() - product.of_component());
+}
+
+double square(double value) { return value * value; }
+
+double difference_variance(double distance_m, const FusionSettings& settings) {
+  return square(settings.difference_m_s * std::cbrt(distance_m / settings.difference_m));
+}
+
+struct Variances {
+  double product = 0;     ///< P
+  double lacking = 0;     ///< M
+  double difference = 0;  ///< R(D)
+  double shared = 0;      ///< P exp(-D/L) + M
+
+  [[nodiscard]] double sum() const noexcept { return product + lacking + difference; }
+  [[nodiscard]] double weight() const noexcept { return shared / sum(); }
+};
+
+Variances variances_of(double distance_m, double lacking, const FusionSettings& settings) {
+  Variances v;
+  v.product = square(settings.product_error_m_s);
+  v.lacking = lacking;
+  v.difference = difference_variance(distance_m, settings);
+  v.shared = v.product * std::exp(-distance_m / settings.product_length_m) + v.lacking;
+  return v;
+}
+
+void observe(ErrorFilter& filter, const Differences& found, std::size_t levels) {
+  const auto count = static_cast<Eigen::Index>(found.value.size());
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(levels));
+  Eigen::VectorXcd y(count);
+  for (Eigen::Index m = 0; m < count; ++m) {
+    const DepthPlace& place = found.place[static_cast<std::size_t>(m)];
+    h(m, static_cast<Eigen::Index>(place.low)) += 1 - place.share;
+    h(m, static_cast<Eigen::Index>(place.high)) += place.share;
+    y(m) = found.value[static_cast<std::size_t>(m)];
+  }
+  filter.observe(h, y);
+}
+
+ErrorFilter filter_of(const std::vector<double>& depths_m, const Variances& v,
+                      const FusionSettings& settings) {
+  const double errors = v.product + v.difference;
+  return ErrorFilter(depths_m, {settings.slow_share * errors, settings.slow_memory_h},
+                     {(1 - settings.slow_share) * errors + v.lacking, settings.quick_memory_h},
+                     settings.vertical_length_m, square(settings.instrument_error_m_s));
+}
+
+}  // namespace
+
+double weight_at(double distance_m, const FusionSettings& settings) {
+  return variances_of(distance_m, 0, settings).weight();
+}
+
+FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed, double distance_m,
+                 const FusionSettings& settings) {
+  expects(product.vertical == VerticalKind::depth_m && !product.levels_m.empty(),
+          "a product over depths");
+  expects(observed.vertical == VerticalKind::depth_m && !observed.levels_m.empty(),
+          "an observed series over depths");
+  expects(distance_m >= 0, "a distance of zero or more");
+  FusedColumn fused;
+  fused.column = product;
+  fused.sigma_m_s.assign(product.value.size(), 0);
+  for (std::size_t i = 0; i < product.value.size(); ++i) {
+    if (has_value(product.status[i])) fused.sigma_m_s[i] = settings.product_error_m_s;
+  }
+  if (distance_m > settings.farthest_m) return fused;
+
+  const Comparison comparison(product, observed, settings);
+  std::vector<Differences> differences;
+  for (std::size_t t = 0; t < product.times(); ++t) differences.push_back(comparison.at(t));
+  const Variances v = variances_of(distance_m, variance_lacking(differences), settings);
+  fused.weight = v.weight();
+  for (double& sigma : fused.sigma_m_s) {
+    if (sigma > 0) sigma = std::sqrt(v.product + v.lacking);
+  }
+  ErrorFilter filter = filter_of(product.levels_m, v, settings);
+  const double left_m2_s2 = v.product + v.lacking - square(fused.weight) * v.sum();
+
+  for (std::size_t t = 0; t < product.times(); ++t) {
+    if (t > 0 && fused.times_observed > 0)
+      filter.forget(hours_between(product.time[t - 1].centre(), product.time[t].centre()));
+    if (!differences[t].value.empty()) {
+      observe(filter, differences[t], product.levels());
+      ++fused.times_observed;
+    }
+    if (fused.times_observed == 0) continue;
+    const Eigen::VectorXcd mean = filter.mean();
+    const Eigen::VectorXd variance = filter.variance();
+    for (std::size_t k = 0; k < product.levels(); ++k) {
+      const std::size_t o = product.offset(t, k);
+      if (!has_value(product.status[o])) continue;
+      const auto row = static_cast<Eigen::Index>(k);
+      fused.column.value[o] += fused.weight * mean(row);
+      fused.sigma_m_s[o] =
+          std::sqrt(std::max(0.0, square(fused.weight) * variance(row) + left_m2_s2));
+    }
+  }
+  return fused;
+}
+
+}  // namespace slackwater::calibration
