@@ -29,7 +29,7 @@ struct FusedColumn {
 /// observed less product variance, where positive; it counts as quick and is shared by both places).
 /// (with M the shapes differ a little, and w is that of the sums). The difference is carried over gaps and beyond the last observation as long as its slow part is
 /// remembered; then the product is left as it is. Nothing later than a time is used for it but the
-/// next sample.
+/// next sample (and M, which is of the whole record given).
 ///
 /// @param product   levels are depths (at least one); missing values stay missing
 /// @param observed  levels are depths; instants or means; any times

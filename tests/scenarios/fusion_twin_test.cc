@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "api/pipeline/daily_job.h"
+#include "fields/base/random.h"
+#include "tests/scenarios/real_pairs.h"
+#include "tests/support/point_series_for_tests.h"
+#include "tests/support/product_files_for_tests.h"
+#include "tests/support/temporary_folder.h"
+
+// An ocean whose truth is known, a product that errs for days on end, and a profiler near the site:
+// does tomorrow's forecast profit? The whole way is walked: files, store, calibration, forecast. The
+// product's error and the difference between two places are drawn anew with every seed, with other
+// memories and shapes in depth than calibration/fuse assumes.
+
+namespace slackwater::tests {
+namespace {
+
+const UtcDay first_day = parse_day("2024-03-01");
+constexpr int days_before = 6;  // the last is D
+const UtcDay day_d = first_day + std::chrono::days(days_before - 1);
+constexpr double site_latitude = 54.0;
+constexpr double site_longitude = 6.5;
+constexpr double metres_per_degree = 111320.0;
+
+/// Tide with less of it at the bed, on a drift that turns within a fortnight.
+Horizontal truth(UtcTime time, double depth_m) {
+  const double hour = hours_between(UtcTime(first_day), time);
+  const double m2 = 2 * std::numbers::pi * hour / 12.4206;
+  const Horizontal tide{0.45 * std::cos(m2), 0.18 * std::sin(m2)};
+  const Horizontal drift = std::polar(0.06, 2 * std::numbers::pi * hour / 340);
+  return (1 - 0.3 * std::pow(depth_m / 30, 3)) * tide + (1 - 0.5 * depth_m / 30) * drift;
+}
+
+/// A red process in time, linear in depth: hourly values at the surface and the bed.
+class SlowError {
+ public:
+  SlowError(Rng& random, double sigma_m_s, double memory_h, int hours) {
+    const double a = std::exp(-1 / memory_h);
+    for (auto& end : ends_) {
+      Horizontal x = sigma_m_s * Horizontal{random.normal(), random.normal()};
+      for (int h = 0; h <= hours; ++h) {
+        end.push_back(x);
+        x = a * x + sigma_m_s * std::sqrt(1 - a * a) * Horizontal{random.normal(), random.normal()};
+      }
+    }
+  }
+  /// Linear between the hours and between the ends: the barotropic part is common to both.
+  [[nodiscard]] Horizontal at(UtcTime time, double depth_m) const {
+    const double hour = hours_between(UtcTime(first_day), time);
+    const auto low = std::min(static_cast<std::size_t>(hour), ends_[0].size() - 2);
+    const double share = hour - static_cast<double>(low);
+    const auto value = [&](const std::vector<Horizontal>& end) {
+      return (1 - share) * end[low] + share * end[low + 1];
+    };
+    return 0.8 * value(ends_[0]) + 0.6 * (1 - 2 * depth_m / 30) * value(ends_[1]);
+  }
+
+ private:
+  std::array<std::vector<Horizontal>, 2> ends_;
+};
+
+/// The ocean of one seed.
+struct Twin {
+  explicit Twin(std::uint64_t seed)
+      : random(seed, "fusion_twin"),
+        slow(random, 0.10, 96, 24 * (days_before + 3)),
+        quick(random, 0.04, 4, 24 * (days_before + 3)),
+        elsewhere(random, 0.04, 30, 24 * (days_before + 3)),
+        noise(seed, "fusion_twin/noise") {}
+
+  Rng random;
+  SlowError slow;
+  SlowError quick;
+  SlowError elsewhere;  ///< of the profiler's place against the site
+  Rng noise;
+};
+
+/// Where a profiler stands and what is wrong with it.
+struct Profiler {
+  double distance_m = 2000;
+  Horizontal offset{};         ///< it is simply wrong
+  int last_day = days_before;  ///< stops after this day
+  double difference = 1;       ///< share of `elsewhere`
+};
+
+void write_product_days(const TemporaryFolder& folder, store::Store& store, const Twin& twin) {
+  ProductForTests product = current_product(first_day, 24 * days_before + 1);
+  product.latitude_deg = {53.9, 54.0, 54.1};
+  product.longitude_deg = {6.4, 6.5, 6.6};
+  const auto value = [&twin](const ProductCell& cell) {
+    return truth(cell.time, cell.depth_m) + twin.slow.at(cell.time, cell.depth_m) +
+           twin.quick.at(cell.time, cell.depth_m);
+  };
+  product.quantity("uo").value = [value](const ProductCell& cell) { return value(cell).real(); };
+  product.quantity("vo").value = [value](const ProductCell& cell) { return value(cell).imag(); };
+  ingest_all(store, {write_product(folder / "product.nc", product)}, true);
+}
+
+void write_profiler(const TemporaryFolder& folder, store::Store& store, Twin& twin,
+                    const Profiler& profiler) {
+  PointSeriesForTests series;
+  series.station = "NEAR";
+  series.latitude_deg = site_latitude + profiler.distance_m / metres_per_degree;
+  series.longitude_deg = site_longitude;
+  series.time = stepping_times(first_day, profiler.last_day, 10);
+  series.depth_m = {4, 7, 10, 13, 16, 19, 22, 25};
+  series.value = [&](UtcTime time, double depth) {
+    return truth(time, depth) + profiler.difference * twin.elsewhere.at(time, depth) +
+           profiler.offset + 0.02 * Horizontal{twin.noise.normal(), twin.noise.normal()};
+  };
+  ingest_all(store, {write_point_series(folder / "profiler.nc", series)}, false);
+}
+
+struct Issued {
+  api::DailyForecast forecast;
+  double rmse_m_s = 0;  ///< of the vector against the truth at the site, lead (0, 24] h
+};
+
+Issued issue(std::uint64_t seed, const std::optional<Profiler>& profiler) {
+  const TemporaryFolder folder;
+  store::Store store = store::Store::open(folder / "store", store::OpenMode::create_or_write);
+  Twin twin(seed);
+  write_product_days(folder, store, twin);
+  if (profiler) write_profiler(folder, store, twin, *profiler);
+  api::Site site = site_of("twin", {GeoPoint::from_degrees(site_latitude, site_longitude)});
+  site.columns.clear();
+  site.water_depth_m = 30;
+  const UtcTime end = UtcTime(day_d) + std::chrono::days(1);
+  const api::SiteData data =
+      api::load_site_data(store, site, UtcTime(first_day), end + std::chrono::days(1));
+  api::JobOptions options;
+  options.day = day_d;
+  options.issued = end;
+  options.horizon = std::chrono::hours(24);
+  Issued issued;
+  issued.forecast = api::make_forecast(data, options);
+  const Snapshot& snapshot = issued.forecast.snapshot;
+  double squares = 0;
+  int count = 0;
+  for (std::size_t t = 1; t < snapshot.time.size(); ++t) {
+    for (std::size_t k = 0; k < snapshot.depth_m.size(); ++k) {
+      const Horizontal value =
+          snapshot.columns.front().current_m_s[t * snapshot.depth_m.size() + k];
+      squares += std::norm(value - truth(snapshot.time[t], snapshot.depth_m[k]));
+      ++count;
+    }
+  }
+  issued.rmse_m_s = std::sqrt(squares / count);
+  return issued;
+}
+
+/// Root mean square over seeds.
+double pooled(const std::vector<std::uint64_t>& seeds, const std::optional<Profiler>& profiler) {
+  double squares = 0;
+  for (const std::uint64_t seed : seeds) {
+    const double rmse = issue(seed, profiler).rmse_m_s;
+    squares += rmse * rmse;
+  }
+  return std::sqrt(squares / static_cast<double>(seeds.size()));
+}
+
+const std::vector<std::uint64_t> seeds{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+
+double without_profiler() {
+  static const double error = pooled(seeds, std::nullopt);
+  return error;
+}
+
+TEST(FusionTwin, AProfilerNearTheSiteSharpensTomorrowsForecast) {
+  Profiler at_hand;
+  at_hand.distance_m = 300;
+  at_hand.difference = 0.3;
+  const double near = pooled(seeds, at_hand);
+  const double two_kilometres = pooled(seeds, Profiler{});
+  std::printf(
+      "D+1 error over %zu seeds: product alone %.4f, profiler at 2 km %.4f, at 0.3 km %.4f\n",
+      seeds.size(), without_profiler(), two_kilometres, near);
+  EXPECT_LT(two_kilometres, 0.75 * without_profiler());
+  EXPECT_LT(near, 0.6 * without_profiler());
+}
+
+TEST(FusionTwin, TheRecordSaysWithWhatItWasFused) {
+  const Issued issued = issue(1, Profiler{});
+  const std::vector<std::string>& notes = issued.forecast.columns.front().notes;
+  EXPECT_NE(std::find(notes.begin(), notes.end(), "fused with station NEAR at 2.0 km"),
+            notes.end());
+  EXPECT_NE(issued.forecast.summary_json.find("fused with station NEAR at 2.0 km"),
+            std::string::npos);
+  EXPECT_EQ(issued.forecast.input_granules.size(), 2U) << "the product's and the profiler's";
+  EXPECT_EQ(issued.forecast.snapshot.depth_m, (std::vector<double>{0, 5, 10, 20, 30}))
+      << "the product's levels, from surface to bed";
+}
+
+TEST(FusionTwin, AWrongProfilerFarAwayChangesNothing) {
+  Profiler far;
+  far.distance_m = 12000;
+  far.offset = {0.5, -0.5};
+  EXPECT_EQ(issue(3, far).rmse_m_s, issue(3, std::nullopt).rmse_m_s);
+}
+
+TEST(FusionTwin, AProfilerAtTheEdgeOfReachThatSeesOtherWaterDoesNotHarm) {
+  Profiler edge;
+  edge.distance_m = 9500;
+  edge.difference = 2.5;  // 10 cm/s of its own: as much as the product errs
+  EXPECT_LT(pooled(seeds, edge), 1.02 * without_profiler());
+}
+
+TEST(FusionTwin, AProfilerThatFellSilentDaysAgoDoesNotHarm) {
+  Profiler stale;
+  stale.last_day = 2;  // four days before the end of D
+  EXPECT_LT(pooled(seeds, stale), 1.03 * without_profiler());
+}
+
+}  // namespace
+}  // namespace slackwater::tests
