@@ -84,6 +84,7 @@ Origin origin_of(const Loaded& loaded) {
   origin.sources = {loaded.row.source_sha256};
   origin.station = loaded.row.station;
   origin.is_point_series = loaded.row.is_point_series;
+  origin.water_depth_m = loaded.granule.water_depth_m;
   for (const GranuleVariable& variable : loaded.granule.variables) {
     if (variable.standard_name == loaded.field.standard_name)
       origin.contains_stokes = variable.contains_stokes;

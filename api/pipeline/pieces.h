@@ -22,6 +22,7 @@ struct Origin {
   std::string station;               ///< platform of a point series
   bool contains_stokes = false;
   bool is_point_series = false;
+  std::optional<double> water_depth_m;  ///< where the file of a point series states it
 };
 
 /// The two components of a vector on one grid, cut around a place.

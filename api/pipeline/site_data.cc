@@ -91,6 +91,10 @@ WaterDepth water_depth_at(const Site& site, const std::vector<ScalarPiece>& bath
       return {piece.column.value[0], "bathymetry"};
   }
   if (site.water_depth_m) return {*site.water_depth_m, "site"};
+  for (const auto& piece : column.current.pieces) {
+    if (piece.origin->water_depth_m && piece.distance_m < 1000.0)
+      return {*piece.origin->water_depth_m, "station " + piece.origin->station};
+  }
   double deepest = 0;
   for (const auto& piece : column.current.pieces) {
     const VectorColumn& c = piece.column;

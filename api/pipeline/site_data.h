@@ -12,7 +12,7 @@ namespace slackwater::api {
 /// How deep the water is and who says so.
 struct WaterDepth {
   double depth_m = 0;
-  std::string source;  ///< "site", "bathymetry" or "deepest wet level"
+  std::string source;  ///< "site", "bathymetry", "station X" or "deepest wet level"
 };
 
 /// All that the store holds around one column of a site.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <utility>
 
 #include "fields/base/check.h"
 
@@ -29,10 +30,14 @@ ErrorFilter::ErrorFilter(const std::vector<double>& depths_m, Kind slow, Kind qu
 }
 
 void ErrorFilter::forget(double hours) {
+  state_.head(n_) *= std::exp(-hours / slow_.memory_h);
+  state_.tail(n_) *= std::exp(-hours / quick_.memory_h);
+  pending_h_ += hours;
+}
+
+void ErrorFilter::spread_for(double hours) {
   const double a = std::exp(-hours / slow_.memory_h);
   const double b = std::exp(-hours / quick_.memory_h);
-  state_.head(n_) *= a;
-  state_.tail(n_) *= b;
   covariance_.topLeftCorner(n_, n_) *= a * a;
   covariance_.topRightCorner(n_, n_) *= a * b;
   covariance_.bottomLeftCorner(n_, n_) *= a * b;
@@ -41,26 +46,45 @@ void ErrorFilter::forget(double hours) {
   covariance_.bottomRightCorner(n_, n_) += (1 - b * b) * quick_.variance_m2_s2 * shape_;
 }
 
-void ErrorFilter::observe(const Eigen::MatrixXd& h, const Eigen::VectorXcd& y) {
-  if (y.size() == 0) return;
-  const Eigen::MatrixXd top = covariance_.leftCols(n_) * h.transpose();
-  const Eigen::MatrixXd bottom = covariance_.rightCols(n_) * h.transpose();
-  const Eigen::MatrixXd cross = top + bottom;  // Cov(state, y)
+void ErrorFilter::take_in(const Eigen::MatrixXd& h) {
+  const Eigen::MatrixXd both = covariance_.leftCols(n_) + covariance_.rightCols(n_);
+  const Eigen::MatrixXd cross = both * h.transpose();  // Cov(state, y)
   Eigen::MatrixXd spread = h * (cross.topRows(n_) + cross.bottomRows(n_));
   spread.diagonal().array() += noise_;
   const Eigen::LLT<Eigen::MatrixXd> factor(spread);
-  const Eigen::VectorXcd innovation = y - h * (state_.head(n_) + state_.tail(n_));
-  const Eigen::MatrixXd gain = factor.solve(cross.transpose()).transpose();
-  state_ += gain * innovation;
-  covariance_ -= gain * cross.transpose();
+  gain_ = factor.solve(cross.transpose()).transpose();
+  covariance_ -= gain_ * cross.transpose();
   // Rounding must not make it lean.
   const Eigen::MatrixXd turned = covariance_.transpose();
   covariance_ = 0.5 * (covariance_ + turned);
 }
 
+void ErrorFilter::observe(const Eigen::MatrixXd& h, const Eigen::VectorXcd& y) {
+  if (y.size() == 0) return;
+  Step step{pending_h_, h};
+  const bool repeated = step == last_;
+  if (!repeated || !settled_) {
+    const Eigen::MatrixXd before = covariance_;
+    spread_for(pending_h_);
+    take_in(h);
+    const double total = slow_.variance_m2_s2 + quick_.variance_m2_s2;
+    settled_ = repeated && (covariance_ - before).cwiseAbs().maxCoeff() < 1e-9 * total;
+    last_ = std::move(step);
+  }
+  pending_h_ = 0;
+  const Eigen::VectorXcd innovation = y - h * (state_.head(n_) + state_.tail(n_));
+  state_ += gain_ * innovation;
+}
+
 Eigen::VectorXcd ErrorFilter::mean() const { return state_.head(n_) + state_.tail(n_); }
 
 Eigen::VectorXd ErrorFilter::variance() const {
+  if (pending_h_ > 0) {
+    ErrorFilter later = *this;
+    later.spread_for(pending_h_);
+    later.pending_h_ = 0;
+    return later.variance();
+  }
   return covariance_.topLeftCorner(n_, n_).diagonal() +
          covariance_.bottomRightCorner(n_, n_).diagonal() +
          2 * covariance_.topRightCorner(n_, n_).diagonal();

@@ -42,6 +42,21 @@ class ErrorFilter {
   Eigen::MatrixXd shape_;       ///< exp(-|dz|/L)
   Eigen::VectorXcd state_;      ///< b, then q
   Eigen::MatrixXd covariance_;  ///< of both
+
+  struct Step {
+    double hours = 0;
+    Eigen::MatrixXd h;
+    bool operator==(const Step& other) const {
+      return hours == other.hours && h.rows() == other.h.rows() && h == other.h;
+    }
+  };
+  void spread_for(double hours);
+  void take_in(const Eigen::MatrixXd& h);
+
+  double pending_h_ = 0;  ///< time passed that the covariance has not heard of
+  Step last_;             ///< of the gain
+  Eigen::MatrixXd gain_;
+  bool settled_ = false;
 };
 
 }  // namespace slackwater::calibration

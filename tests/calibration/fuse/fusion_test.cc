@@ -115,6 +115,24 @@ TEST(Fusion, NothingIsKnownBeforeItIsSeen) {
   EXPECT_GT(std::abs(fused.column.value[48] - other.column.value[48]), 0.1);
 }
 
+TEST(Fusion, TheKeptGainIsTheGainThatWouldBeComputed) {
+  // The same series, once with a level that comes and goes: its gain is never kept.
+  const VectorColumn product =
+      column({3, 12, 24}, 600, 1, [](double h, double) { return tide(h); });
+  VectorColumn seen =
+      column({8, 20}, 600, 1, [](double h, double z) { return tide(h + 0.1) + 0.002 * z; });
+  const FusedColumn kept = fuse(product, seen, 800);
+  // At hour 590 it goes for one hour; ten hours later nothing is left of that but rounding and what
+  // the slow part remembers of one missed value among hundreds.
+  seen.status[seen.offset(590, 1)] = SampleStatus::missing;
+  const FusedColumn computed = fuse(product, seen, 800);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t o = product.offset(600, k);
+    EXPECT_NEAR(std::abs(kept.column.value[o] - computed.column.value[o]), 0, 2e-4);
+    EXPECT_NEAR(kept.sigma_m_s[o], computed.sigma_m_s[o], 2e-5);
+  }
+}
+
 TEST(Fusion, TurningTheAxesTurnsTheResult) {
   const Horizontal turn = std::polar(1.0, 1.1);
   const auto product_value = [](double h, double z) { return tide(h) * (1 - z / 60); };
