@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "api/pipeline/nearest_wind.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api {
@@ -151,7 +152,9 @@ SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, Utc
       ++data.dry_columns;
       continue;
     }
-    column.wind = at_ten_metres(record_at(pieces.wind, point));
+    column.wind = record_at(pieces.wind, point);
+    column.nearest_wind = at_ten_metres(nearest_wind(column.wind, pieces.wind, point));
+    column.wind = at_ten_metres(std::move(column.wind));
     column.significant_height = record_at(pieces.significant_height, point);
     column.peak_period = record_at(pieces.peak_period, point);
     column.wave_direction = record_at(pieces.wave_direction, point);

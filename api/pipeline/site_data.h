@@ -20,6 +20,8 @@ struct ColumnData {
   GeoPoint point;
   VectorRecord current;
   VectorRecord wind;  ///< brought to 10 m
+  VectorRecord
+      nearest_wind;  ///< of the nearest cell, at 10 m: for the baseline reference-slab alone
   ScalarRecord significant_height;
   ScalarRecord peak_period;
   ScalarRecord wave_direction;

@@ -116,7 +116,9 @@ std::map<std::string, Pairs> current_pairs(const ColumnData& column, const Forec
   add_forecast(pairs["forecast"], snapshot, column_index, truth.column, end);
   const Chosen<Horizontal> known = known_beside(truth, column, plan);
   if (!known.empty()) {
-    const HorizonWind wind = horizon_wind(column.wind, plan.wind, end, {});
+    // Held wind is that of the end of D, on the line between the stamps around it.
+    const WindPolicy policy = plan.wind == WindPolicy::persist ? WindPolicy::best : plan.wind;
+    const HorizonWind wind = horizon_wind(column.nearest_wind, policy, end, {});
     calibration::BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,
                                      column.point.latitude, plan.wind == WindPolicy::persist};
     for (const calibration::Baseline baseline : calibration::all_baselines) {

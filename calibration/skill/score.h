@@ -1,17 +1,23 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 
+#include "calibration/skill/bootstrap.h"
+#include "calibration/skill/predictive.h"
 #include "fields/base/frame.h"
 #include "fields/base/random.h"
 
 namespace slackwater::calibration {
 
-/// Both ends of an interval.
-struct Interval95 {
-  double low = 0;
-  double high = 0;
+/// How honest a spread is, components pooled: over many forecasts the truth should fall below a
+/// quantile as often as the quantile says, and into each tenth of the distribution equally often.
+struct Reliability {
+  static constexpr std::array probability{0.05, 0.10, 0.25, 0.50, 0.75, 0.90, 0.95};
+  static constexpr std::size_t pit_bins = 10;
+  std::array<double, probability.size()> below{};  ///< share of truths below each quantile
+  std::array<double, pit_bins> pit{};              ///< share of truths in each tenth; sums to one
 };
 
 /// How a vector forecast did. What cannot be said (no spread in the data, no sigma, calm truth) is
@@ -30,6 +36,7 @@ struct VectorScore {
   std::optional<double> correlation_deg;
   std::optional<double> crps_m_s;     ///< pooled over the two components
   std::optional<double> coverage_80;  ///< share of components inside the central 80 % band
+  std::optional<Reliability> reliability;
 };
 
 /// Scores pairs; all weigh the same.
@@ -53,26 +60,32 @@ struct ScalarScore {
 [[nodiscard]] ScalarScore score_scalars(std::span<const double> forecast,
                                         std::span<const double> truth);
 
-/// Continuous ranked probability score of a normal forecast, in the unit of its mean:
-///
-///   CRPS = sigma { z [2 Phi(z) - 1] + 2 phi(z) - 1/sqrt(pi) },  z = (x - mu)/sigma;  |x - mu| for
-///   sigma = 0
-///
-/// Source: Gneiting et al. (2005), Monthly Weather Review 133, 1098, eq. 5.
-[[nodiscard]] double normal_crps(double mean, double sigma, double truth) noexcept;
-
 /// Root mean square error of a set in which every pair of days weighs the same, whatever its number
 /// of values.
 [[nodiscard]] double rmse_of_pairs(std::span<const double> pair_rmse_m_s);
 
-/// 95 % interval of the root mean square error by a block bootstrap: whole blocks (a day pair, say)
-/// are drawn with replacement, since errors within one are not independent.
-///
-/// @param squared_error  per value
-/// @param block          id of the block of each value; any numbers
-/// @return empty for fewer than two blocks
-[[nodiscard]] std::optional<Interval95> bootstrap_rmse(std::span<const double> squared_error,
-                                                       std::span<const std::size_t> block,
-                                                       Rng& random, int draws = 2000);
+/// A set of pairs of days (D, D+1), each of which weighs the same whatever its number of values.
+/// Intervals come from drawing whole pairs with replacement: the errors of one day are not
+/// independent of each other, those of different days nearly are.
+struct SetScore {
+  std::size_t pairs = 0;
+  std::size_t n = 0;    ///< values in all pairs
+  double rmse_m_s = 0;  ///< root of the mean over pairs of the pair's mean squared error
+  std::optional<Interval95> rmse_interval_m_s;  ///< empty for a single pair
+  /// Means over the pairs that have the score.
+  double bias_east_m_s = 0;
+  double bias_north_m_s = 0;
+  double speed_bias_m_s = 0;
+  std::optional<double> direction_mae_deg;
+  std::optional<double> correlation_abs;  ///< of the mean complex correlation
+  std::optional<double> correlation_deg;
+  std::optional<double> crps_m_s;
+  std::optional<double> coverage_80;
+  std::optional<Interval95> coverage_interval;  ///< empty for a single pair
+  std::optional<Reliability> reliability;
+};
+
+/// Scores a set. Throws ContractViolation for no pairs. Cost: draws x pairs.
+[[nodiscard]] SetScore score_set(std::span<const VectorScore> pairs, Rng& random, int draws = 2000);
 
 }  // namespace slackwater::calibration
