@@ -7,6 +7,8 @@
 #include "api/cli/command.h"
 #include "api/cli/progress.h"
 #include "api/pipeline/paths.h"
+#include "api/pipeline/verify_page.h"
+#include "api/report/skill_page.h"
 
 namespace slackwater::api {
 namespace {
@@ -20,8 +22,21 @@ struct HindcastArguments {
   std::string horizon = "72h";
   std::string bands;
   std::string levels = "native";
+  std::string html;
   bool per_column = false;
+  bool by_hour = false;
 };
+
+/// The page of what was just issued: the forecasts are scored again, as the store now holds them.
+void write_page(store::Store& store, const Site& site, const HindcastOptions& options,
+                const HindcastReport& report, const HindcastArguments& arguments,
+                const Context& context) {
+  VerifyOptions verify_options = options.verify;
+  verify_options.forecasts = report.forecasts;
+  verify_options.traces = true;
+  const Verification result = verification(store, site, verify_options);
+  write_skill_page(verify_page(site, result, format_utc(context.now())), arguments.html);
+}
 
 void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
@@ -34,17 +49,20 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   if (!arguments.bands.empty()) options.verify.bands = parse_bands(arguments.bands);
   options.verify.per_column = arguments.per_column;
+  options.verify.threads = options.threads;
   store::Store store = context.open(store::OpenMode::create_or_write);
   HindcastReport report;
   {
     ProgressBar bar("hindcast", context.json);
     report = hindcast(store, site, options, [&](double share) { bar.update(share); });
   }
+  if (!arguments.html.empty()) write_page(store, site, options, report, arguments, context);
   if (context.json) {
     std::printf("%s\n", skill_json(report.skill).c_str());
   } else {
     std::printf("%s: %zu forecasts issued as of their days\n%s", site.name.c_str(),
                 report.forecasts.size(), skill_table(report.skill).c_str());
+    if (arguments.by_hour) std::printf("%s", hourly_table(report.skill).c_str());
   }
   for (const std::string& line : report.skipped) std::fprintf(stderr, "skipped %s\n", line.c_str());
 }
@@ -66,6 +84,10 @@ void add_hindcast(CLI::App& app, Context& context) {
   command->add_option("--bands", arguments->bands, "edges of depth bands in metres, e.g. 0,150");
   command->add_option("--levels", arguments->levels, "native: score on the truth's own levels")
       ->check(CLI::IsMember({"native"}));
+  command->add_option("--html", arguments->html,
+                      "write a page of plots: skill by lead, reliability, hodographs, misfit");
+  command->add_flag("--by-hour", arguments->by_hour,
+                    "also print the error of each hour of lead (always in --json and --html)");
   command->add_flag("--per-column", arguments->per_column, "also score each column of the site");
   command->callback([arguments, &context] { run_hindcast(*arguments, context); });
 }

@@ -1,10 +1,14 @@
 #include "api/pipeline/verify.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <thread>
 
 #include "api/cli/command.h"
 #include "api/pipeline/paths.h"
+#include "api/pipeline/verify_page.h"
+#include "api/report/skill_page.h"
 
 namespace slackwater::api {
 namespace {
@@ -15,7 +19,9 @@ struct VerifyArguments {
   std::string to;
   std::string bands;
   std::string levels = "native";
+  std::string html;
   bool per_column = false;
+  bool by_hour = false;
 };
 
 void run_verify(const VerifyArguments& arguments, const Context& context) {
@@ -25,15 +31,21 @@ void run_verify(const VerifyArguments& arguments, const Context& context) {
   if (!arguments.to.empty()) options.to = option_value("--to", arguments.to, parse_day);
   if (!arguments.bands.empty()) options.bands = parse_bands(arguments.bands);
   options.per_column = arguments.per_column;
+  options.traces = !arguments.html.empty();
+  options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   store::Store store = context.open(store::OpenMode::read_only);
-  const std::vector<SkillEntry> skill = verify(store, site, options);
+  const Verification result = verification(store, site, options);
+  if (!arguments.html.empty())
+    write_skill_page(verify_page(site, result, format_utc(context.now())), arguments.html);
   if (context.json) {
-    std::printf("%s\n", skill_json(skill).c_str());
-  } else if (skill.empty()) {
+    std::printf("%s\n", skill_json(result.entries).c_str());
+  } else if (result.entries.empty()) {
     std::printf("%s: the truth of the issued forecasts is not in the store yet\n",
                 site.name.c_str());
   } else {
-    std::printf("%s: skill of issued forecasts%s", site.name.c_str(), skill_table(skill).c_str());
+    std::printf("%s: skill of issued forecasts%s", site.name.c_str(),
+                skill_table(result.entries).c_str());
+    if (arguments.by_hour) std::printf("%s", hourly_table(result.entries).c_str());
   }
 }
 
@@ -50,6 +62,10 @@ void add_verify(CLI::App& app, Context& context) {
   command->add_option("--bands", arguments->bands, "edges of depth bands in metres, e.g. 0,150");
   command->add_option("--levels", arguments->levels, "native: score on the truth's own levels")
       ->check(CLI::IsMember({"native"}));
+  command->add_option("--html", arguments->html,
+                      "write a page of plots: skill by lead, reliability, hodographs, misfit");
+  command->add_flag("--by-hour", arguments->by_hour,
+                    "also print the error of each hour of lead (always in --json and --html)");
   command->add_flag("--per-column", arguments->per_column, "also score each column of the site");
   command->callback([arguments, &context] { run_verify(*arguments, context); });
 }

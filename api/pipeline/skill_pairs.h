@@ -1,29 +1,29 @@
 #pragma once
-#include <map>
 #include <string>
 #include <vector>
 
 #include "api/pipeline/forecast_column.h"
 #include "api/pipeline/known_currents.h"
-#include "api/pipeline/verify.h"
+#include "api/pipeline/site_data.h"
+#include "calibration/skill/baseline.h"
+#include "fields/service/snapshot.h"
 
 namespace slackwater::api {
 
-/// Paired values of one method: forecast and truth at the same place, level and time.
-struct Pairs {
-  std::vector<Horizontal> forecast;
-  std::vector<Horizontal> truth;
-  std::vector<double> sigma_m_s;  ///< empty for baselines
-  std::vector<double> depth_m;
-  std::vector<double> lead_h;      ///< of the cell's centre
-  std::vector<std::size_t> block;  ///< six-hour block of the truth's time, for the bootstrap
+/// One method evaluated at the truth's own cells and levels.
+struct MethodForecast {
+  std::string name;                    ///< "forecast", "provider" or a baseline
+  calibration::BaselineForecast made;  ///< shape of the truth
+  /// Standard deviation of each component, shape of the truth; empty for a method without spread.
+  std::vector<double> sigma_m_s;
 };
 
-/// Pairs by method: "forecast" and every baseline that the column's record allows.
-[[nodiscard]] std::map<std::string, Pairs> current_pairs(const ColumnData& column,
-                                                         const ForecastPlan& plan,
-                                                         const Snapshot& snapshot,
-                                                         std::size_t column_index,
-                                                         const Chosen<Horizontal>& truth);
+/// The forecast as issued, every baseline that the column's record allows and the provider's own
+/// forecast; those without any value are left out. Each baseline is made once. Pure.
+[[nodiscard]] std::vector<MethodForecast> current_methods(const ColumnData& column,
+                                                          const ForecastPlan& plan,
+                                                          const Snapshot& snapshot,
+                                                          std::size_t column_index,
+                                                          const Chosen<Horizontal>& truth);
 
 }  // namespace slackwater::api

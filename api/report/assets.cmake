@@ -1,6 +1,6 @@
-# What the report page carries inside itself: its style, its script and Apache ECharts.
+# What the report page carries inside itself: its style, its scripts and Apache ECharts.
 #
-# slackwater_report_assets(<target>) adds to <target> a generated source that holds the three (api/report/assets.h).
+# slackwater_report_assets(<target>) adds to <target> a generated source that holds them (api/report/assets.h).
 # ECharts is fetched by `npm ci` at build time into ${CMAKE_BINARY_DIR}/report-assets, pinned and checked by
 # package-lock.json. A build without npm or without a network succeeds all the same: the page then has tables and
 # a sentence instead of plots, and the build says so.
@@ -23,11 +23,14 @@ function(slackwater_report_assets target)
     VERBATIM)
 
   set(SLACKWATER_REPORT_STYLE ${SLACKWATER_REPORT_FOLDER}/page/report.css)
+  set(SLACKWATER_REPORT_COMMON_SCRIPT ${SLACKWATER_REPORT_FOLDER}/page/common.js)
   set(SLACKWATER_REPORT_SCRIPT ${SLACKWATER_REPORT_FOLDER}/page/report.js)
+  set(SLACKWATER_SKILL_SCRIPT ${SLACKWATER_REPORT_FOLDER}/page/skill.js)
   set(SLACKWATER_REPORT_LIBRARY ${library})
   configure_file(${SLACKWATER_REPORT_FOLDER}/assets.cc.in ${assets}/assets.cc @ONLY)
   set_source_files_properties(
     ${assets}/assets.cc PROPERTIES
-    OBJECT_DEPENDS "${SLACKWATER_REPORT_STYLE};${SLACKWATER_REPORT_SCRIPT};${library}")
+    OBJECT_DEPENDS
+    "${SLACKWATER_REPORT_STYLE};${SLACKWATER_REPORT_COMMON_SCRIPT};${SLACKWATER_REPORT_SCRIPT};${SLACKWATER_SKILL_SCRIPT};${library}")
   target_sources(${target} PRIVATE ${assets}/assets.cc)
 endfunction()

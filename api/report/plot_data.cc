@@ -5,40 +5,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "api/report/plot_json.h"
 #include "fields/base/check.h"
 
 namespace slackwater::api {
 namespace {
 
 using nlohmann::json;
-
-json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::round(value * 1e4) / 1e4;
-}
-
-json numbers(const std::vector<double>& values) {
-  json out = json::array();
-  for (const double value : values) out.push_back(number(value));
-  return out;
-}
-
-json times(const std::vector<UtcTime>& values) {
-  json out = json::array();
-  for (const UtcTime value : values) out.push_back(value.time_since_epoch().count());
-  return out;
-}
-
-/// East and north as two arrays.
-json vectors(const std::vector<Horizontal>& values) {
-  std::vector<double> east;
-  std::vector<double> north;
-  for (const Horizontal value : values) {
-    east.push_back(value.real());
-    north.push_back(value.imag());
-  }
-  return {{"east", numbers(east)}, {"north", numbers(north)}};
-}
 
 /// Mean over depth by trapezoids between the levels that have a value; NaN where none has.
 std::vector<Horizontal> depth_means(const ReportProfile& profile,
@@ -134,19 +107,7 @@ std::string plot_data_json(const ReportInput& input) {
     }
     out["series"] = {{"time", times(input.series_time)}, {"panels", panels}};
   }
-  // Text from outside may hold bytes that are not UTF-8: they become U+FFFD rather than an
-  // exception.
-  const std::string text = out.dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
+  return script_safe(out);
 }
 
 }  // namespace slackwater::api

@@ -2,40 +2,12 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <system_error>
 
 #include "api/report/assets.h"
 #include "api/report/plot_data.h"
-#include "fields/base/check.h"
-#include "fields/base/error.h"
 
 namespace slackwater::api {
 namespace {
-
-std::string table_html(const ReportTable& table) {
-  std::string out = "<section class=\"table\"><h2>" + escaped_html(table.title) +
-                    "</h2><div class=\"scroll\"><table><thead><tr>";
-  for (const std::string& column : table.columns) out += "<th>" + escaped_html(column) + "</th>";
-  out += "</tr></thead><tbody>\n";
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    expects(table.rows[row].size() == table.columns.size(),
-            "a table's row has a cell for every column");
-    out += table.highlighted_row == row ? "<tr class=\"highlighted\">" : "<tr>";
-    for (const std::string& cell : table.rows[row]) out += "<td>" + escaped_html(cell) + "</td>";
-    out += "</tr>\n";
-  }
-  out += "</tbody></table></div>";
-  if (!table.note.empty()) out += "<p class=\"note\">" + escaped_html(table.note) + "</p>";
-  return out + "</section>\n";
-}
-
-std::string plot_html(const std::string& id, const std::string& title, const std::string& note) {
-  return "<section class=\"plot\" id=\"" + id + "-section\"><h2>" + escaped_html(title) +
-         "</h2><div id=\"" + id + "\" class=\"chart\" role=\"img\" aria-label=\"" +
-         escaped_html(title) + "\"></div><p class=\"note\">" + escaped_html(note) +
-         "</p></section>\n";
-}
 
 std::string hodograph_html() {
   return "<section class=\"plot\" id=\"hodograph-section\"><h2>Hodograph: how the current turns "
@@ -107,112 +79,31 @@ std::string plots_html(const ReportInput& input) {
   return out;
 }
 
-std::string header_html(const ReportInput& input) {
-  std::string out = "<header><h1>" + escaped_html(input.title) + "</h1><p class=\"site\">" +
-                    escaped_html(input.site) + "</p>";
-  if (!input.headline.empty()) {
-    out += std::string("<p class=\"headline") + (input.degraded ? " degraded" : "") + "\">" +
-           (input.degraded ? "<strong>Degraded forecast.</strong> " : "") +
-           escaped_html(input.headline) + "</p>";
-  }
-  out += "<dl class=\"facts\">";
-  for (const auto& [label, value] : input.facts) {
-    out += "<div><dt>" + escaped_html(label) + "</dt><dd>" + escaped_html(value) + "</dd></div>";
-  }
-  return out + "</dl></header>\n";
-}
-
 }  // namespace
-
-std::string escaped_html(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string report_html(const ReportInput& input) {
   return report_html(input, report_plotting_library());
 }
 
 std::string report_html(const ReportInput& input, std::string_view plotting_library) {
-  const std::string data = plot_data_json(input);  // checks the shapes, with or without plots
-  const bool has_plots = !plotting_library.empty();
-  std::string out =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-      escaped_html(input.title) + "</title>\n<style>\n";
-  out += report_style();
-  out += "</style></head><body>\n" + header_html(input) + "<main>\n";
-  if (has_plots) {
-    out += plots_html(input);
-    out +=
-        "<noscript><p class=\"headline degraded\">The plots need JavaScript; the tables below do "
-        "not.</p></noscript>\n";
-  } else {
-    out +=
-        "<p class=\"headline degraded\">This page has no plots: the plotting library was not at "
-        "hand when the "
-        "program was built (npm could not fetch it). The numbers are in the tables.</p>\n";
-    if (input.profile) out += table_html(profile_table(*input.profile));
-  }
-  for (const ReportTable& table : input.tables) out += table_html(table);
-  out += "</main>\n<footer>";
-  for (const std::string& attribution : input.attributions)
-    out += "<p>" + escaped_html(attribution) + "</p>";
-  if (has_plots) out += "<p>Plots: Apache ECharts (Apache-2.0) with zrender (BSD-3-Clause).</p>";
-  if (!input.generated.empty()) out += "<p>Made " + escaped_html(input.generated) + "</p>";
-  out += "</footer>\n";
-  if (has_plots) {
-    out += "<script type=\"application/json\" id=\"report-data\">" + data + "</script>\n<script>";
-    out += plotting_library;
-    out += "</script>\n<script>\n";
-    out += report_script();
-    out += "</script>\n";
-  }
-  return out + "</body></html>\n";
+  HtmlPage page;
+  page.title = input.title;
+  page.site = input.site;
+  page.headline = input.headline;
+  if (input.degraded) page.alarm = "Degraded forecast.";
+  page.facts = input.facts;
+  page.plots_html = plots_html(input);
+  for (const ReportTable& table : input.tables) page.tables_html += table_html(table);
+  page.attributions = input.attributions;
+  page.generated = input.generated;
+  page.data_json = plot_data_json(input);  // checks the shapes, with or without plots
+  if (input.profile) page.instead_of_plots_html = table_html(profile_table(*input.profile));
+  page.script = report_script();
+  return page_html(page, plotting_library);
 }
 
 void write_report(const ReportInput& input, const std::filesystem::path& file) {
-  const std::string html = report_html(input);
-  if (file.has_parent_path()) {
-    std::error_code ignored;  // a folder that cannot be made shows itself when the file is opened
-    std::filesystem::create_directories(file.parent_path(), ignored);
-  }
-  std::filesystem::path part = file;
-  part += ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << html;
-  out.close();
-  std::error_code failure;
-  if (out) std::filesystem::rename(part, file, failure);
-  if (!out || failure) {
-    std::filesystem::remove(part, failure);
-    throw Error(ErrorKind::unavailable,
-                "writing the page " + file.string() +
-                    " failed; a writable place was expected; check its rights and space");
-  }
+  write_page(report_html(input), file);
 }
 
 }  // namespace slackwater::api

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/report/html_page.h"
 #include "fields/base/frame.h"
 #include "fields/base/time.h"
 
@@ -48,15 +49,6 @@ struct ReportSeries {
   std::vector<double> towards_deg;  ///< arrows above the panel, clockwise from north; may be empty
 };
 
-/// A table; every cell is text as it should stand.
-struct ReportTable {
-  std::string title;
-  std::string note;  ///< a sentence below; may be empty
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
-  std::optional<std::size_t> highlighted_row;
-};
-
 /// Everything the page shows. Plain data: the page computes nothing but the depth mean of the
 /// hodograph.
 struct ReportInput {
@@ -88,8 +80,5 @@ struct ReportInput {
 /// Writes the page to `file` (through a neighbouring temporary file, so that a reader never sees
 /// half a page). Throws Error(unavailable) where it cannot be written.
 void write_report(const ReportInput& input, const std::filesystem::path& file);
-
-/// The text with the five characters that HTML gives a meaning replaced.
-[[nodiscard]] std::string escaped_html(std::string_view text);
 
 }  // namespace slackwater::api

@@ -91,14 +91,20 @@ BaselineOutcome repeated(const BaselineInput& input, std::span<const TimeCell> t
 }
 
 BaselineOutcome harmonic(const BaselineInput& input, std::span<const TimeCell> truth_time) {
-  std::vector<std::optional<TideFit>> fit;
-  for (std::size_t k = 0; k < input.current.levels(); ++k)
-    fit.push_back(tide_of_last_15_days(level_series(input.current, k), input.day));
-  const auto predicted = [&](std::size_t k, const TimeCell& cell) -> std::optional<Horizontal> {
-    if (!fit[k]) return std::nullopt;
-    return tide_over(*fit[k], cell);
-  };
-  return outcome_of(everywhere(fit.size(), truth_time, predicted),
+  std::optional<ColumnTide> own;
+  if (input.tide == nullptr) own.emplace(input.current, input.day);
+  const ColumnTide& tide = own ? *own : *input.tide;
+  const std::size_t levels = input.current.levels();
+  BaselineForecast forecast = nothing_yet(truth_time.size(), levels);
+  forecast.value = tide.oscillation(truth_time);
+  for (std::size_t t = 0; t < truth_time.size(); ++t) {
+    for (std::size_t k = 0; k < levels; ++k) {
+      if (!tide.has(k)) continue;
+      forecast.value[t * levels + k] += tide.mean(k);
+      forecast.status[t * levels + k] = SampleStatus::ok;
+    }
+  }
+  return outcome_of(std::move(forecast),
                     "the record up to " + format_day(input.day) +
                         " is shorter than 15 days; tide-harmonic needs 15 days");
 }

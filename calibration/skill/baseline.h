@@ -31,6 +31,8 @@ inline constexpr std::array all_baselines{
 [[nodiscard]] std::string_view name_of(Baseline baseline) noexcept;
 [[nodiscard]] std::optional<Baseline> baseline_from(std::string_view name) noexcept;
 
+class ColumnTide;
+
 /// All that a baseline may know at the end of day D.
 struct BaselineInput {
   UtcDay day;                          ///< D, closed: [00:00, 24:00]
@@ -41,6 +43,9 @@ struct BaselineInput {
   /// between the stamps around it, so a caller that wants nothing later than D passes a wind column
   /// that ends with D.
   bool persist_wind = false;
+  /// The tide of `current` on D where the caller has fitted it already, so that the baselines that
+  /// need it share it; null: they fit it themselves.
+  const ColumnTide* tide = nullptr;
 };
 
 /// A baseline evaluated at the truth's own cells: the instant, or the average over a mean's

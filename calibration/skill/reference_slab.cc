@@ -90,13 +90,14 @@ struct HourlyStress {
 /// Linear between the stamps, held beyond them.
 Horizontal wind_at(const LevelSeries& wind, UtcTime end, double t_h) {
   const auto hour = [&](std::size_t i) { return hours_between(end, wind.time[i].centre()); };
-  if (t_h <= hour(0)) return wind.value.front();
-  for (std::size_t i = 1; i < wind.size(); ++i) {
-    if (t_h > hour(i)) continue;
-    const double share = (t_h - hour(i - 1)) / (hour(i) - hour(i - 1));
-    return (1.0 - share) * wind.value[i - 1] + share * wind.value[i];
-  }
-  return wind.value.back();
+  const auto above = std::partition_point(
+      wind.time.begin(), wind.time.end(),
+      [&](const TimeCell& cell) { return hours_between(end, cell.centre()) < t_h; });
+  const auto i = static_cast<std::size_t>(above - wind.time.begin());
+  if (i == 0) return wind.value.front();
+  if (i == wind.size()) return wind.value.back();
+  const double share = (t_h - hour(i - 1)) / (hour(i) - hour(i - 1));
+  return (1.0 - share) * wind.value[i - 1] + share * wind.value[i];
 }
 
 std::optional<HourlyStress> hourly_stress(const BaselineInput& input, double last_h) {
@@ -121,21 +122,29 @@ std::optional<HourlyStress> hourly_stress(const BaselineInput& input, double las
 struct LevelOfDay {
   std::vector<Interval> at;
   std::vector<Horizontal> value;
-  std::optional<TideFit> tide;
 };
 
-LevelOfDay level_of_day(const BaselineInput& input, std::size_t level) {
-  const LevelSeries series = level_series(input.current, level);
-  const LevelSeries day = within_day(series, input.day);
-  LevelOfDay result;
-  if (day.size() < least_samples) return result;
-  result.tide = tide_of_last_15_days(series, input.day);
-  for (std::size_t i = 0; i < day.size(); ++i) {
-    result.at.push_back(interval_of(day.time[i], end_of_day(input.day)));
-    result.value.push_back(
-        day.value[i] - (result.tide ? tidal_oscillation(*result.tide, day.time[i]) : Horizontal{}));
+std::vector<LevelOfDay> levels_of_day(const BaselineInput& input, const ColumnTide& tide) {
+  const VectorColumn& current = input.current;
+  std::vector<std::size_t> times;
+  std::vector<TimeCell> cells;
+  for (std::size_t t = 0; t < current.times(); ++t) {
+    if (!belongs_to_day(current.time[t], input.day)) continue;
+    times.push_back(t);
+    cells.push_back(current.time[t]);
   }
-  return result;
+  const std::vector<Horizontal> oscillation = tide.oscillation(cells);
+  std::vector<LevelOfDay> levels(current.levels());
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (!current.has(times[i], k)) continue;
+      levels[k].at.push_back(interval_of(cells[i], end_of_day(input.day)));
+      levels[k].value.push_back(current.value[current.offset(times[i], k)] -
+                                oscillation[i * levels.size() + k]);
+    }
+    if (levels[k].at.size() < least_samples) levels[k] = {};
+  }
+  return levels;
 }
 
 /// The three functions of time for one r.
@@ -182,8 +191,10 @@ BaselineOutcome reference_slab_forecast(const BaselineInput& input,
                                         std::span<const TimeCell> truth_time) {
   const UtcTime end = end_of_day(input.day);
   const std::size_t levels = input.current.levels();
-  std::vector<LevelOfDay> day;
-  for (std::size_t k = 0; k < levels; ++k) day.push_back(level_of_day(input, k));
+  std::optional<ColumnTide> own;
+  if (input.tide == nullptr) own.emplace(input.current, input.day);
+  const ColumnTide& tide = own ? *own : *input.tide;
+  const std::vector<LevelOfDay> day = levels_of_day(input, tide);
   double last_h = 24.0;
   for (const TimeCell& cell : truth_time) last_h = std::max(last_h, hours_between(end, cell.end));
   const std::optional<HourlyStress> stress = hourly_stress(input, last_h);
@@ -207,16 +218,15 @@ BaselineOutcome reference_slab_forecast(const BaselineInput& input,
   }
 
   BaselineForecast forecast = nothing_yet(truth_time.size(), levels);
+  forecast.value = tide.oscillation(truth_time);
   for (std::size_t t = 0; best && t < truth_time.size(); ++t) {
     const Interval at = interval_of(truth_time[t], end);
     const Vector3cd row = best->row(at);
     const Horizontal fading = decaying(1.0 / residual_memory_h, at);
     for (std::size_t k = 0; k < levels; ++k) {
       if (day[k].at.empty()) continue;
-      Horizontal value =
+      forecast.value[t * levels + k] +=
           row.cwiseProduct(best_fit[k].coefficients).sum() + best_fit[k].late_residual * fading;
-      if (day[k].tide) value += tidal_oscillation(*day[k].tide, truth_time[t]);
-      forecast.value[t * levels + k] = value;
       forecast.status[t * levels + k] = SampleStatus::ok;
     }
   }
