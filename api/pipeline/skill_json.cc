@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "api/pipeline/skill_set.h"
@@ -8,42 +9,49 @@ namespace {
 
 using nlohmann::json;
 
-template <typename T>
-json or_null(const std::optional<T>& value) {
-  return value ? json(*value) : json(nullptr);
-}
+/// A tenth of a micrometre a second is beyond every instrument; more digits only fill the disk.
+json number(double value) { return std::round(value * 1e7) / 1e7; }
+
+json or_null(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
 
 json interval_json(const std::optional<calibration::Interval95>& interval) {
-  return interval ? json::array({interval->low, interval->high}) : json(nullptr);
+  return interval ? json::array({number(interval->low), number(interval->high)}) : json(nullptr);
 }
 
 json correlation_json(const std::optional<double>& modulus, const std::optional<double>& angle) {
-  return modulus ? json::array({*modulus, or_null(angle)}) : json(nullptr);
+  return modulus ? json::array({number(*modulus), or_null(angle)}) : json(nullptr);
+}
+
+template <std::size_t n>
+json numbers(const std::array<double, n>& values) {
+  json list = json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
 }
 
 json reliability_json(const std::optional<calibration::Reliability>& reliability) {
   if (!reliability) return nullptr;
   return {{"probability", calibration::Reliability::probability},
-          {"below", reliability->below},
-          {"pit", reliability->pit}};
+          {"below", numbers(reliability->below)},
+          {"pit", numbers(reliability->pit)}};
 }
 
 void add_scalar(json& j, const calibration::ScalarScore& s) {
   j["unit"] = "m";
   j["n"] = s.n;
-  j["rmse"] = s.rmse;
-  j["bias"] = s.bias;
-  j["mae"] = s.mae;
+  j["rmse"] = number(s.rmse);
+  j["bias"] = number(s.bias);
+  j["mae"] = number(s.mae);
   j["scatter_index"] = or_null(s.scatter_index);
 }
 
 void add_vector(json& j, const calibration::VectorScore& v) {
   j["unit"] = "m s-1";
   j["n"] = v.n;
-  j["rmse_m_s"] = v.rmse_m_s;
-  j["bias_east_m_s"] = v.bias_east_m_s;
-  j["bias_north_m_s"] = v.bias_north_m_s;
-  j["speed_bias_m_s"] = v.speed_bias_m_s;
+  j["rmse_m_s"] = number(v.rmse_m_s);
+  j["bias_east_m_s"] = number(v.bias_east_m_s);
+  j["bias_north_m_s"] = number(v.bias_north_m_s);
+  j["speed_bias_m_s"] = number(v.speed_bias_m_s);
   j["direction_mae_deg"] = or_null(v.direction_mae_deg);
   j["correlation"] = correlation_json(v.correlation_abs, v.correlation_deg);
   j["crps_m_s"] = or_null(v.crps_m_s);
@@ -58,14 +66,14 @@ json set_json(const SkillSet& set) {
             {"n", s.n},
             {"interval_95", interval_json(s.rmse_interval_m_s)}};
   if (set.of.scalar) {
-    j["rmse"] = s.rmse_m_s;
-    j["bias"] = s.bias_east_m_s;
+    j["rmse"] = number(s.rmse_m_s);
+    j["bias"] = number(s.bias_east_m_s);
     return j;
   }
-  j["rmse_m_s"] = s.rmse_m_s;
-  j["bias_east_m_s"] = s.bias_east_m_s;
-  j["bias_north_m_s"] = s.bias_north_m_s;
-  j["speed_bias_m_s"] = s.speed_bias_m_s;
+  j["rmse_m_s"] = number(s.rmse_m_s);
+  j["bias_east_m_s"] = number(s.bias_east_m_s);
+  j["bias_north_m_s"] = number(s.bias_north_m_s);
+  j["speed_bias_m_s"] = number(s.speed_bias_m_s);
   j["direction_mae_deg"] = or_null(s.direction_mae_deg);
   j["correlation"] = correlation_json(s.correlation_abs, s.correlation_deg);
   j["crps_m_s"] = or_null(s.crps_m_s);
@@ -78,7 +86,7 @@ json set_json(const SkillSet& set) {
 json entry_json(const SkillEntry& e) {
   json j = {{"variable", e.variable},
             {"site", e.site},
-            {"column", or_null(e.column)},
+            {"column", e.column ? json(*e.column) : json(nullptr)},
             {"day", format_day(e.day)},
             {"issued", format_utc(e.issued)},
             {"wind", e.wind},

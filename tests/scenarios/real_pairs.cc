@@ -60,4 +60,16 @@ double set_error(const std::vector<api::SkillEntry>& skill, const std::string& m
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
+std::vector<double> pair_errors(const std::vector<api::SkillEntry>& skill,
+                                const std::string& method) {
+  std::vector<double> errors;
+  const api::LeadBin whole_day{0, 24};
+  for (const api::SkillEntry& entry : skill) {
+    if (entry.variable == "sea_water_velocity" && entry.method == method && !entry.column &&
+        entry.lead == whole_day)
+      errors.push_back(entry.vector.rmse_m_s);
+  }
+  return errors;
+}
+
 }  // namespace slackwater::tests

@@ -25,4 +25,8 @@ void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& f
 [[nodiscard]] double set_error(const std::vector<api::SkillEntry>& skill,
                                const std::string& method);
 
+/// The same for each day, in the order of days.
+[[nodiscard]] std::vector<double> pair_errors(const std::vector<api::SkillEntry>& skill,
+                                              const std::string& method);
+
 }  // namespace slackwater::tests

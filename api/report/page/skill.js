@@ -93,8 +93,8 @@
     return {
       animation: false,
       title: {text: `${p.drawn[j]} m below mean sea level`, left: 'center', textStyle: {color: t.ink, fontSize: 14}},
-      legend: {top: 24, left: 'center', data: ['forecast', 'truth'], textStyle: {color: t.ink}, itemWidth: 26},
-      grid: {left: 62, right: 32, top: 52, bottom: 52},
+      legend: {top: 26, left: 'center', data: ['forecast', 'truth'], textStyle: {color: t.ink}, itemWidth: 26},
+      grid: {left: 62, right: 32, top: 56, bottom: 48},
       tooltip: {trigger: 'item', formatter: (item) => `${item.seriesName}, valid ${stamp(item.value[2])}<br>east ${item.value[0].toFixed(3)}, north ${item.value[1].toFixed(3)} m/s<br><b>${Math.hypot(item.value[0], item.value[1]).toFixed(3)} m/s to ${bearingText(item.value[0], item.value[1])}</b>`},
       xAxis: axis('east (m/s)'), yAxis: {...axis('north (m/s)'), nameGap: 42},
       series: [series('truth', truth, t.truth, true), series('forecast', forecast, t.first, false)],
@@ -102,11 +102,10 @@
   };
 
   /** Cells of time (or lead) x depth coloured by their error. */
-  const misfitOption = (t, x, depth, misfit, xAxis, name) => {
+  const misfitOption = (t, x, across, depth, misfit, xAxis, name) => {
     const n = depth.length;
     const deepest = n ? depth[n - 1] + (n > 1 ? (depth[n - 1] - depth[n - 2]) / 2 : 1) : 1;
-    const step = x.length > 1 ? x[1] - x[0] : 1;
-    const across = edges(x, x[0] - step / 2, x[x.length - 1] + step / 2), down = edges(depth, 0, deepest);
+    const down = edges(depth, 0, deepest);
     const cells = [];
     x.forEach((at, i) => depth.forEach((d, k) => { if (misfit[i * n + k] !== null) cells.push([at, d, misfit[i * n + k], i, k]); }));
     const top = Math.max(0.02, Math.ceil(Math.max(0, ...cells.map((c) => c[2])) * 50) / 50);
@@ -114,7 +113,7 @@
       animation: false,
       grid: {left: 70, right: 110, top: 18, bottom: 50},
       tooltip: {trigger: 'item', formatter: (item) => `${name(item.value[0])}<br>${item.value[1]} m below mean sea level<br><b>${item.value[2].toFixed(3)} m/s</b> off`},
-      xAxis: {...xAxis, min: across.length ? across[0][0] : 0, max: across.length ? across[across.length - 1][1] : 1},
+      xAxis,
       yAxis: valueAxis(t, 'depth (m)', {inverse: true, min: 0, max: deepest, splitLine: {show: false}, axisLabel: {color: t.quiet, showMaxLabel: false}}),
       visualMap: {type: 'continuous', min: 0, max: top, dimension: 2, calculable: false, right: 8, top: 'middle', itemHeight: 240, itemWidth: 16,
         text: [`${top.toFixed(2)} m/s`, '0 m/s'], textStyle: {color: t.ink}, inRange: {color: viridis}},
@@ -125,6 +124,21 @@
           return {type: 'rect', shape: {x: a[0], y: a[1], width: b[0] - a[0] + 0.6, height: b[1] - a[1] + 0.6}, style: {fill: api.visual('color')}};
         }}],
     };
+  };
+
+  const stepOf = (x) => (x.length > 1 ? x[1] - x[0] : 1);
+  /** Valid times are the middles of their cells; the axis runs over whole hours. */
+  const timeMisfitOption = (t, p) => {
+    const half = stepOf(p.time) / 2, hour = 3.6e6;
+    const across = edges(p.time, p.time[0] - half, p.time[p.time.length - 1] + half);
+    const whole = [Math.floor(across[0][0] / hour) * hour, Math.ceil(across[across.length - 1][1] / hour) * hour];
+    return misfitOption(t, p.time, across, p.depth, p.misfit, timeAxis(t, whole), (ms) => `valid ${stamp(ms)}`);
+  };
+  /** An hour of lead stands for the hour that it ends. */
+  const leadMisfitOption = (t, p) => {
+    const step = stepOf(p.lead);
+    const axis = valueAxis(t, 'lead (hours after the end of day D)', {min: 0, max: Math.max(1, ...p.lead), interval: 6, nameGap: 30, splitLine: {show: false}});
+    return misfitOption(t, p.lead, p.lead.map((h) => [Math.max(0, h - step), h]), p.depth, p.misfit, axis, (h) => `lead ${h} h`);
   };
 
   const show = (id, shown) => { document.getElementById(id).style.display = shown ? '' : 'none'; };
@@ -139,15 +153,14 @@
       if (shown) chart.setOption(hodographOption(t, j), true);
     });
     show('misfit-section', p !== undefined);
-    if (p) misfit.setOption(misfitOption(t, p.time, p.depth, p.misfit, timeAxis(t, p.time), (ms) => `valid ${stamp(ms)}`), true);
+    if (p) misfit.setOption(timeMisfitOption(t, p), true);
   };
   const drawPolicy = () => {
     const t = theme(), p = policy();
     byLead.setOption(leadOption(t), true);
     reliability.setOption(reliabilityOption(t), true);
     pit.setOption(pitOption(t), true);
-    pooled.setOption(misfitOption(t, p.pooled.lead, p.pooled.depth, p.pooled.misfit,
-      valueAxis(t, 'lead (hours after the end of day D)', {interval: 6, nameGap: 30, splitLine: {show: false}}), (h) => `lead ${h} h`), true);
+    pooled.setOption(leadMisfitOption(t, p.pooled), true);
   };
   const fillTracks = () => fill(trackChoice, policy().tracks.map((x) => x.label), policy().tracks.length - 1);
 

@@ -1,0 +1,83 @@
+#include "calibration/skill/tide_baseline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "fields/base/random.h"
+#include "fields/current/tide.h"
+
+namespace slackwater::calibration {
+namespace {
+
+const UtcDay day_d = parse_day("2024-06-01");
+const UtcTime end_of_d = UtcTime(day_d) + std::chrono::days(1);
+
+/// Twenty days of noise around a tide at three levels, every `step_h` hours.
+VectorColumn noisy(int step_h, bool means, int days = 20) {
+  Rng random(11, "tide baseline");
+  VectorColumn column;
+  column.levels_m = {1.0, 10.0, 30.0};
+  for (int t = -24 * days; t + (means ? step_h : 0) <= 0; t += step_h) {
+    const UtcTime at = add_hours(end_of_d, t);
+    column.time.push_back(means ? TimeCell{at, add_hours(at, step_h)} : TimeCell::instant(at));
+    for (int k = 0; k < 3; ++k) {
+      const double phase = 2 * 3.14159265 * t / 12.42;
+      column.value.push_back(std::polar(0.4 - 0.1 * k, phase) +
+                             0.1 * Horizontal(random.normal(), random.normal()));
+      column.status.push_back(SampleStatus::ok);
+    }
+  }
+  return column;
+}
+
+/// The same by the general analysis of `fields/current/tide.h`, one level at a time.
+TideFit fitted_alone(const VectorColumn& column, std::size_t level) {
+  static constexpr std::array<std::string_view, 5> names{"M2", "S2", "K1", "O1", "M4"};
+  std::vector<TimeCell> time;
+  std::vector<Horizontal> value;
+  for (std::size_t t = 0; t < column.times(); ++t) {
+    if (!column.has(t, level) || column.time[t].start < end_of_d - std::chrono::days(15)) continue;
+    time.push_back(column.time[t]);
+    value.push_back(column.value[column.offset(t, level)]);
+  }
+  const std::vector<SampleStatus> status(time.size(), SampleStatus::ok);
+  return fit_prescribed_tide(time, value, status, names);
+}
+
+TEST(ColumnTide, IsTheGeneralAnalysisAtEveryLevel) {
+  for (const int step_h : {1, 3, 6}) {
+    for (const bool means : {false, true}) {
+      VectorColumn column = noisy(step_h, means);
+      column.status[column.offset(column.times() - 5, 1)] = SampleStatus::missing;
+      const ColumnTide tide(column, day_d);
+      const TimeCell later{add_hours(end_of_d, 7), add_hours(end_of_d, 8)};
+      const auto oscillation = tide.oscillation(std::vector<TimeCell>{later});
+      for (std::size_t k = 0; k < 3; ++k) {
+        ASSERT_TRUE(tide.has(k));
+        const TideFit alone = fitted_alone(column, k);
+        // Two factorisations of one problem with a condition below 100: rounding alone.
+        EXPECT_LT(std::abs(tide.mean(k) - alone.mean), 1e-11) << step_h << means << k;
+        EXPECT_LT(std::abs(oscillation[k] - tidal_oscillation(alone, later)), 1e-11)
+            << step_h << means << k;
+      }
+    }
+  }
+}
+
+TEST(ColumnTide, NeedsFifteenDaysAtTheLevelItself) {
+  VectorColumn column = noisy(1, false, 16);
+  for (std::size_t t = 0; t < 48; ++t)
+    column.status[column.offset(t, 2)] = SampleStatus::missing;  // 14 days are left
+  const ColumnTide tide(column, day_d);
+  EXPECT_TRUE(tide.has(0));
+  EXPECT_FALSE(tide.has(2));
+  const std::vector<TimeCell> now{TimeCell::instant(end_of_d)};
+  EXPECT_NE(tide.oscillation(now)[0], Horizontal{});
+  EXPECT_EQ(tide.oscillation(now)[2], Horizontal{});
+  EXPECT_FALSE(ColumnTide(noisy(1, false, 14), day_d).has(0));
+}
+
+}  // namespace
+}  // namespace slackwater::calibration
