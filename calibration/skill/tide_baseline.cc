@@ -75,6 +75,8 @@ ColumnTide::ColumnTide(const VectorColumn& history, UtcDay day)
     : reference_(end_of_day(day)), level_(history.levels()) {
   std::vector<std::size_t> factorised;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> factors;
+  // Phases of a few hundred radians carry errors of 1e-13: columns that differ by no more are one.
+  factors.setThreshold(1e-10);
   for (std::size_t k = 0; k < history.levels(); ++k) {
     const std::vector<std::size_t> times =
         times_of_level(history, k, reference_ - record_needed, reference_);

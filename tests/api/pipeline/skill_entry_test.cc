@@ -18,7 +18,7 @@ const UtcTime end_of_d = parse_utc("2024-06-02T00:00:00Z");
 SkillEntry entry_of(const char* day, const char* method, double rmse) {
   SkillEntry entry;
   entry.variable = "sea_water_velocity";
-  entry.site = "s";
+  entry.site = "site";
   entry.wind = "best";
   entry.day = parse_day(day);
   entry.method = method;
