@@ -75,8 +75,9 @@ ColumnTide::ColumnTide(const VectorColumn& history, UtcDay day)
     : reference_(end_of_day(day)), level_(history.levels()) {
   std::vector<std::size_t> factorised;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> factors;
-  // Phases of a few hundred radians carry errors of 1e-13: columns that differ by no more are one.
-  factors.setThreshold(1e-10);
+  // The table's speeds are good to 2e-8 degrees an hour, which is 1e-7 rad over 15 days: columns
+  // that differ by no more are one, or the noise between them would be blown up a million times.
+  factors.setThreshold(1e-6);
   for (std::size_t k = 0; k < history.levels(); ++k) {
     const std::vector<std::size_t> times =
         times_of_level(history, k, reference_ - record_needed, reference_);
