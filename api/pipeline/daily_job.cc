@@ -6,6 +6,7 @@
 #include <set>
 #include <thread>
 
+#include "api/pipeline/issued_blend.h"
 #include "api/pipeline/job_summary.h"
 #include "api/pipeline/known_currents.h"
 #include "api/pipeline/version.h"
@@ -153,6 +154,27 @@ bool holds_day(const SiteData& data, UtcDay day, UtcTime issued) {
   return column != nullptr && holds_throughout(currents_of(*column, day, issued).first, day);
 }
 
+namespace {
+
+/// Issues the blend that the rehearsed past has earned.
+void blend_columns(const SiteData& data, const ForecastPlan& plan, const JobOptions& options,
+                   DailyForecast& result) {
+  const auto first = std::find_if(result.columns.begin(), result.columns.end(),
+                                  [](const ColumnForecast& c) { return !c.forms.empty(); });
+  if (first == result.columns.end()) return;
+  const auto index = static_cast<std::size_t>(first - result.columns.begin());
+  Rehearsals own(data);
+  Rehearsals& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
+  result.earned = rehearsals.earned(
+      plan, available_candidates(first->column, data.columns[index], plan));
+  for_all_columns(data.columns.size(), options.threads, [&](std::size_t i) {
+    if (result.columns[i].forms.empty()) return;
+    issue_blend(result.columns[i].column, data.columns[i], plan, *result.earned);
+  });
+}
+
+}  // namespace
+
 DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   DailyForecast result;
   Snapshot& snapshot = result.snapshot;
@@ -181,6 +203,7 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   plan.day = usable.value_or(*wanted);
   plan.issued = options.issued;
   plan.wind = options.wind;
+  plan.seed = options.seed;
   const UtcTime wanted_end = UtcTime(*wanted) + days(1);
   plan.stamps = hourly(plan.end_of_day(), wanted_end + options.horizon);
   if (usable) plan.dataset = currents_of(*leading, *usable, options.issued).second;
@@ -205,6 +228,7 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
     const std::vector<std::string> notes = notes_on_record(data.columns[i], plan);
     result.columns[i].notes.insert(result.columns[i].notes.begin(), notes.begin(), notes.end());
   });
+  blend_columns(data, plan, options, result);
 
   std::set<std::int64_t> granules;
   std::set<std::string> attributions;
@@ -248,6 +272,11 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   snapshot.wind_policy = name_of(options.wind);
   snapshot.time = plan.stamps;
   snapshot.depth_m = plan.depth_m;
+  snapshot.seed = plan.seed;
+  const std::size_t values = plan.stamps.size() * plan.depth_m.size();
+  for (const ForecastColumn& column : snapshot.columns) {
+    if (values > 0) snapshot.members = std::max(snapshot.members, 1 + column.member_m_s.size() / values);
+  }
   snapshot.degraded = !troubles.empty();
   for (const std::string& trouble : troubles) {
     snapshot.headline += (snapshot.headline.empty() ? "" : "; ") +

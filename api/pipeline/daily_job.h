@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "api/pipeline/forecast_column.h"
+#include "api/pipeline/rehearsal.h"
 #include "api/pipeline/site_data.h"
 #include "data/store/store.h"
 #include "fields/service/snapshot.h"
@@ -18,6 +19,9 @@ struct JobOptions {
   WindPolicy wind = WindPolicy::best;
   std::string origin = "forecast";  ///< forecast | hindcast
   int threads = 1;
+  std::uint64_t seed = 1;  ///< of the members
+  /// Rehearsed days to share between the jobs of a hindcast over the same data; null: the job's own.
+  Rehearsals* rehearsals = nullptr;
 };
 
 /// A forecast made, not yet stored.
@@ -27,6 +31,7 @@ struct DailyForecast {
       columns;  ///< calibrations, notes and origins, in the snapshot's order
   std::vector<std::int64_t> input_granules;
   std::string dataset;       ///< of the currents; empty where there are none
+  std::optional<Earned> earned;  ///< weights and spread; nothing where no current is forecast
   std::string summary_json;  ///< calibration report, inputs, effective configuration
 };
 

@@ -21,6 +21,26 @@ SampleStatus level_status(const VectorColumn& column, std::size_t k) {
   return worst;
 }
 
+/// How wrong the wind after D may be, by where it comes from.
+calibration::WindErrorGrowth wind_error_of(const VectorRecord& record, const HorizonWind& wind,
+                                           const ForecastPlan& plan) {
+  const auto count = [&](DataStatus status) {
+    return std::count(wind.source.begin(), wind.source.end(), status);
+  };
+  if (plan.wind == WindPolicy::persist ||
+      2 * count(DataStatus::persisted) > static_cast<std::ptrdiff_t>(wind.source.size())) {
+    const Chosen<Horizontal> known = choose(record, {plan.end_of_day(), plan.issued}, {});
+    std::vector<UtcTime> times;
+    for (const TimeCell& cell : known.column.time) times.push_back(cell.centre());
+    const std::size_t levels = known.column.levels();
+    std::vector<Horizontal> values;
+    for (std::size_t t = 0; t < times.size(); ++t) values.push_back(known.column.value[t * levels]);
+    return calibration::persisted_wind_error(calibration::climate_sigma_m_s(times, values));
+  }
+  return count(DataStatus::forecast) > 0 ? calibration::forecast_wind_error()
+                                         : calibration::analysed_wind_error();
+}
+
 }  // namespace
 
 ColumnForecast forecast_column(const ColumnData& data, const Site& site, const ForecastPlan& plan) {
@@ -63,7 +83,12 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   }
   const std::size_t fitted_best = fitted.best();
   const calibration::Propagated propagated = calibration::propagate(
-      fitted.forms, plan.stamps, wind.series, plan.end_of_day(), plan.spread, plan.seed);
+      fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
+      wind_error_of(data.wind, wind, plan), plan.spread, plan.seed);
+  const std::size_t members = propagated.mean_m_s.empty()
+                                  ? 0
+                                  : propagated.departure_m_s.size() / propagated.mean_m_s.size();
+  out.member_m_s.assign(members * plan.stamps.size() * levels, {});
   // Levels of the plan are those of the dataset; a column whose product has fewer levels keeps them
   // in order.
   for (std::size_t k = 0; k < levels; ++k) {
@@ -76,11 +101,21 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
       const std::size_t own = t * day.levels() + k;
       out.current_m_s[o] = propagated.mean_m_s[own] + tide.at(k, TimeCell::instant(plan.stamps[t]));
       out.current_sigma_m_s[o] = propagated.sigma_m_s[own];
+      for (std::size_t m = 0; m < members; ++m) {
+        out.member_m_s[m * plan.stamps.size() * levels + o] =
+            out.current_m_s[o] + propagated.departure_m_s[m * propagated.mean_m_s.size() + own];
+      }
     }
   }
   if (propagated.wind_missing > 0) {
     result.notes.push_back("no wind at " + std::to_string(propagated.wind_missing) +
                            " of the forecast's times: the wind-driven part is left out there");
+  }
+  if (!out.wind_m_s.empty()) {
+    for (std::size_t i = 0; i < propagated.wind_departure_m_s.size(); ++i) {
+      out.wind_member_m_s.push_back(out.wind_m_s[i % plan.stamps.size()] +
+                                    propagated.wind_departure_m_s[i]);
+    }
   }
   result.form_weight = propagated.form_weight;
   result.forms = std::move(fitted.forms);

@@ -16,6 +16,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
   const UtcTime last = UtcTime(options.to) + days(1) + options.horizon;
   const SiteData data = load_site_data(store, site, first - history_read, last);
   HindcastReport report;
+  Rehearsals rehearsals(data);
   std::vector<DailyForecast> forecasts;
   const double count = static_cast<double>((options.to - options.from).count() + 1);
   for (UtcDay day = options.from; day <= options.to; day += days(1)) {
@@ -26,6 +27,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     job.wind = options.wind;
     job.origin = "hindcast";
     job.threads = options.threads;
+    job.rehearsals = &rehearsals;
     if (!holds_day(data, day, job.issued)) {
       report.skipped.push_back(format_day(day) + ": no whole day of currents");
     } else {

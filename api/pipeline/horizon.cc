@@ -19,7 +19,7 @@ constexpr Duration widest_wind_gap = hours(12);
 constexpr Duration widest_wave_gap = hours(12);
 /// Persisted wind relaxes to the mean of the known record with this e-folding time: mid-latitude 10
 /// m wind keeps a correlation of about 1/e over two to three days.
-constexpr double wind_memory_h = 72.0;
+constexpr double wind_memory_h = 24.0;
 
 Knowledge knowledge_of(WindPolicy policy, UtcTime end_of_day) {
   switch (policy) {

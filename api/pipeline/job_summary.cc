@@ -63,6 +63,28 @@ json calibration_json(const calibration::Calibration& c) {
           {"warnings", c.warnings}};
 }
 
+/// Weights of the candidates and the factor on the spread, with where they come from.
+json blend_json(const DailyForecast& forecast) {
+  if (!forecast.earned) return nullptr;
+  const auto& [blend, spread] = *forecast.earned;
+  json share = json::array();
+  for (const calibration::CandidateShare& s : blend.share) {
+    share.push_back({{"method", s.name},
+                     {"weight", s.weight},
+                     {"pairs", s.pairs},
+                     {"past_rmse_m_s", s.past_rmse_m_s ? json(*s.past_rmse_m_s) : json(nullptr)}});
+  }
+  return {{"share", share},
+          {"pairs", blend.pairs},
+          {"earned", blend.earned},
+          {"fell_back_to",
+           blend.fell_back_to ? json(blend.share[*blend.fell_back_to].name) : json(nullptr)},
+          {"provenance", blend.provenance},
+          {"spread_scale", spread.scale},
+          {"spread_pairs", spread.pairs},
+          {"spread_provenance", spread.provenance}};
+}
+
 }  // namespace
 
 std::string job_summary(const SiteData& data, const ForecastPlan& plan, const JobOptions& options,
@@ -101,6 +123,7 @@ std::string job_summary(const SiteData& data, const ForecastPlan& plan, const Jo
       {"inputs", inputs_of(forecast)},
       {"dry_columns", data.dry_columns},
       {"columns", columns},
+      {"blend", blend_json(forecast)},
       {"code_version", code_version()}};
   return summary.dump(-1, ' ', false, json::error_handler_t::replace);
 }

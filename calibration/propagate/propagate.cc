@@ -21,6 +21,7 @@ struct Horizon {
   const std::optional<VectorColumn>& wind;
   StressSeries stress;  ///< empty where the calibration used none
   const Spread& spread;
+  const WindErrorGrowth& wind_error;
 };
 
 /// One form carried forward.
@@ -63,18 +64,66 @@ void add_unknown_wind(const Calibration& c, const Horizon& horizon,
   }
 }
 
-GaussianMemory memory_of(const Calibration& c, const Horizon& horizon) {
-  const double coriolis_rad_h = 3600.0 * coriolis_parameter_rad_s(c.latitude);
-  return {c.remembered,
-          c.wind_driven_m_s,
-          horizon.end_of_day,
-          inertial_damping_per_h(c, horizon.spread.inertial_decay_h),
-          coriolis_rad_h,
-          horizon.spread.memory,
-          {}};
-}
+/// What a column remembers under kernels of several livelinesses, with their probabilities.
+class ColumnMemory {
+ public:
+  ColumnMemory(const Calibration& c, const Horizon& horizon) {
+    const double coriolis_rad_h = 3600.0 * coriolis_parameter_rad_s(c.latitude);
+    const double damping_per_h = inertial_damping_per_h(c, horizon.spread.inertial_decay_h);
+    std::size_t levels = 0;
+    for (const MisfitAtDepth& m : c.misfit) levels += m.n > 0 ? 1 : 0;
+    const double witnesses = std::min(1.0, horizon.spread.independent_levels /
+                                               static_cast<double>(std::max<std::size_t>(1, levels)));
+    std::vector<double> log_weight;
+    for (const double slow : horizon.spread.slow_scales) {
+      for (const double recent : horizon.spread.recent_scales) {
+        MemoryKernel kernel = horizon.spread.memory;
+        kernel.slow_m_s *= slow;
+        kernel.recent_m_s *= recent;
+        memory_.emplace_back(c.remembered, c.wind_driven_m_s, horizon.end_of_day, damping_per_h,
+                             coriolis_rad_h, kernel);
+        log_weight.push_back(witnesses * memory_.back().log_evidence());
+      }
+    }
+    const double best = *std::max_element(log_weight.begin(), log_weight.end());
+    double sum = 0;
+    for (const double w : log_weight) {
+      // A kernel of less than a hundredth would move nothing.
+      weight_.push_back(w - best < std::log(0.01) ? 0.0 : std::exp(w - best));
+      sum += weight_.back();
+    }
+    for (double& w : weight_) w /= sum;
+  }
 
-FormOutlook carry(const Calibration& c, const Horizon& horizon) {
+  void predict(std::span<const UtcTime> times, std::span<const Horizontal> driven,
+               std::vector<Horizontal>& mean, std::vector<double>& variance) const {
+    std::vector<Horizontal> one(mean.size());
+    std::vector<double> spread(mean.size());
+    std::vector<double> square(mean.size());
+    for (std::size_t m = 0; m < memory_.size(); ++m) {
+      if (weight_[m] <= 0) continue;
+      memory_[m].predict(times, driven, one, spread);
+      for (std::size_t i = 0; i < mean.size(); ++i) {
+        mean[i] += weight_[m] * one[i];
+        square[i] += 0.5 * weight_[m] * std::norm(one[i]);
+        variance[i] += weight_[m] * spread[i];
+      }
+    }
+    for (std::size_t i = 0; i < mean.size(); ++i)
+      variance[i] += std::max(0.0, square[i] - 0.5 * std::norm(mean[i]));
+  }
+
+  [[nodiscard]] const GaussianMemory& likeliest() const {
+    return memory_[static_cast<std::size_t>(std::max_element(weight_.begin(), weight_.end()) -
+                                            weight_.begin())];
+  }
+
+ private:
+  std::vector<GaussianMemory> memory_;
+  std::vector<double> weight_;
+};
+
+FormOutlook carry(const Calibration& c, const ColumnMemory& memory, const Horizon& horizon) {
   ColumnRows rows(day_of_horizon(c, horizon));
   rows.evaluate(without_flow(estimates_of(c.parameters), c.layout).data(), false);
   FormOutlook out;
@@ -82,7 +131,7 @@ FormOutlook carry(const Calibration& c, const Horizon& horizon) {
   out.driven.assign(rows.wind_driven().data(), rows.wind_driven().data() + size);
   out.mean.resize(size);
   out.variance.resize(size);
-  memory_of(c, horizon).predict(horizon.times, out.driven, out.mean, out.variance);
+  memory.predict(horizon.times, out.driven, out.mean, out.variance);
   for (std::size_t i = 0; i < size; ++i) out.mean[i] += rows.model().data()[i];
   add_unknown_wind(c, horizon, rows.day().depth_m, out.variance);
   return out;
@@ -94,6 +143,29 @@ std::vector<UtcTime> wind_samples_after(const VectorColumn& wind, UtcTime end_of
     if (cell.centre() > end_of_day) times.push_back(cell.centre());
   }
   return times;
+}
+
+/// Departures known at the samples of the wind, at the stamps of the forecast: linear between samples,
+/// from 0 at the end of D, held after the last.
+std::vector<Horizontal> at_stamps(std::span<const UtcTime> samples,
+                                  std::span<const Horizontal> departure,
+                                  std::span<const UtcTime> stamps, UtcTime end_of_day) {
+  std::vector<Horizontal> out;
+  for (const UtcTime stamp : stamps) {
+    const auto i = static_cast<std::size_t>(
+        std::lower_bound(samples.begin(), samples.end(), stamp) - samples.begin());
+    if (samples.empty() || stamp <= end_of_day) {
+      out.emplace_back();
+    } else if (i == samples.size()) {
+      out.push_back(departure.back());
+    } else {
+      const UtcTime before = i == 0 ? end_of_day : samples[i - 1];
+      const Horizontal low = i == 0 ? Horizontal{} : departure[i - 1];
+      const double share = hours_between(before, stamp) / hours_between(before, samples[i]);
+      out.push_back((1.0 - share) * low + share * departure[i]);
+    }
+  }
+  return out;
 }
 
 std::vector<Horizontal> opposite(std::vector<Horizontal> values) {
@@ -164,12 +236,14 @@ double inertial_damping_per_h(const Calibration& calibration, double decay_h) {
 
 Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime> times,
                      const std::optional<VectorColumn>& wind, UtcTime end_of_day,
-                     const Spread& spread, std::uint64_t seed) {
+                     const WindErrorGrowth& wind_error, const Spread& spread,
+                     std::uint64_t seed) {
   expects(!forms.empty() && !times.empty(), "something to carry, and somewhere to carry it");
   const bool uses_wind = wind && forms.front().wind_used;
   const Horizon horizon{times, end_of_day, wind,
                         uses_wind ? StressSeries(*wind, forms.front().drag_law) : StressSeries(),
-                        spread};
+                        spread,
+      wind_error};
   const std::size_t levels = forms.front().remembered.levels();
   const std::size_t size = times.size() * levels;
 
@@ -180,9 +254,11 @@ Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime
   }
   result.form_weight = form_weights({forms.begin(), forms.end()});
   std::vector<FormOutlook> outlook;
+  std::vector<ColumnMemory> memory;
   for (const Calibration& c : forms) {
     expects(c.remembered.levels() == levels, "all forms stand on the same levels");
-    outlook.push_back(carry(c, horizon));
+    memory.emplace_back(c, horizon);
+    outlook.push_back(carry(c, memory.back(), horizon));
   }
   result.mean_m_s.resize(size);
   result.wind_driven_m_s.resize(size);
@@ -211,7 +287,7 @@ Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime
     for (std::size_t p = 0; p < pairs; ++p) {
       Rng random(seed, "calibration/member_wind/" + std::to_string(p));
       const std::vector<Horizontal> drawn =
-          draw_wind_error(samples, end_of_day, spread.wind, random);
+          draw_wind_departures(samples, end_of_day, wind_error, random);
       const Calibration& c = forms[form[p]];
       const WindDriven model(c, times, end_of_day);
       const std::vector<Horizontal> central = model.under(horizon.stress, steady_parameters(c));
@@ -229,7 +305,7 @@ Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime
     if (count == 0) continue;
     Rng random(seed, "calibration/member_memory/" + std::to_string(f));
     std::vector<Horizontal> drawn(static_cast<std::size_t>(count) * size);
-    memory_of(forms[f], horizon).sample(times, outlook[f].driven, random, count, drawn);
+    memory[f].likeliest().sample(times, outlook[f].driven, random, count, drawn);
     std::size_t next = 0;
     for (std::size_t p = 0; p < pairs; ++p) {
       if (form[p] != f) continue;

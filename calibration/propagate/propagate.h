@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibration/propagate/spread.h"
+#include "calibration/propagate/wind_error.h"
 #include "calibration/solve/calibration.h"
 
 namespace slackwater::calibration {
@@ -30,7 +31,8 @@ struct Propagated {
 ///
 /// the same forward model with the wind of the asked times, and by level what D remembers: interior and
 /// its shear, free inertial motion, slow and recent departures, a share of the wind's own answer
-/// (gaussian_memory.h). Forms are averaged with their probabilities (`form_weights`); their disagreement
+/// (gaussian_memory.h), under kernels of several livelinesses (Spread). Kernels are averaged by their
+/// evidence on D, forms with their probabilities (`form_weights`); their disagreement
 /// goes to the spread.
 ///
 ///   sigma^2 = posterior variance of the memory + variance of the members' wind-driven part
@@ -48,11 +50,13 @@ struct Propagated {
 /// @param times       instants after the end of D or at it, ascending
 /// @param wind        10 m, towards; empty: missing at all times
 /// @param end_of_day  24:00 of D, where lead is counted from
+/// @param wind_error  of that wind after D
 /// Deterministic in (arguments, seed). Thread-safe.
 [[nodiscard]] Propagated propagate(std::span<const Calibration> forms,
                                    std::span<const UtcTime> times,
                                    const std::optional<VectorColumn>& wind, UtcTime end_of_day,
-                                   const Spread& spread, std::uint64_t seed);
+                                   const WindErrorGrowth& wind_error, const Spread& spread,
+                                   std::uint64_t seed);
 
 /// Rate at which free inertial motion dies out, 1/h: that of the mixed layer (e-folding `decay_h`),
 /// and where the column feels the bed (finite_depth) the spin-down r/H of its linear drag beside it:

@@ -1,20 +1,13 @@
 #pragma once
+#include <vector>
+
 #include "calibration/propagate/memory_kernel.h"
 
 namespace slackwater::calibration {
 
-/// How the wind of the horizon is wrong: a Gauss-Markov departure per component.
-///
-///   sigma^2(lead) = at_once^2 + limit^2 (1 - e^{-2 lead/growth_h}),   correlation e^{-|d|/memory_h}
-struct WindError {
-  double at_once_m_s = 0.0;  ///< at the end of D
-  double limit_m_s = 0.0;    ///< grown to after some growth times
-  double growth_h = 48.0;
-  double memory_h = 12.0;
-};
-
 /// Every figure that the spread of a forecast rests on, beside the covariance that the data give
-/// themselves. One set for all sites and seasons.
+/// themselves, the error of the wind (wind_error.h) and what past bands have earned
+/// (calibration/blend/earned_spread.h). One set for all sites and seasons.
 struct Spread {
   MemoryKernel memory;  ///< what a level remembers of D, and how it departs from it
   /// E-folding time of free inertial motion where no bed is felt, h: 1 to 4 days (D'Asaro 1985, J.
@@ -22,7 +15,13 @@ struct Spread {
   double inertial_decay_h = 96.0;
   /// Stress that may be blowing where the wind is missing, Pa, per component: that of 7.5 m/s.
   double unknown_stress_pa = 0.1;
-  WindError wind;
+  /// How lively the water may be: the memory's slow and recent terms times these, each pair a kernel of
+  /// its own, believed as its evidence on D says. A regional analysis of deep water moves by the
+  /// figures of the kernel, a current meter on a shelf by several times as much.
+  std::vector<double> slow_scales{1.0, 2.0, 4.0, 8.0};
+  std::vector<double> recent_scales{1.0, 2.5, 5.0};
+  /// Levels of a column that are independent witnesses of that: neighbours err together.
+  double independent_levels = 2.0;
   int members = 24;  ///< beside member 0; even
 };
 
