@@ -14,7 +14,7 @@ double mode_root(int n, double biot) noexcept {
     (miss < 0 ? low : high) = x;
     const double slope = sign * (std::sin(x) + x * std::cos(x) + biot * std::sin(x));
     const double newton = x - miss / slope;
-    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+    const double next = newton >= low && newton <= high ? newton : 0.5 * (low + high);
     if (next == x) break;
     x = next;
   }

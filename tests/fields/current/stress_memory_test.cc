@@ -36,7 +36,7 @@ TEST(StressMemory, AStepDecaysAndTurns) {
   // The mean of e^{-lambda (t - s)} over the hour in which the stress rises.
   const Horizontal rise = (1.0 - std::exp(-lambda)) / lambda * Horizontal(0.1, 0.3);
   for (int h = 1; h < 40; ++h) {
-    EXPECT_LT(std::abs(memory.over(TimeCell::instant(UtcTime(hours(h)))) -
+    EXPECT_LT(std::abs(memory.over(TimeCell::instant(UtcTime(hours(h)))).memory_pa -
                        rise * std::exp(-lambda * (h - 1.0))),
               1e-15);
   }
@@ -53,7 +53,8 @@ TEST(StressMemory, ItsDefinitionAsAnIntegralHoldsAtAnyMinute) {
       sum += step_h * std::exp(-lambda * (t_h - s_h)) *
              (stress.stress_pa[i + 1] - stress.stress_pa[i]);
     }
-    EXPECT_LT(std::abs(memory.over(TimeCell::instant(add_hours(start, t_h))) - sum), 1e-6);
+    EXPECT_LT(std::abs(memory.over(TimeCell::instant(add_hours(start, t_h))).memory_pa - sum),
+              1e-6);
   }
 }
 
@@ -64,9 +65,9 @@ TEST(StressMemory, AMeanIsTheMeanOfInstants) {
     Horizontal sum{};
     for (int i = 0; i < parts; ++i) {
       const double t_h = from_h + (to_h - from_h) * (i + 0.5) / parts;
-      sum += memory.over(TimeCell::instant(add_hours(start, t_h)));
+      sum += memory.over(TimeCell::instant(add_hours(start, t_h))).memory_pa;
     }
-    EXPECT_LT(std::abs(memory.over({add_hours(start, from_h), add_hours(start, to_h)}) -
+    EXPECT_LT(std::abs(memory.over({add_hours(start, from_h), add_hours(start, to_h)}).memory_pa -
                        sum / static_cast<double>(parts)),
               1e-6);
   }
@@ -84,19 +85,47 @@ TEST(StressMemory, AConstantWindAndAGapLeaveNothingToRemember) {
   for (std::size_t i = 8; i < 20; ++i) stress.stress_pa[i] = {0.5, -0.2};
   const StressMemory memory(stress, lambda);
   for (int m = -90; m < 30 * 60; m += 17)
-    EXPECT_EQ(memory.over(TimeCell::instant(UtcTime(minutes(m)))), Horizontal(0, 0));
+    EXPECT_EQ(memory.over(TimeCell::instant(UtcTime(minutes(m)))).memory_pa, Horizontal(0, 0));
 }
 
 TEST(StressMemory, OnceTheWindIsConstantItsModulusOnlyFalls) {
   HourlyStress stress = random_stress(40);
   for (std::size_t i = 10; i < 40; ++i) stress.stress_pa[i] = stress.stress_pa[10];
   const StressMemory memory(stress, lambda);
-  double before = std::abs(memory.over(TimeCell::instant(UtcTime(hours(10)))));
+  double before = std::abs(memory.over(TimeCell::instant(UtcTime(hours(10)))).memory_pa);
   EXPECT_GT(before, 0.01);
   for (int m = 620; m < 50 * 60; m += 20) {
-    const double now = std::abs(memory.over(TimeCell::instant(UtcTime(minutes(m)))));
+    const double now = std::abs(memory.over(TimeCell::instant(UtcTime(minutes(m)))).memory_pa);
     EXPECT_LT(now, before);
     before = now;
+  }
+}
+
+TEST(StressMemory, ItsDerivativeByLambdaAgreesWithCentralDifferences) {
+  // Holomorphic: a step along the real and one along the imaginary axis give the same derivative.
+  HourlyStress stress = random_stress(30);
+  stress.is_known[17] = false;
+  stress.stress_pa[17] = 0;
+  for (const Horizontal rate : {lambda, Horizontal(1e-3, -0.5), Horizontal(11.0, 0.4)}) {
+    const StressMemory memory(stress, rate);
+    for (const Horizontal step : {Horizontal(1e-5, 0), Horizontal(0, 1e-5)}) {
+      const StressMemory more(stress, rate + step);
+      const StressMemory less(stress, rate - step);
+      for (const auto& [from_h, to_h] : {std::pair{7.25, 7.25},
+                                         {12.0, 12.0},
+                                         {29.0, 29.0},
+                                         {35.5, 35.5},
+                                         {3.5, 9.5},
+                                         {0.0, 24.0},
+                                         {27.0, 33.0}}) {
+        const TimeCell cell{add_hours(start, from_h), add_hours(start, to_h)};
+        const Horizontal difference =
+            (more.over(cell).memory_pa - less.over(cell).memory_pa) / (2.0 * step);
+        // Truncation: h^2/6 = 2e-11 times the cube of 30 h; rounding: 1e-16/1e-5.
+        EXPECT_LT(std::abs(memory.over(cell).by_lambda_pa_h - difference), 2e-6)
+            << rate << ' ' << from_h << ' ' << to_h;
+      }
+    }
   }
 }
 
