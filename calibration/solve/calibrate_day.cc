@@ -99,16 +99,21 @@ Calibration calibrate_day(const CalibrationInput& input) {
   const std::vector<double> start = first_guess(problem);
   const DayMinimum rough =
       fit.minimise(start, whitening(residual_at(start)), 1.0, DayFit::Precision::rough);
-  const VectorColumn rough_residual = residual_at(rough.estimate);
-  const double sigma_m_s = whitening(rough_residual);
-  const ResidualMemory memory = residual_memory(rough_residual);
-  const double weight = memory.effective_pairs / static_cast<double>(result.observations);
-
-  const DayMinimum minimum =
-      fit.minimise(rough.estimate, sigma_m_s, weight, DayFit::Precision::full);
-  result.iterations = rough.iterations + minimum.iterations;
-  result.residual = residual_at(minimum.estimate);
-  result.effective_observations = memory.effective_pairs;
+  result.iterations = rough.iterations;
+  DayMinimum minimum = rough;
+  result.residual = residual_at(rough.estimate);
+  double sigma_m_s = 0;
+  double weight = 1;
+  // A poor first guess leaves a rough minimum that takes its own error for noise: measured again where
+  // the noise turns out much smaller.
+  do {
+    sigma_m_s = whitening(result.residual);
+    result.effective_observations = residual_memory(result.residual).effective_pairs;
+    weight = result.effective_observations / static_cast<double>(result.observations);
+    minimum = fit.minimise(minimum.estimate, sigma_m_s, weight, DayFit::Precision::full);
+    result.iterations += minimum.iterations;
+    result.residual = residual_at(minimum.estimate);
+  } while (whitening(result.residual) < 0.7 * sigma_m_s);
   result.whitening_sigma_m_s = sigma_m_s;
   result.misfit_sigma_m_s = robust_component_sigma_m_s(result.residual);
   result.termination = minimum.termination;

@@ -92,15 +92,16 @@ Guess solve_linear(const DayProblem& problem, ColumnRows& rows, std::vector<doub
   const Eigen::VectorXd step = normal.ldlt().solve(right);
   Guess guess;
   guess.cost = weight * miss.squaredNorm() - step.dot(right);
-  for (std::size_t i = 0; i < free.size(); ++i)
-    estimate[free[i]] += step(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const double x = step(static_cast<Eigen::Index>(i));
+    // The factor itself is linear, its logarithm is not; a step may leave what that can follow.
+    const bool is_factor = layout.has_wind && free[i] == layout.log_factor();
+    estimate[free[i]] += is_factor ? std::log1p(std::clamp(x, -0.8, 4.0)) : x;
+  }
   for (std::size_t i = 0; i < estimate.size(); ++i) {
     const Parameter& p = problem.parameters[i];
     const double off = prior_of(p).residual(estimate[i]);
     if (std::find(free.begin(), free.end(), i) == free.end()) guess.cost += off * off;
-    // A linear step of the factor may leave what its logarithm can follow.
-    if (layout.has_wind && i == layout.log_factor())
-      estimate[i] = std::clamp(estimate[i], std::log(0.2), std::log(5.0));
     estimate[i] = std::clamp(estimate[i], estimated(p, p.lower), estimated(p, p.upper));
   }
   guess.estimate = std::move(estimate);
