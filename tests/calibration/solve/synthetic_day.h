@@ -27,7 +27,7 @@ inline const UtcTime synthetic_midnight = parse_utc("2024-03-01T00:00:00Z");
 
 inline VectorColumn synthetic_wind(const SyntheticDay& day) {
   VectorColumn wind;
-  for (int h = -2; h <= 74; ++h) {
+  for (int h = -80; h <= 74; ++h) {
     wind.time.push_back(TimeCell::instant(add_hours(synthetic_midnight, h)));
     wind.value.push_back(
         vector_from_direction(day.wind_speed_m_s * (1 + 0.4 * std::sin(0.4 * h)), 230.0 + 6.0 * h));
@@ -89,6 +89,8 @@ inline std::vector<double> estimate_errors(const Calibration& fitted,
     if (p.name == "interior_north") expected = truth.interior_north_m_s;
     if (p.name == "eddy_viscosity") expected = truth.eddy_viscosity_m2_s;
     if (p.name == "bottom_friction") expected = truth.bottom_friction_m_s;
+    if (p.name == "base_friction") expected = truth.base_friction_m_s;
+    if (p.name == "mixed_layer_depth") expected = truth.mixed_layer_depth_m;
     if (p.name == "bottom_eddy_viscosity") expected = truth.bottom_eddy_viscosity_m2_s;
     if (p.name == "stress_factor") expected = truth.stress_factor;
     errors.push_back(p.is_logarithmic ? std::log(p.value / expected) : p.value - expected);
