@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "calibration/propagate/member_wind.h"
+#include "tests/calibration/propagate/outlook_for_tests.h"
+
+namespace slackwater::calibration {
+namespace {
+
+Spread with_wind_error() {
+  Spread spread;
+  spread.wind.at_once_m_s = 0.5;
+  spread.wind.limit_m_s = 2.5;
+  return spread;
+}
+
+TEST(Members, DepartBySigmaAboutAMeanOfZeroAtEveryTimeAndLevel) {
+  for (const bool has_wind : {true, false}) {
+    const CalibrationInput input = unsteady_input(usual_day());
+    const Calibration fitted = calibrate_day(input);
+    const std::optional<VectorColumn> wind = has_wind ? input.wind : std::nullopt;
+    const Propagated p = outlook(fitted, leads(0, 36), wind, with_wind_error());
+    const std::size_t size = p.mean_m_s.size();
+    ASSERT_EQ(p.departure_m_s.size(), 24 * size);
+    for (std::size_t i = 0; i < size; ++i) {
+      Horizontal sum{};
+      double squares = 0;
+      for (std::size_t m = 0; m < 24; ++m) {
+        sum += p.departure_m_s[m * size + i];
+        squares += 0.5 * std::norm(p.departure_m_s[m * size + i]) / 24;
+      }
+      EXPECT_LT(std::abs(sum), 1e-13);
+      EXPECT_NEAR(std::sqrt(squares) / p.sigma_m_s[i], 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(Members, ComeInPairsOfOppositeWind) {
+  const CalibrationInput input = unsteady_input(usual_day());
+  const auto times = leads(1, 24);
+  const Propagated p = outlook(calibrate_day(input), times, input.wind, with_wind_error());
+  ASSERT_EQ(p.wind_departure_m_s.size(), 24 * times.size());
+  for (std::size_t pair = 0; pair < 12; ++pair) {
+    for (std::size_t t = 0; t < times.size(); ++t) {
+      const Horizontal plus = p.wind_departure_m_s[2 * pair * times.size() + t];
+      EXPECT_GT(std::abs(plus), 0.0);
+      EXPECT_EQ(plus, -p.wind_departure_m_s[(2 * pair + 1) * times.size() + t]);
+    }
+  }
+}
+
+TEST(Members, AreTheSameBitsForASeedAndOthersForAnother) {
+  const CalibrationInput input = unsteady_input(usual_day());
+  const Calibration fitted = calibrate_day(input);
+  const Propagated a = outlook(fitted, leads(1, 12), input.wind, with_wind_error(), 5);
+  const Propagated b = outlook(fitted, leads(1, 12), input.wind, with_wind_error(), 5);
+  const Propagated c = outlook(fitted, leads(1, 12), input.wind, with_wind_error(), 6);
+  EXPECT_EQ(a.departure_m_s, b.departure_m_s);
+  EXPECT_EQ(a.sigma_m_s, b.sigma_m_s);
+  EXPECT_EQ(a.mean_m_s, c.mean_m_s);  // the centre is no draw
+  EXPECT_NE(a.departure_m_s, c.departure_m_s);
+}
+
+TEST(Members, AWindThatIsDoubtedMoreWidensTheForecast) {
+  const CalibrationInput input = unsteady_input(usual_day());
+  const Calibration fitted = calibrate_day(input);
+  const Propagated sure = outlook(fitted, leads(24, 24), input.wind);
+  const Propagated doubted = outlook(fitted, leads(24, 24), input.wind, with_wind_error());
+  EXPECT_EQ(sure.mean_m_s, doubted.mean_m_s);
+  EXPECT_GT(doubted.sigma_m_s.front(), 1.1 * sure.sigma_m_s.front());
+}
+
+TEST(Members, NoneAskedForLeavesTheMean) {
+  const CalibrationInput input = unsteady_input(usual_day());
+  const Calibration fitted = calibrate_day(input);
+  Spread spread;
+  spread.members = 0;
+  const Propagated p = outlook(fitted, leads(1, 12), input.wind, spread);
+  EXPECT_TRUE(p.departure_m_s.empty());
+  EXPECT_EQ(p.mean_m_s, outlook(fitted, leads(1, 12), input.wind).mean_m_s);
+}
+
+TEST(Members, ParametersAreDrawnFromThePosterior) {
+  const Calibration fitted = calibrate_day(unsteady_input(usual_day()));
+  const std::size_t n = fitted.parameters.size();
+  const std::size_t i = ParameterLayout::log_viscosity;
+  const std::size_t j = fitted.layout.log_factor();
+  Rng rng(3, "tests/drawn_parameters");
+  constexpr int draws = 4000;
+  double ii = 0;
+  double jj = 0;
+  double ij = 0;
+  for (int d = 0; d < draws; ++d) {
+    std::vector<double> z(n);
+    for (double& x : z) x = rng.normal();
+    const SteadyParameters p = drawn_parameters(fitted, z);
+    const double a = std::log(p.eddy_viscosity_m2_s / fitted.parameters[i].value);
+    const double b = std::log(p.stress_factor / fitted.parameters[j].value);
+    ii += a * a / draws;
+    jj += b * b / draws;
+    ij += a * b / draws;
+    EXPECT_EQ(p.interior_m_s(), steady_parameters(fitted).interior_m_s());
+  }
+  // A variance of 4000 draws has a standard error of 2 %.
+  EXPECT_NEAR(ii / fitted.covariance[i * n + i], 1, 0.1);
+  EXPECT_NEAR(jj / fitted.covariance[j * n + j], 1, 0.1);
+  EXPECT_NEAR(
+      ij / std::sqrt(ii * jj),
+      fitted.covariance[i * n + j] / (fitted.parameters[i].sigma * fitted.parameters[j].sigma),
+      0.08);
+}
+
+TEST(Members, TheCentralWindDrivenPartIsThatOfTheForecast) {
+  // Two paths to one number: the steady form with its transient, and the rows that were fitted.
+  for (const SteadyForm form :
+       {SteadyForm::finite_depth, SteadyForm::mixed_layer, SteadyForm::three_layer}) {
+    const CalibrationInput input = unsteady_input(usual_day(form));
+    const Calibration fitted = calibrate_day(input);
+    const auto times = leads(0, 24);
+    const Propagated p = outlook(fitted, times, input.wind);
+    const auto driven =
+        WindDriven(fitted, times, end_of_day)
+            .under(StressSeries(*input.wind, fitted.drag_law), steady_parameters(fitted));
+    for (std::size_t i = 0; i < driven.size(); ++i)
+      EXPECT_LT(std::abs(driven[i] - p.wind_driven_m_s[i]), 1e-12) << name_of(form);
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::calibration
