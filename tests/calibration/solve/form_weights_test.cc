@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "tests/calibration/solve/unsteady_day.h"
@@ -43,6 +44,25 @@ TEST(FormWeights, AFormAloneIsCertainAndTwinsShare) {
   const Calibration fit = both_fits(shelf_day(SteadyForm::finite_depth, 1)).front();
   EXPECT_EQ(form_weights({fit}), std::vector<double>{1.0});
   EXPECT_EQ(form_weights({fit, fit}), (std::vector<double>{0.5, 0.5}));
+}
+
+TEST(FormWeights, AreTheEvidenceOfMisfitAndOccamsFactor) {
+  Calibration a;
+  a.misfit_sigma_m_s = 0.020;
+  a.effective_observations = 12;
+  Calibration b = a;
+  b.log_occam = -2;  // pays more for its freedom
+  std::vector<double> weight = form_weights({a, b});
+  EXPECT_NEAR(weight[0] / weight[1], std::exp(2.0), 1e-12);
+  b.log_occam = 0;
+  b.misfit_sigma_m_s = 0.025;
+  b.effective_observations = 3;  // leaves a slow error: the better form's count holds for both
+  weight = form_weights({a, b});
+  EXPECT_NEAR(weight[0] / weight[1], std::pow(1.25, 24), 1e-9);
+  a.misfit_sigma_m_s = 0.001;
+  b.misfit_sigma_m_s = 0.004;
+  weight = form_weights({a, b});
+  EXPECT_EQ(weight[0], weight[1]);  // both finer than any form is believed
 }
 
 TEST(FormWeights, TheTrueFormWinsInMostDays) {
