@@ -1,5 +1,6 @@
 #include "calibration/propagate/memory_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fields/base/check.h"
@@ -42,6 +43,10 @@ double squared(double value) { return value * value; }
 
 }  // namespace
 
+double MemoryKernel::amplitude_at(double depth_m) const noexcept {
+  return deep_share + (1.0 - deep_share) * std::exp(-std::max(depth_m, 0.0) / fading_depth_m);
+}
+
 HourCell HourCell::of(const TimeCell& cell, UtcTime end_of_day) noexcept {
   if (hours_between(cell.start, cell.end) <= longest_at_centre_h)
     return at(hours_between(end_of_day, cell.centre()));
@@ -55,7 +60,9 @@ MemoryCovariance::MemoryCovariance(const MemoryKernel& kernel, double inertial_d
   expects(kernel.slow_h > 0 && kernel.recent_h > 0, "the memory's times are positive");
   // Without noise a motion of four terms cannot have made 24 values, and no fit exists.
   expects(kernel.noise_m_s > 0, "a value has noise");
-  expects(kernel.vertical_scale_m > 0, "the vertical scale is positive");
+  expects(kernel.vertical_scale_m > 0 && kernel.fading_depth_m > 0, "scales of depth are positive");
+  expects(kernel.deep_share > 0 && kernel.deep_share <= 1, "the amplitudes fade, not to nothing");
+  expects(kernel.surprise_weight >= 0, "a weight is not negative");
 }
 
 Horizontal MemoryCovariance::between(const HourCell& a, const HourCell& b) const {
