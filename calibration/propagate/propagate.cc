@@ -77,12 +77,15 @@ class ColumnMemory {
     std::vector<double> log_weight;
     for (const double slow : horizon.spread.slow_scales) {
       for (const double recent : horizon.spread.recent_scales) {
-        MemoryKernel kernel = horizon.spread.memory;
-        kernel.slow_m_s *= slow;
-        kernel.recent_m_s *= recent;
-        memory_.emplace_back(c.remembered, c.wind_driven_m_s, horizon.end_of_day, damping_per_h,
-                             coriolis_rad_h, kernel);
-        log_weight.push_back(witnesses * memory_.back().log_evidence());
+        for (const double inertial : horizon.spread.inertial_scales) {
+          MemoryKernel kernel = horizon.spread.memory;
+          kernel.slow_m_s *= slow;
+          kernel.recent_m_s *= recent;
+          kernel.inertial_m_s *= inertial;
+          memory_.emplace_back(c.remembered, c.wind_driven_m_s, horizon.end_of_day, damping_per_h,
+                               coriolis_rad_h, kernel);
+          log_weight.push_back(witnesses * memory_.back().log_evidence());
+        }
       }
     }
     const double best = *std::max_element(log_weight.begin(), log_weight.end());

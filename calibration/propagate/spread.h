@@ -15,11 +15,12 @@ struct Spread {
   double inertial_decay_h = 96.0;
   /// Stress that may be blowing where the wind is missing, Pa, per component: that of 7.5 m/s.
   double unknown_stress_pa = 0.1;
-  /// How lively the water may be: the memory's slow and recent terms times these, each pair a kernel of
-  /// its own, believed as its evidence on D says. A regional analysis of deep water moves by the
+  /// How lively the water may be: the memory's slow, recent and inertial terms times these, each
+  /// combination a kernel of its own, believed as its evidence on D says. A regional analysis of deep water moves by the
   /// figures of the kernel, a current meter on a shelf by several times as much.
   std::vector<double> slow_scales{1.0, 2.0, 4.0, 8.0};
   std::vector<double> recent_scales{1.0, 2.5, 5.0};
+  std::vector<double> inertial_scales{1.0, 3.0};
   /// Levels of a column that are independent witnesses of that: neighbours err together.
   double independent_levels = 2.0;
   int members = 24;  ///< beside member 0; even
