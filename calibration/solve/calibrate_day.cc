@@ -130,9 +130,9 @@ Calibration calibrate_day(const CalibrationInput& input) {
       result.covariance.push_back(covariance(i, j));
   }
   // The wind's part and the tide alone: the model without interior and free inertial motion.
-  const ColumnRows::Matrix driven = fit.model(without_flow(minimum.estimate, result.layout));
-  result.remembered = residual_column(input.current, observations, driven);
-  const ColumnRows::Matrix& wind = fit.wind_driven();
+  const std::vector<double> driven = without_flow(minimum.estimate, result.layout);
+  result.remembered = residual_column(input.current, observations, fit.model(driven));
+  const ColumnRows::Matrix& wind = fit.wind_driven(driven);
   result.wind_driven_m_s.assign(wind.data(), wind.data() + wind.size());
   result.misfit = misfit_by_depth(result.residual, observations.depth_m);
   result.rms_m_s = rms_m_s(result.residual);

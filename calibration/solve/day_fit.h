@@ -6,6 +6,7 @@
 
 #include "calibration/residuals/column_rows.h"
 #include "calibration/solve/calibration.h"
+#include "calibration/solve/normal_equations.h"
 #include "calibration/solve/observations.h"
 
 namespace slackwater::calibration {
@@ -16,6 +17,7 @@ struct DayProblem {
   std::vector<Pair> pairs;
   std::vector<Parameter> parameters;  ///< priors and bounds, in the order of the layout
   double sigma_m_s = 0.02;            ///< whitening of the pairs, at best
+  Loss loss = Loss::huber;
 };
 
 /// A minimum.
@@ -26,12 +28,13 @@ struct DayMinimum {
   std::string termination;  ///< one sentence
 };
 
-/// The least-squares problem of one day, handed to Ceres: a block of two residuals per pair under a
-/// Huber loss, and one residual per prior. The model is evaluated once per point for all pairs and
-/// shared by the blocks, so that a block costs nanoseconds.
+/// The least-squares problem of one day, handed to Ceres: the robust squares of all pairs and one square
+/// per prior. Least squares does not see a rotation of its residuals, so the thousands of a day are handed
+/// over rotated onto the directions of their n parameters:
 ///
-/// The Huber threshold is 2 whitened units of the two-component residual: a pair beyond it counts
-/// linearly.
+///   r = [L^{-1} g, sqrt(2 cost - |L^{-1} g|^2)],   J = [L^T, 0],   L L^T = information, g = gradient
+///
+/// the same cost, gradient and Gauss-Newton step from n + 1 numbers.
 class DayFit {
  public:
   explicit DayFit(const DayProblem& problem);
@@ -55,15 +58,12 @@ class DayFit {
 
   /// The model at a point.
   [[nodiscard]] const ColumnRows::Matrix& model(const std::vector<double>& estimate);
-  /// Its wind-driven part at the point last asked for.
-  [[nodiscard]] const ColumnRows::Matrix& wind_driven() const;
+  /// Its wind-driven part.
+  [[nodiscard]] const ColumnRows::Matrix& wind_driven(const std::vector<double>& estimate);
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// Huber's weight rho'(s) for a squared, whitened residual s: 1 below the threshold of `DayFit`.
-[[nodiscard]] double robust_weight(double squared_residual) noexcept;
 
 }  // namespace slackwater::calibration

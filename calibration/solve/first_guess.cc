@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "calibration/solve/normal_equations.h"
 #include "calibration/solve/parameter_set.h"
 
 namespace slackwater::calibration {
@@ -55,9 +56,10 @@ struct Guess {
 };
 
 /// Gauss-Newton in the linear parameters from a point of the grid, which is exact but for the factor.
-Guess solve_linear(const DayProblem& problem, ColumnRows& rows, std::vector<double> estimate) {
+Guess solve_linear(const DayProblem& problem, DayMisfit& misfit, std::vector<double> estimate) {
   const ParameterLayout& layout = problem.day.layout;
-  rows.evaluate(estimate.data(), true);
+  const NormalEquations& all =
+      misfit.normal_equations(estimate, {problem.sigma_m_s, 1.0, Loss::plain});
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < estimate.size(); ++i) {
     const bool shapes = layout.has_shape &&
@@ -65,33 +67,16 @@ Guess solve_linear(const DayProblem& problem, ColumnRows& rows, std::vector<doub
                          (layout.has_layer() && i == layout.log_layer()));
     if (!shapes) free.push_back(i);
   }
-  const auto n = static_cast<Eigen::Index>(free.size());
-  const auto pairs = static_cast<Eigen::Index>(problem.pairs.size());
-  Eigen::MatrixXd jacobian(2 * pairs, n);
-  Eigen::VectorXd miss(2 * pairs);
-  for (Eigen::Index row = 0; row < pairs; ++row) {
-    const Pair& pair = problem.pairs[static_cast<std::size_t>(row)];
-    const auto t = static_cast<Eigen::Index>(pair.time);
-    const auto k = static_cast<Eigen::Index>(pair.level);
-    const Horizontal left = pair.observed_m_s - rows.model()(t, k);
-    miss(2 * row) = left.real();
-    miss(2 * row + 1) = left.imag();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Horizontal by = rows.derivative(free[static_cast<std::size_t>(i)])(t, k);
-      jacobian(2 * row, i) = by.real();
-      jacobian(2 * row + 1, i) = by.imag();
-    }
-  }
-  const double weight = 1.0 / (problem.sigma_m_s * problem.sigma_m_s);
-  Eigen::MatrixXd normal = weight * (jacobian.transpose() * jacobian);
-  const Eigen::VectorXd right = weight * (jacobian.transpose() * miss);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double sigma = problem.parameters[free[static_cast<std::size_t>(i)]].prior_sigma;
-    normal(i, i) += 1.0 / (sigma * sigma);
+  Eigen::MatrixXd normal = all.information(free, free);
+  const Eigen::VectorXd right = -all.gradient(free);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const double sigma = problem.parameters[free[i]].prior_sigma;
+    const auto row = static_cast<Eigen::Index>(i);
+    normal(row, row) += 1.0 / (sigma * sigma);
   }
   const Eigen::VectorXd step = normal.ldlt().solve(right);
   Guess guess;
-  guess.cost = weight * miss.squaredNorm() - step.dot(right);
+  guess.cost = 2.0 * all.cost - step.dot(right);
   for (std::size_t i = 0; i < free.size(); ++i) {
     const double x = step(static_cast<Eigen::Index>(i));
     // The factor itself is linear, its logarithm is not; a step may leave what that can follow.
@@ -111,10 +96,10 @@ Guess solve_linear(const DayProblem& problem, ColumnRows& rows, std::vector<doub
 }  // namespace
 
 std::vector<double> first_guess(const DayProblem& problem) {
-  ColumnRows rows(problem.day);
+  DayMisfit misfit(problem.day, problem.pairs);
   Guess best;
   for (std::vector<double>& point : grid(problem)) {
-    Guess guess = solve_linear(problem, rows, std::move(point));
+    Guess guess = solve_linear(problem, misfit, std::move(point));
     if (guess.cost < best.cost) best = std::move(guess);
   }
   return best.estimate;

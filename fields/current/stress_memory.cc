@@ -6,6 +6,11 @@
 #include "fields/base/check.h"
 
 namespace slackwater {
+namespace {
+
+Complex<double> complex_of(Horizontal value) { return {value.real(), value.imag()}; }
+
+}  // namespace
 
 HourlyStress HourlyStress::sample(const StressSeries& series, UtcTime end_of_day, double history_h,
                                   double lead_h) {
@@ -21,56 +26,85 @@ HourlyStress HourlyStress::sample(const StressSeries& series, UtcTime end_of_day
   return hourly;
 }
 
-StressMemory::StressMemory(const HourlyStress& stress, Horizontal lambda_per_h)
-    : first_(stress.first), lambda_per_h_(lambda_per_h), inverse_lambda_h_(1.0 / lambda_per_h) {
-  expects(lambda_per_h.real() > 0, "a mode decays");
-  const std::size_t n = stress.stress_pa.size();
-  slope_pa_h_.assign(n, Horizontal{});
-  knot_.assign(n, Knot{});
-  const Horizontal decay = std::exp(-lambda_per_h);
-  for (std::size_t i = 0; i + 1 < n; ++i) {
+StressChanges::StressChanges(const HourlyStress& stress)
+    : first_(stress.first),
+      slope_pa_h_(stress.stress_pa.size()),
+      since_first_pa_(stress.stress_pa.size()) {
+  for (std::size_t i = 0; i + 1 < slope_pa_h_.size(); ++i) {
     if (stress.is_known[i] && stress.is_known[i + 1])
-      slope_pa_h_[i] = stress.stress_pa[i + 1] - stress.stress_pa[i];
-    knot_[i + 1] = step(knot_[i], slope_pa_h_[i], 1.0, decay);
+      slope_pa_h_[i] = complex_of(stress.stress_pa[i + 1] - stress.stress_pa[i]);
+    since_first_pa_[i + 1] = since_first_pa_[i] + slope_pa_h_[i];
   }
 }
 
-// m' = -lambda m + g, solved over a stretch of constant slope g:
-//   m = d m_0 + g (1 - d)/lambda,   Int m = (m_0 - m + g t)/lambda,   d = e^{-lambda t},
-// and the same differentiated by lambda.
-StressMemory::Knot StressMemory::step(const Knot& from, Horizontal slope_pa_h, double hours,
-                                      Horizontal decay) const {
-  const Value& start = from.value;
-  const Horizontal settled = slope_pa_h * (1.0 - decay) * inverse_lambda_h_;
-  Knot to;
-  to.value.memory_pa = decay * start.memory_pa + settled;
-  to.value.by_lambda_pa_h = decay * (start.by_lambda_pa_h - hours * start.memory_pa) +
-                            (slope_pa_h * hours * decay - settled) * inverse_lambda_h_;
-  const Horizontal part =
-      (start.memory_pa - to.value.memory_pa + slope_pa_h * hours) * inverse_lambda_h_;
-  to.integral_h.memory_pa = from.integral_h.memory_pa + part;
-  to.integral_h.by_lambda_pa_h =
-      from.integral_h.by_lambda_pa_h +
-      (start.by_lambda_pa_h - to.value.by_lambda_pa_h - part) * inverse_lambda_h_;
-  return to;
-}
-
-StressMemory::Knot StressMemory::at(UtcTime time) const {
+StressChanges::Place StressChanges::place_of(UtcTime time) const {
   const double since_h = hours_between(first_, time);
-  if (knot_.empty() || since_h <= 0) return {};
-  const std::size_t i = std::min(static_cast<std::size_t>(since_h), knot_.size() - 1);
-  const double part_h = since_h - static_cast<double>(i);
-  if (part_h <= 0) return knot_[i];
-  return step(knot_[i], slope_pa_h_[i], part_h, std::exp(-lambda_per_h_ * part_h));
+  if (slope_pa_h_.empty() || since_h <= 0) return {};
+  const std::size_t hour = std::min(static_cast<std::size_t>(since_h), slope_pa_h_.size() - 1);
+  return {hour, since_h - static_cast<double>(hour)};
 }
 
+Complex<double> StressChanges::since_first_pa(const Place& place) const {
+  if (slope_pa_h_.empty()) return {};
+  return since_first_pa_[place.hour] + scaled(slope_pa_h_[place.hour], place.part_h);
+}
+
+// m' = -lambda m + g, solved over a stretch of constant slope g:
+//   m = d m_0 + g s,   d = e^{-lambda t},   s = (1 - d)/lambda,   ds/dlambda = (t d - s)/lambda
+struct StressMemory::Stretch {
+  double hours;
+  Complex<double> decay;
+  Complex<double> settled_h;
+  Complex<double> settled_by_lambda_h2;
+
+  Stretch(double length_h, const Complex<double>& lambda_per_h,
+          const Complex<double>& inverse_lambda_h)
+      : hours(length_h),
+        decay(exp(scaled(lambda_per_h, -length_h))),
+        settled_h(-expm1(scaled(lambda_per_h, -length_h)) * inverse_lambda_h),
+        settled_by_lambda_h2((scaled(decay, length_h) - settled_h) * inverse_lambda_h) {}
+
+  [[nodiscard]] Knot after(const Knot& from, const Complex<double>& slope_pa_h) const {
+    return {decay * from.memory_pa + slope_pa_h * settled_h,
+            decay * (from.by_lambda_pa_h - scaled(from.memory_pa, hours)) +
+                slope_pa_h * settled_by_lambda_h2};
+  }
+};
+
+StressMemory::StressMemory(std::shared_ptr<const StressChanges> changes, Horizontal lambda_per_h)
+    : changes_(std::move(changes)),
+      lambda_per_h_(complex_of(lambda_per_h)),
+      inverse_lambda_h_(reciprocal(lambda_per_h_)),
+      knot_(changes_->hours()) {
+  expects(lambda_per_h.real() > 0, "a mode decays");
+  const Stretch hour(1.0, lambda_per_h_, inverse_lambda_h_);
+  for (std::size_t i = 0; i + 1 < knot_.size(); ++i)
+    knot_[i + 1] = hour.after(knot_[i], changes_->slope_pa_h(i));
+}
+
+StressMemory::Knot StressMemory::at(const StressChanges::Place& place) const {
+  if (knot_.empty()) return {};
+  if (place.part_h <= 0) return knot_[place.hour];
+  return Stretch(place.part_h, lambda_per_h_, inverse_lambda_h_)
+      .after(knot_[place.hour], changes_->slope_pa_h(place.hour));
+}
+
+// A mean: m' = -lambda m + g integrated over the interval gives
+//   lambda Int m = m(start) - m(end) + T(end) - T(start),   and the same differentiated by lambda.
 StressMemory::Value StressMemory::over(const TimeCell& cell) const {
-  if (!cell.is_mean()) return at(cell.start).value;
-  const Value from = at(cell.start).integral_h;
-  const Value to = at(cell.end).integral_h;
+  const StressChanges::Place start = changes_->place_of(cell.start);
+  const Knot from = at(start);
+  if (!cell.is_mean()) return {to_horizontal(from.memory_pa), to_horizontal(from.by_lambda_pa_h)};
+  const StressChanges::Place end = changes_->place_of(cell.end);
+  const Knot to = at(end);
+  const Complex<double> changed_pa =
+      changes_->since_first_pa(end) - changes_->since_first_pa(start);
+  const Complex<double> integral_pa_h =
+      (from.memory_pa - to.memory_pa + changed_pa) * inverse_lambda_h_;
+  const Complex<double> integral_by_lambda =
+      (from.by_lambda_pa_h - to.by_lambda_pa_h - integral_pa_h) * inverse_lambda_h_;
   const double width_h = hours_between(cell.start, cell.end);
-  return {(to.memory_pa - from.memory_pa) / width_h,
-          (to.by_lambda_pa_h - from.by_lambda_pa_h) / width_h};
+  return {to_horizontal(integral_pa_h) / width_h, to_horizontal(integral_by_lambda) / width_h};
 }
 
 }  // namespace slackwater

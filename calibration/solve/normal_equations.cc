@@ -1,0 +1,77 @@
+#include "calibration/solve/normal_equations.h"
+
+#include <cmath>
+
+namespace slackwater::calibration {
+namespace {
+
+constexpr double huber_threshold = 2.0;
+
+/// Twice the cost of one pair: Huber's rho(s), or s.
+double loss_of(double squared_residual, Loss loss) {
+  if (loss == Loss::plain || squared_residual <= huber_threshold * huber_threshold)
+    return squared_residual;
+  return 2.0 * huber_threshold * std::sqrt(squared_residual) - huber_threshold * huber_threshold;
+}
+
+/// rho'(s)
+double slope_of(double squared_residual, Loss loss) {
+  if (loss == Loss::plain || squared_residual <= huber_threshold * huber_threshold) return 1.0;
+  return huber_threshold / std::sqrt(squared_residual);
+}
+
+}  // namespace
+
+DayMisfit::DayMisfit(const ColumnDay& day, const std::vector<Pair>& pairs) : rows_(day) {
+  const auto levels = static_cast<Eigen::Index>(day.depth_m.size());
+  const auto cells = static_cast<Eigen::Index>(day.time.size()) * levels;
+  observed_.setZero(2 * cells);
+  has_pair_.setZero(cells);
+  for (const Pair& pair : pairs) {
+    const Eigen::Index at =
+        static_cast<Eigen::Index>(pair.time) * levels + static_cast<Eigen::Index>(pair.level);
+    observed_(at) = pair.observed_m_s.real();
+    observed_(cells + at) = pair.observed_m_s.imag();
+    has_pair_(at) = 1.0;
+  }
+  root_.resize(2 * cells);
+}
+
+const ColumnRows& DayMisfit::at(const std::vector<double>& estimate, bool with_derivatives) {
+  const bool is_there = estimate == estimate_;
+  if (is_there && (has_derivatives_ || !with_derivatives)) return rows_;
+  rows_.evaluate(estimate.data(), with_derivatives);
+  estimate_ = estimate;
+  has_derivatives_ = with_derivatives;
+  return rows_;
+}
+
+double DayMisfit::weigh(const PairWeighing& weighing) {
+  const Eigen::Index cells = has_pair_.size();
+  const double whitening = 1.0 / weighing.sigma_m_s;
+  double sum = 0;
+  for (Eigen::Index i = 0; i < cells; ++i) {
+    const double east = whitening * miss_(i);
+    const double north = whitening * miss_(cells + i);
+    const double square = east * east + north * north;
+    sum += has_pair_(i) * loss_of(square, weighing.loss);
+    root_(i) =
+        has_pair_(i) * whitening * std::sqrt(weighing.weight * slope_of(square, weighing.loss));
+  }
+  root_.tail(cells) = root_.head(cells);
+  return 0.5 * weighing.weight * sum;
+}
+
+const NormalEquations& DayMisfit::normal_equations(const std::vector<double>& estimate,
+                                                   const PairWeighing& weighing) {
+  const ColumnRows& rows = at(estimate, true);
+  miss_ = rows.stacked_model().array() - observed_;
+  equations_.cost = weigh(weighing);
+  weighted_ = root_.matrix().asDiagonal() * rows.stacked_derivatives();
+  miss_ *= root_;
+  equations_.gradient.noalias() = weighted_.transpose() * miss_.matrix();
+  equations_.information.noalias() = weighted_.transpose() * weighted_;
+  return equations_;
+}
+
+}  // namespace slackwater::calibration
