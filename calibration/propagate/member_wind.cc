@@ -6,38 +6,72 @@
 
 #include "calibration/solve/parameter_set.h"
 #include "fields/base/check.h"
-#include "fields/current/unsteady_column.h"
+#include "fields/current/steady_column.h"
 
 namespace slackwater::calibration {
 
-WindDriven::WindDriven(const Calibration& calibration, std::span<const UtcTime> times,
-                       UtcTime end_of_day)
-    : calibration_(calibration), times_(times), end_of_day_(end_of_day) {
-  const VectorColumn& column = calibration.remembered;
-  depth_m_ = column.levels_m.empty() ? std::vector<double>{0.0} : column.levels_m;
+namespace {
+
+double last_hour(std::span<const UtcTime> times, UtcTime end_of_day) {
+  return times.empty() ? 0.0 : std::max(0.0, hours_between(end_of_day, times.back()));
 }
 
-std::vector<Horizontal> WindDriven::under(const StressSeries& stress,
-                                          const SteadyParameters& parameters) const {
-  const std::size_t levels = depth_m_.size();
+std::vector<Horizontal> stress_at(std::span<const UtcTime> times, const StressSeries& stress) {
   std::vector<Horizontal> stress_pa;
-  for (const UtcTime time : times_) stress_pa.push_back(stress.at(time).value_or(Horizontal{}));
-  const Calibration& c = calibration_;
-  const LevelResponses responses =
-      level_responses(c.form, parameters, c.latitude, c.water_depth_m, depth_m_);
-  std::vector<Horizontal> driven(times_.size() * levels);
-  evaluate_steady(responses, Horizontal{}, stress_pa, driven);
-  if (!c.layout.has_modes() || times_.empty()) return driven;
-  const double last_h = std::max(0.0, hours_between(end_of_day_, times_.back()));
-  const UnsteadyColumn column(
-      c.form, parameters, c.latitude, c.water_depth_m, depth_m_,
-      HourlyStress::sample(stress, end_of_day_, 24.0 + stress_history_h, last_h));
-  std::vector<Horizontal> transient(levels);
-  for (std::size_t t = 0; t < times_.size(); ++t) {
-    column.transient(TimeCell::instant(times_[t]), transient);
-    for (std::size_t k = 0; k < levels; ++k) driven[t * levels + k] += transient[k];
+  for (const UtcTime time : times) stress_pa.push_back(stress.at(time).value_or(Horizontal{}));
+  return stress_pa;
+}
+
+HourlyStress stress_by_the_hour(std::span<const UtcTime> times, UtcTime end_of_day,
+                                const StressSeries& stress) {
+  return HourlyStress::sample(stress, end_of_day, 24.0 + stress_history_h,
+                              last_hour(times, end_of_day));
+}
+
+ColumnDay without_tide(ColumnDay day) {
+  day.layout.tide.clear();
+  return day;
+}
+
+}  // namespace
+
+ColumnDay day_of_horizon(const Calibration& calibration, std::span<const UtcTime> times,
+                         UtcTime end_of_day, const StressSeries& stress) {
+  const VectorColumn& column = calibration.remembered;
+  ColumnDay day;
+  day.layout = calibration.layout;
+  day.latitude = calibration.latitude;
+  day.water_depth_m = calibration.water_depth_m;
+  day.depth_m = column.levels_m.empty() ? std::vector<double>{0.0} : column.levels_m;
+  day.start = calibration.start;
+  for (const UtcTime time : times) day.time.push_back(TimeCell::instant(time));
+  day.stress_pa = stress_at(times, stress);
+  day.hourly = stress_by_the_hour(times, end_of_day, stress);
+  return day;
+}
+
+WindDriven::WindDriven(const Calibration& calibration, std::span<const UtcTime> times,
+                       UtcTime end_of_day)
+    : calibration_(calibration),
+      times_(times),
+      end_of_day_(end_of_day),
+      rows_(without_tide(day_of_horizon(calibration, times, end_of_day, StressSeries()))) {}
+
+std::vector<Horizontal> WindDriven::under(const StressSeries& stress,
+                                          const SteadyParameters& parameters) {
+  rows_.set_stress(stress_at(times_, stress), stress_by_the_hour(times_, end_of_day_, stress));
+  const ParameterLayout& layout = rows_.day().layout;
+  std::vector<double> estimate(layout.count());
+  if (layout.has_shape) {
+    estimate[ParameterLayout::log_viscosity] = std::log(parameters.eddy_viscosity_m2_s);
+    estimate[ParameterLayout::log_bottom] =
+        std::log(shape_of(calibration_.form, parameters).bottom);
   }
-  return driven;
+  if (layout.has_wind) estimate[layout.log_factor()] = std::log(parameters.stress_factor);
+  if (layout.has_layer()) estimate[layout.log_layer()] = std::log(parameters.mixed_layer_depth_m);
+  rows_.evaluate(estimate.data(), false);
+  const ColumnRows::Matrix& driven = rows_.wind_driven();
+  return {driven.data(), driven.data() + driven.size()};
 }
 
 SteadyParameters drawn_parameters(const Calibration& calibration, std::span<const double> normals) {

@@ -1,12 +1,17 @@
 #pragma once
+#include <span>
 #include <vector>
 
-#include "calibration/propagate/spread.h"
+#include "calibration/residuals/column_rows.h"
 #include "calibration/solve/calibration.h"
-#include "fields/base/random.h"
-#include "fields/current/stress_memory.h"
 
 namespace slackwater::calibration {
+
+/// The model of a calibrated day at the instants of a horizon, under a stress that may be unknown at some
+/// (0 there).
+[[nodiscard]] ColumnDay day_of_horizon(const Calibration& calibration,
+                                       std::span<const UtcTime> times, UtcTime end_of_day,
+                                       const StressSeries& stress);
 
 /// The wind-driven part of one form under any wind and parameters, at fixed times and levels.
 class WindDriven {
@@ -15,13 +20,13 @@ class WindDriven {
 
   /// m/s, times x levels. Without a stress at a time its instantaneous part is left out.
   [[nodiscard]] std::vector<Horizontal> under(const StressSeries& stress,
-                                              const SteadyParameters& parameters) const;
+                                              const SteadyParameters& parameters);
 
  private:
   const Calibration& calibration_;
   std::span<const UtcTime> times_;
   UtcTime end_of_day_;
-  std::vector<double> depth_m_;
+  ColumnRows rows_;
 };
 
 /// The parameters of the forward model drawn from their posterior: of a vector of standard normals, one a

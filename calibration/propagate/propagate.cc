@@ -32,23 +32,6 @@ struct FormOutlook {
   std::vector<Horizontal> departures;  ///< of the members of this form, members x times x levels
 };
 
-ColumnDay day_of_horizon(const Calibration& c, const Horizon& horizon) {
-  ColumnDay day;
-  day.layout = c.layout;
-  day.latitude = c.latitude;
-  day.water_depth_m = c.water_depth_m;
-  day.depth_m = c.remembered.levels_m.empty() ? std::vector<double>{0.0} : c.remembered.levels_m;
-  day.start = c.start;
-  for (const UtcTime time : horizon.times) {
-    day.time.push_back(TimeCell::instant(time));
-    day.stress_pa.push_back(horizon.stress.at(time).value_or(Horizontal{}));
-  }
-  const double last_h = std::max(0.0, hours_between(horizon.end_of_day, horizon.times.back()));
-  day.hourly =
-      HourlyStress::sample(horizon.stress, horizon.end_of_day, 24.0 + stress_history_h, last_h);
-  return day;
-}
-
 /// The stress that may blow unseen makes currents that no member has.
 void add_unknown_wind(const Calibration& c, const Horizon& horizon,
                       const std::vector<double>& depth_m, std::vector<double>& variance) {
@@ -127,7 +110,7 @@ class ColumnMemory {
 };
 
 FormOutlook carry(const Calibration& c, const ColumnMemory& memory, const Horizon& horizon) {
-  ColumnRows rows(day_of_horizon(c, horizon));
+  ColumnRows rows(day_of_horizon(c, horizon.times, horizon.end_of_day, horizon.stress));
   rows.evaluate(without_flow(estimates_of(c.parameters), c.layout).data(), false);
   FormOutlook out;
   const auto size = static_cast<std::size_t>(rows.model().size());
@@ -177,7 +160,7 @@ std::vector<Horizontal> opposite(std::vector<Horizontal> values) {
 }
 
 /// Departures of the wind-driven part and of the memory for one pair of members of a form.
-void draw_pair(const Calibration& c, const Horizon& horizon, const WindDriven& model,
+void draw_pair(const Calibration& c, const Horizon& horizon, WindDriven& model,
                const std::vector<Horizontal>& central, std::span<const Horizontal> wind_departure,
                Rng& random, std::span<Horizontal> plus, std::span<Horizontal> minus) {
   std::vector<double> normals(c.parameters.size());
@@ -286,15 +269,15 @@ Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime
   const std::vector<std::size_t> form = form_of_pairs(result.form_weight, pairs);
   if (uses_wind) {
     const std::vector<UtcTime> samples = wind_samples_after(*wind, end_of_day);
-    std::vector<Horizontal> wind_departure;
+    std::vector<WindDriven> model;
+    for (const Calibration& c : forms) model.emplace_back(c, times, end_of_day);
     for (std::size_t p = 0; p < pairs; ++p) {
       Rng random(seed, "calibration/member_wind/" + std::to_string(p));
       const std::vector<Horizontal> drawn =
           draw_wind_departures(samples, end_of_day, wind_error, random);
       const Calibration& c = forms[form[p]];
-      const WindDriven model(c, times, end_of_day);
-      const std::vector<Horizontal> central = model.under(horizon.stress, steady_parameters(c));
-      draw_pair(c, horizon, model, central, drawn, random, member(2 * p), member(2 * p + 1));
+      draw_pair(c, horizon, model[form[p]], outlook[form[p]].driven, drawn, random, member(2 * p),
+                member(2 * p + 1));
       const std::vector<Horizontal> at_times = at_stamps(samples, drawn, times, end_of_day);
       for (const double sign : {1.0, -1.0}) {
         for (const Horizontal& w : at_times) result.wind_departure_m_s.push_back(sign * w);

@@ -91,7 +91,7 @@ Calibration calibrate_day(const CalibrationInput& input) {
   // rough minimum under the first guess's misfit is enough to measure both.
   DayFit fit(problem);
   const auto residual_at = [&](const std::vector<double>& estimate) {
-    return residual_column(input.current, observations, fit.model(estimate));
+    return residual_column(input.current, observations, fit.at(estimate, true).model());
   };
   const auto whitening = [&](const VectorColumn& residual) {
     return std::max(problem.sigma_m_s, robust_component_sigma_m_s(residual));
@@ -130,9 +130,9 @@ Calibration calibrate_day(const CalibrationInput& input) {
       result.covariance.push_back(covariance(i, j));
   }
   // The wind's part and the tide alone: the model without interior and free inertial motion.
-  const std::vector<double> driven = without_flow(minimum.estimate, result.layout);
-  result.remembered = residual_column(input.current, observations, fit.model(driven));
-  const ColumnRows::Matrix& wind = fit.wind_driven(driven);
+  const ColumnRows& driven = fit.at(without_flow(minimum.estimate, result.layout), false);
+  result.remembered = residual_column(input.current, observations, driven.model());
+  const ColumnRows::Matrix& wind = driven.wind_driven();
   result.wind_driven_m_s.assign(wind.data(), wind.data() + wind.size());
   result.misfit = misfit_by_depth(result.residual, observations.depth_m);
   result.rms_m_s = rms_m_s(result.residual);

@@ -158,12 +158,8 @@ DayMinimum DayFit::minimise(const std::vector<double>& start, double sigma_m_s, 
           sentence(summary)};
 }
 
-const ColumnRows::Matrix& DayFit::model(const std::vector<double>& estimate) {
-  return state_->misfit.at(estimate, false).model();
-}
-
-const ColumnRows::Matrix& DayFit::wind_driven(const std::vector<double>& estimate) {
-  return state_->misfit.at(estimate, false).wind_driven();
+const ColumnRows& DayFit::at(const std::vector<double>& estimate, bool with_derivatives) {
+  return state_->misfit.at(estimate, with_derivatives);
 }
 
 Eigen::MatrixXd DayFit::information(const std::vector<double>& estimate, double sigma_m_s,

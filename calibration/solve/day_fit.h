@@ -56,10 +56,9 @@ class DayFit {
   [[nodiscard]] Eigen::MatrixXd information(const std::vector<double>& estimate, double sigma_m_s,
                                             double weight);
 
-  /// The model at a point.
-  [[nodiscard]] const ColumnRows::Matrix& model(const std::vector<double>& estimate);
-  /// Its wind-driven part.
-  [[nodiscard]] const ColumnRows::Matrix& wind_driven(const std::vector<double>& estimate);
+  /// The model at a point. With derivatives where a minimisation or the information comes next: they are
+  /// not made again.
+  [[nodiscard]] const ColumnRows& at(const std::vector<double>& estimate, bool with_derivatives);
 
  private:
   struct State;

@@ -1,11 +1,13 @@
 #include "calibration/solve/normal_equations.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slackwater::calibration {
 namespace {
 
 constexpr double huber_threshold = 2.0;
+constexpr Eigen::Index block_rows = 256;  ///< of derivatives, weighted while they are in the cache
 
 /// Twice the cost of one pair: Huber's rho(s), or s.
 double loss_of(double squared_residual, Loss loss) {
@@ -67,10 +69,21 @@ const NormalEquations& DayMisfit::normal_equations(const std::vector<double>& es
   const ColumnRows& rows = at(estimate, true);
   miss_ = rows.stacked_model().array() - observed_;
   equations_.cost = weigh(weighing);
-  weighted_ = root_.matrix().asDiagonal() * rows.stacked_derivatives();
-  miss_ *= root_;
-  equations_.gradient.noalias() = weighted_.transpose() * miss_.matrix();
-  equations_.information.noalias() = weighted_.transpose() * weighted_;
+  const Eigen::MatrixXd& derivatives = rows.stacked_derivatives();
+  const Eigen::Index count = derivatives.cols();
+  equations_.gradient.setZero(count);
+  equations_.information.setZero(count, count);
+  auto half = equations_.information.selfadjointView<Eigen::Lower>();
+  for (Eigen::Index from = 0; from < miss_.size(); from += block_rows) {
+    const Eigen::Index n = std::min(block_rows, miss_.size() - from);
+    const auto root = root_.segment(from, n).matrix();
+    weighted_.noalias() = root.asDiagonal() * derivatives.middleRows(from, n);
+    equations_.gradient.noalias() +=
+        weighted_.transpose() * miss_.segment(from, n).matrix().cwiseProduct(root);
+    half.rankUpdate(weighted_.transpose());
+  }
+  equations_.information.triangularView<Eigen::StrictlyUpper>() =
+      equations_.information.transpose();
   return equations_;
 }
 

@@ -28,7 +28,7 @@ class TidalShape {
         inverse_mean_(reciprocal(column_.depth_mean().interior)) {}
 
   [[nodiscard]] Complex<T> at_depth(double depth_m) const {
-    return column_.at_depth(depth_m).interior * inverse_mean_;
+    return column_.interior_at_depth(depth_m) * inverse_mean_;
   }
 
  private:
