@@ -91,20 +91,24 @@ void BenchReport::figure(const Figure& figure) {
   if (options_.check_only) return;
   const double median = median_of(figure.samples);
   const auto [low, high] = std::minmax_element(figure.samples.begin(), figure.samples.end());
-  const bool good = !figure.at_most || median <= *figure.at_most;
+  const bool good = (!figure.at_most || median <= *figure.at_most) &&
+                    (!figure.at_least || median >= *figure.at_least);
   slow_ = slow_ || !good;
-  const char* verdict = !figure.at_most ? "-" : good ? "PASS" : "FAIL";
+  const bool has_target = figure.at_most || figure.at_least;
+  const char* verdict = !has_target ? "-" : good ? "PASS" : "FAIL";
   if (options_.json) {
     nlohmann::json line = {
         {"figure", figure.name}, {"unit", figure.unit}, {"median", median},
         {"min", *low},           {"max", *high},        {"samples", figure.samples.size()},
         {"verdict", verdict},    {"note", figure.note}, {"load", load_average()}};
     if (figure.at_most) line["at_most"] = *figure.at_most;
+    if (figure.at_least) line["at_least"] = *figure.at_least;
     std::printf("%s\n", line.dump().c_str());
   } else {
     char target[48] = "no target";
-    if (figure.at_most) {
-      std::snprintf(target, sizeof target, "target <= %g %s", *figure.at_most, figure.unit.c_str());
+    if (has_target) {
+      std::snprintf(target, sizeof target, "target %s %g %s", figure.at_most ? "<=" : ">=",
+                    figure.at_most ? *figure.at_most : *figure.at_least, figure.unit.c_str());
     }
     std::printf("%-5s %-52s median %9.4g %s (min %.4g, max %.4g, n %zu)  %s%s%s\n", verdict,
                 figure.name.c_str(), median, figure.unit.c_str(), *low, *high,

@@ -22,6 +22,7 @@ struct Figure {
   std::vector<double> samples;
   std::optional<double> at_most;  ///< the median passes up to this
   std::string note;
+  std::optional<double> at_least = std::nullopt;  ///< ... or from this on, for a ratio
 };
 
 [[nodiscard]] double median_of(std::vector<double> samples);

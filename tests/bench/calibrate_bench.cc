@@ -1,5 +1,6 @@
-// One column-day (24 hourly means x 35 levels) calibrated with covariance, and the batch evaluation
-// of the steady column. Both answers are verified before any time is printed; a wrong answer ends
+// One column-day (24 hourly means x 35 levels) calibrated with covariance, steady and unsteady with tide;
+// the same least squares in scipy; a thousand columns; and the batch evaluation of the steady column. All
+// answers are verified before any time is printed; a wrong answer ends
 // with exit code 1.
 #include <algorithm>
 #include <chrono>
@@ -13,6 +14,7 @@
 #include "fields/current/kernel_dispatch.h"
 #include "fields/current/stress_series.h"
 #include "tests/bench/bench_report.h"
+#include "tests/bench/unsteady_calibration.h"
 
 namespace {
 
@@ -146,6 +148,9 @@ int main(int argc, char** argv) {
   BenchReport report(bench_options(argc, argv));
   bench_calibration(report, "column-day 24 h x 35 levels, white noise", false);
   bench_calibration(report, "column-day 24 h x 35 levels, inertial misfit", true);
+  bench_unsteady_day(report);
+  bench_against_scipy(report);
+  bench_thousand_columns(report);
   bench_evaluation(report);
   return report.exit_code();
 }
