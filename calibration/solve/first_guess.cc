@@ -11,6 +11,8 @@
 namespace slackwater::calibration {
 namespace {
 
+constexpr double searched_sigma = 0.55;  ///< of a logarithm: narrower than any general prior's
+
 /// Values of one parameter to try, in the terms of the estimate.
 std::vector<double> tries(const Parameter& p, int steps) {
   const Prior prior = prior_of(p);
@@ -30,9 +32,9 @@ std::vector<std::vector<double>> grid(const DayProblem& problem) {
   for (const Parameter& p : problem.parameters) prior.push_back(estimated(p, p.prior));
   std::vector<std::vector<double>> points{prior};
   const auto spread = [&](std::size_t index, int steps) {
-    // What is known well already needs no search.
+    // What is known already, be it from yesterday, needs no search.
     const Parameter& p = problem.parameters[index];
-    const std::vector<double> values = tries(p, p.prior_sigma < 0.5 ? 1 : steps);
+    const std::vector<double> values = tries(p, p.prior_sigma < searched_sigma ? 1 : steps);
     std::vector<std::vector<double>> more;
     for (const auto& point : points) {
       for (const double value : values) {

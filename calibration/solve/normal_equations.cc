@@ -24,7 +24,8 @@ double slope_of(double squared_residual, Loss loss) {
 
 }  // namespace
 
-DayMisfit::DayMisfit(const ColumnDay& day, const std::vector<Pair>& pairs) : rows_(day) {
+DayMisfit::DayMisfit(const ColumnDay& day, const std::vector<Pair>& pairs)
+    : points_{Point{ColumnRows(day), {}, false}, Point{ColumnRows(day), {}, false}} {
   const auto levels = static_cast<Eigen::Index>(day.depth_m.size());
   const auto cells = static_cast<Eigen::Index>(day.time.size()) * levels;
   observed_.setZero(2 * cells);
@@ -40,12 +41,14 @@ DayMisfit::DayMisfit(const ColumnDay& day, const std::vector<Pair>& pairs) : row
 }
 
 const ColumnRows& DayMisfit::at(const std::vector<double>& estimate, bool with_derivatives) {
-  const bool is_there = estimate == estimate_;
-  if (is_there && (has_derivatives_ || !with_derivatives)) return rows_;
-  rows_.evaluate(estimate.data(), with_derivatives);
-  estimate_ = estimate;
-  has_derivatives_ = with_derivatives;
-  return rows_;
+  if (points_.front().estimate != estimate) std::swap(points_.front(), points_.back());
+  Point& point = points_.front();
+  const bool is_there = point.estimate == estimate;
+  if (is_there && (point.has_derivatives || !with_derivatives)) return point.rows;
+  point.rows.evaluate(estimate.data(), with_derivatives);
+  point.estimate = estimate;
+  point.has_derivatives = with_derivatives;
+  return point.rows;
 }
 
 double DayMisfit::weigh(const PairWeighing& weighing) {

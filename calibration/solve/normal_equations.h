@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "calibration/residuals/column_rows.h"
@@ -28,12 +29,13 @@ struct NormalEquations {
   Eigen::MatrixXd information;
 };
 
-/// The misfit of a day's model to its pairs, evaluated once per point and for all pairs at once.
+/// The misfit of a day's model to its pairs, evaluated once per point and for all pairs at once. The last
+/// two points stand: a minimiser tries one, and may go back to where it was.
 class DayMisfit {
  public:
   DayMisfit(const ColumnDay& day, const std::vector<Pair>& pairs);
 
-  /// The model there; not evaluated again where it already stands.
+  /// The model there; not evaluated again where it already stands. Good until the next but one call.
   const ColumnRows& at(const std::vector<double>& estimate, bool with_derivatives);
   [[nodiscard]] const NormalEquations& normal_equations(const std::vector<double>& estimate,
                                                         const PairWeighing& weighing);
@@ -41,13 +43,17 @@ class DayMisfit {
  private:
   [[nodiscard]] double weigh(const PairWeighing& weighing);
 
-  ColumnRows rows_;
-  std::vector<double> estimate_;
-  bool has_derivatives_ = false;
-  Eigen::ArrayXd observed_;  ///< stacked as ColumnRows stacks them; 0 without a pair
-  Eigen::ArrayXd has_pair_;  ///< 1 or 0 for each time and level
-  Eigen::ArrayXd miss_;      ///< model minus observed
-  Eigen::ArrayXd root_;      ///< square roots of the weights, the whitening among them
+  struct Point {
+    ColumnRows rows;
+    std::vector<double> estimate;
+    bool has_derivatives = false;
+  };
+
+  std::array<Point, 2> points_;  ///< the newest first
+  Eigen::ArrayXd observed_;      ///< stacked as ColumnRows stacks them; 0 without a pair
+  Eigen::ArrayXd has_pair_;      ///< 1 or 0 for each time and level
+  Eigen::ArrayXd miss_;          ///< model minus observed
+  Eigen::ArrayXd root_;          ///< square roots of the weights, the whitening among them
   Eigen::MatrixXd weighted_;
   NormalEquations equations_;
 };
