@@ -91,21 +91,53 @@ MatrixXcd design(const Record& record, std::span<const TidalCarrier> carriers) {
   MatrixXcd a(static_cast<Index>(record.time.size()), static_cast<Index>(1 + 2 * carriers.size()));
   a.col(0).setOnes();
   Index column = 1;
-  for (const TidalCarrier& carrier : carriers) {
+  const auto add = [&](double speed_rad_s, Horizontal factor) {
     for (Index i = 0; i < a.rows(); ++i) {
-      const TimeCell& cell = record.time[static_cast<std::size_t>(i)];
-      Horizontal sum = turning(carrier.constituent->speed_rad_s, record.reference, cell);
-      for (const InferredConstituent& inferred : carrier.carried) {
-        sum += inference_factor(*carrier.constituent, inferred, record.reference) *
-               turning(inferred.constituent->speed_rad_s, record.reference, cell);
-      }
-      a(i, column) = sum;
-      a(i, column + 1) = std::conj(sum);
+      a(i, column) +=
+          factor * turning(speed_rad_s, record.reference, record.time[static_cast<std::size_t>(i)]);
     }
+  };
+  for (const TidalCarrier& carrier : carriers) {
+    a.col(column).setZero();
+    add(carrier.constituent->speed_rad_s, 1.0);
+    for (const InferredConstituent& inferred : carrier.carried) {
+      add(inferred.constituent->speed_rad_s,
+          inference_factor(*carrier.constituent, inferred, record.reference));
+    }
+    a.col(column + 1) = a.col(column).conjugate();
     column += 2;
   }
   return a;
 }
+
+/// The carriers still in the fit, with their columns and the products of these: made once, and cut when
+/// a carrier goes.
+struct NormalForm {
+  std::vector<TidalCarrier> carriers;
+  MatrixXcd a;
+  MatrixXcd gram;   ///< a^H a
+  VectorXcd right;  ///< a^H y
+
+  NormalForm(std::vector<TidalCarrier> given, const Record& record)
+      : carriers(std::move(given)),
+        a(design(record, carriers)),
+        gram(a.adjoint() * a),
+        right(a.adjoint() * record.value) {}
+
+  void drop(std::size_t k) {
+    carriers.erase(carriers.begin() + static_cast<std::ptrdiff_t>(k));
+    const auto column = static_cast<Index>(1 + 2 * k);
+    const Index after = a.cols() - column - 2;
+    const Index left = a.cols() - 2;
+    a.middleCols(column, after) = a.rightCols(after).eval();
+    a.conservativeResize(Eigen::NoChange, left);
+    gram.middleCols(column, after) = gram.rightCols(after).eval();
+    gram.middleRows(column, after) = gram.bottomRows(after).eval();
+    gram.conservativeResize(left, left);
+    right.segment(column, after) = right.tail(after).eval();
+    right.conservativeResize(left);
+  }
+};
 
 std::string rounded(double x, int digits) {
   std::string text = std::to_string(x);
@@ -134,27 +166,29 @@ void drop_unseen(std::vector<TidalCarrier>& carriers, const Record& record,
 }
 
 /// Drops, one after the other, the constituent most involved in the worst-determined direction.
-void drop_ill_conditioned(std::vector<TidalCarrier>& carriers, const Record& record,
-                          std::vector<std::string>& notes) {
-  while (!carriers.empty()) {
-    MatrixXcd a = design(record, carriers);
-    for (Index j = 0; j < a.cols(); ++j) a.col(j) /= std::max(a.col(j).norm(), 1e-300);
-    const Eigen::SelfAdjointEigenSolver<MatrixXcd> eigen(a.adjoint() * a);
-    const double largest = eigen.eigenvalues()(a.cols() - 1);
+void drop_ill_conditioned(NormalForm& normal, std::vector<std::string>& notes) {
+  while (!normal.carriers.empty()) {
+    const Eigen::VectorXd inverse =
+        normal.gram.diagonal().real().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<MatrixXcd> eigen(inverse.asDiagonal() * normal.gram *
+                                                         inverse.asDiagonal());
+    const Index columns = normal.a.cols();
+    const double largest = eigen.eigenvalues()(columns - 1);
     const double smallest = std::max(eigen.eigenvalues()(0), 0.0);
-    if (a.rows() > a.cols() && largest <= smallest * largest_condition * largest_condition) return;
+    if (normal.a.rows() > columns && largest <= smallest * largest_condition * largest_condition)
+      return;
     const VectorXcd direction = eigen.eigenvectors().col(0);
     std::size_t worst = 0;
     double most = -1.0;
-    for (std::size_t k = 0; k < carriers.size(); ++k) {
+    for (std::size_t k = 0; k < normal.carriers.size(); ++k) {
       const auto column = static_cast<Index>(1 + 2 * k);
       const double share = std::norm(direction(column)) + std::norm(direction(column + 1));
       // Of two equally involved ones the later, smaller constituent goes.
       if (share >= most * (1.0 - 1e-6)) most = share, worst = k;
     }
-    notes.push_back(std::string(carriers[worst].constituent->name) +
+    notes.push_back(std::string(normal.carriers[worst].constituent->name) +
                     " dropped: not determined by this record (condition number above 1000)");
-    carriers.erase(carriers.begin() + static_cast<std::ptrdiff_t>(worst));
+    normal.drop(worst);
   }
 }
 
@@ -162,6 +196,15 @@ struct Solution {
   VectorXcd x;
   VectorXcd residual;
 };
+
+/// Through the normal equations: the condition number is at most a thousand here, so that ten digits are
+/// left, enough to see which constituents stand out of the noise.
+Solution quick_solution(const NormalForm& normal, const VectorXcd& y) {
+  Solution solution;
+  solution.x = normal.gram.ldlt().solve(normal.right);
+  solution.residual = y - normal.a * solution.x;
+  return solution;
+}
 
 Solution solve(const MatrixXcd& a, const VectorXcd& y) {
   Solution solution;
@@ -172,7 +215,8 @@ Solution solve(const MatrixXcd& a, const VectorXcd& y) {
 }
 
 /// Power of each pair of phasors over the variance of its estimate.
-std::vector<double> signal_to_noise(const MatrixXcd& a, const Solution& solution) {
+std::vector<double> signal_to_noise(const NormalForm& normal, const Solution& solution) {
+  const MatrixXcd& a = normal.a;
   const Index n = a.rows();
   const VectorXcd& e = solution.residual;
   const double power = e.squaredNorm();
@@ -182,8 +226,7 @@ std::vector<double> signal_to_noise(const MatrixXcd& a, const Solution& solution
     variance *= (1.0 + lag_one) / (1.0 - lag_one);
   }
   variance = std::max(variance, least_noise_m_s * least_noise_m_s);
-  const MatrixXcd gram = a.adjoint() * a;
-  const MatrixXcd inverse = gram.ldlt().solve(MatrixXcd::Identity(a.cols(), a.cols()));
+  const MatrixXcd inverse = normal.gram.ldlt().solve(MatrixXcd::Identity(a.cols(), a.cols()));
   std::vector<double> ratio;
   for (Index column = 1; column + 1 < a.cols(); column += 2) {
     const double noise =
@@ -255,23 +298,20 @@ TideFit fit_tide(std::span<const TimeCell> time, std::span<const Horizontal> val
   } else {
     carriers = tidal_carriers_for(Duration(std::llround(1000.0 * record_s)));
     drop_unseen(carriers, record, notes);
-    drop_ill_conditioned(carriers, record, notes);
   }
-  MatrixXcd a = design(record, carriers);
-  Solution solution = solve(a, record.value);
-  std::vector<double> ratio = signal_to_noise(a, solution);
+  NormalForm normal(std::move(carriers), record);
+  drop_ill_conditioned(normal, notes);
+  std::vector<double> ratio = signal_to_noise(normal, quick_solution(normal, record.value));
   while (!ratio.empty()) {
     const auto weakest = std::min_element(ratio.begin(), ratio.end());
     if (*weakest >= least_signal_to_noise) break;
-    const auto index = weakest - ratio.begin();
-    notes.push_back(std::string(carriers[static_cast<std::size_t>(index)].constituent->name) +
+    const auto index = static_cast<std::size_t>(weakest - ratio.begin());
+    notes.push_back(std::string(normal.carriers[index].constituent->name) +
                     " dropped: signal-to-noise ratio " + rounded(*weakest, 2) + " is below 2");
-    carriers.erase(carriers.begin() + index);
-    a = design(record, carriers);
-    solution = solve(a, record.value);
-    ratio = signal_to_noise(a, solution);
+    normal.drop(index);
+    ratio = signal_to_noise(normal, quick_solution(normal, record.value));
   }
-  TideFit fit = assemble(record, carriers, solution, ratio);
+  TideFit fit = assemble(record, normal.carriers, solve(normal.a, record.value), ratio);
   fit.notes = std::move(notes);
   for (const TideTerm& term : fit.terms) {
     if (!term.inferred_from.empty())
