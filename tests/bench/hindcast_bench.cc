@@ -17,7 +17,8 @@ namespace {
 using namespace slackwater;
 using namespace slackwater::bench;
 
-constexpr int history_days = 4;  ///< before the first day D, for the chain of calibrations
+constexpr int history_days =
+    8;  ///< before the first day D, for the tide and the chain of calibrations
 constexpr std::size_t column_count = 59;
 constexpr double target_s = 60;
 
