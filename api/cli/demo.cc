@@ -103,7 +103,7 @@ void add_demo(CLI::App& app, Context& context) {
   command->add_option("--out", arguments->folder,
                       "folder for product files, store and page (default demo-out)");
   command->add_option("--days", arguments->days, "consecutive daily jobs (default 6)")
-      ->check(CLI::Range(1, 20));
+      ->check(CLI::Range(1, 400));
   command->add_option("--seed", arguments->seed, "which ocean (default 2025)");
   command->callback([arguments, &context] { run(*arguments, context); });
 }

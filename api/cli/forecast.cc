@@ -42,8 +42,27 @@ void print_calibration(const ColumnForecast& column) {
                 low, high, p.at_bound ? "  AT ITS BOUND" : "",
                 p.weakly_determined ? "  weakly determined by this day" : "");
   }
+  if (column.forms.size() > 1) {
+    std::printf("  forms by evidence:");
+    for (std::size_t f = 0; f < column.forms.size(); ++f) {
+      std::printf(" %s %.0f%%", std::string(name_of(column.forms[f].form)).c_str(),
+                  100 * column.form_weight[f]);
+    }
+    std::printf("\n");
+  }
   for (const std::string& warning : c.warnings) std::printf("  warning: %s\n", warning.c_str());
   for (const std::string& note : column.notes) std::printf("  note: %s\n", note.c_str());
+}
+
+void print_blend(const DailyForecast& forecast) {
+  if (!forecast.earned) return;
+  std::printf("Issued:");
+  for (const calibration::CandidateShare& share : forecast.earned->blend.share) {
+    if (share.weight > 0) std::printf(" %s %.0f%%", share.name.c_str(), 100 * share.weight);
+  }
+  std::printf(". %s\n", forecast.earned->blend.provenance.c_str());
+  std::printf("Spread times %.2f. %s\n", forecast.earned->spread.scale,
+              forecast.earned->spread.provenance.c_str());
 }
 
 void print_days(const Snapshot& snapshot) {
@@ -168,6 +187,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(),
               verdict.c_str());
   print_calibration(forecast.columns.front());
+  print_blend(forecast);
   if (snapshot.columns.size() > 1)
     std::printf("  … and %zu more columns\n", snapshot.columns.size() - 1);
   print_days(snapshot);

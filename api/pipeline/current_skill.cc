@@ -115,7 +115,8 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   if (truth.empty()) return;
   sum.truth = truth_name(*truth.origin.back());
   const std::vector<MethodForecast> methods =
-      current_methods(*column, scored.plan, scored.snapshot, index, truth);
+      current_methods(*column, scored.plan, scored.snapshot, index, truth,
+                      known_beside(truth, *column, scored.plan));
   const bool apart = scored.options.per_column && scored.snapshot.columns.size() > 1;
   TalliesByMethod own;
   for (const MethodForecast& method : methods) {

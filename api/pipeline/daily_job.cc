@@ -1,14 +1,13 @@
 #include "api/pipeline/daily_job.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <set>
-#include <thread>
 
 #include "api/pipeline/issued_blend.h"
 #include "api/pipeline/job_summary.h"
 #include "api/pipeline/known_currents.h"
+#include "api/pipeline/parallel.h"
 #include "api/pipeline/version.h"
 #include "fields/base/error.h"
 #include "ingest/cf/forecast_file.h"
@@ -83,29 +82,6 @@ std::vector<UtcTime> hourly(UtcTime from, UtcTime to) {
   return stamps;
 }
 
-/// Runs `work(i)` for all columns on a few threads; the first exception is thrown again here.
-void for_all_columns(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr first_problem;
-  std::atomic<bool> failed{false};
-  const auto loop = [&] {
-    for (std::size_t i = next++; i < count && !failed; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        if (!failed.exchange(true)) first_problem = std::current_exception();
-      }
-    }
-  };
-  std::vector<std::thread> pool;
-  const auto extra = std::min<std::size_t>(count, static_cast<std::size_t>(std::max(1, threads))) -
-                     (count > 0 ? 1 : 0);
-  for (std::size_t i = 0; i < extra; ++i) pool.emplace_back(loop);
-  loop();
-  for (std::thread& thread : pool) thread.join();
-  if (first_problem) std::rethrow_exception(first_problem);
-}
-
 std::string capitalised(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
@@ -166,8 +142,8 @@ void blend_columns(const SiteData& data, const ForecastPlan& plan, const JobOpti
   Rehearsals own(data);
   Rehearsals& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
   result.earned = rehearsals.earned(
-      plan, available_candidates(first->column, data.columns[index], plan));
-  for_all_columns(data.columns.size(), options.threads, [&](std::size_t i) {
+      plan, available_candidates(first->column, data.columns[index], plan), options.threads);
+  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
     if (result.columns[i].forms.empty()) return;
     issue_blend(result.columns[i].column, data.columns[i], plan, *result.earned);
   });
@@ -223,7 +199,7 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   }
 
   result.columns.resize(data.columns.size());
-  for_all_columns(data.columns.size(), options.threads, [&](std::size_t i) {
+  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
     result.columns[i] = forecast_column(data.columns[i], data.site, plan);
     const std::vector<std::string> notes = notes_on_record(data.columns[i], plan);
     result.columns[i].notes.insert(result.columns[i].notes.begin(), notes.begin(), notes.end());
@@ -275,7 +251,8 @@ DailyForecast make_forecast(const SiteData& data, const JobOptions& options) {
   snapshot.seed = plan.seed;
   const std::size_t values = plan.stamps.size() * plan.depth_m.size();
   for (const ForecastColumn& column : snapshot.columns) {
-    if (values > 0) snapshot.members = std::max(snapshot.members, 1 + column.member_m_s.size() / values);
+    if (values > 0)
+      snapshot.members = std::max(snapshot.members, 1 + column.member_m_s.size() / values);
   }
   snapshot.degraded = !troubles.empty();
   for (const std::string& trouble : troubles) {

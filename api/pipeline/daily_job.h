@@ -30,9 +30,9 @@ struct DailyForecast {
   std::vector<ColumnForecast>
       columns;  ///< calibrations, notes and origins, in the snapshot's order
   std::vector<std::int64_t> input_granules;
-  std::string dataset;       ///< of the currents; empty where there are none
+  std::string dataset;           ///< of the currents; empty where there are none
   std::optional<Earned> earned;  ///< weights and spread; nothing where no current is forecast
-  std::string summary_json;  ///< calibration report, inputs, effective configuration
+  std::string summary_json;      ///< calibration report, inputs, effective configuration
 };
 
 /// How much history a job reads for the tide: two spring-neap cycles and a month beyond.

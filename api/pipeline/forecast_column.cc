@@ -82,9 +82,9 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
     return result;
   }
   const std::size_t fitted_best = fitted.best();
-  const calibration::Propagated propagated = calibration::propagate(
-      fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
-      wind_error_of(data.wind, wind, plan), plan.spread, plan.seed);
+  const calibration::Propagated propagated =
+      calibration::propagate(fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
+                             wind_error_of(data.wind, wind, plan), plan.spread, plan.seed);
   const std::size_t members = propagated.mean_m_s.empty()
                                   ? 0
                                   : propagated.departure_m_s.size() / propagated.mean_m_s.size();

@@ -6,6 +6,19 @@ namespace slackwater::api {
 
 using std::chrono::days;
 
+namespace {
+
+/// A hindcast is scored by its centre and spread; its members would be most of what it writes.
+void drop_members(Snapshot& snapshot) {
+  snapshot.members = 1;
+  for (ForecastColumn& column : snapshot.columns) {
+    column.member_m_s.clear();
+    column.wind_member_m_s.clear();
+  }
+}
+
+}  // namespace
+
 HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOptions& options,
                         const std::function<void(double)>& progress) {
   if (options.to < options.from) {
@@ -32,6 +45,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
       report.skipped.push_back(format_day(day) + ": no whole day of currents");
     } else {
       forecasts.push_back(make_forecast(data, job));
+      drop_members(forecasts.back().snapshot);
     }
     if (progress) progress(0.8 * static_cast<double>((day - options.from).count() + 1) / count);
   }

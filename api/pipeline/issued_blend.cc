@@ -8,11 +8,11 @@
 namespace slackwater::api {
 namespace {
 
-/// A column of the plan's stamps and depths to evaluate candidates on; its values mean nothing.
+/// A column of the plan's stamps and the record's levels to evaluate candidates on; its values mean
+/// nothing.
 Chosen<Horizontal> places_of(const ForecastColumn& column, const ForecastPlan& plan,
-                             const ColumnData& data) {
+                             const Chosen<Horizontal>& known) {
   Chosen<Horizontal> places;
-  const Chosen<Horizontal> known = known_currents(data, plan);
   VectorColumn& c = places.column;
   c.point = column.point;
   c.vertical = VerticalKind::depth_m;
@@ -26,13 +26,14 @@ Chosen<Horizontal> places_of(const ForecastColumn& column, const ForecastPlan& p
 }
 
 std::vector<MethodForecast> methods_at(const ForecastColumn& column, const ColumnData& data,
-                                       const ForecastPlan& plan, const Chosen<Horizontal>& places) {
+                                       const ForecastPlan& plan, const Chosen<Horizontal>& places,
+                                       const Chosen<Horizontal>& known) {
   Snapshot snapshot;
   snapshot.day = plan.day;
   snapshot.time = plan.stamps;
   snapshot.depth_m = plan.depth_m;
   snapshot.columns.push_back(column);
-  return current_methods(data, plan, snapshot, 0, places);
+  return current_methods(data, plan, snapshot, 0, places, known);
 }
 
 const MethodForecast* find_method(const std::vector<MethodForecast>& methods,
@@ -47,7 +48,8 @@ const MethodForecast* find_method(const std::vector<MethodForecast>& methods,
 
 std::vector<bool> available_candidates(const ForecastColumn& column, const ColumnData& data,
                                        const ForecastPlan& plan) {
-  const auto methods = methods_at(column, data, plan, places_of(column, plan, data));
+  const Chosen<Horizontal> known = known_currents(data, plan);
+  const auto methods = methods_at(column, data, plan, places_of(column, plan, known), known);
   std::vector<bool> available;
   for (const std::string& name : candidate_names())
     available.push_back(find_method(methods, name) != nullptr);
@@ -64,8 +66,9 @@ void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastP
     return s.name == "slackwater" || s.weight <= 0;
   });
   if (!is_own_alone) {
-    const Chosen<Horizontal> places = places_of(column, plan, data);
-    const auto methods = methods_at(column, data, plan, places);
+    const Chosen<Horizontal> known = known_currents(data, plan);
+    const Chosen<Horizontal> places = places_of(column, plan, known);
+    const auto methods = methods_at(column, data, plan, places, known);
     const std::size_t levels = plan.depth_m.size();
     for (std::size_t t = 0; t < plan.stamps.size(); ++t) {
       for (std::size_t k = 0; k < std::min(levels, places.column.levels()); ++k) {
@@ -87,8 +90,8 @@ void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastP
   // Members hold absolute currents: their departures are scaled and set upon the new centre.
   for (std::size_t i = 0; i < column.member_m_s.size(); ++i) {
     const std::size_t o = i % size;
-    column.member_m_s[i] = column.current_m_s[o] +
-                           earned.spread.scale * (column.member_m_s[i] - own[o]);
+    column.member_m_s[i] =
+        column.current_m_s[o] + earned.spread.scale * (column.member_m_s[i] - own[o]);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/known_currents.h"
+#include "api/pipeline/parallel.h"
 #include "api/pipeline/skill_pairs.h"
 
 namespace slackwater::api {
@@ -38,6 +39,16 @@ std::vector<std::size_t> columns_to_rehearse(const SiteData& data, std::size_t m
   return chosen;
 }
 
+/// The record's own next day, as known when the plan is made: what a rehearsed forecast is held against,
+/// fused where the record is.
+Chosen<Horizontal> day_after(const Chosen<Horizontal>& known, UtcTime end_of_day) {
+  VectorColumn next = slice(known.column, end_of_day, end_of_day + days(1));
+  // The instant at 24:00 of D belongs to D.
+  if (!next.time.empty() && next.time.front().end <= end_of_day)
+    next = slice(next, end_of_day + Duration(1), end_of_day + days(1));
+  return {std::move(next), known.origin};
+}
+
 }  // namespace
 
 std::vector<std::string> candidate_names() {
@@ -55,15 +66,15 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::size_t i : columns_to_rehearse(data_, most_columns)) {
     const ColumnData& column = data_.columns[i];
-    const Chosen<Horizontal> truth =
-        truth_of(column, past.dataset, past.end_of_day(), past.end_of_day() + days(1));
+    const Chosen<Horizontal> truth = day_after(known_currents(column, plan), past.end_of_day());
     if (truth.empty()) continue;
     Snapshot snapshot;
     snapshot.day = day;
     snapshot.time = past.stamps;
     snapshot.depth_m = past.depth_m;
     snapshot.columns.push_back(forecast_column(column, data_.site, past).column);
-    const std::vector<MethodForecast> methods = current_methods(column, past, snapshot, 0, truth);
+    const std::vector<MethodForecast> methods =
+        current_methods(column, past, snapshot, 0, truth, known_currents(column, past));
     const std::size_t size = truth.column.value.size();
     if (result.errors.empty()) result.errors.resize(names.size());
     const std::size_t before = result.sigma_m_s.size();
@@ -72,8 +83,8 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
     result.sigma_m_s.resize(before + size, nan);
     for (const MethodForecast& method : methods) {
       const std::string name = method.name == "forecast" ? "slackwater" : method.name;
-      const auto c = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
-                                              names.begin());
+      const auto c =
+          static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
       if (c == names.size()) continue;  // the oracle is no candidate
       for (std::size_t o = 0; o < size; ++o) {
         if (!has_value(truth.column.status[o]) || !method.made.has(o)) continue;
@@ -103,7 +114,10 @@ std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, Ut
   return done_.emplace(key, std::move(made)).first->second;
 }
 
-Earned Rehearsals::earned(const ForecastPlan& plan, const std::vector<bool>& available) {
+Earned Rehearsals::earned(const ForecastPlan& plan, const std::vector<bool>& available,
+                          int threads) {
+  for_all(longest_days, threads,
+          [&](std::size_t i) { (void)day(plan, plan.day - days(static_cast<int>(i) + 1)); });
   std::vector<calibration::Candidate> candidates = calibration::standard_candidates();
   for (std::size_t c = 0; c < candidates.size(); ++c) candidates[c].available = available[c];
   std::vector<calibration::PastPair> pairs;

@@ -33,7 +33,8 @@ class Rehearsals {
 
   /// What the pairs up to the plan's D have earned.
   /// @param available  whether each standard candidate can be made for D
-  [[nodiscard]] Earned earned(const ForecastPlan& plan, const std::vector<bool>& available);
+  [[nodiscard]] Earned earned(const ForecastPlan& plan, const std::vector<bool>& available,
+                              int threads);
 
   static constexpr int longest_days = 21;
   static constexpr std::size_t most_columns = 4;

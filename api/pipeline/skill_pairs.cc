@@ -106,11 +106,11 @@ MethodForecast provider_forecast(const ColumnData& column, const std::string& da
 
 std::vector<MethodForecast> current_methods(const ColumnData& column, const ForecastPlan& plan,
                                             const Snapshot& snapshot, std::size_t column_index,
-                                            const Chosen<Horizontal>& truth) {
+                                            const Chosen<Horizontal>& truth,
+                                            const Chosen<Horizontal>& known) {
   const UtcTime end = plan.end_of_day();
   std::vector<MethodForecast> methods;
   methods.push_back(as_issued(snapshot, column_index, truth.column));
-  const Chosen<Horizontal> known = known_beside(truth, column, plan);
   if (!known.empty()) {
     // Held wind is that of the end of D, on the line between the stamps around it.
     const WindPolicy policy = plan.wind == WindPolicy::persist ? WindPolicy::best : plan.wind;

@@ -55,8 +55,9 @@ class ColumnMemory {
     const double damping_per_h = inertial_damping_per_h(c, horizon.spread.inertial_decay_h);
     std::size_t levels = 0;
     for (const MisfitAtDepth& m : c.misfit) levels += m.n > 0 ? 1 : 0;
-    const double witnesses = std::min(1.0, horizon.spread.independent_levels /
-                                               static_cast<double>(std::max<std::size_t>(1, levels)));
+    const double witnesses =
+        std::min(1.0, horizon.spread.independent_levels /
+                          static_cast<double>(std::max<std::size_t>(1, levels)));
     std::vector<double> log_weight;
     for (const double slow : horizon.spread.slow_scales) {
       for (const double recent : horizon.spread.recent_scales) {
@@ -222,14 +223,13 @@ double inertial_damping_per_h(const Calibration& calibration, double decay_h) {
 
 Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime> times,
                      const std::optional<VectorColumn>& wind, UtcTime end_of_day,
-                     const WindErrorGrowth& wind_error, const Spread& spread,
-                     std::uint64_t seed) {
+                     const WindErrorGrowth& wind_error, const Spread& spread, std::uint64_t seed) {
   expects(!forms.empty() && !times.empty(), "something to carry, and somewhere to carry it");
   const bool uses_wind = wind && forms.front().wind_used;
-  const Horizon horizon{times, end_of_day, wind,
-                        uses_wind ? StressSeries(*wind, forms.front().drag_law) : StressSeries(),
-                        spread,
-      wind_error};
+  const Horizon horizon{
+      times,  end_of_day,
+      wind,   uses_wind ? StressSeries(*wind, forms.front().drag_law) : StressSeries(),
+      spread, wind_error};
   const std::size_t levels = forms.front().remembered.levels();
   const std::size_t size = times.size() * levels;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "api/pipeline/daily_job.h"
 #include "api/pipeline/ingest_files.h"
 #include "ingest/cf/granule_file.h"
 #include "ingest/copernicus/product_catalogue.h"
@@ -53,6 +54,33 @@ api::Site site_of(const std::string& id, const std::vector<GeoPoint>& columns) {
   site.point = columns.front();
   site.columns = columns;
   return site;
+}
+
+std::vector<api::SkillEntry> baseline_skill(store::Store& store, const api::Site& site,
+                                            const api::HindcastOptions& options) {
+  const UtcTime last = UtcTime(options.to) + std::chrono::days(1) + options.horizon;
+  const api::SiteData data =
+      api::load_site_data(store, site, UtcTime(options.from) - api::history_read, last);
+  std::vector<api::SkillEntry> skill;
+  for (UtcDay day = options.from; day <= options.to; day += std::chrono::days(1)) {
+    Snapshot empty;
+    empty.site_id = site.id;
+    empty.day = day;
+    empty.issued = UtcTime(day) + std::chrono::days(1);
+    empty.wind_policy = name_of(options.wind);
+    empty.time = {empty.issued, empty.issued + options.horizon};
+    for (const api::ColumnData& column : data.columns) {
+      empty.columns.emplace_back();
+      empty.columns.back().point = column.point;
+      empty.columns.back().water_depth_m = column.water_depth.depth_m;
+    }
+    const auto dataset =
+        api::fullest_dataset(data.columns.front().current, UtcTime(day), empty.issued);
+    if (!dataset) continue;
+    const auto scored = api::score_forecast(data, empty, *dataset, options.verify);
+    skill.insert(skill.end(), scored.begin(), scored.end());
+  }
+  return skill;
 }
 
 double set_error(const std::vector<api::SkillEntry>& skill, const std::string& method) {

@@ -21,6 +21,11 @@ void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& f
 /// A site whose columns are these points.
 [[nodiscard]] api::Site site_of(const std::string& id, const std::vector<GeoPoint>& columns);
 
+/// The baselines alone over a period, no forecast made: every column of the site.
+[[nodiscard]] std::vector<api::SkillEntry> baseline_skill(store::Store& store,
+                                                          const api::Site& site,
+                                                          const api::HindcastOptions& options);
+
 /// Root mean square over days of a method's error, lead (0, 24] h, one band.
 [[nodiscard]] double set_error(const std::vector<api::SkillEntry>& skill,
                                const std::string& method);

@@ -135,7 +135,7 @@ Scores scores(double turn_from_h) {
   input.tide = {{"M2", m2_rad_s}};
   const auto carried = [&] {
     const std::vector<Calibration> forms{calibrate_day(input)};
-    return rmse(propagate(forms, next_day(), wind, day_end, Spread{}, 1).mean_m_s, hours);
+    return rmse(propagate(forms, next_day(), wind, day_end, {}, Spread{}, 1).mean_m_s, hours);
   };
   out.steady_tide = carried();
   input.is_unsteady = true;

@@ -45,9 +45,10 @@ inline CalibrationInput steady_wind_input(const UnsteadyDay& day, Horizontal win
 }
 
 inline Propagated outlook(const Calibration& fitted, std::span<const UtcTime> times,
-                          const std::optional<VectorColumn>& wind, const Spread& spread = {},
-                          std::uint64_t seed = 1) {
-  return propagate(std::span(&fitted, 1), times, wind, end_of_day, spread, seed);
+                          const std::optional<VectorColumn>& wind,
+                          const WindErrorGrowth& wind_error = {}, std::uint64_t seed = 1,
+                          const Spread& spread = {}) {
+  return propagate(std::span(&fitted, 1), times, wind, end_of_day, wind_error, spread, seed);
 }
 
 }  // namespace slackwater::calibration

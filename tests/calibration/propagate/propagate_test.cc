@@ -109,7 +109,9 @@ TEST(Propagate, WhereTheWindIsMissingItIsFlaggedCountedAndDoubted) {
     // A wind that stops being known is no calm: it makes no new motion either.
     EXPECT_LT(std::abs(forecast.wind_driven_m_s[10 * levels + k]), 1e-3);
   }
-  EXPECT_GT(forecast.sigma_m_s[10 * levels], 1.2 * forecast.sigma_m_s[9 * levels]);
+  const LevelResponses r = level_responses(fitted.form, steady_parameters(fitted), fitted.latitude,
+                                           fitted.water_depth_m, day.depth_m);
+  EXPECT_GT(forecast.sigma_m_s[10 * levels], Spread{}.unknown_stress_pa * std::abs(r.stress(0)));
   EXPECT_EQ(outlook(fitted, times, std::nullopt).wind_missing, times.size());
 }
 
@@ -163,9 +165,9 @@ TEST(Propagate, TheForecastDoesNotDependOnTheOrderOfTheForms) {
     forms.back().misfit_sigma_m_s = 0.02;
   }
   const auto times = leads(1, 24);
-  const Propagated a = propagate(forms, times, input.wind, end_of_day, {}, 1);
+  const Propagated a = propagate(forms, times, input.wind, end_of_day, {}, {}, 1);
   std::reverse(forms.begin(), forms.end());
-  const Propagated b = propagate(forms, times, input.wind, end_of_day, {}, 1);
+  const Propagated b = propagate(forms, times, input.wind, end_of_day, {}, {}, 1);
   for (std::size_t f = 0; f < 3; ++f) {
     EXPECT_NEAR(a.form_weight[f], 1.0 / 3, 1e-12);
     EXPECT_NEAR(a.form_weight[f], b.form_weight[2 - f], 1e-12);

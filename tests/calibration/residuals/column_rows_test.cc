@@ -108,7 +108,8 @@ TEST(ColumnRows, TheModelIsTheSameWithAndWithoutDerivatives) {
     rows.evaluate(c.estimate.data(), false);
     const ColumnRows::Matrix plain = rows.model();
     rows.evaluate(c.estimate.data(), true);
-    EXPECT_EQ(rows.model(), plain) << c.name();
+    // The products over modes are summed in another order: rounding, no more.
+    EXPECT_LT((rows.model() - plain).cwiseAbs().maxCoeff(), 1e-13) << c.name();
   }
 }
 
