@@ -167,7 +167,12 @@ Issued issue(std::uint64_t seed, const std::optional<Profiler>& profiler,
   return issued;
 }
 
+/// Twelve oceans; four under the sanitizers, where each takes ten times as long.
+#ifdef __SANITIZE_ADDRESS__
+const std::vector<std::uint64_t> seeds{1, 2, 3, 4};
+#else
 const std::vector<std::uint64_t> seeds{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+#endif
 
 /// The error of each seed.
 std::vector<double> errors(const std::optional<Profiler>& profiler, double share_of_error = 1) {
@@ -206,7 +211,7 @@ TEST(FusionTwin, AProfilerNearTheSiteSharpensTomorrowsForecast) {
       seeds.size(), alone, two_kilometres, sharper, near, without_error);
   EXPECT_LT(two_kilometres, 0.75 * alone);
   EXPECT_LT(near, 0.65 * alone);
-  EXPECT_GE(sharper, 10);
+  EXPECT_GE(6 * sharper, 5 * static_cast<int>(seeds.size()));
   // What is left is what no observation of D can mend.
   EXPECT_LT(near, 2.0 * without_error);
 }
