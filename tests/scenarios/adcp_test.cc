@@ -54,8 +54,8 @@ Scores hindcast(const StoreForTests& store, const std::filesystem::path& site, c
   for (const json& entry : list) {
     if (entry.contains("variable") && entry["variable"] != "sea_water_velocity") continue;
     if (!entry["column"].is_null() || entry["lead_h"] != json::array({0.0, 24.0})) continue;
-    if (!entry.contains("depth_m") || !entry["depth_m"].is_array() ||
-        entry["depth_m"][0] != 0.0 || entry["depth_m"][1] < 1000)
+    if (!entry.contains("depth_m") || !entry["depth_m"].is_array() || entry["depth_m"][0] != 0.0 ||
+        entry["depth_m"][1] < 1000)
       continue;
     auto& [squares, days] = sums[entry["method"]];
     squares += std::pow(entry["rmse_m_s"].get<double>(), 2);

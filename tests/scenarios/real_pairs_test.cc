@@ -64,8 +64,7 @@ std::vector<api::SkillEntry> period_skill(store::Store& store, const api::Site& 
                                           const api::HindcastOptions& options) {
   if (thinned == 1 || site.columns.empty()) return api::hindcast(store, site, options, {}).skill;
   std::vector<api::SkillEntry> skill = baseline_skill(store, site, options);
-  for (const api::SkillEntry& entry :
-       api::hindcast(store, thinned_site(site), options, {}).skill) {
+  for (const api::SkillEntry& entry : api::hindcast(store, thinned_site(site), options, {}).skill) {
     if (entry.method == "forecast") skill.push_back(entry);
   }
   return skill;
