@@ -79,8 +79,10 @@ double rmse_m_s(const nlohmann::json& skill, const std::string& method) {
   double squares = 0;
   double count = 0;
   for (const nlohmann::json& entry : skill) {
-    const bool is_current = !entry["depth_m"].is_null() && entry.contains("rmse_m_s");
-    if (!is_current || entry["method"] != method || !entry["column"].is_null()) continue;
+    const bool is_current = entry.contains("depth_m") && entry.contains("rmse_m_s");
+    if (!is_current || entry["depth_m"].is_null() || entry["method"] != method ||
+        !entry["column"].is_null())
+      continue;
     if (entry["lead_h"][1].get<double>() > 24.0) continue;
     const double n = entry["n"];
     squares += n * std::pow(entry["rmse_m_s"].get<double>(), 2);
