@@ -8,7 +8,7 @@
 #include "fields/base/random.h"
 #include "fields/current/coriolis.h"
 #include "fields/current/tidal_shape.h"
-#include "fields/current/unsteady_column.h"
+#include "tests/support/unsteady_column.h"
 
 namespace slackwater::calibration {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include "fields/current/column_modes.h"
 #include "fields/current/coriolis.h"
-#include "fields/current/unsteady_column.h"
 #include "tests/calibration/solve/synthetic_day.h"
+#include "tests/support/unsteady_column.h"
 
 namespace slackwater::calibration {
 

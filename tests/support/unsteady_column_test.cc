@@ -1,4 +1,4 @@
-#include "fields/current/unsteady_column.h"
+#include "tests/support/unsteady_column.h"
 
 #include <gtest/gtest.h>
 

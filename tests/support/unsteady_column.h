@@ -7,6 +7,9 @@
 
 namespace slackwater {
 
+/// The unsteady column written plainly, in double precision and mode by mode: what the model with its
+/// derivatives (calibration/residuals/column_rows.h) is held against.
+///
 /// What the unsteady column adds to the steady one: the steady answer to the wind of this instant
 /// has arrived at once, the sea's has not. Per mode n, with m_n the stress memory of lambda_n:
 ///
