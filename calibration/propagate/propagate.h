@@ -19,8 +19,9 @@ struct Propagated {
   std::vector<Horizontal> wind_driven_m_s;  ///< the part of the mean that the wind makes
   /// Departures of members 1..N from the mean, members x times x levels, scaled to sigma.
   std::vector<Horizontal> departure_m_s;
-  std::vector<Horizontal> wind_departure_m_s;  ///< of the same members, members x times
-  std::vector<bool> has_wind;                  ///< per time: the wind-driven part is in the mean
+  /// Of the same members, members x times; empty where no wind is used.
+  std::vector<Horizontal> wind_departure_m_s;
+  std::vector<bool> has_wind;       ///< per time: the wind-driven part is in the mean
   std::size_t wind_missing = 0;     ///< times at which the model wants a wind and there is none
   std::vector<double> form_weight;  ///< of each form given
 };
@@ -57,10 +58,5 @@ struct Propagated {
                                    const std::optional<VectorColumn>& wind, UtcTime end_of_day,
                                    const WindErrorGrowth& wind_error, const Spread& spread,
                                    std::uint64_t seed);
-
-/// Rate at which free inertial motion dies out, 1/h: that of the mixed layer (e-folding `decay_h`),
-/// and where the column feels the bed (finite_depth) the spin-down r/H of its linear drag beside it:
-/// 20 h in 35 m of water.
-[[nodiscard]] double inertial_damping_per_h(const Calibration& calibration, double decay_h);
 
 }  // namespace slackwater::calibration
