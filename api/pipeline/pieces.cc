@@ -92,9 +92,13 @@ Origin origin_of(const Loaded& loaded) {
   return origin;
 }
 
-store::GranuleQuery query_for(const std::string& name, const Window& window) {
+std::string reading(const std::string& name, const store::GranuleRow& row) {
+  return "reading stored " + name + " of " + row.product_id;
+}
+
+store::GranuleQuery query_for(const std::vector<std::string>& any_of, const Window& window) {
   store::GranuleQuery query;
-  query.any_of = {name};
+  query.any_of = any_of;
   query.from = window.from;
   query.to = window.to;
   query.box = window.box;
@@ -102,27 +106,29 @@ store::GranuleQuery query_for(const std::string& name, const Window& window) {
   return query;
 }
 
-/// Reads the window's part of one variable of a granule; nothing where the window holds no cell of
-/// it.
-std::optional<Loaded> load(store::Store& store, const store::GranuleRow& row,
-                           const std::string& name, const Window& window) {
-  return with_context("reading stored " + name + " of " + row.product_id,
-                      [&]() -> std::optional<Loaded> {
-                        const ingest::GranuleFile file =
-                            ingest::GranuleFile::open(store.content_path(row.content_sha256));
-                        const Grid& grid = file.granule().grid;
-                        const IndexRange rows =
-                            around(grid.latitude_deg, window.box.south_deg, window.box.north_deg);
-                        const IndexRange columns = columns_around(grid, window.box);
-                        const IndexRange times = times_within(grid, window);
-                        if (rows.count == 0 || columns.count == 0 || times.count == 0)
-                          return std::nullopt;
-                        Loaded loaded{row, file.granule(), {}};
-                        loaded.field = file.read(name, times.first, times.count, rows.first,
-                                                 rows.count, columns.first, columns.count);
-                        return loaded;
-                      });
-}
+/// One stored granule, opened once for all that is read from it.
+class OpenGranule {
+ public:
+  OpenGranule(const store::Store& store, const store::GranuleRow& row)
+      : row_(row), file_(ingest::GranuleFile::open(store.content_path(row.content_sha256))) {}
+
+  /// The window's part of one variable; nothing where the window holds no cell of it.
+  [[nodiscard]] std::optional<Loaded> read(const std::string& name, const Window& window) const {
+    const Grid& grid = file_.granule().grid;
+    const IndexRange rows = around(grid.latitude_deg, window.box.south_deg, window.box.north_deg);
+    const IndexRange columns = columns_around(grid, window.box);
+    const IndexRange times = times_within(grid, window);
+    if (rows.count == 0 || columns.count == 0 || times.count == 0) return std::nullopt;
+    Loaded loaded{row_, file_.granule(), {}};
+    loaded.field = file_.read(name, times.first, times.count, rows.first, rows.count, columns.first,
+                              columns.count);
+    return loaded;
+  }
+
+ private:
+  store::GranuleRow row_;
+  ingest::GranuleFile file_;
+};
 
 bool names(const store::GranuleRow& row, const std::string& name) {
   return std::find(row.standard_names.begin(), row.standard_names.end(), name) !=
@@ -143,39 +149,52 @@ std::vector<VectorPiece> read_vector_pieces(store::Store& store, const std::stri
                                             const std::string& north_name, const Window& window) {
   std::vector<VectorPiece> pieces;
   std::vector<Loaded> lone_north;
-  for (const store::GranuleRow& row : store.find_granules(query_for(north_name, window))) {
+  for (const store::GranuleRow& row : store.find_granules(query_for({north_name}, window))) {
     if (names(row, east_name)) continue;
-    if (auto loaded = load(store, row, north_name, window))
-      lone_north.push_back(std::move(*loaded));
+    with_context(reading(north_name, row), [&] {
+      if (auto loaded = OpenGranule(store, row).read(north_name, window))
+        lone_north.push_back(std::move(*loaded));
+    });
   }
-  for (const store::GranuleRow& row : store.find_granules(query_for(east_name, window))) {
-    auto east = load(store, row, east_name, window);
-    if (!east) continue;
-    Origin origin = origin_of(*east);
-    if (names(row, north_name)) {
-      auto north = load(store, row, north_name, window);
-      pieces.push_back({std::move(origin), std::move(east->field), std::move(north->field)});
-      continue;
-    }
-    // The newest V that fits.
-    const auto match = std::find_if(lone_north.rbegin(), lone_north.rend(),
-                                    [&](const Loaded& north) { return pair_up(*east, north); });
-    if (match == lone_north.rend()) continue;
-    origin.granules.push_back(match->row.id);
-    origin.sources.push_back(match->row.source_sha256);
-    pieces.push_back({std::move(origin), std::move(east->field), match->field});
+  for (const store::GranuleRow& row : store.find_granules(query_for({east_name}, window))) {
+    with_context(reading(east_name, row), [&] {
+      const OpenGranule granule(store, row);
+      auto east = granule.read(east_name, window);
+      if (!east) return;
+      Origin origin = origin_of(*east);
+      if (names(row, north_name)) {
+        auto north = granule.read(north_name, window);
+        pieces.push_back({std::move(origin), std::move(east->field), std::move(north->field)});
+        return;
+      }
+      // The newest V that fits.
+      const auto match = std::find_if(lone_north.rbegin(), lone_north.rend(),
+                                      [&](const Loaded& north) { return pair_up(*east, north); });
+      if (match == lone_north.rend()) return;
+      origin.granules.push_back(match->row.id);
+      origin.sources.push_back(match->row.source_sha256);
+      pieces.push_back({std::move(origin), std::move(east->field), match->field});
+    });
   }
   if (east_name == "eastward_sea_water_velocity") join_moorings(pieces);
   return pieces;
 }
 
-std::vector<ScalarPiece> read_scalar_pieces(store::Store& store, const std::string& name,
-                                            const Window& window) {
-  std::vector<ScalarPiece> pieces;
-  for (const store::GranuleRow& row : store.find_granules(query_for(name, window))) {
-    if (auto loaded = load(store, row, name, window)) {
-      Origin origin = origin_of(*loaded);
-      pieces.push_back({std::move(origin), std::move(loaded->field)});
+std::vector<std::vector<ScalarPiece>> read_scalar_pieces(store::Store& store,
+                                                         const std::vector<std::string>& wanted,
+                                                         const Window& window) {
+  std::vector<std::vector<ScalarPiece>> pieces(wanted.size());
+  for (const store::GranuleRow& row : store.find_granules(query_for(wanted, window))) {
+    std::optional<OpenGranule> granule;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (!names(row, wanted[i])) continue;
+      with_context(reading(wanted[i], row), [&] {
+        if (!granule) granule.emplace(store, row);
+        if (auto loaded = granule->read(wanted[i], window)) {
+          Origin origin = origin_of(*loaded);
+          pieces[i].push_back({std::move(origin), std::move(loaded->field)});
+        }
+      });
     }
   }
   return pieces;

@@ -54,9 +54,8 @@ struct Window {
                                                           const std::string& north_name,
                                                           const Window& window);
 
-/// The same for a scalar.
-[[nodiscard]] std::vector<ScalarPiece> read_scalar_pieces(store::Store& store,
-                                                          const std::string& name,
-                                                          const Window& window);
+/// The same for scalars: pieces per name, each file opened once for all of them.
+[[nodiscard]] std::vector<std::vector<ScalarPiece>> read_scalar_pieces(
+    store::Store& store, const std::vector<std::string>& wanted, const Window& window);
 
 }  // namespace slackwater::api

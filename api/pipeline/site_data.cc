@@ -130,13 +130,16 @@ SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, Utc
   pieces.current = read_vector_pieces(store, "eastward_sea_water_velocity",
                                       "northward_sea_water_velocity", window);
   pieces.wind = read_vector_pieces(store, "eastward_wind", "northward_wind", window);
-  pieces.significant_height =
-      read_scalar_pieces(store, "sea_surface_wave_significant_height", window);
-  pieces.peak_period = read_scalar_pieces(
-      store, "sea_surface_wave_period_at_variance_spectral_density_maximum", window);
-  pieces.wave_direction = read_scalar_pieces(store, "sea_surface_wave_from_direction", window);
-  pieces.water_depth = read_scalar_pieces(store, "sea_floor_depth_below_geoid",
-                                          {std::nullopt, std::nullopt, window.box});
+  auto waves = read_scalar_pieces(store,
+                                  {"sea_surface_wave_significant_height",
+                                   "sea_surface_wave_period_at_variance_spectral_density_maximum",
+                                   "sea_surface_wave_from_direction"},
+                                  window);
+  pieces.significant_height = std::move(waves[0]);
+  pieces.peak_period = std::move(waves[1]);
+  pieces.wave_direction = std::move(waves[2]);
+  pieces.water_depth = std::move(read_scalar_pieces(store, {"sea_floor_depth_below_geoid"},
+                                                    {std::nullopt, std::nullopt, window.box})[0]);
 
   std::vector<GeoPoint> points = site.columns;
   if (site.column_block) points = cells_of(*site.column_block, pieces.current, data.dry_columns);
