@@ -19,6 +19,12 @@ VectorColumn without_tide(VectorColumn column, const ColumnTide& tide) {
   return column;
 }
 
+std::optional<calibration::LayerFigure> figure_of(const LayerOfDays& layer, UtcDay day) {
+  const auto found = layer.find(day);
+  if (found == layer.end()) return std::nullopt;
+  return found->second;
+}
+
 bool has_any(const VectorColumn& column) {
   return std::any_of(column.status.begin(), column.status.end(),
                      [](SampleStatus status) { return has_value(status); });
@@ -60,7 +66,8 @@ std::vector<SteadyForm> forms_in(double water_depth_m, Angle latitude) {
 }
 
 ColumnCalibration calibrate_column(const VectorColumn& known, UtcDay day, Angle latitude,
-                                   double water_depth_m, const std::optional<VectorColumn>& wind) {
+                                   double water_depth_m, const std::optional<VectorColumn>& wind,
+                                   const LayerOfDays& layer) {
   ColumnCalibration result;
   result.tide = fit_column_tide(known, latitude);
   calibration::CalibrationInput input;
@@ -70,15 +77,19 @@ ColumnCalibration calibrate_column(const VectorColumn& known, UtcDay day, Angle 
   input.is_unsteady = true;
   for (const SteadyForm form : forms_in(water_depth_m, latitude)) {
     input.form = form;
-    input.known.clear();
+    std::vector<calibration::KnownParameter> learnt;
+    UtcDay taught{};
     for (int before = chain_days; before >= 0; --before) {
       const UtcDay today = day - days(before);
       input.current =
           without_tide(slice(known, UtcTime(today), UtcTime(today) + days(1)), result.tide);
       if (!has_any(input.current)) continue;
+      input.known =
+          calibration::with_layer(learnt, figure_of(layer, taught), figure_of(layer, today));
       try {
         calibration::Calibration fitted = calibration::calibrate_day(input);
-        input.known = calibration::aged(fitted, 1.0);
+        learnt = calibration::aged(fitted, 1.0);
+        taught = today;
         if (before == 0) result.forms.push_back(std::move(fitted));
       } catch (const Error& problem) {
         if (before == 0) result.problem = problem.message();

@@ -1,9 +1,11 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "calibration/solve/calibration.h"
+#include "calibration/solve/layer_figure.h"
 #include "fields/current/tide.h"
 
 namespace slackwater::api {
@@ -35,14 +37,19 @@ struct ColumnCalibration {
 /// both on every real day of inertial motion.)
 [[nodiscard]] std::vector<SteadyForm> forms_in(double water_depth_m, Angle latitude);
 
+/// Per day.
+using LayerOfDays = std::map<UtcDay, calibration::LayerFigure>;
+
 /// Removes the tide from the record and calibrates the day, each form with what the `chain_days` days
 /// before have taught (calibration/solve/ageing.h): the first of them starts from the general priors.
 ///
 /// @param known  currents up to the end of D, one dataset
 /// @param wind   around the chain of days; nothing where none is stored
+/// @param layer  what a product says of the mixed layer on those days, where it says anything
 [[nodiscard]] ColumnCalibration calibrate_column(const VectorColumn& known, UtcDay day,
                                                  Angle latitude, double water_depth_m,
-                                                 const std::optional<VectorColumn>& wind);
+                                                 const std::optional<VectorColumn>& wind,
+                                                 const LayerOfDays& layer = {});
 
 inline constexpr int chain_days = 3;
 

@@ -5,6 +5,7 @@
 
 #include "api/pipeline/column_calibration.h"
 #include "api/pipeline/known_currents.h"
+#include "api/pipeline/layer_of_days.h"
 #include "calibration/propagate/propagate.h"
 
 namespace slackwater::api {
@@ -73,8 +74,9 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
     result.contains_stokes = result.contains_stokes || origin->contains_stokes;
   }
   result.origins.insert(result.origins.end(), known.origin.begin(), known.origin.end());
-  ColumnCalibration fitted = calibrate_column(known.column, plan.day, data.point.latitude,
-                                              data.water_depth.depth_m, wind.series);
+  ColumnCalibration fitted =
+      calibrate_column(known.column, plan.day, data.point.latitude, data.water_depth.depth_m,
+                       wind.series, layer_of_days(data, plan));
   const ColumnTide& tide = fitted.tide;
   result.notes = tide.notes;
   if (fitted.forms.empty()) {

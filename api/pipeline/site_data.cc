@@ -130,6 +130,12 @@ SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, Utc
   pieces.current = read_vector_pieces(store, "eastward_sea_water_velocity",
                                       "northward_sea_water_velocity", window);
   pieces.wind = read_vector_pieces(store, "eastward_wind", "northward_wind", window);
+  const auto read_scalar = [&](const char* name) {
+    return std::move(read_scalar_pieces(store, {name}, window).front());
+  };
+  pieces.mixed_layer_depth = read_scalar("ocean_mixed_layer_thickness_defined_by_sigma_theta");
+  if (pieces.mixed_layer_depth.empty())
+    pieces.temperature = read_scalar("sea_water_potential_temperature");
   auto waves = read_scalar_pieces(store,
                                   {"sea_surface_wave_significant_height",
                                    "sea_surface_wave_period_at_variance_spectral_density_maximum",
@@ -158,6 +164,8 @@ SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, Utc
     column.wind = record_at(pieces.wind, point);
     column.nearest_wind = at_ten_metres(nearest_wind(column.wind, pieces.wind, point));
     column.wind = at_ten_metres(std::move(column.wind));
+    column.mixed_layer_depth = record_at(pieces.mixed_layer_depth, point);
+    column.temperature = record_at(pieces.temperature, point);
     column.significant_height = record_at(pieces.significant_height, point);
     column.peak_period = record_at(pieces.peak_period, point);
     column.wave_direction = record_at(pieces.wave_direction, point);

@@ -22,6 +22,8 @@ struct ColumnData {
   VectorRecord wind;  ///< brought to 10 m
   VectorRecord
       nearest_wind;  ///< of the nearest cell, at 10 m: for the baseline reference-slab alone
+  ScalarRecord mixed_layer_depth;  ///< `mlotst`, m
+  ScalarRecord temperature;        ///< `thetao`, K; read where no mixed-layer depth is stored
   ScalarRecord significant_height;
   ScalarRecord peak_period;
   ScalarRecord wave_direction;
@@ -34,6 +36,8 @@ struct SiteData {
   struct Pieces {
     std::vector<VectorPiece> current;
     std::vector<VectorPiece> wind;
+    std::vector<ScalarPiece> mixed_layer_depth;
+    std::vector<ScalarPiece> temperature;
     std::vector<ScalarPiece> significant_height;
     std::vector<ScalarPiece> peak_period;
     std::vector<ScalarPiece> wave_direction;

@@ -13,11 +13,12 @@
 namespace slackwater::calibration {
 
 /// What is known of a parameter before its day is seen: yesterday's posterior, aged (ageing.h), or a
-/// product's own figure.
+/// product's own figure (layer_figure.h).
 struct KnownParameter {
   std::string name;
   double value = 0;
   double sigma = 0;  ///< of the value, or of its logarithm for positive parameters; > 0
+  std::string source = "the day before, aged";
 };
 
 /// One day at one place, ready to be fitted.

@@ -78,7 +78,7 @@ void add_known(std::vector<Parameter>& set, const std::vector<KnownParameter>& k
       if (p.name != k.name || !(k.sigma > 0) || !std::isfinite(k.value)) continue;
       p.prior = std::clamp(k.value, p.lower, p.upper);
       p.prior_sigma = k.sigma;
-      p.source = "the day before, aged";
+      p.source = k.source;
     }
   }
 }
