@@ -1,0 +1,116 @@
+#include "fields/service/current_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace slackwater {
+namespace {
+
+constexpr float missing = -1e6F;
+constexpr std::size_t buckets = 1024;
+
+/// Four lanes that GCC and Clang know how to add and multiply at once.
+typedef float Lanes __attribute__((vector_size(16)));
+
+/// How many levels of the column are above its bed at some time.
+std::size_t wet_levels(const ForecastColumn& column, std::size_t levels) {
+  std::size_t wet = levels;
+  const auto is_dry = [&](std::size_t k) {
+    for (std::size_t o = k; o < column.current_status.size(); o += levels) {
+      if (column.current_status[o] != SampleStatus::below_bed) return false;
+    }
+    return true;
+  };
+  while (wet > 0 && is_dry(wet - 1)) --wet;
+  return wet;
+}
+
+}  // namespace
+
+CurrentTable::CurrentTable(const Snapshot& snapshot, std::size_t member)
+    : columns_(snapshot.columns.size()), levels_(snapshot.depth_m.size()) {
+  const std::size_t times = snapshot.time.size();
+  entry_.resize(times * levels_ * columns_);
+  for (std::size_t c = 0; c < columns_; ++c) {
+    const ForecastColumn& column = snapshot.columns[c];
+    const std::span<const Horizontal> current = current_of_member(column, member);
+    const std::size_t wet = wet_levels(column, levels_);
+    for (std::size_t t = 0; t < times; ++t) {
+      for (std::size_t k = 0; k < levels_; ++k) {
+        Entry& entry = entry_[(t * levels_ + k) * columns_ + c];
+        if (wet == 0) continue;
+        // Below the deepest wet level its value holds to the bed.
+        const std::size_t o = t * levels_ + std::min(k, wet - 1);
+        const SampleStatus status =
+            column.current_status.empty() ? SampleStatus::missing : column.current_status[o];
+        if (status == SampleStatus::land) continue;
+        entry.water = has_value(status) && o < current.size() ? 1.0F : missing;
+        if (entry.water < 0) continue;
+        entry.east = static_cast<float>(current[o].real());
+        entry.north = static_cast<float>(current[o].imag());
+        if (member == 0) entry.sigma = static_cast<float>(column.current_sigma_m_s[o]);
+      }
+    }
+  }
+  for (const double depth : snapshot.depth_m) depth_m_.push_back(static_cast<float>(depth));
+  if (levels_ < 2) return;
+  const double deepest = snapshot.depth_m.back();
+  buckets_per_m_ = static_cast<double>(buckets - 1) / deepest;
+  low_.resize(buckets);
+  for (std::size_t b = 0; b < buckets; ++b) {
+    const double depth = static_cast<double>(b) / buckets_per_m_;
+    const auto above = std::upper_bound(snapshot.depth_m.begin(), snapshot.depth_m.end(), depth);
+    const auto at_or_above = std::max<std::ptrdiff_t>(1, above - snapshot.depth_m.begin()) - 1;
+    low_[b] =
+        static_cast<std::uint16_t>(std::min(static_cast<std::size_t>(at_or_above), levels_ - 2));
+  }
+}
+
+CurrentTable::Level CurrentTable::level_at(double depth_m) const noexcept {
+  if (levels_ < 2) return {};
+  const auto depth = static_cast<float>(depth_m);
+  if (depth <= depth_m_.front()) return {};
+  if (depth >= depth_m_.back()) return {levels_ - 2, 1.0F};
+  std::size_t low = low_[static_cast<std::size_t>(depth_m * buckets_per_m_)];
+  while (low + 2 < levels_ && depth >= depth_m_[low + 1]) ++low;
+  return {low, (depth - depth_m_[low]) / (depth_m_[low + 1] - depth_m_[low])};
+}
+
+CurrentSample CurrentTable::at(const ColumnStencil& stencil, const std::array<double, 4>& share,
+                               TimePlace time, Level level) const noexcept {
+  const std::size_t per_level = columns_;
+  const std::size_t per_time = levels_ * columns_;
+  const std::size_t later = time.upper > 0 ? per_time : 0;
+  const std::size_t deeper = level.lower > 0 ? per_level : 0;
+  const Entry* base = entry_.data() + time.low * per_time + level.low * per_level;
+  const float upper = static_cast<float>(time.upper);
+  const float w11 = upper * level.lower;
+  const float w10 = upper - w11;
+  const float w01 = level.lower - w11;
+  const float w00 = 1.0F - upper - w01;
+  const auto lanes = [](const Entry* entry) {
+    Lanes value;
+    std::memcpy(&value, entry, sizeof value);
+    return value;
+  };
+  Lanes sum{0, 0, 0, 0};
+  for (std::uint32_t c = 0; c < stencil.count; ++c) {
+    const auto w = static_cast<float>(share[c]);
+    const Entry* e = base + stencil.column[c];
+    sum += w * (w00 * lanes(e) + w01 * lanes(e + deeper) + w10 * lanes(e + later) +
+                w11 * lanes(e + later + deeper));
+  }
+  CurrentSample sample;
+  if (!(sum[3] > 0.0F)) {
+    sample.status = SampleStatus::missing;
+    return sample;
+  }
+  const float whole = 1.0F / sum[3];
+  sample.velocity_m_s = {static_cast<double>(sum[0] * whole), static_cast<double>(sum[1] * whole)};
+  sample.sigma_m_s = static_cast<double>(sum[2] * whole);
+  sample.status = SampleStatus::ok;
+  return sample;
+}
+
+}  // namespace slackwater

@@ -1,0 +1,223 @@
+#include "fields/service/field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fields/base/check.h"
+#include "fields/base/constants.h"
+
+namespace slackwater {
+namespace {
+
+bool are_even(const std::vector<UtcTime>& time) {
+  if (time.size() < 2) return false;
+  for (std::size_t i = 2; i < time.size(); ++i) {
+    if (time[i] - time[i - 1] != time[1] - time[0]) return false;
+  }
+  return true;
+}
+
+/// Linear in time over one value a stamp.
+template <typename Values, typename Value>
+Value between(const Values& values, TimePlace time, Value (*value_of)(const Values&, std::size_t)) {
+  const Value first = value_of(values, time.low);
+  if (!(time.upper > 0)) return first;
+  return (1 - time.upper) * first + time.upper * value_of(values, time.low + 1);
+}
+
+/// Neutral wind over open sea (ingest brings wind to 10 m by the same law).
+double to_height(double height_m) noexcept {
+  constexpr double roughness_m = 0.0002;
+  return std::log(height_m / roughness_m) / std::log(10.0 / roughness_m);
+}
+
+std::string degrees(double value, char positive, char negative) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f %c", std::abs(value), value < 0 ? negative : positive);
+  return text;
+}
+
+}  // namespace
+
+std::string ValidRange::text() const {
+  char depth[48];
+  std::snprintf(depth, sizeof depth, "0 to %.1f m", deepest_m);
+  return "longitude " + degrees(box.west_deg, 'E', 'W') + " to " + degrees(box.east_deg, 'E', 'W') +
+         ", latitude " + degrees(box.south_deg, 'N', 'S') + " to " +
+         degrees(box.north_deg, 'N', 'S') + ", " + format_utc(from) + " to " + format_utc(to) +
+         ", depth " + depth;
+}
+
+Field::Field(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(snapshot)) {
+  expects(snapshot_ && !snapshot_->columns.empty() && !snapshot_->time.empty(),
+          "a field needs a snapshot with columns and times");
+  std::vector<GeoPoint> points;
+  for (const ForecastColumn& column : snapshot_->columns) {
+    points.push_back(column.point);
+    water_depth_m_.push_back(column.water_depth_m);
+  }
+  layout_ = ColumnLayout(points);
+  for (std::size_t m = 0; m < std::max<std::size_t>(1, snapshot_->members); ++m) {
+    const bool is_held = std::any_of(
+        snapshot_->columns.begin(), snapshot_->columns.end(),
+        [&](const ForecastColumn& column) { return !current_of_member(column, m).empty(); });
+    if (!is_held) break;
+    member_.emplace_back(*snapshot_, m);
+  }
+  const std::vector<UtcTime>& time = snapshot_->time;
+  if (are_even(time)) stamps_per_ms_ = 1.0 / static_cast<double>((time[1] - time[0]).count());
+  range_ = {layout_.box(), time.front(), time.back(),
+            *std::max_element(water_depth_m_.begin(), water_depth_m_.end())};
+}
+
+Field::Spot Field::spot(double longitude_deg, double latitude_deg) const noexcept {
+  Spot spot;
+  spot.stencil = layout_.at(longitude_deg, latitude_deg);
+  if (!spot.stencil.is_inside) {
+    spot.status = SampleStatus::outside_area;
+  } else if (spot.stencil.count == 0) {
+    spot.status = SampleStatus::land;
+  } else {
+    spot.status = SampleStatus::ok;
+    for (std::uint32_t c = 0; c < spot.stencil.count; ++c)
+      spot.water_depth_m += spot.stencil.weight[c] * water_depth_m_[spot.stencil.column[c]];
+  }
+  return spot;
+}
+
+std::optional<TimePlace> Field::when(UtcTime time) const noexcept {
+  const std::vector<UtcTime>& stamps = snapshot_->time;
+  if (stamps_per_ms_ <= 0) return place_in(stamps, time);
+  if (time < stamps.front() || time > stamps.back()) return std::nullopt;
+  const double steps = static_cast<double>((time - stamps.front()).count()) * stamps_per_ms_;
+  const auto low = std::min(static_cast<std::size_t>(steps), stamps.size() - 2);
+  return TimePlace{low, steps - static_cast<double>(low)};
+}
+
+CurrentSample Field::current_at(const Spot& spot, const std::optional<TimePlace>& time,
+                                double depth_m, const CurrentTable& table) const noexcept {
+  CurrentSample sample;
+  sample.status = spot.status;
+  if (spot.status != SampleStatus::ok) return sample;
+  if (!time) {
+    sample.status = SampleStatus::outside_time;
+  } else if (!(depth_m >= 0)) {
+    sample.status = SampleStatus::above_surface;
+  } else if (depth_m > spot.water_depth_m) {
+    sample.status = SampleStatus::below_bed;
+  } else if (&table == &nothing_) {
+    sample.status = SampleStatus::missing;
+  } else {
+    std::array<double, 4> share{};
+    for (std::uint32_t c = 0; c < spot.stencil.count; ++c) {
+      if (depth_m <= water_depth_m_[spot.stencil.column[c]]) share[c] = spot.stencil.weight[c];
+    }
+    return table.at(spot.stencil, share, *time, table.level_at(depth_m));
+  }
+  return sample;
+}
+
+void Field::sample_current(std::span<const Place> places, std::span<CurrentSample> out,
+                           std::size_t member) const noexcept {
+  const CurrentTable& table = member < member_.size() ? member_[member] : nothing_;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Place& place = places[i];
+    out[i] = current_at(spot(place.longitude_deg, place.latitude_deg), when(place.time),
+                        place.vertical_m, table);
+  }
+}
+
+void Field::sample_profile(double longitude_deg, double latitude_deg, UtcTime time,
+                           std::span<const double> depths_m, std::span<CurrentSample> out,
+                           std::size_t member) const noexcept {
+  const CurrentTable& table = member < member_.size() ? member_[member] : nothing_;
+  const Spot here = spot(longitude_deg, latitude_deg);
+  const std::optional<TimePlace> place = when(time);
+  for (std::size_t i = 0; i < depths_m.size(); ++i)
+    out[i] = current_at(here, place, depths_m[i], table);
+}
+
+void Field::sample_wind(std::span<const Place> places, std::span<WindSample> out,
+                        std::size_t member) const noexcept {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Place& place = places[i];
+    WindSample sample;
+    const Spot here = spot(place.longitude_deg, place.latitude_deg);
+    const std::optional<TimePlace> time = when(place.time);
+    if (here.status == SampleStatus::outside_area) {
+      sample.status = here.status;
+    } else if (!time) {
+      sample.status = SampleStatus::outside_time;
+    } else if (!(place.vertical_m >= lowest_wind_m) || place.vertical_m > highest_wind_m) {
+      sample.status = SampleStatus::outside_area;
+    } else if (here.status == SampleStatus::ok) {
+      Horizontal sum{};
+      bool is_whole = true;
+      for (std::uint32_t c = 0; c < here.stencil.count; ++c) {
+        const auto wind = wind_of_member(snapshot_->columns[here.stencil.column[c]], member);
+        is_whole = is_whole && !wind.empty();
+        if (!is_whole) break;
+        sum += here.stencil.weight[c] *
+               between<std::span<const Horizontal>, Horizontal>(
+                   wind, *time,
+                   [](const std::span<const Horizontal>& w, std::size_t t) { return w[t]; });
+      }
+      if (is_whole) sample = {to_height(place.vertical_m) * sum, SampleStatus::ok};
+      if (!std::isfinite(sum.real() + sum.imag())) sample = {};
+    } else {
+      sample.status = here.status;
+    }
+    out[i] = sample;
+  }
+}
+
+void Field::sample_sea(std::span<const Place> places, std::span<SeaSample> out) const noexcept {
+  constexpr double radians = constants::pi / 180.0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Place& place = places[i];
+    SeaSample sample;
+    const Spot here = spot(place.longitude_deg, place.latitude_deg);
+    const std::optional<TimePlace> time = when(place.time);
+    sample.status = here.status != SampleStatus::ok ? here.status
+                    : time                          ? SampleStatus::ok
+                                                    : SampleStatus::outside_time;
+    Horizontal from{};
+    for (std::uint32_t c = 0; sample.status == SampleStatus::ok && c < here.stencil.count; ++c) {
+      const std::vector<SeaState>& sea = snapshot_->columns[here.stencil.column[c]].sea;
+      for (const std::size_t later : {0U, 1U}) {
+        const double share = later == 0 ? 1 - time->upper : time->upper;
+        const double weight = here.stencil.weight[c] * share;
+        if (!(weight > 0)) continue;
+        if (time->low + later >= sea.size()) {
+          sample.status = SampleStatus::missing;
+          break;
+        }
+        const SeaState& s = sea[time->low + later];
+        sample.sea.significant_height_m += weight * s.significant_height_m;
+        sample.sea.peak_period_s += weight * s.peak_period_s;
+        from += weight * s.significant_height_m * s.significant_height_m *
+                std::polar(1.0, radians * s.from_direction_deg);
+      }
+    }
+    const bool is_whole = std::isfinite(sample.sea.significant_height_m) &&
+                          std::isfinite(sample.sea.peak_period_s) && std::isfinite(from.real());
+    if (sample.status == SampleStatus::ok && !is_whole) sample.status = SampleStatus::missing;
+    if (sample.status == SampleStatus::ok) {
+      const double degrees = std::arg(from) / radians;
+      sample.sea.from_direction_deg = degrees < 0 ? degrees + 360 : degrees;
+    } else {
+      sample.sea = {};
+    }
+    out[i] = sample;
+  }
+}
+
+void Field::sample_bed(std::span<const Place> places, std::span<BedSample> out) const noexcept {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Spot here = spot(places[i].longitude_deg, places[i].latitude_deg);
+    out[i] = {here.water_depth_m, here.status};
+  }
+}
+
+}  // namespace slackwater

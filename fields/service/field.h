@@ -1,0 +1,71 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fields/service/column_layout.h"
+#include "fields/service/current_table.h"
+#include "fields/service/place.h"
+
+namespace slackwater {
+
+/// A forecast as issued, laid out so that wind, waves, current and bed are had at any place and time.
+///
+/// Between columns as `ColumnLayout` says, linear in time between stamps, linear in depth between levels. The
+/// vertical rule: depths count from mean sea level; the first level speaks for the water above it, the deepest
+/// wet level for the water down to the bed. Above the surface, below the bed, on land, outside the area and
+/// outside the time is a status, never a number. The bed is interpolated like all else, and a column whose own
+/// bed is above a depth has no say there.
+///
+/// Immutable; all samplers are const, thread-safe, without locks and allocations. Batch calls are the real
+/// interface: `out` has the length of `places`.
+class Field {
+ public:
+  /// Keeps the snapshot. @throws ContractViolation for one without columns or times
+  explicit Field(std::shared_ptr<const Snapshot> snapshot);
+
+  [[nodiscard]] const Snapshot& snapshot() const noexcept { return *snapshot_; }
+  [[nodiscard]] const ValidRange& range() const noexcept { return range_; }
+
+  /// The Eulerian current, towards. @param member  0: the central forecast, with its sigma; another: one future
+  /// of the ensemble, sigma 0; `missing` where it is not held
+  void sample_current(std::span<const Place> places, std::span<CurrentSample> out,
+                      std::size_t member = 0) const noexcept;
+  /// One place and time, many depths: the stencil is made once.
+  void sample_profile(double longitude_deg, double latitude_deg, UtcTime time,
+                      std::span<const double> depths_m, std::span<CurrentSample> out,
+                      std::size_t member = 0) const noexcept;
+  /// The mean wind, brought from 10 m to the height asked by the neutral logarithmic profile.
+  void sample_wind(std::span<const Place> places, std::span<WindSample> out,
+                   std::size_t member = 0) const noexcept;
+  /// Heights and periods linear, the direction through vectors weighted by energy.
+  void sample_sea(std::span<const Place> places, std::span<SeaSample> out) const noexcept;
+  void sample_bed(std::span<const Place> places, std::span<BedSample> out) const noexcept;
+
+  [[nodiscard]] CurrentSample current(const Place& place, std::size_t member = 0) const noexcept {
+    CurrentSample out;
+    sample_current({&place, 1}, {&out, 1}, member);
+    return out;
+  }
+
+ private:
+  struct Spot {  ///< a stencil and the bed there
+    ColumnStencil stencil;
+    double water_depth_m = 0;
+    SampleStatus status = SampleStatus::missing;  ///< ok: water
+  };
+  [[nodiscard]] Spot spot(double longitude_deg, double latitude_deg) const noexcept;
+  [[nodiscard]] std::optional<TimePlace> when(UtcTime time) const noexcept;
+  [[nodiscard]] CurrentSample current_at(const Spot& spot, const std::optional<TimePlace>& time,
+                                         double depth_m, const CurrentTable& table) const noexcept;
+
+  std::shared_ptr<const Snapshot> snapshot_;
+  ColumnLayout layout_;
+  std::vector<CurrentTable> member_;
+  CurrentTable nothing_;
+  std::vector<double> water_depth_m_;
+  double stamps_per_ms_ = 0;  ///< where stamps are even; else 0
+  ValidRange range_;
+};
+
+}  // namespace slackwater
