@@ -47,12 +47,11 @@ ColumnLayout::Axis::Place ColumnLayout::Axis::at(double value) const noexcept {
   if (n == 1 || value <= centre.front()) return {0, 0, true};
   if (value >= centre.back()) return {n - 2, 1, true};
   // Steps are nearly equal: begin where an even axis would have it.
-  const double share = (value - centre.front()) / (centre.back() - centre.front());
-  auto low = static_cast<std::size_t>(share * static_cast<double>(n - 1));
+  auto low = static_cast<std::size_t>((value - centre.front()) * per_span);
   low = std::min(low, n - 2);
   while (low > 0 && value < centre[low]) --low;
   while (low + 2 < n && value >= centre[low + 1]) ++low;
-  double upper = (value - centre[low]) / (centre[low + 1] - centre[low]);
+  double upper = (value - centre[low]) * per_step[low];
   if (upper < centre_tolerance) upper = 0;
   if (upper > 1 - centre_tolerance) upper = 1;
   return {low, upper, true};
@@ -80,6 +79,10 @@ ColumnLayout::ColumnLayout(std::span<const GeoPoint> columns) {
     axis.reach_low = is_lone ? lone_deg : 0.5 * (axis.centre[1] - axis.centre[0]) * (1 + 1e-9);
     axis.reach_high =
         is_lone ? lone_deg : 0.5 * (axis.centre[n - 1] - axis.centre[n - 2]) * (1 + 1e-9);
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      axis.per_step.push_back(1 / (axis.centre[i + 1] - axis.centre[i]));
+    if (n > 1)
+      axis.per_span = static_cast<double>(n - 1) / (axis.centre.back() - axis.centre.front());
   };
   set_reach(x_, lone_reach_m / metres_per_degree_east_);
   set_reach(y_, lone_reach_m / metres_per_degree);
@@ -120,7 +123,7 @@ ColumnStencil ColumnLayout::at(double longitude_deg, double latitude_deg) const 
       sum += weight;
     }
   }
-  if (stencil.count == 0) return stencil;
+  if (sum > 1 - 1e-12) return stencil;
   for (std::uint32_t c = 0; c < stencil.count; ++c) stencil.weight[c] /= sum;
   return stencil;
 }

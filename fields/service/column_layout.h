@@ -43,6 +43,8 @@ class ColumnLayout {
     std::vector<double> centre;
     double reach_low = 0;   ///< half a cell beyond the first
     double reach_high = 0;  ///< and the last
+    double per_span = 0;    ///< cells per degree, were they even
+    std::vector<double> per_step;
     struct Place {
       std::size_t low = 0;
       double upper = 0;

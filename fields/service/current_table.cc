@@ -29,16 +29,16 @@ std::size_t wet_levels(const ForecastColumn& column, std::size_t levels) {
 }  // namespace
 
 CurrentTable::CurrentTable(const Snapshot& snapshot, std::size_t member)
-    : columns_(snapshot.columns.size()), levels_(snapshot.depth_m.size()) {
+    : levels_(snapshot.depth_m.size()), per_column_(snapshot.time.size() * levels_) {
   const std::size_t times = snapshot.time.size();
-  entry_.resize(times * levels_ * columns_);
-  for (std::size_t c = 0; c < columns_; ++c) {
+  entry_.resize(snapshot.columns.size() * per_column_);
+  for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {
     const ForecastColumn& column = snapshot.columns[c];
     const std::span<const Horizontal> current = current_of_member(column, member);
     const std::size_t wet = wet_levels(column, levels_);
     for (std::size_t t = 0; t < times; ++t) {
       for (std::size_t k = 0; k < levels_; ++k) {
-        Entry& entry = entry_[(t * levels_ + k) * columns_ + c];
+        Entry& entry = entry_[c * per_column_ + t * levels_ + k];
         if (wet == 0) continue;
         // Below the deepest wet level its value holds to the bed.
         const std::size_t o = t * levels_ + std::min(k, wet - 1);
@@ -55,6 +55,8 @@ CurrentTable::CurrentTable(const Snapshot& snapshot, std::size_t member)
   }
   for (const double depth : snapshot.depth_m) depth_m_.push_back(static_cast<float>(depth));
   if (levels_ < 2) return;
+  for (std::size_t k = 0; k + 1 < levels_; ++k)
+    per_step_.push_back(1.0F / (depth_m_[k + 1] - depth_m_[k]));
   const double deepest = snapshot.depth_m.back();
   buckets_per_m_ = static_cast<double>(buckets - 1) / deepest;
   low_.resize(buckets);
@@ -74,16 +76,24 @@ CurrentTable::Level CurrentTable::level_at(double depth_m) const noexcept {
   if (depth >= depth_m_.back()) return {levels_ - 2, 1.0F};
   std::size_t low = low_[static_cast<std::size_t>(depth_m * buckets_per_m_)];
   while (low + 2 < levels_ && depth >= depth_m_[low + 1]) ++low;
-  return {low, (depth - depth_m_[low]) / (depth_m_[low + 1] - depth_m_[low])};
+  return {low, (depth - depth_m_[low]) * per_step_[low]};
 }
 
-CurrentSample CurrentTable::at(const ColumnStencil& stencil, const std::array<double, 4>& share,
-                               TimePlace time, Level level) const noexcept {
-  const std::size_t per_level = columns_;
-  const std::size_t per_time = levels_ * columns_;
-  const std::size_t later = time.upper > 0 ? per_time : 0;
-  const std::size_t deeper = level.lower > 0 ? per_level : 0;
-  const Entry* base = entry_.data() + time.low * per_time + level.low * per_level;
+void CurrentTable::prefetch(const ColumnStencil& stencil, const TimePlace& time,
+                            const Level& level) const noexcept {
+  const Entry* base = entry_.data() + time.low * levels_ + level.low;
+  for (std::uint32_t c = 0; c < stencil.count; ++c) {
+    const Entry* e = base + stencil.column[c] * per_column_;
+    __builtin_prefetch(e);
+    __builtin_prefetch(e + levels_);
+  }
+}
+
+CurrentSample CurrentTable::at(const ColumnStencil& stencil, const TimePlace& time,
+                               const Level& level) const noexcept {
+  const std::size_t later = time.upper > 0 ? levels_ : 0;
+  const std::size_t deeper = level.lower > 0 ? 1 : 0;
+  const Entry* base = entry_.data() + time.low * levels_ + level.low;
   const float upper = static_cast<float>(time.upper);
   const float w11 = upper * level.lower;
   const float w10 = upper - w11;
@@ -96,8 +106,8 @@ CurrentSample CurrentTable::at(const ColumnStencil& stencil, const std::array<do
   };
   Lanes sum{0, 0, 0, 0};
   for (std::uint32_t c = 0; c < stencil.count; ++c) {
-    const auto w = static_cast<float>(share[c]);
-    const Entry* e = base + stencil.column[c];
+    const auto w = static_cast<float>(stencil.weight[c]);
+    const Entry* e = base + stencil.column[c] * per_column_;
     sum += w * (w00 * lanes(e) + w01 * lanes(e + deeper) + w10 * lanes(e + later) +
                 w11 * lanes(e + later + deeper));
   }

@@ -9,8 +9,8 @@
 
 namespace slackwater {
 
-/// The current of all columns of one member, laid out for sampling: neighbouring columns, then levels, then
-/// times beside each other, in single precision (rounded by less than 1e-6 m/s).
+/// The current of all columns of one member, laid out for sampling: levels beside each other, then times, then
+/// columns, in single precision (rounded by less than 1e-6 m/s).
 ///
 /// Each entry carries beside its value whether it has one: 1 water, 0 never water (land, below the column's
 /// bed), and a large negative number where a value is missing for a time, so that one weighted sum tells the
@@ -28,9 +28,12 @@ class CurrentTable {
   };
   [[nodiscard]] Level level_at(double depth_m) const noexcept;
 
-  /// Value at a place in water. @param share  of each column of the stencil; 0 where its bed is above
-  [[nodiscard]] CurrentSample at(const ColumnStencil& stencil, const std::array<double, 4>& share,
-                                 TimePlace time, Level level) const noexcept;
+  /// Asks the memory for what `at` will read.
+  void prefetch(const ColumnStencil& stencil, const TimePlace& time,
+                const Level& level) const noexcept;
+  /// Value at a place in water: weights of the stencil need not sum to one.
+  [[nodiscard]] CurrentSample at(const ColumnStencil& stencil, const TimePlace& time,
+                                 const Level& level) const noexcept;
 
  private:
   struct alignas(16) Entry {
@@ -39,10 +42,11 @@ class CurrentTable {
     float sigma = 0;
     float water = 0;
   };
-  std::size_t columns_ = 0;
   std::size_t levels_ = 0;
-  std::vector<Entry> entry_;  ///< times x levels x columns
+  std::size_t per_column_ = 0;  ///< entries of one column
+  std::vector<Entry> entry_;    ///< columns x times x levels
   std::vector<float> depth_m_;
+  std::vector<float> per_step_;     ///< 1/(depth of the next level less its own)
   std::vector<std::uint16_t> low_;  ///< of each bucket of depth, the level at or above its top
   double buckets_per_m_ = 0;
 };

@@ -95,36 +95,59 @@ std::optional<TimePlace> Field::when(UtcTime time) const noexcept {
   return TimePlace{low, steps - static_cast<double>(low)};
 }
 
-CurrentSample Field::current_at(const Spot& spot, const std::optional<TimePlace>& time,
-                                double depth_m, const CurrentTable& table) const noexcept {
-  CurrentSample sample;
-  sample.status = spot.status;
-  if (spot.status != SampleStatus::ok) return sample;
-  if (!time) {
-    sample.status = SampleStatus::outside_time;
+Field::Water Field::water(const Spot& spot, const std::optional<TimePlace>& time, double depth_m,
+                          const CurrentTable& table) const noexcept {
+  Water water;
+  if (spot.status != SampleStatus::ok) {
+    water.status = spot.status;
+  } else if (!time) {
+    water.status = SampleStatus::outside_time;
   } else if (!(depth_m >= 0)) {
-    sample.status = SampleStatus::above_surface;
+    water.status = SampleStatus::above_surface;
   } else if (depth_m > spot.water_depth_m) {
-    sample.status = SampleStatus::below_bed;
-  } else if (&table == &nothing_) {
-    sample.status = SampleStatus::missing;
-  } else {
-    std::array<double, 4> share{};
+    water.status = SampleStatus::below_bed;
+  } else if (&table != &nothing_) {
+    water.status = SampleStatus::ok;
+    water.stencil = spot.stencil;
     for (std::uint32_t c = 0; c < spot.stencil.count; ++c) {
-      if (depth_m <= water_depth_m_[spot.stencil.column[c]]) share[c] = spot.stencil.weight[c];
+      if (depth_m > water_depth_m_[spot.stencil.column[c]]) water.stencil.weight[c] = 0;
     }
-    return table.at(spot.stencil, share, *time, table.level_at(depth_m));
+    water.time = *time;
+    water.level = table.level_at(depth_m);
   }
+  return water;
+}
+
+namespace {
+
+CurrentSample without_value(SampleStatus status) noexcept {
+  CurrentSample sample;
+  sample.status = status;
   return sample;
 }
+
+}  // namespace
 
 void Field::sample_current(std::span<const Place> places, std::span<CurrentSample> out,
                            std::size_t member) const noexcept {
   const CurrentTable& table = member < member_.size() ? member_[member] : nothing_;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place& place = places[i];
-    out[i] = current_at(spot(place.longitude_deg, place.latitude_deg), when(place.time),
-                        place.vertical_m, table);
+  // Places at random wait for memory: the values of a block are asked for before the first is used.
+  constexpr std::size_t block = 16;
+  std::array<Water, block> asked;
+  for (std::size_t first = 0; first < places.size(); first += block) {
+    const std::size_t count = std::min(block, places.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Place& place = places[first + i];
+      asked[i] = water(spot(place.longitude_deg, place.latitude_deg), when(place.time),
+                       place.vertical_m, table);
+      if (asked[i].status == SampleStatus::ok)
+        table.prefetch(asked[i].stencil, asked[i].time, asked[i].level);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const Water& w = asked[i];
+      out[first + i] = w.status == SampleStatus::ok ? table.at(w.stencil, w.time, w.level)
+                                                    : without_value(w.status);
+    }
   }
 }
 
@@ -134,8 +157,11 @@ void Field::sample_profile(double longitude_deg, double latitude_deg, UtcTime ti
   const CurrentTable& table = member < member_.size() ? member_[member] : nothing_;
   const Spot here = spot(longitude_deg, latitude_deg);
   const std::optional<TimePlace> place = when(time);
-  for (std::size_t i = 0; i < depths_m.size(); ++i)
-    out[i] = current_at(here, place, depths_m[i], table);
+  for (std::size_t i = 0; i < depths_m.size(); ++i) {
+    const Water w = water(here, place, depths_m[i], table);
+    out[i] = w.status == SampleStatus::ok ? table.at(w.stencil, w.time, w.level)
+                                          : without_value(w.status);
+  }
 }
 
 void Field::sample_wind(std::span<const Place> places, std::span<WindSample> out,

@@ -42,9 +42,11 @@ class Field {
   void sample_sea(std::span<const Place> places, std::span<SeaSample> out) const noexcept;
   void sample_bed(std::span<const Place> places, std::span<BedSample> out) const noexcept;
 
+  /// The single call that wraps the batch.
   [[nodiscard]] CurrentSample current(const Place& place, std::size_t member = 0) const noexcept {
     CurrentSample out;
-    sample_current({&place, 1}, {&out, 1}, member);
+    sample_profile(place.longitude_deg, place.latitude_deg, place.time, {&place.vertical_m, 1},
+                   {&out, 1}, member);
     return out;
   }
 
@@ -56,8 +58,14 @@ class Field {
   };
   [[nodiscard]] Spot spot(double longitude_deg, double latitude_deg) const noexcept;
   [[nodiscard]] std::optional<TimePlace> when(UtcTime time) const noexcept;
-  [[nodiscard]] CurrentSample current_at(const Spot& spot, const std::optional<TimePlace>& time,
-                                         double depth_m, const CurrentTable& table) const noexcept;
+  struct Water {  ///< what a table is asked, where the status is ok
+    ColumnStencil stencil;
+    TimePlace time;
+    CurrentTable::Level level;
+    SampleStatus status = SampleStatus::missing;
+  };
+  [[nodiscard]] Water water(const Spot& spot, const std::optional<TimePlace>& time, double depth_m,
+                            const CurrentTable& table) const noexcept;
 
   std::shared_ptr<const Snapshot> snapshot_;
   ColumnLayout layout_;
