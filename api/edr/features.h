@@ -1,0 +1,34 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "api/edr/collection.h"
+#include "api/pipeline/issued_fields.h"
+
+// Locations (the columns of each site) and items (issued forecasts) as GeoJSON features.
+
+namespace slackwater::api::edr {
+
+/// A column of a forecast by name: "SITE" the first, "SITE.k" the k-th, counted from 0.
+struct LocationName {
+  std::string site_id;
+  std::size_t column = 0;
+};
+/// Nothing where no such location is in the catalogue (or among the columns of `field`, where given).
+[[nodiscard]] std::optional<LocationName> location_named(const std::string& name,
+                                                         const ForecastCatalogue& catalogue,
+                                                         const Field* field = nullptr);
+
+/// All locations of the forecasts in force, or of one forecast.
+[[nodiscard]] nlohmann::json locations_document(
+    const std::string& at, const Collection& collection,
+    const std::vector<std::shared_ptr<const Field>>& fields);
+
+[[nodiscard]] nlohmann::json items_document(const std::string& base, const Collection& collection,
+                                            const ForecastCatalogue& catalogue);
+[[nodiscard]] nlohmann::json item_document(const std::string& base, const Collection& collection,
+                                           const ForecastCatalogue& catalogue,
+                                           const IssuedForecast& forecast);
+
+}  // namespace slackwater::api::edr

@@ -1,0 +1,310 @@
+#include "api/edr/service.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "api/edr/bad_parameter.h"
+#include "api/edr/bbox.h"
+#include "api/edr/crs.h"
+#include "api/edr/describe.h"
+#include "api/edr/features.h"
+#include "api/edr/format_coverage_json.h"
+#include "api/edr/format_csv.h"
+#include "api/edr/format_geojson.h"
+#include "api/edr/format_netcdf.h"
+#include "api/edr/metadata.h"
+#include "api/edr/openapi.h"
+#include "api/edr/queries.h"
+#include "api/edr/wkt.h"
+#include "fields/base/error.h"
+
+namespace slackwater::api::edr {
+namespace {
+
+using http::PathParameters;
+using http::Request;
+using http::Response;
+
+/// A forecast in force may be replaced within seconds; what was issued never changes.
+constexpr int in_force_max_age_s = 30;
+constexpr int issued_max_age_s = 86400;
+constexpr int metadata_max_age_s = 10;
+
+constexpr std::array data_formats{Format::coverage_json, Format::geojson, Format::csv,
+                                  Format::netcdf};
+constexpr std::array document_formats{Format::json};
+constexpr std::array feature_formats{Format::geojson, Format::json};
+
+bool is_plain_host(const std::string& host) {
+  return !host.empty() && host.size() < 256 && std::all_of(host.begin(), host.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '-' || c == ':' || c == '[' || c == ']';
+  });
+}
+
+std::string written(const Answer& answer, Format format) {
+  switch (format) {
+    case Format::geojson:
+      return geojson(answer);
+    case Format::csv:
+      return csv(answer);
+    case Format::netcdf:
+      return netcdf(answer);
+    default:
+      return coverage_json(answer);
+  }
+}
+
+/// The place by which a query chooses among sites: the first of its coordinates, or the middle of its box.
+Place target_of(const QueryType& type, const QueryString& query) {
+  if (type.name == "cube") {
+    const auto text = query.find("bbox");
+    if (!text)
+      throw bad_parameter("bbox", "nothing", "west,south,east,north, e.g. 2.0,53.0,2.5,53.4");
+    const Box box = parse_bbox(*text).box;
+    return {0.5 * (box.west_deg + box.east_deg), 0.5 * (box.south_deg + box.north_deg), 0, {}};
+  }
+  const auto text = query.find("coords");
+  if (!text) throw bad_parameter("coords", "nothing", "Well Known Text, e.g. POINT(-2.55 48.85)");
+  const Geometry geometry = parse_wkt("coords", *text);
+  if (type.name == "area") {
+    const Box box = bounding_box(geometry);
+    return {0.5 * (box.west_deg + box.east_deg), 0.5 * (box.south_deg + box.north_deg), 0, {}};
+  }
+  const Vertex& first = geometry.parts.front().front().front();
+  return {first.longitude_deg, first.latitude_deg, 0, {}};
+}
+
+/// A site whose forecast a large shape holds or touches, where none reaches its middle.
+const ForecastCatalogue::SiteForecast* site_for(const ForecastCatalogue& catalogue,
+                                                const QueryType& type, const QueryString& query) {
+  const Place target = target_of(type, query);
+  if (const auto* site = catalogue.site_at(target.longitude_deg, target.latitude_deg)) return site;
+  Box box{target.longitude_deg, target.latitude_deg, target.longitude_deg, target.latitude_deg};
+  if (type.name == "cube") {
+    box = parse_bbox(query.find("bbox").value_or("")).box;
+  } else {
+    box = bounding_box(parse_wkt("coords", query.find("coords").value_or("")));
+  }
+  for (const auto& site : catalogue.sites) {
+    for (const ForecastColumn& column : site.field->snapshot().columns) {
+      if (contains(box, column.point.longitude_deg(), column.point.latitude_deg())) return &site;
+    }
+  }
+  return nullptr;
+}
+
+std::string reach_of(const ForecastCatalogue& catalogue) {
+  if (catalogue.sites.empty()) return "no forecast is stored yet; run `slackwater forecast` first";
+  std::string text = "the forecasts in force reach";
+  for (const auto& site : catalogue.sites)
+    text += " " + site.site_id + " (" + site.field->range().text() + ");";
+  text.back() = '.';
+  return text;
+}
+
+class Service {
+ public:
+  Service(std::shared_ptr<IssuedFields> forecasts, std::string base_url)
+      : forecasts_(std::move(forecasts)), base_url_(std::move(base_url)) {}
+
+  [[nodiscard]] std::string base(const Request& request) const {
+    if (!base_url_.empty()) return base_url_;
+    return is_plain_host(request.host) ? "http://" + request.host : std::string();
+  }
+
+  /// A JSON document of the service about itself.
+  template <typename Make>
+  Response document(const Request& request, std::span<const Format> formats, const char* media_type,
+                    Make make) const {
+    const QueryString query = QueryString::parse(request.query);
+    constexpr std::array<std::string_view, 1> known{"f"};
+    expect_known(query, known);
+    static_cast<void>(choose_format(query.find("f").value_or(""), request.accept, formats));
+    const nlohmann::json made = make(base(request), *forecasts_->catalogue());
+    return {200, media_type, made.dump(), {}, metadata_max_age_s};
+  }
+
+  Response data(const Request& request, const QueryType& type, const PathParameters& path,
+                bool of_instance) const {
+    const QueryString query = QueryString::parse(request.query);
+    const Collection& collection = collection_named(path.at("collectionId"));
+    expect_known(query, type.parameters);
+    const Format format = expect_format(request, query);
+    for (std::size_t i = 0; i < type.needed; ++i) {
+      const std::string_view name = type.parameters[i];
+      const bool may_miss = name == "z";  // a collection without a vertical has none
+      if (!may_miss && !query.find(name))
+        throw bad_parameter(name, "nothing", "this parameter; see /api");
+    }
+    const std::shared_ptr<const ForecastCatalogue> catalogue = forecasts_->catalogue();
+    Selection selection =
+        of_instance ? of_named_instance(collection, *catalogue, path, query)
+                    : in_force(collection, *catalogue, site_for(*catalogue, type, query), query);
+    return told(request, type.answer(std::move(selection), query), format,
+                of_instance ? issued_max_age_s : in_force_max_age_s);
+  }
+
+  Response location(const Request& request, const PathParameters& path, bool of_instance) const {
+    const QueryString query = QueryString::parse(request.query);
+    const Collection& collection = collection_named(path.at("collectionId"));
+    expect_known(query, location_parameters());
+    const Format format = expect_format(request, query);
+    const std::shared_ptr<const ForecastCatalogue> catalogue = forecasts_->catalogue();
+    std::optional<Selection> selection;
+    if (of_instance) selection = of_named_instance(collection, *catalogue, path, query);
+    const std::optional<LocationName> name = location_named(
+        path.at("locationId"), *catalogue, selection ? selection->field.get() : nullptr);
+    if (!name) {
+      throw Error(ErrorKind::not_found, "found no location '" + shown(path.at("locationId")) +
+                                            "'; the collection's /locations lists what there is");
+    }
+    if (!selection) {
+      const auto site = std::find_if(catalogue->sites.begin(), catalogue->sites.end(),
+                                     [&](const auto& s) { return s.site_id == name->site_id; });
+      selection = in_force(collection, *catalogue, &*site, query);
+    }
+    return told(request, location_answer(std::move(*selection), query, name->column), format,
+                of_instance ? issued_max_age_s : in_force_max_age_s);
+  }
+
+  [[nodiscard]] std::shared_ptr<const Field> field(const std::string& instance) const {
+    return forecasts_->field(instance);
+  }
+  [[nodiscard]] const IssuedForecast& instance(const ForecastCatalogue& catalogue,
+                                               const std::string& name) const {
+    if (const IssuedForecast* found = catalogue.find(name)) return *found;
+    throw Error(ErrorKind::not_found,
+                "found no instance '" + shown(name) + "'; /instances lists what there is");
+  }
+
+ private:
+  static Format expect_format(const Request& request, const QueryString& query) {
+    if (const auto crs = query.find("crs")) expect_supported_crs(*crs);
+    return choose_format(query.find("f").value_or(""), request.accept, data_formats);
+  }
+
+  Selection in_force(const Collection& collection, const ForecastCatalogue& catalogue,
+                     const ForecastCatalogue::SiteForecast* site, const QueryString& query) const {
+    if (site == nullptr) {
+      throw Error(ErrorKind::not_found,
+                  "found a place that no forecast reaches; " + reach_of(catalogue));
+    }
+    return select(collection, instance(catalogue, site->instance), site->field, query);
+  }
+
+  Selection of_named_instance(const Collection& collection, const ForecastCatalogue& catalogue,
+                              const PathParameters& path, const QueryString& query) const {
+    const std::string& name = path.at("instanceId");
+    return select(collection, instance(catalogue, name), forecasts_->field(name), query);
+  }
+
+  Response told(const Request& request, Answer answer, Format format, int max_age_s) const {
+    answer.query_url = base(request) + request.path;
+    Response response{
+        200, std::string(media_type_of(format)), written(answer, format), {}, max_age_s};
+    response.headers = provenance_headers(answer);
+    return response;
+  }
+
+  std::shared_ptr<IssuedFields> forecasts_;
+  std::string base_url_;
+};
+
+}  // namespace
+
+void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
+                const std::string& base_url) {
+  const auto service = std::make_shared<const Service>(std::move(forecasts), base_url);
+  constexpr const char* json_type = "application/json";
+  constexpr const char* geojson_type = "application/geo+json";
+  const auto document = [&](const char* pattern, std::span<const Format> formats, const char* type,
+                            auto make) {
+    router.add("GET", pattern, [=](const Request& request, const PathParameters& path) {
+      return service->document(request, formats, type,
+                               [&](const std::string& base, const ForecastCatalogue& catalogue) {
+                                 return make(base, catalogue, path);
+                               });
+    });
+  };
+  const auto collection_of = [](const PathParameters& path) -> const Collection& {
+    return collection_named(path.at("collectionId"));
+  };
+  document("/", document_formats, json_type,
+           [](const std::string& base, const ForecastCatalogue&, const PathParameters&) {
+             return landing_page(base);
+           });
+  document("/conformance", document_formats, json_type,
+           [](const std::string&, const ForecastCatalogue&, const PathParameters&) {
+             return conformance();
+           });
+  document("/api", document_formats, "application/vnd.oai.openapi+json;version=3.0",
+           [](const std::string& base, const ForecastCatalogue&, const PathParameters&) {
+             return openapi_document(base);
+           });
+  document("/collections", document_formats, json_type,
+           [](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters&) {
+             return collections_document(base, catalogue);
+           });
+  document(
+      "/collections/{collectionId}", document_formats, json_type,
+      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
+        return collection_document(base, collection_of(path), catalogue);
+      });
+  document(
+      "/collections/{collectionId}/instances", document_formats, json_type,
+      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
+        return instances_document(base, collection_of(path), catalogue);
+      });
+  document(
+      "/collections/{collectionId}/instances/{instanceId}", document_formats, json_type,
+      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
+        const std::string& name = path.at("instanceId");
+        return instance_document(base, collection_of(path), service->instance(catalogue, name),
+                                 *service->field(name));
+      });
+  document(
+      "/collections/{collectionId}/items", feature_formats, geojson_type,
+      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
+        return items_document(base, collection_of(path), catalogue);
+      });
+  document(
+      "/collections/{collectionId}/items/{itemId}", feature_formats, geojson_type,
+      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
+        return item_document(base, collection_of(path), catalogue,
+                             service->instance(catalogue, path.at("itemId")));
+      });
+  document(
+      "/collections/{collectionId}/locations", feature_formats, geojson_type,
+      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
+        std::vector<std::shared_ptr<const Field>> fields;
+        for (const auto& site : catalogue.sites) fields.push_back(site.field);
+        return locations_document(base + "/collections/" + path.at("collectionId"),
+                                  collection_of(path), fields);
+      });
+  document(
+      "/collections/{collectionId}/instances/{instanceId}/locations", feature_formats, geojson_type,
+      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
+        const std::string& name = path.at("instanceId");
+        static_cast<void>(service->instance(catalogue, name));
+        return locations_document(
+            base + "/collections/" + path.at("collectionId") + "/instances/" + name,
+            collection_of(path), {service->field(name)});
+      });
+  for (const bool of_instance : {false, true}) {
+    const std::string at =
+        std::string("/collections/{collectionId}") + (of_instance ? "/instances/{instanceId}" : "");
+    for (const QueryType& type : query_types()) {
+      router.add("GET", at + "/" + std::string(type.name),
+                 [=, type = &type](const Request& request, const PathParameters& path) {
+                   return service->data(request, *type, path, of_instance);
+                 });
+    }
+    router.add("GET", at + "/locations/{locationId}",
+               [=](const Request& request, const PathParameters& path) {
+                 return service->location(request, path, of_instance);
+               });
+  }
+}
+
+}  // namespace slackwater::api::edr

@@ -1,0 +1,16 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "api/http/router.h"
+#include "api/pipeline/issued_fields.h"
+
+namespace slackwater::api::edr {
+
+/// The routes of OGC API-EDR 1.1 over the forecasts of a store. Handlers parse, sample and write; they hold no
+/// physics and take no lock but to read an older forecast for the first time.
+/// @param base_url  as clients see the service, without a slash at its end; empty: from the Host header
+void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
+                const std::string& base_url = {});
+
+}  // namespace slackwater::api::edr
