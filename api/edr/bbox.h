@@ -1,0 +1,21 @@
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "api/edr/geometry.h"
+#include "api/edr/vertical.h"
+
+namespace slackwater::api::edr {
+
+struct BoundingBox {
+  Box box;
+  std::optional<LevelRange> levels;
+};
+
+/// Reads `bbox`: west,south,east,north in degrees, or with vertical limits as third and sixth:
+/// west,south,low,east,north,high. West greater than east: the box crosses the antimeridian, and its east
+/// is given with 360 added. Longitudes in [-180, 360], latitudes in [-90, 90]. Throws Error(usage) for
+/// anything else.
+[[nodiscard]] BoundingBox parse_bbox(std::string_view text);
+
+}  // namespace slackwater::api::edr
