@@ -1,0 +1,194 @@
+#include "api/http/exchange.h"
+
+#include <algorithm>
+
+#include "api/http/content_coding.h"
+#include "api/http/entity_tag.h"
+#include "api/http/field_list.h"
+#include "api/http/problem.h"
+#include "api/http/response_head.h"
+#include "api/http/router.h"
+#include "api/http/trust.h"
+
+namespace slackwater::api::http {
+namespace {
+
+constexpr const char* exposed_fields = "Content-Disposition, ETag, Link, Location, Retry-After";
+constexpr const char* preflight_seconds = "86400";
+
+bool reads(const std::string& method) { return method == "GET" || method == "HEAD"; }
+
+bool has_field(const Response& response, std::string_view name) {
+  return std::any_of(response.headers.begin(), response.headers.end(),
+                     [&](const auto& field) { return equal_ignoring_case(field.first, name); });
+}
+
+std::string take_field(Response& response, std::string_view name) {
+  const auto found =
+      std::find_if(response.headers.begin(), response.headers.end(),
+                   [&](const auto& field) { return equal_ignoring_case(field.first, name); });
+  if (found == response.headers.end()) return {};
+  std::string value = std::move(found->second);
+  response.headers.erase(found);
+  return value;
+}
+
+/// "http://host/path" becomes "/path" (RFC 9112 §3.2.2); the server has one host only.
+void to_origin_form(Request& request) {
+  constexpr std::string_view scheme = "http://";
+  if (request.path.size() <= scheme.size()) return;
+  if (!equal_ignoring_case(std::string_view(request.path).substr(0, scheme.size()), scheme)) return;
+  const std::size_t slash = request.path.find('/', scheme.size());
+  request.path = slash == std::string::npos ? "/" : request.path.substr(slash);
+}
+
+void add_cache_control(Response& response, bool cacheable) {
+  if (has_field(response, "Cache-Control")) return;
+  const bool stored = cacheable && response.max_age_s.has_value();
+  response.headers.emplace_back(
+      "Cache-Control",
+      stored ? "public, max-age=" + std::to_string(*response.max_age_s) : "no-store");
+}
+
+/// Codes the body where that is wanted and worth it. @return the coding, "" for none
+std::string_view code_body(Response& response, const Arrival& arrival) {
+  if (has_field(response, "Content-Encoding") ||
+      !is_worth_coding(response.media_type, response.body.size())) {
+    return {};
+  }
+  response.headers.emplace_back("Vary", "Accept-Encoding");
+  return prefers_gzip(arrival.accept_encoding) ? "gzip" : "";
+}
+
+/// Gives a 200 its validator, turns it into a 304 where the client has it already, codes the rest.
+void validate_and_code(Response& response, const Arrival& arrival) {
+  const std::string_view coding = code_body(response, arrival);
+  if (response.status == 200 && reads(arrival.request.method)) {
+    if (!has_field(response, "ETag")) {
+      response.headers.emplace_back("ETag", entity_tag(response.body, coding));
+    }
+    const auto tag =
+        std::find_if(response.headers.begin(), response.headers.end(),
+                     [](auto& field) { return equal_ignoring_case(field.first, "ETag"); });
+    if (matches_tag(arrival.if_none_match, tag->second)) {
+      response.status = 304;
+      response.body.clear();
+      return;
+    }
+  }
+  if (coding.empty()) return;
+  response.body = gzip(response.body);
+  response.headers.emplace_back("Content-Encoding", coding);
+}
+
+Reply finish(Response response, const Arrival& arrival) {
+  Reply reply;
+  reply.route = take_field(response, route_field);
+  reply.method = arrival.request.method;
+  reply.keep_alive = arrival.keep_alive;
+  add_cache_control(response, response.status < 300 && reads(arrival.request.method));
+  response.headers.emplace_back("Access-Control-Allow-Origin", "*");
+  response.headers.emplace_back("Access-Control-Expose-Headers", exposed_fields);
+  validate_and_code(response, arrival);
+  reply.status = response.status;
+  if (!response.body.empty() && !response.media_type.empty()) {
+    response.headers.emplace_back("Content-Type", response.media_type);
+  }
+  reply.head =
+      response_head(reply.status, response.headers, response.body.size(), reply.keep_alive);
+  if (arrival.request.method != "HEAD") reply.body = std::move(response.body);
+  return reply;
+}
+
+}  // namespace
+
+std::string Exchange::allowed_methods() const {
+  return options_.read_only ? "GET, HEAD, OPTIONS" : "GET, HEAD, OPTIONS, POST";
+}
+
+Response Exchange::options_response() const {
+  Response response;
+  response.status = 204;
+  response.headers = {{"Allow", allowed_methods()},
+                      {"Access-Control-Allow-Methods", "GET, HEAD, OPTIONS"},
+                      {"Access-Control-Allow-Headers", "Accept, Content-Type, If-None-Match"},
+                      {"Access-Control-Max-Age", preflight_seconds}};
+  return response;
+}
+
+Response Exchange::handled(const Request& request) const {
+  try {
+    return handler_(request);
+  } catch (const RouteFailure& failed) {
+    Response response = told(failed.failure(), request);
+    response.headers.emplace_back(route_field, failed.route());
+    return response;
+  } catch (...) {
+    return told(failure_of(std::current_exception(), request.path), request);
+  }
+}
+
+Response Exchange::told(const Failure& failure, const Request& request) const {
+  if (!failure.for_the_log.empty() && options_.on_failure) {
+    options_.on_failure(request, failure.for_the_log);
+  }
+  return failure.response;
+}
+
+Response Exchange::respond(Arrival& arrival) const {
+  Request& request = arrival.request;
+  if (arrival.host_fields > 1 || (arrival.is_http_1_1 && arrival.host_fields == 0)) {
+    return problem(400,
+                   "An HTTP/1.1 request has one Host field; found " +
+                       std::to_string(arrival.host_fields) + ".",
+                   request.path);
+  }
+  to_origin_form(request);
+  if (request.method == "OPTIONS") return options_response();
+  if (!reads(request.method) && (options_.read_only || request.method != "POST")) {
+    Response refused = problem(
+        405,
+        "The method " + request.method + " is not served; use one of " + allowed_methods() + ".",
+        request.path);
+    refused.headers.emplace_back("Allow", allowed_methods());
+    return refused;
+  }
+  if (!request.path.starts_with('/')) {
+    return problem(400, "The target of a request starts with '/'; found '" + request.path + "'.",
+                   "");
+  }
+  request.is_trusted = is_trusted(options_.token, arrival);
+  if (!reads(request.method) && !request.is_trusted) {
+    Response refused = problem(401,
+                               "Writing needs 'Authorization: Bearer <token>', or a client on "
+                               "the server's own machine.",
+                               request.path);
+    refused.headers.emplace_back("WWW-Authenticate", "Bearer");
+    return refused;
+  }
+  if (request.method != "HEAD") return handled(request);
+  Request as_get = request;
+  as_get.method = "GET";
+  return handled(as_get);
+}
+
+Reply Exchange::answer(Arrival arrival) const {
+  try {
+    return finish(respond(arrival), arrival);
+  } catch (...) {
+    const Failure failure = failure_of(std::current_exception(), arrival.request.path);
+    return finish(told(failure, arrival.request), arrival);
+  }
+}
+
+Reply Exchange::refusal(int status, const std::string& detail) const {
+  Arrival unread;
+  unread.keep_alive = false;
+  Response response = problem(status, detail, "");
+  if (status == 503) response.headers.emplace_back("Retry-After", "1");
+  Reply reply = finish(std::move(response), unread);
+  reply.route = "(refused)";
+  return reply;
+}
+
+}  // namespace slackwater::api::http

@@ -1,0 +1,59 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "api/http/message.h"
+#include "api/http/problem.h"
+#include "api/http/server_options.h"
+
+namespace slackwater::api::http {
+
+/// A request as it came in, with what only the server needs to know of it.
+struct Arrival {
+  Request request;  ///< `is_trusted` is not yet decided
+  bool is_http_1_1 = true;
+  bool keep_alive = true;
+  bool peer_is_loopback = false;
+  bool is_forwarded = false;  ///< a proxy passed it on: the peer is not the sender
+  std::size_t host_fields = 1;
+  std::string accept_encoding;
+  std::string if_none_match;
+  std::string authorization;
+  std::string origin;
+};
+
+/// An answer as it goes out.
+struct Reply {
+  int status = 200;
+  std::string head;  ///< status line and fields, with the empty line
+  std::string body;  ///< empty after HEAD and with 304
+  bool keep_alive = true;
+  std::string method;  ///< of the request, for the metrics
+  std::string route;   ///< ... and the label of its route
+};
+
+/// What happens between a parsed request and the bytes of its answer: which methods are served, who
+/// may write, the handler, HEAD and OPTIONS, validators, content coding, the fields every answer
+/// carries. Knows nothing of sockets; thread-safe where the handler is.
+class Exchange {
+ public:
+  Exchange(const ServerOptions& options, const Handler& handler)
+      : options_(options), handler_(handler) {}
+
+  /// Never throws for what a request or a handler does.
+  [[nodiscard]] Reply answer(Arrival arrival) const;
+  /// The last answer on a connection whose request could not be read.
+  [[nodiscard]] Reply refusal(int status, const std::string& detail) const;
+
+ private:
+  [[nodiscard]] Response respond(Arrival& arrival) const;
+  [[nodiscard]] std::string allowed_methods() const;
+  [[nodiscard]] Response options_response() const;
+  [[nodiscard]] Response handled(const Request& request) const;
+  [[nodiscard]] Response told(const Failure& failure, const Request& request) const;
+
+  const ServerOptions& options_;
+  const Handler& handler_;
+};
+
+}  // namespace slackwater::api::http

@@ -1,0 +1,24 @@
+#include "api/http/health.h"
+
+#include <nlohmann/json.hpp>
+
+#include "api/pipeline/version.h"
+
+namespace slackwater::api::http {
+
+Handler health_handler(std::shared_ptr<const Metrics> metrics, std::function<HealthFacts()> facts) {
+  return [metrics = std::move(metrics), facts = std::move(facts)](const Request&) {
+    const HealthFacts found = facts ? facts() : HealthFacts{};
+    nlohmann::ordered_json document{{"status", found.is_healthy ? "ok" : "degraded"},
+                                    {"uptime_s", metrics->uptime().count()},
+                                    {"version", code_version()}};
+    for (const auto& [name, value] : found.facts) document[name] = value;
+    Response response;
+    response.status = found.is_healthy ? 200 : 503;
+    response.media_type = "application/json";
+    response.body = document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return response;
+  };
+}
+
+}  // namespace slackwater::api::http

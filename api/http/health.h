@@ -1,0 +1,25 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "api/http/message.h"
+#include "api/http/metrics.h"
+
+namespace slackwater::api::http {
+
+/// What the composition root knows of the state of the service.
+struct HealthFacts {
+  bool is_healthy = true;
+  /// Name and value, e.g. {"newest_forecast", "2025-03-10T00:00:00Z"}.
+  std::vector<std::pair<std::string, std::string>> facts;
+};
+
+/// `/health`: {"status": "ok" | "degraded", "uptime_s", "version", ...facts}; 200 where healthy,
+/// else 503. @param facts  asked at every call, from any thread; may be empty
+[[nodiscard]] Handler health_handler(std::shared_ptr<const Metrics> metrics,
+                                     std::function<HealthFacts()> facts);
+
+}  // namespace slackwater::api::http

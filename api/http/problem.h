@@ -1,0 +1,30 @@
+#pragma once
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "api/http/message.h"
+#include "fields/base/error.h"
+
+namespace slackwater::api::http {
+
+/// The reason phrase of a status, "Error" for one we do not know.
+[[nodiscard]] std::string_view reason_of(int status) noexcept;
+
+/// The one table from kinds of trouble to HTTP.
+[[nodiscard]] int status_of(ErrorKind kind) noexcept;
+
+/// An RFC 7807 document: {type, title, status, detail, instance}.
+/// @param detail    what was found, expected and what to do; bytes that are not UTF-8 are replaced
+/// @param instance  the path it is about; left out where empty
+[[nodiscard]] Response problem(int status, const std::string& detail, const std::string& instance);
+
+/// A problem for the exception in flight, and what the log should know of it ("" where the client
+/// has been told all). Only what the client caused or can mend is shown to it.
+struct Failure {
+  Response response;
+  std::string for_the_log;
+};
+[[nodiscard]] Failure failure_of(const std::exception_ptr& problem, const std::string& instance);
+
+}  // namespace slackwater::api::http
