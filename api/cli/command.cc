@@ -86,6 +86,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_verify(app, context);
   add_store(app, context);
   add_site(app, context);
+  add_serve(app, context);
   add_demo(app, context);
   try {
     app.parse(argc, argv);

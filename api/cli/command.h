@@ -58,5 +58,6 @@ void add_verify(CLI::App& app, Context& context);
 void add_store(CLI::App& app, Context& context);
 void add_site(CLI::App& app, Context& context);
 void add_demo(CLI::App& app, Context& context);
+void add_serve(CLI::App& app, Context& context);
 
 }  // namespace slackwater::api

@@ -60,6 +60,7 @@ struct Answer {
   std::vector<Coverage> coverages;  ///< one or more, all of one domain type
   Provenance provenance;
   std::vector<std::string> notes;  ///< why values are missing, and the like
+  std::string query_url;           ///< where to ask again; links of the formats that have them
 };
 
 }  // namespace slackwater::api::edr

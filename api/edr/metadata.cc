@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/edr/body.h"
 #include "api/edr/content.h"
 #include "api/edr/crs.h"
 #include "api/edr/distance.h"
@@ -34,8 +35,7 @@ json link(const std::string& href, const char* rel, const char* type, const std:
 
 json formats() {
   json names = json::array();
-  for (const Format format : {Format::coverage_json, Format::geojson, Format::csv, Format::netcdf})
-    names.push_back(name_of(format));
+  for (const Format format : answer_formats()) names.push_back(name_of(format));
   return names;
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/edr/body.h"
 #include "api/edr/collection.h"
 #include "api/edr/content.h"
 #include "api/edr/distance.h"
@@ -41,8 +42,7 @@ json text() { return {{"type", "string"}, {"minLength", 1}}; }
 
 json parameters() {
   json formats = json::array();
-  for (const Format format : {Format::coverage_json, Format::geojson, Format::csv, Format::netcdf})
-    formats.push_back(name_of(format));
+  for (const Format format : answer_formats()) formats.push_back(name_of(format));
   json units = json::array();
   for (const std::string_view unit : distance_units()) units.push_back(unit);
   const json count = {{"type", "integer"}, {"minimum", 0}, {"maximum", max_resolution}};

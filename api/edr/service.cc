@@ -5,13 +5,9 @@
 
 #include "api/edr/bad_parameter.h"
 #include "api/edr/bbox.h"
+#include "api/edr/body.h"
 #include "api/edr/crs.h"
-#include "api/edr/describe.h"
 #include "api/edr/features.h"
-#include "api/edr/format_coverage_json.h"
-#include "api/edr/format_csv.h"
-#include "api/edr/format_geojson.h"
-#include "api/edr/format_netcdf.h"
 #include "api/edr/metadata.h"
 #include "api/edr/openapi.h"
 #include "api/edr/queries.h"
@@ -30,8 +26,6 @@ constexpr int in_force_max_age_s = 30;
 constexpr int issued_max_age_s = 86400;
 constexpr int metadata_max_age_s = 10;
 
-constexpr std::array data_formats{Format::coverage_json, Format::geojson, Format::csv,
-                                  Format::netcdf};
 constexpr std::array document_formats{Format::json};
 constexpr std::array feature_formats{Format::geojson, Format::json};
 
@@ -40,19 +34,6 @@ bool is_plain_host(const std::string& host) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
            c == '-' || c == ':' || c == '[' || c == ']';
   });
-}
-
-std::string written(const Answer& answer, Format format) {
-  switch (format) {
-    case Format::geojson:
-      return geojson(answer);
-    case Format::csv:
-      return csv(answer);
-    case Format::netcdf:
-      return netcdf(answer);
-    default:
-      return coverage_json(answer);
-  }
 }
 
 /// The place by which a query chooses among sites: the first of its coordinates, or the middle of its box.
@@ -181,7 +162,7 @@ class Service {
  private:
   static Format expect_format(const Request& request, const QueryString& query) {
     if (const auto crs = query.find("crs")) expect_supported_crs(*crs);
-    return choose_format(query.find("f").value_or(""), request.accept, data_formats);
+    return choose_format(query.find("f").value_or(""), request.accept, answer_formats());
   }
 
   Selection in_force(const Collection& collection, const ForecastCatalogue& catalogue,
@@ -201,9 +182,9 @@ class Service {
 
   Response told(const Request& request, Answer answer, Format format, int max_age_s) const {
     answer.query_url = base(request) + request.path;
-    Response response{
-        200, std::string(media_type_of(format)), written(answer, format), {}, max_age_s};
-    response.headers = provenance_headers(answer);
+    Body body = write_answer(answer, format);
+    Response response{200, std::move(body.media_type), std::move(body.bytes),
+                      std::move(body.headers), max_age_s};
     return response;
   }
 

@@ -1,0 +1,129 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+
+#include "api/cli/command.h"
+#include "api/edr/service.h"
+#include "api/http/health.h"
+#include "api/http/metrics.h"
+#include "api/http/server.h"
+#include "api/pipeline/issued_fields.h"
+#include "fields/base/log.h"
+
+namespace slackwater::api {
+namespace {
+
+struct ServeArguments {
+  std::string address = "127.0.0.1";
+  int port = 8080;
+  int threads = 2;
+  std::string token_file;
+  std::string base_url;
+};
+
+std::optional<std::string> token_of(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  std::ifstream stream(file);
+  std::string token;
+  std::getline(stream, token);
+  if (!stream || token.size() < 16) {
+    throw Error(ErrorKind::usage, "--token-file: found no token in " + file +
+                                      "; expected one line of at least 16 characters");
+  }
+  return token;
+}
+
+http::HealthFacts facts_of(const IssuedFields& forecasts) {
+  http::HealthFacts facts;
+  const std::shared_ptr<const ForecastCatalogue> catalogue = forecasts.catalogue();
+  const std::string trouble = forecasts.trouble();
+  facts.is_healthy = trouble.empty();
+  if (!trouble.empty()) facts.facts.emplace_back("store", trouble);
+  facts.facts.emplace_back("forecasts", std::to_string(catalogue->instances.size()));
+  if (!catalogue->instances.empty()) {
+    const IssuedForecast& newest = catalogue->instances.front();
+    facts.facts.emplace_back("newest_forecast", newest.instance);
+    facts.facts.emplace_back("newest_issued", format_utc(newest.row.issued));
+  }
+  return facts;
+}
+
+/// Blocks SIGINT and SIGTERM for this and all later threads, so that one place waits for them.
+class StopSignals {
+ public:
+  StopSignals() {
+    sigemptyset(&set_);
+    sigaddset(&set_, SIGINT);
+    sigaddset(&set_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &set_, nullptr);
+  }
+  void wait() const {
+    int signal = 0;
+    sigwait(&set_, &signal);
+  }
+
+ private:
+  sigset_t set_{};
+};
+
+void run_serve(const ServeArguments& arguments, const Context& context) {
+  const StopSignals stop;
+  http::ServerOptions options;
+  options.address = arguments.address;
+  options.port = static_cast<std::uint16_t>(arguments.port);
+  options.threads = static_cast<std::size_t>(arguments.threads);
+  options.token = token_of(arguments.token_file);
+  options.read_only = true;  // nothing that is served yet writes
+  options.on_failure = [](const http::Request& request, const std::string& what) {
+    log_event(LogLevel::error, "request failed", {{"path", request.path}, {"problem", what}});
+  };
+  const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
+  http::Router router;
+  edr::add_routes(router, forecasts, arguments.base_url);
+  std::vector<std::string> labels = router.labels();
+  labels.insert(labels.end(), {"/health", "/metrics"});
+  options.metrics = std::make_shared<http::Metrics>(labels);
+  router.add("GET", "/health",
+             http::health_handler(options.metrics, [forecasts] { return facts_of(*forecasts); }));
+  router.add("GET", "/metrics", http::metrics_handler(options.metrics));
+  http::Server server(options, router);
+  server.start();
+  const std::string url =
+      "http://" +
+      (arguments.address.find(':') == std::string::npos ? arguments.address
+                                                        : "[" + arguments.address + "]") +
+      ":" + std::to_string(server.port());
+  if (context.json) {
+    std::printf("{\"url\":\"%s\",\"port\":%d}\n", url.c_str(), server.port());
+  } else {
+    std::printf("Slackwater at %s/ (%zu forecasts); Ctrl-C ends it\n", url.c_str(),
+                forecasts->catalogue()->instances.size());
+  }
+  std::fflush(stdout);
+  log_event(LogLevel::info, "serving", {{"url", url}, {"store", context.store_folder.string()}});
+  stop.wait();
+  server.stop();
+  log_event(LogLevel::info, "stopped");
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand(
+      "serve", "Issued forecasts over HTTP: OGC API-EDR 1.1, health and metrics");
+  auto arguments = std::make_shared<ServeArguments>();
+  command->add_option("--address", arguments->address,
+                      "numeric address to listen on (default 127.0.0.1: this machine alone)");
+  command->add_option("--port", arguments->port, "port; 0 takes any that is free (default 8080)")
+      ->check(CLI::Range(0, 65535));
+  command->add_option("--threads", arguments->threads, "that answer requests (default 2)")
+      ->check(CLI::Range(1, 64));
+  command->add_option("--token-file", arguments->token_file,
+                      "file with the token that whoever writes from afar must show");
+  command->add_option("--base-url", arguments->base_url,
+                      "address as clients see it, e.g. behind a proxy (default: the Host header)");
+  command->callback([arguments, &context] { run_serve(*arguments, context); });
+}
+
+}  // namespace slackwater::api
