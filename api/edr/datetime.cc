@@ -77,7 +77,8 @@ TimeRange parse_datetime(std::string_view text) {
   if (slash == std::string_view::npos) return moment_of(text);
   const std::string_view start = text.substr(0, slash);
   const std::string_view end = text.substr(slash + 1);
-  if (end.find('/') != std::string_view::npos || (start.empty() && end.empty())) {
+  if (end.find('/') != std::string_view::npos ||
+      (is_open(start) && is_open(end) && text != "../..")) {
     throw bad_parameter("datetime", text, forms);
   }
   TimeRange range;

@@ -138,8 +138,8 @@ class Writer {
   void write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
              std::span<const std::int64_t> values);
   void write_all(int variable, std::span<const double> values);
-  void write_text(int variable,
-                  std::string_view text);  ///< a char variable with one dimension, padded with NULs
+  /// A whole char variable, row after row; NULs fill what the text leaves.
+  void write_text(int variable, std::string_view text);
   void close();
 
  private:

@@ -245,9 +245,10 @@ void Writer::write_all(int variable, std::span<const double> values) {
 void Writer::write_text(int variable, std::string_view text) {
   const LibraryLock lock;
   const std::vector<std::size_t> shape = shape_of(id_, variable);
-  expects(shape.size() == 1 && text.size() <= shape[0], "Writer: the text fits its char dimension");
+  const std::size_t room = product_of(shape);
+  expects(!shape.empty() && text.size() <= room, "Writer: the text fits its char dimensions");
   std::string padded_text(text);
-  padded_text.resize(shape[0], '\0');
+  padded_text.resize(room, '\0');
   checked(nc_put_var_text(id_, variable, padded_text.data()), "writing text");
 }
 

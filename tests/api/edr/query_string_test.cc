@@ -48,10 +48,11 @@ TEST(QueryString, NulBytesAndEmptyKeysAreRefused) {
 }
 
 TEST(QueryString, LimitsAreNamed) {
-  const std::string long_query = "z=" + std::string(max_query_bytes, '1');
+  const std::string long_query = tests::long_text("z=", max_query_bytes, '1');
   EXPECT_TRUE(says(refusal_of([&] { (void)QueryString::parse(long_query); }), "262144 bytes"));
   std::string many;
-  for (std::size_t i = 0; i <= max_query_parameters; ++i) many += "k" + std::to_string(i) + "=1&";
+  for (std::size_t i = 0; i <= max_query_parameters; ++i)
+    many.append("k").append(std::to_string(i)).append("=1&");
   EXPECT_TRUE(says(refusal_of([&] { (void)QueryString::parse(many); }), "at most 64 parameters"));
   EXPECT_EQ(QueryString::parse(std::string(max_query_bytes, '&')).all().size(), 0U);
 }
@@ -93,7 +94,8 @@ TEST(PathSegments, NoTrickLeavesTheTree) {
   }
   EXPECT_TRUE(says(refusal_of([] { (void)path_segments("/%00"); }), "NUL"));
   EXPECT_TRUE(says(refusal_of([] { (void)path_segments("/%zz"); }), "hexadecimal"));
-  EXPECT_TRUE(says(refusal_of([] { (void)path_segments("/" + std::string(3000, 'a')); }), "2048"));
+  EXPECT_TRUE(
+      says(refusal_of([] { (void)path_segments(tests::long_text("/", 3000, 'a')); }), "2048"));
 }
 
 }  // namespace

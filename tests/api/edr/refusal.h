@@ -26,6 +26,13 @@ std::string refusal_of(const Parse& parse) {
   return {};
 }
 
+/// A prefix and `count` times a character. (GCC 12 warns wrongly of "prefix" + std::string(count, c).)
+inline std::string long_text(std::string_view prefix, std::size_t count, char c) {
+  std::string text(prefix);
+  text.append(count, c);
+  return text;
+}
+
 inline ::testing::AssertionResult says(const std::string& message, std::string_view part) {
   if (message.find(part) != std::string::npos) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure() << "'" << part << "' is not in: " << message;

@@ -81,7 +81,7 @@ TEST(Vertical, WhatCannotBeIsRefusedWithTheReason) {
 
 TEST(Vertical, LimitsHoldForLists) {
   std::string many = "0";
-  for (std::size_t i = 1; i <= max_levels; ++i) many += "," + std::to_string(i);
+  for (std::size_t i = 1; i <= max_levels; ++i) many.append(",").append(std::to_string(i));
   EXPECT_TRUE(says(refusal(many), "at most 1000 levels"));
   EXPECT_TRUE(says(refusal(std::string(1'000'000, ',')), "bytes"));
   EXPECT_TRUE(says(refusal(std::string(30'000, '/')), "a level (10)"));

@@ -7,6 +7,7 @@
 namespace slackwater::api::edr {
 namespace {
 
+using tests::long_text;
 using tests::refusal_of;
 using tests::says;
 
@@ -146,12 +147,12 @@ TEST(Wkt, HostileTextIsRefusedAtOnce) {
   const std::string hostile[] = {
       million,
       std::string(100'000, '('),
-      "POLYGON" + std::string(60'000, '('),
-      "MULTIPOLYGON" + std::string(60'000, '(') + std::string(5'000, ')'),
+      long_text("POLYGON", 60'000, '('),
+      long_text(long_text("MULTIPOLYGON", 60'000, '('), 5'000, ')'),
       std::string(60'000, 'M'),
-      "POINT" + std::string(60'000, ' '),
-      "POINT(" + std::string(60'000, '9') + " 57)",
-      "POINT(0." + std::string(60'000, '0') + "1e99999 57)",
+      long_text("POINT", 60'000, ' '),
+      long_text("POINT(", 60'000, '9') + " 57)",
+      long_text("POINT(0.", 60'000, '0') + "1e99999 57)",
       std::string("POINT(2 57)\0", 12),
       std::string("PO\0INT(2 57)", 12),
       std::string(1'000, '\xff'),
