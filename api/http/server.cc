@@ -168,7 +168,10 @@ class Server::Running {
     return longest != nullptr;
   }
 
-  void forget(Session& session) { sessions_.erase(&session); }
+  void forget(Session& session) {
+    sessions_.erase(&session);
+    if (site_.is_stopping && sessions_.empty()) ticker_.cancel();
+  }
 
   // --- deadlines and the end ---
 
@@ -205,6 +208,7 @@ class Server::Running {
     ErrorCode ignored;
     acceptor_.close(ignored);
     for (const auto& session : all_sessions()) session->drain();
+    if (sessions_.empty()) ticker_.cancel();
   }
 
   // The io_context first: what lives in it goes before it.

@@ -24,6 +24,8 @@ constexpr std::size_t read_bytes = 16 * 1024;
 /// What a client must take in within `Limits::write_time`.
 constexpr std::size_t write_stride_bytes = 256 * 1024;
 constexpr std::chrono::milliseconds linger_time{1000};
+/// The same while the server is stopping.
+constexpr std::chrono::milliseconds short_linger_time{100};
 
 std::string text_of(boost::string_view text) { return {text.data(), text.size()}; }
 
@@ -91,7 +93,8 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
         socket_(site.io, is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor),
         peer_is_loopback_(peer_is_loopback),
         buffer_(2 * read_bytes + site.limits.url_bytes + site.limits.header_bytes) {
-    socket_.set_option(asio::ip::tcp::no_delay(true));
+    ErrorCode ignored;  // reset in the meantime: the first read tells
+    socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
     if (site_.metrics != nullptr) site_.metrics->connection_opened();
   }
 
@@ -126,6 +129,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
   void drain() override {
     if (state_ == State::idle || state_ == State::reading) close();
+    if (state_ == State::lingering) enter(State::lingering, short_linger_time);
   }
 
   void close() override {
@@ -183,7 +187,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
       ErrorCode problem;
       buffer_.consume(parser_->put(buffer_.data(), problem));
       if (problem == beast::http::error::need_more) return read();
-      if (problem) return refuse(too_long_url(problem));
+      if (problem) return refuse(refusal_of_bytes(problem));
       if (!had_header && parser_->is_header_done() && !accept_header()) return;
       if (parser_->is_done()) return dispatch();
     }
@@ -199,10 +203,10 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   }
 
   /// A header that is too long because its first line never ends is a URL that is too long.
-  [[nodiscard]] Refusal too_long_url(const ErrorCode& problem) const {
+  [[nodiscard]] Refusal refusal_of_bytes(const ErrorCode& problem) const {
     const auto* text = static_cast<const char*>(buffer_.data().data());
     const boost::string_view begun(text, std::min(buffer_.size(), site_.limits.url_bytes + 64));
-    if (problem == beast::http::error::header_limit &&
+    if (problem == beast::http::error::header_limit && parser_->get().target().empty() &&
         begun.find('\n') == boost::string_view::npos) {
       return url_refusal();
     }
@@ -320,7 +324,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   }
 
   void linger() {
-    enter(State::lingering, linger_time);
+    enter(State::lingering, site_.is_stopping ? short_linger_time : linger_time);
     ErrorCode problem;
     socket_.shutdown(asio::ip::tcp::socket::shutdown_send, problem);
     if (problem) return close();
