@@ -1,0 +1,98 @@
+#pragma once
+// For sea_kernel.cc only, which is compiled once per instruction set: all of this lies in the
+// namespace of that set, so that the linker never takes a function from the wrong one.
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#ifndef SLACKWATER_KERNEL
+#error "compile this file through fields/wave/kernels.cmake"
+#endif
+
+#define SLACKWATER_INLINE [[gnu::always_inline]] inline
+
+namespace slackwater::SLACKWATER_KERNEL {
+
+#if defined(__AVX512F__)
+inline constexpr std::size_t native_lanes = 8;
+#elif defined(__AVX2__)
+inline constexpr std::size_t native_lanes = 4;
+#else
+inline constexpr std::size_t native_lanes = 2;
+#endif
+
+using NativeDoubles [[gnu::vector_size(8 * native_lanes)]] = double;
+using NativeBits [[gnu::vector_size(8 * native_lanes)]] = std::uint64_t;
+
+/// Eight doubles on every instruction set, as one, two or four registers. Each lane sees the same
+/// IEEE operations in the same order whatever the registers, hence the same bits.
+struct Lanes {
+  static constexpr std::size_t count = 8;
+  static constexpr std::size_t parts = count / native_lanes;
+  NativeDoubles part[parts];
+
+  [[nodiscard]] SLACKWATER_INLINE static Lanes all(double value) {
+    Lanes r;
+    for (std::size_t i = 0; i < parts; ++i) r.part[i] = value - NativeDoubles{};
+    return r;
+  }
+  [[nodiscard]] SLACKWATER_INLINE static Lanes load(const double* from) {
+    Lanes r;
+    std::memcpy(r.part, from, sizeof r.part);
+    return r;
+  }
+  SLACKWATER_INLINE void store(double* to) const { std::memcpy(to, part, sizeof part); }
+};
+
+SLACKWATER_INLINE Lanes operator+(const Lanes& a, const Lanes& b) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] + b.part[i];
+  return r;
+}
+SLACKWATER_INLINE Lanes operator-(const Lanes& a, const Lanes& b) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] - b.part[i];
+  return r;
+}
+SLACKWATER_INLINE Lanes operator*(const Lanes& a, const Lanes& b) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] * b.part[i];
+  return r;
+}
+SLACKWATER_INLINE Lanes operator/(const Lanes& a, const Lanes& b) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] / b.part[i];
+  return r;
+}
+SLACKWATER_INLINE Lanes larger_of(const Lanes& a, const Lanes& b) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+    r.part[i] = a.part[i] > b.part[i] ? a.part[i] : b.part[i];
+  }
+  return r;
+}
+
+/// 1.5 2^52: adding it leaves no room for a fraction, so that the sum holds x rounded to a whole
+/// number (ties to even) in its lowest bits, for |x| < 2^51.
+inline constexpr double rounder = 6755399441055744.0;
+
+/// 2^n for the whole number n that `shifted` = n + rounder holds; -1022 <= n <= 1023.
+SLACKWATER_INLINE Lanes power_of_two(const Lanes& shifted) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+    NativeBits bits;
+    std::memcpy(&bits, &shifted.part[i], sizeof bits);
+    bits = (bits + 1023U) << 52U;  // what lies above the exponent field is shifted out
+    std::memcpy(&r.part[i], &bits, sizeof bits);
+  }
+  return r;
+}
+
+/// Sum of the eight lanes, in one order for all instruction sets.
+SLACKWATER_INLINE double sum_of(const Lanes& a) {
+  double lane[Lanes::count];
+  a.store(lane);
+  return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+}
+
+}  // namespace slackwater::SLACKWATER_KERNEL

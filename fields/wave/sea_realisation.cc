@@ -1,0 +1,220 @@
+#include "fields/wave/sea_realisation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "fields/base/check.h"
+#include "fields/base/constants.h"
+
+namespace slackwater {
+namespace {
+
+using constants::pi;
+
+constexpr std::size_t kernel_arrays = 12;
+constexpr std::size_t kernel_lanes = 8;
+
+bool is_sound(const WaveComponent& wave) {
+  return std::isfinite(wave.amplitude_m) && std::isfinite(wave.intrinsic_rad_s) &&
+         std::isfinite(wave.absolute_rad_s) && std::isfinite(wave.phase_rad) &&
+         std::abs(wave.wavenumber_rad_m) > 0 && std::isfinite(std::abs(wave.wavenumber_rad_m));
+}
+
+/// e^(-2kh), 0 where it would be so small that quotients of it lose digits as subnormals.
+double reflection_of(double kh) {
+  const double reflection = std::exp(-2.0 * kh);
+  return reflection < 1e-290 ? 0.0 : reflection;
+}
+
+/// The twelve values of a wave in the order of `SeaKernelWaves`.
+void pack(const WaveComponent& wave, double depth_m, double* first, std::size_t stride) {
+  const double k = std::abs(wave.wavenumber_rad_m);
+  const double b = reflection_of(k * depth_m);
+  // 1 - B by expm1, for long waves in shallow water.
+  const double speed = wave.amplitude_m * wave.intrinsic_rad_s / -std::expm1(-2.0 * k * depth_m);
+  const double values[kernel_arrays] = {
+      wave.wavenumber_rad_m.real() / (2.0 * pi),
+      wave.wavenumber_rad_m.imag() / (2.0 * pi),
+      wave.absolute_rad_s / (2.0 * pi),
+      wave.phase_rad / (2.0 * pi),
+      wave.amplitude_m,
+      k * std::numbers::log2e,
+      b,
+      speed * wave.wavenumber_rad_m.real() / k,
+      speed * wave.wavenumber_rad_m.imag() / k,
+      speed,
+      wave.intrinsic_rad_s,
+      constants::sea_water_density_kg_m3 * constants::gravity_m_s2 * wave.amplitude_m / (1.0 + b)};
+  for (std::size_t i = 0; i < kernel_arrays; ++i) first[i * stride] = values[i];
+}
+
+SeaKernels kernels_of(KernelPath path) noexcept {
+  switch (path) {
+#ifdef SLACKWATER_X86_KERNELS
+    case KernelPath::avx2:
+      return kernel_avx2::sea_kernels();
+    case KernelPath::avx512:
+      return kernel_avx512::sea_kernels();
+#endif
+    default:
+      return kernel_baseline::sea_kernels();
+  }
+}
+
+/// The widest path of this machine, found once.
+SeaKernels fastest_kernels() {
+  static const SeaKernels kernels = kernels_of(supported_kernel_paths().back());
+  return kernels;
+}
+
+/// ok, or why the place lies outside before the surface is known. NaN is outside.
+SampleStatus status_of(const WavePlace& place) noexcept {
+  constexpr double farthest_m = 1.0e6;
+  constexpr double longest_s = 1.0e8;
+  if (!(std::abs(place.east_m) <= farthest_m && std::abs(place.north_m) <= farthest_m)) {
+    return SampleStatus::outside_area;
+  }
+  return std::abs(place.t_s) <= longest_s ? SampleStatus::ok : SampleStatus::outside_time;
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Evaluated {
+  SeaKernelSums sums;
+  SampleStatus status = SampleStatus::missing;
+};
+
+Evaluated evaluate(SeaKernel kernel, const SeaKernelWaves& waves, Stretching stretching,
+                   const WavePlace& place) noexcept {
+  Evaluated result;
+  result.status = status_of(place);
+  if (result.status != SampleStatus::ok) {
+    result.sums = {nan, nan, {nan, nan, nan}, {nan, nan, nan}, nan};
+    return result;
+  }
+  const bool stretched = stretching == Stretching::wheeler;
+  kernel(waves, {place.east_m, place.north_m, place.up_m, place.t_s}, stretched, result.sums);
+  const double elevation = result.sums.elevation_m;
+  const double top = stretched ? elevation : 0.0;
+  if (place.up_m >= -waves.depth_m && place.up_m <= top) return result;
+  result.status =
+      place.up_m < -waves.depth_m ? SampleStatus::below_bed : SampleStatus::above_surface;
+  result.sums = {elevation, nan, {nan, nan, nan}, {nan, nan, nan}, nan};
+  return result;
+}
+
+WaveMotion motion_of(const Evaluated& at) noexcept {
+  const double* const v = at.sums.velocity_m_s;
+  return {at.sums.elevation_m, {v[0], v[1], v[2]}, at.status};
+}
+
+WaveSample sample_of(const Evaluated& at) noexcept {
+  const double* const a = at.sums.acceleration_m_s2;
+  return {motion_of(at), {a[0], a[1], a[2]}, at.sums.pressure_pa};
+}
+
+void sample_motion_with(const SeaKernels& kernels, const SeaRealisation& sea,
+                        std::span<const WavePlace> places, std::span<WaveMotion> out) {
+  expects(out.size() == places.size(), "out must hold one value for each place");
+  const SeaKernelWaves waves = sea.kernel_waves();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    out[i] = motion_of(evaluate(kernels.motion, waves, sea.stretching(), places[i]));
+  }
+}
+
+void sample_waves_with(const SeaKernels& kernels, const SeaRealisation& sea,
+                       std::span<const WavePlace> places, std::span<WaveSample> out) {
+  expects(out.size() == places.size(), "out must hold one value for each place");
+  const SeaKernelWaves waves = sea.kernel_waves();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    out[i] = sample_of(evaluate(kernels.all, waves, sea.stretching(), places[i]));
+  }
+}
+
+}  // namespace
+
+SeaRealisation::SeaRealisation(std::vector<WaveComponent> waves, const WaveWater& water,
+                               UtcTime epoch, Stretching stretching)
+    : waves_(std::move(waves)), water_(water), epoch_(epoch), stretching_(stretching) {
+  expects(water_.depth_m > 0 && std::isfinite(water_.depth_m), "the water depth must be positive");
+  expects(waves_.size() <= most_kernel_waves, "a sea has at most 1024 waves");
+  expects(std::all_of(waves_.begin(), waves_.end(), is_sound),
+          "a wave has finite values and a wavenumber above 0");
+  padded_ = (waves_.size() + kernel_lanes - 1) / kernel_lanes * kernel_lanes;
+  packed_.assign(kernel_arrays * padded_, 0.0);
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    pack(waves_[i], water_.depth_m, packed_.data() + i, padded_);
+  }
+}
+
+double SeaRealisation::variance_m2() const noexcept {
+  double sum = 0;
+  for (const WaveComponent& wave : waves_) sum += 0.5 * wave.amplitude_m * wave.amplitude_m;
+  return sum;
+}
+
+double SeaRealisation::significant_height_m() const noexcept {
+  return 4.0 * std::sqrt(variance_m2());
+}
+
+SeaKernelWaves SeaRealisation::kernel_waves() const noexcept {
+  const double* const p = packed_.data();
+  const std::size_t n = padded_;
+  return {n,         water_.depth_m, p,         p + n,     p + 2 * n, p + 3 * n,  p + 4 * n,
+          p + 5 * n, p + 6 * n,      p + 7 * n, p + 8 * n, p + 9 * n, p + 10 * n, p + 11 * n};
+}
+
+SeaRealisation realise(const PartitionedSea& sea, const WaveWater& water, std::uint64_t run_seed,
+                       UtcTime epoch, const ComponentChoice& choice) {
+  return {components_of(sea, water, run_seed, choice).waves, water, epoch};
+}
+
+SeaRealisation realise(const DirectionalSpectrum& spectrum, const WaveWater& water,
+                       std::uint64_t run_seed, UtcTime epoch, const ComponentChoice& choice) {
+  return {components_of(spectrum, water, run_seed, choice).waves, water, epoch};
+}
+
+void sample_elevation(const SeaRealisation& sea, std::span<const WavePlace> places,
+                      std::span<double> out) {
+  expects(out.size() == places.size(), "out must hold one value for each place");
+  const SeaKernel kernel = fastest_kernels().elevation;
+  const SeaKernelWaves waves = sea.kernel_waves();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    SeaKernelSums sums{.elevation_m = nan};
+    const WavePlace& at = places[i];
+    if (status_of(at) == SampleStatus::ok) {
+      kernel(waves, {at.east_m, at.north_m, 0.0, at.t_s}, true, sums);
+    }
+    out[i] = sums.elevation_m;
+  }
+}
+
+void sample_motion(const SeaRealisation& sea, std::span<const WavePlace> places,
+                   std::span<WaveMotion> out) {
+  sample_motion_with(fastest_kernels(), sea, places, out);
+}
+
+void sample_waves(const SeaRealisation& sea, std::span<const WavePlace> places,
+                  std::span<WaveSample> out) {
+  sample_waves_with(fastest_kernels(), sea, places, out);
+}
+
+WaveSample sample_waves(const SeaRealisation& sea, const WavePlace& place) {
+  WaveSample sample;
+  sample_waves(sea, {&place, 1}, {&sample, 1});
+  return sample;
+}
+
+void sample_motion_on(KernelPath path, const SeaRealisation& sea, std::span<const WavePlace> places,
+                      std::span<WaveMotion> out) {
+  sample_motion_with(kernels_of(path), sea, places, out);
+}
+
+void sample_waves_on(KernelPath path, const SeaRealisation& sea, std::span<const WavePlace> places,
+                     std::span<WaveSample> out) {
+  sample_waves_with(kernels_of(path), sea, places, out);
+}
+
+}  // namespace slackwater
