@@ -34,6 +34,9 @@ SLACKWATER_INLINE double elevation_of(const SeaKernelWaves& waves, const SeaKern
   return sum_of(sum);
 }
 
+/// 2^-45 = 3e-14 of the motion at the surface, below the error of the rest.
+constexpr double unfelt_halvings = 45.0;
+
 /// Wheeler's level: the surface is brought to still water, the bed stays (Wheeler 1970).
 SLACKWATER_INLINE double stretched_level(double up_m, double elevation_m, double depth_m) {
   return depth_m * (up_m - elevation_m) / (depth_m + elevation_m);
@@ -47,13 +50,15 @@ SLACKWATER_INLINE void motion_of(const SeaKernelWaves& waves, const Phases& phas
   Lanes u = zero, v = zero, w = zero;
   Lanes du = zero, dv = zero, dw = zero, p = zero;
   for (std::size_t i = 0; i < waves.count; i += Lanes::count) {
+    // The waves are sorted: this one and all that follow do not reach down here.
+    if (waves.decay_per_m[i] * sums.evaluated_up_m < -unfelt_halvings) break;
     // cosh k(z+h)/sinh kh = (E + B/E)/(1 - B) with E = e^kz, B = e^-2kh: nothing overflows.
-    const Lanes incident = power_of_two_real(Lanes::load(waves.decay_per_m + i) * up);
-    const Lanes mirrored = Lanes::load(waves.reflection + i) / incident;
+    const PowerAndInverse decay = powers_of_two(Lanes::load(waves.decay_per_m + i) * up);
+    const Lanes mirrored = Lanes::load(waves.reflection + i) * decay.inverse;
     const Lanes sine = Lanes::load(phases.sine + i);
     const Lanes cosine = Lanes::load(phases.cosine + i);
-    const Lanes level = incident + mirrored;
-    const Lanes upright = incident - mirrored;
+    const Lanes level = decay.power + mirrored;
+    const Lanes upright = decay.power - mirrored;
     const Lanes forward = level * cosine;
     const Lanes lift = Lanes::load(waves.up_m_s + i) * upright;
     const Lanes east = Lanes::load(waves.east_m_s + i);

@@ -3,7 +3,8 @@
 
 namespace slackwater {
 
-/// The sinusoids of a sea as the kernel reads them: arrays of `count` values, a multiple of 8. Plain
+/// The sinusoids of a sea as the kernel reads them: arrays of `count` values, a multiple of 8,
+/// by ascending wavenumber (waves of no height that fill up the last eight stand anywhere). Plain
 /// pointers on purpose, see fields/current/steady_column_kernel.h.
 struct SeaKernelWaves {
   std::size_t count = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
@@ -142,6 +143,11 @@ SeaRealisation::SeaRealisation(std::vector<WaveComponent> waves, const WaveWater
   expects(waves_.size() <= most_kernel_waves, "a sea has at most 1024 waves");
   expects(std::all_of(waves_.begin(), waves_.end(), is_sound),
           "a wave has finite values and a wavenumber above 0");
+  // The kernel stops at the first wave that does not reach down to a place.
+  std::sort(waves_.begin(), waves_.end(), [](const WaveComponent& a, const WaveComponent& b) {
+    return std::pair(std::norm(a.wavenumber_rad_m), a.phase_rad) <
+           std::pair(std::norm(b.wavenumber_rad_m), b.phase_rad);
+  });
   padded_ = (waves_.size() + kernel_lanes - 1) / kernel_lanes * kernel_lanes;
   packed_.assign(kernel_arrays * padded_, 0.0);
   for (std::size_t i = 0; i < waves_.size(); ++i) {
