@@ -33,11 +33,15 @@ if(CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# slackwater_room(<name> [LINK <public targets>] [PRIVATE <private targets>])
+# What nearly every source reads, once per target instead of once per source: a third of the build's time.
+set(SLACKWATER_PRECOMPILED <algorithm> <array> <chrono> <cmath> <complex> <filesystem> <functional> <map> <memory> <optional>
+    <span> <string> <string_view> <vector> <Eigen/Core>)
+
+# slackwater_room(<name> [LINK <public targets>] [PRIVATE <private targets>] [PRECOMPILE <headers>])
 #
 # One static library per room, from every .cc below the folder, under the name slackwater::<name>.
 function(slackwater_room name)
-  cmake_parse_arguments(ROOM "" "FOLDER" "LINK;PRIVATE;EXCLUDE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "FOLDER" "LINK;PRIVATE;EXCLUDE;PRECOMPILE" ${ARGN})
   if(NOT ROOM_FOLDER)
     set(ROOM_FOLDER ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
@@ -48,4 +52,5 @@ function(slackwater_room name)
   add_library(slackwater_${name} STATIC ${sources})
   add_library(slackwater::${name} ALIAS slackwater_${name})
   target_link_libraries(slackwater_${name} PUBLIC slackwater_options ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE})
+  target_precompile_headers(slackwater_${name} PRIVATE ${SLACKWATER_PRECOMPILED} ${ROOM_PRECOMPILE})
 endfunction()
