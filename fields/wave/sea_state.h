@@ -13,7 +13,7 @@ struct WavePartition {
   double significant_height_m = 0;  ///< >= 0
   double peak_period_s = 0;         ///< > 0
   double from_direction_deg = 0;    ///< mean direction, clockwise from true north
-  std::optional<double> gamma;      ///< peak enhancement, 1 to 10; by `dnv_gamma` where not given
+  std::optional<double> gamma{};    ///< peak enhancement, 1 to 10; by `dnv_gamma` where not given
   /// Spreading exponent s of the half-angle form (spreading.h). 10 is a spread of 24 degrees, a
   /// young wind sea at its peak (Mitsuyasu et al. 1975); swell is narrower, 25 (16 degrees) and up.
   double spreading_s = 10;

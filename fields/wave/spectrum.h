@@ -27,7 +27,7 @@ struct JonswapSpectrum {
 [[nodiscard]] JonswapSpectrum pierson_moskowitz_spectrum(double significant_height_m,
                                                          double peak_period_s);
 
-/// A = 1 - 0.287 ln gamma, the published fit: 0.12 % off for gamma 1 to 5, -0.9 % at 7.
+/// A = 1 - 0.287 ln gamma, the published fit: Hs is 0.12 % off for gamma 1 to 5, -0.9 % at 7.
 /// Source: DNV-RP-C205, 3.5.5.5.
 [[nodiscard]] double dnv_normalisation(double gamma);
 

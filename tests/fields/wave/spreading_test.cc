@@ -13,7 +13,8 @@ namespace {
 
 using constants::pi;
 
-/// Integral of D cos(n theta) over all directions; the periodic midpoint rule is exact to rounding.
+/// Integral of D cos(n theta) over all directions; the periodic midpoint rule is exact to rounding
+/// where D is smooth at the back, s > 5 or whole.
 double moment(double s, int n) {
   constexpr int cells = 4000;
   double sum = 0;
@@ -37,7 +38,7 @@ TEST(Spreading, HasThePublishedNorms) {
 }
 
 TEST(Spreading, HoldsAllTheEnergyAndHasItsMoments) {
-  for (const double s : {0.0, 0.5, 1.0, 2.0, 7.3, 25.0, 180.0, 1000.0}) {
+  for (const double s : {0.0, 1.0, 2.0, 7.3, 25.0, 180.0, 1000.0}) {
     EXPECT_NEAR(moment(s, 0), 1, 1e-11) << s;
     EXPECT_NEAR(moment(s, 1), spreading_first_moment(s), 1e-11) << s;
     EXPECT_NEAR(moment(s, 2), spreading_second_moment(s), 1e-11) << s;
