@@ -1,11 +1,7 @@
 #pragma once
-#include <cstdint>
-#include <span>
-#include <vector>
+#include <optional>
 
 #include "fields/base/frame.h"
-#include "fields/wave/directional_spectrum.h"
-#include "fields/wave/sea_state.h"
 
 namespace slackwater {
 
@@ -29,40 +25,15 @@ struct WaveWater {
 /// the intrinsic one; what is measured from a moored buoy, mast or pile is the absolute one.
 enum class FrequencyFrame { intrinsic, absolute };
 
-/// How a sea is made of sinusoids.
-struct ComponentChoice {
-  std::size_t count = 200;
-  FrequencyFrame frame = FrequencyFrame::intrinsic;
-};
-
-/// What stands for a sea, and what could not.
-struct SeaComponents {
-  std::vector<WaveComponent> waves;
-  /// Variance of the sinusoids that an opposing current blocks (absolute frequencies only), m2.
-  double blocked_variance_m2 = 0;
-};
-
-/// Sinusoids for a partitioned sea: each partition has its share by height, at least 8, of the
-/// frequencies (`divide_variance`, 0.4 to 6 omega_p, the sum of a^2/2 brought to Hs^2/16 exactly);
-/// each sinusoid has its own direction (drawn by strata from the spreading) and phase. No two share
-/// a frequency, so that the sea is the same everywhere in the mean (no standing patterns of height).
+/// The wave of an amplitude, a frequency and a mean direction, in such water.
 ///
-/// Random streams of `run_seed`: fields/wave/frequencies, .../directions, .../phases.
-///
-/// Throws Error(invalid_input) where the current blocks more than 2 % of the variance (1 % of Hs);
-/// less is left out and told.
-[[nodiscard]] SeaComponents components_of(const PartitionedSea& sea, const WaveWater& water,
-                                          std::uint64_t run_seed,
-                                          const ComponentChoice& choice = {});
-
-/// The same for a measured spectrum: linear between its bands, the variance that of its bands; the
-/// direction and r1 (as cos^2s) of the nearest band that has them. Such frequencies are absolute
-/// unless the choice says otherwise.
-///
-/// Throws Error(invalid_input) where no band has a direction, or as above.
-[[nodiscard]] SeaComponents components_of(const DirectionalSpectrum& spectrum,
-                                          const WaveWater& water, std::uint64_t run_seed,
-                                          const ComponentChoice& choice = {
-                                              .frame = FrequencyFrame::absolute});
+/// @param frequency_rad_s     > 0, in the frame that is named
+/// @param from_direction_deg  clockwise from true north
+/// @return nothing where the current blocks the wave (absolute frequencies only)
+[[nodiscard]] std::optional<WaveComponent> wave_component(double amplitude_m,
+                                                          double frequency_rad_s,
+                                                          FrequencyFrame frame,
+                                                          double from_direction_deg,
+                                                          double phase_rad, const WaveWater& water);
 
 }  // namespace slackwater

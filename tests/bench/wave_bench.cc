@@ -10,7 +10,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
-#include "fields/wave/sea_realisation.h"
+#include "fields/wave/sea_sampling.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/counted_allocations.h"
 

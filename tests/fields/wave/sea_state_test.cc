@@ -8,6 +8,8 @@
 #include "fields/base/error.h"
 #include "fields/base/random.h"
 #include "fields/wave/growth.h"
+#include "fields/wave/product_sea.h"
+#include "fields/wave/scenario_sea.h"
 
 namespace slackwater {
 namespace {

@@ -7,6 +7,7 @@
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/wave/dispersion.h"
+#include "fields/wave/sea_components.h"
 
 namespace slackwater {
 namespace {

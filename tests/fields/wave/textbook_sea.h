@@ -3,7 +3,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/wave/dispersion.h"
-#include "fields/wave/sea_realisation.h"
+#include "fields/wave/sea_sampling.h"
 
 namespace slackwater::tests {
 

@@ -1,4 +1,4 @@
-#include "fields/wave/wave_component.h"
+#include "fields/wave/sea_components.h"
 
 #include <gtest/gtest.h>
 

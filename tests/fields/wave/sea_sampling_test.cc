@@ -1,4 +1,4 @@
-#include "fields/wave/sea_realisation.h"
+#include "fields/wave/sea_sampling.h"
 
 #include <gtest/gtest.h>
 
