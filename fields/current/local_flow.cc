@@ -53,6 +53,7 @@ Horizontal wake_behind_pile(const Pile& pile, Horizontal current_m_s,
 
 std::optional<Horizontal> flow_around_pile(const Pile& pile, Horizontal current_m_s,
                                            Horizontal from_axis_m) noexcept {
+  if (!(pile.diameter_m > 0)) return current_m_s;
   if (!(std::abs(from_axis_m) >= 0.5 * pile.diameter_m)) return std::nullopt;
   return potential_flow_around_pile(pile, current_m_s, from_axis_m) +
          wake_behind_pile(pile, current_m_s, from_axis_m);

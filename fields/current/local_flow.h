@@ -7,8 +7,8 @@ namespace slackwater {
 
 /// A circular foundation that stands in the current.
 struct Pile {
-  double diameter_m = 0;  ///< > 0
-  /// Cd of a section, > 0 and at most 2: DNV-RP-C205 (6.7) gives 0.65 for a smooth and 1.05 for a
+  double diameter_m = 0;  ///< > 0; 0 stands for no pile
+  /// Cd of a section, > 0 and at most 2: DNV-RP-C205, ch. 6, gives 0.65 for a smooth and 1.05 for a
   /// rough pile beyond the drag crisis, where monopiles with their growth are.
   double drag_coefficient = 1.05;
   bool operator==(const Pile&) const = default;
@@ -23,7 +23,7 @@ struct Pile {
 /// water through the wall.
 ///
 /// Wake, x down the stream from the axis and y across (Schlichting's far wake of a cylinder with
-/// Gaussian section, as in Huse 1993 and DNV-RP-C205, 6.10: half-width 0.25 sqrt(Cd d x)):
+/// Gaussian section, as Huse 1993 has it for risers: half-width 0.25 sqrt(Cd d x)):
 ///
 ///   -a |U| exp(-y^2/(2 s^2)),  s^2 = s0^2 + 0.0451 Cd d x,  s0 = Cd d/sqrt(pi)
 ///   a = [1 - sqrt(1 - s0/s)]/sqrt(2),  from  int (U - w) w dy = Cd d U^2/2: the drag
@@ -44,7 +44,7 @@ struct Pile {
 ///         On the wall itself there is a value. Cost: two roots and an exp. No allocation,
 ///         thread-safe.
 /// Source: Lamb (1932), Hydrodynamics, art. 68; Schlichting & Gersten, Boundary-Layer Theory, ch.
-/// 22; Huse (1993), OMAE vol. I-A.
+/// 22; Huse (1993), OTC 7237.
 [[nodiscard]] std::optional<Horizontal> flow_around_pile(const Pile& pile, Horizontal current_m_s,
                                                          Horizontal from_axis_m) noexcept;
 

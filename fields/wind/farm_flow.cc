@@ -27,6 +27,12 @@ double term(Superposition::Sum sum, double deficit) noexcept {
   return sum == Superposition::Sum::linear ? deficit : deficit * deficit;
 }
 
+/// The deficit, 0 where it is below 2e-8: most points of a farm are in few wakes.
+template <typename AnyWake>
+double deficit_within_reach(const AnyWake& wake, double downstream_m, double off_axis_m) noexcept {
+  return off_axis_m > wake.reach_m(downstream_m) ? 0.0 : wake.deficit(downstream_m, off_axis_m);
+}
+
 bool all_different(std::span<const Horizontal> positions_m) {
   for (std::size_t i = 0; i < positions_m.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -121,8 +127,10 @@ double FarmFlow::speed_ratio(Horizontal position_m, double height_m) const noexc
     if (!(downstream_m > 0)) break;  // the others stand farther down the wind
     const double aside_m = across_m - upwind.across_m;
     const double off_axis_m = std::sqrt(aside_m * aside_m + above_m * above_m);
-    total += term(superposition_.sum,
-                  upwind.scale * wake_deficit(upwind.wake, downstream_m, off_axis_m));
+    const double deficit = std::visit(
+        [&](const auto& wake) { return deficit_within_reach(wake, downstream_m, off_axis_m); },
+        upwind.wake);
+    total += term(superposition_.sum, upwind.scale * deficit);
   }
   return combine(total);
 }
@@ -144,9 +152,10 @@ void FarmFlow::speed_ratios(const HorizontalGrid& grid, std::span<double> out) c
               const auto step = static_cast<double>(column);
               const double downstream_m = first.real() + step * east.real();
               const double off_axis_m = std::abs(first.imag() + step * east.imag());
-              if (!(downstream_m > 0) || off_axis_m > wake.reach_m(downstream_m)) continue;
+              if (!(downstream_m > 0)) continue;
               line[column] +=
-                  term(superposition_.sum, upwind.scale * wake.deficit(downstream_m, off_axis_m));
+                  term(superposition_.sum,
+                       upwind.scale * deficit_within_reach(wake, downstream_m, off_axis_m));
             }
           }
         },

@@ -18,9 +18,9 @@ struct WakeSettings {
   double jensen_growth = 0.04;
   LarsenRadius larsen_radius = LarsenRadius::risoe_2009;
   /// k* of the Gaussian wake; else `wake_growth` of the turbulence.
-  std::optional<double> gaussian_growth;
+  std::optional<double> gaussian_growth = std::nullopt;
   /// Fitted shape of the blended wake; else `blended_wake_shape` of thrust and turbulence.
-  std::optional<BlendedWakeShape> blended_shape;
+  std::optional<BlendedWakeShape> blended_shape = std::nullopt;
   bool operator==(const WakeSettings&) const = default;
 };
 

@@ -26,7 +26,8 @@ TEST(PotentialFlowAroundPile, RunsTwiceAsFastAtTheSidesAndStandsAtBothEnds) {
   for (const double side : {-1.0, 1.0}) {
     const Horizontal flank = potential_flow_around_pile(monopile, to_east, {0, side * radius_m});
     EXPECT_NEAR(std::abs(flank - 2.0 * to_east), 0, 1e-15);
-    EXPECT_EQ(potential_flow_around_pile(monopile, to_east, {side * radius_m, 0}), Horizontal());
+    const Horizontal end = potential_flow_around_pile(monopile, to_east, {side * radius_m, 0});
+    EXPECT_NEAR(std::abs(end), 0, 1e-15);
   }
 }
 
@@ -142,6 +143,10 @@ TEST(FlowAroundPile, GrowsWithTheCurrentInProportion) {
   const Horizontal at{5.0, 2.0};
   EXPECT_NEAR(std::abs(flow(3.0 * to_east, at) - 3.0 * flow(to_east, at)), 0, 1e-15);
   EXPECT_EQ(flow({0, 0}, at), Horizontal());
+}
+
+TEST(FlowAroundPile, IsTheFreeStreamWhereNoPileStands) {
+  EXPECT_EQ(flow_around_pile(Pile{}, to_east, {0, 0}), to_east);
 }
 
 }  // namespace
