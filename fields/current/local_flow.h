@@ -33,6 +33,10 @@ struct Pile {
 /// the field has no jump and still no flow through the wall; from x = 3 d/2 on the momentum
 /// deficit is the drag to rounding.
 ///
+/// Wake and potential flow are added as Huse's method for arrays of risers adds wake and dipole.
+/// It is stated for Reynolds numbers of 3e5 to 3.6e6 (0.1 to 0.8 m/s at 5 m) and from a few
+/// diameters on; nearer it is a smooth continuation, not a measurement.
+///
 /// Steady mean flow of a current alone: no vortex street (it shakes a vehicle with up to a third of
 /// U, Strouhal number near 0.2 to 0.3), no reversed flow in the bubble right behind the pile, no
 /// horseshoe vortex at the bed, no free-surface wave. Small orbital motion does not separate: give

@@ -1,6 +1,7 @@
 #pragma once
 #include "fields/base/random.h"
-#include "fields/wind/kaimal_gust.h"
+#include "fields/wind/gust.h"
+#include "fields/wind/kaimal_spectrum.h"
 
 namespace slackwater {
 

@@ -4,17 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include "fields/wind/gust.h"
 #include "fields/wind/kaimal_spectrum.h"
 
 namespace slackwater {
-
-/// A gust at one point: what stands on top of the mean wind, m/s.
-struct Gust {
-  double along_m_s = 0;   ///< with the mean wind
-  double across_m_s = 0;  ///< to the left of it, seen from above
-  double up_m_s = 0;
-  bool operator==(const Gust&) const = default;
-};
 
 /// How finely a Kaimal series is cut.
 struct KaimalBands {

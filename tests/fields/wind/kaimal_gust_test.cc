@@ -72,20 +72,23 @@ TEST(KaimalGust, ShowsThatVarianceInTimeOverManySeeds) {
   const KaimalSpectrum spectrum = at_hub();
   constexpr int seeds = 200;
   constexpr int instants = 200;
-  for (const GustAxis axis : all_axes) {
-    double square = 0;
-    double mean = 0;
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-      const KaimalGust gust(spectrum, seed);
-      for (int i = 0; i < instants; ++i) {
-        const double value = of(gust.at(i * 61.7), axis);
-        square += value * value / (seeds * instants);
-        mean += value / (seeds * instants);
+  std::array<double, 3> square{};
+  std::array<double, 3> mean{};
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const KaimalGust gust(spectrum, seed);
+    for (int i = 0; i < instants; ++i) {
+      const Gust now = gust.at(i * 61.7);
+      for (const GustAxis axis : all_axes) {
+        const double value = of(now, axis);
+        square[static_cast<std::size_t>(axis)] += value * value / (seeds * instants);
+        mean[static_cast<std::size_t>(axis)] += value / (seeds * instants);
       }
     }
+  }
+  for (const GustAxis axis : all_axes) {
     const double asked = spectrum.variance_below(axis, 10);
-    EXPECT_NEAR(square / asked, 1, 0.03);
-    EXPECT_NEAR(mean / std::sqrt(asked), 0, 0.03);
+    EXPECT_NEAR(square[static_cast<std::size_t>(axis)] / asked, 1, 0.03);
+    EXPECT_NEAR(mean[static_cast<std::size_t>(axis)] / std::sqrt(asked), 0, 0.03);
   }
 }
 
@@ -94,7 +97,7 @@ TEST(KaimalGust, HasTheSpectrumAskedInEachBand) {
   const KaimalSpectrum spectrum = at_hub();
   constexpr int n = 4096;
   constexpr double dt = 0.5;
-  constexpr int seeds = 12;
+  constexpr int seeds = 8;
   const std::array<double, 4> edge_hz{0.02, 0.06, 0.18, 0.5};
   std::array<double, 3> found{};
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
@@ -108,7 +111,7 @@ TEST(KaimalGust, HasTheSpectrumAskedInEachBand) {
     for (std::size_t band = 0; band < found.size(); ++band) {
       const int first = static_cast<int>(edge_hz[band] * n * dt);
       const int last = static_cast<int>(edge_hz[band + 1] * n * dt);
-      for (int k = first; k < last; k += 1) {
+      for (int k = first; k < last; ++k) {
         std::complex<double> line = 0;
         const std::complex<double> turn = std::polar(1.0, -2 * constants::pi * k / n);
         std::complex<double> phase = 1;
