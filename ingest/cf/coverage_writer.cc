@@ -110,7 +110,8 @@ class CoverageWriter {
     data_.push_back(dimensions.front());
   }
 
-  std::string vertical_name() const { return c_.is_depth ? "depth" : "height"; }
+  /// CF's "height" counts from the surface; heights of ours count from the geoid, as "altitude" does.
+  std::string vertical_name() const { return c_.is_depth ? "depth" : "altitude"; }
 
   int define_coordinate(const std::string& name, const std::vector<int>& dimensions,
                         const std::string& long_name, const std::string& units) {
@@ -134,8 +135,6 @@ class CoverageWriter {
       vertical_id_ = define_coordinate(
           vertical_name(), vertical_,
           c_.is_depth ? "depth below mean sea level" : "height above mean sea level", "m");
-      // "height" is CF's height above the surface; ours counts from the geoid.
-      if (!c_.is_depth) out_.attribute(vertical_id_, "standard_name", "altitude");
       out_.attribute(vertical_id_, "positive", c_.is_depth ? "down" : "up");
       if (is_axis) out_.attribute(vertical_id_, "axis", "Z");
     }

@@ -21,7 +21,7 @@ struct CoverageVariable {
 
 /// How the points of a coverage lie, and with it the dimensions of its variables.
 enum class CoverageLayout {
-  stations,     ///< (station, time, depth): places that share times and levels
+  stations,     ///< (station, time, depth or altitude): places that share times and levels
   grid,         ///< (time, depth, latitude, longitude)
   trajectories  ///< (obs), the vertices of one after those of the other
 };

@@ -116,7 +116,7 @@ TEST(NetCdf, TrajectoriesFollowEachOther) {
 TEST(NetCdf, HeightsCountUpAndMayBeAbsent) {
   Answer answer = made_up_answer(DomainType::point_series);
   answer.vertical = Vertical::height_up;
-  EXPECT_EQ(Opened(answer).variable("height").text("positive"), "up");
+  EXPECT_EQ(Opened(answer).variable("altitude").text("positive"), "up");
   answer.vertical = Vertical::none;
   answer.coverages[0].vertical_m.clear();
   const Opened flat(answer);
