@@ -14,10 +14,13 @@ std::string_view without_weakness(std::string_view tag) {
 
 }  // namespace
 
-std::string entity_tag(std::string_view body, std::string_view coding) {
-  std::string tag = "\"" + sha256_of_text(body).substr(0, digits);
-  if (!coding.empty()) tag.append("-").append(coding);
-  return tag + "\"";
+std::string entity_tag(std::string_view body) {
+  return "\"" + sha256_of_text(body).substr(0, digits) + "\"";
+}
+
+std::string coded_tag(std::string_view tag, std::string_view coding) {
+  std::string coded(tag.substr(0, tag.size() - (tag.ends_with('"') ? 1 : 0)));
+  return coded.append("-").append(coding).append("\"");
 }
 
 bool matches_tag(std::string_view if_none_match, std::string_view tag) {

@@ -5,8 +5,11 @@
 namespace slackwater::api::http {
 
 /// A strong validator of exactly these bytes, quoted: half of their SHA-256, so that two bodies
-/// never share one; 128 bits. @param coding  "" or "gzip": the coded body is another entity.
-[[nodiscard]] std::string entity_tag(std::string_view body, std::string_view coding);
+/// never share one; 128 bits.
+[[nodiscard]] std::string entity_tag(std::string_view body);
+
+/// The tag of the same entity in another coding: "a" becomes "a-gzip".
+[[nodiscard]] std::string coded_tag(std::string_view tag, std::string_view coding);
 
 /// Whether an If-None-Match field names the tag (RFC 9110 §13.1.2: "*" does, weak tags compare
 /// equal to strong ones).

@@ -50,8 +50,8 @@ void add_cache_control(Response& response, bool cacheable) {
       stored ? "public, max-age=" + std::to_string(*response.max_age_s) : "no-store");
 }
 
-/// Codes the body where that is wanted and worth it. @return the coding, "" for none
-std::string_view code_body(Response& response, const Arrival& arrival) {
+/// The coding of the body where that is wanted and worth it, "" for none.
+std::string_view choose_coding(Response& response, const Arrival& arrival) {
   if (has_field(response, "Content-Encoding") ||
       !is_worth_coding(response.media_type, response.body.size())) {
     return {};
@@ -60,17 +60,20 @@ std::string_view code_body(Response& response, const Arrival& arrival) {
   return prefers_gzip(arrival.accept_encoding) ? "gzip" : "";
 }
 
+/// The validator of the body as it will be sent, from the handler or from its bytes.
+std::string tag_of(Response& response, std::string_view coding) {
+  std::string tag = take_field(response, "ETag");
+  if (tag.empty()) tag = entity_tag(response.body);
+  return coding.empty() ? tag : coded_tag(tag, coding);
+}
+
 /// Gives a 200 its validator, turns it into a 304 where the client has it already, codes the rest.
 void validate_and_code(Response& response, const Arrival& arrival) {
-  const std::string_view coding = code_body(response, arrival);
+  const std::string_view coding = choose_coding(response, arrival);
   if (response.status == 200 && reads(arrival.request.method)) {
-    if (!has_field(response, "ETag")) {
-      response.headers.emplace_back("ETag", entity_tag(response.body, coding));
-    }
-    const auto tag =
-        std::find_if(response.headers.begin(), response.headers.end(),
-                     [](auto& field) { return equal_ignoring_case(field.first, "ETag"); });
-    if (matches_tag(arrival.if_none_match, tag->second)) {
+    const std::string tag = tag_of(response, coding);
+    response.headers.emplace_back("ETag", tag);
+    if (matches_tag(arrival.if_none_match, tag)) {
       response.status = 304;
       response.body.clear();
       return;
@@ -89,6 +92,7 @@ Reply finish(Response response, const Arrival& arrival) {
   add_cache_control(response, response.status < 300 && reads(arrival.request.method));
   response.headers.emplace_back("Access-Control-Allow-Origin", "*");
   response.headers.emplace_back("Access-Control-Expose-Headers", exposed_fields);
+  if (response.status == 204) response.body.clear();
   validate_and_code(response, arrival);
   reply.status = response.status;
   if (!response.body.empty() && !response.media_type.empty()) {

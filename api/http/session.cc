@@ -241,15 +241,18 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   void dispatch() {
     enter(State::handling, site_.limits.handler_time);
     begin_request_count();
-    auto job = [self = shared_from_this(), serial = ++serial_,
+    auto job = [self = shared_from_this(), serial = ++serial_, deadline = deadline_,
                 arrival = arrival_of(*parser_, peer_is_loopback_)]() mutable {
       SessionSite& site = self->site_;
-      Reply reply = site.exchange.answer(std::move(arrival));
+      std::optional<Reply> reply;
+      // Where all threads were busy for too long the client has been told already.
+      if (std::chrono::steady_clock::now() < deadline) {
+        reply = site.exchange.answer(std::move(arrival));
+      }
       // The session goes back with the answer: it is never let go of on this thread.
       asio::post(site.io, [self = std::move(self), serial, reply = std::move(reply)]() mutable {
-        if (self->state_ == State::handling && serial == self->serial_) {
-          self->write(std::move(reply));
-        }
+        const bool is_awaited = self->state_ == State::handling && serial == self->serial_;
+        if (reply && is_awaited) self->write(std::move(*reply));
       });
     };
     parser_.reset();

@@ -68,6 +68,22 @@ TEST(HandlerThatFails, IsAProblemThatTellsOnlyWhatTheClientCanMend) {
   EXPECT_NE(log[0].find("the secret of the house"), std::string::npos);
 }
 
+TEST(HandlerWithATagOfItsOwn, KeepsItAndTheCodedBodyHasAnother) {
+  const Served served([](const Request&) {
+    Response response = text_response(long_body());
+    response.headers.emplace_back("ETag", "\"run-7\"");
+    return response;
+  });
+  HttpClient client = served.client();
+  const auto plain = client.get("/");
+  const auto coded = client.get("/", "Accept-Encoding: gzip\r\n");
+  const auto again = client.get("/", "If-None-Match: \"run-7\"\r\n");
+  ASSERT_TRUE(plain && coded && again);
+  EXPECT_EQ(plain->field("etag"), "\"run-7\"");
+  EXPECT_EQ(coded->field("etag"), "\"run-7-gzip\"");
+  EXPECT_EQ(again->status, 304);
+}
+
 TEST(HandlerThatDawdles, DoesNotKeepOthersWaiting) {
   const Served served([](const Request& request) {
     if (request.path == "/slow") std::this_thread::sleep_for(1s);
@@ -103,11 +119,13 @@ TEST(HandlerThatDawdles, IsAnsweredForWhenItsTimeIsUp) {
 }
 
 TEST(HandlerThatDawdles, AllThreadsBusyStillEndsInAnAnswer) {
+  std::atomic<int> runs = 0;
   ServerOptions options;
   options.limits.handler_time = 300ms;
   options.threads = 1;
   const Served served(
-      [](const Request&) {
+      [&](const Request&) {
+        ++runs;
         std::this_thread::sleep_for(600ms);
         return text_response("late");
       },
@@ -122,6 +140,7 @@ TEST(HandlerThatDawdles, AllThreadsBusyStillEndsInAnAnswer) {
     ASSERT_TRUE(reply);
     EXPECT_EQ(reply->status, 503);
   }
+  EXPECT_LE(runs, 2) << "what nobody waits for any more is not begun";
 }
 
 TEST(Handlers, RunAtOnceForManyClients) {

@@ -1,6 +1,9 @@
 #include <dirent.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <random>
 #include <thread>
 #include <vector>
 
@@ -253,6 +256,65 @@ TEST(HostileClient, AThousandConnectionsLeaveNoDescriptorBehind) {
     EXPECT_EQ(open_descriptors(), serving);
   }
   EXPECT_EQ(open_descriptors(), before);
+}
+
+TEST(HostileClient, WithoutDescriptorsLeftItWaitsAndAcceptsAgain) {
+  const Served served;
+  rlimit old{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &old), 0);
+  const rlimit few{64 + open_descriptors(), old.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+  std::vector<int> taken;
+  for (int next = ::dup(0); next >= 0; next = ::dup(0)) taken.push_back(next);
+  ::close(taken.back());
+  taken.pop_back();
+  HttpClient client = served.client();  // takes the last one: there is none for its other end
+  ASSERT_TRUE(client.send(header_of({})));
+  EXPECT_FALSE(client.receive(true, 200ms));
+  for (const int descriptor : taken) ::close(descriptor);
+  EXPECT_TRUE(client.receive());
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &old), 0);
+  expect_prompt(served);
+}
+
+/// A valid request with some of its bytes changed, left out or doubled.
+std::string mutated(const std::string& request, std::mt19937& random) {
+  std::string bytes = request;
+  const std::size_t changes = 1 + random() % 4;
+  for (std::size_t i = 0; i < changes; ++i) {
+    const std::size_t at = random() % bytes.size();
+    switch (random() % 3) {
+      case 0:
+        bytes[at] = static_cast<char>(random() % 256);
+        break;
+      case 1:
+        bytes.erase(at, 1 + random() % 3);
+        break;
+      default:
+        bytes.insert(at, bytes.substr(at, 1 + random() % 20));
+    }
+  }
+  return bytes;
+}
+
+TEST(HostileClient, NoMutatedRequestEndsTheServer) {
+  const Served served;
+  const std::string request =
+      "POST /echo/a%20b?c=d HTTP/1.1\r\nHost: localhost\r\nAccept-Encoding: gzip;q=0.5, *;q=0\r\n"
+      "If-None-Match: W/\"a\", *\r\nTransfer-Encoding: chunked\r\nConnection: keep-alive\r\n\r\n"
+      "4\r\nwind\r\n0\r\n\r\n";
+  std::mt19937 random(20250310);
+  for (int i = 0; i < 3000; ++i) {
+    const std::string bytes = mutated(request, random);
+    HttpClient client = served.client();
+    client.send(bytes);
+    client.close_for_writing();
+    const auto reply = client.receive();
+    ASSERT_TRUE(reply) << "no answer to: " << bytes;
+    EXPECT_LT(reply->status, 506);
+    EXPECT_NE(reply->status, 500) << bytes;
+  }
+  expect_prompt(served);
 }
 
 TEST(HostileClient, AskingForAnotherProtocolGetsThisOne) {
