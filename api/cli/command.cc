@@ -83,6 +83,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_forecast(app, context);
   add_hindcast(app, context);
   add_profile(app, context);
+  add_sample(app, context);
   add_verify(app, context);
   add_store(app, context);
   add_site(app, context);

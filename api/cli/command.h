@@ -54,6 +54,7 @@ void add_ingest(CLI::App& app, Context& context);
 void add_forecast(CLI::App& app, Context& context);
 void add_hindcast(CLI::App& app, Context& context);
 void add_profile(CLI::App& app, Context& context);
+void add_sample(CLI::App& app, Context& context);
 void add_verify(CLI::App& app, Context& context);
 void add_store(CLI::App& app, Context& context);
 void add_site(CLI::App& app, Context& context);

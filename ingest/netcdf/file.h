@@ -137,10 +137,15 @@ class Writer {
              std::span<const float> values);
   void write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
              std::span<const std::int64_t> values);
+  void write(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
+             std::span<const std::int8_t> values);
   void write_all(int variable, std::span<const double> values);
   /// A whole char variable, row after row; NULs fill what the text leaves.
   void write_text(int variable, std::string_view text);
-  void close();
+  void close() { close(Durable::yes); }
+  /// Without waiting for the disk: for files that can be made again.
+  enum class Durable { yes, no };
+  void close(Durable durable);
 
  private:
   Writer() = default;

@@ -235,6 +235,15 @@ void Writer::write(int variable, std::span<const std::size_t> start,
           "writing values");
 }
 
+void Writer::write(int variable, std::span<const std::size_t> start,
+                   std::span<const std::size_t> count, std::span<const std::int8_t> values) {
+  expects(start.size() == count.size() && product_of(count) == values.size(),
+          "Writer: a whole hyperslab");
+  const LibraryLock lock;
+  checked(nc_put_vara_schar(id_, variable, start.data(), count.data(), values.data()),
+          "writing values");
+}
+
 void Writer::write_all(int variable, std::span<const double> values) {
   const LibraryLock lock;
   const std::vector<std::size_t> shape = shape_of(id_, variable);
@@ -252,12 +261,13 @@ void Writer::write_text(int variable, std::string_view text) {
   checked(nc_put_var_text(id_, variable, padded_text.data()), "writing text");
 }
 
-void Writer::close() {
+void Writer::close(Durable durable) {
   expects(id_ >= 0, "Writer: closed once");
   const LibraryLock lock;
   const int status = nc_close(std::exchange(id_, -1));
   try {
     checked(status, "closing the file");
+    if (durable == Durable::no) return;
     const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
     const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
     const int cause = errno;
