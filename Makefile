@@ -2,7 +2,7 @@
 JOBS ?= 2
 CTEST_PARALLEL ?= 2
 
-.PHONY: all demo test bench soak tsan coverage fuzz tidy format check-format packages test-packages venv clean
+.PHONY: all demo test package bench soak tsan coverage fuzz tidy format check-format packages test-packages venv clean
 
 all: packages
 	cmake --preset release
@@ -15,6 +15,10 @@ test: test-packages venv
 	cmake --preset dev
 	cmake --build --preset dev -j$(JOBS)
 	ctest --preset dev -j$(CTEST_PARALLEL)
+
+# build/package/slackwater_VERSION_ARCHITECTURE.deb
+package: all
+	cpack --config build/release/CPackConfig.cmake -B build/package
 
 bench: test-packages
 	cmake --preset release

@@ -3,15 +3,19 @@
 # Arithmetic is deterministic: no contraction into fused multiply-adds, never fast-math, so that the
 # same inputs give the same bits on every instruction set.
 add_library(slackwater_options INTERFACE)
-target_include_directories(slackwater_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+target_include_directories(slackwater_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
+  $<INSTALL_INTERFACE:include/slackwater>)
+target_compile_features(slackwater_options INTERFACE cxx_std_20)
+# Warnings are for our own sources, not for the programs of others that find_package(Slackwater).
 target_compile_options(slackwater_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow;-Wnon-virtual-dtor>" -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # GCC 12 warns of overlaps in std::string::insert that cannot be (GCC bug 105651).
-  target_compile_options(slackwater_options INTERFACE -Wno-restrict -fpch-preprocess)
+  target_compile_options(slackwater_options INTERFACE "$<BUILD_INTERFACE:-Wno-restrict;-fpch-preprocess>")
 endif()
 if(SLACKWATER_WERROR)
-  target_compile_options(slackwater_options INTERFACE -Werror)
+  target_compile_options(slackwater_options INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 # Under ASan Eigen would align by hand, unlike the Ceres library of the system: memory that crosses between them must be
 # allocated one way. glibc's malloc is aligned to 16 bytes, which is all that either asks for.

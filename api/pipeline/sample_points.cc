@@ -8,8 +8,8 @@
 namespace slackwater::api {
 namespace {
 
-/// Values of a block: 4 Mi of each component, 36 MiB with the status.
-constexpr std::size_t block_values = std::size_t{1} << 22;
+/// Values of a block: with the status 2.3 MiB, which the cache holds until they are written.
+constexpr std::size_t block_values = std::size_t{1} << 18;
 /// Fewer are sampled sooner than a thread starts.
 constexpr std::size_t values_worth_a_thread = std::size_t{1} << 16;
 

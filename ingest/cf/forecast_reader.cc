@@ -125,17 +125,23 @@ class ForecastReader {
     const auto status = data(forecast_names::status, size);
     if (east.empty()) return;
     if (north.empty() || sigma.empty() || status.empty()) refuse("the current is not whole");
-    for (std::size_t c = 0; c < columns_; ++c) {
-      ForecastColumn& column = s.columns[c];
-      for (std::size_t o = 0; o < size; ++o) {
-        const std::size_t i = o * columns_ + c;
-        const bool there = std::isfinite(east[i]) && std::isfinite(north[i]);
-        column.current_m_s.push_back(there ? Horizontal(east[i], north[i]) : Horizontal{});
-        column.current_sigma_m_s.push_back(there ? sigma[i] : 0.0);
+    for (ForecastColumn& column : s.columns) {
+      column.current_m_s.resize(size);
+      column.current_sigma_m_s.resize(size);
+      column.current_status.resize(size);
+    }
+    // In the order of the file.
+    for (std::size_t o = 0, i = 0; o < size; ++o) {
+      for (std::size_t c = 0; c < columns_; ++c, ++i) {
         if (!(status[i] >= 0 && status[i] <= 8)) refuse("found an unknown status");
-        column.current_status.push_back(static_cast<SampleStatus>(static_cast<int>(status[i])));
-        if (!there && has_value(column.current_status.back()))
+        const auto found = static_cast<SampleStatus>(static_cast<int>(status[i]));
+        s.columns[c].current_status[o] = found;
+        if (std::isfinite(east[i]) && std::isfinite(north[i])) {
+          s.columns[c].current_m_s[o] = Horizontal(east[i], north[i]);
+          s.columns[c].current_sigma_m_s[o] = sigma[i];
+        } else if (has_value(found)) {
           refuse("a current without its value");
+        }
       }
     }
   }

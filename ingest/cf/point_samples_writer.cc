@@ -76,6 +76,7 @@ int PointSamplesWriter::define_axis(
 int PointSamplesWriter::define(const std::string& name, Type type,
                                const std::vector<int>& dimensions, const std::string& long_name) {
   Writer::Layout layout;
+  layout.is_prefilled = false;
   if (type == Type::float32) layout.fill_value = static_cast<double>(fill);
   const int id = out_.variable(name, type, dimensions, layout);
   out_.attribute(id, "long_name", long_name);

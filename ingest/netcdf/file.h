@@ -120,6 +120,7 @@ class Writer {
     std::vector<std::size_t> chunks;   ///< empty: contiguous
     int deflate = 0;                   ///< 0..9
     std::optional<double> fill_value;  ///< _FillValue, in the variable's type
+    bool is_prefilled = true;          ///< false: all of it will be written, so nothing is before
   };
   int variable(const std::string& name, Type type, const std::vector<int>& dimension_ids,
                const Layout& layout);

@@ -179,7 +179,14 @@ int Writer::variable(const std::string& name, Type type, const std::vector<int>&
     checked(nc_def_var_chunking(id_, id, NC_CHUNKED, layout.chunks.data()), doing);
   }
   if (layout.deflate > 0) checked(nc_def_var_deflate(id_, id, 1, 1, layout.deflate), doing);
-  if (layout.fill_value) checked(define_fill(id_, id, type, *layout.fill_value), doing);
+  if (!layout.is_prefilled) {
+    checked(nc_def_var_fill(id_, id, NC_NOFILL, nullptr), doing);
+    if (layout.fill_value) {
+      attribute(id, "_FillValue", std::span<const double>(&*layout.fill_value, 1), type);
+    }
+  } else if (layout.fill_value) {
+    checked(define_fill(id_, id, type, *layout.fill_value), doing);
+  }
   return id;
 }
 
