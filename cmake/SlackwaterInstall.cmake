@@ -19,11 +19,14 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 
-# The units name the program by its place.
-foreach(unit slackwater-daily@.service slackwater-daily@.timer slackwater-serve.service)
-  configure_file(${PROJECT_SOURCE_DIR}/api/systemd/${unit}.in ${PROJECT_BINARY_DIR}/systemd/${unit} @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/systemd/${unit} DESTINATION lib/systemd/system COMPONENT runtime)
-endforeach()
+# The units name the program by its place, which is known when it is installed.
+install(CODE "
+  set(SLACKWATER_BIN \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}\")
+  set(SLACKWATER_DOC \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATAROOTDIR}/doc/slackwater\")
+  foreach(unit slackwater-daily@.service slackwater-daily@.timer slackwater-serve.service)
+    configure_file(\"${PROJECT_SOURCE_DIR}/api/systemd/\${unit}.in\"
+                   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/systemd/system/\${unit}\" @ONLY)
+  endforeach()" COMPONENT runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/api/systemd/slackwater.conf DESTINATION lib/tmpfiles.d COMPONENT runtime)
 
 # --- for programs of others ---------------------------------------------------------------------
@@ -58,6 +61,8 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};slackwater;runtime;/")
 set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
