@@ -117,9 +117,21 @@ double DrydenFilter::autocovariance_m2_s2(GustAxis axis, int steps) const noexce
   const bool is_up = axis == GustAxis::up;
   const double sigma = is_up ? sigma_vertical_m_s_ : sigma_horizontal_m_s_;
   const Pair& pair = is_up ? vertical_ : horizontal_;
-  if (axis == GustAxis::along) return sigma * sigma * std::pow(pair.decay, steps);
-  // c F^n P c^T: the covariance of the output with each state is carried forward n times.
-  double with[2] = {(root_3 + (1 - root_3) * 0.5) / root_2, 0.5 / root_2};
+  if (axis == GustAxis::along) {
+    const double kept = pair.noise[0] * pair.noise[0] / (1 - pair.decay * pair.decay);
+    return sigma * sigma * kept * std::pow(pair.decay, steps);
+  }
+  // The covariance P that the steps themselves keep, P = F P F^T + Q, ...
+  const double q21 = pair.noise[0] * pair.noise[1];
+  const double q22 = pair.noise[1] * pair.noise[1] + pair.noise[2] * pair.noise[2];
+  const double lost = 1 - pair.decay * pair.decay;
+  const double p11 = pair.noise[0] * pair.noise[0] / lost;
+  const double p21 = (q21 + pair.decay * pair.coupling * p11) / lost;
+  const double p22 =
+      (q22 + 2 * pair.decay * pair.coupling * p21 + pair.coupling * pair.coupling * p11) / lost;
+  // ... seen by the output and carried forward: c F^n P c^T.
+  double with[2] = {(root_3 * p11 + (1 - root_3) * p21) / root_2,
+                    (root_3 * p21 + (1 - root_3) * p22) / root_2};
   for (int i = 0; i < steps; ++i) {
     with[1] = pair.coupling * with[0] + pair.decay * with[1];
     with[0] *= pair.decay;

@@ -51,8 +51,8 @@ class DrydenFilter {
   [[nodiscard]] Gust step(State& state, Rng& rng) const noexcept;
   /// The gust that a state stands for, m/s.
   [[nodiscard]] Gust gust(const State& state) const noexcept;
-  /// The autocovariance of an axis after so many steps, computed from the matrices of the step,
-  /// m2/s2.
+  /// The autocovariance of an axis after so many steps, m2/s2, computed from the matrices of the
+  /// step: transition and noise.
   [[nodiscard]] double autocovariance_m2_s2(GustAxis axis, int steps) const noexcept;
 
  private:

@@ -37,7 +37,7 @@ TEST(DrydenFilter, HasTheExactAutocovarianceAtAnyStep) {
   // pair for an exponential f(r).
   const DrydenTurbulence air = dryden_turbulence(30.0, 7.7167);
   constexpr double airspeed = 12.0;
-  for (const double step : {1e-4, 0.01, 0.5, 7.0, 60.0}) {
+  for (const double step : {1e-4, 0.05, 0.5, 7.0, 60.0}) {
     const DrydenFilter filter(air, airspeed, step);
     for (const GustAxis axis : all_axes)
       for (const int k : {0, 1, 2, 10, 100}) {
@@ -46,8 +46,9 @@ TEST(DrydenFilter, HasTheExactAutocovarianceAtAnyStep) {
         const double t =
             k * step * airspeed / (up ? air.length_vertical_m : air.length_horizontal_m);
         const double shape = axis == GustAxis::along ? 1 : 1 - 0.5 * t;
+        // 1 - e^(-2h) of the shortest step, h = 8e-6, is known to 1e-11.
         EXPECT_NEAR(filter.autocovariance_m2_s2(axis, k), sigma * sigma * shape * std::exp(-t),
-                    1e-12)
+                    step < 1e-3 ? 1e-9 : 1e-12)
             << step << " s, " << k;
       }
   }
@@ -80,10 +81,10 @@ TEST(DrydenFilter, RealisesThatAutocovarianceFromItsFirstStep) {
 
 TEST(DrydenFilter, MakesTheStepNoDifferenceToTheStatistics) {
   const DrydenTurbulence air = dryden_turbulence(30.0, 8.0);
-  const DrydenFilter fine(air, 15.0, 0.01);
+  const DrydenFilter fine(air, 15.0, 0.05);
   const DrydenFilter coarse(air, 15.0, 1.0);
   for (const GustAxis axis : all_axes) {
-    EXPECT_NEAR(fine.autocovariance_m2_s2(axis, 100), coarse.autocovariance_m2_s2(axis, 1), 1e-12);
+    EXPECT_NEAR(fine.autocovariance_m2_s2(axis, 20), coarse.autocovariance_m2_s2(axis, 1), 1e-12);
   }
 }
 

@@ -72,12 +72,33 @@ TEST(FarmFlow, AddsTheWakesOfARowAsEachRuleSays) {
 }
 
 TEST(FarmFlow, AddsTurbulenceBehindARotorAndNotBesideIt) {
-  const std::vector<Horizontal> three{{0, 0}, {7 * d_m, 0}, {7 * d_m, 10 * d_m}};
-  const FarmFlow flow(nrel_5mw(), three, west_wind, {});
+  const std::vector<Horizontal> four{
+      {0, 0}, {7 * d_m, 0}, {7 * d_m, 10 * d_m}, {7 * d_m, -10 * d_m}};
+  const FarmFlow flow(nrel_5mw(), four, west_wind, {});
   const double ct = nrel_5mw().thrust_coefficient(10);
   EXPECT_NEAR(flow.turbines()[1].turbulence_intensity,
               std::hypot(0.08, added_turbulence(ct, 0.08, 7)), 1e-12);
   EXPECT_DOUBLE_EQ(flow.turbines()[2].turbulence_intensity, 0.08);
+  EXPECT_DOUBLE_EQ(flow.turbines()[3].turbulence_intensity, 0.08);
+}
+
+TEST(FarmFlow, AveragesTheWindOverTheWholeRotor) {
+  // A rotor half in the wake of another, against a fine sum over squares of half a metre.
+  const std::vector<Horizontal> pair{{0, 0}, {6 * d_m, 0.6 * d_m}};
+  const FarmFlow flow(nrel_5mw(), pair, west_wind, settings_of(WakeModel::gaussian));
+  const Wake wake =
+      make_wake({.model = WakeModel::gaussian}, d_m, 90, nrel_5mw().thrust_coefficient(10), 0.08);
+  double sum = 0;
+  int count = 0;
+  for (double y = -63.25; y < 63.5; y += 0.5)
+    for (double z = -63.25; z < 63.5; z += 0.5) {
+      if (std::hypot(y, z) > 63) continue;
+      sum += 10 * (1 - wake_deficit(wake, 6 * d_m, std::hypot(0.6 * d_m + y, z)));
+      ++count;
+    }
+  // The rim is known to half a metre of 63: 1e-3 m/s.
+  EXPECT_NEAR(flow.turbines()[1].inflow_speed_m_s, sum / count, 1e-3);
+  EXPECT_LT(flow.turbines()[1].inflow_speed_m_s, 9.5);
 }
 
 TEST(FarmFlow, TurnsWithTheWindAndMovesWithTheFarm) {
