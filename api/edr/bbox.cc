@@ -52,7 +52,11 @@ BoundingBox parse_bbox(std::string_view text) {
   if (box.south_deg > box.north_deg) {
     throw bad_parameter("bbox", text, "south before north; the order is west,south,east,north");
   }
-  if (box.west_deg > box.east_deg) box.east_deg += 360;
+  if (box.west_deg > box.east_deg) {
+    // West by its name in [-180, 180]; then east, by one of its names, is not west of it.
+    if (box.west_deg > 180) box.west_deg -= 360;
+    if (box.west_deg > box.east_deg) box.east_deg += 360;
+  }
   if (half == 3) {
     if (!(numbers[2] <= numbers[5]) || std::abs(numbers[2]) > max_vertical_m ||
         std::abs(numbers[5]) > max_vertical_m) {

@@ -13,7 +13,7 @@ struct BoundingBox {
 };
 
 /// Reads `bbox`: west,south,east,north in degrees, or with vertical limits as third and sixth:
-/// west,south,low,east,north,high. West greater than east: the box crosses the antimeridian, and its east
+/// west,south,low,east,north,high. West greater than east: the box crosses the antimeridian (or, from 0 to 360, Greenwich), and its east
 /// is given with 360 added. Longitudes in [-180, 360], latitudes in [-90, 90]. Throws Error(usage) for
 /// anything else.
 [[nodiscard]] BoundingBox parse_bbox(std::string_view text);

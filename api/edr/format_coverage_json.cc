@@ -1,47 +1,16 @@
 #include "api/edr/format_coverage_json.h"
 
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "api/edr/answer_shape.h"
-#include "api/edr/crs.h"
+#include "api/edr/coverage_json_domain.h"
 #include "api/edr/describe.h"
 #include "api/edr/json_text.h"
 
 namespace slackwater::api::edr {
 namespace {
-
-std::string_view name_of(DomainType type) {
-  switch (type) {
-    case DomainType::point:
-      return "Point";
-    case DomainType::point_series:
-      return "PointSeries";
-    case DomainType::vertical_profile:
-      return "VerticalProfile";
-    case DomainType::grid:
-      return "Grid";
-    case DomainType::trajectory:
-      return "Trajectory";
-  }
-  return "Grid";
-}
-
-/// Puts a comma before every item but the first.
-class Separator {
- public:
-  explicit Separator(std::string& out) : out_(out) {}
-  void next() {
-    if (!is_first_) out_ += ',';
-    is_first_ = false;
-  }
-
- private:
-  std::string& out_;
-  bool is_first_ = true;
-};
 
 class CoverageWriter {
  public:
@@ -72,7 +41,7 @@ class CoverageWriter {
     }
     parameters();
     out_ += ',';
-    referencing();
+    append_referencing(out_, answer_);
     out_ += ",\"coverages\":[";
     Separator separator(out_);
     for (const Coverage& c : answer_.coverages) {
@@ -94,17 +63,11 @@ class CoverageWriter {
     }
     out_ += "\"domain\":{\"type\":\"Domain\",\"domainType\":\"";
     out_ += name_of(c.domain);
-    out_ += "\",\"axes\":{";
-    std::vector<std::size_t> kept;
-    if (c.domain == DomainType::trajectory) {
-      kept = composite(c);
-    } else {
-      axes(c);
-    }
-    out_ += '}';
+    out_ += "\",";
+    const std::vector<std::size_t> kept = append_axes(out_, c);
     if (is_alone) {
       out_ += ',';
-      referencing();
+      append_referencing(out_, answer_);
     }
     out_ += "},";
     if (is_alone) {
@@ -114,104 +77,6 @@ class CoverageWriter {
     ranges(c, kept);
     if (is_alone) provenance();
     out_ += '}';
-  }
-
-  void coordinates(std::string_view name, const std::vector<double>& values) {
-    out_ += '"';
-    out_ += name;
-    out_ += "\":{\"values\":[";
-    Separator separator(out_);
-    for (const double value : values) {
-      separator.next();
-      append_coordinate(out_, value);
-    }
-    out_ += "]}";
-  }
-
-  void time_text(UtcTime time) {
-    out_ += '"';
-    append_time(out_, time);
-    out_ += '"';
-  }
-
-  void axes(const Coverage& c) {
-    if (!c.time.empty()) {
-      out_ += "\"t\":{\"values\":[";
-      Separator separator(out_);
-      for (const UtcTime time : c.time) {
-        separator.next();
-        time_text(time);
-      }
-      out_ += "]},";
-    }
-    coordinates("x", c.longitude_deg);
-    out_ += ',';
-    coordinates("y", c.latitude_deg);
-    if (!c.vertical_m.empty()) {
-      out_ += ',';
-      coordinates("z", c.vertical_m);
-    }
-  }
-
-  /// The composite axis of a trajectory, and z beside it where it is one for all.
-  /// @return the vertices that it holds, each tuple once
-  std::vector<std::size_t> composite(const Coverage& c) {
-    const bool has_z = c.vertical_m.size() > 1;
-    out_ += R"("composite":{"dataType":"tuple","coordinates":["t","x","y")";
-    out_ += has_z ? ",\"z\"],\"values\":[" : "],\"values\":[";
-    Separator separator(out_);
-    std::vector<std::size_t> kept;
-    std::unordered_set<std::string> seen;
-    for (std::size_t i = 0; i < c.longitude_deg.size(); ++i) {
-      if (std::string tuple = vertex(c, i, has_z); seen.insert(tuple).second) {
-        separator.next();
-        out_ += tuple;
-        kept.push_back(i);
-      }
-    }
-    out_ += "]}";
-    if (c.vertical_m.size() == 1) {
-      out_ += ',';
-      coordinates("z", c.vertical_m);
-    }
-    return kept;
-  }
-
-  static std::string vertex(const Coverage& c, std::size_t i, bool has_z) {
-    std::string tuple = "[\"";
-    append_time(tuple, at_vertex(c.time, i));
-    tuple += "\",";
-    append_coordinate(tuple, c.longitude_deg[i]);
-    tuple += ',';
-    append_coordinate(tuple, c.latitude_deg[i]);
-    if (has_z) {
-      tuple += ',';
-      append_coordinate(tuple, c.vertical_m[i]);
-    }
-    return tuple + "]";
-  }
-
-  void referencing() {
-    out_ += R"("referencing":[{"coordinates":["x","y"],"system":{"type":"GeographicCRS","id":")";
-    out_ += crs84_uri;
-    out_ += "\"}}";
-    if (has_vertical(answer_)) vertical_system();
-    if (has_time(answer_)) {
-      out_ += R"(,{"coordinates":["t"],"system":{"type":"TemporalRS","calendar":"Gregorian"}})";
-    }
-    out_ += ']';
-  }
-
-  void vertical_system() {
-    const bool is_depth = answer_.vertical == Vertical::depth_down;
-    out_ += R"(,{"coordinates":["z"],"system":{"type":"VerticalCRS","name":{"en":")";
-    out_ += is_depth ? "Depth below mean sea level" : "Height above mean sea level";
-    out_ += R"("},"cs":{"csAxes":[{"name":{"en":")";
-    out_ += is_depth ? "Depth" : "Height";
-    out_ += R"("},"direction":")";
-    out_ += is_depth ? "down" : "up";
-    out_ += R"(","unit":{"label":{"en":"metre"},"symbol":{"value":"m",)"
-            R"("type":"http://www.opengis.net/def/uom/UCUM/"}}}]}}})";
   }
 
   void parameters() {

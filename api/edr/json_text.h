@@ -24,4 +24,18 @@ void append_coordinate(std::string& out, double value);
 /// "2025-03-09T06:00:00Z" without quotes, as `format_utc` writes it, at a tenth of its cost.
 void append_time(std::string& out, UtcTime time);
 
+/// Puts a comma before every item of a list but the first.
+class Separator {
+ public:
+  explicit Separator(std::string& out) noexcept : out_(out) {}
+  void next() {
+    if (!is_first_) out_ += ',';
+    is_first_ = false;
+  }
+
+ private:
+  std::string& out_;
+  bool is_first_ = true;
+};
+
 }  // namespace slackwater::api::edr

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "api/edr/answer_shape.h"
+#include "api/edr/union_axis.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 
@@ -38,32 +39,6 @@ std::string long_name_of(const Parameter& parameter) {
   const bool is_central = parameter.method.empty() || parameter.method == "central";
   return is_central ? name : name + " (" + parameter.method + ")";
 }
-
-/// Ascending, each once.
-template <typename Value>
-class UnionAxis {
- public:
-  void add(const std::vector<Value>& values) {
-    all.insert(all.end(), values.begin(), values.end());
-  }
-  void settle() {
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-  }
-  /// Where the entries of a part stand; {0} for an axis that the part does not have.
-  std::vector<std::size_t> places(const std::vector<Value>& part) const {
-    if (part.empty()) return {0};
-    std::vector<std::size_t> found;
-    for (const Value& value : part) {
-      found.push_back(
-          static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), value) - all.begin()));
-    }
-    return found;
-  }
-  std::size_t size() const { return std::max<std::size_t>(1, all.size()); }
-
-  std::vector<Value> all;
-};
 
 class Merger {
  public:

@@ -26,6 +26,12 @@ TEST(Bbox, ABoxAcrossTheAntimeridianEndsEastOf180) {
   EXPECT_FALSE(contains(box, 0, -15));
 }
 
+TEST(Bbox, ABoxAcrossGreenwichMayBeWrittenFrom0To360) {
+  EXPECT_EQ(parse_bbox("350,50,10,60").box, (Box{-10, 50, 10, 60}));
+  EXPECT_EQ(parse_bbox("360,0,-180,1").box, (Box{0, 0, 180, 1}));
+  EXPECT_EQ(parse_bbox("190,0,-175,1").box, (Box{-170, 0, 185, 1}));
+}
+
 TEST(Bbox, WhatIsNoBoxIsRefused) {
   for (const char* text :
        {"", "1,2,3", "1,2,3,4,5", "1,2,3,4,5,6,7", "1,2,3,", ",1,2,3", "a,b,c,d", "nan,0,1,1",
