@@ -11,6 +11,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <cerrno>
+#include <new>
 #include <thread>
 #include <unordered_map>
 #include <vector>
@@ -72,7 +73,7 @@ class Server::Running {
     listen({address_of(options), options.port});
     accept();
     tick();
-    thread_ = std::thread([this] { io_.run(); });
+    thread_ = std::thread([this] { run(); });
   }
 
   ~Running() {
@@ -84,6 +85,18 @@ class Server::Running {
   std::uint16_t port() const noexcept { return port_; }
 
  private:
+  /// What is thrown here is a want of memory: the session it hit is closed by its deadline.
+  void run() {
+    for (;;) {
+      try {
+        io_.run();
+        return;
+      } catch (const std::exception&) {
+        continue;
+      }
+    }
+  }
+
   void listen(const asio::ip::tcp::endpoint& endpoint) {
     try {
       acceptor_.open(endpoint.protocol());
@@ -107,8 +120,10 @@ class Server::Running {
   void accept() {
     acceptor_.async_wait(asio::ip::tcp::acceptor::wait_read, [this](const ErrorCode& problem) {
       if (problem || !acceptor_.is_open()) return;
-      const bool exhausted = !accept_waiting();
-      if (!exhausted) return accept();
+      try {
+        if (accept_waiting()) return accept();
+      } catch (const std::bad_alloc&) {
+      }
       retry_at_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
     });
   }
@@ -140,8 +155,8 @@ class Server::Running {
     std::shared_ptr<Session> session;
     try {
       session = open_session(site_, descriptor, is_loopback(peer), peer.ss_family == AF_INET6);
-    } catch (const boost::system::system_error&) {
-      ::close(descriptor);  // it was reset in the meantime
+    } catch (const std::exception&) {
+      ::close(descriptor);  // no memory for it, or epoll would not have it
       return;
     }
     const bool has_room = sessions_.size() < limits_.connections || displace_one();
@@ -170,7 +185,7 @@ class Server::Running {
 
   void forget(Session& session) {
     sessions_.erase(&session);
-    if (site_.is_stopping && sessions_.empty()) ticker_.cancel();
+    end_if_done();
   }
 
   // --- deadlines and the end ---
@@ -183,6 +198,10 @@ class Server::Running {
   }
 
   void tick() {
+    ticker_.expires_after(tick_of(limits_));
+    ticker_.async_wait([this](const ErrorCode& problem) {
+      if (!problem) tick();
+    });
     const Moment now = std::chrono::steady_clock::now();
     for (const auto& session : all_sessions()) {
       if (site_.is_stopping && now > stop_at_) {
@@ -195,11 +214,12 @@ class Server::Running {
       retry_at_.reset();
       accept();
     }
-    if (site_.is_stopping && sessions_.empty()) return;  // nothing is left to wait for
-    ticker_.expires_after(tick_of(limits_));
-    ticker_.async_wait([this](const ErrorCode& problem) {
-      if (!problem) tick();
-    });
+    end_if_done();
+  }
+
+  /// Without the ticker nothing is left to wait for, and the thread ends.
+  void end_if_done() {
+    if (site_.is_stopping && sessions_.empty()) ticker_.cancel();
   }
 
   void drain() {
@@ -208,7 +228,7 @@ class Server::Running {
     ErrorCode ignored;
     acceptor_.close(ignored);
     for (const auto& session : all_sessions()) session->drain();
-    if (sessions_.empty()) ticker_.cancel();
+    end_if_done();
   }
 
   // The io_context first: what lives in it goes before it.

@@ -5,84 +5,22 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/http/parser.hpp>
-#include <boost/beast/http/string_body.hpp>
 #include <optional>
 
 #include "api/http/metrics.h"
+#include "api/http/request_reader.h"
 
 namespace slackwater::api::http {
 namespace {
 
 namespace asio = boost::asio;
-namespace beast = boost::beast;
 using ErrorCode = boost::system::error_code;
-using Parser = beast::http::request_parser<beast::http::string_body>;
 
-constexpr std::size_t read_bytes = 16 * 1024;
 /// What a client must take in within `Limits::write_time`.
 constexpr std::size_t write_stride_bytes = 256 * 1024;
 constexpr std::chrono::milliseconds linger_time{1000};
 /// The same while the server is stopping.
 constexpr std::chrono::milliseconds short_linger_time{100};
-
-std::string text_of(boost::string_view text) { return {text.data(), text.size()}; }
-
-/// All fields of a name, joined as a list (RFC 9110 §5.3).
-std::string list_of(const beast::http::fields& fields, beast::http::field name) {
-  std::string list;
-  const auto range = fields.equal_range(name);
-  for (auto field = range.first; field != range.second; ++field) {
-    list += (list.empty() ? "" : ", ") + text_of(field->value());
-  }
-  return list;
-}
-
-Arrival arrival_of(Parser& parser, bool peer_is_loopback) {
-  using beast::http::field;
-  Arrival arrival;
-  auto message = parser.release();
-  Request& request = arrival.request;
-  request.method = text_of(message.method_string());
-  const std::string target = text_of(message.target());
-  const std::size_t question = target.find('?');
-  request.path = target.substr(0, question);
-  if (question != std::string::npos) request.query = target.substr(question + 1);
-  request.host = text_of(message[field::host]);
-  request.accept = list_of(message, field::accept);
-  request.body = std::move(message.body());
-  arrival.is_http_1_1 = message.version() >= 11;
-  arrival.keep_alive = message.keep_alive();
-  arrival.peer_is_loopback = peer_is_loopback;
-  arrival.is_forwarded = message.count(field::forwarded) + message.count("X-Forwarded-For") > 0;
-  arrival.host_fields = message.count(field::host);
-  arrival.accept_encoding = list_of(message, field::accept_encoding);
-  arrival.if_none_match = list_of(message, field::if_none_match);
-  arrival.authorization = text_of(message[field::authorization]);
-  arrival.origin = text_of(message[field::origin]);
-  return arrival;
-}
-
-struct Refusal {
-  int status;
-  std::string detail;
-};
-
-/// What to tell the sender of bytes that are no request.
-Refusal refusal_of(const ErrorCode& problem, const Limits& limits) {
-  using beast::http::error;
-  if (problem == error::header_limit || problem == error::buffer_overflow) {
-    return {431, "The header of a request holds at most " + std::to_string(limits.header_bytes) +
-                     " bytes."};
-  }
-  if (problem == error::body_limit) {
-    return {413,
-            "The body of a request holds at most " + std::to_string(limits.body_bytes) + " bytes."};
-  }
-  if (problem == error::bad_version) return {505, "This server speaks HTTP/1.1 and HTTP/1.0."};
-  return {400, "This is not an HTTP/1.1 request: " + problem.message() + "."};
-}
 
 enum class State { idle, reading, handling, writing, lingering, closed };
 
@@ -90,9 +28,9 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
  public:
   SocketSession(SessionSite& site, int descriptor, bool peer_is_loopback, bool is_ipv6)
       : site_(site),
-        socket_(site.io, is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor),
         peer_is_loopback_(peer_is_loopback),
-        buffer_(2 * read_bytes + site.limits.url_bytes + site.limits.header_bytes) {
+        reader_(site.limits),
+        socket_(site.io, is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor) {
     ErrorCode ignored;  // reset in the meantime: the first read tells
     socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
     if (site_.metrics != nullptr) site_.metrics->connection_opened();
@@ -158,8 +96,8 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   void read() {
     if (is_read_pending_) return;
     is_read_pending_ = true;
-    const std::size_t space = std::min(read_bytes, buffer_.max_size() - buffer_.size());
-    socket_.async_read_some(buffer_.prepare(space),
+    const std::span<char> room = reader_.room();
+    socket_.async_read_some(asio::buffer(room.data(), room.size()),
                             [self = shared_from_this()](const ErrorCode& problem, std::size_t n) {
                               self->on_read(problem, n);
                             });
@@ -174,66 +112,24 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
       return refuse({400, "The connection was closed for writing in the middle of a request."});
     }
     if (problem) return close();
-    buffer_.commit(n);
+    reader_.received(n);
     feed();
   }
 
-  /// Parses what is in the buffer, then reads more or hands the request on.
+  /// Parses what has come, then reads more or hands the request on.
   void feed() {
-    if (state_ == State::idle) begin_request();
-    for (;;) {
-      if (buffer_.size() == 0) return read();
-      const bool had_header = parser_->is_header_done();
-      ErrorCode problem;
-      buffer_.consume(parser_->put(buffer_.data(), problem));
-      if (problem == beast::http::error::need_more) return read();
-      if (problem) return refuse(refusal_of_bytes(problem));
-      if (!had_header && parser_->is_header_done() && !accept_header()) return;
-      if (parser_->is_done()) return dispatch();
-    }
+    if (state_ == State::idle) enter(State::reading, site_.limits.read_time);
+    const RequestReader::Progress progress = reader_.advance();
+    if (progress == RequestReader::Progress::refused) return refuse(reader_.refusal());
+    if (progress == RequestReader::Progress::complete) return dispatch();
+    if (reader_.wants_continue()) send_continue();
+    read();
   }
 
-  void begin_request() {
-    enter(State::reading, site_.limits.read_time);
-    parser_.emplace();
-    parser_->header_limit(
-        static_cast<std::uint32_t>(site_.limits.header_bytes + site_.limits.url_bytes));
-    parser_->body_limit(site_.limits.body_bytes);
-    parser_->eager(true);
-  }
-
-  /// A header that is too long because its first line never ends is a URL that is too long.
-  [[nodiscard]] Refusal refusal_of_bytes(const ErrorCode& problem) const {
-    const auto* text = static_cast<const char*>(buffer_.data().data());
-    const boost::string_view begun(text, std::min(buffer_.size(), site_.limits.url_bytes + 64));
-    if (problem == beast::http::error::header_limit && parser_->get().target().empty() &&
-        begun.find('\n') == boost::string_view::npos) {
-      return url_refusal();
-    }
-    return refusal_of(problem, site_.limits);
-  }
-
-  [[nodiscard]] Refusal url_refusal() const {
-    return {414, "The target of a request holds at most " + std::to_string(site_.limits.url_bytes) +
-                     " bytes."};
-  }
-
-  /// Refuses, before the body is read, what is too much. @return whether to go on
-  bool accept_header() {
-    const auto& header = parser_->get();
-    if (header.target().size() > site_.limits.url_bytes) return refuse(url_refusal()), false;
-    const auto fields = static_cast<std::size_t>(std::distance(header.begin(), header.end()));
-    if (fields > site_.limits.header_fields) {
-      refuse({431, "A request has at most " + std::to_string(site_.limits.header_fields) +
-                       " header fields; found " + std::to_string(fields) + "."});
-      return false;
-    }
-    if (!parser_->is_done() && beast::iequals(header[beast::http::field::expect], "100-continue")) {
-      ErrorCode ignored;  // a client that does not get it sends the body all the same
-      socket_.non_blocking(true, ignored);
-      socket_.write_some(asio::buffer("HTTP/1.1 100 Continue\r\n\r\n", 25), ignored);
-    }
-    return true;
+  void send_continue() {
+    ErrorCode ignored;  // a client that does not get it sends the body all the same
+    socket_.non_blocking(true, ignored);
+    socket_.write_some(asio::buffer("HTTP/1.1 100 Continue\r\n\r\n", 25), ignored);
   }
 
   // --- handling ---
@@ -242,8 +138,9 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     enter(State::handling, site_.limits.handler_time);
     begin_request_count();
     auto job = [self = shared_from_this(), serial = ++serial_, deadline = deadline_,
-                arrival = arrival_of(*parser_, peer_is_loopback_)]() mutable {
+                arrival = reader_.take()]() mutable {
       SessionSite& site = self->site_;
+      arrival.peer_is_loopback = self->peer_is_loopback_;
       std::optional<Reply> reply;
       // Where all threads were busy for too long the client has been told already.
       if (std::chrono::steady_clock::now() < deadline) {
@@ -255,7 +152,6 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
         if (reply && is_awaited) self->write(std::move(*reply));
       });
     };
-    parser_.reset();
     site_.pool.submit(std::move(job));
   }
 
@@ -319,11 +215,8 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     reply_ = {};
     if (!keep_alive) return linger();
     enter(State::idle, site_.limits.idle_time);
-    if (buffer_.size() == 0) {
-      if (buffer_.capacity() > 4 * read_bytes) buffer_.shrink_to_fit();
-      return read();
-    }
-    feed();
+    if (reader_.has_bytes()) return feed();
+    read();
   }
 
   void linger() {
@@ -331,15 +224,13 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     ErrorCode problem;
     socket_.shutdown(asio::ip::tcp::socket::shutdown_send, problem);
     if (problem) return close();
-    buffer_.clear();
     read();
   }
 
   SessionSite& site_;
-  asio::ip::tcp::socket socket_;
   const bool peer_is_loopback_;
-  beast::flat_buffer buffer_;
-  std::optional<Parser> parser_;
+  RequestReader reader_;
+  asio::ip::tcp::socket socket_;  // last of what may throw: the descriptor is ours from here on
   bool is_read_pending_ = false;
   State state_ = State::idle;
   Moment since_;

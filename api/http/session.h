@@ -53,8 +53,7 @@ class Session {
   virtual void close() = 0;
 };
 
-/// Takes over a connected, non-blocking socket; throws boost::system::system_error, and does not,
-/// where it is not connected any more. Call `begin` or `refuse_newcomer` next.
+/// Takes over a connected, non-blocking socket; where it throws, it does not. Call `begin` or `refuse_newcomer` next.
 [[nodiscard]] std::shared_ptr<Session> open_session(SessionSite& site, int descriptor,
                                                     bool peer_is_loopback, bool is_ipv6);
 
