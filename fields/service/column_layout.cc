@@ -36,7 +36,8 @@ std::vector<double> distinct(std::vector<double> values) {
 
 std::size_t nearest(const std::vector<double>& axis, double value) {
   const auto above = std::lower_bound(axis.begin(), axis.end(), value - same_deg);
-  return static_cast<std::size_t>(above - axis.begin());
+  // The difference may round to the other side of `same_deg` than in `distinct`.
+  return std::min(static_cast<std::size_t>(above - axis.begin()), axis.size() - 1);
 }
 
 }  // namespace
@@ -72,7 +73,8 @@ ColumnLayout::ColumnLayout(std::span<const GeoPoint> columns) {
   metres_per_degree_east_ =
       metres_per_degree * std::max(0.01, std::cos(middle_deg * constants::pi / 180.0));
   const std::size_t crossings = x_.centre.size() * y_.centre.size();
-  is_grid_ = 2 * columns.size() >= crossings;
+  // Two columns anywhere stand on half of four crossings, and are no grid.
+  is_grid_ = 2 * columns.size() > crossings;
   const auto set_reach = [&](Axis& axis, double lone_deg) {
     const std::size_t n = axis.centre.size();
     const bool is_lone = n == 1 || !is_grid_;
@@ -103,7 +105,7 @@ ColumnLayout::ColumnLayout(std::span<const GeoPoint> columns) {
 
 ColumnStencil ColumnLayout::at(double longitude_deg, double latitude_deg) const noexcept {
   ColumnStencil stencil;
-  if (!std::isfinite(longitude_deg) || !std::isfinite(latitude_deg)) return stencil;
+  if (!std::isfinite(longitude_deg) || !(std::abs(latitude_deg) <= 90.0)) return stencil;
   const double x = turned(longitude_deg, origin_deg_);
   if (!is_grid_) return at_scattered(x * metres_per_degree_east_, latitude_deg * metres_per_degree);
   const Axis::Place column = x_.at(x);
@@ -132,9 +134,12 @@ ColumnStencil ColumnLayout::at_scattered(double x, double y) const noexcept {
   constexpr std::size_t wanted = 5;  // the fifth sets how far the four are heard
   std::array<double, wanted> distance_m;
   std::array<std::uint32_t, wanted> column{};
-  distance_m.fill(std::numeric_limits<double>::infinity());
+  distance_m.fill(std::numeric_limits<double>::infinity());  // squared, until all are seen
   for (std::size_t i = 0; i < point_.size(); ++i) {
-    double d = std::hypot(point_[i].x - x, point_[i].y - y);
+    const double east = point_[i].x - x;
+    const double north = point_[i].y - y;
+    double d = east * east + north * north;
+    if (d >= distance_m[wanted - 1]) continue;
     auto c = static_cast<std::uint32_t>(i);
     for (std::size_t k = 0; k < wanted; ++k) {
       if (d >= distance_m[k]) continue;
@@ -142,6 +147,7 @@ ColumnStencil ColumnLayout::at_scattered(double x, double y) const noexcept {
       std::swap(c, column[k]);
     }
   }
+  for (double& d : distance_m) d = std::sqrt(d);
   ColumnStencil stencil;
   if (distance_m[0] > lone_reach_m) return stencil;
   stencil.is_inside = true;

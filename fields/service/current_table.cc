@@ -7,7 +7,8 @@
 namespace slackwater {
 namespace {
 
-constexpr float missing = -1e6F;
+/// So large that the least weight of it, a millisecond in a year, outweighs all water.
+constexpr float missing = -1e30F;
 constexpr std::size_t buckets = 1024;
 
 /// Four lanes that GCC and Clang know how to add and multiply at once.
@@ -45,11 +46,13 @@ CurrentTable::CurrentTable(const Snapshot& snapshot, std::size_t member)
         const SampleStatus status =
             column.current_status.empty() ? SampleStatus::missing : column.current_status[o];
         if (status == SampleStatus::land) continue;
-        entry.water = has_value(status) && o < current.size() ? 1.0F : missing;
-        if (entry.water < 0) continue;
-        entry.east = static_cast<float>(current[o].real());
-        entry.north = static_cast<float>(current[o].imag());
-        if (member == 0) entry.sigma = static_cast<float>(column.current_sigma_m_s[o]);
+        entry.water = missing;
+        if (!has_value(status) || o >= current.size()) continue;
+        const Horizontal value = current[o];
+        const double sigma = member == 0 ? column.current_sigma_m_s[o] : 0.0;
+        if (!std::isfinite(value.real() + value.imag() + sigma)) continue;
+        entry = {static_cast<float>(value.real()), static_cast<float>(value.imag()),
+                 static_cast<float>(sigma), 1.0F};
       }
     }
   }
@@ -98,7 +101,7 @@ CurrentSample CurrentTable::at(const ColumnStencil& stencil, const TimePlace& ti
   const float w11 = upper * level.lower;
   const float w10 = upper - w11;
   const float w01 = level.lower - w11;
-  const float w00 = 1.0F - upper - w01;
+  const float w00 = std::max(0.0F, 1.0F - upper - w01);  // rounding must not turn `missing` over
   const auto lanes = [](const Entry* entry) {
     Lanes value;
     std::memcpy(&value, entry, sizeof value);

@@ -26,6 +26,30 @@ Value between(const Values& values, TimePlace time, Value (*value_of)(const Valu
   return (1 - time.upper) * first + time.upper * value_of(values, time.low + 1);
 }
 
+/// Shares of a step nearer to a stamp than this are the stamp: a millisecond of eleven days.
+constexpr double same_stamp = 1e-9;
+
+/// Beds that are interpolated differ from equal ones by rounding; nobody knows them to a micrometre.
+constexpr double same_depth_m = 1e-6;
+
+/// Weight of a sea without waves in the mean direction: none beside any other, all where all are calm.
+constexpr double calm_m2 = 1e-12;
+
+void expect_whole(const Snapshot& snapshot) {
+  const std::size_t times = snapshot.time.size();
+  const std::size_t values = times * snapshot.depth_m.size();
+  const auto is = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
+  for (const ForecastColumn& column : snapshot.columns) {
+    const bool has_current = !column.current_m_s.empty();
+    expects(is(column.current_m_s.size(), values) &&
+                column.current_status.size() == (has_current ? values : 0) &&
+                column.current_sigma_m_s.size() == (has_current ? values : 0),
+            "a column has a current, a sigma and a status for each time and level, or none");
+    expects(is(column.wind_m_s.size(), times) && is(column.sea.size(), times),
+            "a column has wind and waves for each time, or none");
+  }
+}
+
 /// Neutral wind over open sea (ingest brings wind to 10 m by the same law).
 double to_height(double height_m) noexcept {
   constexpr double roughness_m = 0.0002;
@@ -52,6 +76,7 @@ std::string ValidRange::text() const {
 Field::Field(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(snapshot)) {
   expects(snapshot_ && !snapshot_->columns.empty() && !snapshot_->time.empty(),
           "a field needs a snapshot with columns and times");
+  expect_whole(*snapshot_);
   std::vector<GeoPoint> points;
   for (const ForecastColumn& column : snapshot_->columns) {
     points.push_back(column.point);
@@ -92,7 +117,10 @@ std::optional<TimePlace> Field::when(UtcTime time) const noexcept {
   if (time < stamps.front() || time > stamps.back()) return std::nullopt;
   const double steps = static_cast<double>((time - stamps.front()).count()) * stamps_per_ms_;
   const auto low = std::min(static_cast<std::size_t>(steps), stamps.size() - 2);
-  return TimePlace{low, steps - static_cast<double>(low)};
+  const double upper = steps - static_cast<double>(low);
+  // On a stamp its neighbours have no say: they may be missing.
+  if (upper > 1 - same_stamp) return TimePlace{low + 1, 0};
+  return TimePlace{low, upper < same_stamp ? 0 : upper};
 }
 
 Field::Water Field::water(const Spot& spot, const std::optional<TimePlace>& time, double depth_m,
@@ -104,13 +132,14 @@ Field::Water Field::water(const Spot& spot, const std::optional<TimePlace>& time
     water.status = SampleStatus::outside_time;
   } else if (!(depth_m >= 0)) {
     water.status = SampleStatus::above_surface;
-  } else if (depth_m > spot.water_depth_m) {
+  } else if (!(depth_m <= spot.water_depth_m + same_depth_m)) {
     water.status = SampleStatus::below_bed;
   } else if (&table != &nothing_) {
     water.status = SampleStatus::ok;
     water.stencil = spot.stencil;
     for (std::uint32_t c = 0; c < spot.stencil.count; ++c) {
-      if (depth_m > water_depth_m_[spot.stencil.column[c]]) water.stencil.weight[c] = 0;
+      if (!(depth_m <= water_depth_m_[spot.stencil.column[c]] + same_depth_m))
+        water.stencil.weight[c] = 0;
     }
     water.time = *time;
     water.level = table.level_at(depth_m);
@@ -222,8 +251,8 @@ void Field::sample_sea(std::span<const Place> places, std::span<SeaSample> out) 
         const SeaState& s = sea[time->low + later];
         sample.sea.significant_height_m += weight * s.significant_height_m;
         sample.sea.peak_period_s += weight * s.peak_period_s;
-        from += weight * s.significant_height_m * s.significant_height_m *
-                std::polar(1.0, radians * s.from_direction_deg);
+        const double energy = s.significant_height_m * s.significant_height_m + calm_m2;
+        from += weight * energy * std::polar(1.0, radians * s.from_direction_deg);
       }
     }
     const bool is_whole = std::isfinite(sample.sea.significant_height_m) &&

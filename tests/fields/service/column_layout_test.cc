@@ -155,5 +155,46 @@ TEST(ColumnLayout, BetweenScatteredColumnsNothingJumps) {
   EXPECT_LT(largest, 2e-2);
 }
 
+TEST(ColumnLayout, TwoColumnsAnywhereAreNoGridWithLandBetweenThem) {
+  const std::vector columns{at(2.0, 51.50), at(2.02, 51.51)};
+  const ColumnLayout layout(columns);
+  EXPECT_FALSE(layout.is_grid());
+  for (const GeoPoint& p : {at(2.02, 51.50), at(2.0, 51.51), at(2.01, 51.505)}) {
+    const ColumnStencil stencil = layout.at(p.longitude_deg(), p.latitude_deg());
+    EXPECT_TRUE(stencil.is_inside);
+    EXPECT_EQ(stencil.count, 2U) << "no land where nobody said so";
+  }
+  EXPECT_TRUE(ColumnLayout(std::vector{at(2.0, 51.5), at(2.02, 51.5)}).is_grid()) << "one row";
+}
+
+TEST(ColumnLayout, NothingLiesBeyondAPole) {
+  const ColumnLayout layout(std::vector{at(10, 89.99)});
+  EXPECT_TRUE(layout.at(10, 90).is_inside);
+  EXPECT_FALSE(layout.at(10, 90.001).is_inside);
+  EXPECT_FALSE(ColumnLayout(std::vector{at(10, -89.99)}).at(10, -90.001).is_inside);
+  EXPECT_LE(layout.box().north_deg, 90);
+}
+
+TEST(ColumnLayout, ColumnsTwiceInOnePlaceAreOne) {
+  const std::vector columns{at(2.0, 51.5), at(2.0, 51.5), at(2.000019, 51.5), at(2.1, 51.5)};
+  const ColumnLayout layout(columns);
+  const ColumnStencil stencil = layout.at(2.05, 51.5);
+  ASSERT_EQ(stencil.count, 2U);
+  EXPECT_NEAR(stencil.weight[0] + stencil.weight[1], 1, 1e-12);
+}
+
+TEST(ColumnLayout, ColumnsNearlyInOnePlaceStayWithinTheGrid) {
+  // Steps about the width at which longitudes count as the same: every rounding of it.
+  Rng random(10, "tests/column_layout");
+  for (int i = 0; i < 20000; ++i) {
+    const double first = random.uniform(-180, 179);
+    const double step = 2e-5 * (1 + 1e-9 * random.normal());
+    const std::vector columns{at(first, 51.5), at(first + step, 51.5)};
+    const ColumnStencil stencil = ColumnLayout(columns).at(first, 51.5);
+    ASSERT_TRUE(stencil.is_inside);
+    ASSERT_LT(stencil.column[0], 2U);
+  }
+}
+
 }  // namespace
 }  // namespace slackwater

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/base/check.h"
 #include "fields/base/random.h"
 #include "tests/support/made_up_forecast.h"
 
@@ -225,6 +226,132 @@ TEST(Field, AProfileIsTheSamplesOfItsDepths) {
     EXPECT_EQ(profile[k].velocity_m_s, alone.velocity_m_s);
     EXPECT_EQ(profile[k].status, alone.status);
   }
+}
+
+TEST(Field, AMillisecondFromAMissingHourIsMissingAndNeverLouderThanTheWater) {
+  Snapshot s = made();
+  for (std::size_t k = 0; k < s.depth_m.size(); ++k)
+    s.columns[5].current_status[10 * s.depth_m.size() + k] = SampleStatus::missing;
+  const Field field = field_of(s);
+  const GeoPoint p = s.columns[5].point;
+  for (int ms = 1; ms < 40; ++ms) {
+    const Place after{p.longitude_deg(), p.latitude_deg(), 5,
+                      start + hours(9) + std::chrono::milliseconds(ms)};
+    EXPECT_EQ(field.current(after).status, SampleStatus::missing) << ms;
+    const Place before{p.longitude_deg(), p.latitude_deg(), 5,
+                       start + hours(11) - std::chrono::milliseconds(ms)};
+    EXPECT_EQ(field.current(before).status, SampleStatus::missing) << ms;
+  }
+}
+
+TEST(Field, RoundingNeverBringsAMissingLevelToSpeech) {
+  Snapshot s = made();
+  for (std::size_t c = 0; c < s.columns.size(); ++c)
+    for (std::size_t t = 0; t < s.time.size(); ++t)
+      if ((t + c) % 3 == 0)
+        s.columns[c].current_status[t * s.depth_m.size() + 2] = SampleStatus::missing;
+  const Field field = field_of(s);
+  Rng random(6, "tests/field");
+  for (int i = 0; i < 20000; ++i) {
+    // Close to levels and stamps, where the shares nearly vanish.
+    const double depth = std::abs(8 + random.normal() * std::pow(10, random.uniform(-7, 0)));
+    const double hour = std::clamp(
+        std::round(random.uniform(0, 24)) + random.normal() * std::pow(10, random.uniform(-6, 0)),
+        0.0, 24.0);
+    const Place p = place(random.uniform(1, 1.15), random.uniform(52, 52.1), depth, hour);
+    const CurrentSample found = field.current(p);
+    if (!has_value(found.status)) continue;
+    EXPECT_LT(std::abs(found.velocity_m_s - plane(p.longitude_deg, p.latitude_deg, depth, hour)),
+              0.7)
+        << "at most the neighbours' value, " << depth << " m, hour " << hour;
+  }
+}
+
+TEST(Field, AValueThatIsNoNumberIsMissingWhateverItsStatusSays) {
+  Snapshot s = made();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  s.columns[5].current_m_s[10 * s.depth_m.size()] = {nan, 0};
+  s.columns[6].current_sigma_m_s[10 * s.depth_m.size()] = nan;
+  const Field field = field_of(s);
+  for (const std::size_t c : {5U, 6U}) {
+    const GeoPoint p = s.columns[c].point;
+    const CurrentSample found = field.current(place(p.longitude_deg(), p.latitude_deg(), 0, 10));
+    EXPECT_EQ(found.status, SampleStatus::missing);
+    EXPECT_EQ(found.velocity_m_s, Horizontal{});
+  }
+}
+
+TEST(Field, OnAStampTheHourBeforeHasNoSay) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int hour = 1; hour <= 72; ++hour) {
+    Snapshot s = made();
+    s.time.clear();
+    for (int t = 0; t <= 72; ++t) s.time.push_back(start + hours(t));
+    ForecastColumn c = s.columns[0];
+    c.current_m_s.clear();
+    c.current_sigma_m_s.clear();
+    c.current_status.clear();
+    c.wind_m_s.assign(73, {5, 1});
+    c.sea.assign(73, {1, 6, 200});
+    c.wind_m_s[static_cast<std::size_t>(hour) - 1] = {nan, nan};
+    c.sea[static_cast<std::size_t>(hour) - 1].significant_height_m = nan;
+    s.columns = {c};
+    const Field field = field_of(s);
+    const std::array here{place(1, 52, 10, hour)};
+    std::array<WindSample, 1> wind;
+    field.sample_wind(here, wind);
+    EXPECT_EQ(wind[0].status, SampleStatus::ok) << hour;
+    std::array<SeaSample, 1> sea;
+    field.sample_sea(here, sea);
+    EXPECT_EQ(sea[0].status, SampleStatus::ok) << hour;
+  }
+}
+
+TEST(Field, OverAFlatBedTheBedItselfIsWater) {
+  Snapshot s = made();
+  for (ForecastColumn& c : s.columns) c.water_depth_m = 31.3;
+  const Field field = field_of(s);
+  Rng random(7, "tests/field");
+  for (int i = 0; i < 2000; ++i) {
+    const Place p = place(random.uniform(1, 1.15), random.uniform(52, 52.1), 31.3, 3);
+    EXPECT_EQ(field.current(p).status, SampleStatus::ok)
+        << p.longitude_deg << " " << p.latitude_deg;
+  }
+  EXPECT_EQ(field.current(place(1.05, 52, 31.30001, 3)).status, SampleStatus::below_bed);
+}
+
+TEST(Field, AnUnknownBedIsNoWater) {
+  Snapshot s = made();
+  s.columns = {s.columns[0]};
+  s.columns[0].water_depth_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(field_of(s).current(place(1, 52, 5, 1)).status, SampleStatus::below_bed);
+}
+
+TEST(Field, ACalmSeaKeepsTheDirectionThatTheForecastGivesIt) {
+  Snapshot s = made();
+  for (ForecastColumn& c : s.columns)
+    for (SeaState& sea : c.sea) sea = {0, 3, 240};
+  const Field field = field_of(s);
+  const std::array here{place(1.02, 52.03, 0, 7.3)};
+  std::array<SeaSample, 1> sea;
+  field.sample_sea(here, sea);
+  ASSERT_EQ(sea[0].status, SampleStatus::ok);
+  EXPECT_NEAR(sea[0].sea.from_direction_deg, 240, 1e-9) << "and not north";
+}
+
+TEST(Field, ASnapshotWhoseArraysDoNotFitIsABugAndNotAMemoryError) {
+  Snapshot s = made();
+  s.columns[3].current_sigma_m_s.pop_back();
+  EXPECT_THROW(field_of(s), ContractViolation);
+  s = made();
+  s.columns[3].current_status.clear();
+  EXPECT_THROW(field_of(s), ContractViolation);
+  s = made();
+  s.columns[3].wind_m_s.pop_back();
+  EXPECT_THROW(field_of(s), ContractViolation);
+  s = made();
+  s.columns[3].sea.pop_back();
+  EXPECT_THROW(field_of(s), ContractViolation);
 }
 
 }  // namespace
