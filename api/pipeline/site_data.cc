@@ -6,6 +6,7 @@
 
 #include "api/pipeline/nearest_wind.h"
 #include "fields/base/error.h"
+#include "fields/wind/log_profile.h"
 
 namespace slackwater::api {
 namespace {
@@ -13,10 +14,6 @@ namespace {
 /// Cells up to this far from a column take part in its interpolation: more than the coarsest wind
 /// grid's step.
 constexpr double margin_deg = 0.3;
-
-/// Neutral wind over open sea, z0 = 0.2 mm (reference values for a calm to moderate sea;
-/// DNV-RP-C205 table 2-1).
-constexpr double sea_roughness_m = 0.0002;
 
 /// Brings each piece to 10 m: the level nearest to it, by the logarithmic profile where it is
 /// another height.
@@ -28,7 +25,7 @@ VectorRecord at_ten_metres(VectorRecord record) {
         column.levels_m.begin(), column.levels_m.end(),
         [](double a, double b) { return std::abs(a - 10.0) < std::abs(b - 10.0); });
     const auto k = static_cast<std::size_t>(nearest - column.levels_m.begin());
-    const double factor = std::log(10.0 / sea_roughness_m) / std::log(*nearest / sea_roughness_m);
+    const double factor = log_profile_ratio(10.0, *nearest);
     VectorColumn flat;
     flat.point = column.point;
     flat.time = column.time;

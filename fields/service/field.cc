@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "fields/base/check.h"
-#include "fields/base/constants.h"
 
 namespace slackwater {
 namespace {
@@ -18,22 +17,11 @@ bool are_even(const std::vector<UtcTime>& time) {
   return true;
 }
 
-/// Linear in time over one value a stamp.
-template <typename Values, typename Value>
-Value between(const Values& values, TimePlace time, Value (*value_of)(const Values&, std::size_t)) {
-  const Value first = value_of(values, time.low);
-  if (!(time.upper > 0)) return first;
-  return (1 - time.upper) * first + time.upper * value_of(values, time.low + 1);
-}
-
 /// Shares of a step nearer to a stamp than this are the stamp: a millisecond of eleven days.
 constexpr double same_stamp = 1e-9;
 
 /// Beds that are interpolated differ from equal ones by rounding; nobody knows them to a micrometre.
 constexpr double same_depth_m = 1e-6;
-
-/// Weight of a sea without waves in the mean direction: none beside any other, all where all are calm.
-constexpr double calm_m2 = 1e-12;
 
 void expect_whole(const Snapshot& snapshot) {
   const std::size_t times = snapshot.time.size();
@@ -48,12 +36,6 @@ void expect_whole(const Snapshot& snapshot) {
     expects(is(column.wind_m_s.size(), times) && is(column.sea.size(), times),
             "a column has wind and waves for each time, or none");
   }
-}
-
-/// Neutral wind over open sea (ingest brings wind to 10 m by the same law).
-double to_height(double height_m) noexcept {
-  constexpr double roughness_m = 0.0002;
-  return std::log(height_m / roughness_m) / std::log(10.0 / roughness_m);
 }
 
 std::string degrees(double value, char positive, char negative) {
@@ -190,81 +172,6 @@ void Field::sample_profile(double longitude_deg, double latitude_deg, UtcTime ti
     const Water w = water(here, place, depths_m[i], table);
     out[i] = w.status == SampleStatus::ok ? table.at(w.stencil, w.time, w.level)
                                           : without_value(w.status);
-  }
-}
-
-void Field::sample_wind(std::span<const Place> places, std::span<WindSample> out,
-                        std::size_t member) const noexcept {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place& place = places[i];
-    WindSample sample;
-    const Spot here = spot(place.longitude_deg, place.latitude_deg);
-    const std::optional<TimePlace> time = when(place.time);
-    if (here.status == SampleStatus::outside_area) {
-      sample.status = here.status;
-    } else if (!time) {
-      sample.status = SampleStatus::outside_time;
-    } else if (!(place.vertical_m >= lowest_wind_m) || place.vertical_m > highest_wind_m) {
-      sample.status = SampleStatus::outside_area;
-    } else if (here.status == SampleStatus::ok) {
-      Horizontal sum{};
-      bool is_whole = true;
-      for (std::uint32_t c = 0; c < here.stencil.count; ++c) {
-        const auto wind = wind_of_member(snapshot_->columns[here.stencil.column[c]], member);
-        is_whole = is_whole && !wind.empty();
-        if (!is_whole) break;
-        sum += here.stencil.weight[c] *
-               between<std::span<const Horizontal>, Horizontal>(
-                   wind, *time,
-                   [](const std::span<const Horizontal>& w, std::size_t t) { return w[t]; });
-      }
-      if (is_whole) sample = {to_height(place.vertical_m) * sum, SampleStatus::ok};
-      if (!std::isfinite(sum.real() + sum.imag())) sample = {};
-    } else {
-      sample.status = here.status;
-    }
-    out[i] = sample;
-  }
-}
-
-void Field::sample_sea(std::span<const Place> places, std::span<SeaSample> out) const noexcept {
-  constexpr double radians = constants::pi / 180.0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place& place = places[i];
-    SeaSample sample;
-    const Spot here = spot(place.longitude_deg, place.latitude_deg);
-    const std::optional<TimePlace> time = when(place.time);
-    sample.status = here.status != SampleStatus::ok ? here.status
-                    : time                          ? SampleStatus::ok
-                                                    : SampleStatus::outside_time;
-    Horizontal from{};
-    for (std::uint32_t c = 0; sample.status == SampleStatus::ok && c < here.stencil.count; ++c) {
-      const std::vector<SeaState>& sea = snapshot_->columns[here.stencil.column[c]].sea;
-      for (const std::size_t later : {0U, 1U}) {
-        const double share = later == 0 ? 1 - time->upper : time->upper;
-        const double weight = here.stencil.weight[c] * share;
-        if (!(weight > 0)) continue;
-        if (time->low + later >= sea.size()) {
-          sample.status = SampleStatus::missing;
-          break;
-        }
-        const SeaState& s = sea[time->low + later];
-        sample.sea.significant_height_m += weight * s.significant_height_m;
-        sample.sea.peak_period_s += weight * s.peak_period_s;
-        const double energy = s.significant_height_m * s.significant_height_m + calm_m2;
-        from += weight * energy * std::polar(1.0, radians * s.from_direction_deg);
-      }
-    }
-    const bool is_whole = std::isfinite(sample.sea.significant_height_m) &&
-                          std::isfinite(sample.sea.peak_period_s) && std::isfinite(from.real());
-    if (sample.status == SampleStatus::ok && !is_whole) sample.status = SampleStatus::missing;
-    if (sample.status == SampleStatus::ok) {
-      const double degrees = std::arg(from) / radians;
-      sample.sea.from_direction_deg = degrees < 0 ? degrees + 360 : degrees;
-    } else {
-      sample.sea = {};
-    }
-    out[i] = sample;
   }
 }
 

@@ -56,6 +56,8 @@ class Field {
     double water_depth_m = 0;
     SampleStatus status = SampleStatus::missing;  ///< ok: water
   };
+  [[nodiscard]] WindSample wind_at(const Place& place, std::size_t member) const noexcept;
+  [[nodiscard]] SeaSample sea_at(const Place& place) const noexcept;
   [[nodiscard]] Spot spot(double longitude_deg, double latitude_deg) const noexcept;
   [[nodiscard]] std::optional<TimePlace> when(UtcTime time) const noexcept;
   struct Water {  ///< what a table is asked, where the status is ok
