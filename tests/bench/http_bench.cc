@@ -1,27 +1,31 @@
-// The HTTP server under wrk, 16 connections on the cores that serve: requests per second and the
-// 99th percentile of the latency. By default the server of api/http with a handler that hands out
-// 6 kB, alone in this process. Another is measured with
-//   SLACKWATER_HTTP_URL=http://127.0.0.1:<port>/<path>   that is running already, or is started by
-//   SLACKWATER_HTTP_SERVE="<command line>"               and ended afterwards;
+// `slackwater serve` under wrk, 16 connections on the cores that serve: a position query of 50 levels at one
+// instant as CoverageJSON, requests per second and the 99th percentile of the latency. Its values are compared
+// with the field of the same forecast first. Another service is measured with
+//   SLACKWATER_HTTP_URL=http://127.0.0.1:<port>/<path>;
 // SLACKWATER_HTTP_SECONDS is how long (default 5).
+#include <netinet/in.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
 
-#include "api/http/metrics.h"
-#include "api/http/router.h"
-#include "api/http/server.h"
+#include "fields/service/field.h"
+#include "ingest/cf/forecast_file.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/http_load.h"
+#include "tests/bench/synthetic_store.h"
+#include "tests/bench/timed_child.h"
 #include "tests/support/http_client.h"
+#include "tests/support/program.h"
 
 namespace {
 
@@ -30,59 +34,83 @@ using namespace slackwater::bench;
 
 constexpr double target_requests_per_s = 5000;
 constexpr double target_p99_ms = 5;
-constexpr const char* own_target = "/collections/currents/position";
-
 std::string environment(const char* name, const std::string& otherwise) {
   const char* value = std::getenv(name);
   return value != nullptr ? value : otherwise;
 }
 
-/// 6 kB of the numbers that a profile of 50 levels has.
-std::string own_body() {
-  std::string body = "{\"values\": [0";
-  for (int i = 1; body.size() < 6000; ++i) body += ", 0." + std::to_string(123456 + 7919 * i);
-  return body + "]}\n";
+/// A port that is free at this moment.
+std::uint16_t free_port() {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  const bool bound = ::bind(socket, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
+                     ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+  ::close(socket);
+  if (!bound) throw std::runtime_error("no free port");
+  return ntohs(address.sin_port);
 }
 
-std::unique_ptr<api::http::Server> own_server() {
-  using namespace api::http;
-  Router router;
-  router.add("GET", own_target, [body = own_body()](const Request&) {
-    Response response;
-    response.media_type = "application/prs.coverage+json";
-    response.body = body;
-    response.max_age_s = 60;
-    return response;
-  });
-  ServerOptions options;
-  options.metrics = std::make_shared<Metrics>(router.labels());
-  auto server = std::make_unique<Server>(options, router);
-  server->start();
-  return server;
-}
-
-/// A server that is started by its command line and ended with SIGTERM.
-class ForeignServer {
+/// The program serving a store with one forecast; ended with SIGTERM.
+class Service {
  public:
-  explicit ForeignServer(const std::string& command) {
-    std::string line = "exec " + command;
-    std::string shell = "sh";
-    std::string option = "-c";
-    char* argv[] = {shell.data(), option.data(), line.data(), nullptr};
-    if (::posix_spawnp(&process_, "sh", nullptr, nullptr, argv, environ) != 0) {
-      throw std::runtime_error("cannot start " + command);
-    }
+  Service() : port_(free_port()), file_(store_.file("forecast.nc")) {
+    slackwater_or_throw(store_.forecast_arguments(store_.store(), file_));
+    process_ = tests::start_program(
+        {"serve", "--store", store_.store().string(), "--port", std::to_string(port_)});
   }
-  ~ForeignServer() {
+  ~Service() {
     ::kill(process_, SIGTERM);
-    ::waitpid(process_, nullptr, 0);
+    tests::wait_for_program(process_);
   }
-  ForeignServer(const ForeignServer&) = delete;
-  ForeignServer& operator=(const ForeignServer&) = delete;
+  Service(const Service&) = delete;
+  Service& operator=(const Service&) = delete;
+
+  /// 50 levels, an instant between two stamps.
+  [[nodiscard]] std::string url(const Field& field) const {
+    const Snapshot& snapshot = field.snapshot();
+    const GeoPoint& point = snapshot.columns.front().point;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "http://127.0.0.1:%d/collections/currents/position?coords=POINT(%.6f%%20%.6f)"
+                  "&datetime=%s&z=R50/0/0.6&f=CoverageJSON",
+                  port_, point.longitude_deg(), point.latitude_deg(),
+                  format_utc(time_in(snapshot)).c_str());
+    return text;
+  }
+  [[nodiscard]] Field field() const {
+    return Field(std::make_shared<const Snapshot>(ingest::read_forecast(file_)));
+  }
+  [[nodiscard]] static UtcTime time_in(const Snapshot& snapshot) {
+    return snapshot.time.front() + std::chrono::minutes(617);
+  }
 
  private:
+  SyntheticStore store_;
+  std::uint16_t port_;
+  std::filesystem::path file_;
   pid_t process_ = -1;
 };
+
+/// Empty where the answer holds what the field holds, to six digits; else what is wrong.
+std::string fault_of(const std::string& body, const Field& field) {
+  const nlohmann::json answer = nlohmann::json::parse(body);
+  const GeoPoint& point = field.snapshot().columns.front().point;
+  const auto& depths = answer.at("domain").at("axes").at("z").at("values");
+  if (depths.size() != 50) return std::to_string(depths.size()) + " levels";
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    const CurrentSample expected =
+        field.current({point.longitude_deg(), point.latitude_deg(), depths[k].get<double>(),
+                       Service::time_in(field.snapshot())});
+    const auto& found = answer.at("ranges").at("eastward_sea_water_velocity").at("values").at(k);
+    if (found.is_null() == has_value(expected.status)) return "a value where there is none";
+    if (!found.is_null() && std::abs(found.get<double>() - expected.velocity_m_s.real()) > 2e-6)
+      return "another value at level " + std::to_string(k);
+  }
+  return {};
+}
 
 /// Waits up to half a minute for a server that is being started.
 std::optional<tests::HttpReply> first_answer(const LocalUrl& url) {
@@ -96,21 +124,21 @@ std::optional<tests::HttpReply> first_answer(const LocalUrl& url) {
   return std::nullopt;
 }
 
-bool check_answer(BenchReport& report, const LocalUrl& url, const std::string& expected) {
+bool check_answer(BenchReport& report, const LocalUrl& url, const Field* field) {
   const auto reply = first_answer(url);
-  const bool right = reply && reply->status == 200 && !reply->body.empty() &&
-                     reply->field("content-encoding").empty() &&
-                     (expected.empty() || reply->body == expected);
-  report.answer("http", right,
+  const bool answered = reply && reply->status == 200 && !reply->body.empty() &&
+                        reply->field("content-encoding").empty();
+  const std::string fault = answered && field != nullptr ? fault_of(reply->body, *field) : "";
+  report.answer("http", answered && fault.empty(),
                 !reply ? "no answer"
                        : "status " + std::to_string(reply->status) + ", " +
                              std::to_string(reply->body.size()) + " bytes of " +
-                             reply->field("content-type"));
-  return right;
+                             reply->field("content-type") + (fault.empty() ? "" : ": ") + fault);
+  return answered && fault.empty();
 }
 
-void bench_server(BenchReport& report, const std::string& url, const std::string& expected) {
-  if (!check_answer(report, parse_local_url(url), expected)) return;
+void bench_server(BenchReport& report, const std::string& url, const Field* field) {
+  if (!check_answer(report, parse_local_url(url), field)) return;
   const int seconds =
       report.options().check_only ? 1 : std::stoi(environment("SLACKWATER_HTTP_SECONDS", "5"));
   const auto load = load_with_wrk(url, seconds);
@@ -138,15 +166,12 @@ int main(int argc, char** argv) {
   BenchReport report(bench_options(argc, argv));
   try {
     const std::string url = environment("SLACKWATER_HTTP_URL", "");
-    const std::string command = environment("SLACKWATER_HTTP_SERVE", "");
-    std::unique_ptr<ForeignServer> foreign;
-    if (!command.empty()) foreign = std::make_unique<ForeignServer>(command);
     if (!url.empty()) {
-      bench_server(report, url, "");
+      bench_server(report, url, nullptr);
     } else {
-      const auto server = own_server();
-      bench_server(report, "http://127.0.0.1:" + std::to_string(server->port()) + own_target,
-                   own_body());
+      const Service service;
+      const Field field = service.field();
+      bench_server(report, service.url(field), &field);
     }
   } catch (const std::exception& problem) {
     report.answer("http", false, problem.what());
