@@ -60,7 +60,13 @@ struct Answer {
   std::vector<Coverage> coverages;  ///< one or more, all of one domain type
   Provenance provenance;
   std::vector<std::string> notes;  ///< why values are missing, and the like
-  std::string query_url;           ///< where to ask again; links of the formats that have them
+  std::string query_url;           ///< the end point that was asked
+  struct Link {
+    std::string rel;
+    std::string type;
+    std::string href;
+  };
+  std::vector<Link> links;  ///< for the formats that have a place for them
 };
 
 }  // namespace slackwater::api::edr

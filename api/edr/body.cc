@@ -11,7 +11,7 @@ namespace slackwater::api::edr {
 
 const std::vector<Format>& answer_formats() {
   static const std::vector<Format> formats{Format::coverage_json, Format::geojson, Format::csv,
-                                           Format::netcdf};
+                                           Format::netcdf, Format::json};
   return formats;
 }
 
@@ -19,6 +19,7 @@ Body write_answer(const Answer& answer, Format format) {
   const std::string type(media_type_of(format));
   switch (format) {
     case Format::coverage_json:
+    case Format::json:  // the same document, for who accepts no other name for it
       return {type, coverage_json(answer), {}};
     case Format::geojson:
       return {type, geojson(answer), {}};
@@ -28,7 +29,6 @@ Body write_answer(const Answer& answer, Format format) {
       return {type,
               netcdf(answer),
               {{"Content-Disposition", "attachment; filename=\"slackwater.nc\""}}};
-    case Format::json:
     case Format::html:
       break;
   }

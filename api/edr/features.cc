@@ -3,6 +3,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "api/edr/feature_filter.h"
 #include "api/edr/percent_code.h"
 
 namespace slackwater::api::edr {
@@ -21,8 +22,18 @@ json names_of(const Collection& collection, std::size_t members) {
   return names;
 }
 
-json self_link(const std::string& href) {
-  return {{"href", href}, {"rel", "self"}, {"type", "application/geo+json"}};
+/// To itself, to its other renditions, and to where its values are had.
+json feature_links(const std::string& href, const std::string& data) {
+  return {{{"href", href}, {"rel", "self"}, {"type", "application/geo+json"}},
+          {{"href", href + "?f=json"}, {"rel", "alternate"}, {"type", "application/json"}},
+          {{"href", href + "?f=html"}, {"rel", "alternate"}, {"type", "text/html"}},
+          {{"href", data}, {"rel", "data"}, {"type", "application/prs.coverage+json"}}};
+}
+
+slackwater::BoundingBox box_of(const ForecastCatalogue& catalogue, const std::string& site_id) {
+  for (const auto& site : catalogue.sites)
+    if (site.site_id == site_id) return site.field->range().box;
+  return {-180, -90, 180, 90};
 }
 
 json footprint(const slackwater::BoundingBox& box) {
@@ -59,57 +70,55 @@ std::optional<LocationName> location_named(const std::string& name,
 }
 
 json locations_document(const std::string& at, const Collection& collection,
-                        const std::vector<std::shared_ptr<const Field>>& fields) {
+                        const std::vector<std::shared_ptr<const Field>>& fields,
+                        const QueryString& query) {
+  const FeatureFilter filter(at + "/locations", query);
   json features = json::array();
   for (const auto& field : fields) {
     const Snapshot& snapshot = field->snapshot();
+    const UtcTime from = snapshot.time.front();
+    const UtcTime to = snapshot.time.back();
     const json names = names_of(collection, snapshot.members);
     for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {
       const ForecastColumn& column = snapshot.columns[c];
+      const double x = column.point.longitude_deg();
+      const double y = column.point.latitude_deg();
+      if (!filter.takes({x, y, x, y}, from, to)) continue;
       const std::string id = name_of_column(snapshot.site_id, c);
-      features.push_back(
-          {{"type", "Feature"},
-           {"id", id},
-           {"geometry",
-            {{"type", "Point"},
-             {"coordinates", {column.point.longitude_deg(), column.point.latitude_deg()}}}},
-           {"properties",
-            {{"datetime",
-              format_utc(snapshot.time.front()) + "/" + format_utc(snapshot.time.back())},
-             {"parameter-name", names},
-             {"label",
-              c == 0 ? snapshot.site_name : snapshot.site_name + ", column " + std::to_string(c)},
-             {"edrqueryendpoint", at + "/locations/" + percent_encoded(id)},
-             {"water_depth_m", column.water_depth_m}}}});
+      const std::string label =
+          c == 0 ? snapshot.site_name : snapshot.site_name + ", column " + std::to_string(c);
+      features.push_back({{"type", "Feature"},
+                          {"id", id},
+                          {"geometry", {{"type", "Point"}, {"coordinates", {x, y}}}},
+                          {"properties",
+                           {{"datetime", format_utc(from) + "/" + format_utc(to)},
+                            {"parameter-name", names},
+                            {"label", label},
+                            {"edrqueryendpoint", at + "/locations/" + percent_encoded(id)},
+                            {"water_depth_m", column.water_depth_m}}}});
     }
   }
-  return {{"type", "FeatureCollection"},
-          {"numberMatched", features.size()},
-          {"numberReturned", features.size()},
-          {"links", json::array({self_link(at + "/locations")})},
-          {"features", features}};
+  return filter.page(std::move(features));
 }
 
 json item_document(const std::string& base, const Collection& collection,
                    const ForecastCatalogue& catalogue, const IssuedForecast& forecast) {
   const std::string at = base + "/collections/" + collection.id;
-  json geometry = nullptr;
+  const std::string data = at + "/instances/" + percent_encoded(forecast.instance);
   std::size_t members = 1;
-  for (const auto& site : catalogue.sites) {
-    if (site.site_id != forecast.row.site_id) continue;
-    geometry = footprint(site.field->range().box);
-    members = site.field->snapshot().members;
-  }
+  for (const auto& site : catalogue.sites)
+    if (site.site_id == forecast.row.site_id) members = site.field->snapshot().members;
   return {
       {"type", "Feature"},
       {"id", forecast.instance},
-      {"geometry", geometry},
-      {"links", json::array({self_link(at + "/items/" + percent_encoded(forecast.instance))})},
+      {"geometry", footprint(box_of(catalogue, forecast.row.site_id))},
+      {"links",
+       feature_links(at + "/items/" + percent_encoded(forecast.instance), data + "/position")},
       {"properties",
        {{"datetime", format_utc(forecast.row.valid_from) + "/" + format_utc(forecast.row.valid_to)},
         {"parameter-name", names_of(collection, members)},
         {"label", forecast.row.site_id + ", issued " + format_utc(forecast.row.issued)},
-        {"edrqueryendpoint", at + "/instances/" + percent_encoded(forecast.instance)},
+        {"edrqueryendpoint", data + "/position"},
         {"site", forecast.row.site_id},
         {"day", format_day(forecast.row.day)},
         {"issued", format_utc(forecast.row.issued)},
@@ -121,15 +130,17 @@ json item_document(const std::string& base, const Collection& collection,
 }
 
 json items_document(const std::string& base, const Collection& collection,
-                    const ForecastCatalogue& catalogue) {
+                    const ForecastCatalogue& catalogue, const QueryString& query) {
+  const FeatureFilter filter(base + "/collections/" + collection.id + "/items", query);
   json features = json::array();
-  for (const IssuedForecast& forecast : catalogue.instances)
+  for (const IssuedForecast& forecast : catalogue.instances) {
+    if (!filter.takes(box_of(catalogue, forecast.row.site_id), forecast.row.valid_from,
+                      forecast.row.valid_to)) {
+      continue;
+    }
     features.push_back(item_document(base, collection, catalogue, forecast));
-  return {{"type", "FeatureCollection"},
-          {"numberMatched", features.size()},
-          {"numberReturned", features.size()},
-          {"links", json::array({self_link(base + "/collections/" + collection.id + "/items")})},
-          {"features", features}};
+  }
+  return filter.page(std::move(features));
 }
 
 }  // namespace slackwater::api::edr

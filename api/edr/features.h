@@ -4,6 +4,7 @@
 #include <string>
 
 #include "api/edr/collection.h"
+#include "api/edr/query_string.h"
 #include "api/pipeline/issued_fields.h"
 
 // Locations (the columns of each site) and items (issued forecasts) as GeoJSON features.
@@ -20,13 +21,14 @@ struct LocationName {
                                                          const ForecastCatalogue& catalogue,
                                                          const Field* field = nullptr);
 
-/// All locations of the forecasts in force, or of one forecast.
+/// Locations of the forecasts in force, or of one forecast; which of them the query says (feature_filter.h).
 [[nodiscard]] nlohmann::json locations_document(
     const std::string& at, const Collection& collection,
-    const std::vector<std::shared_ptr<const Field>>& fields);
+    const std::vector<std::shared_ptr<const Field>>& fields, const QueryString& query);
 
 [[nodiscard]] nlohmann::json items_document(const std::string& base, const Collection& collection,
-                                            const ForecastCatalogue& catalogue);
+                                            const ForecastCatalogue& catalogue,
+                                            const QueryString& query);
 [[nodiscard]] nlohmann::json item_document(const std::string& base, const Collection& collection,
                                            const ForecastCatalogue& catalogue,
                                            const IssuedForecast& forecast);

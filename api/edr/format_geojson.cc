@@ -142,10 +142,18 @@ class FeatureWriter {
   }
 
   void links() {
-    if (answer_.query_url.empty()) return;
-    out_ += ",\"links\":[{\"rel\":\"self\",\"type\":\"application/geo+json\",\"href\":";
-    append_string(out_, answer_.query_url);
-    out_ += "}]";
+    if (answer_.links.empty()) return;
+    out_ += ",\"links\":[";
+    for (const Answer::Link& link : answer_.links) {
+      out_ += out_.back() == '[' ? "{\"rel\":" : ",{\"rel\":";
+      append_string(out_, link.rel);
+      out_ += ",\"type\":";
+      append_string(out_, link.type);
+      out_ += ",\"href\":";
+      append_string(out_, link.href);
+      out_ += '}';
+    }
+    out_ += ']';
   }
 
   const Answer& answer_;

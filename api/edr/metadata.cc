@@ -55,20 +55,25 @@ json parameter_names(const Collection& collection, std::size_t members) {
           {"symbol", {{"value", p.unit}, {"type", "http://www.opengis.net/def/uom/UCUM/"}}}}},
         {"observedProperty",
          {{"id", "http://vocab.nerc.ac.uk/standard_name/" + p.standard_name + "/"},
-          {"label", p.label}}},
+          {"label", {{"en", p.label}}}}},
         {"measurementType", {{"method", p.method}}}};
   }
   return names;
 }
 
+/// What a document says of each query: all, or, where hundreds of instances are listed, what it must.
+enum class Detail { whole, brief };
+
 json query_link(const std::string& at, std::string_view name, std::string_view title,
-                std::string_view description) {
+                std::string_view description, Detail detail) {
   json variables = {{"title", title},
-                    {"description", description},
                     {"query_type", name},
                     {"output_formats", formats()},
-                    {"default_output_format", "CoverageJSON"},
-                    {"crs_details", json::array({{{"crs", "CRS84"}, {"wkt", crs84_wkt}}})}};
+                    {"default_output_format", "CoverageJSON"}};
+  if (detail == Detail::whole) {
+    variables["description"] = description;
+    variables["crs_details"] = json::array({{{"crs", "CRS84"}, {"wkt", crs84_wkt}}});
+  }
   json units = json::array();
   for (const std::string_view unit : distance_units()) units.push_back(unit);
   if (name == "radius") variables["within_units"] = units;
@@ -85,34 +90,44 @@ json query_link(const std::string& at, std::string_view name, std::string_view t
             {"variables", variables}}}};
 }
 
-json data_queries(const std::string& at) {
+json data_queries(const std::string& at, Detail detail) {
   json queries = json::object();
   for (const QueryType& type : query_types())
-    queries[std::string(type.name)] = query_link(at, type.name, type.title, type.description);
+    queries[std::string(type.name)] =
+        query_link(at, type.name, type.title, type.description, detail);
   queries["locations"] =
-      query_link(at, "locations", "Locations", "The columns of each site by name");
-  queries["items"] = query_link(at, "items", "Items", "Issued forecasts as features");
-  for (const char* features : {"items"}) {
-    json& variables = queries[features]["link"]["variables"];
-    variables["output_formats"] = json::array({"GeoJSON"});
-    variables["default_output_format"] = "GeoJSON";
-  }
+      query_link(at, "locations", "Locations", "The columns of each site by name", detail);
   return queries;
 }
 
+/// Items are the instances as features: of a collection alone.
+json items_query(const std::string& at) {
+  json query = query_link(at, "items", "Items", "Issued forecasts as features", Detail::whole);
+  json& variables = query["link"]["variables"];
+  variables["output_formats"] = json::array({"GeoJSON", "JSON", "HTML"});
+  variables["default_output_format"] = "GeoJSON";
+  return query;
+}
+
+/// A link to a document and to its rendition for people.
+json self_links(const std::string& href, const std::string& title) {
+  return json::array({link(href, "self", "application/json", title),
+                      link(href + "?f=html", "alternate", "text/html", title)});
+}
+
 json described(const std::string& at, const Collection& collection, std::size_t members,
-               const std::vector<std::shared_ptr<const Field>>& fields) {
+               const std::vector<std::shared_ptr<const Field>>& fields, Detail detail) {
+  json links = self_links(at, collection.title);
+  links.push_back(link(at + "/position", "data", "application/prs.coverage+json", "Position"));
+  links.push_back(link(at + "/locations", "data", "application/geo+json", "Locations"));
   return {{"id", collection.id},
           {"title", collection.title},
           {"description", collection.description},
           {"keywords", collection.keywords},
-          {"links",
-           {link(at, "self", "application/json", collection.title),
-            link(at + "/position", "data", "application/prs.coverage+json", "Position"),
-            link(at + "/locations", "items", "application/geo+json", "Locations")}},
+          {"links", links},
           {"extent", extent_of(collection, fields)},
-          {"data_queries", data_queries(at)},
-          {"crs", {"CRS84", "EPSG:4326", std::string(crs84_uri)}},
+          {"data_queries", data_queries(at, detail)},
+          {"crs", crs_names()},
           {"output_formats", formats()},
           {"parameter_names", parameter_names(collection, members)}};
 }
@@ -129,6 +144,18 @@ std::size_t most_members(const std::vector<std::shared_ptr<const Field>>& fields
   return members;
 }
 
+/// @param stamps  how many there are, hourly; 0 where the interval is all that is said
+json temporal_extent(UtcTime from, UtcTime to, std::size_t stamps) {
+  // Stamps of a forecast are hourly, both ends included (see Snapshot::time).
+  const bool is_hourly = stamps > 1 && to - from == std::chrono::hours(stamps - 1);
+  const std::string values = is_hourly
+                                 ? "R" + std::to_string(stamps) + "/" + format_utc(from) + "/PT1H"
+                                 : format_utc(from) + "/" + format_utc(to);
+  return {{"interval", json::array({json::array({format_utc(from), format_utc(to)})})},
+          {"values", json::array({values})},
+          {"trs", gregorian}};
+}
+
 std::string place_of(const std::string& base, const Collection& collection) {
   return base + "/collections/" + collection.id;
 }
@@ -143,8 +170,10 @@ json landing_page(const std::string& base) {
           {"keywords", {"current", "wind", "waves", "forecast", "offshore wind"}},
           {"links",
            {link(base + "/", "self", "application/json", "This page"),
+            link(base + "/?f=html", "alternate", "text/html", "This page"),
             link(base + "/api", "service-desc", "application/vnd.oai.openapi+json;version=3.0",
                  "The interface as OpenAPI 3.0"),
+            link(base + "/api?f=html", "service-doc", "text/html", "The interface for people"),
             link(base + "/conformance", "conformance", "application/json",
                  "Conformance classes of OGC API-EDR 1.1"),
             link(base + "/collections", "data", "application/json", "Collections")}},
@@ -189,15 +218,7 @@ json extent_of(const Collection& collection,
   extent["spatial"]["bbox"] =
       json::array({json::array({box.west_deg, box.south_deg, box.east_deg, box.north_deg})});
   const Snapshot& first = fields.front()->snapshot();
-  extent["temporal"] = {
-      {"interval", json::array({json::array({format_utc(from), format_utc(to)})})},
-      {"trs", gregorian}};
-  if (fields.size() == 1) {
-    extent["temporal"]["values"] =
-        json::array({"R" + std::to_string(first.time.size()) + "/" + format_utc(from) + "/PT1H"});
-  } else {
-    extent["temporal"]["values"] = json::array({format_utc(from) + "/" + format_utc(to)});
-  }
+  extent["temporal"] = temporal_extent(from, to, fields.size() == 1 ? first.time.size() : 0);
   if (collection.vertical != Vertical::none) {
     json values = json::array();
     for (const double level : levels) values.push_back(shortest(level));
@@ -212,9 +233,12 @@ json extent_of(const Collection& collection,
 json collection_document(const std::string& base, const Collection& collection,
                          const ForecastCatalogue& catalogue) {
   const auto fields = fields_of(catalogue);
-  json document = described(place_of(base, collection), collection, most_members(fields), fields);
-  document["links"].push_back(link(place_of(base, collection) + "/instances", "items",
-                                   "application/json", "Issued forecasts"));
+  const std::string at = place_of(base, collection);
+  json document = described(at, collection, most_members(fields), fields, Detail::whole);
+  document["data_queries"]["items"] = items_query(at);
+  document["links"].push_back(link(at + "/items", "items", "application/geo+json", "Items"));
+  document["links"].push_back(
+      link(at + "/instances", "instance", "application/json", "Issued forecasts"));
   return document;
 }
 
@@ -222,47 +246,48 @@ json collections_document(const std::string& base, const ForecastCatalogue& cata
   json list = json::array();
   for (const Collection& collection : collections())
     list.push_back(collection_document(base, collection, catalogue));
-  return {{"links",
-           json::array({link(base + "/collections", "self", "application/json", "Collections")})},
-          {"collections", list}};
+  return {{"links", self_links(base + "/collections", "Collections")}, {"collections", list}};
 }
 
-json instance_document(const std::string& base, const Collection& collection,
-                       const IssuedForecast& forecast, const Field& field) {
+namespace {
+
+/// An instance. Its columns are those of the site's forecast in force: a list must not open hundreds of
+/// files, and an instance by name says of itself what the list says of it.
+json described_instance(const std::string& base, const Collection& collection,
+                        const ForecastCatalogue& catalogue, const IssuedForecast& forecast,
+                        Detail detail) {
+  std::vector<std::shared_ptr<const Field>> of_site;
+  for (const auto& site : catalogue.sites) {
+    if (site.site_id == forecast.row.site_id) of_site.push_back(site.field);
+  }
   const std::string at = place_of(base, collection) + "/instances/" + forecast.instance;
-  const std::shared_ptr<const Field> unowned(std::shared_ptr<const Field>(), &field);
-  json document = described(at, collection, field.snapshot().members, {unowned});
+  json document = described(at, collection, most_members(of_site), of_site, detail);
   document["id"] = forecast.instance;
-  document["title"] = collection.title + " as issued " + format_utc(forecast.row.issued) + " for " +
-                      forecast.row.site_id;
+  document["title"] = collection.title + ", " + forecast.row.site_id + ", issued " +
+                      format_utc(forecast.row.issued);
   document["description"] = forecast.row.headline;
+  const UtcTime from = forecast.row.valid_from;
+  const UtcTime to = forecast.row.valid_to;
+  document["extent"]["temporal"] =
+      temporal_extent(from, to, static_cast<std::size_t>(1 + (to - from) / std::chrono::hours(1)));
+  document["links"].push_back(link(place_of(base, collection), "collection", "application/json",
+                                   collection.title + ", forecasts in force"));
   return document;
+}
+
+}  // namespace
+
+json instance_document(const std::string& base, const Collection& collection,
+                       const ForecastCatalogue& catalogue, const IssuedForecast& forecast) {
+  return described_instance(base, collection, catalogue, forecast, Detail::whole);
 }
 
 json instances_document(const std::string& base, const Collection& collection,
                         const ForecastCatalogue& catalogue) {
   json list = json::array();
-  for (const IssuedForecast& forecast : catalogue.instances) {
-    const std::string at = place_of(base, collection) + "/instances/" + forecast.instance;
-    // Without opening each file: the box is that of the site's forecast in force.
-    std::vector<std::shared_ptr<const Field>> of_site;
-    for (const auto& site : catalogue.sites) {
-      if (site.site_id == forecast.row.site_id) of_site.push_back(site.field);
-    }
-    json document = described(at, collection, most_members(of_site), of_site);
-    document["id"] = forecast.instance;
-    document["title"] = forecast.row.site_id + ", issued " + format_utc(forecast.row.issued);
-    document["description"] = forecast.row.headline;
-    json& temporal = document["extent"]["temporal"];
-    temporal["interval"] = json::array(
-        {json::array({format_utc(forecast.row.valid_from), format_utc(forecast.row.valid_to)})});
-    temporal["values"] = json::array(
-        {format_utc(forecast.row.valid_from) + "/" + format_utc(forecast.row.valid_to)});
-    temporal["trs"] = gregorian;
-    list.push_back(std::move(document));
-  }
-  return {{"links", json::array({link(place_of(base, collection) + "/instances", "self",
-                                      "application/json", "Issued forecasts")})},
+  for (const IssuedForecast& forecast : catalogue.instances)
+    list.push_back(described_instance(base, collection, catalogue, forecast, Detail::brief));
+  return {{"links", self_links(place_of(base, collection) + "/instances", "Issued forecasts")},
           {"instances", list}};
 }
 

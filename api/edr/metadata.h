@@ -24,10 +24,11 @@ namespace slackwater::api::edr {
 [[nodiscard]] nlohmann::json instances_document(const std::string& base,
                                                 const Collection& collection,
                                                 const ForecastCatalogue& catalogue);
-/// One issued forecast of a collection.
+/// One issued forecast of a collection; identifier, title, description and extent as in the list.
 [[nodiscard]] nlohmann::json instance_document(const std::string& base,
                                                const Collection& collection,
-                                               const IssuedForecast& forecast, const Field& field);
+                                               const ForecastCatalogue& catalogue,
+                                               const IssuedForecast& forecast);
 
 /// The extent of fields as OGC wants it: box, times, verticals.
 [[nodiscard]] nlohmann::json extent_of(const Collection& collection,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "api/edr/bad_parameter.h"
 #include "api/edr/distance.h"
@@ -8,6 +9,7 @@
 #include "api/edr/wkt.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/geo/geo_point.h"
 
 // Trajectory and corridor: samples along lines.
 
@@ -146,10 +148,89 @@ std::vector<double> offsets(double whole, std::size_t count) {
   return out;
 }
 
-std::size_t count_of(const QueryString& query, std::string_view key, std::size_t otherwise) {
+double length_m(const Path& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    length +=
+        distance_m(GeoPoint::from_degrees(line[i - 1].latitude_deg, line[i - 1].longitude_deg),
+                   GeoPoint::from_degrees(line[i].latitude_deg, line[i].longitude_deg));
+  return length;
+}
+
+/// How many positions span a length at the spacing of the forecast's columns, ends included; as few as
+/// `least` where it has but one column.
+std::size_t stored_count(const Selection& s, double length, std::size_t least) {
+  const auto& columns = s.field->snapshot().columns;
+  double spacing_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < columns.size(); ++i)
+    spacing_m = std::min(spacing_m, distance_m(columns.front().point, columns[i].point));
+  if (!(spacing_m > 0) || !std::isfinite(spacing_m)) return least;
+  const double steps = std::min(std::ceil(length / spacing_m), static_cast<double>(max_resolution));
+  return std::max(least, static_cast<std::size_t>(steps) + 1);
+}
+
+/// A resolution-x, -y or -z: nothing where it is absent, 0 for "as stored".
+std::optional<std::size_t> asked_count(const QueryString& query, std::string_view key) {
   const auto text = query.find(key);
-  if (!text) return otherwise;
-  return parse_resolution(key, *text).value_or(otherwise);
+  if (!text) return std::nullopt;
+  return parse_resolution(key, *text).value_or(0);
+}
+
+/// Levels of the corridor about `middle`: its stored levels between the two ends, and the ends.
+std::vector<double> stored_levels(const Selection& s, double middle, double height_m) {
+  std::vector<double> levels{middle - 0.5 * height_m};
+  for (const double level : all_levels(*s.collection, *s.field))
+    if (std::abs(level - middle) < 0.5 * height_m) levels.push_back(level);
+  levels.push_back(middle + 0.5 * height_m);
+  return levels;
+}
+
+/// Where a corridor is sampled across its width and, about a level, over its height.
+struct Section {
+  std::vector<double> across_m;
+  double height_m = 0;
+  std::size_t upward = 1;  ///< positions over the height; 0: as stored
+
+  [[nodiscard]] std::vector<double> levels(const Selection& s, double middle) const {
+    if (s.collection->vertical == Vertical::none) return {middle};
+    if (upward == 0) return stored_levels(s, middle, height_m);
+    std::vector<double> all = offsets(height_m, upward);
+    for (double& level : all) level += middle;
+    return all;
+  }
+};
+
+constexpr std::size_t usual_count = 3;  ///< both borders and the middle
+
+Section section_of(const Selection& s, const QueryString& query) {
+  const double width_m =
+      parse_distance_m("corridor-width", query.find("corridor-width").value_or(""), "width-units",
+                       query.find("width-units").value_or(""));
+  Section section;
+  section.height_m = parse_distance_m("corridor-height", query.find("corridor-height").value_or(""),
+                                      "height-units", query.find("height-units").value_or(""));
+  std::size_t across = asked_count(query, "resolution-x").value_or(usual_count);
+  if (across == 0) across = stored_count(s, width_m, 2);
+  section.across_m = offsets(width_m, across);
+  section.upward = asked_count(query, "resolution-z").value_or(usual_count);
+  return section;
+}
+
+/// The line of a corridor at the positions of resolution-y; its vertices where that is absent.
+Path along_line(const Selection& s, const QueryString& query, const Path& line) {
+  const auto count = asked_count(query, "resolution-y");
+  if (!count) return line;
+  return resampled(line, *count > 0 ? *count : stored_count(s, length_m(line), line.size()));
+}
+
+/// A corridor's lines at one level of its middle, or at the vertices' own (`level` is added to them).
+void add_lines(std::vector<Path>& paths, const Path& line, const std::vector<double>& levels,
+               bool is_relative) {
+  for (const double level : levels) {
+    paths.push_back(line);
+    for (Vertex& vertex : paths.back())
+      vertex.vertical = is_relative ? vertex.vertical + level : level;
+  }
 }
 
 }  // namespace
@@ -185,45 +266,34 @@ Answer trajectory_answer(Selection s, const QueryString& query) {
 
 Answer corridor_answer(Selection s, const QueryString& query) {
   const Geometry lines = lines_of(query);
-  const double width_m =
-      parse_distance_m("corridor-width", query.find("corridor-width").value_or(""), "width-units",
-                       query.find("width-units").value_or(""));
-  const double height_m =
-      parse_distance_m("corridor-height", query.find("corridor-height").value_or(""),
-                       "height-units", query.find("height-units").value_or(""));
+  const Section section = section_of(s, query);
   expect_reached(s, lines);
   const std::vector<UtcTime> times = times_beside(s, lines, query);
-  const bool has_vertical = s.collection->vertical != Vertical::none;
   // Without a vertical of its own the corridor runs about the levels of z, else about the middle of the range.
   std::vector<double> about{0};
-  if (has_vertical && !lines.has_vertical) {
+  const bool is_relative = lines.has_vertical && s.collection->vertical != Vertical::none;
+  if (s.collection->vertical != Vertical::none && !lines.has_vertical) {
     const auto [low, high] = vertical_range(*s.collection, *s.field);
-    about = query.find("z") ? verticals_of(s, query, s.field->range().deepest_m)
-                            : std::vector{std::min(low + 0.5 * height_m, 0.5 * (low + high))};
+    about = query.find("z")
+                ? verticals_of(s, query, s.field->range().deepest_m)
+                : std::vector{std::min(low + 0.5 * section.height_m, 0.5 * (low + high))};
   }
-  const std::size_t along_count = count_of(query, "resolution-x", 0);
-  const std::vector<double> across = offsets(width_m, count_of(query, "resolution-y", 3));
-  const std::vector<double> upward =
-      has_vertical ? offsets(height_m, count_of(query, "resolution-z", 3)) : std::vector{0.0};
+  std::vector<double> levels;
+  for (const double middle : about)
+    for (const double level : section.levels(s, middle)) levels.push_back(level);
+  std::vector<Path> middle_lines;
   std::size_t vertices = 0;
-  for (const Part& part : lines.parts)
-    vertices += along_count > 0 ? along_count : part.front().size();
-  expect_moderate(s, vertices * across.size() * upward.size() * about.size() *
-                         (lines.has_time ? 1 : times.size()));
-  std::vector<Path> paths;
   for (const Part& part : lines.parts) {
-    const Path line = resampled(part.front(), along_count);
-    for (const double sideways : across) {
-      for (const Path& timed : at_times(beside(line, sideways), lines.has_time, times)) {
-        for (const double level : about) {
-          for (const double up : upward) {
-            Path path = timed;
-            for (Vertex& vertex : path)
-              vertex.vertical = (lines.has_vertical ? vertex.vertical : level) + up;
-            paths.push_back(std::move(path));
-          }
-        }
-      }
+    middle_lines.push_back(along_line(s, query, part.front()));
+    vertices += middle_lines.back().size();
+  }
+  expect_moderate(
+      s, vertices * section.across_m.size() * levels.size() * (lines.has_time ? 1 : times.size()));
+  std::vector<Path> paths;
+  for (const Path& line : middle_lines) {
+    for (const double sideways : section.across_m) {
+      for (const Path& timed : at_times(beside(line, sideways), lines.has_time, times))
+        add_lines(paths, timed, levels, is_relative);
     }
   }
   return along_all(std::move(s), paths);

@@ -7,9 +7,12 @@
 #include "api/edr/bbox.h"
 #include "api/edr/body.h"
 #include "api/edr/crs.h"
+#include "api/edr/feature_filter.h"
 #include "api/edr/features.h"
+#include "api/edr/html_page.h"
 #include "api/edr/metadata.h"
 #include "api/edr/openapi.h"
+#include "api/edr/percent_code.h"
 #include "api/edr/queries.h"
 #include "api/edr/wkt.h"
 #include "fields/base/error.h"
@@ -26,8 +29,16 @@ constexpr int in_force_max_age_s = 30;
 constexpr int issued_max_age_s = 86400;
 constexpr int metadata_max_age_s = 10;
 
-constexpr std::array document_formats{Format::json};
-constexpr std::array feature_formats{Format::geojson, Format::json};
+constexpr std::array document_formats{Format::json, Format::html};
+constexpr std::array feature_formats{Format::geojson, Format::json, Format::html};
+constexpr const char* openapi_type = "application/vnd.oai.openapi+json;version=3.0";
+
+/// What is negotiated by Accept must say so to caches.
+const std::pair<std::string, std::string> varies{"Vary", "Accept"};
+
+Response page_response(std::string html) {
+  return {200, "text/html; charset=utf-8", std::move(html), {varies}, metadata_max_age_s};
+}
 
 bool is_plain_host(const std::string& host) {
   return !host.empty() && host.size() < 256 && std::all_of(host.begin(), host.end(), [](char c) {
@@ -94,16 +105,36 @@ class Service {
     return is_plain_host(request.host) ? "http://" + request.host : std::string();
   }
 
-  /// A JSON document of the service about itself.
+  /// What the service says of itself, as JSON, GeoJSON or a page.
+  /// @param others  query parameters that it takes beside f
   template <typename Make>
-  Response document(const Request& request, std::span<const Format> formats, const char* media_type,
-                    Make make) const {
+  Response document(const Request& request, std::span<const Format> formats,
+                    std::span<const std::string_view> others, Make make) const {
+    const QueryString query = QueryString::parse(request.query);
+    std::vector<std::string_view> known{"f"};
+    known.insert(known.end(), others.begin(), others.end());
+    expect_known(query, known);
+    const Format format = choose_format(query.find("f").value_or(""), request.accept, formats);
+    const nlohmann::json made = make(base(request), *forecasts_->catalogue(), query);
+    if (format == Format::html) return page_response(html_page("Slackwater " + request.path, made));
+    return {200, std::string(media_type_of(format)), made.dump(), {varies}, metadata_max_age_s};
+  }
+
+  /// The OpenAPI document: under its own media type, as plain JSON for who asks for that, or as a page.
+  [[nodiscard]] Response openapi(const Request& request) const {
     const QueryString query = QueryString::parse(request.query);
     constexpr std::array<std::string_view, 1> known{"f"};
     expect_known(query, known);
-    static_cast<void>(choose_format(query.find("f").value_or(""), request.accept, formats));
-    const nlohmann::json made = make(base(request), *forecasts_->catalogue());
-    return {200, media_type, made.dump(), {}, metadata_max_age_s};
+    const auto f = query.find("f").value_or("");
+    const Format format = choose_format(f, request.accept, document_formats);
+    const nlohmann::json made = openapi_document(base(request), *forecasts_->catalogue());
+    if (format == Format::html) return page_response(html_of_interface(made));
+    const bool is_plain = !f.empty() || request.accept.starts_with("application/json");
+    return {200,
+            is_plain ? "application/json" : openapi_type,
+            made.dump(),
+            {varies},
+            metadata_max_age_s};
   }
 
   Response data(const Request& request, const QueryType& type, const PathParameters& path,
@@ -165,6 +196,22 @@ class Service {
     return choose_format(query.find("f").value_or(""), request.accept, answer_formats());
   }
 
+  /// An answer as GeoJSON: itself, its other renditions, and the end point that gave it.
+  static std::vector<Answer::Link> links_of(const std::string& endpoint, const std::string& query) {
+    std::string asked = endpoint + "?";
+    const QueryString parameters = QueryString::parse(query);
+    for (const auto& [key, value] : parameters.all())
+      if (key != "f") asked += percent_encoded(key) + "=" + percent_encoded(value) + "&";
+    std::vector<Answer::Link> links;
+    for (const Format format : answer_formats()) {
+      links.push_back({format == Format::geojson ? "self" : "alternate",
+                       std::string(media_type_of(format)),
+                       asked + "f=" + std::string(name_of(format))});
+    }
+    links.push_back({"data", "application/prs.coverage+json", endpoint});
+    return links;
+  }
+
   Selection in_force(const Collection& collection, const ForecastCatalogue& catalogue,
                      const ForecastCatalogue::SiteForecast* site, const QueryString& query) const {
     if (site == nullptr) {
@@ -182,10 +229,11 @@ class Service {
 
   Response told(const Request& request, Answer answer, Format format, int max_age_s) const {
     answer.query_url = base(request) + request.path;
+    if (format == Format::geojson) answer.links = links_of(answer.query_url, request.query);
     Body body = write_answer(answer, format);
-    Response response{200, std::move(body.media_type), std::move(body.bytes),
-                      std::move(body.headers), max_age_s};
-    return response;
+    body.headers.push_back(varies);
+    return {200, std::move(body.media_type), std::move(body.bytes), std::move(body.headers),
+            max_age_s};
   }
 
   std::shared_ptr<IssuedFields> forecasts_;
@@ -197,84 +245,78 @@ class Service {
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url) {
   const auto service = std::make_shared<const Service>(std::move(forecasts), base_url);
-  constexpr const char* json_type = "application/json";
-  constexpr const char* geojson_type = "application/geo+json";
-  const auto document = [&](const char* pattern, std::span<const Format> formats, const char* type,
-                            auto make) {
+  using Catalogue = ForecastCatalogue;
+  const auto add = [&](const std::string& pattern, std::span<const Format> formats,
+                       std::span<const std::string_view> others, auto make) {
     router.add("GET", pattern, [=](const Request& request, const PathParameters& path) {
-      return service->document(request, formats, type,
-                               [&](const std::string& base, const ForecastCatalogue& catalogue) {
-                                 return make(base, catalogue, path);
-                               });
+      return service->document(
+          request, formats, others,
+          [&](const std::string& base, const Catalogue& catalogue, const QueryString& query) {
+            return make(base, catalogue, path, query);
+          });
     });
+  };
+  const auto document = [&](const std::string& pattern, auto make) {
+    add(pattern, document_formats, {}, make);
+  };
+  const auto features = [&](const std::string& pattern, auto make) {
+    add(pattern, feature_formats, FeatureFilter::parameters(), make);
   };
   const auto collection_of = [](const PathParameters& path) -> const Collection& {
     return collection_named(path.at("collectionId"));
   };
-  document("/", document_formats, json_type,
-           [](const std::string& base, const ForecastCatalogue&, const PathParameters&) {
-             return landing_page(base);
+  const std::string collection = "/collections/{collectionId}";
+  const std::string instance = collection + "/instances/{instanceId}";
+
+  document("/", [](const std::string& base, const Catalogue&, const auto&, const auto&) {
+    return landing_page(base);
+  });
+  document("/conformance", [](const std::string&, const Catalogue&, const auto&, const auto&) {
+    return conformance();
+  });
+  router.add("GET", "/api",
+             [=](const Request& request, const auto&) { return service->openapi(request); });
+  document("/collections", [](const std::string& base, const Catalogue& catalogue, const auto&,
+                              const auto&) { return collections_document(base, catalogue); });
+  document(collection,
+           [=](const std::string& base, const Catalogue& catalogue, const auto& path, const auto&) {
+             return collection_document(base, collection_of(path), catalogue);
            });
-  document("/conformance", document_formats, json_type,
-           [](const std::string&, const ForecastCatalogue&, const PathParameters&) {
-             return conformance();
+  document(collection + "/instances",
+           [=](const std::string& base, const Catalogue& catalogue, const auto& path, const auto&) {
+             return instances_document(base, collection_of(path), catalogue);
            });
-  document("/api", document_formats, "application/vnd.oai.openapi+json;version=3.0",
-           [](const std::string& base, const ForecastCatalogue&, const PathParameters&) {
-             return openapi_document(base);
+  document(instance,
+           [=](const std::string& base, const Catalogue& catalogue, const auto& path, const auto&) {
+             return instance_document(base, collection_of(path), catalogue,
+                                      service->instance(catalogue, path.at("instanceId")));
            });
-  document("/collections", document_formats, json_type,
-           [](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters&) {
-             return collections_document(base, catalogue);
-           });
-  document(
-      "/collections/{collectionId}", document_formats, json_type,
-      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
-        return collection_document(base, collection_of(path), catalogue);
-      });
-  document(
-      "/collections/{collectionId}/instances", document_formats, json_type,
-      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
-        return instances_document(base, collection_of(path), catalogue);
-      });
-  document(
-      "/collections/{collectionId}/instances/{instanceId}", document_formats, json_type,
-      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
-        const std::string& name = path.at("instanceId");
-        return instance_document(base, collection_of(path), service->instance(catalogue, name),
-                                 *service->field(name));
-      });
-  document(
-      "/collections/{collectionId}/items", feature_formats, geojson_type,
-      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
-        return items_document(base, collection_of(path), catalogue);
-      });
-  document(
-      "/collections/{collectionId}/items/{itemId}", feature_formats, geojson_type,
-      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
+  features(collection + "/items", [=](const std::string& base, const Catalogue& catalogue,
+                                      const auto& path, const QueryString& query) {
+    return items_document(base, collection_of(path), catalogue, query);
+  });
+  add(collection + "/items/{itemId}", feature_formats, {},
+      [=](const std::string& base, const Catalogue& catalogue, const auto& path, const auto&) {
         return item_document(base, collection_of(path), catalogue,
                              service->instance(catalogue, path.at("itemId")));
       });
-  document(
-      "/collections/{collectionId}/locations", feature_formats, geojson_type,
-      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
-        std::vector<std::shared_ptr<const Field>> fields;
-        for (const auto& site : catalogue.sites) fields.push_back(site.field);
-        return locations_document(base + "/collections/" + path.at("collectionId"),
-                                  collection_of(path), fields);
-      });
-  document(
-      "/collections/{collectionId}/instances/{instanceId}/locations", feature_formats, geojson_type,
-      [=](const std::string& base, const ForecastCatalogue& catalogue, const PathParameters& path) {
-        const std::string& name = path.at("instanceId");
-        static_cast<void>(service->instance(catalogue, name));
-        return locations_document(
-            base + "/collections/" + path.at("collectionId") + "/instances/" + name,
-            collection_of(path), {service->field(name)});
-      });
+  features(collection + "/locations", [=](const std::string& base, const Catalogue& catalogue,
+                                          const auto& path, const QueryString& query) {
+    std::vector<std::shared_ptr<const Field>> fields;
+    for (const auto& site : catalogue.sites) fields.push_back(site.field);
+    return locations_document(base + "/collections/" + path.at("collectionId"), collection_of(path),
+                              fields, query);
+  });
+  features(instance + "/locations", [=](const std::string& base, const Catalogue& catalogue,
+                                        const auto& path, const QueryString& query) {
+    const std::string& name = path.at("instanceId");
+    static_cast<void>(service->instance(catalogue, name));
+    return locations_document(
+        base + "/collections/" + path.at("collectionId") + "/instances/" + name,
+        collection_of(path), {service->field(name)}, query);
+  });
   for (const bool of_instance : {false, true}) {
-    const std::string at =
-        std::string("/collections/{collectionId}") + (of_instance ? "/instances/{instanceId}" : "");
+    const std::string& at = of_instance ? instance : collection;
     for (const QueryType& type : query_types()) {
       router.add("GET", at + "/" + std::string(type.name),
                  [=, type = &type](const Request& request, const PathParameters& path) {

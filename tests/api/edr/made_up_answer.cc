@@ -103,6 +103,7 @@ Answer made_up_answer(DomainType type, std::size_t coverages, std::size_t levels
       "0.4.0+abc"};
   answer.notes = {"below the bed at 10 m"};
   answer.query_url = "http://localhost:8080/collections/currents/position?coords=POINT(2.45 57.25)";
+  answer.links = {{"self", "application/geo+json", answer.query_url}};
   return answer;
 }
 
