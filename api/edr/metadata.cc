@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "api/edr/body.h"
 #include "api/edr/content.h"
@@ -144,16 +145,22 @@ std::size_t most_members(const std::vector<std::shared_ptr<const Field>>& fields
   return members;
 }
 
-/// @param stamps  how many there are, hourly; 0 where the interval is all that is said
-json temporal_extent(UtcTime from, UtcTime to, std::size_t stamps) {
-  // Stamps of a forecast are hourly, both ends included (see Snapshot::time).
-  const bool is_hourly = stamps > 1 && to - from == std::chrono::hours(stamps - 1);
-  const std::string values = is_hourly
-                                 ? "R" + std::to_string(stamps) + "/" + format_utc(from) + "/PT1H"
-                                 : format_utc(from) + "/" + format_utc(to);
+json temporal_extent(UtcTime from, UtcTime to) {
   return {{"interval", json::array({json::array({format_utc(from), format_utc(to)})})},
-          {"values", json::array({values})},
           {"trs", gregorian}};
+}
+
+/// The stamps of forecasts, each once. (As ranges or repetitions they would be shorter, and the standard's
+/// text allows that; its schema wants a date-time each.)
+json stamps_of(const std::vector<std::shared_ptr<const Field>>& fields) {
+  std::set<UtcTime> stamps;
+  for (const auto& field : fields) {
+    const std::vector<UtcTime>& time = field->snapshot().time;
+    stamps.insert(time.begin(), time.end());
+  }
+  json values = json::array();
+  for (const UtcTime stamp : stamps) values.push_back(format_utc(stamp));
+  return values;
 }
 
 std::string place_of(const std::string& base, const Collection& collection) {
@@ -217,8 +224,8 @@ json extent_of(const Collection& collection,
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   extent["spatial"]["bbox"] =
       json::array({json::array({box.west_deg, box.south_deg, box.east_deg, box.north_deg})});
-  const Snapshot& first = fields.front()->snapshot();
-  extent["temporal"] = temporal_extent(from, to, fields.size() == 1 ? first.time.size() : 0);
+  extent["temporal"] = temporal_extent(from, to);
+  extent["temporal"]["values"] = stamps_of(fields);
   if (collection.vertical != Vertical::none) {
     json values = json::array();
     for (const double level : levels) values.push_back(shortest(level));
@@ -266,10 +273,7 @@ json described_instance(const std::string& base, const Collection& collection,
   document["title"] = collection.title + ", " + forecast.row.site_id + ", issued " +
                       format_utc(forecast.row.issued);
   document["description"] = forecast.row.headline;
-  const UtcTime from = forecast.row.valid_from;
-  const UtcTime to = forecast.row.valid_to;
-  document["extent"]["temporal"] =
-      temporal_extent(from, to, static_cast<std::size_t>(1 + (to - from) / std::chrono::hours(1)));
+  document["extent"]["temporal"] = temporal_extent(forecast.row.valid_from, forecast.row.valid_to);
   document["links"].push_back(link(place_of(base, collection), "collection", "application/json",
                                    collection.title + ", forecasts in force"));
   return document;

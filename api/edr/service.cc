@@ -36,6 +36,14 @@ constexpr const char* openapi_type = "application/vnd.oai.openapi+json;version=3
 /// What is negotiated by Accept must say so to caches.
 const std::pair<std::string, std::string> varies{"Vary", "Accept"};
 
+/// The format that f or, where it is absent, Accept asks for.
+Format format_of(const Request& request, const QueryString& query,
+                 std::span<const Format> offered) {
+  const auto f = query.find("f");
+  if (f && f->empty()) throw bad_parameter("f", *f, "a format, or no f at all");
+  return choose_format(f.value_or(""), request.accept, offered);
+}
+
 Response page_response(std::string html) {
   return {200, "text/html; charset=utf-8", std::move(html), {varies}, metadata_max_age_s};
 }
@@ -114,7 +122,7 @@ class Service {
     std::vector<std::string_view> known{"f"};
     known.insert(known.end(), others.begin(), others.end());
     expect_known(query, known);
-    const Format format = choose_format(query.find("f").value_or(""), request.accept, formats);
+    const Format format = format_of(request, query, formats);
     const nlohmann::json made = make(base(request), *forecasts_->catalogue(), query);
     if (format == Format::html) return page_response(html_page("Slackwater " + request.path, made));
     return {200, std::string(media_type_of(format)), made.dump(), {varies}, metadata_max_age_s};
@@ -125,11 +133,10 @@ class Service {
     const QueryString query = QueryString::parse(request.query);
     constexpr std::array<std::string_view, 1> known{"f"};
     expect_known(query, known);
-    const auto f = query.find("f").value_or("");
-    const Format format = choose_format(f, request.accept, document_formats);
+    const Format format = format_of(request, query, document_formats);
     const nlohmann::json made = openapi_document(base(request), *forecasts_->catalogue());
     if (format == Format::html) return page_response(html_of_interface(made));
-    const bool is_plain = !f.empty() || request.accept.starts_with("application/json");
+    const bool is_plain = query.find("f") || request.accept.starts_with("application/json");
     return {200,
             is_plain ? "application/json" : openapi_type,
             made.dump(),
@@ -193,7 +200,7 @@ class Service {
  private:
   static Format expect_format(const Request& request, const QueryString& query) {
     if (const auto crs = query.find("crs")) expect_supported_crs(*crs);
-    return choose_format(query.find("f").value_or(""), request.accept, answer_formats());
+    return format_of(request, query, answer_formats());
   }
 
   /// An answer as GeoJSON: itself, its other renditions, and the end point that gave it.

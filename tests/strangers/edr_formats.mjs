@@ -3,51 +3,13 @@
 import { strict as assert } from "node:assert";
 import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
-import { dirname, join, relative } from "node:path";
+import { join } from "node:path";
+
+import { coverageJsonSchema, edrSchema } from "./edr_schemas.mjs";
 
 const [modules, answers, standards] = process.argv.slice(2);
 const require = createRequire(join(modules, "/"));
-const Ajv = require("ajv/dist/2020").default;
-const addFormats = require("ajv-formats").default;
 const CovJSON = require("covjson-reader");
-const YAML = require("yaml");
-
-function coverageJsonSchema() {
-  const ajv = new Ajv({ strict: false, allErrors: true });
-  const folder = join(standards, "coveragejson");
-  for (const file of readdirSync(folder)) ajv.addSchema(JSON.parse(readFileSync(join(folder, file), "utf8")));
-  return ajv.getSchema("/schemas/coveragejson");
-}
-
-/** A schema of the OpenAPI blocks, with those that it refers to; each is known by its path below the blocks. */
-function edrSchema(path) {
-  const ajv = new Ajv({ strict: false, allErrors: true });
-  addFormats(ajv);
-  const folder = join(standards, "ogcapi-edr-1.1");
-  const seen = new Set();
-  const add = (file) => {
-    const id = "/" + relative(folder, file);
-    if (seen.has(id)) return id;
-    seen.add(id);
-    const schema = YAML.parse(readFileSync(file, "utf8"));
-    delete schema.example;
-    const visit = (node) => {
-      if (node === null || typeof node !== "object") return;
-      if (typeof node.$ref === "string" && !node.$ref.startsWith("#")) node.$ref = add(join(dirname(file), node.$ref));
-      // OpenAPI 3.0 says so what JSON Schema says by a second type.
-      if (node.nullable === true && typeof node.type === "string") node.type = [node.type, "null"];
-      delete node.nullable;
-      // The alternatives of schemas/covjson, as published with EDR 1.1, exclude each other or CoverageJSON's own forms (a
-      // geographic reference system, numbers with a shape): opengeospatial/ogcapi-environmental-data-retrieval#494.
-      if (id.startsWith("/schemas/covjson/")) delete node.oneOf;
-      Object.values(node).forEach(visit);
-    };
-    visit(schema);
-    ajv.addSchema({ $id: id, ...schema });
-    return id;
-  };
-  return ajv.getSchema(add(join(folder, path)));
-}
 
 function expectValid(validate, file, document) {
   assert(validate(document), `${file}: ${JSON.stringify(validate.errors?.slice(0, 5), null, 1)}`);
@@ -93,9 +55,9 @@ async function expectReadable(file, document) {
   return numbers;
 }
 
-const covjson = coverageJsonSchema();
-const edrCovjson = edrSchema("schemas/covjson/coverageJSON.yaml");
-const edrGeojson = edrSchema("schemas/edr-geojson/edrFeatureCollectionGeoJSON.yaml");
+const covjson = coverageJsonSchema(require, standards);
+const edrCovjson = edrSchema(require, standards, "schemas/covjson/coverageJSON.yaml");
+const edrGeojson = edrSchema(require, standards, "schemas/edr-geojson/edrFeatureCollectionGeoJSON.yaml");
 
 // A gate that nothing can fail is none.
 assert(!covjson({ type: "Coverage", domain: { type: "Domain", axes: {} }, ranges: {} }));

@@ -5,77 +5,18 @@
 #include <limits>
 
 #include "api/edr/percent_code.h"
-#include "data/store/store.h"
-#include "ingest/cf/forecast_file.h"
-#include "tests/support/made_up_forecast.h"
 
 namespace slackwater::tests {
 namespace {
 
 using nlohmann::json;
 
-Snapshot small_forecast(const std::string& site, std::size_t columns, std::uint64_t seed) {
-  MadeUpForecast size;
-  size.columns = columns;
-  size.hours = 12;
-  size.members = 3;
-  size.seed = seed;
-  Snapshot made = made_up_forecast(size);
-  made.site_id = site;
-  made.site_name = "Site " + site;
-  return made;
-}
-
-Snapshot farm_forecast() {
-  Snapshot made = small_forecast("farm", 12, 21);
-  for (std::size_t c = 0; c < made.columns.size(); ++c) {
-    made.columns[c].point = GeoPoint::from_degrees(57.20 + 0.02 * static_cast<double>(c / 4),
-                                                   2.40 + 0.02 * static_cast<double>(c % 4));
-  }
-  return made;
-}
-
-Snapshot dateline_forecast() {
-  Snapshot made = small_forecast("dateline", 2, 31);
-  made.columns[0].point = GeoPoint::from_degrees(-17, 179.99);
-  made.columns[1].point = GeoPoint::from_degrees(-17, -179.99);
-  return made;
-}
-
-void commit(const std::filesystem::path& folder, const Snapshot& made) {
-  store::Store store = store::Store::open(folder, store::OpenMode::create_or_write);
-  store::NewForecast row;
-  row.content_file = store.staging_folder() / "made_up.nc";
-  ingest::write_forecast(row.content_file, made);
-  row.row.site_id = made.site_id;
-  row.row.day = made.day;
-  row.row.issued = made.issued;
-  row.row.valid_from = made.time.front();
-  row.row.valid_to = made.time.back();
-  row.row.wind_policy = made.wind_policy;
-  row.row.headline = made.headline;
-  row.row.summary_json = "{}";
-  row.row.code_version = "test";
-  store.commit_forecasts(std::span(&row, 1));
-}
-
 std::filesystem::path filled(const std::filesystem::path& folder) {
-  for (const Snapshot& made :
-       {lone_forecast(0, 11), lone_forecast(1, 12), farm_forecast(), dateline_forecast()})
-    commit(folder, made);
+  fill_with_made_up_forecasts(folder);
   return folder;
 }
 
 }  // namespace
-
-Snapshot lone_forecast(int days_later, std::uint64_t seed) {
-  Snapshot made = small_forecast("lone", 1, seed);
-  const auto later = std::chrono::days(days_later);
-  made.day += later;
-  made.issued += later;
-  for (UtcTime& time : made.time) time += later;
-  return made;
-}
 
 EdrServiceForTests::EdrServiceForTests()
     : forecasts_(
@@ -84,7 +25,7 @@ EdrServiceForTests::EdrServiceForTests()
 }
 
 void EdrServiceForTests::issue(const Snapshot& snapshot) {
-  commit(folder_ / "store", snapshot);
+  commit_made_up_forecast(folder_ / "store", snapshot);
   forecasts_->refresh();
 }
 

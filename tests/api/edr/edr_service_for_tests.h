@@ -6,18 +6,14 @@
 #include <vector>
 
 #include "api/edr/service.h"
+#include "tests/api/edr/made_up_store.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests {
 
 using QueryPairs = std::vector<std::pair<std::string, std::string>>;
 
-/// The routes of the EDR service over a store of made-up forecasts, called without sockets:
-///
-///   lone      one column at 2.55 W 48.85 N, three members, issued on two days
-///   farm      a grid of 4 x 3 columns, 2.40..2.46 E, 57.20..57.24 N, 0.02 degrees apart; every second
-///             column is 44 m deep instead of 50, so that its last level (45 m) lies below the bed
-///   dateline  two columns, 179.99 E and 179.99 W, 17 S
+/// The routes of the EDR service over a store of made-up forecasts (made_up_store.h), called without sockets.
 class EdrServiceForTests {
  public:
   static constexpr const char* base = "http://edr.test";
@@ -55,9 +51,6 @@ class EdrServiceForTests {
 
 /// One service for all tests that only read.
 [[nodiscard]] const EdrServiceForTests& edr_service();
-
-/// The made-up forecast of site `lone`, some days later than the first.
-[[nodiscard]] Snapshot lone_forecast(int days_later, std::uint64_t seed);
 
 inline constexpr const char* east_current = "eastward_sea_water_velocity";
 inline constexpr const char* north_current = "northward_sea_water_velocity";

@@ -60,7 +60,7 @@ const std::map<std::string, std::vector<std::string>>& wrong_values() {
         long_text("1", 40'000, ',')}},
       {"parameter-name", {"", "salt", ",", "eastward_sea_water_velocity,salt", "*"}},
       {"crs", {"", "EPSG:3857", "CRS85", "../CRS84"}},
-      {"f", {"GRIB", "html5", "../json", "application/x-hdf"}},
+      {"f", {"", "GRIB", "html5", "../json", "application/x-hdf"}},
       {"within", no_number},
       {"within-units", no_unit},
       {"corridor-width", no_number},
