@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <condition_variable>
+#include <cstdint>
 #include <filesystem>
 #include <list>
 #include <map>
@@ -19,8 +21,9 @@ namespace slackwater::api {
 /// One issued forecast as services name it.
 struct IssuedForecast {
   std::string
-      instance;  ///< "SITE_20250310T050000Z"; the row's number is added where two were issued at once
-  store::ForecastRow row;
+      instance;  ///< "SITE_20250310T050000Z"; the row's number is added to all but the first stored of
+  ///< those that were issued at once, so that a name never passes to another forecast
+  store::ForecastRow row;  ///< without its summary and inputs
 };
 
 /// What is on offer at one moment: immutable, published as a whole.
@@ -42,11 +45,14 @@ struct ForecastCatalogue {
 /// Issued forecasts of a store, laid out for sampling: the one in force of each site always at hand, older ones
 /// read when they are asked for and the last few kept. Follows the store: a forecast that another process
 /// issues is in force here within `every`. Readers of the catalogue never wait.
+///
+/// What cannot be read degrades and never ends the service: a store that is gone or locked leaves the catalogue as
+/// it was, a forecast in force that cannot be read leaves its site with the newest one that can, and `trouble`
+/// says so until it is mended. A store that was replaced by another (restored from a copy) is followed too.
 class IssuedFields {
  public:
   /// @param folder  of the store, which must exist
-  explicit IssuedFields(const std::filesystem::path& folder,
-                        Duration every = std::chrono::seconds(2));
+  explicit IssuedFields(std::filesystem::path folder, Duration every = std::chrono::seconds(2));
   ~IssuedFields();
   IssuedFields(const IssuedFields&) = delete;
   IssuedFields& operator=(const IssuedFields&) = delete;
@@ -54,25 +60,49 @@ class IssuedFields {
   [[nodiscard]] std::shared_ptr<const ForecastCatalogue> catalogue() const noexcept {
     return published_.load();
   }
-  /// The field of any instance; @throws Error(not_found) for a name that is not on offer.
+  /// The field of any instance. @throws Error(not_found) for a name that is not on offer, or no longer;
+  /// Error(unavailable), without the store's paths, for one that cannot be read
   [[nodiscard]] std::shared_ptr<const Field> field(const std::string& instance);
-  /// Reads the store now. What cannot be read is said in `trouble` and leaves the catalogue as it was.
+  /// Reads the store now, if it has changed.
   void refresh();
-  /// The last refresh's failure; empty after one that succeeded.
+  /// What keeps the service from being whole, without the store's paths; empty where nothing does. Never waits for
+  /// a file or the catalogue.
   [[nodiscard]] std::string trouble() const;
+  /// Fields kept beside those in force.
+  [[nodiscard]] std::size_t kept() const;
 
  private:
-  [[nodiscard]] std::shared_ptr<const Field> load(const IssuedForecast& forecast);
+  /// What tells that the catalogue's files were written or replaced.
+  using Mark = std::array<std::uint64_t, 8>;
+  [[nodiscard]] Mark mark() const noexcept;
+  void read_store();
+  void retry(const std::vector<IssuedForecast>& instances);
+  [[nodiscard]] ForecastCatalogue next_catalogue(std::vector<IssuedForecast> instances);
+  [[nodiscard]] std::shared_ptr<const Field> in_force(const ForecastCatalogue& now,
+                                                      const IssuedForecast& forecast);
+  [[nodiscard]] std::shared_ptr<const Field> read(const IssuedForecast& forecast) const;
+  [[nodiscard]] std::shared_ptr<const Field> kept_or_read(const IssuedForecast& forecast);
+  void note(const std::string& what, const std::string& problem);
+  void forget(const std::string& what);
+  [[nodiscard]] bool is_whole() const;
+  [[nodiscard]] std::string without_paths(std::string text) const;
   void follow(Duration every);
 
   std::filesystem::path folder_;
-  std::unique_ptr<store::Store> store_;
   Published<ForecastCatalogue> published_;
-  mutable std::mutex mutex_;  ///< guards the store, the kept fields and the trouble
+
+  std::mutex refreshing_;  ///< guards the marks; one refresh at a time
+  std::optional<Mark> last_mark_;
+  std::optional<Mark> settled_mark_;  ///< seen by two readings: nothing was written since the first
+
+  mutable std::mutex keeping_;  ///< guards the kept fields; held while one is read
   std::list<std::pair<std::string, std::shared_ptr<const Field>>> kept_;  ///< last used first
-  std::string trouble_;
+
+  mutable std::mutex telling_;                  ///< guards what follows; never held for long
+  std::map<std::string, std::string> trouble_;  ///< by instance; "" for the store itself
   std::condition_variable wake_;
   bool ends_ = false;
+
   std::thread follower_;
 };
 
