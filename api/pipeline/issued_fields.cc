@@ -148,8 +148,9 @@ void IssuedFields::refresh() {
 void IssuedFields::read_store() {
   store::Store store = store::Store::open(folder_, store::OpenMode::read_only);
   std::vector<IssuedForecast> instances = named(store.list_forecasts());
+  const bool was_whole = is_whole();
   retry(instances);
-  if (is_whole() && are_same(instances, published_.load()->instances)) return;
+  if (was_whole && are_same(instances, published_.load()->instances)) return;
   published_.store(std::make_shared<const ForecastCatalogue>(next_catalogue(std::move(instances))));
 }
 

@@ -1,11 +1,18 @@
 #include "ingest/netcdf/library.h"
 
+#include <H5Epublic.h>
 #include <H5public.h>
 #include <netcdf.h>
 
 #include <string>
 
 namespace slackwater::ingest::netcdf {
+
+LibraryLock::LibraryLock() : guard_(mutex()) {
+  // HDF5 prints what NetCDF merely tries out, for each thread anew; NetCDF silences the first thread alone.
+  thread_local const auto silenced = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  static_cast<void>(silenced);
+}
 
 std::recursive_mutex& LibraryLock::mutex() {
   static std::recursive_mutex the_mutex;

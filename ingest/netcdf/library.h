@@ -10,7 +10,7 @@ namespace slackwater::ingest::netcdf {
 /// The one process-wide lock of NetCDF/HDF5, which are not thread-safe. Re-entrant.
 class LibraryLock {
  public:
-  LibraryLock() : guard_(mutex()) {}
+  LibraryLock();
 
  private:
   static std::recursive_mutex& mutex();
