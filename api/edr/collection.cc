@@ -6,6 +6,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/wave/growth.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -105,7 +106,7 @@ template <typename Sample, typename Value>
 void append(std::span<const Sample> samples, std::span<const std::size_t> selected, Value value,
             std::vector<std::vector<double>>& values, Absences& absences) {
   for (const Sample& s : samples)
-    if (!has_value(s.status)) ++absences[static_cast<std::size_t>(s.status)];
+    if (!has_value(s.status)) ++absences.count[static_cast<std::size_t>(s.status)];
   for (std::size_t p = 0; p < selected.size(); ++p) {
     for (const Sample& s : samples)
       values[p].push_back(has_value(s.status) ? value(s, selected[p]) : nan);
@@ -126,7 +127,7 @@ void append_members(std::span<const Place> places, std::span<const std::size_t> 
       held = member;
     }
     for (const Sample& s : samples) {
-      if (!has_value(s.status)) ++absences[static_cast<std::size_t>(s.status)];
+      if (!has_value(s.status)) ++absences.count[static_cast<std::size_t>(s.status)];
       const Horizontal w = s.velocity_m_s;
       values[p].push_back(!has_value(s.status) ? nan : selected[p] % 2 == 0 ? w.real() : w.imag());
     }
@@ -247,6 +248,11 @@ void sample(const Collection& collection, const Field& field, std::span<const st
     case waves: {
       std::vector<SeaSample> samples(places.size());
       field.sample_sea(places, samples);
+      for (const SeaSample& s : samples) {
+        const SeaState& sea = s.sea;
+        if (has_value(s.status) && sea.significant_height_m > steepest_height_m(sea.peak_period_s))
+          ++absences.too_steep;
+      }
       append(std::span<const SeaSample>(samples), selected, sea_value, values, absences);
       break;
     }

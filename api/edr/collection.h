@@ -37,8 +37,11 @@ struct Collection {
 [[nodiscard]] std::pair<double, double> vertical_range(const Collection& collection,
                                                        const Field& field);
 
-/// How often each status came instead of a value.
-using Absences = std::array<std::size_t, 9>;
+/// What samples had to say beside their values.
+struct Absences {
+  std::array<std::size_t, 9> count{};  ///< per SampleStatus: how often it came instead of a value
+  std::size_t too_steep = 0;  ///< seas of a product beyond the breaking limit, served as they are
+};
 
 /// Samples the selected parameters (indices into `parameters_of`) at places and appends them to
 /// `values`, one series a parameter; NaN where there is no value.

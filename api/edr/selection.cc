@@ -129,11 +129,17 @@ void expect_moderate(const Selection& s, std::size_t places) {
 
 std::vector<std::string> notes_of(const Absences& absences, const Field& field) {
   std::vector<std::string> notes;
-  for (std::size_t i = 0; i < absences.size(); ++i) {
-    if (absences[i] == 0) continue;
+  for (std::size_t i = 0; i < absences.count.size(); ++i) {
+    if (absences.count[i] == 0) continue;
     const auto status = static_cast<SampleStatus>(i);
-    notes.push_back(std::to_string(absences[i]) + " places and times without a value: " +
+    notes.push_back(std::to_string(absences.count[i]) + " places and times without a value: " +
                     std::string(name_of(status)) + "; valid: " + field.range().text());
+  }
+  if (absences.too_steep > 0) {
+    notes.push_back(
+        std::to_string(absences.too_steep) +
+        " sea states are steeper than waves stand (2 pi Hs/(g Tp^2) above 1/15 for 8 s, 1/25 "
+        "for 15 s and longer; DNV-RP-C205): as the product gives them, to be doubted");
   }
   return notes;
 }
