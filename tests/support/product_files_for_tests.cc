@@ -205,7 +205,8 @@ std::filesystem::path write_product(const std::filesystem::path& file,
     std::vector<std::size_t> shape;
     if (!product.time.empty()) shape.push_back(times.size());
     if (deep) shape.push_back(depths.size());
-    shape.insert(shape.end(), {product.latitude_deg.size(), product.longitude_deg.size()});
+    shape.push_back(product.latitude_deg.size());
+    shape.push_back(product.longitude_deg.size());
     writer.write(ids[i], std::vector<std::size_t>(shape.size(), 0), shape,
                  std::span<const float>(values));
   }
