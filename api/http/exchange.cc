@@ -13,7 +13,10 @@
 namespace slackwater::api::http {
 namespace {
 
-constexpr const char* exposed_fields = "Content-Disposition, ETag, Link, Location, Retry-After";
+constexpr const char* exposed_fields =
+    "Content-Disposition, ETag, Link, Location, Retry-After, "
+    "Slackwater-Site, Slackwater-Instance, Slackwater-Issued, Slackwater-Day, Slackwater-Degraded, "
+    "Slackwater-Headline, Slackwater-Attribution, Slackwater-Version, Slackwater-Note";
 constexpr const char* preflight_seconds = "86400";
 
 bool reads(const std::string& method) { return method == "GET" || method == "HEAD"; }
