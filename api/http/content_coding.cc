@@ -48,8 +48,7 @@ class Compressor {
     stream_.next_out = reinterpret_cast<Bytef*>(coded.data());
     stream_.avail_out = static_cast<uInt>(coded.size());
     expects(deflate(&stream_, Z_FINISH) == Z_STREAM_END, "deflateBound holds the coded body");
-    coded.resize(coded.size() - stream_.avail_out);
-    return coded;
+    return coded.substr(0, stream_.total_out);
   }
 
  private:
