@@ -34,7 +34,7 @@ std::string number(double value) {
 }
 
 /// A label value: backslash, quote and line feed are escaped.
-std::string quoted(std::string_view value) {
+std::string in_quotes(std::string_view value) {
   std::string text = "\"";
   for (const char c : value) {
     if (c == '\\' || c == '"') text += '\\';
@@ -114,8 +114,8 @@ void Metrics::append_requests(std::string& text) const {
       for (std::size_t s = 0; s <= statuses.size(); ++s) {
         const std::uint64_t count = route->requests[m][s].load(std::memory_order_relaxed);
         if (count == 0) continue;
-        text += "slackwater_http_requests_total{route=" + quoted(label) +
-                ",method=" + quoted(methods[m]) + ",status=\"" +
+        text += "slackwater_http_requests_total{route=" + in_quotes(label) +
+                ",method=" + in_quotes(methods[m]) + ",status=\"" +
                 (s < statuses.size() ? std::to_string(statuses[s]) : "other") + "\"} " +
                 std::to_string(count) + "\n";
       }
@@ -132,15 +132,15 @@ void Metrics::append_latencies(std::string& text) const {
     std::string lines;
     for (std::size_t b = 0; b <= bounds_s.size(); ++b) {
       count += route->latency[b].load(std::memory_order_relaxed);
-      lines += name + "_bucket{route=" + quoted(label) + ",le=\"" +
+      lines += name + "_bucket{route=" + in_quotes(label) + ",le=\"" +
                (b < bounds_s.size() ? number(bounds_s[b]) : "+Inf") + "\"} " +
                std::to_string(count) + "\n";
     }
     if (count == 0) continue;
     const double sum_s =
         1e-9 * static_cast<double>(route->latency_sum_ns.load(std::memory_order_relaxed));
-    text += lines + name + "_sum{route=" + quoted(label) + "} " + number(sum_s) + "\n" + name +
-            "_count{route=" + quoted(label) + "} " + std::to_string(count) + "\n";
+    text += lines + name + "_sum{route=" + in_quotes(label) + "} " + number(sum_s) + "\n" + name +
+            "_count{route=" + in_quotes(label) + "} " + std::to_string(count) + "\n";
   }
 }
 
