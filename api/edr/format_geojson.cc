@@ -7,6 +7,7 @@
 #include "api/edr/answer_shape.h"
 #include "api/edr/describe.h"
 #include "api/edr/json_text.h"
+#include "fields/base/error.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -162,10 +163,26 @@ class FeatureWriter {
   std::size_t count_ = 0;
 };
 
+/// A feature costs some 400 bytes beside its numbers.
+constexpr std::size_t most_features = 250'000;
+
+void expect_few_features(const Answer& answer) {
+  std::size_t features = 0;
+  for (const Coverage& c : answer.coverages) {
+    const Shape shape = shape_of(c);
+    features += shape.x * shape.y;
+  }
+  if (features <= most_features) return;
+  throw Error(ErrorKind::usage, "f: found 'GeoJSON' for " + std::to_string(features) +
+                                    " places; expected at most " + std::to_string(most_features) +
+                                    "; ask for fewer, or for f=CoverageJSON or f=NetCDF");
+}
+
 }  // namespace
 
 std::string geojson(const Answer& answer) {
   expect_whole(answer);
+  expect_few_features(answer);
   return FeatureWriter(answer).write();
 }
 

@@ -10,6 +10,7 @@
 
 #include "api/edr/merged_coverage.h"
 #include "fields/base/error.h"
+#include "fields/base/log.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -74,6 +75,21 @@ std::string bytes_of(const std::filesystem::path& file) {
   return bytes;
 }
 
+/// The bytes of the file. Clients are not told of the server's folders: those stand in its log.
+std::string written(const ingest::CoverageFile& file) {
+  try {
+    const PrivateFolder folder;
+    const std::filesystem::path path = folder.path() / "answer.nc";
+    ingest::write_coverage(path, file);
+    return bytes_of(path);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::unavailable) throw;
+    log_event(LogLevel::error, "answer cannot be written", {{"problem", error.message()}});
+    throw Error(ErrorKind::unavailable,
+                "the server cannot write a NetCDF answer now; ask again later, or for another f");
+  }
+}
+
 }  // namespace
 
 std::string netcdf(const Answer& answer) {
@@ -85,10 +101,7 @@ std::string netcdf(const Answer& answer) {
   ingest::CoverageFile file = merged_coverage(answer);
   file.global_attributes = attributes_of(answer);
   file.reference_time = UtcTime(answer.provenance.day) + std::chrono::days(1);
-  const PrivateFolder folder;
-  const std::filesystem::path path = folder.path() / "answer.nc";
-  ingest::write_coverage(path, file);
-  return bytes_of(path);
+  return written(file);
 }
 
 }  // namespace slackwater::api::edr

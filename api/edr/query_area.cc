@@ -73,13 +73,25 @@ Axes some_place_in(const Box& box, const Inside& is_inside) {
   return {{x}, {y}};
 }
 
+/// What two boxes share, with the second moved by whole turns to where they share most; west > east for nothing.
+Box shared(const Box& asked, const Box& area) {
+  if (asked.east_deg - asked.west_deg >= 360)
+    return {area.west_deg, std::max(asked.south_deg, area.south_deg), area.east_deg,
+            std::min(asked.north_deg, area.north_deg)};
+  Box best{1, 0, 0, 0};
+  for (const double turn : {-720.0, -360.0, 0.0, 360.0, 720.0}) {
+    const Box cut{
+        std::max(asked.west_deg, area.west_deg + turn), std::max(asked.south_deg, area.south_deg),
+        std::min(asked.east_deg, area.east_deg + turn), std::min(asked.north_deg, area.north_deg)};
+    if (cut.east_deg - cut.west_deg > best.east_deg - best.west_deg) best = cut;
+  }
+  return best;
+}
+
 Box reached(const Selection& s, const Box& box, std::string_view parameter) {
   const slackwater::BoundingBox& area = s.field->range().box;
-  const double west = in_box(area.west_deg, box);
-  double east = in_box(area.east_deg, box);
-  if (east < west) east += 360;
-  const Box cut{std::max(box.west_deg, west), std::max(box.south_deg, area.south_deg),
-                std::min(box.east_deg, east), std::min(box.north_deg, area.north_deg)};
+  const double east_deg = area.east_deg < area.west_deg ? area.east_deg + 360 : area.east_deg;
+  const Box cut = shared(box, {area.west_deg, area.south_deg, east_deg, area.north_deg});
   if (cut.west_deg > cut.east_deg || cut.south_deg > cut.north_deg) {
     throw Error(ErrorKind::not_found, std::string(parameter) +
                                           ": found an area that the forecast does not reach; "
@@ -94,8 +106,25 @@ std::optional<std::size_t> resolution(const QueryString& query, std::string_view
   return text ? parse_resolution(key, *text) : std::nullopt;
 }
 
+void expect_few_comparisons(std::size_t cells, std::size_t vertices) {
+  if (cells <= most_comparisons / std::max<std::size_t>(1, vertices)) return;
+  throw Error(ErrorKind::usage, "coords: found a shape of " + std::to_string(vertices) +
+                                    " vertices over " + std::to_string(cells) +
+                                    " cells; expected at most " + std::to_string(most_comparisons) +
+                                    " of cells times vertices: simplify the shape, or lower "
+                                    "resolution-x and resolution-y");
+}
+
+std::size_t vertices_of(const Geometry& shape) {
+  std::size_t vertices = 0;
+  for (const Part& part : shape.parts)
+    for (const Path& path : part) vertices += path.size();
+  return vertices;
+}
+
 Answer over(Selection s, const QueryString& query, const Box& asked, std::string_view parameter,
-            const Inside& is_inside, const std::vector<double>* levels = nullptr) {
+            const Inside& is_inside, const std::vector<double>* levels = nullptr,
+            std::size_t vertices = 1) {
   const Box box = reached(s, asked, parameter);
   const auto x_count = resolution(query, "resolution-x");
   const auto y_count = resolution(query, "resolution-y");
@@ -108,6 +137,7 @@ Answer over(Selection s, const QueryString& query, const Box& asked, std::string
       levels != nullptr ? *levels : verticals_of(s, query, s.field->range().deepest_m);
   expect_moderate(
       s, axes.longitude_deg.size() * axes.latitude_deg.size() * times.size() * verticals.size());
+  expect_few_comparisons(axes.longitude_deg.size() * axes.latitude_deg.size(), vertices);
   Absences absences{};
   std::vector<Coverage> coverages{on_grid(s, std::move(axes.longitude_deg),
                                           std::move(axes.latitude_deg), times, verticals, is_inside,
@@ -120,8 +150,9 @@ Answer over(Selection s, const QueryString& query, const Box& asked, std::string
 Answer area_answer(Selection s, const QueryString& query) {
   const Geometry shape = parse_wkt("coords", query.find("coords").value_or(""),
                                    {GeometryType::polygon, GeometryType::multi_polygon});
-  return over(std::move(s), query, bounding_box(shape), "coords",
-              [&](double x, double y) { return contains(shape, x, y); });
+  return over(
+      std::move(s), query, bounding_box(shape), "coords",
+      [&](double x, double y) { return contains(shape, x, y); }, nullptr, vertices_of(shape));
 }
 
 Answer radius_answer(Selection s, const QueryString& query) {
@@ -156,7 +187,10 @@ Answer cube_answer(Selection s, const QueryString& query) {
   } else if (has_vertical) {
     levels = all_levels(*s.collection, *s.field);
     std::erase_if(levels, [&](double z) { return z < cube.levels->low || z > cube.levels->high; });
-    if (levels.empty()) levels = {cube.levels->low, cube.levels->high};
+    if (levels.empty()) {
+      levels = {cube.levels->low};
+      if (cube.levels->high > cube.levels->low) levels.push_back(cube.levels->high);
+    }
   } else {
     // EDR 1.1 asks for z with every cube; a collection without a vertical has nothing to cut by it.
     levels = {std::nan("")};

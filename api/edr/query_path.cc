@@ -250,8 +250,9 @@ Answer trajectory_answer(Selection s, const QueryString& query) {
   std::vector<Path> paths;
   std::size_t vertices = 0;
   for (const Part& part : lines.parts) vertices += part.front().size();
-  expect_moderate(
-      s, vertices * std::max<std::size_t>(1, levels.size()) * (lines.has_time ? 1 : times.size()));
+  const std::size_t lines_each =
+      std::max<std::size_t>(1, levels.size()) * (lines.has_time ? 1 : times.size());
+  expect_moderate(s, vertices * lines_each, lines.parts.size() * lines_each);
   for (const Part& part : lines.parts) {
     for (const Path& timed : at_times(part.front(), lines.has_time, times)) {
       if (lines.has_vertical) {
@@ -287,8 +288,9 @@ Answer corridor_answer(Selection s, const QueryString& query) {
     middle_lines.push_back(along_line(s, query, part.front()));
     vertices += middle_lines.back().size();
   }
-  expect_moderate(
-      s, vertices * section.across_m.size() * levels.size() * (lines.has_time ? 1 : times.size()));
+  const std::size_t lines_each =
+      section.across_m.size() * levels.size() * (lines.has_time ? 1 : times.size());
+  expect_moderate(s, vertices * lines_each, middle_lines.size() * lines_each);
   std::vector<Path> paths;
   for (const Path& line : middle_lines) {
     for (const double sideways : section.across_m) {

@@ -117,7 +117,14 @@ std::vector<double> verticals_of(const Selection& s, const QueryString& query, d
   return levels;
 }
 
-void expect_moderate(const Selection& s, std::size_t places) {
+void expect_moderate(const Selection& s, std::size_t places, std::size_t domains) {
+  if (domains > most_domains) {
+    throw Error(ErrorKind::usage, "found a query for " + std::to_string(domains) +
+                                      " lines (each at each time and level); an answer holds at "
+                                      "most " +
+                                      std::to_string(most_domains) +
+                                      ": narrow datetime, z or the resolution");
+  }
   const std::size_t parameters = std::max<std::size_t>(1, s.parameters.size());
   if (places <= most_values / parameters) return;
   throw Error(ErrorKind::usage, "found a query for " + std::to_string(places) +

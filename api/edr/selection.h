@@ -35,10 +35,14 @@ struct Selection {
 [[nodiscard]] std::vector<double> verticals_of(const Selection& selection, const QueryString& query,
                                                double bed_m);
 
-/// Refuses what would be more numbers than an answer may hold.
+/// Refuses what would be more numbers, or more domains, than an answer may hold.
 /// @throws Error(usage) that says how many were asked and how many are allowed
-void expect_moderate(const Selection& selection, std::size_t places);
+void expect_moderate(const Selection& selection, std::size_t places, std::size_t domains = 1);
 inline constexpr std::size_t most_values = 2'000'000;
+/// A domain costs some 500 bytes of answer before it holds a number.
+inline constexpr std::size_t most_domains = 50'000;
+/// Cells times vertices of a polygon that are held against each other: two seconds.
+inline constexpr std::size_t most_comparisons = 100'000'000;
 
 /// Why values are missing, one sentence a reason, with the valid range.
 [[nodiscard]] std::vector<std::string> notes_of(const Absences& absences, const Field& field);

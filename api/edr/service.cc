@@ -36,6 +36,11 @@ constexpr const char* openapi_type = "application/vnd.oai.openapi+json;version=3
 /// What is negotiated by Accept must say so to caches.
 const std::pair<std::string, std::string> varies{"Vary", "Accept"};
 
+/// Headlines and names come from stored files: bytes that are not UTF-8 must not take a document away.
+std::string text_of(const nlohmann::json& document) {
+  return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 /// The format that f or, where it is absent, Accept asks for.
 Format format_of(const Request& request, const QueryString& query,
                  std::span<const Format> offered) {
@@ -125,7 +130,7 @@ class Service {
     const Format format = format_of(request, query, formats);
     const nlohmann::json made = make(base(request), *forecasts_->catalogue(), query);
     if (format == Format::html) return page_response(html_page("Slackwater " + request.path, made));
-    return {200, std::string(media_type_of(format)), made.dump(), {varies}, metadata_max_age_s};
+    return {200, std::string(media_type_of(format)), text_of(made), {varies}, metadata_max_age_s};
   }
 
   /// The OpenAPI document: under its own media type, as plain JSON for who asks for that, or as a page.
@@ -139,7 +144,7 @@ class Service {
     const bool is_plain = query.find("f") || request.accept.starts_with("application/json");
     return {200,
             is_plain ? "application/json" : openapi_type,
-            made.dump(),
+            text_of(made),
             {varies},
             metadata_max_age_s};
   }
