@@ -26,6 +26,9 @@ struct Limits {
   std::chrono::milliseconds handler_time{30'000};
   /// A client must take in a quarter of a megabyte, or the rest, within this time.
   std::chrono::milliseconds write_time{10'000};
+  /// Of all answers that clients are taking in at once, together: a large one beyond it is thrown away for a 503,
+  /// so that slow readers of large answers do not fill the memory.
+  std::size_t answer_bytes = std::size_t{512} << 20U;
   /// Silence between two requests of one connection.
   std::chrono::milliseconds idle_time{60'000};
   /// With all connections taken a newcomer displaces the one that has kept us waiting longest, if

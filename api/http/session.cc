@@ -18,6 +18,8 @@ using ErrorCode = boost::system::error_code;
 
 /// What a client must take in within `Limits::write_time`.
 constexpr std::size_t write_stride_bytes = 256 * 1024;
+/// Answers so small are not refused for the memory that others hold.
+constexpr std::size_t small_answer_bytes = 64 * 1024;
 constexpr std::chrono::milliseconds linger_time{1000};
 /// The same while the server is stopping.
 constexpr std::chrono::milliseconds short_linger_time{100};
@@ -76,6 +78,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     state_ = State::closed;
     ErrorCode ignored;
     socket_.close(ignored);
+    let_go_of_answer();
     if (site_.metrics != nullptr) site_.metrics->connection_closed();
     site_.on_closed(*this);
   }
@@ -149,7 +152,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
       // The session goes back with the answer: it is never let go of on this thread.
       asio::post(site.io, [self = std::move(self), serial, reply = std::move(reply)]() mutable {
         const bool is_awaited = self->state_ == State::handling && serial == self->serial_;
-        if (reply && is_awaited) self->write(std::move(*reply));
+        if (reply && is_awaited) self->deliver(std::move(*reply));
       });
     };
     site_.pool.submit(std::move(job));
@@ -172,8 +175,27 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
   // --- writing ---
 
+  /// Writes an answer, or says that the server has too much to send already.
+  void deliver(Reply reply) {
+    const std::size_t bytes = reply.body.size();
+    const bool is_too_much = site_.answer_bytes + bytes > site_.limits.answer_bytes;
+    if (is_too_much && site_.answer_bytes > 0 && bytes > small_answer_bytes) {
+      return refuse({503, "Other clients are taking in " +
+                              std::to_string(site_.answer_bytes >> 20U) +
+                              " MB of answers; ask for less, or again in a moment."});
+    }
+    write(std::move(reply));
+  }
+
+  void let_go_of_answer() {
+    site_.answer_bytes -= reply_.body.size();
+    reply_ = {};
+  }
+
   void write(Reply reply) {
+    let_go_of_answer();
     reply_ = std::move(reply);
+    site_.answer_bytes += reply_.body.size();
     written_ = 0;
     stride_ = 0;
     enter(State::writing, site_.limits.write_time);
@@ -212,7 +234,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     }
     end_request();
     const bool keep_alive = reply_.keep_alive && !site_.is_stopping;
-    reply_ = {};
+    let_go_of_answer();
     if (!keep_alive) return linger();
     enter(State::idle, site_.limits.idle_time);
     if (reader_.has_bytes()) return feed();

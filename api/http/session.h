@@ -26,6 +26,7 @@ struct SessionSite {
   const Limits& limits;
   Metrics* metrics;                         ///< may be null
   std::function<void(Session&)> on_closed;  ///< called once, with the session still alive
+  std::size_t answer_bytes = 0;             ///< of bodies that clients are taking in
   bool is_stopping = false;                 ///< answers close their connection from now on
 };
 

@@ -36,7 +36,9 @@ bool equal_in_constant_time(std::string_view a, std::string_view b) noexcept {
 
 bool is_loopback_host(std::string_view host) {
   const std::string_view name = name_of_host(host);
-  return name == "localhost" || name == "[::1]" || name.starts_with("127.");
+  // Only an address: the owner of a domain may well have a host called 127.0.0.1.example.org.
+  const bool is_number = name.find_first_not_of("0123456789.") == std::string_view::npos;
+  return name == "localhost" || name == "[::1]" || (is_number && name.starts_with("127."));
 }
 
 bool is_trusted(const std::optional<std::string>& token, const Arrival& arrival) {

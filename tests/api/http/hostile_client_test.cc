@@ -166,6 +166,35 @@ TEST(HostileClient, OneThatDoesNotReadItsAnswerIsCutOff) {
   EXPECT_FALSE(open());
 }
 
+TEST(HostileClient, LargeAnswersThatNobodyReadsDoNotFillTheMemory) {
+  ServerOptions options;
+  options.limits.answer_bytes = 40'000'000;
+  api::http::Router router = example_router();
+  router.add("GET", "/large", [](const api::http::Request&) {
+    return text_response(std::string(30'000'000, 'x'), "application/netcdf");
+  });
+  const Served served(router, options);
+  HttpClient deaf = served.client(4096);
+  ASSERT_TRUE(deaf.send("GET /large HTTP/1.1\r\nHost: a\r\n\r\n"));
+  std::optional<HttpReply> second;
+  for (int i = 0; i < 100 && (!second || second->status == 200); ++i) {
+    second = served.get("/large");
+    std::this_thread::sleep_for(10ms);
+  }
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->status, 503) << "60 MB would be held";
+  EXPECT_EQ(second->field("retry-after"), "1");
+  EXPECT_EQ(served.get("/short")->status, 200) << "small answers pass";
+  deaf.reset();
+  for (int i = 0; i < 200 && second->status != 200; ++i) {
+    std::this_thread::sleep_for(10ms);
+    second = served.get("/large");
+    ASSERT_TRUE(second);
+  }
+  EXPECT_EQ(second->status, 200);
+  EXPECT_EQ(second->body.size(), 30'000'000U);
+}
+
 TEST(HostileClient, OneThatIsSilentBetweenRequestsIsClosed) {
   ServerOptions options;
   options.limits.idle_time = 300ms;

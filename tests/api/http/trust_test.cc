@@ -56,7 +56,8 @@ TEST(Trust, KnowsLoopbackByName) {
   for (const char* host : {"localhost", "localhost:8080", "127.0.0.1", "127.1.2.3:1", "[::1]:80"}) {
     EXPECT_TRUE(is_loopback_host(host)) << host;
   }
-  for (const char* host : {"", "localhost.evil.example", "evil.example", "[::2]:80", "10.0.0.1"}) {
+  for (const char* host : {"", "localhost.evil.example", "evil.example", "[::2]:80", "10.0.0.1",
+                           "127.evil.example", "127.0.0.1.evil.example:80"}) {
     EXPECT_FALSE(is_loopback_host(host)) << host;
   }
 }
