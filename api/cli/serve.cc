@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -49,10 +50,25 @@ http::HealthFacts facts_of(const IssuedFields& forecasts) {
   return facts;
 }
 
+/// As links begin with it: a scheme and no slash at its end.
+std::string checked_base(std::string url) {
+  while (url.ends_with('/')) url.pop_back();
+  const bool is_plain = std::none_of(url.begin(), url.end(), [](char c) {
+    return c <= ' ' || c > '~' || c == '"' || c == '<' || c == '>' || c == '?' || c == '#';
+  });
+  const bool has_scheme = url.starts_with("http://") || url.starts_with("https://");
+  if (url.empty() || (is_plain && has_scheme)) return url;
+  throw Error(ErrorKind::usage, "--base-url: found '" + url +
+                                    "'; expected http:// or https:// and an address without '?' "
+                                    "and '#', e.g. https://forecasts.example.org/edr");
+}
+
 /// Blocks SIGINT and SIGTERM for this and all later threads, so that one place waits for them.
 class StopSignals {
  public:
   StopSignals() {
+    // Whoever reads our log may go; writing to nobody must not end the server.
+    std::signal(SIGPIPE, SIG_IGN);
     sigemptyset(&set_);
     sigaddset(&set_, SIGINT);
     sigaddset(&set_, SIGTERM);
@@ -68,6 +84,7 @@ class StopSignals {
 };
 
 void run_serve(const ServeArguments& arguments, const Context& context) {
+  const std::string base_url = checked_base(arguments.base_url);
   const StopSignals stop;
   http::ServerOptions options;
   options.address = arguments.address;
@@ -80,7 +97,7 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   };
   const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
   http::Router router;
-  edr::add_routes(router, forecasts, arguments.base_url);
+  edr::add_routes(router, forecasts, base_url);
   std::vector<std::string> labels = router.labels();
   labels.insert(labels.end(), {"/health", "/metrics"});
   options.metrics = std::make_shared<http::Metrics>(labels);
