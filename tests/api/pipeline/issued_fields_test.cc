@@ -95,7 +95,7 @@ TEST(IssuedFields, ReadersSeeWholeCataloguesThroughTwoHundredSwaps) {
           faults += fits && mark_of(*site.field) == 0.5 ? 0 : 1;
         }
         ++reads;
-        std::this_thread::yield();
+        std::this_thread::sleep_for(milliseconds(1));
       }
     });
   }
