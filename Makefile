@@ -25,12 +25,14 @@ bench: test-packages
 	cmake --build --preset release -j$(JOBS) --target slackwater slackwater_bench_all
 	tests/bench/run build/release
 
-# Long runs: 200 kills instead of 20, 210 days of bands, 500 twins, half an hour of fuzzing.
+# Long runs: 200 kills instead of 20, 210 days of bands, 500 twins, ten minutes of serving, half an hour of fuzzing.
 soak: test-packages venv
 	cmake --preset release
 	cmake --build --preset release -j$(JOBS)
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 ctest --preset release -V -R 'Probabilities|TwinTargets|RealPairs|PublishedProfiles'
+	build/release/api/slackwater demo --out build/soak-demo
+	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	$(MAKE) fuzz
 
 fuzz: test-packages
