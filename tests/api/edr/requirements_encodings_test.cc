@@ -83,7 +83,8 @@ TEST(EdrGeoJson, GeoJsonIsAFeatureCollectionOrAFeatureWithLinks) {
 
 TEST(EdrGeoJson, TheSelfLinkOfAnAnswerGivesTheAnswer) {
   const auto answer = service().get(position, with(place, "f", "GeoJSON"));
-  for (const json& link : json::parse(answer.body).at("links")) {
+  const json links = json::parse(answer.body).at("links");
+  for (const json& link : links) {
     const std::string target = link.at("href").get<std::string>().substr(15);
     const std::size_t mark = target.find('?');
     if (mark == std::string::npos) continue;

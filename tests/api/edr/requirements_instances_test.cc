@@ -11,6 +11,8 @@ using nlohmann::json;
 const EdrServiceForTests& service() { return edr_service(); }
 const std::string instances = "/collections/currents/instances";
 
+json listed_instances() { return service().document(instances).at("instances"); }
+
 const QueryPairs somewhere{{"coords", "POINT(-2.55 48.85)"}, {"z", "5"}};
 
 TEST(EdrInstances, InstancesAreListedAtTheirPathInEveryCollection) {
@@ -30,13 +32,15 @@ TEST(EdrInstances, TheListHasLinksAndAllIssuedForecasts) {
 }
 
 TEST(EdrInstances, EachListedInstanceIsAtItsPath) {
-  for (const json& instance : service().document(instances).at("instances"))
+  const json list = listed_instances();
+  for (const json& instance : list)
     EXPECT_EQ(service().get(instances + "/" + instance.at("id").get<std::string>()).status, 200);
   EXPECT_FALSE(service().refusal(404, instances + "/nothing").empty());
 }
 
 TEST(EdrInstances, AnInstanceSaysOfItselfWhatTheListSays) {
-  for (const json& listed : service().document(instances).at("instances")) {
+  const json list = listed_instances();
+  for (const json& listed : list) {
     const json alone = service().document(instances + "/" + listed.at("id").get<std::string>());
     for (const char* key : {"id", "title", "description", "extent"})
       EXPECT_EQ(alone.at(key), listed.at(key)) << key;

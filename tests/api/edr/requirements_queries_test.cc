@@ -70,7 +70,7 @@ TEST(EdrQueries, PositionAnswersAtPointsAndNeedsCoords) {
 
 TEST(EdrQueries, AreaAnswersWithinAPolygonAndNeedsCoords) {
   // A triangle over the three columns of the lower left corner.
-  const QueryPairs whole{{"coords", "POLYGON((2.39 57.19,2.43 57.19,2.39 57.23,2.39 57.19))"},
+  const QueryPairs whole{{"coords", "POLYGON((2.39 57.19,2.435 57.19,2.39 57.235,2.39 57.19))"},
                          {"z", "5"},
                          {"datetime", noon},
                          {"parameter-name", east_current}};
