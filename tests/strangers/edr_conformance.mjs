@@ -95,7 +95,7 @@ async function expectReadable(path, document, domainType) {
   const read = await CovJSON.read(document);
   for (const coverage of read.type === "CoverageCollection" ? read.coverages : [read]) {
     const domain = await coverage.loadDomain();
-    assert(domain.type.endsWith(`#${domainType}`) || domain.type === domainType, `${path}: ${domain.type}`);
+    assert(domain.domainType.endsWith(`#${domainType}`), `${path}: ${domain.domainType}`);
     for (const [name, range] of await coverage.loadRanges()) {
       assert(coverage.parameters.get(name).observedProperty.id.includes("vocab.nerc.ac.uk"), name);
       const first = Object.fromEntries([...range.shape.keys()].map((axis) => [axis, 0]));
