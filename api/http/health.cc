@@ -9,7 +9,8 @@ namespace slackwater::api::http {
 Handler health_handler(std::shared_ptr<const Metrics> metrics, std::function<HealthFacts()> facts) {
   return [metrics = std::move(metrics), facts = std::move(facts)](const Request&) {
     const HealthFacts found = facts ? facts() : HealthFacts{};
-    nlohmann::ordered_json document{{"status", found.is_healthy ? "ok" : "degraded"},
+    const bool is_well = found.is_healthy && !found.is_degraded;
+    nlohmann::ordered_json document{{"status", is_well ? "ok" : "degraded"},
                                     {"uptime_s", metrics->uptime().count()},
                                     {"version", code_version()}};
     for (const auto& [name, value] : found.facts) document[name] = value;

@@ -15,10 +15,12 @@ struct HealthFacts {
   bool is_healthy = true;
   /// Name and value, e.g. {"newest_forecast", "2025-03-10T00:00:00Z"}.
   std::vector<std::pair<std::string, std::string>> facts;
+  /// Something is wrong that the service works around: said, but no reason to send clients elsewhere.
+  bool is_degraded = false;
 };
 
-/// `/health`: {"status": "ok" | "degraded", "uptime_s", "version", ...facts}; 200 where healthy,
-/// else 503. @param facts  asked at every call, from any thread; may be empty
+/// `/health`: {"status": "ok" | "degraded", "uptime_s", "version", ...facts}; 200 where healthy (and
+/// perhaps degraded), else 503. @param facts  asked at every call, from any thread; may be empty
 [[nodiscard]] Handler health_handler(std::shared_ptr<const Metrics> metrics,
                                      std::function<HealthFacts()> facts);
 

@@ -308,6 +308,11 @@ bool IssuedFields::is_whole() const {
   return trouble_.empty();
 }
 
+bool IssuedFields::is_following() const {
+  const std::lock_guard lock(telling_);
+  return !trouble_.contains("");
+}
+
 std::string IssuedFields::trouble() const {
   const std::lock_guard lock(telling_);
   std::string text;

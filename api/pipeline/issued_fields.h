@@ -68,6 +68,8 @@ class IssuedFields {
   /// What keeps the service from being whole, without the store's paths; empty where nothing does. Never waits for
   /// a file or the catalogue.
   [[nodiscard]] std::string trouble() const;
+  /// Whether the store itself could be read last time; false: new forecasts go unnoticed.
+  [[nodiscard]] bool is_following() const;
   /// Fields kept beside those in force.
   [[nodiscard]] std::size_t kept() const;
 

@@ -60,7 +60,6 @@ TEST(ConcurrentQueries, AreEachOfOnePieceWhileForecastsAreSwapped) {
       constexpr std::array depths{"1", "5", "20"};
       for (std::size_t n = 0; !done.load(); ++n) {
         QueryPairs query = at_depth(depths.at((n + c) % depths.size()));
-        // The middle of a day that all swaps share has passed: the first stamp of each forecast is asked.
         const auto answer = service.get("/collections/currents/position", query);
         const bool is_right = answer.status == 200 && is_of_one_piece(answer.body);
         if (!is_right && faults++ == 0) ADD_FAILURE() << answer.body.substr(0, 600);

@@ -103,6 +103,9 @@ TEST(Health, IsOkOrDegradedWithWhatTheRootKnows) {
   EXPECT_GE(document.at("uptime_s").get<int>(), 0);
   EXPECT_FALSE(document.at("version").get<std::string>().empty());
   EXPECT_EQ(document.at("newest_forecast"), "2025-03-10T00:00:00Z");
+  facts.is_degraded = true;
+  EXPECT_EQ(health(Request{}).status, 200) << "said, but served";
+  EXPECT_NE(health(Request{}).body.find("degraded"), std::string::npos);
   facts.is_healthy = false;
   const Response bad = health({});
   EXPECT_EQ(bad.status, 503);
