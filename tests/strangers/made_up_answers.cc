@@ -43,6 +43,7 @@ const char* ending(Format format) {
 
 void write(const std::filesystem::path& folder, const std::string& name, const Answer& answer) {
   for (const Format format : api::edr::answer_formats()) {
+    if (format == Format::json) continue;  // the CoverageJSON document under another name
     std::ofstream file(folder / (name + ending(format)), std::ios::binary);
     file << write_answer(answer, format).bytes;
     if (!file.flush()) throw Error(ErrorKind::unavailable, "cannot write " + name);
