@@ -76,6 +76,9 @@ Field::Field(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(sna
   if (are_even(time)) stamps_per_ms_ = 1.0 / static_cast<double>((time[1] - time[0]).count());
   range_ = {layout_.box(), time.front(), time.back(),
             *std::max_element(water_depth_m_.begin(), water_depth_m_.end())};
+  const bool are_numbers = std::all_of(water_depth_m_.begin(), water_depth_m_.end(),
+                                       [](double depth) { return std::isfinite(depth); });
+  if (are_numbers) shallowest_m_ = *std::min_element(water_depth_m_.begin(), water_depth_m_.end());
 }
 
 Field::Spot Field::spot(double longitude_deg, double latitude_deg) const noexcept {
@@ -87,8 +90,7 @@ Field::Spot Field::spot(double longitude_deg, double latitude_deg) const noexcep
     spot.status = SampleStatus::land;
   } else {
     spot.status = SampleStatus::ok;
-    for (std::uint32_t c = 0; c < spot.stencil.count; ++c)
-      spot.water_depth_m += spot.stencil.weight[c] * water_depth_m_[spot.stencil.column[c]];
+    spot.water_depth_m = bed_m(spot.stencil);
   }
   return spot;
 }
@@ -105,22 +107,32 @@ std::optional<TimePlace> Field::when(UtcTime time) const noexcept {
   return TimePlace{low, upper < same_stamp ? 0 : upper};
 }
 
-Field::Water Field::water(const Spot& spot, const std::optional<TimePlace>& time, double depth_m,
-                          const CurrentTable& table) const noexcept {
+double Field::bed_m(const ColumnStencil& stencil) const noexcept {
+  double bed = 0;
+  for (std::uint32_t c = 0; c < stencil.count; ++c)
+    bed += stencil.weight[c] * water_depth_m_[stencil.column[c]];
+  return bed;
+}
+
+Field::Water Field::water(const ColumnStencil& stencil, const std::optional<TimePlace>& time,
+                          double depth_m, const CurrentTable& table) const noexcept {
   Water water;
-  if (spot.status != SampleStatus::ok) {
-    water.status = spot.status;
+  if (!stencil.is_inside) {
+    water.status = SampleStatus::outside_area;
+  } else if (stencil.count == 0) {
+    water.status = SampleStatus::land;
   } else if (!time) {
     water.status = SampleStatus::outside_time;
   } else if (!(depth_m >= 0)) {
     water.status = SampleStatus::above_surface;
-  } else if (!(depth_m <= spot.water_depth_m + same_depth_m)) {
+  } else if (!(depth_m <= shallowest_m_) && !(depth_m <= bed_m(stencil) + same_depth_m)) {
     water.status = SampleStatus::below_bed;
   } else if (&table != &nothing_) {
     water.status = SampleStatus::ok;
-    water.stencil = spot.stencil;
-    for (std::uint32_t c = 0; c < spot.stencil.count; ++c) {
-      if (!(depth_m <= water_depth_m_[spot.stencil.column[c]] + same_depth_m))
+    water.stencil = stencil;
+    // Most water is above every bed.
+    for (std::uint32_t c = 0; !(depth_m <= shallowest_m_) && c < stencil.count; ++c) {
+      if (!(depth_m <= water_depth_m_[stencil.column[c]] + same_depth_m))
         water.stencil.weight[c] = 0;
     }
     water.time = *time;
@@ -149,7 +161,7 @@ void Field::sample_current(std::span<const Place> places, std::span<CurrentSampl
     const std::size_t count = std::min(block, places.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const Place& place = places[first + i];
-      asked[i] = water(spot(place.longitude_deg, place.latitude_deg), when(place.time),
+      asked[i] = water(layout_.at(place.longitude_deg, place.latitude_deg), when(place.time),
                        place.vertical_m, table);
       if (asked[i].status == SampleStatus::ok)
         table.prefetch(asked[i].stencil, asked[i].time, asked[i].level);
@@ -166,7 +178,7 @@ void Field::sample_profile(double longitude_deg, double latitude_deg, UtcTime ti
                            std::span<const double> depths_m, std::span<CurrentSample> out,
                            std::size_t member) const noexcept {
   const CurrentTable& table = member < member_.size() ? member_[member] : nothing_;
-  const Spot here = spot(longitude_deg, latitude_deg);
+  const ColumnStencil here = layout_.at(longitude_deg, latitude_deg);
   const std::optional<TimePlace> place = when(time);
   for (std::size_t i = 0; i < depths_m.size(); ++i) {
     const Water w = water(here, place, depths_m[i], table);

@@ -66,14 +66,16 @@ class Field {
     CurrentTable::Level level;
     SampleStatus status = SampleStatus::missing;
   };
-  [[nodiscard]] Water water(const Spot& spot, const std::optional<TimePlace>& time, double depth_m,
-                            const CurrentTable& table) const noexcept;
+  [[nodiscard]] Water water(const ColumnStencil& stencil, const std::optional<TimePlace>& time,
+                            double depth_m, const CurrentTable& table) const noexcept;
+  [[nodiscard]] double bed_m(const ColumnStencil& stencil) const noexcept;
 
   std::shared_ptr<const Snapshot> snapshot_;
   ColumnLayout layout_;
   std::vector<CurrentTable> member_;
   CurrentTable nothing_;
   std::vector<double> water_depth_m_;
+  double shallowest_m_ = -1;  ///< of all beds; below 0 where one of them is no number
   double stamps_per_ms_ = 0;  ///< where stamps are even; else 0
   ValidRange range_;
 };
