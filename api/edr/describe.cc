@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "api/edr/json_text.h"
-#include "api/edr/percent_code.h"
+#include "api/http/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -57,7 +57,7 @@ std::string header_value(std::string_view text) {
     if (c >= ' ' && c <= '~' && c != '%') {
       value += c;
     } else {
-      value += percent_encoded(std::string_view(&c, 1));
+      value += http::percent_encoded(std::string_view(&c, 1));
     }
   }
   return value;

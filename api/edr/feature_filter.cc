@@ -6,7 +6,7 @@
 
 #include "api/edr/bad_parameter.h"
 #include "api/edr/number.h"
-#include "api/edr/percent_code.h"
+#include "api/http/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -60,7 +60,8 @@ bool FeatureFilter::takes(const slackwater::BoundingBox& place, UtcTime from, Ut
 std::string FeatureFilter::address(std::string_view key, const std::string& value) const {
   std::string query;
   for (const auto& [name, asked] : asked_) {
-    query += (query.empty() ? "?" : "&") + percent_encoded(name) + "=" + percent_encoded(asked);
+    query += (query.empty() ? "?" : "&") + http::percent_encoded(name) + "=" +
+             http::percent_encoded(asked);
   }
   if (!value.empty()) query += (query.empty() ? "?" : "&") + std::string(key) + "=" + value;
   return href_ + query;

@@ -3,18 +3,30 @@
 #include <algorithm>
 
 #include "api/edr/bad_parameter.h"
-#include "api/edr/percent_code.h"
+#include "api/http/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
 
+/// In a query '+' stands for a blank (the form encoding).
+std::string decoded(std::string_view name, std::string_view text) {
+  std::string with_blanks(text);
+  std::replace(with_blanks.begin(), with_blanks.end(), '+', ' ');
+  auto read = http::percent_decoded(with_blanks);
+  if (!read) {
+    throw bad_parameter(name, text,
+                        "two hexadecimal digits after '%', as in %20; write a '%' itself as %25");
+  }
+  return std::move(*read);
+}
+
 std::pair<std::string, std::string> pair_of(std::string_view piece) {
   const std::size_t equals = std::min(piece.find('='), piece.size());
-  std::string key = percent_decoded("query", piece.substr(0, equals), Plus::is_blank);
+  std::string key = decoded("query", piece.substr(0, equals));
   if (key.empty()) throw bad_parameter("query", piece, "a name before '=', as in z=10");
   if (key.find('\0') != std::string::npos) throw bad_parameter("query", piece, "no NUL bytes");
   const std::string_view coded = piece.substr(std::min(equals + 1, piece.size()));
-  std::string value = percent_decoded(shown(key), coded, Plus::is_blank);
+  std::string value = decoded(shown(key), coded);
   if (value.find('\0') != std::string::npos) {
     throw bad_parameter(shown(key), value, "no NUL bytes");
   }

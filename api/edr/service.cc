@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "api/edr/bad_parameter.h"
-#include "api/edr/bbox.h"
 #include "api/edr/body.h"
 #include "api/edr/crs.h"
 #include "api/edr/feature_filter.h"
@@ -12,9 +11,9 @@
 #include "api/edr/html_page.h"
 #include "api/edr/metadata.h"
 #include "api/edr/openapi.h"
-#include "api/edr/percent_code.h"
 #include "api/edr/queries.h"
-#include "api/edr/wkt.h"
+#include "api/edr/site_choice.h"
+#include "api/http/percent.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api::edr {
@@ -58,54 +57,6 @@ bool is_plain_host(const std::string& host) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
            c == '-' || c == ':' || c == '[' || c == ']';
   });
-}
-
-/// The place by which a query chooses among sites: the first of its coordinates, or the middle of its box.
-Place target_of(const QueryType& type, const QueryString& query) {
-  if (type.name == "cube") {
-    const auto text = query.find("bbox");
-    if (!text)
-      throw bad_parameter("bbox", "nothing", "west,south,east,north, e.g. 2.0,53.0,2.5,53.4");
-    const Box box = parse_bbox(*text).box;
-    return {0.5 * (box.west_deg + box.east_deg), 0.5 * (box.south_deg + box.north_deg), 0, {}};
-  }
-  const auto text = query.find("coords");
-  if (!text) throw bad_parameter("coords", "nothing", "Well Known Text, e.g. POINT(-2.55 48.85)");
-  const Geometry geometry = parse_wkt("coords", *text);
-  if (type.name == "area") {
-    const Box box = bounding_box(geometry);
-    return {0.5 * (box.west_deg + box.east_deg), 0.5 * (box.south_deg + box.north_deg), 0, {}};
-  }
-  const Vertex& first = geometry.parts.front().front().front();
-  return {first.longitude_deg, first.latitude_deg, 0, {}};
-}
-
-/// A site whose forecast a large shape holds or touches, where none reaches its middle.
-const ForecastCatalogue::SiteForecast* site_for(const ForecastCatalogue& catalogue,
-                                                const QueryType& type, const QueryString& query) {
-  const Place target = target_of(type, query);
-  if (const auto* site = catalogue.site_at(target.longitude_deg, target.latitude_deg)) return site;
-  Box box{target.longitude_deg, target.latitude_deg, target.longitude_deg, target.latitude_deg};
-  if (type.name == "cube") {
-    box = parse_bbox(query.find("bbox").value_or("")).box;
-  } else {
-    box = bounding_box(parse_wkt("coords", query.find("coords").value_or("")));
-  }
-  for (const auto& site : catalogue.sites) {
-    for (const ForecastColumn& column : site.field->snapshot().columns) {
-      if (contains(box, column.point.longitude_deg(), column.point.latitude_deg())) return &site;
-    }
-  }
-  return nullptr;
-}
-
-std::string reach_of(const ForecastCatalogue& catalogue) {
-  if (catalogue.sites.empty()) return "no forecast is stored yet; run `slackwater forecast` first";
-  std::string text = "the forecasts in force reach";
-  for (const auto& site : catalogue.sites)
-    text += " " + site.site_id + " (" + site.field->range().text() + ");";
-  text.back() = '.';
-  return text;
 }
 
 class Service {
@@ -213,7 +164,8 @@ class Service {
     std::string asked = endpoint + "?";
     const QueryString parameters = QueryString::parse(query);
     for (const auto& [key, value] : parameters.all())
-      if (key != "f") asked += percent_encoded(key) + "=" + percent_encoded(value) + "&";
+      if (key != "f")
+        asked += http::percent_encoded(key) + "=" + http::percent_encoded(value) + "&";
     std::vector<Answer::Link> links;
     for (const Format format : answer_formats()) {
       links.push_back({format == Format::geojson ? "self" : "alternate",

@@ -5,9 +5,8 @@
 #include "api/edr/content.h"
 #include "api/edr/crs.h"
 #include "api/edr/parameter_names.h"
-#include "api/edr/path_segments.h"
-#include "api/edr/percent_code.h"
 #include "api/edr/query_string.h"
+#include "api/http/percent.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {
@@ -23,26 +22,11 @@ void check_query(std::string_view text) {
     for (const auto& [key, value] : query.all()) {
       fuzz::claim(!key.empty() && keys.insert(key).second, "an empty or repeated key");
       fuzz::claim((key + value).find('\0') == std::string::npos, "a NUL byte");
-      written += percent_encoded(key) + "=" + percent_encoded(value) + "&";
+      written += api::http::percent_encoded(key) + "=" + api::http::percent_encoded(value) + "&";
     }
     if (written.size() > max_query_bytes) return;
     fuzz::claim(QueryString::parse(written).all() == query.all(),
                 "a query changes when it is written and read");
-  });
-}
-
-void check_path(std::string_view text) {
-  fuzz::accepts([&] {
-    const auto segments = path_segments(text);
-    std::string written;
-    for (const std::string& segment : segments) {
-      fuzz::claim(!segment.empty() && segment != "." && segment != ".." &&
-                      segment.find_first_of("/\\") == std::string::npos,
-                  "a segment that leads elsewhere");
-      written += "/" + percent_encoded(segment);
-    }
-    if (written.size() > max_path_bytes) return;
-    fuzz::claim(path_segments(written) == segments, "a path changes when it is written and read");
   });
 }
 
@@ -60,11 +44,10 @@ void check_choices(std::string_view text) {
 
 }  // namespace
 
-/// Query strings, paths and what is chosen by name: formats, parameters, reference systems.
+/// Query strings and what is chosen by name: formats, parameters, reference systems.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   check_query(text);
-  check_path(text);
   check_choices(text);
   return 0;
 }

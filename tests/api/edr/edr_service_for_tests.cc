@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-
-#include "api/edr/percent_code.h"
+#include "api/http/percent.h"
 
 namespace slackwater::tests {
 namespace {
@@ -48,7 +47,7 @@ api::http::Response EdrServiceForTests::get(const std::string& path, const Query
   request.accept = accept;
   for (const auto& [key, value] : query) {
     request.query += (request.query.empty() ? "" : "&") + key + "=";
-    request.query += api::edr::percent_encoded(value);
+    request.query += api::http::percent_encoded(value);
   }
   return router_(request);
 }

@@ -1,7 +1,5 @@
 #include "api/edr/query_string.h"
 
-#include "api/edr/path_segments.h"
-#include "api/edr/percent_code.h"
 #include "tests/api/edr/refusal.h"
 
 namespace slackwater::api::edr {
@@ -9,7 +7,6 @@ namespace {
 
 using tests::refusal_of;
 using tests::says;
-using Segments = std::vector<std::string>;
 
 TEST(QueryString, DecodesInTheOrderOfTheQuery) {
   const auto query = QueryString::parse("z=0%2F50&coords=POINT(2.45+57%2e25)&f=&flag&&x=a=b%26");
@@ -60,42 +57,6 @@ TEST(QueryString, LimitsAreNamed) {
 TEST(QueryString, AMessageShowsNoByteThatCouldHarmATerminal) {
   const auto message = refusal_of([] { (void)QueryString::parse("%1B[2J=1&%1B[2J=\r\n%ff"); });
   EXPECT_TRUE(says(message, ".[2J: found '...'"));
-}
-
-TEST(PercentCode, RoundTripsEveryByte) {
-  std::string all;
-  for (int byte = 1; byte < 256; ++byte) all += static_cast<char>(byte);
-  const std::string coded = percent_encoded(all);
-  EXPECT_EQ(percent_decoded("x", coded, Plus::is_plus), all);
-  EXPECT_EQ(percent_decoded("x", coded, Plus::is_blank), all);
-  EXPECT_EQ(coded.find_first_of(" \"<>&=+/\r\n"), std::string::npos);
-}
-
-TEST(PathSegments, SplitAndDecode) {
-  EXPECT_EQ(path_segments("/collections/currents/position"),
-            (Segments{"collections", "currents", "position"}));
-  EXPECT_EQ(path_segments("/"), Segments{});
-  EXPECT_EQ(path_segments(""), Segments{});
-  EXPECT_EQ(path_segments("/collections/"), Segments{"collections"});
-  EXPECT_EQ(path_segments("/instances/2025-03-09T05%3A00+x"),
-            (Segments{"instances", "2025-03-09T05:00+x"}));
-}
-
-TEST(PathSegments, NoTrickLeavesTheTree) {
-  for (const char* path :
-       {"/..", "/../etc/passwd", "/a/%2e%2e/b", "/a/.%2E", "/a/./b", "//a", "/a//b", "/a/%2Fetc",
-        "/a%5c..%5cb", "/a/%0d%0aSet-Cookie", "/%7f", "/.."}) {
-    try {
-      (void)path_segments(path);
-      ADD_FAILURE() << path;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::not_found) << path;
-    }
-  }
-  EXPECT_TRUE(says(refusal_of([] { (void)path_segments("/%00"); }), "NUL"));
-  EXPECT_TRUE(says(refusal_of([] { (void)path_segments("/%zz"); }), "hexadecimal"));
-  EXPECT_TRUE(
-      says(refusal_of([] { (void)path_segments(tests::long_text("/", 3000, 'a')); }), "2048"));
 }
 
 }  // namespace
