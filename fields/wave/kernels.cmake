@@ -4,7 +4,7 @@ function(slackwater_wave_kernel name)
   add_library(slackwater_wave_${name} OBJECT ${CMAKE_CURRENT_LIST_DIR}/sea_kernel.cc)
   target_link_libraries(slackwater_wave_${name} PRIVATE slackwater_options)
   target_compile_definitions(slackwater_wave_${name} PRIVATE SLACKWATER_KERNEL=kernel_${name})
-  target_compile_options(slackwater_wave_${name} PRIVATE -O3 -ffp-contract=off -Wno-psabi ${ARGN})
+  target_compile_options(slackwater_wave_${name} PRIVATE -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi ${ARGN})
   target_sources(slackwater_fields PRIVATE $<TARGET_OBJECTS:slackwater_wave_${name}>)
 endfunction()
 

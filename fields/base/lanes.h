@@ -1,11 +1,11 @@
 #pragma once
-// For sea_kernel.cc only, which is compiled once per instruction set: all of this lies in the
-// namespace of that set, so that the linker never takes a function from the wrong one.
+// For sources that are compiled once per instruction set (fields/wave/sea_kernel.cc, twin/simulate/step_kernel.cc): all
+// of this lies in the namespace of that set, so that the linker never takes a function from the wrong one.
 #include <cstddef>
 #include <cstdint>
 
 #ifndef SLACKWATER_KERNEL
-#error "compile this file through fields/wave/kernels.cmake"
+#error "compile this file through the kernels.cmake of its room"
 #endif
 
 #define SLACKWATER_INLINE [[gnu::always_inline]] inline
@@ -68,6 +68,26 @@ SLACKWATER_INLINE Lanes operator*(const Lanes& a, const Lanes& b) {
   for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] * b.part[i];
   return r;
 }
+SLACKWATER_INLINE Lanes operator/(const Lanes& a, const Lanes& b) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] / b.part[i];
+  return r;
+}
+SLACKWATER_INLINE Lanes operator-(const Lanes& a) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = -a.part[i];
+  return r;
+}
+// With a number that is the same in all lanes.
+SLACKWATER_INLINE Lanes operator+(double a, const Lanes& b) { return Lanes::all(a) + b; }
+SLACKWATER_INLINE Lanes operator+(const Lanes& a, double b) { return a + Lanes::all(b); }
+SLACKWATER_INLINE Lanes operator-(double a, const Lanes& b) { return Lanes::all(a) - b; }
+SLACKWATER_INLINE Lanes operator-(const Lanes& a, double b) { return a - Lanes::all(b); }
+SLACKWATER_INLINE Lanes operator*(double a, const Lanes& b) { return Lanes::all(a) * b; }
+SLACKWATER_INLINE Lanes operator*(const Lanes& a, double b) { return a * Lanes::all(b); }
+SLACKWATER_INLINE Lanes operator/(double a, const Lanes& b) { return Lanes::all(a) / b; }
+SLACKWATER_INLINE Lanes operator/(const Lanes& a, double b) { return a / Lanes::all(b); }
+
 SLACKWATER_INLINE Lanes larger_of(const Lanes& a, const Lanes& b) {
   Lanes r;
   for (std::size_t i = 0; i < Lanes::parts; ++i) {
@@ -75,10 +95,77 @@ SLACKWATER_INLINE Lanes larger_of(const Lanes& a, const Lanes& b) {
   }
   return r;
 }
+SLACKWATER_INLINE Lanes smaller_of(const Lanes& a, const Lanes& b) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+    r.part[i] = a.part[i] < b.part[i] ? a.part[i] : b.part[i];
+  }
+  return r;
+}
+
+using NativeMask [[gnu::vector_size(8 * native_lanes)]] = std::int64_t;
+
+/// For each lane whether a comparison holds.
+struct LaneMask {
+  NativeMask part[Lanes::parts];
+};
+SLACKWATER_INLINE LaneMask operator<(const Lanes& a, const Lanes& b) {
+  LaneMask r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] < b.part[i];
+  return r;
+}
+SLACKWATER_INLINE LaneMask operator>(const Lanes& a, const Lanes& b) { return b < a; }
+SLACKWATER_INLINE LaneMask operator<(const Lanes& a, double b) { return a < Lanes::all(b); }
+SLACKWATER_INLINE LaneMask operator>(const Lanes& a, double b) { return Lanes::all(b) < a; }
+
+/// Lane by lane, `yes` where the comparison holds, else `no`: both are worked out.
+SLACKWATER_INLINE Lanes select(const LaneMask& holds, const Lanes& yes, const Lanes& no) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+    r.part[i] = holds.part[i] ? yes.part[i] : no.part[i];
+  }
+  return r;
+}
+
+SLACKWATER_INLINE Lanes absolute(const Lanes& a) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+    r.part[i] = (NativeDoubles)((NativeBits)a.part[i] & 0x7fffffffffffffffU);
+  }
+  return r;
+}
+
+/// Correctly rounded, as IEEE has it.
+SLACKWATER_INLINE Lanes square_root(const Lanes& a) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+    for (std::size_t lane = 0; lane < native_lanes; ++lane) {
+      r.part[i][lane] = __builtin_sqrt(a.part[i][lane]);
+    }
+  }
+  return r;
+}
+
+/// table[whole number in the lane].
+SLACKWATER_INLINE Lanes entry_of(const double* table, const Lanes& index) {
+  Lanes r;
+  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+    for (std::size_t lane = 0; lane < native_lanes; ++lane) {
+      r.part[i][lane] = table[static_cast<std::size_t>(index.part[i][lane])];
+    }
+  }
+  return r;
+}
 
 /// 1.5 2^52: adding it leaves no room for a fraction, so that the sum holds x rounded to a whole
 /// number (ties to even) in its lowest bits, for |x| < 2^51.
 inline constexpr double rounder = 6755399441055744.0;
+
+/// The whole number at or below x, for |x| < 2^51.
+SLACKWATER_INLINE Lanes whole_below(const Lanes& x) {
+  const Lanes near = (x + rounder) - rounder;
+  return select(near > x, near - 1.0, near);
+}
 
 /// 2^n for the whole number n that `shifted` = n + rounder holds; -1022 <= n <= 1022.
 SLACKWATER_INLINE Lanes whole_power_of_two(const Lanes& shifted) {
