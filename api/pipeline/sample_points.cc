@@ -21,17 +21,15 @@ struct Buffers {
 
 void sample_point(const Field& field, const SampleGrid& grid, const GeoPoint& point,
                   std::size_t member, float no_value, std::size_t offset, Buffers& out) {
-  std::vector<CurrentSample> profile(grid.depth_m.size());
-  for (const UtcTime time : grid.time) {
-    field.sample_profile(point.longitude_deg(), point.latitude_deg(), time, grid.depth_m, profile,
-                         member);
-    for (const CurrentSample& sample : profile) {
-      const bool is_there = has_value(sample.status);
-      out.east[offset] = is_there ? static_cast<float>(sample.velocity_m_s.real()) : no_value;
-      out.north[offset] = is_there ? static_cast<float>(sample.velocity_m_s.imag()) : no_value;
-      if (member == 0) out.status[offset] = static_cast<std::int8_t>(sample.status);
-      ++offset;
-    }
+  std::vector<CurrentSample> samples(grid.per_point());
+  field.sample_profiles(point.longitude_deg(), point.latitude_deg(), grid.time, grid.depth_m,
+                        samples, member);
+  for (const CurrentSample& sample : samples) {
+    const bool is_there = has_value(sample.status);
+    out.east[offset] = is_there ? static_cast<float>(sample.velocity_m_s.real()) : no_value;
+    out.north[offset] = is_there ? static_cast<float>(sample.velocity_m_s.imag()) : no_value;
+    if (member == 0) out.status[offset] = static_cast<std::int8_t>(sample.status);
+    ++offset;
   }
 }
 

@@ -97,10 +97,23 @@ ColumnLayout::ColumnLayout(std::span<const GeoPoint> columns) {
     for (std::size_t i = 0; i < columns.size(); ++i)
       column_[nearest(y_.centre, latitude[i]) * x_.centre.size() +
               nearest(x_.centre, longitude[i])] = static_cast<std::uint32_t>(i);
+    lay_cells();
     return;
   }
   for (std::size_t i = 0; i < columns.size(); ++i)
     point_.push_back({longitude[i] * metres_per_degree_east_, latitude[i] * metres_per_degree});
+}
+
+void ColumnLayout::lay_cells() {
+  const std::size_t width = x_.centre.size();
+  for (std::size_t j = 0; j + 1 < y_.centre.size(); ++j) {
+    for (std::size_t i = 0; i + 1 < width; ++i) {
+      const std::uint32_t* corner = &column_[j * width + i];
+      std::array<std::uint32_t, 4> cell{corner[0], corner[1], corner[width], corner[width + 1]};
+      if (std::find(cell.begin(), cell.end(), none) != cell.end()) cell[0] = none;
+      cell_.push_back(cell);
+    }
+  }
 }
 
 ColumnStencil ColumnLayout::at(double longitude_deg, double latitude_deg) const noexcept {
@@ -112,6 +125,17 @@ ColumnStencil ColumnLayout::at(double longitude_deg, double latitude_deg) const 
   const Axis::Place row = y_.at(latitude_deg);
   if (!column.is_inside || !row.is_inside) return stencil;
   stencil.is_inside = true;
+  const bool is_within = column.upper > 0 && column.upper < 1 && row.upper > 0 && row.upper < 1;
+  if (is_within) {  // most places are among four columns of water
+    const auto& cell = cell_[row.low * (x_.centre.size() - 1) + column.low];
+    if (cell[0] != none) {
+      stencil.column = cell;
+      stencil.weight = {(1 - row.upper) * (1 - column.upper), (1 - row.upper) * column.upper,
+                        row.upper * (1 - column.upper), row.upper * column.upper};
+      stencil.count = 4;
+      return stencil;
+    }
+  }
   double sum = 0;
   for (const std::size_t j : {0U, 1U}) {
     for (const std::size_t i : {0U, 1U}) {

@@ -36,6 +36,7 @@ class ColumnLayout {
   [[nodiscard]] const BoundingBox& box() const noexcept { return box_; }
 
  private:
+  void lay_cells();
   [[nodiscard]] ColumnStencil at_scattered(double x, double y) const noexcept;
 
   /// One axis of a grid; centres grow.
@@ -58,6 +59,8 @@ class ColumnLayout {
   Axis x_;
   Axis y_;
   std::vector<std::uint32_t> column_;  ///< rows x columns of the grid; `none` on land
+  /// Of each cell of the grid, its corners; `none` first where one of them is on land.
+  std::vector<std::array<std::uint32_t, 4>> cell_;
   struct Point {
     double x = 0;  ///< metres east of the origin, on the sphere
     double y = 0;

@@ -88,7 +88,9 @@ void CurrentTable::prefetch(const ColumnStencil& stencil, const TimePlace& time,
   for (std::uint32_t c = 0; c < stencil.count; ++c) {
     const Entry* e = base + stencil.column[c] * per_column_;
     __builtin_prefetch(e);
+    __builtin_prefetch(e + 1);
     __builtin_prefetch(e + levels_);
+    __builtin_prefetch(e + levels_ + 1);
   }
 }
 

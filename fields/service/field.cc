@@ -114,31 +114,16 @@ double Field::bed_m(const ColumnStencil& stencil) const noexcept {
   return bed;
 }
 
-Field::Water Field::water(const ColumnStencil& stencil, const std::optional<TimePlace>& time,
-                          double depth_m, const CurrentTable& table) const noexcept {
-  Water water;
-  if (!stencil.is_inside) {
-    water.status = SampleStatus::outside_area;
-  } else if (stencil.count == 0) {
-    water.status = SampleStatus::land;
-  } else if (!time) {
-    water.status = SampleStatus::outside_time;
-  } else if (!(depth_m >= 0)) {
-    water.status = SampleStatus::above_surface;
-  } else if (!(depth_m <= shallowest_m_) && !(depth_m <= bed_m(stencil) + same_depth_m)) {
-    water.status = SampleStatus::below_bed;
-  } else if (&table != &nothing_) {
-    water.status = SampleStatus::ok;
-    water.stencil = stencil;
-    // Most water is above every bed.
-    for (std::uint32_t c = 0; !(depth_m <= shallowest_m_) && c < stencil.count; ++c) {
-      if (!(depth_m <= water_depth_m_[stencil.column[c]] + same_depth_m))
-        water.stencil.weight[c] = 0;
-    }
-    water.time = *time;
-    water.level = table.level_at(depth_m);
+SampleStatus Field::water(ColumnStencil& stencil, double depth_m) const noexcept {
+  if (!stencil.is_inside) return SampleStatus::outside_area;
+  if (stencil.count == 0) return SampleStatus::land;
+  if (!(depth_m >= 0)) return SampleStatus::above_surface;
+  if (depth_m <= shallowest_m_) return SampleStatus::ok;  // most water is above every bed
+  if (!(depth_m <= bed_m(stencil) + same_depth_m)) return SampleStatus::below_bed;
+  for (std::uint32_t c = 0; c < stencil.count; ++c) {
+    if (!(depth_m <= water_depth_m_[stencil.column[c]] + same_depth_m)) stencil.weight[c] = 0;
   }
-  return water;
+  return SampleStatus::ok;
 }
 
 namespace {
@@ -149,41 +134,97 @@ CurrentSample without_value(SampleStatus status) noexcept {
   return sample;
 }
 
+/// What is said of a place in water that has `status`, at a time within the forecast or not.
+SampleStatus in_time(SampleStatus status, bool is_within) noexcept {
+  const bool is_at_sea = status != SampleStatus::outside_area && status != SampleStatus::land;
+  return is_at_sea && !is_within ? SampleStatus::outside_time : status;
+}
+
 }  // namespace
+
+CurrentSample Field::current(const Place& place, std::size_t member) const noexcept {
+  ColumnStencil stencil = layout_.at(place.longitude_deg, place.latitude_deg);
+  const std::optional<TimePlace> time = when(place.time);
+  const SampleStatus status = in_time(water(stencil, place.vertical_m), time.has_value());
+  if (status != SampleStatus::ok) return without_value(status);
+  if (member >= member_.size()) return without_value(SampleStatus::missing);
+  const CurrentTable& table = member_[member];
+  return table.at(stencil, *time, table.level_at(place.vertical_m));
+}
 
 void Field::sample_current(std::span<const Place> places, std::span<CurrentSample> out,
                            std::size_t member) const noexcept {
-  const CurrentTable& table = member < member_.size() ? member_[member] : nothing_;
+  const CurrentTable* table = member < member_.size() ? &member_[member] : nullptr;
+  struct Asked {
+    ColumnStencil stencil;
+    std::optional<TimePlace> time;
+    CurrentTable::Level level;
+    SampleStatus status;
+  };
   // Places at random wait for memory: the values of a block are asked for before the first is used.
-  constexpr std::size_t block = 16;
-  std::array<Water, block> asked;
+  constexpr std::size_t block = 32;
+  std::array<Asked, block> asked;
   for (std::size_t first = 0; first < places.size(); first += block) {
     const std::size_t count = std::min(block, places.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const Place& place = places[first + i];
-      asked[i] = water(layout_.at(place.longitude_deg, place.latitude_deg), when(place.time),
-                       place.vertical_m, table);
-      if (asked[i].status == SampleStatus::ok)
-        table.prefetch(asked[i].stencil, asked[i].time, asked[i].level);
+      __builtin_prefetch(&place + 2 * block);
+      Asked& a = asked[i];
+      a.stencil = layout_.at(place.longitude_deg, place.latitude_deg);
+      a.time = when(place.time);
+      a.status = in_time(water(a.stencil, place.vertical_m), a.time.has_value());
+      if (a.status != SampleStatus::ok) continue;
+      if (!table) {
+        a.status = SampleStatus::missing;
+        continue;
+      }
+      a.level = table->level_at(place.vertical_m);
+      table->prefetch(a.stencil, *a.time, a.level);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      const Water& w = asked[i];
-      out[first + i] = w.status == SampleStatus::ok ? table.at(w.stencil, w.time, w.level)
-                                                    : without_value(w.status);
+      const Asked& a = asked[i];
+      out[first + i] = a.status == SampleStatus::ok ? table->at(a.stencil, *a.time, a.level)
+                                                    : without_value(a.status);
     }
   }
 }
 
-void Field::sample_profile(double longitude_deg, double latitude_deg, UtcTime time,
-                           std::span<const double> depths_m, std::span<CurrentSample> out,
-                           std::size_t member) const noexcept {
-  const CurrentTable& table = member < member_.size() ? member_[member] : nothing_;
+void Field::sample_profiles(double longitude_deg, double latitude_deg,
+                            std::span<const UtcTime> times, std::span<const double> depths_m,
+                            std::span<CurrentSample> out, std::size_t member) const noexcept {
+  const CurrentTable* table = member < member_.size() ? &member_[member] : nullptr;
   const ColumnStencil here = layout_.at(longitude_deg, latitude_deg);
-  const std::optional<TimePlace> place = when(time);
-  for (std::size_t i = 0; i < depths_m.size(); ++i) {
-    const Water w = water(here, place, depths_m[i], table);
-    out[i] = w.status == SampleStatus::ok ? table.at(w.stencil, w.time, w.level)
-                                          : without_value(w.status);
+  struct Asked {  // of a depth, for all times
+    CurrentTable::Level level;
+    std::array<double, 4> weight;
+    SampleStatus status;
+  };
+  constexpr std::size_t block = 16;
+  std::array<Asked, block> asked;
+  ColumnStencil stencil = here;
+  for (std::size_t first = 0; first < depths_m.size(); first += block) {
+    const std::size_t count = std::min(block, depths_m.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      Asked& a = asked[i];
+      stencil.weight = here.weight;
+      a.status = water(stencil, depths_m[first + i]);
+      a.weight = stencil.weight;
+      if (a.status != SampleStatus::ok) continue;
+      if (table)
+        a.level = table->level_at(depths_m[first + i]);
+      else
+        a.status = SampleStatus::missing;
+    }
+    for (std::size_t t = 0; t < times.size(); ++t) {
+      const std::optional<TimePlace> time = when(times[t]);
+      CurrentSample* const profile = &out[t * depths_m.size() + first];
+      for (std::size_t i = 0; i < count; ++i) {
+        const SampleStatus status = in_time(asked[i].status, time.has_value());
+        stencil.weight = asked[i].weight;
+        profile[i] = status == SampleStatus::ok ? table->at(stencil, *time, asked[i].level)
+                                                : without_value(status);
+      }
+    }
   }
 }
 

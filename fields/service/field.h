@@ -31,10 +31,15 @@ class Field {
   /// of the ensemble, sigma 0; `missing` where it is not held
   void sample_current(std::span<const Place> places, std::span<CurrentSample> out,
                       std::size_t member = 0) const noexcept;
-  /// One place and time, many depths: the stencil is made once.
+  /// One place, many times and depths: the stencil is made once. @param out  times x depths
+  void sample_profiles(double longitude_deg, double latitude_deg, std::span<const UtcTime> times,
+                       std::span<const double> depths_m, std::span<CurrentSample> out,
+                       std::size_t member = 0) const noexcept;
   void sample_profile(double longitude_deg, double latitude_deg, UtcTime time,
                       std::span<const double> depths_m, std::span<CurrentSample> out,
-                      std::size_t member = 0) const noexcept;
+                      std::size_t member = 0) const noexcept {
+    sample_profiles(longitude_deg, latitude_deg, {&time, 1}, depths_m, out, member);
+  }
   /// The mean wind, brought from 10 m to the height asked by the neutral logarithmic profile.
   void sample_wind(std::span<const Place> places, std::span<WindSample> out,
                    std::size_t member = 0) const noexcept;
@@ -42,13 +47,8 @@ class Field {
   void sample_sea(std::span<const Place> places, std::span<SeaSample> out) const noexcept;
   void sample_bed(std::span<const Place> places, std::span<BedSample> out) const noexcept;
 
-  /// The single call that wraps the batch.
-  [[nodiscard]] CurrentSample current(const Place& place, std::size_t member = 0) const noexcept {
-    CurrentSample out;
-    sample_profile(place.longitude_deg, place.latitude_deg, place.time, {&place.vertical_m, 1},
-                   {&out, 1}, member);
-    return out;
-  }
+  /// One place; the same bits as in a batch.
+  [[nodiscard]] CurrentSample current(const Place& place, std::size_t member = 0) const noexcept;
 
  private:
   struct Spot {  ///< a stencil and the bed there
@@ -60,20 +60,13 @@ class Field {
   [[nodiscard]] SeaSample sea_at(const Place& place) const noexcept;
   [[nodiscard]] Spot spot(double longitude_deg, double latitude_deg) const noexcept;
   [[nodiscard]] std::optional<TimePlace> when(UtcTime time) const noexcept;
-  struct Water {  ///< what a table is asked, where the status is ok
-    ColumnStencil stencil;
-    TimePlace time;
-    CurrentTable::Level level;
-    SampleStatus status = SampleStatus::missing;
-  };
-  [[nodiscard]] Water water(const ColumnStencil& stencil, const std::optional<TimePlace>& time,
-                            double depth_m, const CurrentTable& table) const noexcept;
+  /// Whether there is water at a depth. Columns whose own bed is above it lose their weight in `stencil`.
+  [[nodiscard]] SampleStatus water(ColumnStencil& stencil, double depth_m) const noexcept;
   [[nodiscard]] double bed_m(const ColumnStencil& stencil) const noexcept;
 
   std::shared_ptr<const Snapshot> snapshot_;
   ColumnLayout layout_;
   std::vector<CurrentTable> member_;
-  CurrentTable nothing_;
   std::vector<double> water_depth_m_;
   double shallowest_m_ = -1;  ///< of all beds; below 0 where one of them is no number
   double stamps_per_ms_ = 0;  ///< where stamps are even; else 0
