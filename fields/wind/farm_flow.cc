@@ -7,6 +7,7 @@
 
 #include "fields/base/check.h"
 #include "fields/wind/rotor_disc.h"
+#include "fields/wind/wake_turbulence.h"
 
 namespace slackwater {
 namespace {
@@ -48,7 +49,9 @@ FarmFlow::FarmFlow(const Turbine& turbine, std::span<const Horizontal> turbines_
       downwind_(free_speed_m_s_ > 0 ? wind_at_hub_m_s / free_speed_m_s_ : Horizontal(1, 0)),
       hub_height_m_(turbine.hub_height_m),
       diameter_m_(turbine.rotor_diameter_m),
-      superposition_(settings.superposition) {
+      superposition_(settings.superposition),
+      free_turbulence_(settings.turbulence_intensity),
+      adds_turbulence_(settings.added_turbulence) {
   expects(std::isfinite(free_speed_m_s_), "the free wind is not a number");
   expects(all_different(turbines_m), "two turbines stand on one place");
   turbines_.resize(turbines_m.size());
@@ -133,6 +136,29 @@ double FarmFlow::speed_ratio(Horizontal position_m, double height_m) const noexc
     total += term(superposition_.sum, upwind.scale * deficit);
   }
   return combine(total);
+}
+
+double FarmFlow::turbulence_intensity(Horizontal position_m, double height_m) const noexcept {
+  if (!adds_turbulence_) return free_turbulence_;
+  const auto [along_m, across_m] = in_wind_frame(position_m, downwind_);
+  const double above_m = height_m - hub_height_m_;
+  double most = 0;
+  for (const PlacedWake& upwind : wakes_) {
+    const double downstream_m = along_m - upwind.along_m;
+    if (!(downstream_m > 0)) break;  // the others stand farther down the wind
+    if (!(upwind.thrust_coefficient > 0)) continue;
+    const double off_axis_m = std::hypot(across_m - upwind.across_m, above_m);
+    // The edge of a wake is two standard deviations off its axis.
+    const double width_m =
+        0.5 * std::visit([&](const auto& wake) { return wake.edge_m(downstream_m); }, upwind.wake);
+    if (off_axis_m > 0.5 * diameter_m_ + 6 * width_m) continue;
+    const double added = std::min(
+        near_wake_turbulence(upwind.thrust_coefficient),
+        added_turbulence(upwind.thrust_coefficient, free_turbulence_, downstream_m / diameter_m_));
+    most = std::max(most,
+                    upwind.scale * added * wake_turbulence_shape(off_axis_m, diameter_m_, width_m));
+  }
+  return std::min(1.0, std::hypot(free_turbulence_, most));
 }
 
 void FarmFlow::speed_ratios(const HorizontalGrid& grid, std::span<double> out) const {
