@@ -136,7 +136,9 @@ void add_serve(CLI::App& app, Context& context) {
                       "numeric address to listen on (default 127.0.0.1: this machine alone)");
   command->add_option("--port", arguments->port, "port; 0 takes any that is free (default 8080)")
       ->check(CLI::Range(0, 65535));
-  command->add_option("--threads", arguments->threads, "that answer requests (default 2)")
+  command
+      ->add_option("--threads", arguments->threads,
+                   "that answer requests, and as many more for long answers (default 2)")
       ->check(CLI::Range(1, 64));
   command->add_option("--token-file", arguments->token_file,
                       "file with the token that whoever writes from afar must show");

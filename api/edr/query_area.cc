@@ -106,8 +106,9 @@ std::optional<std::size_t> resolution(const QueryString& query, std::string_view
   return text ? parse_resolution(key, *text) : std::nullopt;
 }
 
-void expect_few_comparisons(std::size_t cells, std::size_t vertices) {
-  if (cells <= most_comparisons / std::max<std::size_t>(1, vertices)) return;
+void expect_few_comparisons(const Selection& s, std::size_t cells, std::size_t vertices) {
+  if (cells <= most_comparisons / std::max<std::size_t>(1, vertices))
+    return expect_short(s, 0, cells * vertices);
   throw Error(ErrorKind::usage, "coords: found a shape of " + std::to_string(vertices) +
                                     " vertices over " + std::to_string(cells) +
                                     " cells; expected at most " + std::to_string(most_comparisons) +
@@ -137,7 +138,7 @@ Answer over(Selection s, const QueryString& query, const Box& asked, std::string
       levels != nullptr ? *levels : verticals_of(s, query, s.field->range().deepest_m);
   expect_moderate(
       s, axes.longitude_deg.size() * axes.latitude_deg.size() * times.size() * verticals.size());
-  expect_few_comparisons(axes.longitude_deg.size() * axes.latitude_deg.size(), vertices);
+  expect_few_comparisons(s, axes.longitude_deg.size() * axes.latitude_deg.size(), vertices);
   Absences absences{};
   std::vector<Coverage> coverages{on_grid(s, std::move(axes.longitude_deg),
                                           std::move(axes.latitude_deg), times, verticals, is_inside,

@@ -207,12 +207,18 @@ Section section_of(const Selection& s, const QueryString& query) {
       parse_distance_m("corridor-width", query.find("corridor-width").value_or(""), "width-units",
                        query.find("width-units").value_or(""));
   Section section;
-  section.height_m = parse_distance_m("corridor-height", query.find("corridor-height").value_or(""),
-                                      "height-units", query.find("height-units").value_or(""));
+  // EDR 1.0 knew corridors without a height, and its clients send none: such a one is of its path's own level.
+  const auto height = query.find("corridor-height");
+  const auto height_units = query.find("height-units");
+  const bool is_flat = !height && !height_units;
+  if (!is_flat) {
+    section.height_m = parse_distance_m("corridor-height", height.value_or(""), "height-units",
+                                        height_units.value_or(""));
+  }
   std::size_t across = asked_count(query, "resolution-x").value_or(usual_count);
   if (across == 0) across = stored_count(s, width_m, 2);
   section.across_m = offsets(width_m, across);
-  section.upward = asked_count(query, "resolution-z").value_or(usual_count);
+  if (!is_flat) section.upward = asked_count(query, "resolution-z").value_or(usual_count);
   return section;
 }
 

@@ -108,7 +108,8 @@ class Service {
     const Format format = expect_format(request, query);
     for (std::size_t i = 0; i < type.needed; ++i) {
       const std::string_view name = type.parameters[i];
-      const bool may_miss = name == "z";  // a collection without a vertical has none
+      // A collection without a vertical has no z; clients of EDR 1.0 know no height of a corridor, see query_path.cc.
+      const bool may_miss = name == "z" || name == "corridor-height" || name == "height-units";
       if (!may_miss && !query.find(name))
         throw bad_parameter(name, "nothing", "this parameter; see /api");
     }
@@ -116,6 +117,7 @@ class Service {
     Selection selection =
         of_instance ? of_named_instance(collection, *catalogue, path, query)
                     : in_force(collection, *catalogue, site_for(*catalogue, type, query), query);
+    selection.may_take_long = request.may_take_long;
     return told(request, type.answer(std::move(selection), query), format,
                 of_instance ? issued_max_age_s : in_force_max_age_s);
   }
@@ -139,6 +141,7 @@ class Service {
                                      [&](const auto& s) { return s.site_id == name->site_id; });
       selection = in_force(collection, *catalogue, &*site, query);
     }
+    selection->may_take_long = request.may_take_long;
     return told(request, location_answer(std::move(*selection), query, name->column), format,
                 of_instance ? issued_max_age_s : in_force_max_age_s);
   }

@@ -130,6 +130,9 @@ Response Exchange::handled(const Request& request) const {
     Response response = told(failed.failure(), request);
     response.headers.emplace_back(route_field, failed.route());
     return response;
+  } catch (const TakesLong&) {
+    if (!request.may_take_long) throw;
+    return told(failure_of(std::current_exception(), request.path), request);
   } catch (...) {
     return told(failure_of(std::current_exception(), request.path), request);
   }
@@ -179,9 +182,11 @@ Response Exchange::respond(Arrival& arrival) const {
   return handled(as_get);
 }
 
-Reply Exchange::answer(Arrival arrival) const {
+std::optional<Reply> Exchange::answer(Arrival& arrival) const {
   try {
     return finish(respond(arrival), arrival);
+  } catch (const TakesLong&) {
+    return std::nullopt;
   } catch (...) {
     const Failure failure = failure_of(std::current_exception(), arrival.request.path);
     return finish(told(failure, arrival.request), arrival);

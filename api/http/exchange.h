@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -41,7 +42,8 @@ class Exchange {
       : options_(options), handler_(handler) {}
 
   /// Never throws for what a request or a handler does.
-  [[nodiscard]] Reply answer(Arrival arrival) const;
+  /// @return nothing where the answer takes long and the request may not; ask again where it may
+  [[nodiscard]] std::optional<Reply> answer(Arrival& arrival) const;
   /// The last answer on a connection whose request could not be read.
   [[nodiscard]] Reply refusal(int status, const std::string& detail) const;
 

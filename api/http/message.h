@@ -17,7 +17,13 @@ struct Request {
   std::string accept;  ///< Accept header
   std::string body;
   bool is_trusted = false;  ///< from loopback, or carries the token
+  /// Where it is false a handler that finds long work to do throws `TakesLong` before it begins.
+  bool may_take_long = true;
 };
+
+/// Thrown by a handler that may not take long, and would: it is handed the request again, with
+/// `may_take_long`, as soon as one of the threads for long work is free. Short answers pass by.
+struct TakesLong {};
 
 struct Response {
   int status = 200;

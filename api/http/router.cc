@@ -13,7 +13,8 @@ namespace {
 
 std::vector<std::string> split(std::string_view path) {
   std::vector<std::string> segments;
-  path.remove_prefix(path.starts_with('/') ? 1 : 0);
+  // Clients that are given the service's address with a slash at its end ask for //collections.
+  path.remove_prefix(std::min(path.find_first_not_of('/'), path.size()));
   if (path.ends_with('/')) path.remove_suffix(1);
   while (!path.empty()) {
     const std::size_t slash = std::min(path.find('/'), path.size());
@@ -130,6 +131,8 @@ Response Router::called(const Route& route, const Segments& path, const Request&
   Response response;
   try {
     response = route.handler(request, parameters);
+  } catch (const TakesLong&) {
+    throw;
   } catch (...) {
     Failure failure = failure_of(std::current_exception(), request.path);
     if (!failure.for_the_log.empty()) throw RouteFailure(route.pattern, std::move(failure));

@@ -66,8 +66,15 @@ class Server::Running {
       : limits_(options.limits),
         metrics_(options.metrics),
         exchange_(options, handler),
-        pool_(options.threads),
-        site_{io_, exchange_, pool_, limits_, metrics_.get(), [this](Session& s) { forget(s); }},
+        short_work_(options.threads),
+        long_work_(options.threads),
+        site_{io_,
+              exchange_,
+              short_work_,
+              long_work_,
+              limits_,
+              metrics_.get(),
+              [this](Session& s) { forget(s); }},
         acceptor_(io_),
         ticker_(io_) {
     listen({address_of(options), options.port});
@@ -79,7 +86,8 @@ class Server::Running {
   ~Running() {
     asio::post(io_, [this] { drain(); });
     thread_.join();
-    pool_.stop();
+    short_work_.stop();  // first: it hands work on to the other
+    long_work_.stop();
   }
 
   std::uint16_t port() const noexcept { return port_; }
@@ -236,7 +244,8 @@ class Server::Running {
   const Limits limits_;
   std::shared_ptr<Metrics> metrics_;
   Exchange exchange_;
-  WorkerPool pool_;
+  WorkerPool short_work_;
+  WorkerPool long_work_;
   SessionSite site_;
   asio::ip::tcp::acceptor acceptor_;
   asio::steady_timer ticker_;

@@ -11,9 +11,10 @@ namespace slackwater::api::http {
 ///
 ///   one thread    accepts, reads, keeps the deadlines, writes          (session.h)
 ///   n threads     method, trust, handler, validators, coding           (exchange.h)
+///   n threads     the same for answers that take long, so that short ones pass them by
 ///
-/// Sockets live on the one thread alone and handlers see values only: nothing is shared but two
-/// queues. A handler that hangs costs its thread and nobody's bytes.
+/// Sockets live on the one thread alone and handlers see values only: nothing is shared but
+/// three queues. A handler that hangs costs its thread and nobody's bytes.
 class Server {
  public:
   /// Throws Error(usage) for an address that is not numeric, and for one that is not loopback

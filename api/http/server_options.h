@@ -41,9 +41,10 @@ struct Limits {
 struct ServerOptions {
   std::string address = "127.0.0.1";  ///< numeric, IPv4 or IPv6
   std::uint16_t port = 0;             ///< 0: any that is free
-  std::size_t threads = 2;            ///< that run handlers; one more carries the bytes
-  std::optional<std::string> token;   ///< `Authorization: Bearer <token>` may write from afar
-  bool read_only = false;             ///< POST is refused too
+  /// That run handlers, and as many more for what takes long (message.h); one more carries the bytes.
+  std::size_t threads = 2;
+  std::optional<std::string> token;  ///< `Authorization: Bearer <token>` may write from afar
+  bool read_only = false;            ///< POST is refused too
   Limits limits;
   std::shared_ptr<Metrics> metrics;  ///< may be null
   /// Told of every exception that the client sees as 500 only; may be empty, called from any

@@ -140,14 +140,26 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   void dispatch() {
     enter(State::handling, site_.limits.handler_time);
     begin_request_count();
-    auto job = [self = shared_from_this(), serial = ++serial_, deadline = deadline_,
-                arrival = reader_.take()]() mutable {
+    auto arrival = std::make_shared<Arrival>(reader_.take());
+    arrival->peer_is_loopback = peer_is_loopback_;
+    arrival->request.may_take_long = false;
+    submit(site_.short_work, std::move(arrival), ++serial_, deadline_);
+  }
+
+  /// Touches nothing of the session but what never changes: it is called on the threads of a pool too.
+  void submit(WorkerPool& pool, std::shared_ptr<Arrival> request, std::uint64_t serial,
+              Moment deadline) {
+    auto job = [self = shared_from_this(), serial, deadline,
+                arrival = std::move(request)]() mutable {
       SessionSite& site = self->site_;
-      arrival.peer_is_loopback = self->peer_is_loopback_;
       std::optional<Reply> reply;
       // Where all threads were busy for too long the client has been told already.
       if (std::chrono::steady_clock::now() < deadline) {
-        reply = site.exchange.answer(std::move(arrival));
+        reply = site.exchange.answer(*arrival);
+        if (!reply) {
+          arrival->request.may_take_long = true;
+          self->submit(site.long_work, std::move(arrival), serial, deadline);
+        }
       }
       // The session goes back with the answer: it is never let go of on this thread.
       asio::post(site.io, [self = std::move(self), serial, reply = std::move(reply)]() mutable {
@@ -155,7 +167,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
         if (reply && is_awaited) self->deliver(std::move(*reply));
       });
     };
-    site_.pool.submit(std::move(job));
+    pool.submit(std::move(job));
   }
 
   void refuse(const Refusal& refusal) {

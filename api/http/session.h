@@ -22,7 +22,8 @@ class Session;
 struct SessionSite {
   boost::asio::io_context& io;
   const Exchange& exchange;
-  WorkerPool& pool;
+  WorkerPool& short_work;  ///< all begin here
+  WorkerPool& long_work;   ///< what takes long goes on here (message.h)
   const Limits& limits;
   Metrics* metrics;                         ///< may be null
   std::function<void(Session&)> on_closed;  ///< called once, with the session still alive

@@ -15,6 +15,18 @@ std::filesystem::path filled(const std::filesystem::path& folder) {
   return folder;
 }
 
+api::http::Request request_for(const std::string& path, const QueryPairs& query) {
+  api::http::Request request;
+  request.method = "GET";
+  request.path = path;
+  request.host = "edr.test";
+  for (const auto& [key, value] : query) {
+    request.query += (request.query.empty() ? "" : "&") + key + "=";
+    request.query += api::http::percent_encoded(value);
+  }
+  return request;
+}
+
 }  // namespace
 
 EdrServiceForTests::EdrServiceForTests()
@@ -40,16 +52,20 @@ api::http::Response EdrServiceForTests::get_raw(const std::string& path,
 
 api::http::Response EdrServiceForTests::get(const std::string& path, const QueryPairs& query,
                                             const std::string& accept) const {
-  api::http::Request request;
-  request.method = "GET";
-  request.path = path;
-  request.host = "edr.test";
+  api::http::Request request = request_for(path, query);
   request.accept = accept;
-  for (const auto& [key, value] : query) {
-    request.query += (request.query.empty() ? "" : "&") + key + "=";
-    request.query += api::http::percent_encoded(value);
-  }
   return router_(request);
+}
+
+bool EdrServiceForTests::takes_long(const std::string& path, const QueryPairs& query) const {
+  api::http::Request request = request_for(path, query);
+  request.may_take_long = false;
+  try {
+    EXPECT_EQ(router_(request).status, 200) << path;
+    return false;
+  } catch (const api::http::TakesLong&) {
+    return true;
+  }
 }
 
 json EdrServiceForTests::document(const std::string& path, const QueryPairs& query) const {

@@ -30,6 +30,8 @@ class EdrServiceForTests {
   /// As sent on the wire: what stands behind the '?' is not encoded again.
   [[nodiscard]] api::http::Response get_raw(const std::string& path,
                                             const std::string& query) const;
+  /// Whether it is left to the threads for long work; else it must be a 200.
+  [[nodiscard]] bool takes_long(const std::string& path, const QueryPairs& query) const;
   /// The body of an answer that must be a 200.
   [[nodiscard]] nlohmann::json document(const std::string& path,
                                         const QueryPairs& query = {}) const;

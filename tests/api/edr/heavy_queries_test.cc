@@ -78,6 +78,29 @@ TEST(EdrHeavy, MoreFeaturesThanAClientCanReadAreRefusedInGeoJsonAndServedInOther
   EXPECT_EQ(service().get(farm + "/cube", query).status, 200);
 }
 
+TEST(EdrHeavy, WhatTakesLongIsLeftToTheThreadsForIt) {
+  const auto cube_of = [](const std::string& count) {
+    return QueryPairs{{"bbox", "2.39,57.19,2.47,57.25"},
+                      {"z", "5"},
+                      {"datetime", instant},
+                      {"parameter-name", speed},
+                      {"resolution-x", count},
+                      {"resolution-y", count}};
+  };
+  EXPECT_FALSE(service().takes_long(farm + "/cube", cube_of("200"))) << "40 000 values";
+  EXPECT_TRUE(service().takes_long(farm + "/cube", cube_of("300"))) << "90 000 values";
+  EXPECT_EQ(service().get(farm + "/cube", cube_of("300")).status, 200) << "and done there";
+  const auto area_of = [](const std::string& count) {
+    return QueryPairs{{"coords", zigzag(1200)}, {"z", "5"},
+                      {"datetime", instant},    {"parameter-name", speed},
+                      {"resolution-x", count},  {"resolution-y", count}};
+  };
+  EXPECT_FALSE(service().takes_long(farm + "/area", area_of("20"))) << "half a million comparisons";
+  EXPECT_TRUE(service().takes_long(farm + "/area", area_of("60"))) << "four million comparisons";
+  EXPECT_FALSE(service().takes_long(farm + "/position", {{"coords", "POINT(2.42 57.22)"}}));
+  EXPECT_FALSE(service().takes_long(farm + "/locations/farm", {{"z", "5"}}));
+}
+
 TEST(EdrHeavy, ACubeOfOneLevelHasItOnce) {
   const auto cube = service().document(farm + "/cube", {{"bbox", "2.39,57.19,6.7,2.47,57.25,6.7"},
                                                         {"datetime", instant},

@@ -150,6 +150,23 @@ TEST(EdrQueries, CorridorAnswersAboutALineAndNeedsItsWidthAndHeight) {
                 {"coords", "corridor-width", "width-units", "corridor-height", "height-units"});
 }
 
+TEST(EdrQueries, ACorridorOfNoHeightAsOldClientsAskItIsOfItsPathsLevel) {
+  QueryPairs flat{{"coords", "LINESTRINGZ(2.41 57.21 5,2.44 57.22 5)"},
+                  {"corridor-width", "500"},
+                  {"width-units", "m"},
+                  {"datetime", noon},
+                  {"parameter-name", east_current}};
+  const json found = service().document(root + "corridor", flat);
+  flat.push_back({"corridor-height", "0.001"});
+  flat.push_back({"height-units", "m"});
+  flat.push_back({"resolution-z", "1"});
+  const json thin = service().document(root + "corridor", flat);
+  ASSERT_EQ(found.at("coverages").size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(values_of(found.at("coverages")[i], east_current),
+              values_of(thin.at("coverages")[i], east_current));
+}
+
 TEST(EdrQueries, RadiusAnswersAboutAPointAndNeedsItsDistance) {
   expect_needed(root + "radius",
                 {{"coords", "POINT(2.42 57.22)"},

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -141,6 +142,49 @@ TEST(HandlerThatDawdles, AllThreadsBusyStillEndsInAnAnswer) {
     EXPECT_EQ(reply->status, 503);
   }
   EXPECT_LE(runs, 2) << "what nobody waits for any more is not begun";
+}
+
+TEST(WorkThatTakesLong, IsPassedByShortAnswersAndDoneAFewAtATime) {
+  std::atomic<int> at_work = 0;
+  std::atomic<int> most_at_work = 0;
+  Router router;
+  router.add("GET", "/short", [](const Request&) { return text_response("short"); });
+  router.add("GET", "/long", [&](const Request& request) {
+    if (!request.may_take_long) throw TakesLong{};
+    most_at_work = std::max(most_at_work.load(), ++at_work);
+    std::this_thread::sleep_for(200ms);
+    --at_work;
+    return text_response("long");
+  });
+  ServerOptions options;
+  options.threads = 1;
+  const Served served(router, options);
+  std::vector<HttpClient> clients;
+  for (int i = 0; i < 5; ++i) {
+    clients.push_back(served.client());
+    ASSERT_TRUE(clients.back().send("GET /long HTTP/1.1\r\nHost: localhost\r\n\r\n"));
+  }
+  std::this_thread::sleep_for(50ms);
+  const auto from = std::chrono::steady_clock::now();
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(served.get("/short"));
+  EXPECT_LT(std::chrono::steady_clock::now() - from, 500ms) << "in turn they would wait 950 ms";
+  for (HttpClient& client : clients) {
+    const auto reply = client.receive();
+    ASSERT_TRUE(reply);
+    EXPECT_EQ(reply->body, "long");
+  }
+  EXPECT_EQ(most_at_work, 1);
+}
+
+TEST(WorkThatTakesLong, IsAFaultWhereItIsNotBegunThoughItMay) {
+  std::vector<std::string> log;
+  ServerOptions options;
+  options.on_failure = [&](const Request&, const std::string& what) { log.push_back(what); };
+  const Served served([](const Request&) -> Response { throw TakesLong{}; }, options);
+  const auto reply = served.get("/");
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->status, 500);
+  EXPECT_EQ(log.size(), 1U);
 }
 
 TEST(Handlers, RunAtOnceForManyClients) {
