@@ -30,7 +30,7 @@ install(CODE "
 install(FILES ${PROJECT_SOURCE_DIR}/api/systemd/slackwater.conf DESTINATION lib/tmpfiles.d COMPONENT runtime)
 
 # --- for programs of others ---------------------------------------------------------------------
-set(rooms fields ingest calibration store)
+set(rooms fields ingest calibration twin store)
 foreach(room ${rooms})
   set_target_properties(slackwater_${room} PROPERTIES EXPORT_NAME ${room})
   list(APPEND exported slackwater_${room})
@@ -38,7 +38,7 @@ endforeach()
 get_property(libraries GLOBAL PROPERTY SLACKWATER_LIBRARIES)
 install(TARGETS ${exported} slackwater_options ${libraries} EXPORT SlackwaterTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-foreach(folder fields ingest calibration data/store)
+foreach(folder fields ingest calibration twin data/store)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slackwater/${folder}
           COMPONENT development FILES_MATCHING PATTERN "*.h")
 endforeach()
@@ -67,6 +67,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "proj-data")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gpsd-clients")  # gpsdecode, for AIS alone
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Reads each day's Copernicus Marine and weather products, calibrates an
 Ekman-layer model of the current profile at a site, forecasts three days and

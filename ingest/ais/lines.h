@@ -1,0 +1,36 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace slackwater::ingest {
+
+/// One line of a text file, without its end (LF or CR LF).
+struct TextLine {
+  std::size_t number = 0;    ///< from 1
+  std::string_view text;     ///< until the next line is read
+  bool is_too_long = false;  ///< longer than the limit: `text` holds its beginning
+};
+
+/// Reads a text file line by line in constant memory, whatever the bytes are.
+class Lines {
+ public:
+  /// Longest line kept: a tag block (80 characters) and a sentence (82) by NMEA 0183, and room for loggers.
+  static constexpr std::size_t most_characters = 1024;
+
+  /// @throws Error(not_found) where the file cannot be opened
+  explicit Lines(const std::filesystem::path& file);
+  [[nodiscard]] std::optional<TextLine> next();
+
+ private:
+  std::ifstream stream_;
+  std::string block_;
+  std::size_t at_ = 0;
+  std::string line_;
+  std::size_t number_ = 0;
+};
+
+}  // namespace slackwater::ingest
