@@ -1,0 +1,39 @@
+#pragma once
+#include <cstddef>
+
+#include "twin/vehicle/attitude.h"
+
+namespace slackwater::twin {
+
+inline constexpr std::size_t most_mounts = 8;
+
+/// Where a thruster stands and which way it pushes, body axes.
+struct Mount {
+  Triple<double> position_m;
+  Triple<double> direction;  ///< of positive thrust; of length one
+  /// +1: its propeller turns clockwise seen along the thrust, and the vehicle the other way
+  double spin = 1;
+};
+
+/// Two pairs of fins at one place along the hull: a rudder and an elevator.
+struct Fins {
+  double area_m2 = 0;       ///< of each pair; 0: none
+  double position_x_m = 0;  ///< negative: aft
+  double lift_slope_per_rad = 0;
+  double drag_factor = 0;  ///< drag coefficient over the square of the lift coefficient
+  double stall_rad = 0;
+  double limit_rad = 0;
+  double rate_rad_s = 0;
+};
+
+/// A mass that slides along x and a bladder that changes the volume.
+struct Trim {
+  double moving_mass_kg = 0;
+  double travel_m = 0;  ///< either way
+  double travel_rate_m_s = 0;
+  double least_volume_m3 = 0;  ///< against neutral
+  double most_volume_m3 = 0;
+  double volume_rate_m3_s = 0;
+};
+
+}  // namespace slackwater::twin

@@ -1,0 +1,51 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "twin/vehicle/floating_hull.h"
+
+namespace slackwater::twin {
+
+inline constexpr std::size_t most_stations = 8;
+
+/// A rigid body in a fluid, in body axes (forward, right, down) about the body's origin. All signs are those of one
+/// convention: masses and dampings are positive.
+struct Body {
+  double mass_kg = 0;
+  Triple<double> centre_of_gravity_m;
+  double displaced_volume_m3 = 0;
+  Triple<double> centre_of_buoyancy_m;
+  SpatialMatrix rigid_mass;           ///< M_RB
+  SpatialMatrix added_mass;           ///< M_A
+  SpatialMatrix inverse_mass;         ///< (M_RB + M_A)^-1
+  Spatial<double> linear_damping;     ///< diagonal of D, N s/m and N m s
+  Spatial<double> quadratic_damping;  ///< diagonal of D|nu|, N s2/m2 and N m s2
+  /// Where a hull under way leaves the water that it has pushed aside, and the two-dimensional added mass there.
+  double trailing_edge_x_m = 0;
+  double trailing_edge_kg_m = 0;
+  /// Where along the hull the water is met, for drag in sheared water; shares of one.
+  std::size_t stations = 1;
+  std::array<Triple<double>, most_stations> station_m{};
+  double fluid_density_kg_m3 = 0;
+  double height_m = 0;  ///< of the hull, for its coming out of the water
+  FloatingHull hull;    ///< of a surface craft, which displaces no water of its own beside
+};
+
+/// What a body feels of the fluid around its centre of buoyancy, NED.
+template <typename Real>
+struct FluidMotion {
+  Triple<Real> velocity_m_s;       ///< current and orbital motion, or wind
+  Triple<Real> acceleration_m_s2;  ///< Du/Dt of the water
+  Triple<Real> shear_per_s;        ///< change of velocity with depth
+  Real elevation_m{};              ///< of the surface above still water
+};
+
+/// Position from the site's origin (NED, z down from mean sea level), attitude and velocity in body axes.
+template <typename Real>
+struct BodyState {
+  Triple<Real> position_m;
+  Attitude<Real> attitude;
+  Spatial<Real> nu;
+};
+
+}  // namespace slackwater::twin
