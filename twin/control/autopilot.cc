@@ -1,0 +1,206 @@
+#include "twin/control/autopilot.h"
+
+#include <string>
+
+#include "fields/base/check.h"
+#include "fields/base/constants.h"
+#include "fields/base/error.h"
+#include "twin/control/control_laws.h"
+#include "twin/vehicle/mass_matrix.h"
+
+namespace slackwater::twin {
+namespace {
+
+/// In the order of their importance.
+std::vector<WantedAxis> axes_of(VehicleKind kind) {
+  switch (kind) {
+    case VehicleKind::rov:
+      return {{Axis::heave, 0}, {Axis::roll, 0},  {Axis::pitch, 0},
+              {Axis::yaw, 1},   {Axis::surge, 2}, {Axis::sway, 2}};
+    case VehicleKind::auv:
+      return {{Axis::surge, 0}};
+    case VehicleKind::uav:
+      return {{Axis::heave, 0}, {Axis::roll, 1}, {Axis::pitch, 1}, {Axis::yaw, 2}};
+    case VehicleKind::usv:
+    case VehicleKind::vessel:
+      break;
+  }
+  return {{Axis::yaw, 0}, {Axis::surge, 1}, {Axis::sway, 1}};
+}
+
+void expect_axes(const Autopilot& a, std::initializer_list<Axis> needed, const char* why) {
+  for (const Axis axis : needed)
+    if (!a.allocation.commands(axis))
+      throw Error(ErrorKind::invalid_input, std::string("mounts: ") + why);
+}
+
+void expect_steerable(const Autopilot& a) {
+  switch (a.kind) {
+    case VehicleKind::rov:
+      expect_axes(a, {Axis::surge, Axis::sway, Axis::heave, Axis::yaw},
+                  "the thrusters of an rov push it ahead, sideways and up and turn it; these do "
+                  "not. Add thrusters or choose another kind");
+      return;
+    case VehicleKind::uav:
+      expect_axes(a, {Axis::heave, Axis::roll, Axis::pitch, Axis::yaw},
+                  "the rotors of a uav lift it, tilt it and turn it; these do not. Check their "
+                  "directions ([0, 0, -1] is up) and that as many turn one way as the other");
+      if (a.allocation.most_astern[2] < 1.2 * a.weight_n)
+        throw Error(ErrorKind::invalid_input,
+                    "mounts: the rotors lift " + std::to_string(a.allocation.most_astern[2]) +
+                        " N of a weight of " + std::to_string(a.weight_n) +
+                        " N; a multirotor that is to be steered lifts at least 1.2 times its own");
+      return;
+    case VehicleKind::auv:
+      expect_axes(a, {Axis::surge}, "the propeller of an auv pushes it ahead; none does");
+      if (!(a.fin_moment_n_m_s2_m2 > 0))
+        throw Error(ErrorKind::invalid_input,
+                    "fins: an auv is steered by fins aft of its origin; give fins with a negative "
+                    "position_x_m");
+      return;
+    case VehicleKind::usv:
+    case VehicleKind::vessel:
+      expect_axes(a, {Axis::surge, Axis::yaw},
+                  "the thrusters of a surface craft push it ahead and turn it; these do not. Two "
+                  "side by side do both");
+  }
+}
+
+/// Where thrust and resistance meet.
+double speed_of(const Autopilot& a, double thrust_n) {
+  const double l = a.linear_damping.linear.x, q = a.quadratic_damping.linear.x;
+  if (q > 0) return (std::sqrt(l * l + 4 * q * thrust_n) - l) / (2 * q);
+  return l > 0 ? thrust_n / l : 1;
+}
+
+/// Nine tenths of what the weaker way of an axis gives.
+double most_integral(const Autopilot& a, Axis axis) {
+  const auto i = static_cast<std::size_t>(axis);
+  return 0.9 * a.allocation.most_either_way(axis) / a.mass.entry[i][i];
+}
+
+void close_loops(Autopilot& a) {
+  const AutopilotSettings& s = a.settings;
+  const double ratio = s.damping_ratio;
+  double sideways = most_integral(a, Axis::surge), down = most_integral(a, Axis::heave);
+  double turning = most_integral(a, Axis::yaw);
+  double tilting = 0;
+  if (a.kind == VehicleKind::uav) {
+    sideways = 0.9 * a.tan_most_tilt * constants::gravity_m_s2;
+    down = 0.5 * constants::gravity_m_s2;
+    // A tenth of the weight on the outermost rotor's arm.
+    double arm = 0;
+    for (std::size_t i = 0; i < a.allocation.mounts; ++i)
+      arm = std::max(arm, std::abs(a.allocation.effect[3][i]));
+    tilting = 0.1 * a.weight_n * arm / std::max(a.mass.entry[3][3], a.mass.entry[4][4]);
+    turning = 2;
+  } else if (a.kind == VehicleKind::auv) {
+    const double fins =
+        a.fin_moment_n_m_s2_m2 * a.fins.stall_rad * s.most_speed_m_s * s.most_speed_m_s;
+    turning = fins / a.mass.entry[5][5];
+    tilting = fins / a.mass.entry[4][4];
+    down = 0;
+  }
+  a.horizontal = loop_of(s.horizontal_period_s, ratio, sideways);
+  a.vertical = loop_of(s.vertical_period_s, ratio, down);
+  a.heading = loop_of(s.heading_period_s, ratio, turning);
+  a.tilt = loop_of(s.tilt_period_s, ratio, tilting);
+  a.station_per_s = a.horizontal.outer_per_s;
+  if (a.kind != VehicleKind::uav && !a.allocation.commands(Axis::sway))
+    a.station_per_s = std::min(a.station_per_s, 0.2 * a.heading.outer_per_s);
+}
+
+double square_of(const Triple<double>& t) noexcept { return dot(t, t); }
+
+/// Not the numbers of a broken sensor: any that is not one makes the sum so.
+bool is_sound(const Measured& m, const Reference& reference, double dt_s) noexcept {
+  const Attitude<double>& q = m.attitude;
+  const double turn = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  const Course& c = reference.heading;
+  const double altitude =
+      reference.vertical == Vertical::altitude
+          ? m.altitude_m * m.altitude_m + reference.altitude_m * reference.altitude_m
+          : 0.0;
+  const double far = square_of(m.position_m) + square_of(reference.position_m) + altitude;
+  const double fast = square_of(m.nu.linear) + square_of(m.nu.angular) + square_of(m.water_m_s) +
+                      square_of(reference.velocity_m_s);
+  const double course = c.north * c.north + c.east * c.east;
+  return std::abs(turn - 1) < 0.1 && std::abs(course - 1) < 0.1 && far < 1e14 && fast < 1e8 &&
+         dt_s > 0;
+}
+
+Effort resting(const Autopilot& a, const ControlState& state) noexcept {
+  Effort effort;
+  if (a.kind == VehicleKind::uav)
+    effort.thrust_n = allocate(a.allocation, {{0, 0, -a.weight_n}, {}}).thrust_n;
+  if (a.kind == VehicleKind::auv) effort.volume_m3 = state.volume_m3;
+  return effort;
+}
+
+}  // namespace
+
+Course course_of(double bearing_rad) noexcept {
+  return {std::cos(bearing_rad), std::sin(bearing_rad)};
+}
+double bearing_rad(const Course& course) noexcept { return std::atan2(course.east, course.north); }
+
+Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind, const Body& body,
+                         const Actuators& actuators) {
+  Autopilot a;
+  a.kind = kind;
+  a.settings = settings;
+  a.allocation = plan_allocation(actuators.mounts, actuators.ranges, axes_of(kind));
+  a.mass = sum_of(body.rigid_mass, body.added_mass);
+  const auto& added = body.added_mass.entry;
+  a.added_mass = {added[0][0], added[1][1], added[2][2]};
+  a.lag_s = actuators.lag_s;
+  a.linear_damping = body.linear_damping;
+  a.quadratic_damping = body.quadratic_damping;
+  a.weight_n = body.mass_kg * constants::gravity_m_s2;
+  a.righting_n_m = a.weight_n * (body.centre_of_gravity_m.z - body.centre_of_buoyancy_m.z);
+  a.tan_most_tilt = std::tan(settings.most_tilt_rad);
+  a.fins = actuators.fins;
+  a.trim = actuators.trim;
+  a.fin_moment_n_m_s2_m2 = -0.5 * body.fluid_density_kg_m3 * a.fins.area_m2 *
+                           a.fins.lift_slope_per_rad * a.fins.position_x_m;
+  a.displacement_n_m3 = body.fluid_density_kg_m3 * constants::gravity_m_s2;
+  expect_steerable(a);
+  if (!(a.settings.most_speed_m_s > 0))
+    a.settings.most_speed_m_s = 0.95 * speed_of(a, a.allocation.most_ahead[0]);
+  close_loops(a);
+  return a;
+}
+
+Effort effort_of(const Autopilot& a, const Measured& measured, const Reference& reference,
+                 double dt_s, ControlState& state) noexcept {
+  if (!is_sound(measured, reference, dt_s)) return resting(a, state);
+  Seen seen;
+  seen.r = rotation_of(measured.attitude);
+  seen.velocity_m_s = seen.r.to_ned(measured.nu.linear);
+  seen.bow = bow_of(seen.r);
+  seen.too_shallow_m = reference.vertical == Vertical::altitude
+                           ? measured.altitude_m - reference.altitude_m
+                           : reference.position_m.z - measured.position_m.z;
+  if (state.is_engaged == 0) {
+    state.wanted_ahead_m_s = measured.nu.linear.x;
+    state.wanted_north_m_s = seen.velocity_m_s.x;
+    state.wanted_east_m_s = seen.velocity_m_s.y;
+    state.wanted_down_m_s = seen.velocity_m_s.z;
+    state.is_engaged = 1;
+  }
+  switch (a.kind) {
+    case VehicleKind::auv:
+      return steer_by_fins(a, measured, reference, seen, dt_s, state);
+    case VehicleKind::uav:
+      return steer_by_tilt(a, measured, reference, seen, dt_s, state);
+    case VehicleKind::rov:
+    case VehicleKind::usv:
+    case VehicleKind::vessel:
+      break;
+  }
+  if (a.allocation.commands(Axis::sway))
+    return steer_free(a, measured, reference, seen, dt_s, state);
+  return steer_by_turning(a, measured, reference, seen, dt_s, state);
+}
+
+}  // namespace slackwater::twin

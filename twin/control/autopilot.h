@@ -1,0 +1,92 @@
+#pragma once
+#include <array>
+#include <span>
+
+#include "twin/control/allocation.h"
+#include "twin/control/autopilot_settings.h"
+#include "twin/control/control_loop.h"
+#include "twin/vehicle/body.h"
+
+namespace slackwater::twin {
+
+/// The means a vehicle has to move itself.
+struct Actuators {
+  std::span<const Mount> mounts;
+  std::span<const ThrustRange> ranges;
+  Fins fins{};
+  Trim trim{};
+  double lag_s = 0;  ///< of the thrusters behind what they are asked for
+};
+
+/// All that a step of control needs, worked out once.
+struct Autopilot {
+  VehicleKind kind = VehicleKind::rov;
+  AutopilotSettings settings;
+  Allocation allocation;
+  Loop horizontal;
+  Loop vertical;
+  Loop heading;
+  Loop tilt;
+  /// A place is gone for at this rate: the outer one of `horizontal`, or a fifth of the heading's for craft that must turn
+  /// towards it first.
+  double station_per_s = 0;
+  SpatialMatrix mass;         ///< M_RB + M_A
+  Triple<double> added_mass;  ///< M_A along x, y, z
+  double lag_s = 0;
+  Spatial<double> linear_damping;
+  Spatial<double> quadratic_damping;
+  double weight_n = 0;
+  double righting_n_m = 0;  ///< moment per sine of roll or pitch
+  double tan_most_tilt = 0;
+  double fin_moment_n_m_s2_m2 = 0;  ///< per radian and square of the speed; 0: no fins
+  Fins fins;
+  Trim trim;
+  double displacement_n_m3 = 0;  ///< weight of displaced fluid per volume
+};
+
+/// @throws Error(invalid_input) for a vehicle that this kind of autopilot cannot steer, e.g. a multirotor whose rotors do
+///         not lift it
+[[nodiscard]] Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind,
+                                       const Body& body, const Actuators& actuators);
+
+/// What a controller remembers from step to step: numbers only, stored and compared as a block of them.
+struct ControlState {
+  double north_m_s2 = 0;  ///< integrals: accelerations held against what pushes steadily
+  double east_m_s2 = 0;
+  double down_m_s2 = 0;
+  double surge_m_s2 = 0;
+  double roll_rad_s2 = 0;
+  double pitch_rad_s2 = 0;
+  double yaw_rad_s2 = 0;
+  double drift_north_m_s = 0;  ///< of a craft that cannot push sideways, from what it is not told
+  double drift_east_m_s = 0;
+  double dive_m_s = 0;          ///< of an AUV: the sinking that its pitch makes up for
+  double wanted_ahead_m_s = 0;  ///< velocities asked for, which change no faster than is allowed
+  double wanted_north_m_s = 0;
+  double wanted_east_m_s = 0;
+  double wanted_down_m_s = 0;
+  double kept_north = 0;  ///< the course kept on station; (0, 0): none yet
+  double kept_east = 0;
+  double trim_n_m = 0;   ///< moment of the moving mass
+  double volume_m3 = 0;  ///< of the buoyancy engine
+  double is_engaged = 0;
+};
+static_assert(sizeof(ControlState) == 19 * sizeof(double));
+
+/// What the actuators are to do.
+struct Effort {
+  std::array<double, most_mounts> thrust_n{};
+  double rudder_rad = 0;
+  double elevator_rad = 0;
+  double moving_mass_m = 0;
+  double volume_m3 = 0;
+};
+
+/// One step of control, dt_s > 0. Always finite and within the actuators' ranges: what is measured and is not a number,
+/// or as large as none can be, leaves the state as it was and gives no thrust (a multirotor: its weight). No allocation,
+/// no exception.
+[[nodiscard]] Effort effort_of(const Autopilot& autopilot, const Measured& measured,
+                               const Reference& reference, double dt_s,
+                               ControlState& state) noexcept;
+
+}  // namespace slackwater::twin

@@ -1,0 +1,101 @@
+#include "twin/control/control_laws.h"
+
+namespace slackwater::twin {
+
+Triple<double> eased_velocity(const Autopilot& autopilot, const Triple<double>& wanted_m_s,
+                              double dt_s, ControlState& state) noexcept {
+  const double most = autopilot.settings.most_acceleration_m_s2 * dt_s;
+  const double north = wanted_m_s.x - state.wanted_north_m_s;
+  const double east = wanted_m_s.y - state.wanted_east_m_s;
+  const double size = std::sqrt(north * north + east * east);
+  const double share = size > most ? most / size : 1.0;
+  state.wanted_north_m_s += share * north;
+  state.wanted_east_m_s += share * east;
+  state.wanted_down_m_s += std::clamp(wanted_m_s.z - state.wanted_down_m_s, -most, most);
+  return {state.wanted_north_m_s, state.wanted_east_m_s, state.wanted_down_m_s};
+}
+
+Triple<double> wanted_velocity(const Autopilot& autopilot, const Measured& measured,
+                               const Reference& reference, const Seen& seen) noexcept {
+  const AutopilotSettings& settings = autopilot.settings;
+  Triple<double> wanted{0, 0, reference.velocity_m_s.z};
+  if (reference.target == Target::cruise) {
+    const Course& ahead = reference.heading;
+    const Triple<double>& v = reference.velocity_m_s;
+    wanted.x = ahead.north * v.x - ahead.east * v.y;
+    wanted.y = ahead.east * v.x + ahead.north * v.y;
+  } else {
+    const double north = reference.position_m.x - measured.position_m.x;
+    const double east = reference.position_m.y - measured.position_m.y;
+    const double away = std::sqrt(north * north + east * east);
+    // Half of the acceleration brakes; the other half is for what pushes.
+    const double speed = approach_speed(autopilot.station_per_s, away, settings.most_speed_m_s,
+                                        0.5 * settings.most_acceleration_m_s2);
+    const double share = away > 0 ? speed / away : 0.0;
+    wanted.x = share * north;
+    wanted.y = share * east;
+    if (reference.target == Target::path) {
+      wanted.x += reference.velocity_m_s.x;
+      wanted.y += reference.velocity_m_s.y;
+    } else {
+      wanted.z = 0;
+    }
+  }
+  const double speed = std::sqrt(wanted.x * wanted.x + wanted.y * wanted.y);
+  if (speed > settings.most_speed_m_s) {
+    wanted.x *= settings.most_speed_m_s / speed;
+    wanted.y *= settings.most_speed_m_s / speed;
+  }
+  const double down = approach_speed(autopilot.vertical.outer_per_s, std::abs(seen.too_shallow_m),
+                                     settings.most_descent_m_s + settings.most_climb_m_s,
+                                     0.5 * settings.most_acceleration_m_s2);
+  wanted.z = std::clamp(wanted.z + (seen.too_shallow_m < 0 ? -down : down),
+                        -settings.most_climb_m_s, settings.most_descent_m_s);
+  return wanted;
+}
+
+Course crabbing(const Course& course, double speed_m_s, const Triple<double>& water_m_s) noexcept {
+  const double across = course.north * water_m_s.y - course.east * water_m_s.x;
+  const double lead = std::clamp(-across / std::max(speed_m_s, 1e-3), -1.0, 1.0);
+  const double along = std::sqrt(1 - lead * lead);
+  return {along * course.north - lead * course.east, along * course.east + lead * course.north};
+}
+
+Way way_along(const Autopilot& a, const Measured& measured, const Reference& reference,
+              const Triple<double>& wanted_m_s, const Seen& seen, double dt_s,
+              ControlState& state) noexcept {
+  const Triple<double>& v = reference.velocity_m_s;
+  const double speed = std::clamp(std::sqrt(v.x * v.x + v.y * v.y), a.settings.least_speed_m_s,
+                                  a.settings.most_speed_m_s);
+  const double size = std::sqrt(wanted_m_s.x * wanted_m_s.x + wanted_m_s.y * wanted_m_s.y);
+  if (!(size > 1e-6)) return {seen.bow, speed, 0};
+  const Course course{wanted_m_s.x / size, wanted_m_s.y / size};
+  const Triple<double> drift{measured.water_m_s.x - state.drift_north_m_s,
+                             measured.water_m_s.y - state.drift_east_m_s, 0};
+  const Way way{crabbing(course, speed, drift), speed, 0};
+  // On its heading, what goes across the course is drift.
+  if (std::abs(turn_rad(seen.bow, way.heading)) < 0.3) {
+    const double across = course.north * seen.velocity_m_s.y - course.east * seen.velocity_m_s.x;
+    const double learned = 0.35 * a.heading.outer_per_s * dt_s * across;
+    const double most = a.settings.most_speed_m_s;
+    state.drift_north_m_s = std::clamp(state.drift_north_m_s + course.east * learned, -most, most);
+    state.drift_east_m_s = std::clamp(state.drift_east_m_s - course.north * learned, -most, most);
+  }
+  return way;
+}
+
+Spatial<double> resistance(const Autopilot& autopilot, const Spatial<double>& nu_r) noexcept {
+  const Spatial<double>& l = autopilot.linear_damping;
+  const Spatial<double>& q = autopilot.quadratic_damping;
+  const auto along = [](double linear, double quadratic, double speed) {
+    return (linear + quadratic * std::abs(speed)) * speed;
+  };
+  return {
+      {along(l.linear.x, q.linear.x, nu_r.linear.x), along(l.linear.y, q.linear.y, nu_r.linear.y),
+       along(l.linear.z, q.linear.z, nu_r.linear.z)},
+      {along(l.angular.x, q.angular.x, nu_r.angular.x),
+       along(l.angular.y, q.angular.y, nu_r.angular.y),
+       along(l.angular.z, q.angular.z, nu_r.angular.z)}};
+}
+
+}  // namespace slackwater::twin
