@@ -1,0 +1,42 @@
+#include "twin/sensor/noise.h"
+
+#include "fields/base/random.h"
+
+namespace slackwater::twin {
+
+NoiseStream::NoiseStream(std::uint64_t run_seed, std::string_view name)
+    : key_(Rng(run_seed, name).bits()) {}
+
+double NoiseStream::uniform() noexcept {
+  std::uint64_t z = key_ + (++drawn_) * 0x9E3779B97F4A7C15ULL;
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
+}
+
+double NoiseStream::normal() noexcept {
+  for (;;) {
+    const double x = 2 * uniform() - 1;
+    const double y = 2 * uniform() - 1;
+    const double s = x * x + y * y;
+    // The second of the pair is dropped: a stream holds nothing back between draws.
+    if (s < 1 && s > 0) return x * std::sqrt(-2 * std::log(s) / s);
+  }
+}
+
+Triple<double> NoiseStream::normals() noexcept {
+  const double x = normal();
+  const double y = normal();
+  return {x, y, normal()};
+}
+
+double later(const GaussMarkov& model, double now, double dt_s, NoiseStream& noise) noexcept {
+  const double kept = std::exp(-dt_s / model.correlation_time_s);
+  return kept * now + model.sd * std::sqrt(1 - kept * kept) * noise.normal();
+}
+
+double rounded_to(double value, double resolution) noexcept {
+  return resolution > 0 ? resolution * std::nearbyint(value / resolution) : value;
+}
+
+}  // namespace slackwater::twin
