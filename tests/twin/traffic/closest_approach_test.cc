@@ -1,0 +1,115 @@
+#include "twin/traffic/closest_approach.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fields/base/random.h"
+
+namespace slackwater::tests {
+namespace {
+
+using namespace twin;
+
+double distance_after(const MovingPoint& a, const MovingPoint& b, double t_s) {
+  const Triple<double> p =
+      (b.position_m + t_s * b.velocity_m_s) - (a.position_m + t_s * a.velocity_m_s);
+  return std::hypot(p.x, p.y);
+}
+
+/// The least over all times, by trying them, then again around the best, ten times finer each time.
+ClosestApproach by_trying(const MovingPoint& a, const MovingPoint& b) {
+  double best = 0, step_s = 10;
+  double from = 0, to = 20'000;
+  for (int round = 0; round < 9; ++round) {
+    for (double t = from; t <= to; t += step_s) {
+      if (distance_after(a, b, t) < distance_after(a, b, best)) best = t;
+    }
+    from = std::max(0.0, best - step_s);
+    to = best + step_s;
+    step_s /= 10;
+  }
+  return {best, distance_after(a, b, best), best > 0};
+}
+
+MovingPoint random_point(Rng& rng) {
+  return {{rng.uniform(-5000, 5000), rng.uniform(-5000, 5000), rng.uniform(-9, 9)},
+          {rng.uniform(-10, 10), rng.uniform(-10, 10), rng.uniform(-1, 1)}};
+}
+
+TEST(ClosestApproach, IsWhatTryingAllTimesFinds) {
+  Rng rng(3, "tests/closest_approach");
+  int closing = 0;
+  for (int round = 0; round < 500; ++round) {
+    const MovingPoint a = random_point(rng);
+    const MovingPoint b = random_point(rng);
+    const ClosestApproach formula = closest_approach(a, b);
+    const ClosestApproach tried = by_trying(a, b);
+    if (formula.time_s > 19'000) continue;
+    // A square has a flat bottom: near the least the distance tells the time to the root of its rounding.
+    EXPECT_NEAR(formula.distance_m, tried.distance_m, 1e-6) << round;
+    EXPECT_NEAR(formula.time_s, tried.time_s, 1e-2) << round;
+    closing += formula.is_closing ? 1 : 0;
+  }
+  EXPECT_GT(closing, 150);
+  EXPECT_LT(closing, 350);
+}
+
+TEST(ClosestApproach, ATextbookCrossing) {
+  // Own ship north at 5 m/s, the other 1000 m east of the point 1000 m ahead, west at 5 m/s: both are there after 200 s.
+  const ClosestApproach approach =
+      closest_approach({{0, 0, 0}, {5, 0, 0}}, {{1000, 1000, 0}, {0, -5, 0}});
+  EXPECT_NEAR(approach.time_s, 200, 1e-12);
+  EXPECT_NEAR(approach.distance_m, 0, 1e-12);
+  EXPECT_TRUE(approach.is_closing);
+}
+
+TEST(ClosestApproach, AbreastAtOneSpeedItIsNow) {
+  const Triple<double> velocity{3, 4, 0};
+  const ClosestApproach approach = closest_approach({{0, 0, 0}, velocity}, {{30, 40, 0}, velocity});
+  EXPECT_EQ(approach.time_s, 0);
+  EXPECT_DOUBLE_EQ(approach.distance_m, 50);
+  EXPECT_FALSE(approach.is_closing);
+  const ClosestApproach nearly =
+      closest_approach({{0, 0, 0}, velocity}, {{30, 40, 0}, {3, 4 - 1e-9, 0}});
+  EXPECT_EQ(nearly.time_s, 0) << "not ten thousand years";
+}
+
+TEST(ClosestApproach, OvertakingOnAParallelCourseKeepsTheDistanceAcross) {
+  const ClosestApproach approach =
+      closest_approach({{0, 0, 0}, {8, 0, 0}}, {{600, 70, 0}, {5, 0, 0}});
+  EXPECT_NEAR(approach.time_s, 200, 1e-12);
+  EXPECT_NEAR(approach.distance_m, 70, 1e-12);
+}
+
+TEST(ClosestApproach, PartingItIsNow) {
+  const ClosestApproach approach =
+      closest_approach({{0, 0, 0}, {-5, 0, 0}}, {{100, 0, 0}, {5, 0, 0}});
+  EXPECT_EQ(approach.time_s, 0);
+  EXPECT_EQ(approach.distance_m, 100);
+  EXPECT_FALSE(approach.is_closing);
+  EXPECT_EQ(closest_approach({{1, 2, 0}, {3, 0, 0}}, {{1, 2, 0}, {0, 3, 0}}).distance_m, 0)
+      << "in one place";
+}
+
+TEST(ClosestApproach, DoesNotCareWhoseItIsNorWhereNorHowFastTheWaterCarriesBoth) {
+  Rng rng(4, "tests/closest_approach");
+  for (int round = 0; round < 500; ++round) {
+    MovingPoint a = random_point(rng);
+    MovingPoint b = random_point(rng);
+    const ClosestApproach seen = closest_approach(a, b);
+    const ClosestApproach other = closest_approach(b, a);
+    EXPECT_NEAR(other.time_s, seen.time_s, 1e-9 * (1 + seen.time_s));
+    EXPECT_NEAR(other.distance_m, seen.distance_m, 1e-8);
+    const Triple<double> shift{700, -300, 0}, drift{0.5, -1.5, 0};
+    for (MovingPoint* point : {&a, &b}) {
+      point->position_m = point->position_m + shift;
+      point->velocity_m_s = point->velocity_m_s + drift;
+    }
+    EXPECT_NEAR(closest_approach(a, b).time_s, seen.time_s, 1e-7 * (1 + seen.time_s));
+    EXPECT_NEAR(closest_approach(a, b).distance_m, seen.distance_m, 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::tests

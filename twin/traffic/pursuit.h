@@ -1,0 +1,26 @@
+#pragma once
+#include "twin/control/line_of_sight.h"
+#include "twin/traffic/track.h"
+
+namespace slackwater::twin {
+
+/// Follows a track in time: over ground
+///
+///   v = v_track + k (p_track - p),
+///
+/// so that the distance dies away as exp(-k t) while no bound is met; through the water less the current, bounded by
+/// the speed of the vehicle. Settings that suit a vessel of some metres that reports once a minute.
+struct Pursuit {
+  double gain_per_s = 0.1;  ///< k
+  double most_speed_m_s = 0;
+  double still_m_s = 0.05;  ///< slower than this the yaw is left as it is
+};
+
+/// @param wanted     where the track is now; must be known
+/// @param water_m_s  the current as the vehicle knows it, NED
+/// @param yaw_rad    of the vehicle now
+[[nodiscard]] Heading pursue(const Pursuit& pursuit, const TrackState& wanted,
+                             const Triple<double>& position_m, const Triple<double>& water_m_s,
+                             double yaw_rad);
+
+}  // namespace slackwater::twin

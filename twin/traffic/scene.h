@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "twin/traffic/alarms.h"
+#include "twin/traffic/track.h"
+
+namespace slackwater::twin {
+
+/// A vessel whose way is known beforehand.
+struct TrafficVessel {
+  std::uint32_t id = 0;  ///< its MMSI
+  std::string name;      ///< may be empty
+  std::optional<double> length_m;
+  std::optional<double> beam_m;
+  Track track;
+};
+
+/// Who is around at one moment. Values that are filled anew at each moment: after the first few, without allocation.
+struct TrafficScene {
+  /// Whose place is known, in the order of the vessels.
+  std::vector<Contact> contacts;
+  /// Heard before and after, but silent too long to be placed now.
+  std::vector<std::uint32_t> unheard;
+};
+
+/// Fills the scene of time t_s. Vessels before their first and after their last report are not there.
+void populate(const std::vector<TrafficVessel>& vessels, double t_s, const TrackRule& rule,
+              TrafficScene& scene);
+
+}  // namespace slackwater::twin
