@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include "fields/base/error.h"
+#include "twin/simulate/scenario.h"
+
+namespace slackwater::twin {
+namespace {
+
+const std::string whole = R"(name: along the pile
+seed: 7
+start: 2025-06-02T06:00:00Z
+duration: 10min
+step_s: 0.05
+log_every_s: 1
+water:
+  made_up:
+    depth_m: 40
+    current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0}, {depth_m: 40, east_m_s: 0.1, north_m_s: 0}]
+    wind: {speed_m_s: 8, from_deg: 270}
+waves: {partitions: [{significant_height_m: 1, peak_period_s: 6, from_deg: 270}], components: 64}
+structures: [{kind: cylinder, north_m: 0, east_m: 30, diameter_m: 6, top_height_m: 20, bottom_depth_m: 40}]
+vehicles:
+  - name: rov
+    model: bluerov2_heavy
+    start: {north_m: 0, east_m: 0, depth_m: 10, heading_deg: 90}
+    tasks:
+      - {do: route, waypoints: [{north_m: 10, east_m: 0, depth_m: 12, speed_m_s: 0.5}]}
+      - {do: orbit, centre: {north_m: 0, east_m: 30, depth_m: 12}, radius_m: 8, turns: 2, end_depth_m: 30}
+      - {do: hold, duration: 2min}
+)";
+
+TEST(ReadScenario, HasWhatTheFileSays) {
+  const Scenario s = parse_scenario(whole, "whole.yaml");
+  EXPECT_EQ(s.name, "along the pile");
+  EXPECT_EQ(s.seed, 7U);
+  EXPECT_DOUBLE_EQ(s.duration_s, 600);
+  EXPECT_EQ(s.waves.components, 64U);
+  EXPECT_DOUBLE_EQ(s.waves.made_up.significant_height_m(), 1);
+  ASSERT_EQ(s.vehicles.size(), 1U);
+  EXPECT_DOUBLE_EQ(s.vehicles[0].start_m.z, 10);
+  ASSERT_EQ(s.vehicles[0].tasks.size(), 3U);
+  EXPECT_DOUBLE_EQ(s.vehicles[0].tasks[1].waypoints.back().position_m.z, 30);
+  EXPECT_DOUBLE_EQ(s.vehicles[0].tasks[2].hold_s, 120);
+  EXPECT_EQ(s.yaml, whole);
+}
+
+std::string refusal(const std::string& line, const std::string& instead) {
+  std::string yaml = whole;
+  const std::size_t at = yaml.find(line);
+  EXPECT_NE(at, std::string::npos) << line;
+  yaml.replace(at, line.size(), instead);
+  try {
+    (void)parse_scenario(yaml, "bad.yaml");
+  } catch (const Error& problem) {
+    EXPECT_EQ(problem.kind(), ErrorKind::invalid_input);
+    return problem.message();
+  }
+  return "nothing was refused";
+}
+
+struct Bad {
+  const char* line;
+  const char* instead;
+  const char* says;
+};
+
+TEST(ReadScenario, RefusesWhatCannotBe) {
+  const Bad all[] = {
+      {"seed: 7", "sead: 7", "seed"},
+      {"seed: 7", "seed: -1", "-1"},
+      {"duration: 10min", "duration: 10", "10"},
+      {"duration: 10min", "duration: 0min", "expected"},
+      {"step_s: 0.05", "step_s: 50", "50"},
+      {"step_s: 0.05", "step_s: .nan", "nan"},
+      {"log_every_s: 1", "log_every_s: 0.07", "whole number"},
+      {"start: 2025-06-02T06:00:00Z", "start: yesterday", "yesterday"},
+      {"depth_m: 40\n", "depth_m: .nan\n", "nan"},
+      {"{depth_m: 40, east", "{depth_m: 0, east", "below the level"},
+      {"east_m_s: 0.4", "east_m_s: 40", "40"},
+      {"significant_height_m: 1", "significant_height_m: 4", "steep"},
+      {"kind: cylinder", "kind: blob", "blob"},
+      {"bottom_depth_m: 40", "bottom_depth_m: -40", "top"},
+      {"depth_m: 10, heading", "depth_m: 10, height_m: 3, heading", "one or the other"},
+      {"model: bluerov2_heavy", "modell: bluerov2_heavy", "model"},
+      {"do: route", "do: fly", "fly"},
+      {"waypoints: [{north_m: 10, east_m: 0, depth_m: 12, speed_m_s: 0.5}]", "waypoints: []",
+       "0 waypoints"},
+      {"speed_m_s: 0.5", "speed_kn: 1", "speed_kn"},
+      {"north_m: 10", "north_m: 1e9", "1e"},
+      {"water:\n", "member: 3\nwater:\n", "members"},
+  };
+  for (const Bad& bad : all) {
+    const std::string message = refusal(bad.line, bad.instead);
+    EXPECT_NE(message.find(bad.says), std::string::npos) << bad.instead << "\n-> " << message;
+    EXPECT_NE(message.find("bad.yaml"), std::string::npos) << message;
+  }
+}
+
+TEST(ReadScenario, TwoVehiclesOfOneNameAreRefused) {
+  std::string yaml =
+      whole + R"(  - {name: rov, model: x500, start: {north_m: 0, east_m: 0, height_m: 10}}
+)";
+  EXPECT_THROW((void)parse_scenario(yaml, "bad.yaml"), Error);
+}
+
+TEST(ReadScenario, NothingAtThePathIsNotFound) {
+  try {
+    (void)read_scenario("/nowhere/scenario.yaml");
+    FAIL();
+  } catch (const Error& problem) {
+    EXPECT_EQ(problem.kind(), ErrorKind::not_found);
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::twin

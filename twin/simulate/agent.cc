@@ -1,0 +1,207 @@
+#include "twin/simulate/agent.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/wind/gust.h"
+#include "twin/tether/tether_dynamics.h"
+#include "twin/vehicle/waves_at_strips.h"
+
+namespace slackwater::twin {
+namespace {
+
+Halt halt_of(SampleStatus status) {
+  switch (status) {
+    case SampleStatus::outside_area:
+      return Halt::outside_area;
+    case SampleStatus::outside_time:
+      return Halt::outside_time;
+    case SampleStatus::land:
+    case SampleStatus::below_bed:
+      return Halt::aground;
+    default:
+      return Halt::no_data;
+  }
+}
+
+Triple<double> at_point(const BodyState<double>& body, const Rotation<double>& r,
+                        const Triple<double>& point_m) {
+  return body.position_m + r.to_ned(point_m);
+}
+
+/// The mean wind at the vehicle with the gusts of its own filter: wakes slow the one and strengthen the other.
+bool feel_wind(const Agent& agent, double t_s, AgentState& state, Surroundings<double>& around) {
+  const auto wind = agent.water->wind(state.vehicle.body.position_m, t_s);
+  if (!has_value(wind.status)) {
+    // Forecasts without wind have vehicles in the water all the same.
+    if (agent.vehicle->kind != VehicleKind::uav && wind.status == SampleStatus::missing)
+      return true;
+    halt(state, halt_of(wind.status), t_s);
+    return false;
+  }
+  around.wind_m_s = wind.velocity_m_s;
+  if (agent.gusts) {
+    const Gust gust = agent.gusts->step(state.gust, state.gust_rng);
+    const Vector3<Enu> enu =
+        gust_in_enu(gust, Horizontal(wind.velocity_m_s.y, wind.velocity_m_s.x));
+    const double ratio = agent.water->gust_ratio(state.vehicle.body.position_m);
+    around.wind_m_s = around.wind_m_s + ratio * Triple<double>{enu.y(), enu.x(), -enu.z()};
+  }
+  return true;
+}
+
+bool feel_water(const Agent& agent, double t_s, AgentState& state, const Rotation<double>& r,
+                Surroundings<double>& around, Triple<double>& current_m_s) {
+  const Vehicle& vehicle = *agent.vehicle;
+  const BodyState<double>& body = state.vehicle.body;
+  const FloatingHull& hull = vehicle.body.hull;
+  const Triple<double> at = at_point(body, r, vehicle.body.centre_of_buoyancy_m);
+  // A craft that floats has the current of the water that its hulls are in, and the waves at its strips.
+  const WaterSample water =
+      hull.strips > 0
+          ? agent.water->current({at.x, at.y, std::max(at.z, 0.0)}, vehicle.body.height_m, t_s)
+          : agent.water->water(at, vehicle.body.height_m, t_s);
+  if (!has_value(water.status)) {
+    halt(state, halt_of(water.status), t_s);
+    return false;
+  }
+  around.water = water.motion;
+  current_m_s = water.current_m_s;
+  const SeaRealisation* sea = agent.water->environment().sea.get();
+  if (sea != nullptr && hull.strips > 0) around.at_strips = waves_at_strips(*sea, t_s, hull, body);
+  return true;
+}
+
+void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, AgentState& state,
+                 Surroundings<double>& around) {
+  const BodyState<double>& body = state.vehicle.body;
+  const Tether& tether = *agent.tether;
+  TetherEnds<double> ends;
+  ends.top_m = agent.tether_top_m;
+  ends.vehicle_m = at_point(body, r, tether.attachment_m);
+  ends.vehicle_velocity_m_s =
+      r.to_ned(body.nu.linear + cross(body.nu.angular, tether.attachment_m));
+  WaterAtNodes<double> water;
+  water.elevation_m = around.water.elevation_m;
+  for (std::size_t i = 0; i < tether_nodes; ++i) {
+    const Triple<double>& at = i == 0                  ? ends.top_m
+                               : i == tether_nodes - 1 ? ends.vehicle_m
+                                                       : state.tether.node_m[i - 1];
+    const WaterSample sample = agent.water->water(at, 0, t_s);
+    // Line that touches the bed has the water of the bed's edge: none.
+    if (has_value(sample.status)) water.velocity_m_s[i] = sample.motion.velocity_m_s;
+  }
+  const TetherPull<double> felt = pull(tether, state.tether, ends, water, agent.plan.dt_s);
+  around.pull_n = felt.on_vehicle_n;
+  state.tether_n = felt.vehicle_tension_n;
+}
+
+void command_thrusters(const Agent& agent, const Effort& effort, const AgentState& state,
+                       const Measured& measured, const Rotation<double>& r, double height_m,
+                       VehicleCommand<double>& command) {
+  const Vehicle& vehicle = *agent.vehicle;
+  ThrusterSurroundings<double> around;
+  around.voltage_v = state.vehicle.bus_voltage_v;
+  around.height_m = height_m;
+  // Autopilots of measured thrusters command them by their curve at rest; what the flow takes from it their integrals make
+  // good. The others go by the water as well as they know it.
+  const bool at_rest = vehicle.thruster.kind == ThrusterKind::table;
+  const Triple<double> through =
+      at_rest ? Triple<double>{} : measured.nu.linear - r.to_body(measured.water_m_s);
+  for (std::size_t i = 0; i < vehicle.mounts; ++i) {
+    around.advance_m_s = dot(vehicle.mount[i].direction, through);
+    command.thruster[i] = command_for(vehicle.thruster, effort.thrust_n[i], around);
+  }
+}
+
+bool is_inside_a_structure(const Agent& agent, const Triple<double>& position_m) {
+  for (const Structure& structure : agent.water->environment().structures)
+    if (signed_distance_m(structure, position_m) < 0) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string_view name_of(Halt halt) noexcept {
+  switch (halt) {
+    case Halt::none:
+      return "none";
+    case Halt::diverged:
+      return "diverged";
+    case Halt::outside_area:
+      return "outside_area";
+    case Halt::outside_time:
+      return "outside_time";
+    case Halt::aground:
+      return "aground";
+    case Halt::no_data:
+      return "no_data";
+    case Halt::struck:
+      return "struck";
+  }
+  return "unknown";
+}
+
+bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input) {
+  const Vehicle& vehicle = *agent.vehicle;
+  const BodyState<double>& body = state.vehicle.body;
+  const Rotation<double> r = rotation_of(body.attitude);
+  const bool flies = vehicle.kind == VehicleKind::uav;
+  const bool is_blown = flies || vehicle.body.hull.strips > 0;
+  // What somebody put there between two steps.
+  if (!is_sound(body, state.vehicle.battery.charge)) {
+    halt(state, Halt::diverged, t_s);
+    return false;
+  }
+  if ((flies && body.position_m.z > 0) || is_inside_a_structure(agent, body.position_m)) {
+    halt(state, Halt::struck, t_s);
+    return false;
+  }
+  Surroundings<double>& around = input.around;
+  around.water = {};
+  around.wind_m_s = {};
+  around.pull_n = {};
+  Triple<double> current_m_s;
+  if (!flies && !feel_water(agent, t_s, state, r, around, current_m_s)) return false;
+  if (is_blown && !feel_wind(agent, t_s, state, around)) return false;
+  around.height_above_m = -body.position_m.z;
+  if (agent.tether) pull_tether(agent, t_s, r, state, around);
+  Measured measured;
+  measured.position_m = body.position_m;
+  measured.attitude = body.attitude;
+  measured.nu = body.nu;
+  if (agent.autopilot.settings.current_feed_forward)
+    measured.water_m_s = flies ? around.wind_m_s : current_m_s;
+  const Reference reference =
+      next_reference(agent.mission, measured, agent.plan.dt_s, state.mission);
+  const Effort effort =
+      effort_of(agent.autopilot, measured, reference, agent.plan.dt_s, state.control);
+  command_thrusters(agent, effort, state, measured, r, around.height_above_m, input.command);
+  input.command.rudder_rad = effort.rudder_rad;
+  input.command.elevator_rad = effort.elevator_rad;
+  input.command.moving_mass_m = effort.moving_mass_m;
+  input.command.volume_m3 = effort.volume_m3;
+  state.water_m_s = around.water.velocity_m_s;
+  state.elevation_m = around.water.elevation_m;
+  state.wind_m_s = around.wind_m_s;
+  return true;
+}
+
+bool is_sound(const BodyState<double>& body, double state_of_charge) noexcept {
+  constexpr double fastest_m_s = 200, fastest_rad_s = 200, farthest_m = 1e6;
+  const auto is_within = [](const Triple<double>& v, double most) {
+    // False for what is no number.
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
+  };
+  return is_within(body.position_m, farthest_m) && is_within(body.nu.linear, fastest_m_s) &&
+         is_within(body.nu.angular, fastest_rad_s) &&
+         is_within({body.attitude.x, body.attitude.y, body.attitude.z}, 1.001) &&
+         std::abs(body.attitude.w) <= 1.001 && state_of_charge >= 0;
+}
+
+void halt(AgentState& state, Halt why, double t_s) noexcept {
+  state.halt = why;
+  state.halted_at_s = t_s;
+}
+
+}  // namespace slackwater::twin

@@ -1,0 +1,72 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "fields/wind/dryden_gust.h"
+#include "twin/control/autopilot.h"
+#include "twin/simulate/environment.h"
+#include "twin/simulate/mission.h"
+#include "twin/simulate/vehicle_state.h"
+#include "twin/tether/tether.h"
+
+namespace slackwater::twin {
+
+/// Why a vehicle is stepped no further. The others go on.
+enum class Halt {
+  none,
+  diverged,      ///< its state is no number, or one that no vehicle has
+  outside_area,  ///< of the forecast
+  outside_time,
+  aground,  ///< the bed, land, or inside a foundation
+  no_data,  ///< the forecast has no value there
+  struck,   ///< a structure; the sea, by one that flies
+};
+[[nodiscard]] std::string_view name_of(Halt halt) noexcept;
+
+/// A vehicle of a run: what does not change while it runs. Shared by any threads.
+struct Agent {
+  std::string name;
+  std::shared_ptr<const Vehicle> vehicle;
+  std::shared_ptr<const EnvironmentSampler> water;  ///< what it lives in
+  Autopilot autopilot;
+  Mission mission;
+  StepPlan plan;
+  std::size_t steps_per_barrier = 1;
+  std::optional<DrydenFilter> gusts;
+  std::optional<Tether> tether;
+  Triple<double> tether_top_m;
+};
+
+/// All that changes of it: a value, copied for a checkpoint.
+struct AgentState {
+  VehicleState<double> vehicle;
+  ControlState control;
+  MissionState mission;
+  DrydenFilter::State gust;
+  Rng gust_rng{0, ""};
+  TetherState<double> tether;
+  Halt halt = Halt::none;
+  double halted_at_s = 0;
+  /// Of the last step, for logs and observers.
+  Triple<double> water_m_s;  ///< NED, current and waves
+  Triple<double> wind_m_s;   ///< NED, gusts and all
+  double elevation_m = 0;
+  double tether_n = 0;
+};
+
+/// What a step of a vehicle is made with.
+struct StepInput {
+  VehicleCommand<double> command;
+  Surroundings<double> around;
+};
+
+/// Looks at the surroundings, asks the mission and the autopilot what to do, and lets the tether pull: all of a step but
+/// the motion itself, which follows with `step` or, eight at a time, `step_block`. @return false where the agent halts
+[[nodiscard]] bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input);
+
+/// Whether a step left numbers that a vehicle can have.
+[[nodiscard]] bool is_sound(const BodyState<double>& body, double state_of_charge) noexcept;
+void halt(AgentState& state, Halt why, double t_s) noexcept;
+
+}  // namespace slackwater::twin

@@ -1,0 +1,85 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "fields/current/local_flow.h"
+#include "fields/service/field.h"
+#include "fields/wave/sea_realisation.h"
+#include "fields/wind/farm_flow.h"
+#include "twin/scene/structure.h"
+#include "twin/vehicle/body.h"
+
+namespace slackwater::twin {
+
+/// A foundation that turns the current aside.
+struct StandingPile {
+  Pile pile;
+  Horizontal axis_m;  ///< east, north of the site's origin
+};
+
+/// What the vehicles of a run live in: one member of a forecast, a sea of sinusoids, turbines and foundations.
+/// Immutable, shared by any threads.
+struct Environment {
+  std::shared_ptr<const Field> field;
+  std::size_t member = 0;
+  GeoPoint origin;                            ///< of the local frame
+  UtcTime epoch;                              ///< t_s = 0
+  std::shared_ptr<const SeaRealisation> sea;  ///< about the same origin and epoch; null: calm
+  std::shared_ptr<const FarmFlow> farm;       ///< null: no wakes
+  std::vector<StandingPile> piles;
+  std::vector<Structure> structures;  ///< that a vehicle can strike
+};
+
+/// Degrees per metre at a site: the plane that a run's positions lie in.
+///
+/// Ten kilometres off along the diagonal the plane is tan(latitude) d^2/R, some 20 m, from where the ellipsoid has the
+/// place: a hundredth of a cell of the finest product. Waypoints in degrees are turned into metres by the exact
+/// `LocalFrame`.
+struct DegreesPerMetre {
+  double east = 0;
+  double north = 0;
+};
+[[nodiscard]] DegreesPerMetre degrees_per_metre(const GeoPoint& origin) noexcept;
+
+/// The water at a place.
+struct WaterSample {
+  FluidMotion<double> motion;
+  Triple<double> current_m_s;                   ///< of it, NED, without the waves
+  SampleStatus status = SampleStatus::missing;  ///< ok where the numbers hold
+};
+
+/// Samples an environment, with what it needs worked out once. Const, thread-safe, no allocation, no lock.
+class EnvironmentSampler {
+ public:
+  explicit EnvironmentSampler(const Environment& environment);
+
+  /// Current and orbital motion, mean over a hull of `height_m` about the position (NED), with the shear of the current
+  /// over it. A place above the surface has the water of the surface and no orbital motion.
+  [[nodiscard]] WaterSample water(const Triple<double>& position_m, double height_m,
+                                  double t_s) const noexcept;
+  /// The same without the waves: what a craft that meets them by `waves_at_strips` has besides.
+  [[nodiscard]] WaterSample current(const Triple<double>& position_m, double height_m,
+                                    double t_s) const noexcept;
+  /// The mean wind, NED, with what wakes leave of it. Heights are held within those of the profile.
+  struct Wind {
+    Triple<double> velocity_m_s;
+    double ratio = 1;  ///< of the wake
+    SampleStatus status = SampleStatus::missing;
+  };
+  [[nodiscard]] Wind wind(const Triple<double>& position_m, double t_s) const noexcept;
+  /// What wakes make of the standard deviation of the gusts there: 1 outside of them, more where rotors stir the air.
+  [[nodiscard]] double gust_ratio(const Triple<double>& position_m) const noexcept;
+  /// m; what the field says of the bed there.
+  [[nodiscard]] BedSample bed(const Triple<double>& position_m) const noexcept;
+
+  [[nodiscard]] const Environment& environment() const noexcept { return *environment_; }
+
+ private:
+  [[nodiscard]] Place place(const Triple<double>& position_m, double vertical_m,
+                            double t_s) const noexcept;
+  const Environment* environment_;
+  DegreesPerMetre per_m_;
+};
+
+}  // namespace slackwater::twin

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fields/base/check.h"
+#include "fields/base/error.h"
+#include "twin/simulate/set_up.h"
+#include "twin/tether/lay_tether.h"
+
+namespace slackwater::twin {
+namespace {
+
+Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot,
+                   const ScenarioVehicle& entry) {
+  Mission mission;
+  mission.tasks = entry.tasks;
+  mission.guidance = guidance_for(autopilot, entry.speed_m_s.value_or(vehicle.cruise_speed_m_s));
+  mission.has_follower =
+      entry.follower == FollowerChoice::paper || entry.follower == FollowerChoice::published_code;
+  if (mission.has_follower) {
+    mission.follower =
+        entry.follower == FollowerChoice::paper ? paper_follower() : public_follower();
+  }
+  return mission;
+}
+
+/// What a thruster gives at rest on a bus of this voltage.
+ThrustRange range_of(const Thruster& thruster, double voltage_v) {
+  ThrusterSurroundings<double> around;
+  around.voltage_v = voltage_v;
+  around.height_m = 1e3;
+  const auto most = run(thruster, thruster.most_command, around);
+  const auto least = run(thruster, thruster.least_command, around);
+  return {std::min(least.thrust_n, 0.0), most.thrust_n,
+          most.thrust_n > 0 ? most.torque_n_m / most.thrust_n : 0};
+}
+
+}  // namespace
+
+Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
+                 std::shared_ptr<const EnvironmentSampler> water, const ScenarioVehicle& entry,
+                 double barrier_s) {
+  Agent agent;
+  agent.name = entry.name;
+  const double largest_s = std::min(vehicle->largest_step_s, entry.step_s.value_or(1e9));
+  agent.steps_per_barrier =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(barrier_s / largest_s - 1e-9)));
+  agent.plan = plan_step(*vehicle, barrier_s / static_cast<double>(agent.steps_per_barrier),
+                         entry.held_voltage_v);
+  AutopilotSettings settings = vehicle->autopilot;
+  if (entry.follower == FollowerChoice::no_feed_forward) settings.current_feed_forward = false;
+  double voltage_v = entry.held_voltage_v;
+  if (!(voltage_v > 0) && vehicle->battery)
+    voltage_v = rest_voltage_v(*vehicle->battery, rested(*vehicle->battery, 0.5));
+  const ThrustRange range = range_of(vehicle->thruster, voltage_v);
+  const std::vector<ThrustRange> ranges(vehicle->mounts, range);
+  agent.autopilot =
+      plan_autopilot(settings, vehicle->kind, vehicle->body,
+                     {std::span(vehicle->mount).first(vehicle->mounts), ranges, vehicle->fins,
+                      vehicle->trim, vehicle->thruster.rise_time_constant_s});
+  agent.mission = mission_of(*vehicle, agent.autopilot, entry);
+  if (entry.tether) {
+    if (!vehicle->tether) {
+      throw Error(ErrorKind::invalid_input,
+                  "a " + vehicle->name + " has no tether; leave `tether` out");
+    }
+    agent.tether = vehicle->tether;
+    agent.tether_top_m = entry.tether->top_m;
+  }
+  agent.vehicle = std::move(vehicle);
+  agent.water = std::move(water);
+  return agent;
+}
+
+AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::uint64_t seed) {
+  const Vehicle& vehicle = *agent.vehicle;
+  AgentState state;
+  Triple<double> start_m = entry.start_m;
+  if (vehicle.body.hull.strips > 0) {
+    // Afloat, whatever the file says of its height.
+    start_m.z =
+        floating_depth_m(vehicle.body.hull, vehicle.body.mass_kg, vehicle.body.fluid_density_kg_m3);
+  }
+  state.vehicle = placed(vehicle, start_m, entry.heading_rad, entry.state_of_charge);
+  if (agent.plan.held_voltage_v > 0) state.vehicle.bus_voltage_v = agent.plan.held_voltage_v;
+  if (vehicle.kind == VehicleKind::uav) {
+    // In the air, its rotors turn.
+    ThrusterSurroundings<double> around;
+    around.voltage_v = state.vehicle.bus_voltage_v;
+    around.height_m = std::max(-start_m.z, 0.0);
+    const double each_n =
+        vehicle.body.mass_kg * constants::gravity_m_s2 / static_cast<double>(vehicle.mounts);
+    for (std::size_t i = 0; i < vehicle.mounts; ++i)
+      state.vehicle.thruster[i] = command_for(vehicle.thruster, each_n, around);
+  }
+  state.gust_rng = Rng(seed, "twin/gust/" + agent.name);
+  if (agent.gusts) state.gust = agent.gusts->stationary_state(state.gust_rng);
+  Measured measured;
+  measured.position_m = start_m;
+  measured.attitude = state.vehicle.body.attitude;
+  state.mission = begun(measured);
+  if (agent.tether) {
+    const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
+    const Triple<double> end_m = start_m + r.to_ned(agent.tether->attachment_m);
+    const WaterSample beside = agent.water->current(start_m, 0, 0);
+    state.tether = laid_out(*agent.tether, agent.tether_top_m, end_m, entry.tether->length_m,
+                            beside.current_m_s);
+  }
+  return state;
+}
+
+}  // namespace slackwater::twin

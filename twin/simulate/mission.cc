@@ -1,0 +1,122 @@
+#include "twin/simulate/mission.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "twin/control/control_loop.h"
+
+namespace slackwater::twin {
+namespace {
+
+Course bow_course(const Attitude<double>& attitude) { return bow_of(rotation_of(attitude)); }
+
+Reference station(const Triple<double>& place_m, const Course& heading) {
+  Reference reference;
+  reference.target = Target::station;
+  reference.position_m = place_m;
+  reference.heading = heading;
+  return reference;
+}
+
+/// The share of the leg that lies behind, 0 to 1.
+double progress(const LegPlace& place) {
+  return place.length_m > 0 ? std::clamp(place.along_m / place.length_m, 0.0, 1.0) : 1.0;
+}
+
+/// What the published follower sets: speed and rate of turn, at the depth of the leg beside the vehicle.
+Reference followed(const Mission& mission, const Measured& measured, double dt_s,
+                   MissionState& state) {
+  const EulerAngles angles = euler_angles(measured.attitude);
+  const std::size_t before = state.route.next();
+  follow(mission.follower, state.follower, state.route, measured.position_m, angles.yaw_rad, dt_s);
+  state.waypoints_taken += state.route.next() - before;
+  state.followed_yaw_rad =
+      wrapped_rad(state.followed_yaw_rad + state.follower.yaw_rate_rad_s * dt_s);
+  const Triple<double>& from = state.route.from();
+  const Triple<double> to = state.route.to().position_m;
+  Reference reference;
+  reference.target = Target::cruise;
+  reference.position_m = from + progress(place_on_leg(from, to, measured.position_m)) * (to - from);
+  reference.velocity_m_s = {state.follower.speed_m_s, 0, 0};
+  reference.heading = course_of(state.followed_yaw_rad);
+  return reference;
+}
+
+void begin_task(const Mission& mission, const Measured& measured, MissionState& state) {
+  const ScenarioTask& task = mission.tasks[state.task];
+  state.has_begun = true;
+  state.held_s = 0;
+  if (task.kind == ScenarioTask::Kind::hold) {
+    // Where the task before it ended, not where the vehicle has drifted to.
+    if (state.task == 0) state.kept_m = measured.position_m;
+    return;
+  }
+  state.route = Route(state.task == 0 ? measured.position_m : state.kept_m, task.waypoints);
+  state.followed_yaw_rad = euler_angles(measured.attitude).yaw_rad;
+  state.follower = {};
+}
+
+void end_task(const Mission& mission, MissionState& state) {
+  state.has_begun = false;
+  ++state.task;
+  state.is_done = state.task >= mission.tasks.size();
+}
+
+}  // namespace
+
+MissionState begun(const Measured& measured) {
+  MissionState state;
+  state.kept_m = measured.position_m;
+  state.kept_heading = bow_course(measured.attitude);
+  return state;
+}
+
+Reference next_reference(const Mission& mission, const Measured& measured, double dt_s,
+                         MissionState& state) {
+  // Each pass ends a task or a route, and there are finitely many.
+  while (true) {
+    state.is_done = state.task >= mission.tasks.size();
+    if (!state.is_done && !state.has_begun && !state.is_rerouted)
+      begin_task(mission, measured, state);
+    const bool holds = state.is_done || mission.tasks[state.task].kind == ScenarioTask::Kind::hold;
+    if (holds && !state.is_rerouted) {
+      if (!state.is_done && state.held_s >= mission.tasks[state.task].hold_s) {
+        end_task(mission, state);
+        continue;
+      }
+      state.held_s += dt_s;
+      return station(state.kept_m, state.kept_heading);
+    }
+    if (mission.has_follower) {
+      if (!state.route.is_done()) return followed(mission, measured, dt_s, state);
+    } else if (!state.route.is_done()) {
+      const std::size_t before = state.route.next();
+      const Reference reference = reference_along(mission.guidance, state.route, measured);
+      state.waypoints_taken += state.route.next() - before;
+      if (!state.route.is_done()) return reference;
+    }
+    state.kept_m = state.route.is_empty() ? measured.position_m : state.route.to().position_m;
+    state.kept_heading = bow_course(measured.attitude);
+    state.is_rerouted = false;
+    if (!holds) end_task(mission, state);
+  }
+}
+
+void replace_waypoints(MissionState& state, const Measured& measured,
+                       std::span<const Waypoint> waypoints) {
+  state.route = Route(measured.position_m, waypoints);
+  state.is_rerouted = true;
+  state.follower = {};
+  state.followed_yaw_rad = euler_angles(measured.attitude).yaw_rad;
+}
+
+TrackError track_error(const MissionState& state, const Triple<double>& position_m) noexcept {
+  const bool has_leg = state.is_rerouted || (!state.is_done && state.has_begun);
+  if (!has_leg || state.route.is_done()) return {0, 0};
+  const Triple<double>& from = state.route.from();
+  const Triple<double> to = state.route.to().position_m;
+  const LegPlace place = place_on_leg(from, to, position_m);
+  return {place.across_m, position_m.z - (from.z + progress(place) * (to.z - from.z))};
+}
+
+}  // namespace slackwater::twin

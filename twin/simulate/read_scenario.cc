@@ -1,0 +1,301 @@
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "fields/base/config.h"
+#include "fields/base/constants.h"
+#include "fields/base/error.h"
+#include "fields/wave/scenario_sea.h"
+#include "twin/control/patterns.h"
+#include "twin/simulate/scenario.h"
+
+namespace slackwater::twin {
+namespace {
+
+constexpr double degree = constants::pi / 180;
+constexpr double farthest_m = 50e3;
+constexpr Range distance{-farthest_m, farthest_m};
+constexpr Range depth{0, 12000};
+constexpr Range speed{0, 30};
+
+double seconds_of(const Config& config, std::string_view key, double least, double most) {
+  const std::string text = config.text(key);
+  double value = 0;
+  try {
+    value = std::chrono::duration<double>(parse_duration(text)).count();
+  } catch (const Error& problem) {
+    config.refuse(key, problem.message());
+  }
+  if (!(value >= least && value <= most))
+    config.refuse(key, "found " + text + ", expected " + std::to_string(least) + " to " +
+                           std::to_string(most) + " s");
+  return value;
+}
+
+/// Depth down or height up, exactly one of them.
+double read_down(const Config& config) {
+  const auto deep = config.optional_number("depth_m", depth);
+  const auto high = config.optional_number("height_m", {0, 1000});
+  if (deep && high) config.refuse("height_m", "found beside depth_m; give the one or the other");
+  if (!deep && !high)
+    config.refuse("depth_m", "missing; give depth_m below mean sea level, or height_m above it");
+  return deep ? *deep : -*high;
+}
+
+Triple<double> read_place(const Config& config) {
+  return {config.number("north_m", distance), config.number("east_m", distance), read_down(config)};
+}
+
+std::vector<Waypoint> read_waypoints(const Config& config) {
+  std::vector<Waypoint> out;
+  for (const Config& at : config.children("waypoints")) {
+    Waypoint waypoint;
+    waypoint.position_m = read_place(at);
+    waypoint.speed_m_s = at.optional_number("speed_m_s", speed).value_or(0);
+    out.push_back(waypoint);
+  }
+  if (out.empty() || out.size() > 100000)
+    config.refuse("waypoints",
+                  "found " + std::to_string(out.size()) + " waypoints, expected 1 to 100000");
+  return out;
+}
+
+ScenarioTask read_task(const Config& config) {
+  const std::string kind = config.text("do");
+  const double way = config.optional_number("speed_m_s", speed).value_or(0);
+  const auto course = [&] { return config.number("course_deg", {-360, 360}) * degree; };
+  ScenarioTask task;
+  if (kind == "route") {
+    task.waypoints = read_waypoints(config);
+  } else if (kind == "hold") {
+    task.kind = ScenarioTask::Kind::hold;
+    task.hold_s = config.has("duration") ? seconds_of(config, "duration", 0, 30 * 86400.0)
+                                         : std::numeric_limits<double>::infinity();
+  } else if (kind == "lawn_mower") {
+    task.kind = ScenarioTask::Kind::lawn_mower;
+    task.waypoints = lawn_mower(
+        read_place(config.child("corner")), course(), config.number("length_m", {1, farthest_m}),
+        config.number("spacing_m", {0.1, farthest_m}), config.integer("lines", 1, 1000), way);
+  } else if (kind == "orbit") {
+    task.kind = ScenarioTask::Kind::orbit;
+    const Config centre = config.child("centre");
+    const Triple<double> at = read_place(centre);
+    const double radius_m = config.number("radius_m", {0.5, 5000});
+    task.waypoints =
+        orbit(at, radius_m, config.optional_number("from_deg", {-360, 360}).value_or(0) * degree,
+              config.number("turns", {0.1, 1000}),
+              config.optional_number("end_depth_m", {-1000, 12000}).value_or(at.z),
+              config.optional_number("chord_m", {0.1, 1000}).value_or(0.5 * radius_m), way);
+  } else if (kind == "depth_sweep") {
+    task.kind = ScenarioTask::Kind::depth_sweep;
+    task.waypoints =
+        depth_sweep(read_place(config.child("from")), course(),
+                    config.number("length_m", {1, farthest_m}), config.number("shallow_m", depth),
+                    config.number("deep_m", depth), config.number("wavelength_m", {1, farthest_m}),
+                    config.optional_number("spacing_m", {0.1, 1000}).value_or(2), way);
+  } else {
+    config.refuse("do",
+                  "found " + kind + ", expected route, hold, lawn_mower, orbit or depth_sweep");
+  }
+  return task;
+}
+
+FollowerChoice read_follower(const Config& config) {
+  const std::string text = config.optional_text("follow").value_or("line_of_sight");
+  if (text == "line_of_sight") return FollowerChoice::line_of_sight;
+  if (text == "no_feed_forward") return FollowerChoice::no_feed_forward;
+  if (text == "paper") return FollowerChoice::paper;
+  if (text == "public") return FollowerChoice::published_code;
+  config.refuse("follow",
+                "found " + text + ", expected line_of_sight, no_feed_forward, paper or public");
+}
+
+ScenarioVehicle read_vehicle_entry(const Config& config) {
+  ScenarioVehicle vehicle;
+  vehicle.name = config.text("name");
+  vehicle.model = config.text("model");
+  const Config start = config.child("start");
+  vehicle.start_m = read_place(start);
+  vehicle.heading_rad = start.optional_number("heading_deg", {-360, 360}).value_or(0) * degree;
+  vehicle.state_of_charge = config.optional_number("state_of_charge", {0, 1}).value_or(1);
+  vehicle.held_voltage_v = config.optional_number("hold_bus_v", {1, 1000}).value_or(0);
+  vehicle.step_s = config.optional_number("step_s", {1e-4, 1});
+  vehicle.speed_m_s = config.optional_number("speed_m_s", speed);
+  vehicle.follower = read_follower(config);
+  if (const auto tether = config.optional_child("tether")) {
+    vehicle.tether = {read_place(tether->child("top")), tether->number("length_m", {0.1, 10000})};
+  }
+  for (const Config& task : config.children("tasks")) vehicle.tasks.push_back(read_task(task));
+  if (vehicle.tasks.empty()) {
+    ScenarioTask hold;
+    hold.kind = ScenarioTask::Kind::hold;
+    hold.hold_s = std::numeric_limits<double>::infinity();
+    vehicle.tasks.push_back(hold);
+  }
+  return vehicle;
+}
+
+ForecastWater read_forecast(const Config& config) {
+  ForecastWater water;
+  water.site = config.optional_text("site").value_or("");
+  water.file = config.optional_text("file").value_or("");
+  if (water.site.empty() == water.file.empty())
+    config.refuse("site", "give the site of a forecast in the store, or the file of one");
+  if (const auto day = config.optional_text("day")) {
+    try {
+      water.day = parse_day(*day);
+    } catch (const Error& problem) {
+      config.refuse("day", problem.message());
+    }
+  }
+  return water;
+}
+
+MadeUpWater read_made_up(const Config& config) {
+  MadeUpWater water;
+  water.depth_m = config.number("depth_m", {1, 12000});
+  double above_m = -1;
+  for (const Config& level : config.children("current")) {
+    MadeUpLevel at{level.number("depth_m", {0, water.depth_m}), level.number("east_m_s", {-10, 10}),
+                   level.number("north_m_s", {-10, 10})};
+    if (at.depth_m <= above_m)
+      level.refuse("depth_m", "not below the level before it; list levels from the surface down");
+    above_m = at.depth_m;
+    water.current.push_back(at);
+  }
+  if (const auto wind = config.optional_child("wind")) {
+    water.wind_speed_m_s = wind->number("speed_m_s", {0, 75});
+    water.wind_from_deg = wind->number("from_deg", {-360, 360});
+  }
+  return water;
+}
+
+ScenarioWaves read_waves(const Config& config, bool has_forecast) {
+  ScenarioWaves waves;
+  waves.from_forecast = has_forecast;
+  const auto c = config.optional_child("waves");
+  if (!c) return waves;
+  waves.components =
+      static_cast<std::size_t>(c->optional_integer("components", 8, 1024).value_or(200));
+  const std::string from =
+      c->optional_text("from").value_or(c->is_list("partitions") ? "partitions" : "forecast");
+  if (from == "forecast") {
+    if (!has_forecast)
+      c->refuse("from", "made-up water has no wave forecast; give partitions, or from: calm");
+    return waves;
+  }
+  waves.from_forecast = false;
+  if (from == "calm") return waves;
+  if (from != "partitions")
+    c->refuse("from", "found " + from + ", expected forecast, calm or partitions");
+  std::vector<WavePartition> partitions;
+  for (const Config& p : c->children("partitions")) {
+    WavePartition partition;
+    partition.significant_height_m = p.number("significant_height_m", {0, 30});
+    partition.peak_period_s = p.number("peak_period_s", {0.5, 30});
+    partition.from_direction_deg = p.number("from_deg", {-360, 360});
+    partition.gamma = p.optional_number("gamma", {1, 10});
+    if (const auto s = p.optional_number("spreading_s", {0, 1000})) partition.spreading_s = *s;
+    partitions.push_back(partition);
+  }
+  waves.made_up = scenario_sea(partitions, c->name() + ": waves");
+  return waves;
+}
+
+ScenarioStructure read_structure(const Config& config) {
+  ScenarioStructure s;
+  s.name = config.optional_text("name").value_or("structure");
+  s.centre_m = {config.number("north_m", distance), config.number("east_m", distance), 0};
+  const std::string kind = config.text("kind");
+  if (kind == "cylinder") {
+    s.diameter_m = config.number("diameter_m", {0.1, 100});
+    s.turns_current = config.optional_flag("turns_current").value_or(false);
+  } else if (kind == "box") {
+    s.kind = ScenarioStructure::Kind::box;
+    s.size_m.x = config.number("north_size_m", {0.1, 500});
+    s.size_m.y = config.number("east_size_m", {0.1, 500});
+  } else {
+    config.refuse("kind", "found " + kind + ", expected cylinder or box");
+  }
+  s.top_m = -config.number("top_height_m", {-12000, 500});
+  s.bottom_m = config.number("bottom_depth_m", {-500, 12000});
+  if (!(s.bottom_m > s.top_m)) config.refuse("bottom_depth_m", "is above the top of the structure");
+  s.size_m.z = s.bottom_m - s.top_m;
+  return s;
+}
+
+Scenario read(const Config& config) {
+  Scenario s;
+  s.name = config.text("name");
+  s.seed = static_cast<std::uint64_t>(config.integer("seed", 0, 2147483647));
+  if (const auto start = config.optional_text("start")) {
+    try {
+      s.start = parse_utc(*start);
+    } catch (const Error& problem) {
+      config.refuse("start", problem.message());
+    }
+  }
+  s.step_s = config.optional_number("step_s", {0.001, 10}).value_or(0.1);
+  s.duration_s = seconds_of(config, "duration", s.step_s, 30 * 86400.0);
+  s.log_every_s = config.optional_number("log_every_s", {0.001, 86400}).value_or(1);
+  const double steps_per_row = s.log_every_s / s.step_s;
+  if (std::abs(steps_per_row - std::round(steps_per_row)) > 1e-6 || steps_per_row < 0.5)
+    config.refuse("log_every_s", "is not a whole number of steps of step_s");
+  const Config water = config.child("water");
+  const auto forecast = water.optional_child("forecast");
+  const auto made_up = water.optional_child("made_up");
+  if (forecast.has_value() == made_up.has_value())
+    config.refuse("water", "give one of forecast and made_up");
+  if (forecast) s.water = read_forecast(*forecast);
+  if (made_up) s.water = read_made_up(*made_up);
+  s.member = static_cast<std::size_t>(config.optional_integer("member", 0, 100000).value_or(0));
+  if (made_up && s.member > 0) config.refuse("member", "made-up water has no members");
+  if (const auto origin = config.optional_child("origin")) {
+    s.origin = GeoPoint::from_degrees(origin->number("latitude_deg", {-90, 90}),
+                                      origin->number("longitude_deg", {-360, 360}));
+    s.has_origin = true;
+  } else if (made_up) {
+    s.origin = GeoPoint::from_degrees(55, 0);
+    s.has_origin = true;
+  }
+  s.waves = read_waves(config, forecast.has_value());
+  const std::string gusts = config.optional_text("gusts").value_or("none");
+  if (gusts == "dryden")
+    s.gusts = GustModel::dryden;
+  else if (gusts != "none")
+    config.refuse("gusts", "found " + gusts + ", expected none or dryden");
+  s.has_wakes = config.optional_flag("wakes").value_or(false);
+  for (const Config& c : config.children("structures")) s.structures.push_back(read_structure(c));
+  std::set<std::string> names;
+  for (const Config& c : config.children("vehicles")) {
+    s.vehicles.push_back(read_vehicle_entry(c));
+    if (!names.insert(s.vehicles.back().name).second)
+      c.refuse("name", "found " + s.vehicles.back().name + " twice; name vehicles differently");
+  }
+  if (s.vehicles.empty()) config.refuse("vehicles", "none; give at least one");
+  config.expect_all_read();
+  return s;
+}
+
+}  // namespace
+
+Scenario parse_scenario(std::string_view yaml, std::string_view name) {
+  Scenario scenario = read(Config::parse(yaml, name));
+  scenario.yaml = yaml;
+  return scenario;
+}
+
+Scenario read_scenario(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    throw Error(ErrorKind::not_found,
+                "no scenario at " + file.string() + "; give the path of a YAML file");
+  }
+  std::ostringstream text;
+  text << in.rdbuf();
+  return parse_scenario(text.str(), file.string());
+}
+
+}  // namespace slackwater::twin

@@ -1,0 +1,194 @@
+#include "twin/simulate/run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/base/check.h"
+#include "twin/simulate/vehicle_step.h"
+
+namespace slackwater::twin {
+namespace {
+
+/// Whether two vehicles make the same step, so that they may lie in one block.
+bool steps_alike(const Agent& a, const Agent& b) {
+  return a.vehicle == b.vehicle && a.steps_per_barrier == b.steps_per_barrier &&
+         a.plan.dt_s == b.plan.dt_s && a.plan.held_voltage_v == b.plan.held_voltage_v;
+}
+
+}  // namespace
+
+Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSettings& settings)
+    : agents_(std::move(agents)),
+      states_(std::move(states)),
+      seen_(states_.size()),
+      block_(settings.path ? step_block_on(*settings.path) : step_block()),
+      scheduler_(settings.seed, settings.step_s, settings.threads) {
+  expects(!agents_.empty() && agents_.size() == states_.size(), "a state for each vehicle");
+  for (const Agent& agent : agents_) {
+    const double steps_s = agent.plan.dt_s * static_cast<double>(agent.steps_per_barrier);
+    expects(std::abs(steps_s - settings.step_s) < 1e-9 * settings.step_s,
+            "the steps of a vehicle fill that of the barrier");
+  }
+  const std::size_t most = settings.is_batch ? block_lanes : 1;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const auto room = [&](const Group& group) {
+      return group.agents.size() < most && steps_alike(agents_[group.agents.front()], agents_[i]);
+    };
+    const auto found = std::find_if(groups_.rbegin(), groups_.rend(), room);
+    if (found == groups_.rend())
+      groups_.emplace_back().agents.push_back(i);
+    else
+      found->agents.push_back(i);
+  }
+  for (Group& group : groups_) {
+    scheduler_.add_client([this, &group](const StepTime& time) {
+      if (group.agents.size() > 1)
+        step_group(group, time);
+      else
+        step_one(group.agents.front(), time);
+    });
+  }
+  publish();
+  scheduler_.at_barrier([this](const StepTime&) { publish(); });
+}
+
+void Run::publish() {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const BodyState<double>& body = states_[i].vehicle.body;
+    seen_[i] = {body.position_m, rotation_of(body.attitude).to_ned(body.nu.linear),
+                states_[i].halt};
+  }
+}
+
+void Run::step_one(std::size_t index, const StepTime& time) {
+  const Agent& agent = agents_[index];
+  AgentState& state = states_[index];
+  StepInput input;
+  for (std::size_t k = 0; k < agent.steps_per_barrier; ++k) {
+    if (state.halt != Halt::none) return;
+    const double t_s = time.start_s + static_cast<double>(k) * agent.plan.dt_s;
+    if (!prepare(agent, t_s, state, input)) return;
+    VehicleState<double> next = state.vehicle;
+    twin::step(*agent.vehicle, agent.plan, next, input.command, input.around);
+    if (is_sound(next.body, next.battery.charge))
+      state.vehicle = next;
+    else
+      halt(state, Halt::diverged, t_s + agent.plan.dt_s);
+  }
+}
+
+void Run::load(Group& group) {
+  for (std::size_t lane = 0; lane < block_lanes; ++lane) {
+    // Lanes without a vehicle go along with numbers that do no harm.
+    const bool is_free = lane >= group.agents.size();
+    put(group.block, lane, states_[group.agents[is_free ? 0 : lane]].vehicle);
+    put(group.command, lane, VehicleCommand<double>{});
+    put(group.around, lane, Surroundings<double>{});
+  }
+  group.is_loaded = true;
+  group.is_ahead = false;
+}
+
+void Run::unload(Group& group) {
+  if (!group.is_ahead) return;
+  for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
+    AgentState& state = states_[group.agents[lane]];
+    if (state.halt == Halt::none) state.vehicle = taken(group.block, lane);
+  }
+  group.is_ahead = false;
+}
+
+void Run::step_group(Group& group, const StepTime& time) {
+  if (!group.is_loaded) load(group);
+  const Agent& first = agents_[group.agents.front()];
+  const bool floats = first.vehicle->body.hull.strips > 0;
+  StepInput input;
+  for (std::size_t k = 0; k < first.steps_per_barrier; ++k) {
+    const double t_s = time.start_s + static_cast<double>(k) * first.plan.dt_s;
+    bool any = false;
+    for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
+      AgentState& state = states_[group.agents[lane]];
+      if (state.halt != Halt::none) continue;
+      if (!prepare(agents_[group.agents[lane]], t_s, state, input)) {
+        halt_lane(group, lane, group.block);
+        continue;
+      }
+      put(group.command, lane, input.command);
+      put(group.around.water, lane, input.around.water);
+      put(group.around.wind_m_s, lane, input.around.wind_m_s);
+      put(group.around.pull_n, lane, input.around.pull_n);
+      group.around.height_above_m.lane[lane] = input.around.height_above_m;
+      if (floats) put(group.around.at_strips, lane, input.around.at_strips);
+      any = true;
+    }
+    if (!any) return;
+    group.before = group.block;
+    block_(*first.vehicle, first.plan, group.block, group.command, group.around);
+    group.is_ahead = true;
+    for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
+      AgentState& state = states_[group.agents[lane]];
+      if (state.halt != Halt::none) continue;
+      // What the next look at the surroundings needs.
+      const BodyState<double> body = taken(group.block.body, lane);
+      if (is_sound(body, group.block.battery.charge.lane[lane])) {
+        state.vehicle.body = body;
+        state.vehicle.bus_voltage_v = group.block.bus_voltage_v.lane[lane];
+      } else {
+        halt(state, Halt::diverged, t_s + first.plan.dt_s);
+        halt_lane(group, lane, group.before);
+      }
+    }
+  }
+}
+
+/// The last sound state of a vehicle that goes no further; its lane is given harmless numbers.
+void Run::halt_lane(Group& group, std::size_t lane, const VehicleState<Eight>& last) {
+  AgentState& state = states_[group.agents[lane]];
+  state.vehicle = taken(last, lane);
+  put(group.block, lane, state.vehicle);
+}
+
+std::span<const AgentState> Run::states() {
+  for (Group& group : groups_) unload(group);
+  return states_;
+}
+
+AgentState& Run::state(std::size_t agent) {
+  for (Group& group : groups_) {
+    unload(group);
+    group.is_loaded = false;
+  }
+  return states_[agent];
+}
+
+Run::Checkpoint Run::checkpoint() {
+  (void)states();
+  return {steps_made(), states_};
+}
+
+double Run::time_s() const noexcept {
+  return static_cast<double>(scheduler_.steps_made()) * scheduler_.step_s();
+}
+
+bool Run::all_halted() const noexcept {
+  return std::all_of(states_.begin(), states_.end(),
+                     [](const AgentState& s) { return s.halt != Halt::none; });
+}
+
+void Run::run_until(double end_s, RunControl& control) {
+  const auto steps = static_cast<std::uint64_t>(std::llround(end_s / scheduler_.step_s()));
+  (void)scheduler_.run(steps, control);
+}
+
+void Run::restore(const Checkpoint& checkpoint) {
+  expects(checkpoint.states.size() == states_.size(), "a checkpoint of this run's vehicles");
+  states_ = checkpoint.states;
+  for (Group& group : groups_) {
+    group.is_loaded = false;
+    group.is_ahead = false;
+  }
+  publish();
+  scheduler_.resume_at(checkpoint.steps_made);
+}
+
+}  // namespace slackwater::twin

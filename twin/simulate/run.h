@@ -1,0 +1,92 @@
+#pragma once
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "twin/simulate/agent.h"
+#include "twin/simulate/scheduler.h"
+#include "twin/simulate/step_dispatch.h"
+
+namespace slackwater::twin {
+
+/// How a run is stepped. None of it changes a bit of what comes out.
+struct RunSettings {
+  std::uint64_t seed = 0;
+  double step_s = 0.1;  ///< of the barrier
+  std::size_t threads = 1;
+  bool is_batch = true;            ///< eight vehicles of one kind at a time; else one by one
+  std::optional<KernelPath> path;  ///< absent: the widest of this machine
+};
+
+/// What others see of a vehicle.
+struct Seen {
+  Triple<double> position_m;    ///< NED
+  Triple<double> velocity_m_s;  ///< over ground, NED
+  Halt halt = Halt::none;
+};
+
+/// Vehicles and the clock that steps them. Vehicles may share one environment, or each have that of its own member.
+class Run {
+ public:
+  Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSettings& settings);
+
+  /// One step of the barrier: each vehicle that goes on makes its own steps within it. No allocation, but where a mission
+  /// begins a route.
+  void step() { scheduler_.step(); }
+  /// Steps until `end_s` or until the control says stop.
+  void run_until(double end_s, RunControl& control);
+
+  /// Called at each barrier, after everything has moved.
+  void at_barrier(Scheduler::Client observer) { scheduler_.at_barrier(std::move(observer)); }
+  /// Another client of each step: reads the states as of the last barrier through `seen`, writes what is its own.
+  void add_client(Scheduler::Client client) { scheduler_.add_client(std::move(client)); }
+
+  [[nodiscard]] std::span<const Agent> agents() const noexcept { return agents_; }
+  /// As of the last barrier.
+  [[nodiscard]] const Seen& seen(std::size_t agent) const { return seen_[agent]; }
+  /// Between steps: all of every vehicle.
+  [[nodiscard]] std::span<const AgentState> states();
+  /// Between steps: to change a vehicle's state or give it other waypoints.
+  [[nodiscard]] AgentState& state(std::size_t agent);
+  [[nodiscard]] double time_s() const noexcept;
+  [[nodiscard]] std::uint64_t steps_made() const noexcept { return scheduler_.steps_made(); }
+  [[nodiscard]] bool all_halted() const noexcept;
+
+  /// All that a run needs to go on as it would have.
+  struct Checkpoint {
+    std::uint64_t steps_made = 0;
+    std::vector<AgentState> states;
+  };
+  [[nodiscard]] Checkpoint checkpoint();
+  /// @throws ContractViolation for that of another number of vehicles
+  void restore(const Checkpoint& checkpoint);
+
+ private:
+  /// Up to eight vehicles of one kind and step. While they run, what of their state only the step itself needs lives in
+  /// the block alone.
+  struct Group {
+    std::vector<std::size_t> agents;
+    VehicleState<Eight> block;
+    VehicleState<Eight> before;
+    VehicleCommand<Eight> command;
+    Surroundings<Eight> around;
+    bool is_loaded = false;  ///< the block has the vehicles
+    bool is_ahead = false;   ///< of their states
+  };
+  void load(Group& group);
+  void unload(Group& group);
+  void halt_lane(Group& group, std::size_t lane, const VehicleState<Eight>& last);
+  void publish();
+  void step_group(Group& group, const StepTime& time);
+  void step_one(std::size_t agent, const StepTime& time);
+
+  std::vector<Agent> agents_;
+  std::vector<AgentState> states_;
+  std::vector<Seen> seen_;
+  std::deque<Group> groups_;  ///< that does not move its members
+  StepBlock block_;
+  Scheduler scheduler_;
+};
+
+}  // namespace slackwater::twin

@@ -1,0 +1,41 @@
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+
+namespace slackwater::twin {
+
+/// What people do to a run from another thread: pause it, let it make a step, go on, stop, and how fast it goes.
+/// Thread-safe. It changes when steps are made, never what they are.
+class RunControl {
+ public:
+  /// @param real_time_factor  1: as the clock on the wall; 0: as fast as the machine can
+  explicit RunControl(double real_time_factor = 0) : factor_(real_time_factor) {}
+
+  void pause();
+  /// Lets a paused run make this many steps.
+  void allow_steps(std::uint64_t steps);
+  void resume();
+  void stop();
+  [[nodiscard]] bool is_paused() const;
+  [[nodiscard]] bool is_stopped() const;
+
+  /// For the run: where the clock on the wall starts.
+  void start_clock(std::uint64_t step);
+  /// Waits until the next step may be made. @return whether it may: not when stopped
+  [[nodiscard]] bool may_step(std::uint64_t step, double step_s);
+
+ private:
+  using WallClock = std::chrono::steady_clock;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  double factor_;
+  bool paused_ = false;
+  bool stopped_ = false;
+  std::uint64_t allowed_ = 0;
+  std::uint64_t first_step_ = 0;
+  WallClock::time_point started_;
+};
+
+}  // namespace slackwater::twin

@@ -1,0 +1,37 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "twin/simulate/agent.h"
+
+namespace slackwater::twin {
+
+/// One quantity of a log, ENU at the site's origin (DESIGN §6), SI.
+struct LogColumn {
+  const char* name;
+  const char* standard_name;  ///< of CF; empty: it has none
+  const char* units;
+  const char* long_name;
+  std::size_t per = 1;  ///< values of a vehicle at a time
+};
+[[nodiscard]] std::span<const LogColumn> log_columns() noexcept;
+/// Numbers in a row: all columns, one after the other.
+[[nodiscard]] std::size_t log_row_size() noexcept;
+
+/// What a run leaves behind: a row for each vehicle at each of the log's times, whether it moves or has halted.
+struct RunLog {
+  std::vector<double> t_s;
+  std::vector<std::vector<double>> rows;  ///< of each vehicle: times x numbers of a row
+
+  /// Room for what is to come, so that a step allocates nothing.
+  void reserve(std::size_t vehicles, std::size_t times);
+  void append(double time_s, std::span<const Agent> agents, std::span<const AgentState> states);
+  /// A column of one vehicle, times x per.
+  [[nodiscard]] std::vector<double> column(std::size_t vehicle, std::string_view name) const;
+};
+
+/// The row of a vehicle. @param out  `log_row_size()` numbers
+void write_row(const Agent& agent, const AgentState& state, std::span<double> out);
+
+}  // namespace slackwater::twin

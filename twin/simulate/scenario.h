@@ -1,0 +1,112 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "fields/base/time.h"
+#include "fields/geo/geo_point.h"
+#include "fields/wave/sea_state.h"
+#include "twin/control/route.h"
+
+namespace slackwater::twin {
+
+/// Water of an issued forecast: of the store by site and day (the newest where no day is given), or of a file.
+struct ForecastWater {
+  std::string site;
+  std::optional<UtcDay> day;
+  std::string file;
+};
+
+/// The current at a level of made-up water.
+struct MadeUpLevel {
+  double depth_m = 0;
+  double east_m_s = 0;
+  double north_m_s = 0;
+};
+
+/// Water that somebody made up: the same at all places and times, linear between levels.
+struct MadeUpWater {
+  double depth_m = 0;
+  std::vector<MadeUpLevel> current;  ///< by depth; one level: the same throughout; none: still
+  double wind_speed_m_s = 0;         ///< at 10 m
+  double wind_from_deg = 0;
+};
+
+/// Which waves: those of the forecast at the start, none, or made-up ones.
+struct ScenarioWaves {
+  bool from_forecast = true;
+  PartitionedSea made_up;  ///< empty and not from the forecast: a calm
+  std::size_t components = 200;
+};
+
+enum class GustModel { none, dryden };
+
+struct ScenarioStructure {
+  enum class Kind { cylinder, box };
+  std::string name;
+  Kind kind = Kind::cylinder;
+  Triple<double> centre_m;  ///< NED, of the axis or the box; z unused
+  double diameter_m = 0;    ///< of a cylinder
+  Triple<double> size_m;    ///< of a box, along north, east, down
+  double top_m = 0;         ///< NED z, negative above the sea
+  double bottom_m = 0;
+  bool turns_current = false;  ///< local flow about a cylinder that reaches to the bed
+};
+
+/// One thing that a vehicle does, after the one before it.
+struct ScenarioTask {
+  enum class Kind { route, hold, lawn_mower, orbit, depth_sweep };
+  Kind kind = Kind::route;
+  std::vector<Waypoint> waypoints;  ///< of all but `hold`, patterns already laid out
+  double hold_s = 0;                ///< of `hold`; infinite: to the end
+};
+
+/// Preset of the way waypoints are followed.
+enum class FollowerChoice { line_of_sight, no_feed_forward, paper, published_code };
+
+struct ScenarioVehicle {
+  std::string name;
+  std::string model;  ///< id in data/vehicles, or the path of a file
+  Triple<double> start_m;
+  double heading_rad = 0;
+  double state_of_charge = 1;
+  double held_voltage_v = 0;  ///< above 0: the bus is held there
+  std::optional<double> step_s;
+  FollowerChoice follower = FollowerChoice::line_of_sight;
+  std::optional<double> speed_m_s;
+  std::vector<ScenarioTask> tasks;
+  struct TetherStart {
+    Triple<double> top_m;
+    double length_m = 0;
+  };
+  std::optional<TetherStart> tether;
+};
+
+/// A run as its YAML file describes it, positions in NED metres about the origin.
+struct Scenario {
+  std::string name;
+  std::uint64_t seed = 0;
+  std::optional<UtcTime> start;  ///< absent: the first time of the forecast
+  double duration_s = 0;
+  double step_s = 0;  ///< of the barrier
+  double log_every_s = 1;
+  GeoPoint origin;
+  bool has_origin = false;  ///< else the site of the forecast
+  std::variant<ForecastWater, MadeUpWater> water;
+  std::size_t member = 0;
+  ScenarioWaves waves;
+  GustModel gusts = GustModel::none;
+  bool has_wakes = false;
+  std::vector<ScenarioStructure> structures;
+  std::vector<ScenarioVehicle> vehicles;
+  std::string yaml;  ///< the text it was read from
+};
+
+/// Reads a scenario. Everything that can be known without the forecast is checked: throws Error(invalid_input) with file,
+/// line, what was found and what to do.
+[[nodiscard]] Scenario read_scenario(const std::filesystem::path& file);
+[[nodiscard]] Scenario parse_scenario(std::string_view yaml, std::string_view name);
+
+}  // namespace slackwater::twin

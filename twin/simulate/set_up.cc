@@ -1,0 +1,226 @@
+#include "twin/simulate/set_up.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "fields/base/error.h"
+#include "fields/wave/product_sea.h"
+#include "twin/scene/structure.h"
+
+namespace slackwater::twin {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
+
+UtcTime start_of(const Scenario& scenario, const Field& field) {
+  const ValidRange& range = field.range();
+  const UtcTime start = scenario.start.value_or(range.from);
+  const UtcTime end =
+      start + Duration(static_cast<Duration::rep>(std::ceil(scenario.duration_s * 1000)));
+  if (start < range.from || end > range.to) {
+    refuse("start: the run lasts from " + format_utc(start) + " to " + format_utc(end) +
+           ", and the forecast holds from " + format_utc(range.from) + " to " +
+           format_utc(range.to) + "; move the start, shorten the run or take a later forecast");
+  }
+  return start;
+}
+
+/// The sea of the forecast at the origin and start, as one JONSWAP system; calm where it has none.
+PartitionedSea sea_of_forecast(const Field& field, const GeoPoint& origin, UtcTime start,
+                               std::vector<std::string>& warnings) {
+  const Place place{origin.longitude_deg(), origin.latitude_deg(), 0, start};
+  SeaSample sample;
+  field.sample_sea({&place, 1}, {&sample, 1});
+  if (!has_value(sample.status) || !(sample.sea.significant_height_m > 0) ||
+      !(sample.sea.peak_period_s > 0) || !std::isfinite(sample.sea.from_direction_deg)) {
+    if (sample.status != SampleStatus::ok || !(sample.sea.significant_height_m == 0))
+      warnings.push_back("the forecast has no waves there (" + std::string(name_of(sample.status)) +
+                         "): the sea is calm");
+    return {};
+  }
+  const WavePartition partition{sample.sea.significant_height_m, sample.sea.peak_period_s,
+                                sample.sea.from_direction_deg};
+  const ServedSea served = product_sea(sample.sea.significant_height_m, {&partition, 1});
+  warnings.insert(warnings.end(), served.warnings.begin(), served.warnings.end());
+  return served.sea;
+}
+
+std::shared_ptr<const SeaRealisation> sea_of(const Scenario& scenario, const Field& field,
+                                             const GeoPoint& origin, UtcTime start,
+                                             std::vector<std::string>& warnings) {
+  const PartitionedSea sea = scenario.waves.from_forecast
+                                 ? sea_of_forecast(field, origin, start, warnings)
+                                 : scenario.waves.made_up;
+  if (sea.partitions.empty() || !(sea.significant_height_m() > 0)) return nullptr;
+  const Place at_surface{origin.longitude_deg(), origin.latitude_deg(), 0, start};
+  BedSample bed;
+  field.sample_bed({&at_surface, 1}, {&bed, 1});
+  if (!has_value(bed.status)) {
+    refuse("origin: " + std::string(name_of(bed.status)) + " (" + field.range().text() +
+           "); waves need a depth of water there");
+  }
+  const CurrentSample current = field.current(at_surface, scenario.member);
+  WaveWater water{bed.water_depth_m, {}};
+  if (has_value(current.status)) water.current_m_s = current.velocity_m_s;
+  return std::make_shared<SeaRealisation>(
+      realise(sea, water, scenario.seed, start, {.count = scenario.waves.components}));
+}
+
+std::shared_ptr<const FarmFlow> wakes_of(const Scenario& scenario, const Surround& surround,
+                                         const GeoPoint& origin, UtcTime start) {
+  if (!scenario.has_wakes) return nullptr;
+  if (!surround.turbine || surround.turbines_m.empty())
+    refuse("wakes: the site has no turbines; leave `wakes` out, or give the site a layout");
+  const Place at_hub{origin.longitude_deg(), origin.latitude_deg(), surround.turbine->hub_height_m,
+                     start};
+  WindSample wind;
+  surround.field->sample_wind({&at_hub, 1}, {&wind, 1}, scenario.member);
+  if (!has_value(wind.status)) refuse("wakes: the forecast has no wind there");
+  return std::make_shared<FarmFlow>(*surround.turbine, surround.turbines_m, wind.velocity_m_s,
+                                    FarmSettings{});
+}
+
+/// A sampler that keeps its environment alive, so that agents outlive what they were set up from.
+std::shared_ptr<const EnvironmentSampler> sampler_of(
+    const std::shared_ptr<const Environment>& environment) {
+  struct Kept {
+    std::shared_ptr<const Environment> environment;
+    EnvironmentSampler sampler;
+  };
+  const auto kept =
+      std::make_shared<const Kept>(Kept{environment, EnvironmentSampler(*environment)});
+  return {kept, &kept->sampler};
+}
+
+Structure shape_of(const ScenarioStructure& s) {
+  if (s.kind == ScenarioStructure::Kind::cylinder)
+    return Cylinder{s.centre_m.x, s.centre_m.y, 0.5 * s.diameter_m, s.top_m, s.bottom_m};
+  const Triple<double> centre_m{s.centre_m.x, s.centre_m.y, 0.5 * (s.top_m + s.bottom_m)};
+  return box_of(centre_m, {0.5 * s.size_m.x, 0.5 * s.size_m.y, 0.5 * (s.bottom_m - s.top_m)}, 0);
+}
+
+/// A way that touches a structure does not lead through it.
+bool leads_through(const ScenarioStructure& s, const Triple<double>& from_m,
+                   const Triple<double>& to_m) {
+  constexpr double touch_m = 1e-3;
+  return least_distance_m(shape_of(s), from_m, to_m) < -touch_m;
+}
+
+void add_gusts(const Scenario& scenario, const ScenarioVehicle& entry, Agent& agent) {
+  const bool is_in_air =
+      agent.vehicle->kind == VehicleKind::uav || agent.vehicle->body.hull.strips > 0;
+  if (scenario.gusts == GustModel::none || !is_in_air) return;
+  constexpr double twenty_feet_m = 6.096;
+  const auto low = agent.water->wind({entry.start_m.x, entry.start_m.y, -twenty_feet_m}, 0);
+  const auto here = agent.water->wind(entry.start_m, 0);
+  const double speed = std::hypot(here.velocity_m_s.x, here.velocity_m_s.y);
+  if (!has_value(low.status) || !(speed > 0.1) || !(low.ratio > 0)) return;
+  // The turbulence of the free wind: what a wake makes of it is known at each step.
+  const double low_m_s = std::hypot(low.velocity_m_s.x, low.velocity_m_s.y) / low.ratio;
+  agent.gusts.emplace(dryden_turbulence(-entry.start_m.z, low_m_s), speed, agent.plan.dt_s);
+}
+
+/// That the vehicle can be where it starts and where it is to go.
+void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const Agent& agent) {
+  const bool flies = agent.vehicle->kind == VehicleKind::uav;
+  const bool floats = agent.vehicle->body.hull.strips > 0;
+  const auto on_water = [&](const Triple<double>& at_m) {
+    return Triple<double>{at_m.x, at_m.y, floats ? 0.0 : at_m.z};
+  };
+  const auto expect_place = [&](const Triple<double>& at_m, const std::string& what) {
+    const std::string named = "vehicle " + entry.name + ": " + what;
+    if (flies && at_m.z > 0) refuse(named + " is below the sea; give a multirotor a height_m");
+    if (!flies && !floats && at_m.z < 0) refuse(named + " is above the sea; give it a depth_m");
+    const SampleStatus status = flies ? agent.water->wind(at_m, 0).status
+                                      : agent.water->current(on_water(at_m), 0, 0).status;
+    if (!has_value(status)) {
+      refuse(named + " is " + std::string(name_of(status)) + " (" +
+             agent.water->environment().field->range().text() +
+             "); move it into the water of the forecast");
+    }
+    for (const ScenarioStructure& s : scenario.structures)
+      if (leads_through(s, on_water(at_m), on_water(at_m)))
+        refuse(named + " lies in " + s.name + "; move it out");
+  };
+  expect_place(entry.start_m, "the start");
+  std::size_t task = 0;
+  Triple<double> before_m = entry.start_m;
+  for (const ScenarioTask& t : entry.tasks) {
+    ++task;
+    std::size_t number = 0;
+    for (const Waypoint& waypoint : t.waypoints) {
+      const std::string what =
+          "waypoint " + std::to_string(++number) + " of task " + std::to_string(task);
+      expect_place(waypoint.position_m, what);
+      for (const ScenarioStructure& s : scenario.structures)
+        if (leads_through(s, on_water(before_m), on_water(waypoint.position_m)))
+          refuse("vehicle " + entry.name + ": the way to " + what + " leads through " + s.name +
+                 "; give waypoints round it");
+      before_m = waypoint.position_m;
+    }
+  }
+}
+
+}  // namespace
+
+std::filesystem::path vehicle_file(const std::string& model,
+                                   const std::filesystem::path& data_folder) {
+  const std::filesystem::path named = data_folder / "vehicles" / (model + ".yaml");
+  if (model.find('/') == std::string::npos && std::filesystem::exists(named)) return named;
+  if (std::filesystem::exists(model)) return model;
+  std::string known;
+  std::vector<std::string> ids;
+  for (const auto& entry : std::filesystem::directory_iterator(data_folder / "vehicles"))
+    if (entry.path().extension() == ".yaml") ids.push_back(entry.path().stem().string());
+  std::sort(ids.begin(), ids.end());
+  for (const std::string& id : ids) known += (known.empty() ? "" : ", ") + id;
+  refuse("model: found " + model + ", expected one of " + known + ", or the path of a file");
+}
+
+GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept {
+  return scenario.has_origin ? scenario.origin : site;
+}
+
+ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
+  const Field& field = *surround.field;
+  if (scenario.member >= field.snapshot().members) {
+    refuse("member: found " + std::to_string(scenario.member) + ", the forecast has 0 to " +
+           std::to_string(field.snapshot().members - 1));
+  }
+  ReadyRun ready;
+  ready.start = start_of(scenario, field);
+  ready.origin = origin_of(scenario, surround.site);
+  Environment environment;
+  environment.field = surround.field;
+  environment.member = scenario.member;
+  environment.origin = ready.origin;
+  environment.epoch = ready.start;
+  environment.sea = sea_of(scenario, field, ready.origin, ready.start, ready.warnings);
+  environment.farm = wakes_of(scenario, surround, ready.origin, ready.start);
+  for (const ScenarioStructure& s : scenario.structures) {
+    environment.structures.push_back(shape_of(s));
+    if (s.turns_current)
+      environment.piles.push_back({{s.diameter_m, 1.05}, Horizontal(s.centre_m.y, s.centre_m.x)});
+  }
+  ready.environment = std::make_shared<const Environment>(std::move(environment));
+  const std::shared_ptr<const EnvironmentSampler> water = sampler_of(ready.environment);
+  std::map<std::filesystem::path, std::shared_ptr<const Vehicle>> vehicles;
+  for (const ScenarioVehicle& entry : scenario.vehicles) {
+    with_context("vehicle " + entry.name, [&] {
+      const std::filesystem::path file = vehicle_file(entry.model, surround.data_folder);
+      auto& vehicle = vehicles[file];
+      if (!vehicle)
+        vehicle = std::make_shared<const Vehicle>(read_vehicle(file, surround.data_folder));
+      ready.agents.push_back(make_agent(vehicle, water, entry, scenario.step_s));
+    });
+    Agent& agent = ready.agents.back();
+    expect_places(scenario, entry, agent);
+    add_gusts(scenario, entry, agent);
+    with_context("vehicle " + entry.name,
+                 [&] { ready.states.push_back(first_state(agent, entry, scenario.seed)); });
+  }
+  return ready;
+}
+
+}  // namespace slackwater::twin

@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "fields/wind/turbine.h"
+#include "twin/simulate/run.h"
+#include "twin/simulate/scenario.h"
+
+namespace slackwater::twin {
+
+/// What a scenario needs from outside.
+struct Surround {
+  std::shared_ptr<const Field> field;
+  GeoPoint site;                           ///< the origin where the scenario names none
+  std::vector<Horizontal> turbines_m;      ///< about the origin
+  std::shared_ptr<const Turbine> turbine;  ///< of all of them
+  std::filesystem::path data_folder;       ///< vehicles/, thrusters/, batteries/
+};
+
+/// A scenario made ready: everything is checked, nothing has moved yet.
+struct ReadyRun {
+  UtcTime start;
+  GeoPoint origin;
+  std::shared_ptr<const Environment> environment;
+  std::vector<Agent> agents;
+  std::vector<AgentState> states;
+  std::vector<std::string> warnings;
+};
+
+/// Throws Error(invalid_input) before the first step for what cannot be run: a time or place outside the forecast, a start
+/// on land, below the bed or in a structure, a way through a structure, an unphysical vehicle.
+[[nodiscard]] ReadyRun set_up(const Scenario& scenario, const Surround& surround);
+
+/// The file of a vehicle: data_folder/vehicles/MODEL.yaml, or the path that `model` is.
+/// @throws Error(invalid_input) that lists the known ones where there is neither
+[[nodiscard]] std::filesystem::path vehicle_file(const std::string& model,
+                                                 const std::filesystem::path& data_folder);
+
+/// The origin that a scenario will have.
+[[nodiscard]] GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept;
+
+/// An agent from its parts, for runs that are made without a file. @param barrier_s  the barrier's step; the vehicle's is
+/// the largest whole part of it that it bears, or that of `step_s`
+[[nodiscard]] Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
+                               std::shared_ptr<const EnvironmentSampler> water,
+                               const ScenarioVehicle& entry, double barrier_s);
+/// Its state at the start. All randomness comes from (seed, name of the vehicle).
+[[nodiscard]] AgentState first_state(const Agent& agent, const ScenarioVehicle& entry,
+                                     std::uint64_t seed);
+
+}  // namespace slackwater::twin
