@@ -87,6 +87,9 @@ int run_command_line(int argc, const char* const* argv) {
   add_verify(app, context);
   add_store(app, context);
   add_site(app, context);
+  add_simulate(app, context);
+  add_replay(app, context);
+  add_ais(app, context);
   add_serve(app, context);
   add_demo(app, context);
   try {

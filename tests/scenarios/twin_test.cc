@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "api/demo/demo_run.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
 // Day D to forecast on an ocean whose truth is known: what comes out of the files, the store, the
@@ -49,6 +52,19 @@ TEST_F(SyntheticTwin, CalibrationFindsTheMixingThatTheOceanWasMadeWith) {
     EXPECT_FALSE(p["at_bound"].get<bool>()) << p.dump();
   }
   EXPECT_EQ(found, 3U);
+}
+
+TEST_F(SyntheticTwin, ThePageOnHttpAsksForATimeThatTheDemonstrationForecasts) {
+  std::stringstream page;
+  page << std::ifstream(source_folder() / "api/docs/http.md").rdbuf();
+  const std::string text = page.str();
+  const std::size_t at = text.find(" T=");
+  ASSERT_NE(at, std::string::npos);
+  const UtcTime asked = parse_utc(text.substr(at + 3, std::string("2025-03-13T06:00:00Z").size()));
+  // The newest forecast of the command without options, whose days go on from these.
+  const auto more = std::chrono::days(api::DemoOptions{}.days - 3);
+  EXPECT_GE(asked, result_->last.time.front() + more);
+  EXPECT_LE(asked, result_->last.time.back() + more);
 }
 
 TEST_F(SyntheticTwin, TheForecastBeatsPersistenceAndDayMeanEveryDay) {

@@ -1,0 +1,191 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "api/cli/command.h"
+#include "api/cli/progress.h"
+#include "api/simulate/run_page.h"
+#include "api/simulate/scenario_run.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+struct SimulateArguments {
+  std::filesystem::path scenario;
+  std::filesystem::path out;
+  std::filesystem::path html;
+  double real_time = 0;
+  std::size_t threads = 1;
+  bool one_by_one = false;
+};
+
+json summary_json(const VehicleSummary& s) {
+  return {{"name", s.name},
+          {"model", s.model},
+          {"sailed_m", s.sailed_m},
+          {"energy_wh", s.has_battery ? json(s.energy_wh) : json(nullptr)},
+          {"state_of_charge", s.has_battery ? json(s.state_of_charge) : json(nullptr)},
+          {"least_voltage_v", s.has_battery ? json(s.least_voltage_v) : json(nullptr)},
+          {"fuel_kg", s.has_battery ? json(nullptr) : json(s.fuel_kg)},
+          {"rms_across_track_m", s.rms_across_track_m},
+          {"waypoints", s.waypoints},
+          {"tasks_done", s.tasks_done},
+          {"tasks", s.tasks},
+          {"halt", s.halt},
+          {"halted_at_s", s.halt == "none" ? json(nullptr) : json(s.halted_at_s)}};
+}
+
+void print_summary(const ScenarioResult& result, const std::filesystem::path& out) {
+  std::printf("%-16s %-16s %9s %11s %7s %9s %10s  %s\n", "vehicle", "model", "sailed m", "energy",
+              "charge", "off m rms", "tasks", "halt");
+  for (const VehicleSummary& s : result.vehicles) {
+    char energy[24], charge[16] = "-", tasks[32], halt[64] = "-";
+    if (s.has_battery) {
+      std::snprintf(energy, sizeof energy, "%.1f Wh", s.energy_wh);
+      std::snprintf(charge, sizeof charge, "%.1f %%", 100 * s.state_of_charge);
+    } else {
+      std::snprintf(energy, sizeof energy, "%.1f kg", s.fuel_kg);
+    }
+    std::snprintf(tasks, sizeof tasks, "%zu of %zu", s.tasks_done, s.tasks);
+    if (s.halt != "none")
+      std::snprintf(halt, sizeof halt, "%s at %.1f s", s.halt.c_str(), s.halted_at_s);
+    std::printf("%-16s %-16s %9.1f %11s %7s %9.2f %10s  %s\n", s.name.c_str(), s.model.c_str(),
+                s.sailed_m, energy, charge, s.rms_across_track_m, tasks, halt);
+  }
+  std::printf("%g s from %s in %.2f s (%.0f x real time)%s%s\n", result.duration_s,
+              format_utc(result.start).c_str(), result.wall_s, result.duration_s / result.wall_s,
+              out.empty() ? "" : "; log ", out.c_str());
+}
+
+void expect_folder(const char* option, const std::filesystem::path& file) {
+  if (file.empty()) return;
+  const auto folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder)) {
+    throw Error(ErrorKind::usage, "found no folder " + folder.string() + " for " + option +
+                                      "; make it, or name another");
+  }
+}
+
+/// Whole or not at all: what stood there before stays until the new one is written.
+template <typename Write>
+void write_beside(const std::filesystem::path& file, Write write) {
+  const std::filesystem::path partial = file.string() + ".partial";
+  write(partial);
+  std::filesystem::rename(partial, file);
+}
+
+void run_simulate(const SimulateArguments& arguments, const Context& context) {
+  expect_folder("--out", arguments.out);
+  expect_folder("--html", arguments.html);
+  const twin::Scenario scenario = twin::read_scenario(arguments.scenario);
+  const ScenarioWater water = water_of(scenario, context.store_folder,
+                                       std::filesystem::absolute(arguments.scenario).parent_path());
+  ProgressBar progress("simulate " + scenario.name, context.json);
+  const ScenarioResult result = with_context(arguments.scenario.string(), [&] {
+    return run_scenario(scenario, water,
+                        {arguments.threads, !arguments.one_by_one, arguments.real_time},
+                        [&](double share) { progress.update(share); });
+  });
+  if (!arguments.out.empty()) {
+    write_beside(arguments.out, [&](const std::filesystem::path& partial) {
+      ingest::write_trajectories(result.file, partial);
+    });
+  }
+  if (!arguments.html.empty()) {
+    write_beside(arguments.html, [&](const std::filesystem::path& partial) {
+      write_run_page(result.file, partial);
+    });
+  }
+  for (const std::string& warning : result.warnings)
+    std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
+  if (!context.json) {
+    print_summary(result, arguments.out);
+    return;
+  }
+  json out = {{"scenario", scenario.name},
+              {"start", format_utc(result.start)},
+              {"duration_s", result.duration_s},
+              {"wall_s", result.wall_s},
+              {"forecast", water.forecast_name},
+              {"forecast_sha256",
+               water.forecast_sha256.empty() ? json(nullptr) : json(water.forecast_sha256)},
+              {"log", arguments.out.empty() ? json(nullptr) : json(arguments.out.string())},
+              {"warnings", result.warnings},
+              {"vehicles", json::array()}};
+  for (const VehicleSummary& s : result.vehicles) out["vehicles"].push_back(summary_json(s));
+  std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+}
+
+struct ReplayArguments {
+  std::filesystem::path log;
+  std::filesystem::path forecast;
+  std::filesystem::path html;
+  std::size_t threads = 1;
+};
+
+void run_replay(const ReplayArguments& arguments, const Context& context) {
+  expect_folder("--html", arguments.html);
+  if (!arguments.html.empty()) {
+    write_beside(arguments.html, [&](const std::filesystem::path& partial) {
+      write_run_page(ingest::read_trajectories(arguments.log), partial);
+    });
+  }
+  ProgressBar progress("replay " + arguments.log.filename().string(), context.json);
+  std::optional<std::filesystem::path> forecast;
+  if (!arguments.forecast.empty()) forecast = arguments.forecast;
+  const ReplayResult result =
+      replay(arguments.log, context.store_folder, forecast, {arguments.threads, true, 0},
+             [&](double share) { progress.update(share); });
+  if (context.json) {
+    const json out = {{"log", arguments.log.string()},
+                      {"identical", result.is_identical},
+                      {"difference", result.is_identical ? json(nullptr) : json(result.difference)},
+                      {"wall_s", result.wall_s}};
+    std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+    context.answered = true;
+  } else if (result.is_identical) {
+    std::printf("%s: replayed in %.2f s, the same to the byte\n", arguments.log.c_str(),
+                result.wall_s);
+  }
+  if (!result.is_identical) {
+    throw Error(ErrorKind::invalid_input,
+                arguments.log.string() + ": does not replay to the byte; " + result.difference);
+  }
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Context& context) {
+  auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* command = app.add_subcommand(
+      "simulate",
+      "Run the vehicles of a scenario in a forecast, to the last bit the same each time");
+  command->add_option("scenario", arguments->scenario, "YAML file")->required();
+  command->add_option("--out", arguments->out, "log as FILE.nc (CF trajectories)");
+  command->add_option("--html", arguments->html, "page of plots");
+  command
+      ->add_option("--real-time", arguments->real_time,
+                   "times as fast as the clock (default: as fast as the machine can)")
+      ->check(CLI::Range(0.0, 1e6));
+  command->add_option("--threads", arguments->threads, "1 to 64 (default 1)")
+      ->check(CLI::Range(1, 64));
+  command->add_flag("--one-by-one", arguments->one_by_one,
+                    "step vehicles singly: the same bits, slower");
+  command->callback([arguments, &context] { run_simulate(*arguments, context); });
+}
+
+void add_replay(CLI::App& app, Context& context) {
+  auto arguments = std::make_shared<ReplayArguments>();
+  CLI::App* command = app.add_subcommand("replay", "Prove that a log runs again to the same bytes");
+  command->add_option("log", arguments->log, "FILE.nc of `slackwater simulate`")->required();
+  command->add_option("--forecast", arguments->forecast,
+                      "file of the forecast it ran in (default: found in the store)");
+  command->add_option("--html", arguments->html, "page of plots of the log");
+  command->add_option("--threads", arguments->threads, "1 to 64 (default 1)")
+      ->check(CLI::Range(1, 64));
+  command->callback([arguments, &context] { run_replay(*arguments, context); });
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,111 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "api/pipeline/version.h"
+#include "api/simulate/log_file.h"
+#include "fields/base/error.h"
+
+namespace slackwater::api {
+namespace {
+
+using ingest::TrajectoryFile;
+
+/// A file beside the log that goes when its owner does.
+class Scratch {
+ public:
+  Scratch()
+      : path_(std::filesystem::temp_directory_path() /
+              ("slackwater-replay-" + std::to_string(::getpid()) + ".nc")) {}
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw Error(ErrorKind::not_found, "no log at " + file.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Where two logs part, in words.
+std::string difference_of(const TrajectoryFile& was, const TrajectoryFile& is) {
+  for (const auto& [name, text] : was.attributes) {
+    if (is.attribute(name) != text && name != "source")
+      return "attribute " + name + ": found '" + is.attribute(name) + "', the log has '" + text +
+             "'";
+  }
+  if (was.t_s != is.t_s)
+    return "the log has " + std::to_string(was.t_s.size()) + " times, the run " +
+           std::to_string(is.t_s.size());
+  // The first time at which anything differs says most.
+  for (std::size_t t = 0; t < was.t_s.size(); ++t) {
+    for (const TrajectoryFile::Variable& v : was.variables) {
+      const auto* other = is.find(v.name);
+      if (other == nullptr || other->values.size() != v.values.size())
+        return "variable " + v.name + " is not in the run";
+      for (std::size_t thing = 0; thing < was.names.size(); ++thing) {
+        for (std::size_t k = 0; k < v.per; ++k) {
+          const std::size_t i = (thing * was.t_s.size() + t) * v.per + k;
+          if (same_bits(v.values[i], other->values[i])) continue;
+          char text[200];
+          std::snprintf(text, sizeof text, "%s of %s at %g s: the log has %.17g, the run %.17g",
+                        v.name.c_str(), was.names[thing].c_str(), was.t_s[t], v.values[i],
+                        other->values[i]);
+          return text;
+        }
+      }
+    }
+  }
+  if (was.attribute("source") != is.attribute("source"))
+    return "all numbers are the same; the log is of " + was.attribute("source") + ", this is " +
+           is.attribute("source");
+  return "the files differ in bytes that are no numbers of the run";
+}
+
+}  // namespace
+
+ReplayResult replay(const std::filesystem::path& log, const std::filesystem::path& store_folder,
+                    const std::optional<std::filesystem::path>& forecast, const RunChoice& choice,
+                    const std::function<void(double)>& on_progress) {
+  const auto started = std::chrono::steady_clock::now();
+  const TrajectoryFile was = ingest::read_trajectories(log);
+  const std::string yaml = was.attribute("scenario");
+  if (yaml.empty()) {
+    throw Error(ErrorKind::invalid_input,
+                log.string() + ": holds no scenario; give a log that `slackwater simulate` wrote");
+  }
+  const twin::Scenario scenario = twin::parse_scenario(yaml, log.string() + " (scenario)");
+  const ScenarioWater water =
+      water_of_log(scenario, was.attribute("forecast_sha256"), store_folder, forecast);
+  const std::string vehicles = vehicle_checksums(scenario, water.surround.data_folder);
+  if (vehicles != was.attribute("vehicle_files_sha256")) {
+    throw Error(ErrorKind::not_found,
+                log.string() + ": its vehicles are not those of data/vehicles any more (found " +
+                    vehicles + ", the log has " + was.attribute("vehicle_files_sha256") +
+                    "); replay it with the version it is of, " + was.attribute("source"));
+  }
+  const ScenarioResult again = run_scenario(scenario, water, choice, on_progress);
+  const Scratch scratch;
+  ingest::write_trajectories(again.file, scratch.path());
+  ReplayResult result;
+  result.is_identical = bytes_of(log) == bytes_of(scratch.path());
+  if (!result.is_identical) result.difference = difference_of(was, again.file);
+  result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return result;
+}
+
+}  // namespace slackwater::api

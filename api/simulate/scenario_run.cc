@@ -1,0 +1,83 @@
+#include "api/simulate/scenario_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "api/simulate/log_file.h"
+
+namespace slackwater::api {
+namespace {
+
+using twin::Agent;
+using twin::AgentState;
+using twin::RunLog;
+
+VehicleSummary summary_of(const Agent& agent, const AgentState& state, const RunLog& log,
+                          std::size_t vehicle) {
+  VehicleSummary s;
+  s.name = agent.name;
+  s.model = agent.vehicle->id;
+  const auto x = log.column(vehicle, "x"), y = log.column(vehicle, "y"),
+             z = log.column(vehicle, "z"), across = log.column(vehicle, "across_track"),
+             voltage = log.column(vehicle, "bus_voltage");
+  double across2 = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    across2 += across[i] * across[i];
+    if (i > 0) s.sailed_m += std::hypot(x[i] - x[i - 1], y[i] - y[i - 1], z[i] - z[i - 1]);
+  }
+  s.rms_across_track_m = std::sqrt(across2 / static_cast<double>(x.size()));
+  s.least_voltage_v = *std::min_element(voltage.begin(), voltage.end());
+  s.has_battery = agent.vehicle->battery.has_value();
+  s.energy_wh = state.vehicle.battery.delivered_j / 3600;
+  s.fuel_kg = state.vehicle.fuel_kg;
+  s.state_of_charge = state.vehicle.battery.charge;
+  s.waypoints = state.mission.waypoints_taken;
+  s.tasks_done = state.mission.task;
+  s.tasks = agent.mission.tasks.size();
+  s.halt = name_of(state.halt);
+  s.halted_at_s = state.halted_at_s;
+  return s;
+}
+
+}  // namespace
+
+ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater& water,
+                            const RunChoice& choice,
+                            const std::function<void(double)>& on_progress) {
+  const auto started = std::chrono::steady_clock::now();
+  twin::ReadyRun ready = twin::set_up(scenario, water.surround);
+  ScenarioResult result;
+  result.start = ready.start;
+  result.warnings = ready.warnings;
+  twin::RunSettings settings;
+  settings.seed = scenario.seed;
+  settings.step_s = scenario.step_s;
+  settings.threads = choice.threads;
+  settings.is_batch = choice.is_batch;
+  twin::Run run(std::move(ready.agents), std::move(ready.states), settings);
+  const auto steps =
+      static_cast<std::uint64_t>(std::llround(scenario.duration_s / scenario.step_s));
+  const auto every = static_cast<std::uint64_t>(
+      std::max(1LL, std::llround(scenario.log_every_s / scenario.step_s)));
+  result.log.reserve(run.agents().size(), steps / every + 2);
+  result.log.append(0, run.agents(), run.states());
+  twin::RunControl control(choice.real_time_factor);
+  run.at_barrier([&](const twin::StepTime& time) {
+    if ((time.step + 1) % every != 0) return;
+    result.log.append(static_cast<double>(time.step + 1) * scenario.step_s, run.agents(),
+                      run.states());
+    if (on_progress) on_progress(static_cast<double>(time.step + 1) / static_cast<double>(steps));
+    if (run.all_halted()) control.stop();
+  });
+  run.run_until(scenario.duration_s, control);
+  result.duration_s = run.time_s();
+  const auto states = run.states();
+  for (std::size_t i = 0; i < states.size(); ++i)
+    result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i));
+  result.file = log_file_of(scenario, water, ready.origin, result, run.agents());
+  result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return result;
+}
+
+}  // namespace slackwater::api

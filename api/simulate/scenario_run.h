@@ -1,0 +1,86 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ingest/cf/trajectory_file.h"
+#include "twin/simulate/run_log.h"
+#include "twin/simulate/scenario.h"
+#include "twin/simulate/set_up.h"
+
+namespace slackwater::api {
+
+/// The water of a scenario, with the name under which it is found again.
+struct ScenarioWater {
+  twin::Surround surround;
+  std::string forecast_sha256;  ///< empty: made up
+  std::string forecast_name;    ///< "site 2025-06-01, issued ...", for people
+};
+
+/// Finds the forecast a scenario asks for: in the store, or the file it names (paths that are not absolute count from
+/// `scenario_folder`). @throws Error(not_found), Error(invalid_input)
+[[nodiscard]] ScenarioWater water_of(const twin::Scenario& scenario,
+                                     const std::filesystem::path& store_folder,
+                                     const std::filesystem::path& scenario_folder);
+/// The forecast of a log: by its checksum, in the store. @param file  where given, this one
+[[nodiscard]] ScenarioWater water_of_log(const twin::Scenario& scenario,
+                                         const std::string& forecast_sha256,
+                                         const std::filesystem::path& store_folder,
+                                         const std::optional<std::filesystem::path>& file);
+
+/// How one vehicle fared.
+struct VehicleSummary {
+  std::string name;
+  std::string model;
+  double sailed_m = 0;  ///< over ground
+  double energy_wh = 0;
+  double fuel_kg = 0;
+  double state_of_charge = 1;
+  double least_voltage_v = 0;
+  double rms_across_track_m = 0;
+  std::size_t waypoints = 0;
+  std::size_t tasks_done = 0;
+  std::size_t tasks = 0;
+  std::string halt = "none";
+  double halted_at_s = 0;
+  bool has_battery = false;
+};
+
+struct ScenarioResult {
+  UtcTime start;
+  double duration_s = 0;
+  double wall_s = 0;
+  twin::RunLog log;
+  std::vector<VehicleSummary> vehicles;
+  std::vector<std::string> warnings;
+  ingest::TrajectoryFile file;  ///< the log as it is written
+};
+
+struct RunChoice {
+  std::size_t threads = 1;
+  bool is_batch = true;
+  double real_time_factor = 0;  ///< 0: as fast as possible
+};
+
+/// Runs a scenario to its end. Nothing of the choice changes what comes out.
+[[nodiscard]] ScenarioResult run_scenario(const twin::Scenario& scenario,
+                                          const ScenarioWater& water, const RunChoice& choice,
+                                          const std::function<void(double)>& on_progress = {});
+
+/// What a replay found.
+struct ReplayResult {
+  bool is_identical = false;
+  std::string difference;  ///< the first one, where there is
+  double wall_s = 0;
+};
+/// Runs the scenario that a log holds again and compares the bytes of the two files.
+/// @throws Error(invalid_input) for what is no log, Error(not_found) where its forecast or a vehicle is gone or changed
+[[nodiscard]] ReplayResult replay(const std::filesystem::path& log,
+                                  const std::filesystem::path& store_folder,
+                                  const std::optional<std::filesystem::path>& forecast,
+                                  const RunChoice& choice,
+                                  const std::function<void(double)>& on_progress = {});
+
+}  // namespace slackwater::api

@@ -1,0 +1,127 @@
+#include <algorithm>
+
+#include "api/pipeline/paths.h"
+#include "api/pipeline/site.h"
+#include "api/simulate/scenario_run.h"
+#include "data/store/store.h"
+#include "fields/base/error.h"
+#include "fields/base/sha256.h"
+#include "fields/geo/local_frame.h"
+#include "ingest/cf/forecast_file.h"
+#include "twin/simulate/made_up_field.h"
+
+namespace slackwater::api {
+namespace {
+
+using twin::ForecastWater;
+using twin::Scenario;
+
+/// Where nobody says when, as good a time as any.
+const UtcTime no_time = parse_utc("2000-01-01T00:00:00Z");
+
+ScenarioWater made_up(const Scenario& scenario) {
+  ScenarioWater water;
+  const UtcTime start = scenario.start.value_or(no_time);
+  const auto length = Duration(static_cast<Duration::rep>(scenario.duration_s * 1000) + 1000);
+  water.surround.site = scenario.origin;
+  water.surround.field = twin::made_up_field(std::get<twin::MadeUpWater>(scenario.water),
+                                             scenario.origin, start, start + length);
+  water.forecast_name = "made-up water";
+  return water;
+}
+
+ScenarioWater of_file(const std::filesystem::path& file) {
+  ScenarioWater water;
+  auto snapshot = std::make_shared<Snapshot>(ingest::read_forecast(file));
+  water.forecast_sha256 = sha256_of_file(file);
+  water.forecast_name = snapshot->site_id + " " + format_day(snapshot->day) + ", issued " +
+                        format_utc(snapshot->issued);
+  water.surround.site = snapshot->columns.front().point;
+  water.surround.field = std::make_shared<Field>(std::move(snapshot));
+  return water;
+}
+
+/// Turbines of the site about the scenario's origin, and the curve they share.
+void add_turbines(const Scenario& scenario, const Site& site, ScenarioWater& water) {
+  water.surround.site = site.point;
+  if (!scenario.has_wakes) return;
+  const LocalFrame frame(twin::origin_of(scenario, site.point));
+  for (const Turbine& turbine : site.turbines) {
+    const auto at = frame.to_local(turbine.point);
+    water.surround.turbines_m.emplace_back(at.x(), at.y());
+  }
+  water.surround.turbine = std::make_shared<slackwater::Turbine>(
+      slackwater::Turbine::load(data_folder() / "turbines" / "nrel_5mw.yaml"));
+}
+
+store::ForecastRow newest(store::Store& store, const Site& site, const ForecastWater& wanted) {
+  store::ForecastQuery query;
+  query.site_id = site.id;
+  query.from_day = wanted.day;
+  query.to_day = wanted.day;
+  query.latest_only = true;
+  const std::vector<store::ForecastRow> rows = store.find_forecasts(query);
+  if (rows.empty()) {
+    throw Error(ErrorKind::not_found,
+                "found no issued forecast for site " + site.id +
+                    (wanted.day ? " of day " + format_day(*wanted.day) : std::string()) +
+                    "; run `slackwater forecast` first, or name another day "
+                    "(`slackwater store list`)");
+  }
+  return rows.front();
+}
+
+}  // namespace
+
+ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& store_folder,
+                       const std::filesystem::path& scenario_folder) {
+  ScenarioWater water;
+  if (std::holds_alternative<twin::MadeUpWater>(scenario.water)) {
+    water = made_up(scenario);
+  } else {
+    const auto& wanted = std::get<ForecastWater>(scenario.water);
+    if (!wanted.file.empty()) {
+      const std::filesystem::path file = wanted.file;
+      water = of_file(file.is_absolute() ? file : scenario_folder / file);
+    } else {
+      store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
+      const Site site = find_site(wanted.site, site_folders(store_folder));
+      water = of_file(store.content_path(newest(store, site, wanted).content_sha256));
+      add_turbines(scenario, site, water);
+    }
+  }
+  water.surround.data_folder = data_folder();
+  return water;
+}
+
+ScenarioWater water_of_log(const Scenario& scenario, const std::string& forecast_sha256,
+                           const std::filesystem::path& store_folder,
+                           const std::optional<std::filesystem::path>& file) {
+  if (forecast_sha256.empty()) return water_of(scenario, store_folder, {});
+  ScenarioWater water;
+  if (file) {
+    water = of_file(*file);
+    if (water.forecast_sha256 != forecast_sha256) {
+      throw Error(ErrorKind::invalid_input,
+                  file->string() + ": is not the forecast of this log (checksum " +
+                      water.forecast_sha256 + ", expected " + forecast_sha256 + ")");
+    }
+  } else {
+    store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
+    const std::filesystem::path content = store.content_path(forecast_sha256);
+    if (!std::filesystem::exists(content)) {
+      throw Error(ErrorKind::not_found,
+                  "the forecast that the log ran in (checksum " + forecast_sha256 +
+                      ") is not in the store " + store_folder.string() +
+                      "; give the store with --store, or the file with --forecast");
+    }
+    water = of_file(content);
+  }
+  if (const auto* wanted = std::get_if<ForecastWater>(&scenario.water);
+      wanted != nullptr && !wanted->site.empty())
+    add_turbines(scenario, find_site(wanted->site, site_folders(store_folder)), water);
+  water.surround.data_folder = data_folder();
+  return water;
+}
+
+}  // namespace slackwater::api
