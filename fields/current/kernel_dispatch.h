@@ -7,7 +7,7 @@
 
 namespace slackwater {
 
-/// The instruction sets for which the batch evaluation is compiled (kernels.cmake).
+/// The instruction sets for which the batch evaluation is compiled (cmake/SlackwaterKernels.cmake).
 enum class KernelPath { baseline, avx2, avx512 };
 [[nodiscard]] std::string_view name_of(KernelPath path) noexcept;
 

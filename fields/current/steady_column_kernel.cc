@@ -1,8 +1,8 @@
-// Compiled once per instruction set, see kernels.cmake; SLACKWATER_KERNEL names the namespace.
+// Compiled once per instruction set, see cmake/SlackwaterKernels.cmake; SLACKWATER_KERNEL names the namespace.
 #include "fields/current/steady_column_kernel.h"
 
 #ifndef SLACKWATER_KERNEL
-#error "compile this file through fields/current/kernels.cmake"
+#error "compile this file through slackwater_kernels (cmake/SlackwaterKernels.cmake)"
 #endif
 
 namespace slackwater::SLACKWATER_KERNEL {
