@@ -4,7 +4,7 @@
 
 #include "fields/geo/local_frame.h"
 #include "ingest/ais/track.h"
-#include "twin/traffic/scene.h"
+#include "twin/traffic/traffic_picture.h"
 
 namespace slackwater::api {
 

@@ -222,12 +222,12 @@ TEST(AisReferencedTrajectory, RealTrafficRaisesTheAlarmsThatTryingAllMomentsFind
   ASSERT_GT(traffic.size(), 5U);
   const twin::MovingPoint own{{0, 0, 0}, {0, 0, 0}};
   const twin::AlarmLimits limits{926, 720, 1};  // half a nautical mile, twelve minutes
-  twin::TrafficScene scene;
+  twin::TrafficPicture picture;
   std::size_t most = 0, all = 0;
   for (double t_s = 0; t_s < 1440; t_s += 60) {
-    twin::populate(traffic, t_s, {}, scene);
+    twin::populate(traffic, t_s, {}, picture);
     std::vector<std::uint32_t> expected;
-    for (const twin::Contact& contact : scene.contacts) {
+    for (const twin::Contact& contact : picture.contacts) {
       const twin::MovingPoint& motion = contact.motion;
       double least_m = HUGE_VAL;
       double when_s = 0;
@@ -242,11 +242,11 @@ TEST(AisReferencedTrajectory, RealTrafficRaisesTheAlarmsThatTryingAllMomentsFind
         expected.push_back(contact.id);
     }
     std::vector<std::uint32_t> found;
-    for (const twin::Alarm& alarm : twin::alarms(own, scene.contacts, limits))
+    for (const twin::Alarm& alarm : twin::alarms(own, picture.contacts, limits))
       found.push_back(alarm.id);
     EXPECT_EQ(found, expected) << t_s;
     most = std::max(most, found.size());
-    all = std::max(all, scene.contacts.size());
+    all = std::max(all, picture.contacts.size());
   }
   EXPECT_GT(most, 0U);
   EXPECT_LT(most, all);

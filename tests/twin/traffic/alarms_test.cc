@@ -4,7 +4,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/random.h"
-#include "twin/traffic/scene.h"
+#include "twin/traffic/traffic_picture.h"
 
 namespace slackwater::tests {
 namespace {
@@ -90,26 +90,26 @@ TEST(Alarms, LimitsThatAreNoneAreRefused) {
   EXPECT_THROW((void)alarms(own, {}, {500, 600, 0.9}), ContractViolation);
 }
 
-TEST(TrafficScene, HoldsWhoIsThereAndNamesWhoIsSilent) {
+TEST(TrafficPicture, HoldsWhoIsThereAndNamesWhoIsSilent) {
   const auto straight = [](double from_s, double to_s) {
     return Track({{from_s, {from_s, 0, 0}, {}, {}}, {to_s, {to_s, 0, 0}, {}, {}}});
   };
   const std::vector<TrafficVessel> vessels{{1, "EARLY", {}, {}, straight(0, 100)},
                                            {2, "SILENT", {}, {}, straight(0, 1000)},
                                            {3, "", 12.0, 4.0, straight(140, 300)}};
-  TrafficScene scene;
+  TrafficPicture picture;
   const TrackRule rule{TrackCurve::smooth, 360};
-  populate(vessels, 50, rule, scene);
-  ASSERT_EQ(scene.contacts.size(), 1U);
-  EXPECT_EQ(scene.contacts[0].id, 1U);
-  EXPECT_DOUBLE_EQ(scene.contacts[0].motion.position_m.x, 50);
-  EXPECT_DOUBLE_EQ(scene.contacts[0].motion.velocity_m_s.x, 1);
-  EXPECT_EQ(scene.unheard, std::vector<std::uint32_t>{2});
-  populate(vessels, 200, rule, scene);
-  ASSERT_EQ(scene.contacts.size(), 1U);
-  EXPECT_EQ(scene.contacts[0].id, 3U);
-  populate(vessels, 2000, rule, scene);
-  EXPECT_TRUE(scene.contacts.empty() && scene.unheard.empty());
+  populate(vessels, 50, rule, picture);
+  ASSERT_EQ(picture.contacts.size(), 1U);
+  EXPECT_EQ(picture.contacts[0].id, 1U);
+  EXPECT_DOUBLE_EQ(picture.contacts[0].motion.position_m.x, 50);
+  EXPECT_DOUBLE_EQ(picture.contacts[0].motion.velocity_m_s.x, 1);
+  EXPECT_EQ(picture.unheard, std::vector<std::uint32_t>{2});
+  populate(vessels, 200, rule, picture);
+  ASSERT_EQ(picture.contacts.size(), 1U);
+  EXPECT_EQ(picture.contacts[0].id, 3U);
+  populate(vessels, 2000, rule, picture);
+  EXPECT_TRUE(picture.contacts.empty() && picture.unheard.empty());
 }
 
 }  // namespace

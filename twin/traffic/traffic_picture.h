@@ -19,15 +19,15 @@ struct TrafficVessel {
 };
 
 /// Who is around at one moment. Values that are filled anew at each moment: after the first few, without allocation.
-struct TrafficScene {
+struct TrafficPicture {
   /// Whose place is known, in the order of the vessels.
   std::vector<Contact> contacts;
   /// Heard before and after, but silent too long to be placed now.
   std::vector<std::uint32_t> unheard;
 };
 
-/// Fills the scene of time t_s. Vessels before their first and after their last report are not there.
+/// Fills the picture of time t_s with the vessels whose place is known. Those before their first and after their last report are not in it.
 void populate(const std::vector<TrafficVessel>& vessels, double t_s, const TrackRule& rule,
-              TrafficScene& scene);
+              TrafficPicture& picture);
 
 }  // namespace slackwater::twin

@@ -1,17 +1,17 @@
-#include "twin/traffic/scene.h"
+#include "twin/traffic/traffic_picture.h"
 
 namespace slackwater::twin {
 
 void populate(const std::vector<TrafficVessel>& vessels, double t_s, const TrackRule& rule,
-              TrafficScene& scene) {
-  scene.contacts.clear();
-  scene.unheard.clear();
+              TrafficPicture& picture) {
+  picture.contacts.clear();
+  picture.unheard.clear();
   for (const TrafficVessel& vessel : vessels) {
     const TrackState state = vessel.track.at(t_s, rule);
     if (state.is_known()) {
-      scene.contacts.push_back({vessel.id, {state.position_m, state.velocity_m_s}});
+      picture.contacts.push_back({vessel.id, {state.position_m, state.velocity_m_s}});
     } else if (state.status == TrackStatus::in_gap) {
-      scene.unheard.push_back(vessel.id);
+      picture.unheard.push_back(vessel.id);
     }
   }
 }
