@@ -111,26 +111,34 @@ class Tally {
 }  // namespace
 
 Deviation deviation_from(const Track& track, const TrackRule& rule,
-                         std::span<const FollowedPoint> followed, double window_m) {
+                         std::span<const FollowedPoint> followed, double window_m,
+                         double within_m) {
   expects(!track.points().empty(), "a way has at least one point");
   const std::vector<Corner> way = way_of(track, rule);
   Deviation deviation;
   Tally across;
   Tally along;
+  Tally apart;
   for (const FollowedPoint& point : followed) {
-    if (!track.at(point.t_s, rule).is_known()) {
+    const TrackState wanted = track.at(point.t_s, rule);
+    if (!wanted.is_known()) {
       ++deviation.unknown;
       continue;
     }
     const double wanted_m = along_at(way, point.t_s);
     const Place place =
         nearest_place(way, point.position_m, wanted_m - window_m, wanted_m + window_m);
+    const double apart_m = std::hypot(point.position_m.x - wanted.position_m.x,
+                                      point.position_m.y - wanted.position_m.y);
     ++deviation.samples;
+    deviation.within += apart_m < within_m ? 1U : 0U;
+    apart.add(apart_m);
     across.add(place.across_m);
     along.add(way.back().along_m > 0 ? place.along_m - wanted_m : 0);
   }
   deviation.across = across.of(deviation.samples);
   deviation.along = along.of(deviation.samples);
+  deviation.apart = apart.of(deviation.samples);
   return deviation;
 }
 

@@ -23,4 +23,13 @@ struct Pursuit {
                              const Triple<double>& position_m, const Triple<double>& water_m_s,
                              double yaw_rad);
 
+/// Learns what carries the vehicle along and nobody tells it, current and leeway: d, which is added to the water's motion,
+///
+///   dd/dt = -(k^2/4) (p_track - p),
+///
+/// so that the distance dies away as (1 + k t/2) exp(-k t/2) instead of staying at U/k. Only while the speed asked for is
+/// within its bound, as the distance then says something of the water, and never beyond half of that bound.
+void learn_drift(const Pursuit& pursuit, const TrackState& wanted, const Triple<double>& position_m,
+                 double dt_s, Triple<double>& drift_m_s);
+
 }  // namespace slackwater::twin
