@@ -14,6 +14,8 @@ Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot,
   Mission mission;
   mission.tasks = entry.tasks;
   mission.guidance = guidance_for(autopilot, entry.speed_m_s.value_or(vehicle.cruise_speed_m_s));
+  mission.pursuit.gain_per_s = std::min(mission.pursuit.gain_per_s, autopilot.station_per_s);
+  mission.pursuit.most_speed_m_s = autopilot.settings.most_speed_m_s;
   mission.has_follower =
       entry.follower == FollowerChoice::paper || entry.follower == FollowerChoice::published_code;
   if (mission.has_follower) {

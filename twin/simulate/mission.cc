@@ -42,6 +42,21 @@ Reference followed(const Mission& mission, const Measured& measured, double dt_s
   return reference;
 }
 
+/// Ahead at the speed and along the course that lead to where the track is.
+Reference pursued(const Mission& mission, const Measured& measured, const TrackState& wanted,
+                  double dt_s, MissionState& state) {
+  learn_drift(mission.pursuit, wanted, measured.position_m, dt_s, state.track_drift_m_s);
+  const double yaw_rad = bearing_rad(bow_course(measured.attitude));
+  const Heading heading = pursue(mission.pursuit, wanted, measured.position_m,
+                                 measured.water_m_s + state.track_drift_m_s, yaw_rad);
+  Reference reference;
+  reference.target = Target::cruise;
+  reference.position_m = state.kept_m;
+  reference.velocity_m_s = {heading.speed_m_s, 0, 0};
+  reference.heading = course_of(heading.yaw_rad);
+  return reference;
+}
+
 void begin_task(const Mission& mission, const Measured& measured, MissionState& state) {
   const ScenarioTask& task = mission.tasks[state.task];
   state.has_begun = true;
@@ -49,6 +64,10 @@ void begin_task(const Mission& mission, const Measured& measured, MissionState& 
   if (task.kind == ScenarioTask::Kind::hold) {
     // Where the task before it ended, not where the vehicle has drifted to.
     if (state.task == 0) state.kept_m = measured.position_m;
+    return;
+  }
+  if (task.kind == ScenarioTask::Kind::follow_track) {
+    state.track_drift_m_s = {};
     return;
   }
   state.route = Route(state.task == 0 ? measured.position_m : state.kept_m, task.waypoints);
@@ -71,13 +90,27 @@ MissionState begun(const Measured& measured) {
   return state;
 }
 
-Reference next_reference(const Mission& mission, const Measured& measured, double dt_s,
+Reference next_reference(const Mission& mission, const Measured& measured, double t_s, double dt_s,
                          MissionState& state) {
   // Each pass ends a task or a route, and there are finitely many.
   while (true) {
     state.is_done = state.task >= mission.tasks.size();
     if (!state.is_done && !state.has_begun && !state.is_rerouted)
       begin_task(mission, measured, state);
+    const ScenarioTask* task = state.is_done ? nullptr : &mission.tasks[state.task];
+    const bool follows = task != nullptr && task->kind == ScenarioTask::Kind::follow_track;
+    if (follows && !state.is_rerouted) {
+      const TrackState wanted = task->follow->track->at(t_s);
+      if (wanted.status == TrackStatus::after_end) {
+        end_task(mission, state);
+        continue;
+      }
+      if (!wanted.is_known()) return station(state.kept_m, state.kept_heading);
+      // At its own depth or height.
+      state.kept_m = {wanted.position_m.x, wanted.position_m.y, state.kept_m.z};
+      state.kept_heading = bow_course(measured.attitude);
+      return pursued(mission, measured, wanted, dt_s, state);
+    }
     const bool holds = state.is_done || mission.tasks[state.task].kind == ScenarioTask::Kind::hold;
     if (holds && !state.is_rerouted) {
       if (!state.is_done && state.held_s >= mission.tasks[state.task].hold_s) {
@@ -98,7 +131,7 @@ Reference next_reference(const Mission& mission, const Measured& measured, doubl
     state.kept_m = state.route.is_empty() ? measured.position_m : state.route.to().position_m;
     state.kept_heading = bow_course(measured.attitude);
     state.is_rerouted = false;
-    if (!holds) end_task(mission, state);
+    if (!holds && !follows) end_task(mission, state);
   }
 }
 

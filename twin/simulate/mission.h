@@ -5,6 +5,7 @@
 #include "twin/control/guidance.h"
 #include "twin/control/waypoint_follower.h"
 #include "twin/simulate/scenario.h"
+#include "twin/traffic/pursuit.h"
 
 namespace slackwater::twin {
 
@@ -15,6 +16,7 @@ struct Mission {
   /// Set: speed and rate of turn by the published follower instead of along the path.
   bool has_follower = false;
   WaypointFollower follower;
+  Pursuit pursuit;  ///< of tracks
 };
 
 /// How far it has come.
@@ -31,6 +33,7 @@ struct MissionState {
   std::size_t waypoints_taken = 0;
   FollowerState follower;
   double followed_yaw_rad = 0;
+  Triple<double> track_drift_m_s;  ///< learned while a track is followed
 };
 
 /// The vehicle before its first task, which is to begin where it is.
@@ -38,8 +41,10 @@ struct MissionState {
 
 /// The reference of a step, and moves the mission on: takes waypoints that are reached, goes to the next task when one is
 /// done. On a route the place is the foot of the vehicle on its leg and the velocity that of the leg; after its end, and
-/// in a hold, it is a station.
-[[nodiscard]] Reference next_reference(const Mission& mission, const Measured& measured,
+/// in a hold, it is a station. A track is followed in time while it is known: before it begins and where it is silent the
+/// vehicle waits, and where it ends so does the task.
+/// @param t_s  since the run's epoch
+[[nodiscard]] Reference next_reference(const Mission& mission, const Measured& measured, double t_s,
                                        double dt_s, MissionState& state);
 
 /// Puts other waypoints in the place of what is left of the route under way; a hold goes on at the last of them, and so

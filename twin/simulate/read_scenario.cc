@@ -95,9 +95,13 @@ ScenarioTask read_task(const Config& config) {
                     config.number("length_m", {1, farthest_m}), config.number("shallow_m", depth),
                     config.number("deep_m", depth), config.number("wavelength_m", {1, farthest_m}),
                     config.optional_number("spacing_m", {0.1, 1000}).value_or(2), way);
+  } else if (kind == "follow_track") {
+    task.kind = ScenarioTask::Kind::follow_track;
+    task.follow = read_track_to_follow(config);
   } else {
-    config.refuse("do",
-                  "found " + kind + ", expected route, hold, lawn_mower, orbit or depth_sweep");
+    config.refuse("do", "found " + kind +
+                            ", expected route, hold, lawn_mower, orbit, depth_sweep or "
+                            "follow_track");
   }
   return task;
 }
@@ -116,9 +120,12 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
   ScenarioVehicle vehicle;
   vehicle.name = config.text("name");
   vehicle.model = config.text("model");
-  const Config start = config.child("start");
-  vehicle.start_m = read_place(start);
-  vehicle.heading_rad = start.optional_number("heading_deg", {-360, 360}).value_or(0) * degree;
+  if (const auto start = config.optional_child("start")) {
+    vehicle.start_m = read_place(*start);
+    vehicle.heading_rad = start->optional_number("heading_deg", {-360, 360}).value_or(0) * degree;
+  } else {
+    vehicle.starts_on_track = true;
+  }
   vehicle.state_of_charge = config.optional_number("state_of_charge", {0, 1}).value_or(1);
   vehicle.held_voltage_v = config.optional_number("hold_bus_v", {1, 1000}).value_or(0);
   vehicle.step_s = config.optional_number("step_s", {1e-4, 1});
@@ -128,6 +135,8 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
     vehicle.tether = {read_place(tether->child("top")), tether->number("length_m", {0.1, 10000})};
   }
   for (const Config& task : config.children("tasks")) vehicle.tasks.push_back(read_task(task));
+  if (vehicle.starts_on_track && (vehicle.tasks.empty() || !vehicle.tasks.front().follow))
+    config.refuse("start", "missing; give a place, or a first task that follows a track");
   if (vehicle.tasks.empty()) {
     ScenarioTask hold;
     hold.kind = ScenarioTask::Kind::hold;
@@ -275,6 +284,7 @@ Scenario read(const Config& config) {
       c.refuse("name", "found " + s.vehicles.back().name + " twice; name vehicles differently");
   }
   if (s.vehicles.empty()) config.refuse("vehicles", "none; give at least one");
+  s.traffic = read_traffic(config, s.duration_s);
   config.expect_all_read();
   return s;
 }

@@ -45,6 +45,7 @@ class Run {
   [[nodiscard]] std::span<const Agent> agents() const noexcept { return agents_; }
   /// As of the last barrier.
   [[nodiscard]] const Seen& seen(std::size_t agent) const { return seen_[agent]; }
+  [[nodiscard]] std::span<const Seen> seen() const noexcept { return seen_; }
   /// Between steps: all of every vehicle.
   [[nodiscard]] std::span<const AgentState> states();
   /// Between steps: to change a vehicle's state or give it other waypoints.

@@ -9,6 +9,7 @@
 #include "fields/geo/geo_point.h"
 #include "fields/wave/sea_state.h"
 #include "twin/control/route.h"
+#include "twin/simulate/scenario_traffic.h"
 
 namespace slackwater::twin {
 
@@ -57,10 +58,11 @@ struct ScenarioStructure {
 
 /// One thing that a vehicle does, after the one before it.
 struct ScenarioTask {
-  enum class Kind { route, hold, lawn_mower, orbit, depth_sweep };
+  enum class Kind { route, hold, lawn_mower, orbit, depth_sweep, follow_track };
   Kind kind = Kind::route;
-  std::vector<Waypoint> waypoints;  ///< of all but `hold`, patterns already laid out
-  double hold_s = 0;                ///< of `hold`; infinite: to the end
+  std::vector<Waypoint> waypoints;      ///< of routes and patterns, these already laid out
+  double hold_s = 0;                    ///< of `hold`; infinite: to the end
+  std::optional<TrackToFollow> follow;  ///< of `follow_track`
 };
 
 /// Preset of the way waypoints are followed.
@@ -70,6 +72,7 @@ struct ScenarioVehicle {
   std::string name;
   std::string model;  ///< id in data/vehicles, or the path of a file
   Triple<double> start_m;
+  bool starts_on_track = false;  ///< of its first task; `start_m` then says nothing
   double heading_rad = 0;
   double state_of_charge = 1;
   double held_voltage_v = 0;  ///< above 0: the bus is held there
@@ -101,6 +104,7 @@ struct Scenario {
   bool has_wakes = false;
   std::vector<ScenarioStructure> structures;
   std::vector<ScenarioVehicle> vehicles;
+  ScenarioTraffic traffic;
   std::string yaml;  ///< the text it was read from
 };
 

@@ -7,6 +7,7 @@
 #include "fields/base/error.h"
 #include "fields/wave/product_sea.h"
 #include "twin/scene/structure.h"
+#include "twin/simulate/follow_tracks.h"
 
 namespace slackwater::twin {
 namespace {
@@ -121,6 +122,19 @@ void add_gusts(const Scenario& scenario, const ScenarioVehicle& entry, Agent& ag
   agent.gusts.emplace(dryden_turbulence(-entry.start_m.z, low_m_s), speed, agent.plan.dt_s);
 }
 
+/// Those of the logs and those made up, each number once.
+std::vector<TrafficVessel> vessels_of(const Scenario& scenario, const Surround& surround) {
+  std::vector<TrafficVessel> vessels = surround.vessels;
+  for (const TrafficVessel& made_up : scenario.traffic.vessels) {
+    for (const TrafficVessel& heard : surround.vessels)
+      if (heard.id == made_up.id)
+        refuse("traffic: vessel " + std::to_string(made_up.id) +
+               " is in a log of AIS too; give the made-up one another mmsi");
+    vessels.push_back(made_up);
+  }
+  return vessels;
+}
+
 /// That the vehicle can be where it starts and where it is to go.
 void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const Agent& agent) {
   const bool flies = agent.vehicle->kind == VehicleKind::uav;
@@ -206,12 +220,15 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   ready.environment = std::make_shared<const Environment>(std::move(environment));
   const std::shared_ptr<const EnvironmentSampler> water = sampler_of(ready.environment);
   std::map<std::filesystem::path, std::shared_ptr<const Vehicle>> vehicles;
-  for (const ScenarioVehicle& entry : scenario.vehicles) {
-    with_context("vehicle " + entry.name, [&] {
-      const std::filesystem::path file = vehicle_file(entry.model, surround.data_folder);
+  ready.vessels = vessels_of(scenario, surround);
+  for (const ScenarioVehicle& listed : scenario.vehicles) {
+    ScenarioVehicle entry;
+    with_context("vehicle " + listed.name, [&] {
+      const std::filesystem::path file = vehicle_file(listed.model, surround.data_folder);
       auto& vehicle = vehicles[file];
       if (!vehicle)
         vehicle = std::make_shared<const Vehicle>(read_vehicle(file, surround.data_folder));
+      entry = with_tracks(listed, *vehicle, ready.vessels, scenario.duration_s);
       ready.agents.push_back(make_agent(vehicle, water, entry, scenario.step_s));
     });
     Agent& agent = ready.agents.back();
@@ -219,6 +236,8 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     add_gusts(scenario, entry, agent);
     with_context("vehicle " + entry.name,
                  [&] { ready.states.push_back(first_state(agent, entry, scenario.seed)); });
+    for (std::string& warning : too_fast_tracks(agent, scenario.duration_s))
+      ready.warnings.push_back(std::move(warning));
   }
   return ready;
 }

@@ -16,6 +16,7 @@ struct Surround {
   std::vector<Horizontal> turbines_m;      ///< about the origin
   std::shared_ptr<const Turbine> turbine;  ///< of all of them
   std::filesystem::path data_folder;       ///< vehicles/, thrusters/, batteries/
+  std::vector<TrafficVessel> vessels;      ///< of the logs of AIS, on the plane of the origin
 };
 
 /// A scenario made ready: everything is checked, nothing has moved yet.
@@ -25,6 +26,7 @@ struct ReadyRun {
   std::shared_ptr<const Environment> environment;
   std::vector<Agent> agents;
   std::vector<AgentState> states;
+  std::vector<TrafficVessel> vessels;  ///< of logs and made up
   std::vector<std::string> warnings;
 };
 
