@@ -5,6 +5,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "ingest/cf/trajectory_table_file.h"
 #include "ingest/netcdf/file.h"
 
 namespace slackwater::ingest {
@@ -48,6 +49,12 @@ std::string TrajectoryFile::attribute(std::string_view name) const {
 const TrajectoryFile::Variable* TrajectoryFile::find(std::string_view name) const noexcept {
   for (const Variable& variable : variables)
     if (variable.name == name) return &variable;
+  return nullptr;
+}
+
+const TrajectoryTable* TrajectoryFile::find_table(std::string_view name) const noexcept {
+  for (const TrajectoryTable& table : tables)
+    if (table.name == name) return &table;
   return nullptr;
 }
 
@@ -102,6 +109,7 @@ void write_trajectories(const TrajectoryFile& tracks, const std::filesystem::pat
     if (!is_coordinate) out.attribute(id, "coordinates", "time latitude longitude altitude");
     ids.push_back(id);
   }
+  TableWriter tables(tracks.tables, out);
   out.attribute(Writer::global, "Conventions", "CF-1.8");
   out.attribute(Writer::global, "featureType", "trajectory");
   for (const auto& [name, text] : tracks.attributes) out.attribute(Writer::global, name, text);
@@ -114,6 +122,7 @@ void write_trajectories(const TrajectoryFile& tracks, const std::filesystem::pat
   out.write_text(name_id, names);
   out.write_all(time_id, tracks.t_s);
   for (std::size_t i = 0; i < ids.size(); ++i) out.write_all(ids[i], tracks.variables[i].values);
+  tables.write(out);
   out.close();
 }
 
@@ -143,6 +152,10 @@ TrajectoryFile read_trajectories(const std::filesystem::path& path) {
   }
   for (const netcdf::Variable& v : file.variables()) {
     if (&v == time || &v == name) continue;
+    if (is_of_a_table(v)) {
+      read_into(tracks.tables, file, v);
+      continue;
+    }
     if (v.shape.size() < 2 || v.shape[0] != things || v.shape[1] != tracks.t_s.size() ||
         v.shape.size() > 3 || v.size() > most_values)
       refuse("variable " + v.name + " is not of each track and time");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fields/base/time.h"
+#include "ingest/cf/trajectory_table.h"
 
 namespace slackwater::ingest {
 
@@ -22,11 +23,14 @@ struct TrajectoryFile {
   UtcTime epoch;
   std::vector<double> t_s;  ///< since the epoch, ascending
   std::vector<Variable> variables;
+  std::vector<TrajectoryTable>
+      tables;  ///< lists beside the tracks; one without rows is not written
   std::vector<std::pair<std::string, std::string>> attributes;  ///< of the file, in their order
 
   /// Nothing where the file does not say.
   [[nodiscard]] std::string attribute(std::string_view name) const;
   [[nodiscard]] const Variable* find(std::string_view name) const noexcept;
+  [[nodiscard]] const TrajectoryTable* find_table(std::string_view name) const noexcept;
 };
 
 /// Writes netCDF-4; the same content is the same bytes, whenever and wherever it is written. The name of the file is not in it.
