@@ -4,6 +4,8 @@
 
 #include "api/cli/command.h"
 #include "api/cli/progress.h"
+#include "api/cli/traffic_print.h"
+#include "api/simulate/heard_traffic.h"
 #include "api/simulate/run_page.h"
 #include "api/simulate/scenario_run.h"
 
@@ -80,8 +82,9 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
   expect_folder("--out", arguments.out);
   expect_folder("--html", arguments.html);
   const twin::Scenario scenario = twin::read_scenario(arguments.scenario);
-  const ScenarioWater water = water_of(scenario, context.store_folder,
-                                       std::filesystem::absolute(arguments.scenario).parent_path());
+  const auto folder = std::filesystem::absolute(arguments.scenario).parent_path();
+  ScenarioWater water = water_of(scenario, context.store_folder, folder);
+  with_context(arguments.scenario.string(), [&] { add_heard_traffic(scenario, folder, water); });
   ProgressBar progress("simulate " + scenario.name, context.json);
   const ScenarioResult result = with_context(arguments.scenario.string(), [&] {
     return run_scenario(scenario, water,
@@ -102,6 +105,7 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   if (!context.json) {
     print_summary(result, arguments.out);
+    print_traffic(result);
     return;
   }
   json out = {{"scenario", scenario.name},
@@ -115,6 +119,7 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
               {"warnings", result.warnings},
               {"vehicles", json::array()}};
   for (const VehicleSummary& s : result.vehicles) out["vehicles"].push_back(summary_json(s));
+  out["traffic"] = traffic_json(result);
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
 

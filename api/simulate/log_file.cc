@@ -3,6 +3,7 @@
 #include <map>
 
 #include "api/pipeline/version.h"
+#include "api/simulate/traffic_tables.h"
 #include "fields/base/sha256.h"
 
 namespace slackwater::api {
@@ -81,6 +82,13 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
       {"forecast_sha256", water.forecast_sha256},
       {"attribution", attribution},
       {"scenario", scenario.yaml}};
+  if (!water.traffic_files.empty())
+    file.attributes.emplace_back("traffic_files_sha256", water.traffic_files);
+  std::string deviations;
+  for (const TrackFollowing& followed : result.followed)
+    deviations += (deviations.empty() ? "" : "\n") + text_of(followed);
+  if (!deviations.empty()) file.attributes.emplace_back("track_deviation", deviations);
+  file.tables = traffic_tables(result.vessels, result.alarms);
   return file;
 }
 

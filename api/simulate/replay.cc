@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "api/pipeline/version.h"
+#include "api/simulate/heard_traffic.h"
 #include "api/simulate/log_file.h"
 #include "fields/base/error.h"
 
@@ -41,6 +42,25 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
+/// The first column of a list beside the tracks that is another one.
+std::string difference_of_tables(const TrajectoryFile& was, const TrajectoryFile& is) {
+  for (const ingest::TrajectoryTable& table : is.tables) {
+    if (table.rows() == 0) continue;
+    const ingest::TrajectoryTable* logged = was.find_table(table.name);
+    if (logged == nullptr || logged->rows() != table.rows())
+      return "table " + table.name + ": the log has " +
+             std::to_string(logged == nullptr ? 0 : logged->rows()) + " rows, the run " +
+             std::to_string(table.rows());
+    for (const auto& column : table.columns) {
+      const std::vector<double>* other = logged->column(column.name);
+      for (std::size_t i = 0; i < table.rows(); ++i)
+        if (other == nullptr || other->size() <= i || !same_bits((*other)[i], column.values[i]))
+          return table.name + "_" + column.name + " parts in row " + std::to_string(i);
+    }
+  }
+  return {};
+}
+
 /// Where two logs part, in words.
 std::string difference_of(const TrajectoryFile& was, const TrajectoryFile& is) {
   for (const auto& [name, text] : was.attributes) {
@@ -70,6 +90,7 @@ std::string difference_of(const TrajectoryFile& was, const TrajectoryFile& is) {
       }
     }
   }
+  if (const std::string parts = difference_of_tables(was, is); !parts.empty()) return parts;
   if (was.attribute("source") != is.attribute("source"))
     return "all numbers are the same; the log is of " + was.attribute("source") + ", this is " +
            is.attribute("source");
@@ -89,8 +110,9 @@ ReplayResult replay(const std::filesystem::path& log, const std::filesystem::pat
                 log.string() + ": holds no scenario; give a log that `slackwater simulate` wrote");
   }
   const twin::Scenario scenario = twin::parse_scenario(yaml, log.string() + " (scenario)");
-  const ScenarioWater water =
+  ScenarioWater water =
       water_of_log(scenario, was.attribute("forecast_sha256"), store_folder, forecast);
+  add_logged_traffic(was, scenario, water);
   const std::string vehicles = vehicle_checksums(scenario, water.surround.data_folder);
   if (vehicles != was.attribute("vehicle_files_sha256")) {
     throw Error(ErrorKind::not_found,

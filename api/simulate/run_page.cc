@@ -7,6 +7,7 @@
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
+#include "api/simulate/run_page_traffic.h"
 
 namespace slackwater::api {
 namespace {
@@ -80,8 +81,10 @@ std::string choice_html() {
 }
 
 std::string plots() {
-  return plot_html("tracks", "Tracks from above",
-                   "East and north of the origin (m); the ring is the start.") +
+  return plot_html(
+             "tracks", "Tracks from above",
+             "East and north of the origin (m); the ring is the start. Thin grey lines are other "
+             "vessels.") +
          choice_html() +
          plot_html(
              "height", "Height and distance from the track",
@@ -115,7 +118,9 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
                 {"seed", log.attribute("seed")},
                 {"member", log.attribute("member")}};
   page.plots_html = plots();
-  page.data_json = script_safe({{"t", seconds}, {"vehicles", vehicles}});
+  page.tables_html = traffic_html(log);
+  page.data_json =
+      script_safe({{"t", seconds}, {"vehicles", vehicles}, {"vessels", vessels_json(log)}});
   if (!log.attribute("attribution").empty()) page.attributions = {log.attribute("attribution")};
   page.generated = log.attribute("source");
   page.script = run_script();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "api/simulate/log_file.h"
+#include "twin/simulate/follow_tracks.h"
 
 namespace slackwater::api {
 namespace {
@@ -49,12 +50,17 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   twin::ReadyRun ready = twin::set_up(scenario, water.surround);
   ScenarioResult result;
   result.start = ready.start;
-  result.warnings = ready.warnings;
+  result.warnings = water.warnings;
+  result.warnings.insert(result.warnings.end(), ready.warnings.begin(), ready.warnings.end());
+  result.vessels = ready.vessels;
   twin::RunSettings settings;
   settings.seed = scenario.seed;
   settings.step_s = scenario.step_s;
   settings.threads = choice.threads;
   settings.is_batch = choice.is_batch;
+  std::vector<std::vector<std::uint32_t>> not_of_concern;
+  for (const Agent& agent : ready.agents) not_of_concern.push_back(twin::followed_by(agent));
+  twin::TrafficWatch watch(ready.vessels, scenario.traffic.alarm, std::move(not_of_concern));
   twin::Run run(std::move(ready.agents), std::move(ready.states), settings);
   const auto steps =
       static_cast<std::uint64_t>(std::llround(scenario.duration_s / scenario.step_s));
@@ -62,6 +68,7 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
       std::max(1LL, std::llround(scenario.log_every_s / scenario.step_s)));
   result.log.reserve(run.agents().size(), steps / every + 2);
   result.log.append(0, run.agents(), run.states());
+  if (!ready.vessels.empty()) twin::keep_watch(watch, run, scenario.step_s);
   twin::RunControl control(choice.real_time_factor);
   run.at_barrier([&](const twin::StepTime& time) {
     if ((time.step + 1) % every != 0) return;
@@ -75,6 +82,8 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   const auto states = run.states();
   for (std::size_t i = 0; i < states.size(); ++i)
     result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i));
+  result.alarms.assign(watch.records().begin(), watch.records().end());
+  result.followed = tracks_followed(run.agents(), result.log);
   result.file = log_file_of(scenario, water, ready.origin, result, run.agents());
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return result;

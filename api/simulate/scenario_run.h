@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "api/simulate/track_following.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/simulate/run_log.h"
 #include "twin/simulate/scenario.h"
 #include "twin/simulate/set_up.h"
+#include "twin/simulate/traffic_watch.h"
 
 namespace slackwater::api {
 
@@ -17,6 +19,8 @@ struct ScenarioWater {
   twin::Surround surround;
   std::string forecast_sha256;  ///< empty: made up
   std::string forecast_name;    ///< "site 2025-06-01, issued ...", for people
+  std::string traffic_files;    ///< logs of AIS and their checksums; empty: none
+  std::vector<std::string> warnings;
 };
 
 /// Finds the forecast a scenario asks for: in the store, or the file it names (paths that are not absolute count from
@@ -54,6 +58,9 @@ struct ScenarioResult {
   double wall_s = 0;
   twin::RunLog log;
   std::vector<VehicleSummary> vehicles;
+  std::vector<twin::TrafficVessel> vessels;  ///< the traffic
+  std::vector<twin::AlarmRecord> alarms;
+  std::vector<TrackFollowing> followed;
   std::vector<std::string> warnings;
   ingest::TrajectoryFile file;  ///< the log as it is written
 };

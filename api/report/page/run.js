@@ -23,9 +23,10 @@
       tooltip: {trigger: 'item', formatter: (x) => `${echarts.format.encodeHTML(x.seriesName)}<br>east ${fixed(x.value[0], 1)} m, north ${fixed(x.value[1], 1)} m`},
       xAxis: valueAxis(t, 'east (m)', {min: middle[0] - 2.5 * half, max: middle[0] + 2.5 * half, nameGap: 30, axisLabel: {color: t.quiet, formatter: (v) => v.toFixed(0)}}),
       yAxis: valueAxis(t, 'north (m)', {min: middle[1] - half, max: middle[1] + half, axisLabel: {color: t.quiet, formatter: (v) => v.toFixed(0)}}),
-      series: data.vehicles.map((v, j) => ({name: v.name, type: 'line', showSymbol: true, symbol: 'emptyCircle',
+      series: [...data.vessels.map((v) => ({name: v.name, type: 'line', showSymbol: true, symbolSize: 3, data: v.x.map((x, i) => [x, v.y[i]]),
+        itemStyle: {color: t.quiet}, lineStyle: {color: t.quiet, width: 0.8}})), ...data.vehicles.map((v, j) => ({name: v.name, type: 'line', showSymbol: true, symbol: 'emptyCircle',
         symbolSize: (_, p) => (p.dataIndex === 0 ? 12 : 0), data: v.x.map((x, i) => [x, v.y[i]]),
-        itemStyle: {color: palette[j % palette.length]}, lineStyle: {color: palette[j % palette.length], width: 2}})),
+        itemStyle: {color: palette[j % palette.length]}, lineStyle: {color: palette[j % palette.length], width: 2}}))],
     };
   };
 

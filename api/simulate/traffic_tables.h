@@ -1,0 +1,23 @@
+#pragma once
+#include <span>
+
+#include "ingest/cf/trajectory_file.h"
+#include "twin/simulate/traffic_watch.h"
+
+namespace slackwater::api {
+
+/// The traffic of a run as tables of its log: `vessel`, a row each (each piece of its track); `report`, their positions,
+/// `vessel_reports` of them for each vessel, one vessel after the other (a contiguous ragged array of CF); and `alarm`.
+/// Times are seconds since the start of the run, x east and y north of the origin.
+[[nodiscard]] std::vector<ingest::TrajectoryTable> traffic_tables(
+    std::span<const twin::TrafficVessel> vessels, std::span<const twin::AlarmRecord> alarms);
+
+/// The vessels of a log, to the last bit as they were written.
+/// @throws Error(invalid_input) for tables that do not fit each other
+[[nodiscard]] std::vector<twin::TrafficVessel> vessels_in(const ingest::TrajectoryFile& log);
+
+/// The name of a vessel, where it is known.
+[[nodiscard]] std::string name_of_vessel(std::span<const twin::TrafficVessel> vessels,
+                                         std::uint32_t mmsi);
+
+}  // namespace slackwater::api
