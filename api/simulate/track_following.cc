@@ -1,6 +1,7 @@
 #include "api/simulate/track_following.h"
 
 #include <cstdio>
+#include <limits>
 
 namespace slackwater::api {
 
@@ -24,7 +25,8 @@ std::vector<TrackFollowing> tracks_followed(std::span<const twin::Agent> agents,
         if (task[t] == static_cast<double>(k) && halt[t] == 0)
           points.push_back({log.t_s[t], {y[t], x[t], 0}});
       const twin::TrackToFollow& follow = *tasks[k].follow;
-      constexpr double window_m = 500;
+      // However far it has fallen behind.
+      constexpr double window_m = std::numeric_limits<double>::infinity();
       out.push_back({i, agents[i].name, k, follow.mmsi, follow.name, follow.within_m,
                      twin::deviation_from(*follow.track, {}, points, window_m, follow.within_m)});
     }

@@ -125,11 +125,12 @@ Deviation deviation_from(const Track& track, const TrackRule& rule,
       ++deviation.unknown;
       continue;
     }
-    const double wanted_m = along_at(way, point.t_s);
-    const Place place =
-        nearest_place(way, point.position_m, wanted_m - window_m, wanted_m + window_m);
     const double apart_m = std::hypot(point.position_m.x - wanted.position_m.x,
                                       point.position_m.y - wanted.position_m.y);
+    const double wanted_m = along_at(way, point.t_s);
+    const double reach_m = std::min(window_m, 4 * apart_m + 20);
+    const Place place =
+        nearest_place(way, point.position_m, wanted_m - reach_m, wanted_m + reach_m);
     ++deviation.samples;
     deviation.within += apart_m < within_m ? 1U : 0U;
     apart.add(apart_m);

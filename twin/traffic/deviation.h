@@ -34,7 +34,8 @@ struct Deviation {
 
 /// Compares in the plane. The way is the track's curve cut into pieces of at most a second; the first and last piece
 /// reach on, so that a follower that has not yet come to the start is behind it, not beside it. Where the way comes near
-/// itself, the nearest place is looked for within `window_m` along it of where the track is. A track that never moves
+/// itself, the nearest place is looked for near where the track is: within four times the distance from there and 20 m along
+/// the way, at most `window_m`. A track that never moves
 /// has no side: the distance is across, and positive.
 /// @param within_m  radius for `within`
 /// @throws ContractViolation for a track without points

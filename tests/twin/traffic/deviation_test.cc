@@ -176,6 +176,56 @@ TEST(Pursuit, TheDistanceDiesAwayExponentiallyAlsoInACurrent) {
   }
 }
 
+TEST(Pursuit, ACurrentThatNobodyTellsOfIsLearned) {
+  // With e = p_track - p: e' = -k e + d - c and d' = -k^2/4 e, from rest on the track: e = -c t exp(-k t/2).
+  const Pursuit pursuit{0.1, 50, 0.05};
+  const Triple<double> current{-0.8, 0.5, 0};
+  constexpr double dt_s = 0.01;
+  Triple<double> position, drift;
+  TrackState wanted;
+  wanted.status = TrackStatus::on_track;
+  wanted.velocity_m_s = {3, 1, 0};
+  for (int i = 0; i < 12'000; ++i) {
+    const double t_s = i * dt_s;
+    wanted.position_m = t_s * wanted.velocity_m_s;
+    if (i % 1000 == 0) {
+      const double off = std::hypot(current.x, current.y) * t_s * std::exp(-0.05 * t_s);
+      EXPECT_NEAR(std::hypot(position.x - wanted.position_m.x, position.y - wanted.position_m.y),
+                  off, 0.01);
+    }
+    learn_drift(pursuit, wanted, position, dt_s, drift);
+    const Heading heading = pursue(pursuit, wanted, position, drift, 0);
+    position = position + dt_s * (heading.speed_m_s * Triple<double>{std::cos(heading.yaw_rad),
+                                                                     std::sin(heading.yaw_rad), 0} +
+                                  current);
+  }
+  EXPECT_NEAR(drift.x, current.x, 0.02);
+  EXPECT_NEAR(drift.y, current.y, 0.02);
+  // What its speed cannot do teaches it nothing, and nothing teaches it more than half of its speed.
+  Triple<double> none;
+  learn_drift({0.1, 2, 0.05}, wanted, position, 1, none);
+  EXPECT_EQ(none.x, 0);
+  wanted.velocity_m_s = {};
+  for (int i = 0; i < 10'000; ++i)
+    learn_drift({0.1, 2, 0.05}, wanted, wanted.position_m - Triple<double>{0.1, 0, 0}, 1, none);
+  EXPECT_EQ(none.x, -1);
+}
+
+TEST(Deviation, BesideAWayThatComesBackItIsFromTheOneThatIsUnderWay) {
+  // Out to the north and back 8 m to the east of that; the follower is nearer to the way back.
+  const Track hairpin({{0, {0, 0, 0}, {}, {}},
+                       {300, {300, 0, 0}, {}, {}},
+                       {308, {300, 8, 0}, {}, {}},
+                       {608, {0, 8, 0}, {}, {}}});
+  const FollowedPoint at{200, {200, 5, 0}};
+  const Deviation d = deviation_from(hairpin, {}, {&at, 1}, 500, 4.9);
+  EXPECT_NEAR(d.across.mean_m, 5, 1e-9);
+  EXPECT_NEAR(d.along.mean_m, 0, 1e-9);
+  EXPECT_NEAR(d.apart.mean_m, 5, 1e-9);
+  EXPECT_EQ(d.within, 0U);
+  EXPECT_EQ(deviation_from(hairpin, {}, {&at, 1}, 500, 5.1).within, 1U);
+}
+
 TEST(Pursuit, ASlowCraftFallsBehindAtTheDifferenceOfSpeeds) {
   const auto distances = distances_of_pursuit({0.1, 4, 0.05}, {0, 0, 0}, {0, 0, 0}, 0.1, 500);
   EXPECT_NEAR(distances[5000] - distances[4000], 100 * (5 - 4), 0.1);
