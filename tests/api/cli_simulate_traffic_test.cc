@@ -79,9 +79,8 @@ TEST_F(SimulateTraffic, AnOldDaysTrackIsLaidOnTheRunAndFollowed) {
   EXPECT_EQ(followed.at("samples"), 541);
   EXPECT_EQ(followed.at("unknown"), 0);
   EXPECT_LT(followed.at("across").at("rms_m").get<double>(), 0.3);
-  // It starts at rest on a track that goes at 2 m/s, and makes up for that at 2.19 m/s.
-  EXPECT_LT(followed.at("along").at("rms_m").get<double>(), 5);
-  EXPECT_LT(followed.at("along").at("mean_m").get<double>(), 0);
+  // It starts with its way on, and its propellers at rest.
+  EXPECT_LT(followed.at("along").at("rms_m").get<double>(), 0.5);
   EXPECT_EQ(followed.at("share_within"), 1);
   EXPECT_TRUE(summary.at("traffic").at("alarms").empty()) << "none about the vessel it is";
   const ingest::TrajectoryFile log = ingest::read_trajectories(path("run.nc"));
@@ -270,16 +269,16 @@ TEST_F(SimulateTraffic, WithoutGpsdecodeALogOfSentencesIsUnavailable) {
 TEST_F(SimulateTraffic, RealSmallCraftAreFollowedAndTheDeviationIsReported) {
   SLACKWATER_NEEDS_SHARED(shared);
   // MMSI, origin, its start in the log, and what a WAM-V (top speed 2.19 m/s, in 0.2 m/s of current, a sea of 0.3 m and a breeze)
-  // may be off: reports a minute apart of boats that turn as they fish. GISELLE does up to 2.2 m/s.
+  // may be off: reports a minute apart of boats that turn as they fish; GISELLE does up to 2.16 m/s. Twice what is measured.
   struct Case {
     const char* mmsi;
     double latitude_deg, longitude_deg;
     const char* starts;
     double most_rms_m;
   };
-  for (const Case& c : {Case{"338406416", 37.809, -122.394, "2022-01-03T00:02:30Z", 5},
-                        Case{"367120740", 35.502, -75.421, "2022-01-03T00:00:30Z", 5},
-                        Case{"367682980", 24.834, -82.113, "2022-01-03T00:01:00Z", 5}}) {
+  for (const Case& c : {Case{"338406416", 37.809, -122.394, "2022-01-03T00:02:30Z", 2},
+                        Case{"367120740", 35.502, -75.421, "2022-01-03T00:00:30Z", 1},
+                        Case{"367682980", 24.834, -82.113, "2022-01-03T00:01:00Z", 1}}) {
     const std::string yaml =
         "name: real\nseed: 3\nstart: 2025-06-01T08:00:00Z\nduration: 18min\nstep_s: 0.05\n"
         "origin: {latitude_deg: " +

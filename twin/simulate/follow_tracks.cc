@@ -68,7 +68,7 @@ const TrafficVessel& vessel_of(const TrackToFollow& follow, std::span<const Traf
   return *during.front();
 }
 
-/// Where a track is at the start of the run, or first.
+/// Where a track is at the start of the run, with its way on; or where it is first, at rest.
 void start_on(const Track& track, ScenarioVehicle& entry) {
   const double t_s = std::max(track.points().front().t_s, 0.0);
   TrackState state = track.at(t_s);
@@ -81,6 +81,7 @@ void start_on(const Track& track, ScenarioVehicle& entry) {
   }
   const Triple<double>& v = state.velocity_m_s;
   entry.start_m = {state.position_m.x, state.position_m.y, 0};
+  if (track.at(0).is_known()) entry.start_speed_m_s = std::hypot(v.x, v.y);
   entry.heading_rad =
       std::hypot(v.x, v.y) > 0.2 ? std::atan2(v.y, v.x) : state.heading_rad.value_or(0);
 }
@@ -124,7 +125,7 @@ ScenarioVehicle with_tracks(const ScenarioVehicle& listed, const Vehicle& vehicl
 
 std::vector<std::string> too_fast_tracks(const Agent& agent, double duration_s) {
   std::vector<std::string> out;
-  const double most_m_s = agent.autopilot.settings.most_speed_m_s;
+  const double most_m_s = agent.mission.pursuit.most_speed_m_s;
   for (const ScenarioTask& task : agent.mission.tasks) {
     if (!task.follow) continue;
     const double fastest = fastest_m_s(*task.follow->track, duration_s);

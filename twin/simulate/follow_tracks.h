@@ -9,7 +9,7 @@
 namespace slackwater::twin {
 
 /// A vehicle of a scenario with the tracks that it follows put into its tasks and, where it is to start on its track, its
-/// start: where the track is then or, where it begins later, first.
+/// start: where the track is then, as fast as it is, or where it begins later, at rest.
 /// @throws Error(invalid_input) for a vessel that is not among these (some are named), a track that says nothing of the
 ///         run's time, one that jumps during it, and a start on a track for what does not float
 [[nodiscard]] ScenarioVehicle with_tracks(const ScenarioVehicle& entry, const Vehicle& vehicle,

@@ -4,18 +4,19 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "twin/simulate/set_up.h"
+#include "twin/simulate/top_speed.h"
 #include "twin/tether/lay_tether.h"
 
 namespace slackwater::twin {
 namespace {
 
-Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot,
-                   const ScenarioVehicle& entry) {
+Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot, const ScenarioVehicle& entry,
+                   double voltage_v) {
   Mission mission;
   mission.tasks = entry.tasks;
   mission.guidance = guidance_for(autopilot, entry.speed_m_s.value_or(vehicle.cruise_speed_m_s));
   mission.pursuit.gain_per_s = std::min(mission.pursuit.gain_per_s, autopilot.station_per_s);
-  mission.pursuit.most_speed_m_s = autopilot.settings.most_speed_m_s;
+  mission.pursuit.most_speed_m_s = top_speed_m_s(vehicle, autopilot, voltage_v);
   mission.has_follower =
       entry.follower == FollowerChoice::paper || entry.follower == FollowerChoice::published_code;
   if (mission.has_follower) {
@@ -59,7 +60,7 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
       plan_autopilot(settings, vehicle->kind, vehicle->body,
                      {std::span(vehicle->mount).first(vehicle->mounts), ranges, vehicle->fins,
                       vehicle->trim, vehicle->thruster.rise_time_constant_s});
-  agent.mission = mission_of(*vehicle, agent.autopilot, entry);
+  agent.mission = mission_of(*vehicle, agent.autopilot, entry, voltage_v);
   if (entry.tether) {
     if (!vehicle->tether) {
       throw Error(ErrorKind::invalid_input,
@@ -83,6 +84,8 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
         floating_depth_m(vehicle.body.hull, vehicle.body.mass_kg, vehicle.body.fluid_density_kg_m3);
   }
   state.vehicle = placed(vehicle, start_m, entry.heading_rad, entry.state_of_charge);
+  state.vehicle.body.nu.linear.x =
+      std::min(entry.start_speed_m_s, agent.mission.pursuit.most_speed_m_s);
   if (agent.plan.held_voltage_v > 0) state.vehicle.bus_voltage_v = agent.plan.held_voltage_v;
   if (vehicle.kind == VehicleKind::uav) {
     // In the air, its rotors turn.

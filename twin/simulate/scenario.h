@@ -73,6 +73,7 @@ struct ScenarioVehicle {
   std::string model;  ///< id in data/vehicles, or the path of a file
   Triple<double> start_m;
   bool starts_on_track = false;  ///< of its first task; `start_m` then says nothing
+  double start_speed_m_s = 0;    ///< ahead over ground: of a track that it starts on
   double heading_rad = 0;
   double state_of_charge = 1;
   double held_voltage_v = 0;  ///< above 0: the bus is held there

@@ -25,7 +25,10 @@ void learn_drift(const Pursuit& pursuit, const TrackState& wanted, const Triple<
                  double dt_s, Triple<double>& drift_m_s) {
   const Triple<double> off = wanted.position_m - position_m;
   const Triple<double> asked = wanted.velocity_m_s + pursuit.gain_per_s * off - drift_m_s;
-  if (std::hypot(asked.x, asked.y) >= pursuit.most_speed_m_s) return;
+  const double closing_m_s = pursuit.gain_per_s * std::hypot(off.x, off.y);
+  if (std::hypot(asked.x, asked.y) >= pursuit.most_speed_m_s ||
+      closing_m_s >= 0.5 * pursuit.most_speed_m_s)
+    return;
   const double learned = 0.25 * pursuit.gain_per_s * pursuit.gain_per_s * dt_s;
   const double most = 0.5 * pursuit.most_speed_m_s;
   drift_m_s.x = std::clamp(drift_m_s.x - learned * off.x, -most, most);

@@ -28,7 +28,8 @@ struct Pursuit {
 ///   dd/dt = -(k^2/4) (p_track - p),
 ///
 /// so that the distance dies away as (1 + k t/2) exp(-k t/2) instead of staying at U/k. Only while the speed asked for is
-/// within its bound, as the distance then says something of the water, and never beyond half of that bound.
+/// within its bound and the distance asks for less than half of that, as it then says something of the water: a craft that
+/// has fallen behind learns nothing. Never beyond half of the bound.
 void learn_drift(const Pursuit& pursuit, const TrackState& wanted, const Triple<double>& position_m,
                  double dt_s, Triple<double>& drift_m_s);
 

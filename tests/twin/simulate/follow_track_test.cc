@@ -5,6 +5,7 @@
 
 #include <tuple>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/traffic/deviation.h"
@@ -55,6 +56,34 @@ TEST(FollowTrack, OnAStraightWayInStillWaterTheDistanceDiesAway) {
     EXPECT_LT(d.along.most_m, 0.3) << model;
     EXPECT_EQ(d.within, d.samples) << model;
   }
+}
+
+TEST(FollowTrack, ItStartsOnTheTrackWithItsWayOn) {
+  const ReadyRun ready = ready_of(calm_head(0.05) + follower("ctv24") + leader(straight, 9));
+  EXPECT_NEAR(ready.states[0].vehicle.body.nu.linear.x, 9, 1e-9);
+  const EulerAngles angles = euler_angles(ready.states[0].vehicle.body.attitude);
+  EXPECT_NEAR(angles.yaw_rad, constants::pi / 2, 1e-9);
+  const Track& track = *ready.agents[0].mission.tasks[0].follow->track;
+  EXPECT_LT(deviation_from(track, {}, places_of(ready, 0.05, 0, 160)).apart.most_m, 20);
+  // No faster than it can.
+  const ReadyRun slow = ready_of(calm_head(0.05) + follower("wamv16") + leader(straight, 9));
+  EXPECT_EQ(slow.states[0].vehicle.body.nu.linear.x,
+            slow.agents[0].autopilot.settings.most_speed_m_s);
+}
+
+TEST(FollowTrack, TheTopSpeedIsThatOfItsPowerNotOfItsThrustAtRest) {
+  // 26 kn at full power (data/vehicles/ctv24.yaml, met there within 13 %), sailed after a track that is faster.
+  const ReadyRun ready =
+      ready_of(calm_head(0.1) + follower("ctv24") +
+               leader("{north_m: 0, east_m: 0}, {north_m: 0, east_m: 10000}", 16));
+  const double top_m_s = ready.agents[0].mission.pursuit.most_speed_m_s;
+  EXPECT_NEAR(top_m_s, 26 * 1852 / 3600.0, 0.13 * 13.4);
+  EXPECT_LT(top_m_s, 0.9 * ready.agents[0].autopilot.settings.most_speed_m_s);
+  ASSERT_EQ(ready.warnings.size(), 1U);
+  twin::Run run(ready.agents, ready.states, settings_of(0.1));
+  RunControl control(0);
+  run.run_until(300, control);
+  EXPECT_NEAR(run.seen(0).velocity_m_s.y, top_m_s, 0.3);
 }
 
 TEST(FollowTrack, ACurrentThatNobodyTellsItIsLearned) {
