@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
+#include "twin/simulate/soundness.h"
 #include "twin/simulate/vehicle_step.h"
 
 namespace slackwater::twin {
@@ -70,7 +71,7 @@ void Run::step_one(std::size_t index, const StepTime& time) {
     if (!prepare(agent, t_s, state, input)) return;
     VehicleState<double> next = state.vehicle;
     twin::step(*agent.vehicle, agent.plan, next, input.command, input.around);
-    if (is_sound(next.body, next.battery.charge))
+    if (is_sound(next.body, next.battery.charge) && doubt_of(next) == 0)
       state.vehicle = next;
     else
       halt(state, Halt::diverged, t_s + agent.plan.dt_s);
@@ -125,12 +126,13 @@ void Run::step_group(Group& group, const StepTime& time) {
     group.before = group.block;
     block_(*first.vehicle, first.plan, group.block, group.command, group.around);
     group.is_ahead = true;
+    const Eight doubt = doubt_of(group.block);
     for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
       AgentState& state = states_[group.agents[lane]];
       if (state.halt != Halt::none) continue;
       // What the next look at the surroundings needs.
       const BodyState<double> body = taken(group.block.body, lane);
-      if (is_sound(body, group.block.battery.charge.lane[lane])) {
+      if (is_sound(body, group.block.battery.charge.lane[lane]) && doubt.lane[lane] == 0) {
         state.vehicle.body = body;
         state.vehicle.bus_voltage_v = group.block.bus_voltage_v.lane[lane];
       } else {

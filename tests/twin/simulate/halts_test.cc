@@ -74,6 +74,21 @@ TEST(Halts, AStateThatIsNoNumberDiverged) {
       Halt::diverged);
 }
 
+TEST(Halts, AThrusterOrABatteryThatIsNoNumberDivergedToo) {
+  const auto spoilt = [](const std::function<void(VehicleState<double>&)>& spoil) {
+    return [spoil](twin::Run& run, int i) {
+      if (i == 10) spoil(run.state(1).vehicle);
+    };
+  };
+  using State = VehicleState<double>;
+  expect_halt(spoilt([](State& v) { v.thruster[3] = nan; }), Halt::diverged);
+  expect_halt(spoilt([](State& v) { v.battery.rc_voltage_v = nan; }), Halt::diverged);
+  expect_halt(spoilt([](State& v) { v.battery.drawn_c = nan; }), Halt::diverged);
+  expect_halt(spoilt([](State& v) { v.battery.delivered_j = HUGE_VAL; }), Halt::diverged);
+  expect_halt(spoilt([](State& v) { v.fuel_kg = nan; }), Halt::diverged);
+  expect_halt(spoilt([](State& v) { v.volume_m3 = nan; }), Halt::diverged);
+}
+
 TEST(Halts, ARunawayKeepsItsLastSoundState) {
   // 190 m/s through water is more than the step can follow: it overshoots to what no vehicle has.
   const auto push = [](twin::Run& run, int i) {
