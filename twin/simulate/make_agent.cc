@@ -37,6 +37,18 @@ ThrustRange range_of(const Thruster& thruster, double voltage_v) {
           most.thrust_n > 0 ? most.torque_n_m / most.thrust_n : 0};
 }
 
+/// The tether as it has come to rest in the current of the start, above and below the vehicle.
+TetherState<double> hung_out(const Agent& agent, const Triple<double>& end_m, double length_m) {
+  const auto current_m_s = [&](double depth_m) {
+    // No water at the bed and beyond: the line lies still there.
+    return agent.water->current({end_m.x, end_m.y, depth_m}, 0, 0).current_m_s;
+  };
+  const Triple<double>& top_m = agent.tether_top_m;
+  return settled(*agent.tether,
+                 laid_out(*agent.tether, top_m, end_m, length_m, current_m_s(end_m.z)), top_m,
+                 end_m, current_m_s);
+}
+
 }  // namespace
 
 Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
@@ -106,9 +118,7 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
   if (agent.tether) {
     const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
     const Triple<double> end_m = start_m + r.to_ned(agent.tether->attachment_m);
-    const WaterSample beside = agent.water->current(start_m, 0, 0);
-    state.tether = laid_out(*agent.tether, agent.tether_top_m, end_m, entry.tether->length_m,
-                            beside.current_m_s);
+    state.tether = hung_out(agent, end_m, entry.tether->length_m);
   }
   return state;
 }

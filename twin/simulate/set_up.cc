@@ -146,8 +146,10 @@ void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const
     const std::string named = "vehicle " + entry.name + ": " + what;
     if (flies && at_m.z > 0) refuse(named + " is below the sea; give a multirotor a height_m");
     if (!flies && !floats && at_m.z < 0) refuse(named + " is above the sea; give it a depth_m");
-    const SampleStatus status = flies ? agent.water->wind(at_m, 0).status
-                                      : agent.water->current(on_water(at_m), 0, 0).status;
+    // As deep as its hull reaches: what is looked at in each step.
+    const SampleStatus status =
+        flies ? agent.water->wind(at_m, 0).status
+              : agent.water->current(on_water(at_m), agent.vehicle->body.height_m, 0).status;
     if (!has_value(status)) {
       refuse(named + " is " + std::string(name_of(status)) + " (" +
              agent.water->environment().field->range().text() +

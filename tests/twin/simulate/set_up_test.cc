@@ -108,6 +108,73 @@ TEST(SetUp, RefusesWhatCannotBeRunWithAMessageThatHelps) {
   }
 }
 
+/// The made-up water of the scenario on a grid of four by four columns, with land in its north-west (the four columns
+/// there are missing, as in any product) and a bed at 12 m in its eastern half.
+Surround coast(const Scenario& scenario) {
+  Surround surround = tests::surround_of(scenario);
+  auto snapshot = std::make_shared<Snapshot>(surround.field->snapshot());
+  const ForecastColumn sample = snapshot->columns.front();
+  snapshot->columns.clear();
+  for (const double north : {-0.24, -0.08, 0.08, 0.24}) {
+    for (const double east : {-0.24, -0.08, 0.08, 0.24}) {
+      if (north > 0 && east < 0) continue;
+      ForecastColumn column = sample;
+      column.point = GeoPoint::from_degrees(surround.site.latitude_deg() + north,
+                                            surround.site.longitude_deg() + east);
+      column.water_depth_m = east > 0 ? 12 : 40;
+      snapshot->columns.push_back(column);
+    }
+  }
+  surround.field = std::make_shared<Field>(std::move(snapshot));
+  return surround;
+}
+
+TEST(SetUp, AStartOnLandOrInTheBedOfTheForecastIsRefusedBeforeTheFirstStep) {
+  const auto said = [](const std::string& start, const std::string& model) {
+    const Scenario scenario = parse_scenario(
+        "name: coast\nseed: 1\nduration: 1min\nstep_s: 0.05\nwater: {made_up: {depth_m: 40, wind: "
+        "{speed_m_s: 5, from_deg: 0}}}\nvehicles:\n  - {name: it, model: " +
+            model + ", start: " + start + "}\n",
+        "coast.yaml");
+    return refusal(scenario, coast(scenario));
+  };
+  const char* ashore = "{north_m: 17800, east_m: -10200, depth_m: 0}";
+  for (const char* model : {"wamv16", "ctv24", "bluerov2_heavy", "lrauv_tethys"}) {
+    const std::string message = said(ashore, model);
+    EXPECT_NE(message.find("vehicle it: the start is land"), std::string::npos) << message;
+    EXPECT_NE(message.find("move it"), std::string::npos) << message;
+  }
+  for (const char* model : {"bluerov2_heavy", "lrauv_tethys"}) {
+    for (const char* depth : {"12.1", "11.95", "40"}) {
+      // The middle of the hull still above the bed, its keel not: it would be aground at once.
+      const std::string message =
+          said("{north_m: 0, east_m: 10200, depth_m: " + std::string(depth) + "}", model);
+      EXPECT_NE(message.find("vehicle it: the start is below"), std::string::npos)
+          << model << depth << message;
+    }
+    EXPECT_EQ(said("{north_m: 0, east_m: 10200, depth_m: 11}", model), "nothing was refused");
+  }
+  // The wind of a forecast of the sea ends at the coast too.
+  EXPECT_NE(said("{north_m: 17800, east_m: -10200, height_m: 20}", "x500").find("land"),
+            std::string::npos);
+}
+
+TEST(SetUp, ATetherHangsAtRestFromTheFirstStep) {
+  // In sheared current: what is felt at the vehicle is there at once and stays, and nothing in the line moves.
+  const ReadyRun ready =
+      tests::ready_of(tests::head(0.05) +
+                      "  - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: 20, "
+                      "depth_m: 10}, tether: "
+                      "{top: {north_m: 0, east_m: 0, depth_m: 1}, length_m: 40}}\n");
+  const TetherState<double>& tether = ready.states[0].tether;
+  for (const Triple<double>& v : tether.velocity_m_s) EXPECT_LT(std::sqrt(dot(v, v)), 1e-6);
+  twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
+  run.step();
+  const double first_n = run.states()[0].tether_n;
+  EXPECT_GT(first_n, 0.1);
+  EXPECT_NEAR(first_n, tether.tension_n.back(), 0.02 * first_n);
+}
+
 TEST(SetUp, AMemberThatTheForecastHasNotIsRefused) {
   Scenario scenario = parse_scenario(whole, "whole.yaml");
   scenario.member = 3;
