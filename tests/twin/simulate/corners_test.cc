@@ -60,6 +60,48 @@ TEST(Corners, AnAuvReachesTheEndOfAnyRouteInCurrentOfHalfItsSpeed) {
   }
 }
 
+TEST(Corners, SurfaceCraftRoundASquareInSeaAndCurrentAndHoldItsEnd) {
+  // Sides of which a vessel has the room to turn; the time is that of the way at cruise, and half as much again.
+  struct Craft {
+    const char* model;
+    double side_m, cruise_m_s, off_m;
+  };
+  for (const Craft& craft : {Craft{"wamv16", 120, 2.0, 4}, Craft{"ctv24", 900, 11.3, 30}}) {
+    const std::string s = std::to_string(craft.side_m);
+    const ReadyRun ready = tests::ready_of(
+        tests::head(0.05,
+                    "{partitions: [{significant_height_m: 0.5, peak_period_s: 5, from_deg: 250}], "
+                    "components: 16}") +
+        "  - {name: craft, model: " + craft.model +
+        ", start: {north_m: 0, east_m: 0, depth_m: 0}, tasks: [{do: route, waypoints: [{north_m: " +
+        s + ", east_m: 0, depth_m: 0}, {north_m: " + s + ", east_m: " + s +
+        ", depth_m: 0}, {north_m: 0, east_m: " + s +
+        ", depth_m: 0}, {north_m: 0, east_m: 0, depth_m: 0}]}, {do: hold, duration: 2min}]}\n");
+    twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
+    const double most_s = 6 * craft.side_m / craft.cruise_m_s + 400;
+    double across_m = 0;
+    while (run.time_s() < most_s && !run.states()[0].mission.is_done) {
+      run.step();
+      const AgentState& state = run.states()[0];
+      const TrackError off = track_error(state.mission, state.vehicle.body.position_m);
+      if (state.mission.task == 0) across_m = std::max(across_m, std::abs(off.across_m));
+    }
+    const AgentState& state = run.states()[0];
+    EXPECT_TRUE(state.mission.is_done) << craft.model << ": task " << state.mission.task;
+    EXPECT_EQ(state.halt, Halt::none) << craft.model;
+    const Triple<double>& at = state.vehicle.body.position_m;
+    EXPECT_LT(std::hypot(at.x, at.y), craft.off_m) << craft.model;
+    // It turns once it is abeam of its waypoint and comes round to the next leg from outside: a circle and a half.
+    const double circle_m =
+        2 * craft.cruise_m_s / ready.agents[0].autopilot.settings.most_yaw_rate_rad_s;
+    EXPECT_LT(across_m, 1.7 * circle_m) << craft.model;
+    std::printf("%s: %.1f m across, held within %.2f m, done at %.0f s\n", craft.model, across_m,
+                std::hypot(at.x, at.y), run.time_s());
+    RecordProperty(std::string(craft.model) + "_across_m", std::to_string(across_m));
+    RecordProperty(std::string(craft.model) + "_held_m", std::to_string(std::hypot(at.x, at.y)));
+  }
+}
+
 TEST(Corners, AMultirotorOvershootsByLessThanItsBrakingDistance) {
   const ReadyRun ready =
       tests::ready_of(tests::head(0.02) +

@@ -19,7 +19,13 @@ TEST(NoAllocation, InAThousandStepsOfAFleetOnItsLegs) {
     yaml += "  - {name: auv" + n + ", model: lrauv_tethys, start: {north_m: " + n +
             "0, east_m: 0, depth_m: 10}, tasks: [{do: route, waypoints: [{north_m: " + n +
             "0, east_m: 300, depth_m: 12}]}]}\n";
+    yaml += "  - {name: usv" + n + ", model: wamv16, start: {north_m: " + n +
+            "0, east_m: 0, depth_m: 0}, tasks: [{do: route, waypoints: [{north_m: " + n +
+            "0, east_m: 300, depth_m: 0}]}]}\n";
   }
+  yaml +=
+      "  - {name: ctv, model: ctv24, start: {north_m: -90, east_m: 0, depth_m: 0}, tasks: [{do: "
+      "route, waypoints: [{north_m: -90, east_m: 900, depth_m: 0}]}]}\n";
   yaml +=
       "  - {name: uav, model: x500, start: {north_m: 0, east_m: 0, height_m: 30}, tasks: [{do: "
       "route, "

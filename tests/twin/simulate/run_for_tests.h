@@ -50,7 +50,8 @@ inline std::string calm_head(double step_s) {
          "\nwater: {made_up: {depth_m: 60}}\nvehicles:\n";
 }
 
-/// Ten ROVs, more than a block holds, the last at a tether; three AUVs; two multirotors. In current, waves and gusts.
+/// Ten ROVs, more than a block holds, the last at a tether; three AUVs; two multirotors; two WAM-Vs and a crew transfer
+/// vessel. In current, waves and gusts.
 inline std::string mixed_fleet() {
   std::string yaml = head(
       0.05,
@@ -79,6 +80,16 @@ inline std::string mixed_fleet() {
             "}, tasks: [{do: route, waypoints: [{north_m: 50, east_m: " + n +
             "0, height_m: 35}]}]}\n";
   }
+  for (int i = 0; i < 2; ++i) {
+    const std::string n = std::to_string(i);
+    yaml += "  - {name: usv" + n + ", model: wamv16, start: {north_m: -" + n +
+            "00, east_m: 0, depth_m: 0, heading_deg: " + std::to_string(50 * i) +
+            "}, tasks: [{do: route, waypoints: [{north_m: -" + n +
+            "00, east_m: 150, depth_m: 0}]}]}\n";
+  }
+  yaml +=
+      "  - {name: ctv, model: ctv24, start: {north_m: -400, east_m: 0, depth_m: 0}, tasks: [{do: "
+      "route, waypoints: [{north_m: 600, east_m: 300, depth_m: 0}]}]}\n";
   return yaml;
 }
 

@@ -91,7 +91,7 @@ TEST_F(SameBits, WhoeverElseIsThere) {
   const RunLog log = log_of(turned, tests::settings_of(0.05), steps);
   for (std::size_t i = 0; i < agents.size(); ++i)
     EXPECT_TRUE(tests::same_bits(log.rows[i], plain_->rows[agents.size() - 1 - i])) << i;
-  for (const std::size_t i : {0U, 9U, 11U, 13U}) {
+  for (const std::size_t i : {0U, 9U, 11U, 13U, 15U, 17U}) {
     ReadyRun alone;
     alone.agents = {ready_->agents[i]};
     alone.states = {ready_->states[i]};
