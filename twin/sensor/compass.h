@@ -17,6 +17,7 @@ struct Compass {
   double double_cosine_rad = 0.005;
   double declination_error_rad = 0;
   double noise_sd_rad = 0.01;
+  double rate_hz = 10;
 };
 
 [[nodiscard]] double deviation_rad(const Compass& compass, double heading_rad) noexcept;

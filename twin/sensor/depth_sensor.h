@@ -14,6 +14,7 @@ struct DepthSensor {
   double noise_sd_m = 0.005;
   double resolution_m = 0.002;
   double deepest_m = 300;
+  double rate_hz = 10;
 };
 
 /// @return metres below the surface; nothing less than 0 nor more than the sensor bears

@@ -27,6 +27,7 @@ struct Dvl {
   double noise_sd_m_s = 0.005;  ///< of one beam, one ping
   double layer_near_m = 1.5;    ///< below the instrument
   double layer_far_m = 4.5;
+  double rate_hz = 5;  ///< of pings; the instrument of the defaults makes 2 to 15
 };
 
 /// Velocity of the water, NED, at a place.

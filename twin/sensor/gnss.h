@@ -19,6 +19,8 @@ struct Gnss {
   GaussMarkov slow_vertical_m{1.5, 600};
   double velocity_sd_m_s = 0.05;
   double reacquisition_s = 5;
+  double rate_hz = 5;         ///< of fixes
+  double antenna_up_m = 0.3;  ///< above the vehicle's origin; an estimate: on a short mast
 };
 
 struct GnssState {

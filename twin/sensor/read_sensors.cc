@@ -28,6 +28,8 @@ void expect_order(const Config& config, const char* key, const char* near_key, d
   config.refuse(key, text);
 }
 
+constexpr Range rates{0.01, 1000};  ///< Hz, of readings
+
 Gnss read_gnss(const Config& c) {
   Gnss g;
   take(c, "white_horizontal_sd_m", {0, 100}, g.white_horizontal_sd_m);
@@ -38,6 +40,8 @@ Gnss read_gnss(const Config& c) {
   g.slow_vertical_m.correlation_time_s = g.slow_horizontal_m.correlation_time_s;
   take(c, "velocity_sd_m_s", {0, 10}, g.velocity_sd_m_s);
   take(c, "reacquisition_s", {0, 3600}, g.reacquisition_s);
+  take(c, "rate_hz", rates, g.rate_hz);
+  take(c, "antenna_up_m", {-10, 100}, g.antenna_up_m);
   return g;
 }
 
@@ -61,6 +65,7 @@ DepthSensor read_depth(const Config& c) {
   take(c, "noise_sd_m", {0, 5}, d.noise_sd_m);
   take(c, "resolution_m", {0, 1}, d.resolution_m);
   take(c, "deepest_m", {1, 12000}, d.deepest_m);
+  take(c, "rate_hz", rates, d.rate_hz);
   return d;
 }
 
@@ -74,6 +79,7 @@ Compass read_compass(const Config& c) {
   take_degrees(c, "double_cosine_deg", small, k.double_cosine_rad);
   take_degrees(c, "declination_error_deg", small, k.declination_error_rad);
   take_degrees(c, "noise_sd_deg", {0, 45}, k.noise_sd_rad);
+  take(c, "rate_hz", rates, k.rate_hz);
   // Beyond, some headings show alike: |d delta/dh| < 1 keeps them apart.
   if (std::hypot(k.sine_rad, k.cosine_rad) +
           2 * std::hypot(k.double_sine_rad, k.double_cosine_rad) >=
@@ -101,6 +107,7 @@ Dvl read_dvl(const Config& c) {
   take(c, "layer_near_m", {0, 100}, d.layer_near_m);
   take(c, "layer_far_m", {0.1, 200}, d.layer_far_m);
   expect_order(c, "layer_far_m", "layer_near_m", d.layer_near_m, d.layer_far_m);
+  take(c, "rate_hz", rates, d.rate_hz);
   return d;
 }
 

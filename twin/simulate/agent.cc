@@ -170,6 +170,11 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
   measured.position_m = body.position_m;
   measured.attitude = body.attitude;
   measured.nu = body.nu;
+  if (agent.navigation) {
+    const SensedWater sensed{*agent.water, around.water.elevation_m, t_s};
+    const Measured taken_for = sense(*agent.navigation, sensed, body, state.navigation);
+    if (agent.navigation->steers) measured = taken_for;
+  }
   if (agent.autopilot.settings.current_feed_forward)
     measured.water_m_s = flies ? around.wind_m_s : current_m_s;
   const Reference reference =

@@ -7,6 +7,7 @@
 #include "twin/control/autopilot.h"
 #include "twin/simulate/environment.h"
 #include "twin/simulate/mission.h"
+#include "twin/simulate/sense.h"
 #include "twin/simulate/vehicle_state.h"
 #include "twin/tether/tether.h"
 
@@ -36,6 +37,8 @@ struct Agent {
   std::optional<DrydenFilter> gusts;
   std::optional<Tether> tether;
   Triple<double> tether_top_m;
+  std::optional<Navigation>
+      navigation;  ///< nothing: it knows the truth, and no instrument is looked at
 };
 
 /// All that changes of it: a value, copied for a checkpoint.
@@ -46,6 +49,7 @@ struct AgentState {
   DrydenFilter::State gust;
   Rng gust_rng{0, ""};
   TetherState<double> tether;
+  NavigationState navigation;
   Halt halt = Halt::none;
   double halted_at_s = 0;
   /// Of the last step, for logs and observers.

@@ -81,6 +81,12 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
     agent.tether = vehicle->tether;
     agent.tether_top_m = entry.tether->top_m;
   }
+  if (entry.navigates_by_sensors || entry.logs_sensors) {
+    const Sensors& sensors = vehicle->sensors;
+    // Only looked at, a vehicle without the instruments for it has nothing to show.
+    if (entry.navigates_by_sensors || (sensors.imu && sensors.compass))
+      agent.navigation = plan_navigation(*vehicle, agent.plan.dt_s, entry.navigates_by_sensors);
+  }
   agent.vehicle = std::move(vehicle);
   agent.water = std::move(water);
   return agent;
@@ -114,6 +120,10 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
   Measured measured;
   measured.position_m = start_m;
   measured.attitude = state.vehicle.body.attitude;
+  if (agent.navigation) {
+    state.navigation = begun(*agent.navigation, seed, agent.name, state.vehicle.body);
+    if (agent.navigation->steers) measured = measured_of(state.navigation.navigator);
+  }
   state.mission = begun(measured);
   if (agent.tether) {
     const Rotation<double> r = rotation_of(state.vehicle.body.attitude);

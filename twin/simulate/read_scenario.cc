@@ -116,6 +116,15 @@ FollowerChoice read_follower(const Config& config) {
                 "found " + text + ", expected line_of_sight, no_feed_forward, paper or public");
 }
 
+/// What autopilots go by: `truth` or `sensors`. @param otherwise  where the file does not say
+bool read_navigation(const Config& config, bool otherwise) {
+  const auto text = config.optional_text("navigation");
+  if (!text) return otherwise;
+  if (*text != "truth" && *text != "sensors")
+    config.refuse("navigation", "found " + *text + ", expected truth or sensors");
+  return *text == "sensors";
+}
+
 ScenarioVehicle read_vehicle_entry(const Config& config) {
   ScenarioVehicle vehicle;
   vehicle.name = config.text("name");
@@ -277,9 +286,14 @@ Scenario read(const Config& config) {
     config.refuse("gusts", "found " + gusts + ", expected none or dryden");
   s.has_wakes = config.optional_flag("wakes").value_or(false);
   for (const Config& c : config.children("structures")) s.structures.push_back(read_structure(c));
+  const bool all_by_sensors = read_navigation(config, false);
+  if (const auto log = config.optional_child("log"))
+    s.logs_sensors = log->optional_flag("sensors").value_or(false);
   std::set<std::string> names;
   for (const Config& c : config.children("vehicles")) {
     s.vehicles.push_back(read_vehicle_entry(c));
+    s.vehicles.back().navigates_by_sensors = read_navigation(c, all_by_sensors);
+    s.vehicles.back().logs_sensors = s.logs_sensors;
     if (!names.insert(s.vehicles.back().name).second)
       c.refuse("name", "found " + s.vehicles.back().name + " twice; name vehicles differently");
   }

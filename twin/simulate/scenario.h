@@ -86,6 +86,8 @@ struct ScenarioVehicle {
     double length_m = 0;
   };
   std::optional<TetherStart> tether;
+  bool navigates_by_sensors = false;  ///< else its autopilot is told the truth
+  bool logs_sensors = false;
 };
 
 /// A run as its YAML file describes it, positions in NED metres about the origin.
@@ -96,6 +98,7 @@ struct Scenario {
   double duration_s = 0;
   double step_s = 0;  ///< of the barrier
   double log_every_s = 1;
+  bool logs_sensors = false;  ///< what the vehicles' instruments show
   GeoPoint origin;
   bool has_origin = false;  ///< else the site of the forecast
   std::variant<ForecastWater, MadeUpWater> water;
