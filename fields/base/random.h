@@ -21,6 +21,15 @@ class Rng {
   /// Standard normal.
   [[nodiscard]] double normal() noexcept;
 
+  /// Names each member to a visitor, for what stores a stream and takes it up again.
+  template <typename Self, typename Visit>
+  static void for_each_member(Self& self, Visit&& visit) {
+    auto& [state, spare, has_spare] = self;
+    visit("state", state);
+    visit("spare", spare);
+    visit("has_spare", has_spare);
+  }
+
  private:
   std::uint64_t state_[4]{};
   double spare_ = 0.0;

@@ -35,6 +35,15 @@ class Route {
   std::size_t advance(const Triple<double>& position_m, double tolerance_m,
                       double depth_tolerance_m, double passing_m);
 
+  /// Names each member to a visitor, for what stores a route and takes it up again.
+  template <typename Self, typename Visit>
+  static void for_each_member(Self& self, Visit&& visit) {
+    auto& [start, points, next] = self;
+    visit("start", start);
+    visit("points", points);
+    visit("next", next);
+  }
+
  private:
   Triple<double> start_;
   std::vector<Waypoint> points_;

@@ -25,6 +25,14 @@ class NoiseStream {
   [[nodiscard]] std::uint64_t drawn() const noexcept { return drawn_; }
   friend bool operator==(const NoiseStream&, const NoiseStream&) = default;
 
+  /// Names each member to a visitor, for what stores a stream and takes it up again.
+  template <typename Self, typename Visit>
+  static void for_each_member(Self& self, Visit&& visit) {
+    auto& [key, drawn] = self;
+    visit("key", key);
+    visit("drawn", drawn);
+  }
+
  private:
   std::uint64_t key_ = 0;
   std::uint64_t drawn_ = 0;

@@ -1,0 +1,121 @@
+#pragma once
+#include <concepts>
+#include <type_traits>
+
+#include "twin/simulate/agent.h"
+
+namespace slackwater::twin {
+
+// The members of an agent's state by name, for what stores it and takes it up again. Each list is a structured binding of
+// the whole struct: a member that is added and not named here does not compile.
+
+/// Structs of doubles only, stored as a block of them.
+template <typename T>
+inline constexpr bool is_numbers = false;
+template <>
+inline constexpr bool is_numbers<VehicleState<double>> = true;
+template <>
+inline constexpr bool is_numbers<ControlState> = true;
+template <>
+inline constexpr bool is_numbers<DrydenFilter::State> = true;
+template <>
+inline constexpr bool is_numbers<TetherState<double>> = true;
+template <>
+inline constexpr bool is_numbers<FollowerState> = true;
+template <>
+inline constexpr bool is_numbers<NavigatorState> = true;
+template <>
+inline constexpr bool is_numbers<Shown> = true;
+template <>
+inline constexpr bool is_numbers<Triple<double>> = true;
+template <>
+inline constexpr bool is_numbers<Attitude<double>> = true;
+template <>
+inline constexpr bool is_numbers<Course> = true;
+template <>
+inline constexpr bool is_numbers<Waypoint> = true;
+
+template <typename S, typename T>
+concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
+
+template <MaybeConst<AgentState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, halt, halted_at_s,
+         water_m_s, wind_m_s, elevation_m, tether_n] = s;
+  visit("vehicle", vehicle);
+  visit("control", control);
+  visit("mission", mission);
+  visit("gust", gust);
+  visit("gust_rng", gust_rng);
+  visit("tether", tether);
+  visit("navigation", navigation);
+  visit("halt", halt);
+  visit("halted_at_s", halted_at_s);
+  visit("water_m_s", water_m_s);
+  visit("wind_m_s", wind_m_s);
+  visit("elevation_m", elevation_m);
+  visit("tether_n", tether_n);
+}
+
+template <MaybeConst<MissionState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [task, has_begun, is_done, held_s, kept_m, kept_heading, route, is_rerouted,
+         waypoints_taken, follower, followed_yaw_rad] = s;
+  visit("task", task);
+  visit("has_begun", has_begun);
+  visit("is_done", is_done);
+  visit("held_s", held_s);
+  visit("kept_m", kept_m);
+  visit("kept_heading", kept_heading);
+  visit("route", route);
+  visit("is_rerouted", is_rerouted);
+  visit("waypoints_taken", waypoints_taken);
+  visit("follower", follower);
+  visit("followed_yaw_rad", followed_yaw_rad);
+}
+
+template <MaybeConst<NavigationState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [instruments, navigator, error_m] = s;
+  visit("instruments", instruments);
+  visit("navigator", navigator);
+  visit("error_m", error_m);
+}
+
+template <MaybeConst<InstrumentState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [imu, gnss, depth, compass, dvl, steps, velocity_before_m_s, attitude_before, shown] = s;
+  visit("imu", imu);
+  visit("gnss", gnss);
+  visit("depth", depth);
+  visit("compass", compass);
+  visit("dvl", dvl);
+  visit("steps", steps);
+  visit("velocity_before_m_s", velocity_before_m_s);
+  visit("attitude_before", attitude_before);
+  visit("shown", shown);
+}
+
+template <MaybeConst<ImuState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [noise, gyro_bias_rad_s, accelerometer_bias_m_s2] = s;
+  visit("noise", noise);
+  visit("gyro_bias_rad_s", gyro_bias_rad_s);
+  visit("accelerometer_bias_m_s2", accelerometer_bias_m_s2);
+}
+
+template <MaybeConst<GnssState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [noise, slow_m, seen_s] = s;
+  visit("noise", noise);
+  visit("slow_m", slow_m);
+  visit("seen_s", seen_s);
+}
+
+template <typename S, typename Visit>
+requires MaybeConst<S, Rng> || MaybeConst<S, NoiseStream> || MaybeConst<S, Route>
+void for_each_member(S& s, Visit&& visit) {
+  std::remove_const_t<S>::for_each_member(s, std::forward<Visit>(visit));
+}
+
+}  // namespace slackwater::twin
