@@ -12,12 +12,12 @@ namespace slackwater::twin {
 /// w turn rate and f specific force as measured, b and c what is known of their biases. Each other instrument draws
 /// the state towards what it shows, per second of its interval:
 ///
-/// | shows                     | draws                                                             | poles                    |
-/// |---------------------------|-------------------------------------------------------------------|--------------------------|
-/// | velocity (GNSS, DVL)      | v, the tilt by (e x down)/g, b of the tilt; downwards v and c     | three (two) at `velocity_per_s` |
-/// | heading (compass)         | q about the vertical, and b                                       | two at `heading_per_s`   |
-/// | depth                     | down: p, v, c                                                     | three at `depth_per_s`   |
-/// | position (GNSS)           | p; downwards only where there is no depth sensor                  | one at `position_per_s`  |
+/// | shows                | draws                                                         | poles                             |
+/// |----------------------|---------------------------------------------------------------|-----------------------------------|
+/// | velocity (GNSS, DVL) | v; the tilt by (error x down)/g, and b with it; downwards v, c | three at `velocity_per_s`; downwards 0.4 and 2.6 of it |
+/// | heading (compass)    | q about the vertical, and b                                   | two at `heading_per_s`            |
+/// | depth                | downwards p, v and c                                          | three at `depth_per_s`            |
+/// | position (GNSS)      | p; downwards only where there is no depth sensor              | one at `position_per_s`           |
 ///
 /// That a velocity error speaks of tilt is gravity's doing: a tilt of d looks like an acceleration of g d (Farrell, Aided
 /// Navigation (2008), 11; Mahony, Hamel and Pflimlin, IEEE Trans. Autom. Control 53 (2008), for the filter of attitude).

@@ -84,6 +84,7 @@ TEST(ReadSensors, RefusesWhatNoSensorCanBeAndSaysWhy) {
   EXPECT_TRUE(refused("camera: {position_m: [1]}", "[x, y, z]"));
   EXPECT_TRUE(refused("adcp: {bins: 0}", "bins"));
   EXPECT_TRUE(refused("depth: {scale: .nan}", "scale"));
+  EXPECT_TRUE(refused("gnss: {rate_hz: 0}", "rate_hz"));
   EXPECT_TRUE(refused("dlv: {}", "dvl"));
 }
 
@@ -93,13 +94,17 @@ TEST(ReadSensors, TheBundledVehiclesCarryWhatTheyNavigateBy) {
         Config::load(tests::source_folder() / "data/vehicles" / (std::string(id) + ".yaml")));
   };
   const Sensors rov = sensors_of("bluerov2_heavy");
-  EXPECT_TRUE(rov.imu && rov.depth && rov.compass && rov.sonar && rov.camera);
+  EXPECT_TRUE(rov.imu && rov.depth && rov.compass && rov.dvl && rov.sonar && rov.camera);
   EXPECT_FALSE(rov.gnss);
   const Sensors auv = sensors_of("lrauv_tethys");
   EXPECT_TRUE(auv.gnss && auv.depth && auv.dvl && auv.compass && auv.imu);
   const Sensors uav = sensors_of("x500");
   EXPECT_TRUE(uav.gnss && uav.imu && uav.compass && uav.camera);
   EXPECT_FALSE(uav.depth);
+  for (const char* craft : {"wamv16", "ctv24"}) {
+    const Sensors afloat = sensors_of(craft);
+    EXPECT_TRUE(afloat.gnss && afloat.imu && afloat.compass) << craft;
+  }
 }
 
 }  // namespace

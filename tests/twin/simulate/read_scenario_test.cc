@@ -58,6 +58,24 @@ std::string refusal(const std::string& line, const std::string& instead) {
   return "nothing was refused";
 }
 
+TEST(ReadScenario, NavigatesByTheTruthUnlessTheRunOrTheVehicleSaysOtherwise) {
+  const auto by_sensors = [](const char* of_run, const char* of_vehicle) {
+    std::string yaml = whole;
+    yaml.insert(yaml.find("duration"), of_run);
+    yaml.insert(yaml.find("    model"), of_vehicle);
+    const Scenario s = parse_scenario(yaml, "navigation.yaml");
+    return s.vehicles[0].navigates_by_sensors;
+  };
+  EXPECT_FALSE(by_sensors("", ""));
+  EXPECT_TRUE(by_sensors("navigation: sensors\n", ""));
+  EXPECT_TRUE(by_sensors("", "    navigation: sensors\n"));
+  EXPECT_FALSE(by_sensors("navigation: sensors\n", "    navigation: truth\n"));
+  EXPECT_FALSE(parse_scenario(whole, "whole.yaml").logs_sensors);
+  const Scenario logged = parse_scenario("log: {sensors: true}\n" + whole, "log.yaml");
+  EXPECT_TRUE(logged.logs_sensors);
+  EXPECT_TRUE(logged.vehicles[0].logs_sensors);
+}
+
 struct Bad {
   const char* line;
   const char* instead;
@@ -68,6 +86,8 @@ TEST(ReadScenario, RefusesWhatCannotBe) {
   const Bad all[] = {
       {"seed: 7", "sead: 7", "seed"},
       {"seed: 7", "seed: -1", "-1"},
+      {"seed: 7", "seed: 7\nnavigation: stars", "stars"},
+      {"seed: 7", "seed: 7\nlog: {sensor: true}", "sensors"},
       {"duration: 10min", "duration: 10", "10"},
       {"duration: 10min", "duration: 0min", "expected"},
       {"step_s: 0.05", "step_s: 50", "50"},

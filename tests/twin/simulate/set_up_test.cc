@@ -1,4 +1,5 @@
 #include "fields/base/error.h"
+#include "fields/base/random.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
@@ -173,6 +174,31 @@ TEST(SetUp, ATetherHangsAtRestFromTheFirstStep) {
   const double first_n = run.states()[0].tether_n;
   EXPECT_GT(first_n, 0.1);
   EXPECT_NEAR(first_n, tether.tension_n.back(), 0.02 * first_n);
+}
+
+TEST(SetUp, ATetherComesToRestWhereverTheVehicleStarts) {
+  // Slack and taut, in still and in fast water, from the deck and from below.
+  Rng rng(5, "set_up_test/tether");
+  for (int trial = 0; trial < 40; ++trial) {
+    const double speed = trial % 4 == 0 ? 0 : rng.uniform(0, 1.5);
+    const double angle = rng.uniform(0, 2 * constants::pi);
+    const double north = rng.uniform(-40, 40), east = rng.uniform(-40, 40);
+    const double deep = rng.uniform(1, 55), top = trial % 3 == 0 ? -3 : rng.uniform(0, 40);
+    const double length =
+        std::max(10.0, std::hypot(north, east, deep - top) * rng.uniform(1.0, 1.6));
+    char yaml[700];
+    std::snprintf(
+        yaml, sizeof yaml,
+        "name: t\nseed: 1\nduration: 1min\nstep_s: 0.05\nwater: {made_up: {depth_m: 60, current: "
+        "[{depth_m: 0, east_m_s: %g, north_m_s: %g}, {depth_m: 60, east_m_s: 0, north_m_s: "
+        "0.1}]}}\nvehicles: [{name: rov, model: bluerov2_heavy, start: {north_m: %g, east_m: %g, "
+        "depth_m: %g}, tether: {top: {north_m: 0, east_m: 0, %s: %g}, length_m: %g}}]\n",
+        speed * std::cos(angle), speed * std::sin(angle), north, east, deep,
+        top < 0 ? "height_m" : "depth_m", std::abs(top), length);
+    const ReadyRun ready = tests::ready_of(yaml);
+    for (const Triple<double>& v : ready.states[0].tether.velocity_m_s)
+      EXPECT_LT(std::sqrt(dot(v, v)), 1e-6) << yaml;
+  }
 }
 
 TEST(SetUp, AMemberThatTheForecastHasNotIsRefused) {
