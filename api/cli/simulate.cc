@@ -35,6 +35,9 @@ json summary_json(const VehicleSummary& s) {
           {"waypoints", s.waypoints},
           {"tasks_done", s.tasks_done},
           {"tasks", s.tasks},
+          {"navigation", s.by_sensors ? "sensors" : "truth"},
+          {"navigation_error_m", s.by_sensors ? json(s.navigation_error_m) : json(nullptr)},
+          {"rms_navigation_error_m", s.by_sensors ? json(s.rms_navigation_error_m) : json(nullptr)},
           {"halt", s.halt},
           {"halted_at_s", s.halt == "none" ? json(nullptr) : json(s.halted_at_s)}};
 }
@@ -55,6 +58,11 @@ void print_summary(const ScenarioResult& result, const std::filesystem::path& ou
       std::snprintf(halt, sizeof halt, "%s at %.1f s", s.halt.c_str(), s.halted_at_s);
     std::printf("%-16s %-16s %9.1f %11s %7s %9.2f %10s  %s\n", s.name.c_str(), s.model.c_str(),
                 s.sailed_m, energy, charge, s.rms_across_track_m, tasks, halt);
+  }
+  for (const VehicleSummary& s : result.vehicles) {
+    if (!s.by_sensors) continue;
+    std::printf("%s took itself to be %.2f m from where it was at the end, %.2f m rms\n",
+                s.name.c_str(), s.navigation_error_m, s.rms_navigation_error_m);
   }
   std::printf("%g s from %s in %.2f s (%.0f x real time)%s%s\n", result.duration_s,
               format_utc(result.start).c_str(), result.wall_s, result.duration_s / result.wall_s,

@@ -60,6 +60,15 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
     }
     file.variables.push_back(std::move(variable));
   }
+  for (const twin::LogColumn& column : result.sensed.columns()) {
+    TrajectoryFile::Variable variable{column.name,      column.standard_name, column.units,
+                                      column.long_name, column.per,           {}};
+    for (std::size_t i = 0; i < agents.size(); ++i) {
+      const std::vector<double> values = result.sensed.column(i, column.name);
+      variable.values.insert(variable.values.end(), values.begin(), values.end());
+    }
+    file.variables.push_back(std::move(variable));
+  }
   std::string models;
   for (const twin::Agent& agent : agents)
     models += (models.empty() ? "" : ", ") + agent.name + ": " + agent.vehicle->id;

@@ -41,6 +41,19 @@ VehicleSummary summary_of(const Agent& agent, const AgentState& state, const Run
   return s;
 }
 
+void add_navigation(const Agent& agent, const twin::SensorLog& sensed, std::size_t vehicle,
+                    VehicleSummary& s) {
+  s.by_sensors = agent.navigation && agent.navigation->steers;
+  if (!s.by_sensors) return;
+  const std::vector<double> error = sensed.column(vehicle, "navigation_error");
+  double squares = 0;
+  for (std::size_t i = 0; i + 2 < error.size(); i += 3) {
+    s.navigation_error_m = std::hypot(error[i], error[i + 1], error[i + 2]);
+    squares += s.navigation_error_m * s.navigation_error_m;
+  }
+  s.rms_navigation_error_m = std::sqrt(3 * squares / static_cast<double>(error.size()));
+}
+
 }  // namespace
 
 ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater& water,
@@ -67,13 +80,16 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   const auto every = static_cast<std::uint64_t>(
       std::max(1LL, std::llround(scenario.log_every_s / scenario.step_s)));
   result.log.reserve(run.agents().size(), steps / every + 2);
+  result.sensed = twin::SensorLog(run.agents(), scenario.logs_sensors, scenario.seed);
   result.log.append(0, run.agents(), run.states());
+  result.sensed.append(0, run.agents(), run.states());
   if (!ready.vessels.empty()) twin::keep_watch(watch, run, scenario.step_s);
   twin::RunControl control(choice.real_time_factor);
   run.at_barrier([&](const twin::StepTime& time) {
     if ((time.step + 1) % every != 0) return;
     result.log.append(static_cast<double>(time.step + 1) * scenario.step_s, run.agents(),
                       run.states());
+    result.sensed.append(result.log.t_s.back(), run.agents(), run.states());
     if (on_progress) on_progress(static_cast<double>(time.step + 1) / static_cast<double>(steps));
     if (run.all_halted()) control.stop();
   });
@@ -82,6 +98,8 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   const auto states = run.states();
   for (std::size_t i = 0; i < states.size(); ++i)
     result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i));
+  for (std::size_t i = 0; i < states.size(); ++i)
+    add_navigation(run.agents()[i], result.sensed, i, result.vehicles[i]);
   result.alarms.assign(watch.records().begin(), watch.records().end());
   result.followed = tracks_followed(run.agents(), result.log);
   result.file = log_file_of(scenario, water, ready.origin, result, run.agents());

@@ -9,6 +9,7 @@
 #include "ingest/cf/trajectory_file.h"
 #include "twin/simulate/run_log.h"
 #include "twin/simulate/scenario.h"
+#include "twin/simulate/sensor_log.h"
 #include "twin/simulate/set_up.h"
 #include "twin/simulate/traffic_watch.h"
 
@@ -50,6 +51,9 @@ struct VehicleSummary {
   std::string halt = "none";
   double halted_at_s = 0;
   bool has_battery = false;
+  bool by_sensors = false;            ///< else its autopilot was told the truth
+  double navigation_error_m = 0;      ///< where it took itself to be from where it was, at the end
+  double rms_navigation_error_m = 0;  ///< over the times of the log
 };
 
 struct ScenarioResult {
@@ -57,6 +61,7 @@ struct ScenarioResult {
   double duration_s = 0;
   double wall_s = 0;
   twin::RunLog log;
+  twin::SensorLog sensed;
   std::vector<VehicleSummary> vehicles;
   std::vector<twin::TrafficVessel> vessels;  ///< the traffic
   std::vector<twin::AlarmRecord> alarms;
