@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -21,7 +23,36 @@ struct SimulateArguments {
   double real_time = 0;
   std::size_t threads = 1;
   bool one_by_one = false;
+  std::filesystem::path checkpoint;
+  std::string checkpoint_at;
+  std::filesystem::path restore;
 };
+
+/// Set by SIGINT and SIGTERM while a run has a checkpoint to leave behind.
+std::atomic<bool> stop_asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+void ask_to_stop(int) { stop_asked = true; }
+
+RunChoice choice_of(const SimulateArguments& arguments) {
+  RunChoice choice{arguments.threads, !arguments.one_by_one, arguments.real_time};
+  choice.checkpoint = arguments.checkpoint;
+  choice.restore = arguments.restore;
+  if (!arguments.checkpoint_at.empty()) {
+    if (arguments.checkpoint.empty())
+      throw Error(ErrorKind::usage, "--checkpoint-at: say which file by --checkpoint");
+    choice.checkpoint_at_s =
+        std::chrono::duration<double>(
+            option_value("--checkpoint-at", arguments.checkpoint_at,
+                         [](const std::string& text) { return parse_duration(text); }))
+            .count();
+  }
+  if (!arguments.checkpoint.empty()) {
+    choice.is_stop_asked = &stop_asked;
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+  }
+  return choice;
+}
 
 json summary_json(const VehicleSummary& s) {
   return {{"name", s.name},
@@ -89,15 +120,15 @@ void write_beside(const std::filesystem::path& file, Write write) {
 void run_simulate(const SimulateArguments& arguments, const Context& context) {
   expect_folder("--out", arguments.out);
   expect_folder("--html", arguments.html);
+  expect_folder("--checkpoint", arguments.checkpoint);
+  const RunChoice choice = choice_of(arguments);
   const twin::Scenario scenario = twin::read_scenario(arguments.scenario);
   const auto folder = std::filesystem::absolute(arguments.scenario).parent_path();
   ScenarioWater water = water_of(scenario, context.store_folder, folder);
   with_context(arguments.scenario.string(), [&] { add_heard_traffic(scenario, folder, water); });
   ProgressBar progress("simulate " + scenario.name, context.json);
   const ScenarioResult result = with_context(arguments.scenario.string(), [&] {
-    return run_scenario(scenario, water,
-                        {arguments.threads, !arguments.one_by_one, arguments.real_time},
-                        [&](double share) { progress.update(share); });
+    return run_scenario(scenario, water, choice, [&](double share) { progress.update(share); });
   });
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
@@ -186,6 +217,12 @@ void add_simulate(CLI::App& app, Context& context) {
       ->check(CLI::Range(1, 64));
   command->add_flag("--one-by-one", arguments->one_by_one,
                     "step vehicles singly: the same bits, slower");
+  command->add_option(
+      "--checkpoint", arguments->checkpoint,
+      "FILE to leave the run in when stopped (SIGINT, SIGTERM) or at --checkpoint-at");
+  command->add_option("--checkpoint-at", arguments->checkpoint_at,
+                      "time since the start of the run, e.g. 5min");
+  command->add_option("--restore", arguments->restore, "go on from the checkpoint in FILE");
   command->callback([arguments, &context] { run_simulate(*arguments, context); });
 }
 

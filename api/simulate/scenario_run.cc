@@ -4,7 +4,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "api/pipeline/version.h"
+#include "api/simulate/checkpoint_file.h"
 #include "api/simulate/log_file.h"
+#include "fields/base/error.h"
+#include "fields/base/sha256.h"
 #include "twin/simulate/follow_tracks.h"
 
 namespace slackwater::api {
@@ -54,6 +58,50 @@ void add_navigation(const Agent& agent, const twin::SensorLog& sensed, std::size
   s.rms_navigation_error_m = std::sqrt(3 * squares / static_cast<double>(error.size()));
 }
 
+CheckpointOrigin checkpoint_origin(const twin::Scenario& scenario, const ScenarioWater& water) {
+  return {code_version(), sha256_of_text(scenario.yaml), water.forecast_sha256,
+          vehicle_checksums(scenario, water.surround.data_folder)};
+}
+
+void save(twin::Run& run, const ScenarioResult& so_far, const CheckpointOrigin& origin,
+          const std::filesystem::path& file) {
+  write_checkpoint({run.checkpoint(), so_far.log, so_far.sensed.rows, so_far.sensed.last_s}, origin,
+                   file);
+}
+
+/// Puts a run where a checkpoint stands, with what was logged until then.
+void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin, twin::Run& run,
+             ScenarioResult& result) {
+  const std::size_t vehicles = run.agents().size();
+  StandingRun standing = read_checkpoint(file, origin);
+  if (standing.checkpoint.states.size() != vehicles || standing.log.rows.size() != vehicles ||
+      standing.sensor_rows.size() != vehicles) {
+    throw Error(ErrorKind::invalid_input,
+                file.string() + ": holds another number of vehicles than the scenario");
+  }
+  run.restore(standing.checkpoint);
+  for (std::size_t i = 0; i < vehicles; ++i) {
+    // Into the room that is kept for the whole run.
+    auto& row = result.log.rows[i];
+    row.insert(row.end(), standing.log.rows[i].begin(), standing.log.rows[i].end());
+  }
+  result.log.t_s.insert(result.log.t_s.end(), standing.log.t_s.begin(), standing.log.t_s.end());
+  result.sensed.rows = std::move(standing.sensor_rows);
+  result.sensed.times = standing.log.t_s.size();
+  result.sensed.last_s = standing.last_sensor_row_s;
+}
+
+/// When the checkpoint is due, or infinity. @throws Error(usage) for a time that the run does not reach
+double due_s(const twin::Scenario& scenario, const RunChoice& choice, double from_s) {
+  if (!choice.checkpoint_at_s) return HUGE_VAL;
+  const double at_s = *choice.checkpoint_at_s;
+  if (at_s > from_s && at_s < scenario.duration_s) return at_s;
+  char text[160];
+  std::snprintf(text, sizeof text, "--checkpoint-at: found %g s, the run goes from %g to %g s",
+                at_s, from_s, scenario.duration_s);
+  throw Error(ErrorKind::usage, text);
+}
+
 }  // namespace
 
 ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater& water,
@@ -81,11 +129,18 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
       std::max(1LL, std::llround(scenario.log_every_s / scenario.step_s)));
   result.log.reserve(run.agents().size(), steps / every + 2);
   result.sensed = twin::SensorLog(run.agents(), scenario.logs_sensors, scenario.seed);
-  result.log.append(0, run.agents(), run.states());
-  result.sensed.append(0, run.agents(), run.states());
+  const CheckpointOrigin origin = checkpoint_origin(scenario, water);
+  if (choice.restore.empty()) {
+    result.log.append(0, run.agents(), run.states());
+    result.sensed.append(0, run.agents(), run.states());
+  } else {
+    take_up(choice.restore, origin, run, result);
+  }
+  const double checkpoint_s = due_s(scenario, choice, run.time_s());
   if (!ready.vessels.empty()) twin::keep_watch(watch, run, scenario.step_s);
   twin::RunControl control(choice.real_time_factor);
   run.at_barrier([&](const twin::StepTime& time) {
+    if (choice.is_stop_asked != nullptr && *choice.is_stop_asked) control.stop();
     if ((time.step + 1) % every != 0) return;
     result.log.append(static_cast<double>(time.step + 1) * scenario.step_s, run.agents(),
                       run.states());
@@ -93,7 +148,17 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
     if (on_progress) on_progress(static_cast<double>(time.step + 1) / static_cast<double>(steps));
     if (run.all_halted()) control.stop();
   });
+  if (checkpoint_s < scenario.duration_s) {
+    run.run_until(checkpoint_s, control);
+    if (!control.is_stopped()) save(run, result, origin, choice.checkpoint);
+  }
   run.run_until(scenario.duration_s, control);
+  if (choice.is_stop_asked != nullptr && *choice.is_stop_asked) {
+    save(run, result, origin, choice.checkpoint);
+    throw Error(ErrorKind::unavailable, "stopped at " + std::to_string(run.time_s()) +
+                                            " s of the run; go on with --restore " +
+                                            choice.checkpoint.string());
+  }
   result.duration_s = run.time_s();
   const auto states = run.states();
   for (std::size_t i = 0; i < states.size(); ++i)

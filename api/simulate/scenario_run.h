@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -73,10 +74,16 @@ struct ScenarioResult {
 struct RunChoice {
   std::size_t threads = 1;
   bool is_batch = true;
-  double real_time_factor = 0;  ///< 0: as fast as possible
+  double real_time_factor = 0;              ///< 0: as fast as possible
+  std::filesystem::path checkpoint{};       ///< written at `checkpoint_at_s` and when asked to stop
+  std::optional<double> checkpoint_at_s{};  ///< since the start of the run
+  std::filesystem::path restore{};          ///< a checkpoint to go on from
+  const std::atomic<bool>* is_stop_asked = nullptr;  ///< looked at once a step
 };
 
-/// Runs a scenario to its end. Nothing of the choice changes what comes out.
+/// Runs a scenario to its end. Nothing of the choice changes what comes out: a run that goes on from a checkpoint leaves the
+/// log of one that was never interrupted.
+/// @throws Error(unavailable) where it was asked to stop, which names the checkpoint that it left
 [[nodiscard]] ScenarioResult run_scenario(const twin::Scenario& scenario,
                                           const ScenarioWater& water, const RunChoice& choice,
                                           const std::function<void(double)>& on_progress = {});

@@ -1,0 +1,19 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "twin/simulate/agent.h"
+
+namespace slackwater::api {
+
+/// A double to the last bit, for people too: "0x1.8p+1"; NaN as its bits, "bits:7ff8000000000000".
+[[nodiscard]] std::string exact_text(double value);
+/// @throws Error(invalid_input) for what is no such number
+[[nodiscard]] double exact_number(const std::string& text);
+
+/// The whole state of a vehicle, by the names of its members.
+[[nodiscard]] nlohmann::json state_json(const twin::AgentState& state);
+/// @throws Error(invalid_input) or nlohmann::json::exception for what is no state of this program
+[[nodiscard]] twin::AgentState state_of(const nlohmann::json& json);
+
+}  // namespace slackwater::api

@@ -1,0 +1,111 @@
+#include "api/simulate/state_json.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "fields/base/error.h"
+#include "twin/simulate/state_members.h"
+
+namespace slackwater::tests {
+namespace {
+
+using namespace api;
+using nlohmann::json;
+
+TEST(ExactText, IsTheSameBitsBack) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Rng rng(1, "state_json_test");
+  std::vector<double> all{
+      0.0,      -0.0,      0.1, -1e300, least,
+      HUGE_VAL, -HUGE_VAL, nan, -nan,   std::bit_cast<double>(std::uint64_t{0x7ff800000000beef})};
+  for (int i = 0; i < 1000; ++i) all.push_back(std::bit_cast<double>(rng.bits()));
+  for (const double value : all) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(exact_number(exact_text(value))),
+              std::bit_cast<std::uint64_t>(value))
+        << exact_text(value);
+  }
+  for (const char* none : {"", "bits:", "one", "0x1p+1 ", "1,5"})
+    EXPECT_THROW((void)exact_number(none), Error) << none;
+}
+
+/// Gives every leaf of a state another value; counts the bytes that it reaches.
+struct Changer {
+  std::uint64_t next = 1;
+
+  template <typename T>
+  std::size_t change(T& value) {
+    if constexpr (std::is_same_v<T, bool>) {
+      value = !value;
+    } else if constexpr (std::is_same_v<T, double>) {
+      value = 0.1 * static_cast<double>(++next);
+    } else if constexpr (std::is_enum_v<T>) {
+      value = static_cast<T>(3);
+    } else if constexpr (std::is_integral_v<T>) {
+      value = static_cast<T>(++next);
+    } else if constexpr (twin::is_numbers<T>) {
+      auto* number = reinterpret_cast<double*>(&value);
+      for (std::size_t i = 0; i < sizeof(T) / sizeof(double); ++i)
+        number[i] = 0.1 * static_cast<double>(++next);
+    } else if constexpr (std::is_array_v<T>) {
+      for (auto& element : value) (void)change(element);
+    } else if constexpr (requires { value.resize(2); }) {
+      value.resize(2);
+      for (auto& element : value) (void)change(element);
+    } else {
+      std::size_t bytes = 0, slack = 0;
+      twin::for_each_member(value, [&](const char*, auto& member) {
+        bytes += change(member);
+        slack += 8 - (sizeof member - 1) % 8 - 1;
+      });
+      // What is not named is padding beside members that are not eight bytes long.
+      EXPECT_LE(bytes, sizeof(T)) << typeid(T).name();
+      EXPECT_GE(bytes + slack, sizeof(T)) << typeid(T).name() << ": a member is not visited";
+    }
+    return sizeof(T);
+  }
+};
+
+TEST(StateJson, EveryMemberIsVisitedAndComesBack) {
+  twin::AgentState state;
+  const json before = state_json(state);
+  Changer changer;
+  (void)changer.change(state);
+  const json written = state_json(state);
+  const twin::AgentState back = state_of(json::parse(written.dump()));
+  EXPECT_EQ(state_json(back), written);
+  // No leaf was left as it was.
+  const json was = before.flatten(), is = written.flatten();
+  for (const auto& [name, value] : was.items()) {
+    if (is.contains(name)) {
+      EXPECT_NE(is.at(name), value) << name;
+    }
+  }
+  EXPECT_EQ(back.mission.route.to().position_m.x, state.mission.route.to().position_m.x);
+  twin::AgentState copy = back, original = state;
+  EXPECT_EQ(copy.gust_rng.bits(), original.gust_rng.bits());
+  EXPECT_EQ(copy.navigation.instruments.dvl.normal(), original.navigation.instruments.dvl.normal());
+  EXPECT_EQ(std::memcmp(&copy.vehicle, &original.vehicle, sizeof copy.vehicle), 0);
+}
+
+TEST(StateJson, WhatIsNoStateIsRefused) {
+  const json good = state_json({});
+  json bad = good;
+  bad.erase("tether");
+  EXPECT_ANY_THROW((void)state_of(bad));
+  bad = good;
+  bad["vehicle"].erase(0);
+  EXPECT_ANY_THROW((void)state_of(bad));
+  bad = good;
+  bad["halted_at_s"] = 5;
+  EXPECT_ANY_THROW((void)state_of(bad));
+  EXPECT_ANY_THROW((void)state_of(json::array()));
+}
+
+}  // namespace
+}  // namespace slackwater::tests
