@@ -33,11 +33,13 @@ json head_of(const StandingRun& run, const CheckpointOrigin& origin) {
           {"scenario_sha256", origin.scenario_sha256},
           {"forecast_sha256", origin.forecast_sha256},
           {"vehicle_files_sha256", origin.vehicles},
+          {"traffic_sha256", origin.traffic_sha256},
           {"steps_made", run.checkpoint.steps_made},
           {"times", run.log.t_s.size()},
           {"rows", rows},
           {"sensor_rows", sensor_rows},
           {"last_sensor_row_s", exact_text(run.last_sensor_row_s)},
+          {"watch", watch_json(run.watch)},
           {"states", states}};
 }
 
@@ -89,6 +91,7 @@ StandingRun run_of(const json& head, std::string_view rows) {
   StandingRun run;
   run.checkpoint.steps_made = head.at("steps_made").get<std::uint64_t>();
   for (const json& state : head.at("states")) run.checkpoint.states.push_back(state_of(state));
+  run.watch = watch_of(head.at("watch"));
   Rows numbers{rows};
   run.log.t_s = numbers.take(head.at("times").get<std::size_t>());
   for (const json& size : head.at("rows"))
@@ -135,6 +138,7 @@ StandingRun read_checkpoint(const std::filesystem::path& file, const CheckpointO
     expect_same(file, "forecast (checksum)", head.at("forecast_sha256"), origin.forecast_sha256);
     expect_same(file, "set of vehicle files (checksums)", head.at("vehicle_files_sha256"),
                 origin.vehicles);
+    expect_same(file, "traffic (checksum)", head.at("traffic_sha256"), origin.traffic_sha256);
     expect_same(file, "version of the program", head.at("program"), origin.program);
     return run_of(head, std::string_view(body).substr(line + 1 + size));
   } catch (const Error& problem) {

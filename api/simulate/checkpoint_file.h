@@ -5,6 +5,7 @@
 #include "twin/simulate/run.h"
 #include "twin/simulate/run_log.h"
 #include "twin/simulate/sensor_log.h"
+#include "twin/simulate/traffic_watch.h"
 
 namespace slackwater::api {
 
@@ -22,6 +23,7 @@ struct CheckpointOrigin {
   std::string scenario_sha256;  ///< of its text
   std::string forecast_sha256;  ///< empty: made up
   std::string vehicles;         ///< checksums of their files
+  std::string traffic_sha256;   ///< of the other vessels' tracks; empty: none
 };
 
 /// Everything a run goes on with: its states and what it has logged.
@@ -30,6 +32,7 @@ struct StandingRun {
   twin::RunLog log;
   std::vector<std::vector<double>> sensor_rows;
   double last_sensor_row_s = -1;
+  twin::TrafficWatch::State watch;
 };
 
 /// Whole or not at all: written beside the file, synced and moved into its place.

@@ -7,6 +7,7 @@
 #include "api/pipeline/version.h"
 #include "api/simulate/checkpoint_file.h"
 #include "api/simulate/log_file.h"
+#include "api/simulate/traffic_tables.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "twin/simulate/follow_tracks.h"
@@ -58,28 +59,40 @@ void add_navigation(const Agent& agent, const twin::SensorLog& sensed, std::size
   s.rms_navigation_error_m = std::sqrt(3 * squares / static_cast<double>(error.size()));
 }
 
-CheckpointOrigin checkpoint_origin(const twin::Scenario& scenario, const ScenarioWater& water) {
+CheckpointOrigin checkpoint_origin(const twin::Scenario& scenario, const ScenarioWater& water,
+                                   std::span<const twin::TrafficVessel> vessels) {
   return {code_version(), sha256_of_text(scenario.yaml), water.forecast_sha256,
-          vehicle_checksums(scenario, water.surround.data_folder)};
+          vehicle_checksums(scenario, water.surround.data_folder), traffic_checksum(vessels)};
 }
 
-void save(twin::Run& run, const ScenarioResult& so_far, const CheckpointOrigin& origin,
+/// A run with all that looks on.
+struct WatchedRun {
+  twin::Run& run;
+  twin::TrafficWatch& watch;
+  ScenarioResult& so_far;
+};
+
+void save(const WatchedRun& watched, const CheckpointOrigin& origin,
           const std::filesystem::path& file) {
-  write_checkpoint({run.checkpoint(), so_far.log, so_far.sensed.rows, so_far.sensed.last_s}, origin,
-                   file);
+  const twin::SensorLog& sensed = watched.so_far.sensed;
+  write_checkpoint({watched.run.checkpoint(), watched.so_far.log, sensed.rows, sensed.last_s,
+                    watched.watch.state()},
+                   origin, file);
 }
 
 /// Puts a run where a checkpoint stands, with what was logged until then.
-void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin, twin::Run& run,
-             ScenarioResult& result) {
+void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
+             const WatchedRun& watched) {
+  auto& [run, watch, result] = watched;
   const std::size_t vehicles = run.agents().size();
   StandingRun standing = read_checkpoint(file, origin);
   if (standing.checkpoint.states.size() != vehicles || standing.log.rows.size() != vehicles ||
-      standing.sensor_rows.size() != vehicles) {
+      standing.sensor_rows.size() != vehicles || standing.watch.alarms.size() != vehicles) {
     throw Error(ErrorKind::invalid_input,
                 file.string() + ": holds another number of vehicles than the scenario");
   }
   run.restore(standing.checkpoint);
+  watch.restore(std::move(standing.watch));
   for (std::size_t i = 0; i < vehicles; ++i) {
     // Into the room that is kept for the whole run.
     auto& row = result.log.rows[i];
@@ -129,12 +142,13 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
       std::max(1LL, std::llround(scenario.log_every_s / scenario.step_s)));
   result.log.reserve(run.agents().size(), steps / every + 2);
   result.sensed = twin::SensorLog(run.agents(), scenario.logs_sensors, scenario.seed);
-  const CheckpointOrigin origin = checkpoint_origin(scenario, water);
+  const WatchedRun watched{run, watch, result};
+  const CheckpointOrigin origin = checkpoint_origin(scenario, water, ready.vessels);
   if (choice.restore.empty()) {
     result.log.append(0, run.agents(), run.states());
     result.sensed.append(0, run.agents(), run.states());
   } else {
-    take_up(choice.restore, origin, run, result);
+    take_up(choice.restore, origin, watched);
   }
   const double checkpoint_s = due_s(scenario, choice, run.time_s());
   if (!ready.vessels.empty()) twin::keep_watch(watch, run, scenario.step_s);
@@ -150,11 +164,11 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   });
   if (checkpoint_s < scenario.duration_s) {
     run.run_until(checkpoint_s, control);
-    if (!control.is_stopped()) save(run, result, origin, choice.checkpoint);
+    if (!control.is_stopped()) save(watched, origin, choice.checkpoint);
   }
   run.run_until(scenario.duration_s, control);
   if (choice.is_stop_asked != nullptr && *choice.is_stop_asked) {
-    save(run, result, origin, choice.checkpoint);
+    save(watched, origin, choice.checkpoint);
     throw Error(ErrorKind::unavailable, "stopped at " + std::to_string(run.time_s()) +
                                             " s of the run; go on with --restore " +
                                             choice.checkpoint.string());

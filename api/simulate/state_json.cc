@@ -106,4 +106,12 @@ twin::AgentState state_of(const json& from) {
   return state;
 }
 
+json watch_json(const twin::TrafficWatch::State& state) { return written(state); }
+
+twin::TrafficWatch::State watch_of(const json& from) {
+  twin::TrafficWatch::State state;
+  read(from, state);
+  return state;
+}
+
 }  // namespace slackwater::api

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "twin/simulate/agent.h"
+#include "twin/simulate/traffic_watch.h"
 
 namespace slackwater::api {
 
@@ -15,5 +16,10 @@ namespace slackwater::api {
 [[nodiscard]] nlohmann::json state_json(const twin::AgentState& state);
 /// @throws Error(invalid_input) or nlohmann::json::exception for what is no state of this program
 [[nodiscard]] twin::AgentState state_of(const nlohmann::json& json);
+
+/// What the watch for traffic has seen so far, likewise.
+[[nodiscard]] nlohmann::json watch_json(const twin::TrafficWatch::State& state);
+/// @throws as `state_of`
+[[nodiscard]] twin::TrafficWatch::State watch_of(const nlohmann::json& json);
 
 }  // namespace slackwater::api

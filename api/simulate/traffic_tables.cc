@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fields/base/error.h"
+#include "fields/base/sha256.h"
 
 namespace slackwater::api {
 namespace {
@@ -142,6 +143,17 @@ std::vector<TrajectoryTable> traffic_tables(std::span<const TrafficVessel> vesse
                                             std::span<const twin::AlarmRecord> alarms) {
   if (vessels.empty()) return {};
   return {vessel_table(vessels), report_table(vessels), alarm_table(vessels, alarms)};
+}
+
+std::string traffic_checksum(std::span<const TrafficVessel> vessels) {
+  if (vessels.empty()) return "";
+  Sha256 sum;
+  for (const TrajectoryTable& table : traffic_tables(vessels, {})) {
+    for (const auto& column : table.columns) sum.update(std::as_bytes(std::span(column.values)));
+    for (const auto& column : table.texts)
+      for (const std::string& text : column.values) sum.update(text + "\n");
+  }
+  return sum.hex();
 }
 
 std::vector<TrafficVessel> vessels_in(const ingest::TrajectoryFile& log) {

@@ -12,6 +12,9 @@ namespace slackwater::api {
 [[nodiscard]] std::vector<ingest::TrajectoryTable> traffic_tables(
     std::span<const twin::TrafficVessel> vessels, std::span<const twin::AlarmRecord> alarms);
 
+/// SHA-256 of the vessels and all their reports; empty where there are none.
+[[nodiscard]] std::string traffic_checksum(std::span<const twin::TrafficVessel> vessels);
+
 /// The vessels of a log, to the last bit as they were written.
 /// @throws Error(invalid_input) for tables that do not fit each other
 [[nodiscard]] std::vector<twin::TrafficVessel> vessels_in(const ingest::TrajectoryFile& log);

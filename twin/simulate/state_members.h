@@ -3,10 +3,11 @@
 #include <type_traits>
 
 #include "twin/simulate/agent.h"
+#include "twin/simulate/traffic_watch.h"
 
 namespace slackwater::twin {
 
-// The members of an agent's state by name, for what stores it and takes it up again. Each list is a structured binding of
+// The members of all that changes in a run by name, for what stores it and takes it up again. Each list is a structured binding of
 // the whole struct: a member that is added and not named here does not compile.
 
 /// Structs of doubles only, stored as a block of them.
@@ -60,7 +61,7 @@ void for_each_member(S& s, Visit&& visit) {
 template <MaybeConst<MissionState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [task, has_begun, is_done, held_s, kept_m, kept_heading, route, is_rerouted,
-         waypoints_taken, follower, followed_yaw_rad] = s;
+         waypoints_taken, follower, followed_yaw_rad, track_drift_m_s] = s;
   visit("task", task);
   visit("has_begun", has_begun);
   visit("is_done", is_done);
@@ -72,6 +73,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("waypoints_taken", waypoints_taken);
   visit("follower", follower);
   visit("followed_yaw_rad", followed_yaw_rad);
+  visit("track_drift_m_s", track_drift_m_s);
 }
 
 template <MaybeConst<NavigationState> S, typename Visit>
@@ -110,6 +112,43 @@ void for_each_member(S& s, Visit&& visit) {
   visit("noise", noise);
   visit("slow_m", slow_m);
   visit("seen_s", seen_s);
+}
+
+template <MaybeConst<TrafficWatch::State> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [alarms, records] = s;
+  visit("alarms", alarms);
+  visit("records", records);
+}
+
+template <MaybeConst<Alarm> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [id, status, approach] = s;
+  visit("id", id);
+  visit("status", status);
+  visit("approach", approach);
+}
+
+template <MaybeConst<ClosestApproach> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [time_s, distance_m, is_closing] = s;
+  visit("time_s", time_s);
+  visit("distance_m", distance_m);
+  visit("is_closing", is_closing);
+}
+
+template <MaybeConst<AlarmRecord> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [vehicle, mmsi, begin_s, end_s, end, cpa_m, tcpa_s, least_distance_m, least_distance_s] = s;
+  visit("vehicle", vehicle);
+  visit("mmsi", mmsi);
+  visit("begin_s", begin_s);
+  visit("end_s", end_s);
+  visit("end", end);
+  visit("cpa_m", cpa_m);
+  visit("tcpa_s", tcpa_s);
+  visit("least_distance_m", least_distance_m);
+  visit("least_distance_s", least_distance_s);
 }
 
 template <typename S, typename Visit>

@@ -94,7 +94,7 @@ void TrafficWatch::restore(State state) {
 }
 
 void keep_watch(TrafficWatch& watch, Run& run, double step_s) {
-  watch.look(run.time_s(), run.seen());
+  if (run.steps_made() == 0) watch.look(run.time_s(), run.seen());
   const auto every =
       static_cast<std::uint64_t>(std::max(1LL, std::llround(TrafficWatch::every_s / step_s)));
   run.at_barrier([&watch, &run, every, step_s](const StepTime& time) {

@@ -65,7 +65,8 @@ class TrafficWatch {
   std::vector<Contact> contacts_;
 };
 
-/// Lets it look at the start and at the barriers of a run, which it must outlive.
+/// Lets it look at the barriers of a run, which it must outlive, and at once where the run is at its start: one that was
+/// taken up from a checkpoint has a watch that was too.
 void keep_watch(TrafficWatch& watch, Run& run, double step_s);
 
 }  // namespace slackwater::twin
