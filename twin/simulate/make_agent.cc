@@ -44,9 +44,8 @@ TetherState<double> hung_out(const Agent& agent, const Triple<double>& end_m, do
     return agent.water->current({end_m.x, end_m.y, depth_m}, 0, 0).current_m_s;
   };
   const Triple<double>& top_m = agent.tether_top_m;
-  return settled(*agent.tether,
-                 laid_out(*agent.tether, top_m, end_m, length_m, current_m_s(end_m.z)), top_m,
-                 end_m, current_m_s);
+  return hung(*agent.tether, laid_out(*agent.tether, top_m, end_m, length_m, current_m_s(end_m.z)),
+              top_m, end_m, current_m_s);
 }
 
 }  // namespace

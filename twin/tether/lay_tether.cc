@@ -87,18 +87,17 @@ WaterAtNodes<double> water_at_nodes(const TetherState<double>& state, const Trip
   return out;
 }
 
+namespace {
+
 /// Dynamic relaxation (Day 1965): the line moves, and is stopped whenever its kinetic energy has passed a peak.
-TetherState<double> settled(const Tether& tether, TetherState<double> state,
-                            const Triple<double>& top_m, const Triple<double>& vehicle_m,
-                            const SteadyWater& water) {
+/// @return whether no node was faster than `still_m_s` for a second
+bool relax(const Tether& tether, TetherState<double>& state, const TetherEnds<double>& ends,
+           const SteadyWater& water, double still_m_s, int most_steps) {
   constexpr double dt_s = 0.05;
-  constexpr int most_steps = 400000;
-  constexpr double still_m_s = 1e-12;
-  const TetherEnds<double> ends{top_m, {}, vehicle_m, {}};
   double before = 0;
   int quiet = 0;
   for (int step = 0; step < most_steps; ++step) {
-    (void)pull(tether, state, ends, water_at_nodes(state, top_m, vehicle_m, water), dt_s);
+    (void)pull(tether, state, ends, water_at_nodes(state, ends.top_m, ends.vehicle_m, water), dt_s);
     double energy = 0;
     double fastest = 0;
     for (const Triple<double>& v : state.velocity_m_s) {
@@ -106,15 +105,33 @@ TetherState<double> settled(const Tether& tether, TetherState<double> state,
       fastest = std::max(fastest, length_of(v));
     }
     quiet = fastest < still_m_s ? quiet + 1 : 0;
-    if (quiet > 20) return state;
+    if (quiet > 20) return true;
     if (energy < before) {
       state.velocity_m_s = {};
       energy = 0;
     }
     before = energy;
   }
+  return false;
+}
+
+}  // namespace
+
+TetherState<double> settled(const Tether& tether, TetherState<double> state,
+                            const Triple<double>& top_m, const Triple<double>& vehicle_m,
+                            const SteadyWater& water) {
+  constexpr int most_steps = 400000;
+  if (relax(tether, state, {top_m, {}, vehicle_m, {}}, water, 1e-12, most_steps)) return state;
   throw Error(ErrorKind::not_converged,
               "the tether did not come to rest in the given water; check that the water is steady");
+}
+
+TetherState<double> hung(const Tether& tether, TetherState<double> state,
+                         const Triple<double>& top_m, const Triple<double>& vehicle_m,
+                         const SteadyWater& water, int most_steps) {
+  (void)relax(tether, state, {top_m, {}, vehicle_m, {}}, water, 1e-4, most_steps);
+  state.velocity_m_s = {};
+  return state;
 }
 
 }  // namespace slackwater::twin

@@ -22,6 +22,12 @@ using SteadyWater = std::function<Triple<double>(double depth_m)>;
                                           const Triple<double>& vehicle_m,
                                           const SteadyWater& water);
 
+/// The same as far as it comes in `most_steps` of 0.05 s, at rest: where a run starts. Lines that hang slack in still water
+/// swing for hours before they lie as `settled` wants them, and none is refused for that. Slower than 0.1 mm/s counts as rest.
+[[nodiscard]] TetherState<double> hung(const Tether& tether, TetherState<double> state,
+                                       const Triple<double>& top_m, const Triple<double>& vehicle_m,
+                                       const SteadyWater& water, int most_steps = 3000);
+
 /// The water at the nodes of a line, for `pull`.
 [[nodiscard]] WaterAtNodes<double> water_at_nodes(const TetherState<double>& state,
                                                   const Triple<double>& top_m,
