@@ -26,21 +26,22 @@ using StoredDoubles [[gnu::vector_size(8 * native_lanes), gnu::aligned(8), gnu::
     double;
 using NativeBits [[gnu::vector_size(8 * native_lanes)]] = std::uint64_t;
 
-/// Eight doubles on every instruction set, as one, two or four registers. Each lane sees the same
-/// IEEE operations in the same order whatever the registers, hence the same bits.
-struct Lanes {
-  static constexpr std::size_t count = 8;
-  static constexpr std::size_t parts = count / native_lanes;
+/// Doubles side by side in so many registers. Each lane sees the same IEEE operations in the same
+/// order whatever the registers, hence the same bits.
+template <std::size_t registers>
+struct LanesIn {
+  static constexpr std::size_t parts = registers;
+  static constexpr std::size_t count = registers * native_lanes;
   NativeDoubles part[parts];
 
-  [[nodiscard]] SLACKWATER_INLINE static Lanes all(double value) {
-    Lanes r;
+  [[nodiscard]] SLACKWATER_INLINE static LanesIn all(double value) {
+    LanesIn r;
     for (std::size_t i = 0; i < parts; ++i) r.part[i] = value - NativeDoubles{};
     return r;
   }
   // Register by register: GCC 12 copies the whole by way of the stack, at four times the cost.
-  [[nodiscard]] SLACKWATER_INLINE static Lanes load(const double* from) {
-    Lanes r;
+  [[nodiscard]] SLACKWATER_INLINE static LanesIn load(const double* from) {
+    LanesIn r;
     for (std::size_t i = 0; i < parts; ++i) {
       r.part[i] = *reinterpret_cast<const StoredDoubles*>(from + i * native_lanes);
     }
@@ -53,51 +54,87 @@ struct Lanes {
   }
 };
 
-SLACKWATER_INLINE Lanes operator+(const Lanes& a, const Lanes& b) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] + b.part[i];
+/// Eight doubles on every instruction set, as one, two or four registers.
+using Lanes = LanesIn<8 / native_lanes>;
+/// As many as one register holds: for long formulas, whose values then stay in registers.
+using OneRegister = LanesIn<1>;
+
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator+(const LanesIn<n>& a, const LanesIn<n>& b) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) r.part[i] = a.part[i] + b.part[i];
   return r;
 }
-SLACKWATER_INLINE Lanes operator-(const Lanes& a, const Lanes& b) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] - b.part[i];
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator-(const LanesIn<n>& a, const LanesIn<n>& b) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) r.part[i] = a.part[i] - b.part[i];
   return r;
 }
-SLACKWATER_INLINE Lanes operator*(const Lanes& a, const Lanes& b) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] * b.part[i];
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator*(const LanesIn<n>& a, const LanesIn<n>& b) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) r.part[i] = a.part[i] * b.part[i];
   return r;
 }
-SLACKWATER_INLINE Lanes operator/(const Lanes& a, const Lanes& b) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] / b.part[i];
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator/(const LanesIn<n>& a, const LanesIn<n>& b) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) r.part[i] = a.part[i] / b.part[i];
   return r;
 }
-SLACKWATER_INLINE Lanes operator-(const Lanes& a) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = -a.part[i];
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator-(const LanesIn<n>& a) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) r.part[i] = -a.part[i];
   return r;
 }
 // With a number that is the same in all lanes.
-SLACKWATER_INLINE Lanes operator+(double a, const Lanes& b) { return Lanes::all(a) + b; }
-SLACKWATER_INLINE Lanes operator+(const Lanes& a, double b) { return a + Lanes::all(b); }
-SLACKWATER_INLINE Lanes operator-(double a, const Lanes& b) { return Lanes::all(a) - b; }
-SLACKWATER_INLINE Lanes operator-(const Lanes& a, double b) { return a - Lanes::all(b); }
-SLACKWATER_INLINE Lanes operator*(double a, const Lanes& b) { return Lanes::all(a) * b; }
-SLACKWATER_INLINE Lanes operator*(const Lanes& a, double b) { return a * Lanes::all(b); }
-SLACKWATER_INLINE Lanes operator/(double a, const Lanes& b) { return Lanes::all(a) / b; }
-SLACKWATER_INLINE Lanes operator/(const Lanes& a, double b) { return a / Lanes::all(b); }
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator+(double a, const LanesIn<n>& b) {
+  return LanesIn<n>::all(a) + b;
+}
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator+(const LanesIn<n>& a, double b) {
+  return a + LanesIn<n>::all(b);
+}
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator-(double a, const LanesIn<n>& b) {
+  return LanesIn<n>::all(a) - b;
+}
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator-(const LanesIn<n>& a, double b) {
+  return a - LanesIn<n>::all(b);
+}
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator*(double a, const LanesIn<n>& b) {
+  return LanesIn<n>::all(a) * b;
+}
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator*(const LanesIn<n>& a, double b) {
+  return a * LanesIn<n>::all(b);
+}
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator/(double a, const LanesIn<n>& b) {
+  return LanesIn<n>::all(a) / b;
+}
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> operator/(const LanesIn<n>& a, double b) {
+  return a / LanesIn<n>::all(b);
+}
 
-SLACKWATER_INLINE Lanes larger_of(const Lanes& a, const Lanes& b) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> larger_of(const LanesIn<n>& a, const LanesIn<n>& b) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) {
     r.part[i] = a.part[i] > b.part[i] ? a.part[i] : b.part[i];
   }
   return r;
 }
-SLACKWATER_INLINE Lanes smaller_of(const Lanes& a, const Lanes& b) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> smaller_of(const LanesIn<n>& a, const LanesIn<n>& b) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) {
     r.part[i] = a.part[i] < b.part[i] ? a.part[i] : b.part[i];
   }
   return r;
@@ -106,39 +143,54 @@ SLACKWATER_INLINE Lanes smaller_of(const Lanes& a, const Lanes& b) {
 using NativeMask [[gnu::vector_size(8 * native_lanes)]] = std::int64_t;
 
 /// For each lane whether a comparison holds.
+template <std::size_t n>
 struct LaneMask {
-  NativeMask part[Lanes::parts];
+  NativeMask part[n];
 };
-SLACKWATER_INLINE LaneMask operator<(const Lanes& a, const Lanes& b) {
-  LaneMask r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) r.part[i] = a.part[i] < b.part[i];
+template <std::size_t n>
+SLACKWATER_INLINE LaneMask<n> operator<(const LanesIn<n>& a, const LanesIn<n>& b) {
+  LaneMask<n> r;
+  for (std::size_t i = 0; i < n; ++i) r.part[i] = a.part[i] < b.part[i];
   return r;
 }
-SLACKWATER_INLINE LaneMask operator>(const Lanes& a, const Lanes& b) { return b < a; }
-SLACKWATER_INLINE LaneMask operator<(const Lanes& a, double b) { return a < Lanes::all(b); }
-SLACKWATER_INLINE LaneMask operator>(const Lanes& a, double b) { return Lanes::all(b) < a; }
+template <std::size_t n>
+SLACKWATER_INLINE LaneMask<n> operator>(const LanesIn<n>& a, const LanesIn<n>& b) {
+  return b < a;
+}
+template <std::size_t n>
+SLACKWATER_INLINE LaneMask<n> operator<(const LanesIn<n>& a, double b) {
+  return a < LanesIn<n>::all(b);
+}
+template <std::size_t n>
+SLACKWATER_INLINE LaneMask<n> operator>(const LanesIn<n>& a, double b) {
+  return LanesIn<n>::all(b) < a;
+}
 
 /// Lane by lane, `yes` where the comparison holds, else `no`: both are worked out.
-SLACKWATER_INLINE Lanes select(const LaneMask& holds, const Lanes& yes, const Lanes& no) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> select(const LaneMask<n>& holds, const LanesIn<n>& yes,
+                                    const LanesIn<n>& no) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) {
     r.part[i] = holds.part[i] ? yes.part[i] : no.part[i];
   }
   return r;
 }
 
-SLACKWATER_INLINE Lanes absolute(const Lanes& a) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> absolute(const LanesIn<n>& a) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) {
     r.part[i] = (NativeDoubles)((NativeBits)a.part[i] & 0x7fffffffffffffffU);
   }
   return r;
 }
 
 /// Correctly rounded, as IEEE has it.
-SLACKWATER_INLINE Lanes square_root(const Lanes& a) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> square_root(const LanesIn<n>& a) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t lane = 0; lane < native_lanes; ++lane) {
       r.part[i][lane] = __builtin_sqrt(a.part[i][lane]);
     }
@@ -147,9 +199,10 @@ SLACKWATER_INLINE Lanes square_root(const Lanes& a) {
 }
 
 /// table[whole number in the lane].
-SLACKWATER_INLINE Lanes entry_of(const double* table, const Lanes& index) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> entry_of(const double* table, const LanesIn<n>& index) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t lane = 0; lane < native_lanes; ++lane) {
       r.part[i][lane] = table[static_cast<std::size_t>(index.part[i][lane])];
     }
@@ -162,24 +215,27 @@ SLACKWATER_INLINE Lanes entry_of(const double* table, const Lanes& index) {
 inline constexpr double rounder = 6755399441055744.0;
 
 /// The whole number at or below x, for |x| < 2^51.
-SLACKWATER_INLINE Lanes whole_below(const Lanes& x) {
-  const Lanes near = (x + rounder) - rounder;
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> whole_below(const LanesIn<n>& x) {
+  const LanesIn<n> near = (x + rounder) - rounder;
   return select(near > x, near - 1.0, near);
 }
 
 /// 2^n for the whole number n that `shifted` = n + rounder holds; -1022 <= n <= 1022.
-SLACKWATER_INLINE Lanes whole_power_of_two(const Lanes& shifted) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> whole_power_of_two(const LanesIn<n>& shifted) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) {
     // A cast between vectors keeps the bits. What lies above the exponent field is shifted out.
     r.part[i] = (NativeDoubles)(((NativeBits)shifted.part[i] + 1023U) << 52U);
   }
   return r;
 }
 /// 2^-n likewise.
-SLACKWATER_INLINE Lanes whole_power_of_half(const Lanes& shifted) {
-  Lanes r;
-  for (std::size_t i = 0; i < Lanes::parts; ++i) {
+template <std::size_t n>
+SLACKWATER_INLINE LanesIn<n> whole_power_of_half(const LanesIn<n>& shifted) {
+  LanesIn<n> r;
+  for (std::size_t i = 0; i < n; ++i) {
     r.part[i] = (NativeDoubles)((1023U - (NativeBits)shifted.part[i]) << 52U);
   }
   return r;

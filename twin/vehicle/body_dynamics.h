@@ -173,14 +173,15 @@ template <typename Real>
 template <typename Real>
 [[nodiscard]] BodyState<Real> stepped(const Body& body, const BodyState<Real>& s,
                                       const Forcing<Real>& forcing, double dt_s) {
-  const BodyRate<Real> a = rate_of(body, s, forcing);
-  const BodyRate<Real> b = rate_of(body, moved(s, a, 0.5 * dt_s), forcing);
-  const BodyRate<Real> c = rate_of(body, moved(s, b, 0.5 * dt_s), forcing);
-  const BodyRate<Real> d = rate_of(body, moved(s, c, dt_s), forcing);
-  BodyState<Real> next = moved(s, a, dt_s / 6);
-  next = moved(next, b, dt_s / 3);
-  next = moved(next, c, dt_s / 3);
-  next = moved(next, d, dt_s / 6);
+  const double reach_s[] = {0.5 * dt_s, 0.5 * dt_s, dt_s};
+  const double weight_s[] = {dt_s / 6, dt_s / 3, dt_s / 3, dt_s / 6};
+  BodyState<Real> next = s;
+  BodyState<Real> at = s;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const BodyRate<Real> rate = rate_of(body, at, forcing);
+    next = moved(next, rate, weight_s[i]);
+    if (i < 3) at = moved(s, rate, reach_s[i]);
+  }
   next.attitude = normalised(next.attitude);
   return next;
 }
