@@ -5,6 +5,7 @@
 
 #include "fields/wind/gust.h"
 #include "twin/tether/tether_dynamics.h"
+#include "twin/thruster/thrust_curve.h"
 #include "twin/vehicle/waves_at_strips.h"
 
 namespace slackwater::twin {
@@ -96,18 +97,22 @@ void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, Agen
   state.tether_n = felt.vehicle_tension_n;
 }
 
+/// Autopilots of measured thrusters command them by their curve at rest; what the flow takes from it their integrals make
+/// good. The others go by the water as well as they know it.
 void command_thrusters(const Agent& agent, const Effort& effort, const AgentState& state,
                        const Measured& measured, const Rotation<double>& r, double height_m,
                        VehicleCommand<double>& command) {
   const Vehicle& vehicle = *agent.vehicle;
+  if (vehicle.thruster.kind == ThrusterKind::table) {
+    const ThrustCurve curve(vehicle.thruster.table, state.vehicle.bus_voltage_v);
+    for (std::size_t i = 0; i < vehicle.mounts; ++i)
+      command.thruster[i] = curve.command_for(effort.thrust_n[i]);
+    return;
+  }
   ThrusterSurroundings<double> around;
   around.voltage_v = state.vehicle.bus_voltage_v;
   around.height_m = height_m;
-  // Autopilots of measured thrusters command them by their curve at rest; what the flow takes from it their integrals make
-  // good. The others go by the water as well as they know it.
-  const bool at_rest = vehicle.thruster.kind == ThrusterKind::table;
-  const Triple<double> through =
-      at_rest ? Triple<double>{} : measured.nu.linear - r.to_body(measured.water_m_s);
+  const Triple<double> through = measured.nu.linear - r.to_body(measured.water_m_s);
   for (std::size_t i = 0; i < vehicle.mounts; ++i) {
     around.advance_m_s = dot(vehicle.mount[i].direction, through);
     command.thruster[i] = command_for(vehicle.thruster, effort.thrust_n[i], around);
