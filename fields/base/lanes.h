@@ -1,6 +1,7 @@
 #pragma once
 // For sources that are compiled once per instruction set (fields/wave/sea_kernel.cc, twin/simulate/step_kernel.cc): all
 // of this lies in the namespace of that set, so that the linker never takes a function from the wrong one.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -204,8 +205,39 @@ SLACKWATER_INLINE LanesIn<n> entry_of(const double* table, const LanesIn<n>& ind
   LanesIn<n> r;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t lane = 0; lane < native_lanes; ++lane) {
-      r.part[i][lane] = table[static_cast<std::size_t>(index.part[i][lane])];
+      r.part[i][lane] = table[static_cast<std::int32_t>(index.part[i][lane])];
     }
+  }
+  return r;
+}
+
+/// The four numbers of a row of a table with rows of four, each lane its own row.
+template <std::size_t n>
+SLACKWATER_INLINE std::array<LanesIn<n>, 4> four_entries_of(const double* table,
+                                                            const LanesIn<n>& row) {
+  std::array<LanesIn<n>, 4> r;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto first = [&](std::size_t lane) {
+      return table + 4 * static_cast<std::int32_t>(row.part[i][lane]);
+    };
+#if defined(__AVX2__) && !defined(__AVX512F__)
+    // Four rows, turned into four columns.
+    const auto of_lane = [&](std::size_t lane) -> NativeDoubles {
+      return *reinterpret_cast<const StoredDoubles*>(first(lane));
+    };
+    const NativeDoubles a = of_lane(0), b = of_lane(1), c = of_lane(2), d = of_lane(3);
+    const NativeDoubles even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const NativeDoubles odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const NativeDoubles even_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const NativeDoubles odd_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    r[0].part[i] = __builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5);
+    r[1].part[i] = __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5);
+    r[2].part[i] = __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7);
+    r[3].part[i] = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7);
+#else
+    for (std::size_t lane = 0; lane < native_lanes; ++lane)
+      for (std::size_t k = 0; k < 4; ++k) r[k].part[i][lane] = first(lane)[k];
+#endif
   }
   return r;
 }

@@ -139,7 +139,8 @@ void step(const Vehicle& vehicle, const StepPlan& plan, VehicleState<Real>& stat
   const bool flies = vehicle.kind == VehicleKind::uav;
   Forcing<Real> forcing;
   forcing.fluid = around.water;
-  if (vehicle.body.hull.strips > 0) forcing.at_strips = around.at_strips;
+  const FloatingHull& hull = vehicle.body.hull;
+  if (hull.strips > 0) forcing.waves = waves_met(hull, around.at_strips);
   if (flies) {
     forcing.fluid = {};
     forcing.fluid.velocity_m_s = around.wind_m_s;

@@ -83,7 +83,7 @@ struct Forcing {
   Spatial<Real> tau;  ///< thrusters, fins, wind, tether
   /// For a surface craft the current alone, without the waves: it meets these at its strips.
   FluidMotion<Real> fluid;
-  WaterAtStrips<Real> at_strips;
+  WavesMet<Real> waves;
   Real extra_volume_m3{};
   Real gravity_shift_m{};
 };
@@ -101,8 +101,8 @@ template <typename Real>
   const Spatial<Real> current{r.to_body(forcing.fluid.velocity_m_s), {}};
   const Spatial<Real> its_change{r.to_body(forcing.fluid.acceleration_m_s2), {}};
   if (body.hull.strips == 0) return {current, its_change};
-  return {current + motion_of_strips(body.hull, r, forcing.at_strips.velocity_m_s),
-          its_change + motion_of_strips(body.hull, r, forcing.at_strips.acceleration_m_s2)};
+  return {current + motion_of_strips(body.hull, r, forcing.waves.velocity),
+          its_change + motion_of_strips(body.hull, r, forcing.waves.acceleration)};
 }
 
 /// d nu/dt by Fossen's equations in moving water,
@@ -135,7 +135,7 @@ template <typename Real>
       restoring(body, r, immersed, forcing.extra_volume_m3, forcing.gravity_shift_m);
   if (body.hull.strips > 0) {
     force = force + floating_force(body.hull, body.fluid_density_kg_m3, r, state.position_m.z,
-                                   forcing.at_strips);
+                                   forcing.waves.at_strips);
   }
   return body.inverse_mass * force;
 }

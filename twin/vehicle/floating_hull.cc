@@ -10,7 +10,7 @@ namespace slackwater::twin {
 namespace {
 
 /// How wide the section is at a height above its keel.
-struct Section {
+struct Shape {
   double radius_m = 0;  ///< of a cylinder; else a box on a V
   double beam_m = 0;
   double depth_m = 0;
@@ -25,44 +25,44 @@ struct Section {
   }
 };
 
-Section read_section(const Config& c) {
-  Section section;
+Shape read_shape(const Config& c) {
+  Shape shape;
   if (const auto radius = c.optional_number("radius_m", {0.02, 20})) {
-    section.radius_m = *radius;
-    section.depth_m = 2 * *radius;
-    return section;
+    shape.radius_m = *radius;
+    shape.depth_m = 2 * *radius;
+    return shape;
   }
-  section.beam_m = c.number("beam_m", {0.05, 40});
-  section.depth_m = c.number("depth_m", {0.05, 30});
+  shape.beam_m = c.number("beam_m", {0.05, 40});
+  shape.depth_m = c.number("depth_m", {0.05, 30});
   const double deadrise = c.optional_number("deadrise_deg", {0, 60}).value_or(0);
-  section.rise_m = 0.5 * section.beam_m * std::tan(deadrise * constants::pi / 180);
-  if (section.rise_m > section.depth_m) {
+  shape.rise_m = 0.5 * shape.beam_m * std::tan(deadrise * constants::pi / 180);
+  if (shape.rise_m > shape.depth_m) {
     c.refuse("deadrise_deg", "the V of the bottom reaches over the deck; check beam_m and depth_m");
   }
-  return section;
+  return shape;
 }
 
 /// By the midpoint rule on many slices, so that the table is exact to what its own linear steps are.
-void tabulate(const Section& section, FloatingHull& hull) {
+void tabulate(const Shape& shape, FloatingHull& hull) {
   constexpr int slices = 200;  // between two points of the table
-  hull.section_depth_m = section.depth_m;
-  const double step = section.depth_m / (section_points - 1);
+  hull.section_depth_m = shape.depth_m;
+  const double step = shape.depth_m / (section_points - 1);
   double area = 0;
   double moment = 0;
   for (std::size_t i = 1; i < section_points; ++i) {
     for (int s = 0; s < slices; ++s) {
       const double height = step * (static_cast<double>(i - 1) + (s + 0.5) / slices);
-      const double slice = section.width_m(height) * step / slices;
+      const double slice = shape.width_m(height) * step / slices;
       area += slice;
       moment += slice * height;
     }
-    hull.area_m2[i] = area;
-    hull.moment_m3[i] = moment;
+    hull.section[i].area_m2 = area;
+    hull.section[i].moment_m3 = moment;
   }
   for (std::size_t i = 0; i < section_points; ++i) {
-    const double breadth = section.width_m(step * static_cast<double>(i));
-    hull.breadth_m[i] = breadth;
-    hull.second_moment_m3[i] = breadth * breadth * breadth / 12;
+    const double breadth = shape.width_m(step * static_cast<double>(i));
+    hull.section[i].breadth_m = breadth;
+    hull.section[i].second_moment_m3 = breadth * breadth * breadth / 12;
   }
 }
 
@@ -84,7 +84,7 @@ FloatingHull read_floating_hull(const Config& vehicle) {
   FloatingHull hull;
   const auto c = vehicle.optional_child("hulls");
   if (!c) return hull;
-  tabulate(read_section(*c), hull);
+  tabulate(read_shape(*c), hull);
   const double from = c->number("from_x_m", {-100, 100});
   const double to = c->number("to_x_m", {-100, 100});
   const double keel_z = c->number("keel_z_m", {-20, 20});
@@ -109,7 +109,7 @@ double floating_depth_m(const FloatingHull& hull, double mass_kg, double water_d
   const double weight_n = mass_kg * constants::gravity_m_s2;
   const Rotation<double> level{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto lift_n = [&](double down_m) {
-    return -floating_force(hull, water_density_kg_m3, level, down_m, {}).linear.z;
+    return -floating_force<double>(hull, water_density_kg_m3, level, down_m, nullptr).linear.z;
   };
   double high = -hull.keel_m[0].z;  // the keel at the surface
   double low = high + hull.section_depth_m;
@@ -132,10 +132,11 @@ double felt_height_m(const FloatingHull& hull, double draught_m) {
   const double place = (section_points - 1) * draught_m / hull.section_depth_m;
   const auto low = std::min(static_cast<std::size_t>(std::max(0.0, place)), section_points - 2);
   const double share = place - static_cast<double>(low);
-  const auto at = [&](const std::array<double, section_points>& table) {
-    return table[low] + share * (table[low + 1] - table[low]);
-  };
-  const double mean_draught = at(hull.area_m2) / at(hull.breadth_m);
+  const Section& below = hull.section[low];
+  const Section& above = hull.section[low + 1];
+  const double area_m2 = below.area_m2 + share * (above.area_m2 - below.area_m2);
+  const double breadth_m = below.breadth_m + share * (above.breadth_m - below.breadth_m);
+  const double mean_draught = area_m2 / breadth_m;
   return std::max(0.0, draught_m - mean_draught);
 }
 

@@ -11,18 +11,22 @@ namespace slackwater::twin {
 inline constexpr std::size_t most_strips = 16;
 inline constexpr std::size_t section_points = 65;
 
+/// The section of a hull up to a waterline parallel to its deck.
+struct Section {
+  double area_m2 = 0;           ///< under water
+  double moment_m3 = 0;         ///< of that area about the keel
+  double breadth_m = 0;         ///< of the waterline
+  double second_moment_m3 = 0;  ///< of the waterline: breadth cubed/12
+};
+
 /// The hulls of a surface craft as strips across them, all of one section, whose geometry up to a waterline parallel to
 /// the deck says all that is needed. No strips: a craft that does not float.
 struct FloatingHull {
   std::size_t strips = 0;
   std::array<Triple<double>, most_strips> keel_m{};  ///< the lowest point of a strip, body axes
   double strip_length_m = 0;
-  double section_depth_m = 0;  ///< from keel to deck
-  // At heights of the waterline above the keel from 0 to `section_depth_m`, evenly.
-  std::array<double, section_points> area_m2{};           ///< under water
-  std::array<double, section_points> moment_m3{};         ///< of that area about the keel
-  std::array<double, section_points> breadth_m{};         ///< of the waterline
-  std::array<double, section_points> second_moment_m3{};  ///< of the waterline: breadth cubed/12
+  double section_depth_m = 0;                     ///< from keel to deck
+  std::array<Section, section_points> section{};  ///< from keel to deck, at even heights
   /// Above the keel: where a strip feels the waves, see `strip_place`.
   double felt_height_m = 0;
   Triple<double> middle_m;  ///< of the strips, along x and y
@@ -52,31 +56,59 @@ template <typename Real>
                                             Real{} + (keel.z - hull.felt_height_m)});
 }
 
+/// What of the water's motion at the strips a rigid body can follow, NED: means over the strips, which stay as they are
+/// while the hull turns. `ned` of `moments_of` are velocities or accelerations.
+template <typename Real>
+struct StripMoments {
+  Triple<Real> mean;
+  Triple<Real> by_x;  ///< times how far forward of the middle the strip is
+  Triple<Real> by_y;  ///< and how far to starboard
+};
+template <typename Real>
+[[nodiscard]] StripMoments<Real> moments_of(const FloatingHull& hull,
+                                            const std::array<Triple<Real>, most_strips>& ned) {
+  StripMoments<Real> sum;
+  const double share = 1.0 / static_cast<double>(hull.strips);
+  for (std::size_t i = 0; i < hull.strips; ++i) {
+    const double x = share * (hull.keel_m[i].x - hull.middle_m.x);
+    const double y = share * (hull.keel_m[i].y - hull.middle_m.y);
+    const Triple<Real>& v = ned[i];
+    sum.mean = sum.mean + Triple<Real>{share * v.x, share * v.y, share * v.z};
+    sum.by_x = sum.by_x + Triple<Real>{x * v.x, x * v.y, x * v.z};
+    sum.by_y = sum.by_y + Triple<Real>{y * v.x, y * v.y, y * v.z};
+  }
+  return sum;
+}
+
 /// The rigid motion, body axes about the origin, that comes nearest to what the water does at the strips, by least
-/// squares; `ned` are velocities or accelerations. With the strip theory's mass and damping spread evenly along the hulls,
-/// what a hull feels of the water is what it would feel of its own motion against this one.
+/// squares. With the strip theory's mass and damping spread evenly along the hulls, what a hull feels of the water is what
+/// it would feel of its own motion against this one.
 template <typename Real>
 [[nodiscard]] Spatial<Real> motion_of_strips(const FloatingHull& hull, const Rotation<Real>& r,
-                                             const std::array<Triple<Real>, most_strips>& ned) {
-  Triple<Real> mean{};
-  Real rolled{}, pitched{}, turned{};
-  for (std::size_t i = 0; i < hull.strips; ++i) {
-    const Triple<Real> v = r.to_body(ned[i]);
-    const double x = hull.keel_m[i].x - hull.middle_m.x;
-    const double y = hull.keel_m[i].y - hull.middle_m.y;
-    mean = mean + v;
-    rolled = rolled + y * v.z;
-    pitched = pitched - x * v.z;
-    turned = turned + (x * v.y - y * v.x);
-  }
-  const double share = 1.0 / static_cast<double>(hull.strips);
-  const auto over = [&](double spread_m2) { return spread_m2 > 0 ? share / spread_m2 : 0.0; };
-  const Triple<Real> angular{over(hull.spread_y_m2) * rolled, over(hull.spread_x_m2) * pitched,
-                             over(hull.spread_x_m2 + hull.spread_y_m2) * turned};
+                                             const StripMoments<Real>& moments) {
+  const Triple<Real> by_x = r.to_body(moments.by_x);
+  const Triple<Real> by_y = r.to_body(moments.by_y);
+  const auto over = [](double spread_m2) { return spread_m2 > 0 ? 1 / spread_m2 : 0.0; };
+  const Triple<Real> angular{over(hull.spread_y_m2) * by_y.z, -(over(hull.spread_x_m2) * by_x.z),
+                             over(hull.spread_x_m2 + hull.spread_y_m2) * (by_x.y - by_y.x)};
   const Triple<Real> middle{Real{} + hull.middle_m.x, Real{} + hull.middle_m.y, Real{}};
-  const Triple<Real> at_middle{share * mean.x, share * mean.y, share * mean.z};
-  return {at_middle - cross(angular, middle), angular};
+  return {r.to_body(moments.mean) - cross(angular, middle), angular};
 }
+
+/// The waves that a hull meets during a step.
+template <typename Real>
+struct WavesMet {
+  const WaterAtStrips<Real>* at_strips = nullptr;  ///< null: calm
+  StripMoments<Real> velocity;
+  StripMoments<Real> acceleration;
+};
+/// Points to `water`, which outlives it.
+template <typename Real>
+[[nodiscard]] WavesMet<Real> waves_met(const FloatingHull& hull, const WaterAtStrips<Real>& water) {
+  return {&water, moments_of(hull, water.velocity_m_s), moments_of(hull, water.acceleration_m_s2)};
+}
+template <typename Real>
+WavesMet<Real> waves_met(const FloatingHull&, WaterAtStrips<Real>&&) = delete;
 
 /// Buoyancy and the push of the waves, body axes about the origin.
 ///
@@ -93,27 +125,29 @@ template <typename Real>
 template <typename Real>
 [[nodiscard]] Spatial<Real> floating_force(const FloatingHull& hull, double water_density_kg_m3,
                                            const Rotation<Real>& r, const Real& down_m,
-                                           const WaterAtStrips<Real>& water) {
-  using constants::gravity_m_s2;
+                                           const WaterAtStrips<Real>* water) {
+  constexpr double per_gravity_s2_m = 1 / constants::gravity_m_s2;
   constexpr double last = section_points - 1;
   // Within 12 degrees of lying on its side, where a waterline up the section means little, n_z is kept off 0.
   constexpr double on_its_side = 0.2;
   const double middle_m = 0.5 * hull.section_depth_m;
   const double per_m = last / hull.section_depth_m;
+  const double point_m = hull.section_depth_m / last;
   const double length2_m2 = hull.strip_length_m * hull.strip_length_m / 12;
-  const Real weight_n_m2 =
-      Real{} + water_density_kg_m3 * gravity_m_s2 * hull.strip_length_m;  // per area of section
+  const Real weight_n_m2 = Real{} + water_density_kg_m3 * constants::gravity_m_s2 *
+                                        hull.strip_length_m;  // per area of section
   Spatial<Real> sum{};
   for (std::size_t i = 0; i < hull.strips; ++i) {
     const Triple<double>& keel = hull.keel_m[i];
-    const Triple<Real>& a = water.acceleration_m_s2[i];
+    const Triple<Real> a = water ? water->acceleration_m_s2[i] : Triple<Real>{};
     const Triple<Real> n =
-        r.to_body(Triple<Real>{-(a.x / gravity_m_s2), -(a.y / gravity_m_s2), Real{} + 1.0});
+        r.to_body(Triple<Real>{-per_gravity_s2_m * a.x, -per_gravity_s2_m * a.y, Real{} + 1.0});
     const Real upright = select(n.z < 0.0, smaller_of(n.z, Real{} - on_its_side),
                                 larger_of(n.z, Real{} + on_its_side));
-    const Real under =
-        down_m + (r.down.x * keel.x + r.down.y * keel.y + r.down.z * keel.z) + water.head_m[i];
-    const Real wanted = (middle_m + (under - middle_m * n.z) / upright) * per_m;
+    const Real per_upright = 1.0 / upright;
+    const Real head = water ? water->head_m[i] : Real{};
+    const Real under = down_m + (r.down.x * keel.x + r.down.y * keel.y + r.down.z * keel.z) + head;
+    const Real wanted = (middle_m + (under - middle_m * n.z) * per_upright) * per_m;
     const Real place = smaller_of(larger_of(wanted, Real{} + 0.0), Real{} + last);
     const Real low = smaller_of(whole_below(place), Real{} + (last - 1));
     const Real share = place - low;
@@ -124,26 +158,28 @@ template <typename Real>
       Real value;
       Real slope;
     };
-    const auto look_up = [&](const std::array<double, section_points>& table) -> Entry {
-      const Real below = entry_of(table.data(), low);
-      const Real step = entry_of(table.data() + 1, low) - below;
-      return {below + share * step, per_m * step};
+    // A `Section` is a row of four numbers.
+    const std::array<Real, 4> below = four_entries_of(&hull.section[0].area_m2, low);
+    const std::array<Real, 4> above = four_entries_of(&hull.section[1].area_m2, low);
+    const auto look_up = [&](std::size_t of) -> Entry {
+      const Real step = above[of] - below[of];
+      return {below[of] + share * step, per_m * step};
     };
-    const Real height = place / per_m;
-    const Real area = look_up(hull.area_m2).value;
-    const Real moment =
-        entry_of(hull.moment_m3.data(), low) +
-        (area - entry_of(hull.area_m2.data(), low)) * (0.5 * (height + low / per_m));
-    const Entry across = look_up(hull.second_moment_m3);
-    const Entry along = look_up(hull.breadth_m);
+    const Real height = point_m * place;
+    const Real area = look_up(0).value;
+    const Real moment = below[1] + (area - below[0]) * (0.5 * (height + point_m * low));
+    const Entry along = look_up(2);
+    const Entry across = look_up(3);
     const Real heeled2 = n.y * n.y;
     const Real trimmed2 = length2_m2 * (n.x * n.x);
     // d/ds of the last term.
-    const Real eased = is_cut * (0.5 * (across.slope * heeled2 + along.slope * trimmed2)) / upright;
+    const Real eased =
+        is_cut * (0.5 * (across.slope * heeled2 + along.slope * trimmed2)) * per_upright;
     const Real area_under =
-        select(n.z < 0.0, hull.area_m2[section_points - 1] - area, area) + eased;
+        select(n.z < 0.0, hull.section[section_points - 1].area_m2 - area, area) + eased;
     const Real moment_under =
-        select(n.z < 0.0, hull.moment_m3[section_points - 1] - moment, moment) + height * eased;
+        select(n.z < 0.0, hull.section[section_points - 1].moment_m3 - moment, moment) +
+        height * eased;
     const Triple<Real> by_n{is_cut * (length2_m2 * along.value) * n.x, is_cut * across.value * n.y,
                             -moment_under};
     const Spatial<Real> at_keel =

@@ -54,15 +54,16 @@ TEST(FloatingHulls, ACylinderHalfUnderDisplacesHalfOfItself) {
   // The centre of half a circle is 4 r/(3 pi) from its diameter.
   EXPECT_NEAR(floating_depth_m(hull, half, sea_water_density_kg_m3), 0.213 - 0.5, 1e-4);
   const std::size_t middle = section_points / 2;
-  EXPECT_NEAR(hull.moment_m3[middle] / hull.area_m2[middle], 0.213 - 4 * 0.213 / (3 * pi), 1e-4);
-  EXPECT_NEAR(hull.breadth_m[middle], 2 * 0.213, 1e-12);
-  EXPECT_NEAR(hull.area_m2.back(), pi * 0.213 * 0.213, 1e-4 * hull.area_m2.back());
+  EXPECT_NEAR(hull.section[middle].moment_m3 / hull.section[middle].area_m2,
+              0.213 - 4 * 0.213 / (3 * pi), 1e-4);
+  EXPECT_NEAR(hull.section[middle].breadth_m, 2 * 0.213, 1e-12);
+  EXPECT_NEAR(hull.section.back().area_m2, pi * 0.213 * 0.213, 1e-4 * hull.section.back().area_m2);
 }
 
 TEST(FloatingHulls, AVBottomIsHalfATriangleUpToItsChine) {
   const FloatingHull hull = hull_of("beam_m: 2, depth_m: 1.6, deadrise_deg: 45");
   // Chine at 1 m: area h^2 below it.
-  EXPECT_NEAR(hull.area_m2[20], std::pow(1.6 * 20 / 64, 2), 1e-5);
+  EXPECT_NEAR(hull.section[20].area_m2, std::pow(1.6 * 20 / 64, 2), 1e-5);
   EXPECT_THROW((void)hull_of("beam_m: 2, depth_m: 0.6, deadrise_deg: 45"), Error);
   EXPECT_THROW((void)hull_of("beam_m: 2, depth_m: 1", "[-1, 1]", 9), Error);
 }
@@ -96,7 +97,7 @@ double stiffness(const Body& body, const EulerAngles& small) {
   const double down = floating_depth_m(body.hull, body.mass_kg, sea_water_density_kg_m3);
   const Rotation<double> r = rotation_of(attitude_of(small));
   const Spatial<double> force =
-      floating_force(body.hull, sea_water_density_kg_m3, r, down, WaterAtStrips<double>{}) +
+      floating_force<double>(body.hull, sea_water_density_kg_m3, r, down, nullptr) +
       restoring(body, r, 1.0, 0.0, 0.0);
   return small.roll_rad > 0 ? -force.angular.x / small.roll_rad
                             : -force.angular.y / small.pitch_rad;
@@ -136,7 +137,7 @@ TEST(FloatingHulls, ASectionUpsideDownDisplacesWhatIsLeftOfIt) {
   // Keel up, 1.2 m above the water: 0.4 m of the box is under.
   const Rotation<double> over = rotation_of(attitude_of({pi, 0, 0}));
   const Spatial<double> lift =
-      floating_force(hull, sea_water_density_kg_m3, over, -1.2 + 0.5, WaterAtStrips<double>{});
+      floating_force<double>(hull, sea_water_density_kg_m3, over, -1.2 + 0.5, nullptr);
   EXPECT_NEAR(lift.linear.z, sea_water_density_kg_m3 * gravity_m_s2 * 8 * 2 * 0.4, 1);
 }
 
@@ -185,8 +186,8 @@ TEST(FloatingHulls, AreBorneUpByTheGradientOfAnEnergy) {
     state.attitude = attitude_of(
         {random.uniform(-0.1, 0.1), random.uniform(-0.04, 0.04), random.uniform(-3, 3)});
     const Rotation<double> r = rotation_of(state.attitude);
-    const Spatial<double> force = floating_force(body.hull, body.fluid_density_kg_m3, r,
-                                                 state.position_m.z, WaterAtStrips<double>{});
+    const Spatial<double> force =
+        floating_force<double>(body.hull, body.fluid_density_kg_m3, r, state.position_m.z, nullptr);
     const auto slope = [&](const Spatial<double>& along) {
       constexpr double small = 1e-5;
       const BodyRate<double> rate{
@@ -235,13 +236,15 @@ TEST(FloatingHulls, RiseAndFallWithALongWaveAndAreCarriedByItAsWaterIs) {
   double most = 0;
   for (int i = 0; i < 6000; ++i) {
     const double t = (i + 0.5) * dt_s;
-    Forcing<double> forcing;
+    WaterAtStrips<double> water;
     for (std::size_t s = 0; s < body.hull.strips; ++s) {
-      forcing.at_strips.head_m[s] = 0.5 * std::sin(omega * t);
-      forcing.at_strips.acceleration_m_s2[s].x = 0.1 * std::cos(omega * t);
+      water.head_m[s] = 0.5 * std::sin(omega * t);
+      water.acceleration_m_s2[s].x = 0.1 * std::cos(omega * t);
       // The water rises with its surface.
-      forcing.at_strips.velocity_m_s[s].z = -0.5 * omega * std::cos(omega * t);
+      water.velocity_m_s[s].z = -0.5 * omega * std::cos(omega * t);
     }
+    Forcing<double> forcing;
+    forcing.waves = waves_met(body.hull, water);
     state = stepped(body, state, forcing, dt_s);
     most = std::max(
         most, std::abs(-(state.position_m.z - rest) - 0.5 * std::sin(omega * (i + 1) * dt_s)));
@@ -260,7 +263,7 @@ TEST(FloatingHulls, TheWaterAtTheStripsIsFittedByTheRigidMotionItHas) {
     const Triple<double> at{body.hull.keel_m[i].x, body.hull.keel_m[i].y, 0};
     ned[i] = r.to_ned(motion.linear + cross(motion.angular, at));
   }
-  const Spatial<double> found = motion_of_strips(body.hull, r, ned);
+  const Spatial<double> found = motion_of_strips(body.hull, r, moments_of(body.hull, ned));
   EXPECT_NEAR(found.linear.x, 0.3, 1e-12);
   EXPECT_NEAR(found.linear.y, -0.2, 1e-12);
   EXPECT_NEAR(found.linear.z, 0.1, 1e-12);

@@ -143,7 +143,8 @@ TEST(SurfaceCraft, HeaveDiesAwayAsItsDampingSays) {
 double righting_lever_m(const Body& body, double heel_rad) {
   const Rotation<double> r = rotation_of(attitude_of({heel_rad, 0, 0}));
   const auto force_at_depth = [&](double z) {
-    return floating_force(body.hull, body.fluid_density_kg_m3, r, z, WaterAtStrips<double>{}) +
+    constexpr WaterAtStrips<double>* calm = nullptr;
+    return floating_force<double>(body.hull, body.fluid_density_kg_m3, r, z, calm) +
            restoring(body, r, 1.0, 0.0, 0.0);
   };
   double high = -20, low = 20;
