@@ -1,88 +1,97 @@
 #include "twin/thruster/thrust_curve.h"
 
-#include <algorithm>
-#include <cmath>
+#include <span>
 
 namespace slackwater::twin {
 namespace {
 
-/// Thrust goes with the square of the command, so that slots are even in its root; rows of near voltages have one shape
-/// between their ends.
-constexpr double middle_slot = 0.5 * (thrust_guesses - 1);
-double thrust_at_slot(std::size_t slot, double first_n, double last_n) {
-  const double share = static_cast<double>(slot) / middle_slot - 1;
-  return share * share * (share < 0 ? first_n : last_n);
+std::size_t padded_half(const ThrustTable& table) { return table.half_count() + thrust_tries; }
+
+std::size_t half_of(const ThrustTable& table, std::size_t row, bool is_astern) {
+  return (2 * row + (is_astern ? 1 : 0)) * padded_half(table);
 }
 
-double share_between(double value, double a, double b) {
-  return std::clamp((value - a) / (b - a), 0.0, 1.0);
+void split_in_halves(ThrustTable& table) {
+  constexpr double huge_n = 1e300;
+  table.half_n.assign(2 * table.voltage_v.count * padded_half(table), huge_n);
+  for (std::size_t row = 0; row < table.voltage_v.count; ++row) {
+    const double* none = table.thrust_n.data() + row * table.command.count + table.half_count() - 1;
+    for (std::size_t step = 0; step < table.half_count(); ++step) {
+      table.half_n[half_of(table, row, false) + step] = none[step];
+      table.half_n[half_of(table, row, true) + step] = -*(none - step);
+    }
+  }
+}
+
+/// The last step with less than a share of the full thrust; with none, where the share is 0.
+std::size_t last_with_less(std::span<const double> half_n, double share) {
+  const double wanted_n = share * half_n.back();
+  std::size_t step = 0;
+  while (step + 2 < half_n.size() &&
+         (share > 0 ? half_n[step + 1] < wanted_n : half_n[step + 1] <= 0))
+    ++step;
+  return step;
+}
+
+/// A row between two has, step by step, thrusts between theirs in proportion to its full one: what is true of a share of
+/// the full thrust in both is true in it. So the step that is sought lies between those of the two.
+void index_half(ThrustTable& table, std::size_t row, bool is_astern) {
+  const std::span all(table.half_n);
+  const auto low = all.subspan(half_of(table, row, is_astern), table.half_count());
+  const auto high = all.subspan(half_of(table, row + 1, is_astern), table.half_count());
+  const auto share_at = [](std::size_t slot) {
+    const double root = static_cast<double>(slot) / thrust_slots;
+    return root * root;
+  };
+  for (std::size_t slot = 0; slot < thrust_slots; ++slot) {
+    const double from = share_at(slot), to = share_at(slot + 1);
+    const std::size_t least = std::min(last_with_less(low, from), last_with_less(high, from));
+    const std::size_t most = std::max(last_with_less(low, to), last_with_less(high, to));
+    table.least_step.push_back(static_cast<std::uint16_t>(least));
+    table.tries = std::max(table.tries, most - least);
+  }
 }
 
 }  // namespace
 
 void index_thrusts(ThrustTable& table) {
   const std::size_t columns = table.command.count;
-  table.guess.clear();
-  for (std::size_t row = 0; row < table.voltage_v.count; ++row) {
-    const double* thrust_n = table.thrust_n.data() + row * columns;
-    std::size_t below = 0;
-    for (std::size_t i = 0; i < thrust_guesses; ++i) {
-      const double at_n = thrust_at_slot(i, thrust_n[0], thrust_n[columns - 1]);
-      while (below + 2 < columns && thrust_n[below + 1] < at_n) ++below;
-      table.guess.push_back(static_cast<std::uint16_t>(below));
-    }
+  table.step.clear();
+  for (std::size_t i = 0; i < table.thrust_n.size(); ++i) {
+    const std::size_t next = (i + 1) % columns > 0 ? i + 1 : i;  // nothing lies beyond the last
+    table.step.insert(table.step.end(), {table.thrust_n[i], table.thrust_n[next], table.power_w[i],
+                                         table.power_w[next]});
+  }
+  split_in_halves(table);
+  table.least_step.clear();
+  table.tries = 0;
+  for (std::size_t row = 0; row + 1 < table.voltage_v.count; ++row) {
+    index_half(table, row, false);
+    index_half(table, row, true);
   }
 }
 
-ThrustCurve::ThrustCurve(const ThrustTable& table, double voltage_v) : axis_(&table.command) {
-  const std::size_t columns = table.command.count;
+ThrustCurve::ThrustCurve(const ThrustTable& table, double voltage_v)
+    : command_step_(table.command.step), tries_(table.tries) {
   const PlaceOnAxis<double> place = place_on(table.voltage_v, voltage_v);
   const auto row = static_cast<std::size_t>(place.below);
-  low_ = table.thrust_n.data() + row * columns;
-  high_ = low_ + columns;
-  guess_ = table.guess.data() + row * thrust_guesses;
   share_ = place.share;
-  sag_ = speed_share(table.voltage_v.first, voltage_v);
-  none_ = (columns - 1) / 2;
-  first_n_ = thrust_n(0);
-  last_n_ = thrust_n(columns - 1);
+  const double sag = speed_share(table.voltage_v.first, voltage_v);
+  per_sag2_ = sag > 0 ? 1 / (sag * sag) : 0;
+  ahead_ = way_of(table, row, false);
+  astern_ = way_of(table, row, true);
 }
 
-double ThrustCurve::command_for(double rest_thrust_n) const {
-  if (!(std::abs(rest_thrust_n) > 0) || !(sag_ > 0)) return 0;
-  const double wanted_n = rest_thrust_n / (sag_ * sag_);
-  return wanted_n > 0 ? ahead(wanted_n) : astern(wanted_n);
-}
-
-double ThrustCurve::ahead(double wanted_n) const {
-  const std::size_t last = axis_->count - 1;
-  if (!(last_n_ > wanted_n)) return axis_->at(last);
-  const double slot = middle_slot + middle_slot * std::sqrt(wanted_n / last_n_);
-  // The last entry with less.
-  std::size_t i = std::max<std::size_t>(guess_[static_cast<std::size_t>(slot)], none_);
-  double less_n = thrust_n(i);
-  while (i > none_ && !(less_n < wanted_n)) less_n = thrust_n(--i);
-  double more_n = thrust_n(i + 1);
-  while (i + 1 < last && more_n < wanted_n) {
-    less_n = more_n;
-    more_n = thrust_n(++i + 1);
-  }
-  return axis_->at(i) + axis_->step * share_between(wanted_n, less_n, more_n);
-}
-
-double ThrustCurve::astern(double wanted_n) const {
-  if (!(first_n_ < wanted_n)) return axis_->at(0);
-  const double slot = middle_slot - middle_slot * std::sqrt(wanted_n / first_n_);
-  // The first entry with less, counted by size.
-  std::size_t i = std::min<std::size_t>(guess_[static_cast<std::size_t>(slot)] + 1U, none_);
-  double less_n = thrust_n(i);
-  while (i < none_ && !(less_n > wanted_n)) less_n = thrust_n(++i);
-  double more_n = thrust_n(i - 1);
-  while (i > 1 && more_n > wanted_n) {
-    less_n = more_n;
-    more_n = thrust_n(--i - 1);
-  }
-  return axis_->at(i) - axis_->step * share_between(wanted_n, less_n, more_n);
+ThrustCurve::Way ThrustCurve::way_of(const ThrustTable& table, std::size_t row,
+                                     bool is_astern) const {
+  Way way;
+  way.low_n = table.half_n.data() + half_of(table, row, is_astern);
+  way.high_n = table.half_n.data() + half_of(table, row + 1, is_astern);
+  way.least_step = table.least_step.data() + (2 * row + (is_astern ? 1 : 0)) * thrust_slots;
+  way.sign = is_astern ? -1 : 1;
+  way.full_n = thrust_n(way, table.half_count() - 1);
+  way.per_full_n = 1 / way.full_n;
+  return way;
 }
 
 }  // namespace slackwater::twin

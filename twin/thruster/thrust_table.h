@@ -15,12 +15,22 @@ struct ThrustTable {
   std::vector<double> thrust_n;  ///< a row per voltage; never falls with the command
   std::vector<double> power_w;   ///< likewise laid out
   double disc_kg_m = 0;          ///< 2 rho A
-  /// Where to begin to look for a thrust: of each row, at thrusts whose roots are even, the entry below.
-  std::vector<std::uint16_t> guess;
+  // What follows is made of these by `index_thrusts`.
+  /// Of each entry four numbers: thrust there and at the next command, power there and at the next.
+  std::vector<double> step;
+  /// Of each row the thrusts ahead, then astern, counted positive, by steps from command 0; padded by huge ones.
+  std::vector<double> half_n;
+  /// Where to look for a thrust: of each row and the next, ahead and astern, of shares of the full thrust whose roots are
+  /// even: the step that has less on any bus between the two...
+  std::vector<std::uint16_t> least_step;
+  std::size_t tries = 0;  ///< ...and how many further steps may have less still
+
+  [[nodiscard]] std::size_t half_count() const { return (command.count + 1) / 2; }
 };
 
-inline constexpr std::size_t thrust_guesses = 256;  ///< of a row
-/// Fills `guess` once the rest stands.
+inline constexpr std::size_t thrust_slots = 256;  ///< of a row, one way
+inline constexpr std::size_t thrust_tries = 6;    ///< at a time; even
+/// Fills all that once the rest stands.
 void index_thrusts(ThrustTable& table);
 
 /// Straight lines between what was measured; above the highest voltage as there, below the lowest the thrust falls with
@@ -32,17 +42,19 @@ template <typename Real>
   const PlaceOnAxis<Real> row = place_on(table.voltage_v, around.voltage_v);
   const PlaceOnAxis<Real> column = place_on(table.command, command);
   const auto columns = static_cast<double>(table.command.count);
-  const PlaceOnAxis<Real> low{columns * row.below + column.below, column.share};
-  const PlaceOnAxis<Real> high{low.below + columns, column.share};
-  const auto between = [&](const std::vector<double>& values) -> Real {
-    const Real below = on_line(values.data(), low).value;
-    return below + row.share * (on_line(values.data(), high).value - below);
+  const Real entry = columns * row.below + column.below;
+  const std::array<Real, 4> low = four_entries_of(table.step.data(), entry);
+  const std::array<Real, 4> high = four_entries_of(table.step.data(), Real{entry + columns});
+  const auto between = [&](std::size_t first) -> Real {
+    const Real below = low[first] + column.share * (low[first + 1] - low[first]);
+    const Real above = high[first] + column.share * (high[first + 1] - high[first]);
+    return below + row.share * (above - below);
   };
   const Real sag = speed_share(table.voltage_v.first, around.voltage_v);
-  const Real rest_n = sag * sag * between(table.thrust_n);
+  const Real rest_n = sag * sag * between(0);
   ThrusterOutput<Real> out;
   out.thrust_n = thrust_in_flow(table.disc_kg_m, rest_n, around.advance_m_s);
-  out.power_w = sag * sag * sag * between(table.power_w);
+  out.power_w = sag * sag * sag * between(2);
   return out;
 }
 
