@@ -1,5 +1,6 @@
 #include "fields/wave/sea_sampling.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,7 +23,7 @@ SeaKernels kernels_of(KernelPath path) noexcept {
 }
 
 /// The widest path of this machine, found once.
-SeaKernels fastest_kernels() {
+const SeaKernels& fastest_kernels() {
   static const SeaKernels kernels = kernels_of(supported_kernel_paths().back());
   return kernels;
 }
@@ -44,22 +45,29 @@ struct Evaluated {
   SampleStatus status = SampleStatus::missing;
 };
 
-Evaluated evaluate(SeaKernel kernel, const SeaKernelWaves& waves, Stretching stretching,
-                   const WavePlace& place) noexcept {
-  Evaluated result;
-  result.status = status_of(place);
-  if (result.status != SampleStatus::ok) {
-    result.sums = {nan, nan, {nan, nan, nan}, {nan, nan, nan}, nan};
-    return result;
-  }
-  const bool stretched = stretching == Stretching::wheeler;
-  kernel(waves, {place.east_m, place.north_m, place.up_m, place.t_s}, stretched, result.sums);
+/// Numbers where there is water; else why there is none, and the elevation of the surface over the place.
+void judge(const SeaKernelWaves& waves, bool stretched, double up_m, Evaluated& result) noexcept {
   const double elevation = result.sums.elevation_m;
   const double top = stretched ? elevation : 0.0;
-  if (place.up_m >= -waves.depth_m && place.up_m <= top) return result;
-  result.status =
-      place.up_m < -waves.depth_m ? SampleStatus::below_bed : SampleStatus::above_surface;
+  if (up_m >= -waves.depth_m && up_m <= top) {
+    result.status = SampleStatus::ok;
+    return;
+  }
+  result.status = up_m < -waves.depth_m ? SampleStatus::below_bed : SampleStatus::above_surface;
   result.sums = {elevation, nan, {nan, nan, nan}, {nan, nan, nan}, nan};
+}
+
+Evaluated outside(SampleStatus status) noexcept {
+  return {{nan, nan, {nan, nan, nan}, {nan, nan, nan}, nan}, status};
+}
+
+Evaluated evaluate(SeaKernel kernel, const SeaKernelWaves& waves, bool stretched,
+                   const WavePlace& place) noexcept {
+  const SampleStatus status = status_of(place);
+  if (status != SampleStatus::ok) return outside(status);
+  Evaluated result;
+  kernel(waves, {place.east_m, place.north_m, place.up_m, place.t_s}, stretched, result.sums);
+  judge(waves, stretched, place.up_m, result);
   return result;
 }
 
@@ -77,8 +85,9 @@ void sample_motion_with(const SeaKernels& kernels, const SeaRealisation& sea,
                         std::span<const WavePlace> places, std::span<WaveMotion> out) {
   expects(out.size() == places.size(), "out must hold one value for each place");
   const SeaKernelWaves waves = sea.kernel_waves();
+  const bool stretched = sea.stretching() == Stretching::wheeler;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    out[i] = motion_of(evaluate(kernels.motion, waves, sea.stretching(), places[i]));
+    out[i] = motion_of(evaluate(kernels.motion, waves, stretched, places[i]));
   }
 }
 
@@ -86,8 +95,34 @@ void sample_waves_with(const SeaKernels& kernels, const SeaRealisation& sea,
                        std::span<const WavePlace> places, std::span<WaveSample> out) {
   expects(out.size() == places.size(), "out must hold one value for each place");
   const SeaKernelWaves waves = sea.kernel_waves();
+  const bool stretched = sea.stretching() == Stretching::wheeler;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    out[i] = sample_of(evaluate(kernels.all, waves, sea.stretching(), places[i]));
+    out[i] = sample_of(evaluate(kernels.all, waves, stretched, places[i]));
+  }
+}
+
+void sample_row_with(const SeaKernels& kernels, const SeaRealisation& sea, const WaveRow& row,
+                     std::span<WaveSample> out) {
+  expects(out.size() <= most_in_row, "a row has at most 16 places");
+  if (out.empty()) return;
+  const auto further = static_cast<double>(out.size() - 1);
+  const WavePlace last{row.first.east_m + further * row.east_step_m,
+                       row.first.north_m + further * row.north_step_m, 0, row.first.t_s};
+  for (const SampleStatus status : {status_of(row.first), status_of(last)}) {
+    if (status == SampleStatus::ok) continue;
+    for (WaveSample& sample : out) sample = sample_of(outside(status));
+    return;
+  }
+  const SeaKernelWaves waves = sea.kernel_waves();
+  const bool stretched = sea.stretching() == Stretching::wheeler;
+  std::array<SeaKernelSums, most_in_row> sums;
+  kernels.row(waves, {row.first.east_m, row.first.north_m, row.first.up_m, row.first.t_s},
+              {row.east_step_m, row.north_step_m, row.up_step_m, 0}, out.size(), stretched,
+              sums.data());
+  for (std::size_t j = 0; j < out.size(); ++j) {
+    Evaluated result{sums[j], SampleStatus::missing};
+    judge(waves, stretched, row.first.up_m + static_cast<double>(j) * row.up_step_m, result);
+    out[j] = sample_of(result);
   }
 }
 
@@ -119,9 +154,17 @@ void sample_waves(const SeaRealisation& sea, std::span<const WavePlace> places,
 }
 
 WaveSample sample_waves(const SeaRealisation& sea, const WavePlace& place) {
-  WaveSample sample;
-  sample_waves(sea, {&place, 1}, {&sample, 1});
-  return sample;
+  return sample_of(evaluate(fastest_kernels().all, sea.kernel_waves(),
+                            sea.stretching() == Stretching::wheeler, place));
+}
+
+void sample_row(const SeaRealisation& sea, const WaveRow& row, std::span<WaveSample> out) {
+  sample_row_with(fastest_kernels(), sea, row, out);
+}
+
+void sample_row_on(KernelPath path, const SeaRealisation& sea, const WaveRow& row,
+                   std::span<WaveSample> out) {
+  sample_row_with(kernels_of(path), sea, row, out);
 }
 
 void sample_motion_on(KernelPath path, const SeaRealisation& sea, std::span<const WavePlace> places,

@@ -44,6 +44,22 @@ void sample_waves(const SeaRealisation& sea, std::span<const WavePlace> places,
                   std::span<WaveSample> out);
 [[nodiscard]] WaveSample sample_waves(const SeaRealisation& sea, const WavePlace& place);
 
+/// Places in a row, each a step further than the one before it, all at one time.
+struct WaveRow {
+  WavePlace first;
+  double east_step_m = 0;
+  double north_step_m = 0;
+  double up_step_m = 0;
+};
+inline constexpr std::size_t most_in_row = 16;
+
+/// The sea along a row, a tenth quicker than place by place: the phases of a place are those of the one before it, turned
+/// on. Their error, 2e-11, grows as much again with each place. `out` has one value for each of at most `most_in_row`
+/// places, else a contract violation.
+void sample_row(const SeaRealisation& sea, const WaveRow& row, std::span<WaveSample> out);
+void sample_row_on(KernelPath path, const SeaRealisation& sea, const WaveRow& row,
+                   std::span<WaveSample> out);
+
 /// The same on one path, which this machine must support (`supported_kernel_paths`).
 void sample_motion_on(KernelPath path, const SeaRealisation& sea, std::span<const WavePlace> places,
                       std::span<WaveMotion> out);

@@ -96,6 +96,7 @@ FloatingHull read_floating_hull(const Config& vehicle) {
                             " strips over all hulls, expected 1 to " + std::to_string(most_strips));
   }
   hull.strip_length_m = (to - from) / static_cast<double>(strips);
+  hull.strips_in_row = strips;
   for (const double y : sides) {
     for (std::size_t i = 0; i < strips; ++i)
       hull.keel_m[hull.strips++] = {from + hull.strip_length_m * (static_cast<double>(i) + 0.5), y,

@@ -24,6 +24,8 @@ struct Section {
 struct FloatingHull {
   std::size_t strips = 0;
   std::array<Triple<double>, most_strips> keel_m{};  ///< the lowest point of a strip, body axes
+  /// One behind the other from the stern on, `strip_length_m` apart; then comes the next hull.
+  std::size_t strips_in_row = 0;
   double strip_length_m = 0;
   double section_depth_m = 0;                     ///< from keel to deck
   std::array<Section, section_points> section{};  ///< from keel to deck, at even heights

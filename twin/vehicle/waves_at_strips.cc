@@ -9,18 +9,22 @@ namespace {
 
 Triple<double> ned_of(const double (&enu)[3]) { return {enu[1], enu[0], -enu[2]}; }
 
+WaveRow row_of(const FloatingHull& hull, std::size_t first, const Rotation<double>& r,
+               const Triple<double>& position_m, double t_s) {
+  const Triple<double> at = strip_place(hull, first, r, position_m);
+  const Triple<double> step = r.to_ned({hull.strip_length_m, 0, 0});
+  return {{at.y, at.x, -at.z, t_s}, step.y, step.x, -step.z};
+}
+
 }  // namespace
 
 WaterAtStrips<double> waves_at_strips(const SeaRealisation& sea, double t_s,
                                       const FloatingHull& hull, const BodyState<double>& state) {
   const Rotation<double> r = rotation_of(state.attitude);
-  std::array<WavePlace, most_strips> places{};
-  for (std::size_t i = 0; i < hull.strips; ++i) {
-    const Triple<double> at = strip_place(hull, i, r, state.position_m);
-    places[i] = {at.y, at.x, -at.z, t_s};
-  }
-  std::array<WaveSample, most_strips> samples{};
-  sample_waves(sea, std::span(places).first(hull.strips), std::span(samples).first(hull.strips));
+  std::array<WaveSample, most_strips> samples;
+  for (std::size_t first = 0; first < hull.strips; first += hull.strips_in_row)
+    sample_row(sea, row_of(hull, first, r, state.position_m, t_s),
+               std::span(samples).subspan(first, hull.strips_in_row));
   WaterAtStrips<double> water;
   for (std::size_t i = 0; i < hull.strips; ++i) {
     const WaveSample& sample = samples[i];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "fields/base/check.h"
 #include "fields/base/random.h"
 #include "tests/fields/wave/textbook_sea.h"
 
@@ -82,6 +83,72 @@ TEST(SeaKernel, EveryPathOfThisMachineGivesTheSameBits) {
       }
     }
   }
+}
+
+TEST(SeaRow, IsItsPlacesOneByOne) {
+  for (const std::size_t count : {0u, 1u, 9u, 200u}) {
+    const SeaRealisation sea = wild_sea(count, 30, count, Stretching::none);
+    double amplitudes = 0, pushes = 0;
+    for (const WaveComponent& wave : sea.waves()) {
+      amplitudes += wave.amplitude_m;
+      pushes += wave.amplitude_m * std::pow(wave.intrinsic_rad_s, 2) /
+                std::tanh(30 * std::abs(wave.wavenumber_rad_m));
+    }
+    // The same to the rounding of the phase for a first place; then 2e-11 of sin and cos, and twice that of their product,
+    // for each place.
+    const double off = 1e-10 + most_in_row * 6e-11;
+    Rng rng(9, "sea_row");
+    for (int round = 0; round < 40; ++round) {
+      const WaveRow row{{rng.uniform(-1e3, 1e3), rng.uniform(-1e3, 1e3), -30 * rng.uniform(), 3e3},
+                        rng.uniform(-20, 20),
+                        rng.uniform(-20, 20),
+                        rng.uniform(-2, 2)};
+      std::vector<WaveSample> out(most_in_row);
+      sample_row(sea, row, out);
+      for (std::size_t j = 0; j < out.size(); ++j) {
+        const auto steps = static_cast<double>(j);
+        const WaveSample alone = sample_waves(sea, {row.first.east_m + steps * row.east_step_m,
+                                                    row.first.north_m + steps * row.north_step_m,
+                                                    row.first.up_m + steps * row.up_step_m, 3e3});
+        ASSERT_EQ(out[j].motion.status, alone.motion.status);
+        EXPECT_NEAR(out[j].motion.elevation_m, alone.motion.elevation_m, off * amplitudes);
+        if (!has_value(alone.motion.status)) continue;
+        EXPECT_NEAR(out[j].pressure_pa, alone.pressure_pa, 1e4 * off * amplitudes);
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(out[j].acceleration_m_s2[c], alone.acceleration_m_s2[c], off * pushes);
+      }
+    }
+  }
+}
+
+TEST(SeaRow, HasTheSameBitsOnEveryPath) {
+  const SeaRealisation sea = wild_sea(17, 30, 3, Stretching::wheeler);
+  const WaveRow row{{10, -20, -0.3, 77}, 1.5, 0.5, 0.02};
+  std::vector<WaveSample> reference(most_in_row), out(most_in_row);
+  sample_row_on(KernelPath::baseline, sea, row, reference);
+  for (const KernelPath path : supported_kernel_paths()) {
+    sample_row_on(path, sea, row, out);
+    for (std::size_t j = 0; j < out.size(); ++j)
+      EXPECT_TRUE(same_bits(out[j], reference[j])) << name_of(path) << ' ' << j;
+  }
+}
+
+TEST(SeaRow, ThatLeavesTheSeaIsOutsideAltogether) {
+  const SeaRealisation sea = wild_sea(8, 30, 3, Stretching::wheeler);
+  std::vector<WaveSample> out(3);
+  for (const WaveRow& row :
+       {WaveRow{{999999, 0, -1, 0}, 1, 0, 0}, WaveRow{{1e7, 0, -1, 0}, 0, 0, 0},
+        WaveRow{{0, 0, -1, 0}, std::nan(""), 0, 0}}) {
+    sample_row(sea, row, out);
+    for (const WaveSample& sample : out) {
+      EXPECT_EQ(sample.motion.status, SampleStatus::outside_area);
+      EXPECT_TRUE(std::isnan(sample.motion.elevation_m));
+    }
+  }
+  sample_row(sea, {{0, 0, -1, 1e9}, 0, 0, 0}, out);
+  EXPECT_EQ(out[0].motion.status, SampleStatus::outside_time);
+  std::vector<WaveSample> many(most_in_row + 1);
+  EXPECT_THROW(sample_row(sea, {}, many), ContractViolation);
 }
 
 TEST(SeaKernel, IsTheTextbookWithinItsStatedErrors) {
