@@ -23,15 +23,22 @@ inline constexpr double most_backflow = 0.5;
 /// z = (Va + w)/w0 of a disc that has the power 2 rho A w0^3, at k = Va/w0: the root of z^3 - k z^2 = 1. Its thrust is 1/z
 /// of that at rest.
 ///
-/// By Newton's method from z^2 - k z = 1 (the disc that keeps its thrust), within 1e-9 after four steps for all k. Held
-/// at k = -1/2, where the thrust is 17 % above that at rest.
+/// By Householder's method of the third order, f the cubic less 1,
+///
+///   z -> z - f (f'^2 - f f''/2)/(f'^3 - f f' f'' + f^2),   f''' = 6,
+///
+/// from z^2 - k z = 1 (the disc that keeps its thrust): two steps, of a division each, give all digits for any k. Held at
+/// k = -1/2, where the thrust is 17 % above that at rest.
 template <typename Real>
 [[nodiscard]] Real flow_through_disc(const Real& k_of_any_size) {
   const Real k = larger_of(k_of_any_size, Real{} - most_backflow);
   Real z = 0.5 * k + square_root(0.25 * (k * k) + 1.0);
-  for (int i = 0; i < 4; ++i) {
-    const Real z2 = z * z;
-    z = z - (z2 * (z - k) - 1.0) / (3.0 * z2 - 2.0 * (k * z));
+  for (int i = 0; i < 2; ++i) {
+    const Real f = z * z * (z - k) - 1.0;
+    const Real slope = z * (3.0 * z - 2.0 * k);
+    const Real bent = f * (6.0 * z - 2.0 * k);
+    const Real slope2 = slope * slope;
+    z = z - f * (slope2 - 0.5 * bent) / (slope * (slope2 - bent) + f * f);
   }
   return z;
 }

@@ -34,8 +34,9 @@ template <typename Real>
   Real v = smaller_of(climbs, moves);
   for (int i = 0; i < 3; ++i) {
     const Real through = climb_m_s + v;
-    const Real flow = square_root(edgewise2 + through * through);
-    v = v - (v * flow - hover2) / (flow + v * through / flow);
+    const Real flow2 = edgewise2 + through * through;
+    const Real flow = square_root(flow2);
+    v = v - flow * (v * flow - hover2) / (flow2 + v * through);
   }
   return v;
 }
@@ -47,7 +48,8 @@ template <typename Real>
                                  const Real& induced_m_s) {
   const Real near = (0.25 * radius_m) / larger_of(height_m, Real{} + 0.5 * radius_m);
   const Real induced2 = induced_m_s * induced_m_s;
-  return 1.0 / (1.0 - near * near * (induced2 / (induced2 + edgewise2)));
+  const Real whole2 = induced2 + edgewise2;
+  return whole2 / (whole2 - near * near * induced2);
 }
 
 /// Power is induced power, T (Vc + v). In descent it is that of hover: momentum theory ends there, and down to the speed
