@@ -228,6 +228,25 @@ void Field::sample_profiles(double longitude_deg, double latitude_deg,
   }
 }
 
+void Field::sample_profile(double longitude_deg, double latitude_deg, UtcTime time,
+                           std::span<const double> depths_m, std::span<CurrentSample> out,
+                           std::size_t member) const noexcept {
+  const CurrentTable* table = member < member_.size() ? &member_[member] : nullptr;
+  ColumnStencil stencil = layout_.at(longitude_deg, latitude_deg);
+  const std::array<double, 4> weight = stencil.weight;
+  const std::optional<TimePlace> at = when(time);
+  for (std::size_t i = 0; i < depths_m.size(); ++i) {
+    stencil.weight = weight;
+    const SampleStatus status = in_time(water(stencil, depths_m[i]), at.has_value());
+    if (status != SampleStatus::ok)
+      out[i] = without_value(status);
+    else if (!table)
+      out[i] = without_value(SampleStatus::missing);
+    else
+      out[i] = table->at(stencil, *at, table->level_at(depths_m[i]));
+  }
+}
+
 void Field::sample_bed(std::span<const Place> places, std::span<BedSample> out) const noexcept {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Spot here = spot(places[i].longitude_deg, places[i].latitude_deg);

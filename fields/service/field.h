@@ -37,9 +37,7 @@ class Field {
                        std::size_t member = 0) const noexcept;
   void sample_profile(double longitude_deg, double latitude_deg, UtcTime time,
                       std::span<const double> depths_m, std::span<CurrentSample> out,
-                      std::size_t member = 0) const noexcept {
-    sample_profiles(longitude_deg, latitude_deg, {&time, 1}, depths_m, out, member);
-  }
+                      std::size_t member = 0) const noexcept;
   /// The mean wind, brought from 10 m to the height asked by the neutral logarithmic profile.
   void sample_wind(std::span<const Place> places, std::span<WindSample> out,
                    std::size_t member = 0) const noexcept;

@@ -23,7 +23,7 @@ Reference towards(const Triple<double>& place_m, const Triple<double>& velocity_
   reference.target = Target::path;
   reference.position_m = place_m;
   reference.velocity_m_s = velocity_m_s;
-  const double flat = std::hypot(velocity_m_s.x, velocity_m_s.y);
+  const double flat = std::sqrt(velocity_m_s.x * velocity_m_s.x + velocity_m_s.y * velocity_m_s.y);
   reference.heading = flat > 1e-6 ? Course{velocity_m_s.x / flat, velocity_m_s.y / flat}
                                   : bow_of(rotation_of(measured.attitude));
   return reference;

@@ -197,18 +197,6 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
   return true;
 }
 
-bool is_sound(const BodyState<double>& body, double state_of_charge) noexcept {
-  constexpr double fastest_m_s = 200, fastest_rad_s = 200, farthest_m = 1e6;
-  const auto is_within = [](const Triple<double>& v, double most) {
-    // False for what is no number.
-    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
-  };
-  return is_within(body.position_m, farthest_m) && is_within(body.nu.linear, fastest_m_s) &&
-         is_within(body.nu.angular, fastest_rad_s) &&
-         is_within({body.attitude.x, body.attitude.y, body.attitude.z}, 1.001) &&
-         std::abs(body.attitude.w) <= 1.001 && state_of_charge >= 0;
-}
-
 void halt(AgentState& state, Halt why, double t_s) noexcept {
   state.halt = why;
   state.halted_at_s = t_s;
