@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #ifndef SLACKWATER_KERNEL
-#error "compile this file through the kernels.cmake of its room"
+#error "compile this file through slackwater_kernels (cmake/SlackwaterKernels.cmake)"
 #endif
 
 #define SLACKWATER_INLINE [[gnu::always_inline]] inline

@@ -1,4 +1,4 @@
-// Compiled once per instruction set, see kernels.cmake; SLACKWATER_KERNEL names the namespace.
+// Compiled once per instruction set, see cmake/SlackwaterKernels.cmake; SLACKWATER_KERNEL names the namespace.
 #include "twin/simulate/step_kernel.h"
 
 #include "fields/base/lanes.h"
