@@ -1,5 +1,6 @@
 #include "twin/vehicle/waves_at_strips.h"
 
+#include <algorithm>
 #include <span>
 
 #include "fields/wave/sea_sampling.h"
@@ -22,9 +23,11 @@ WaterAtStrips<double> waves_at_strips(const SeaRealisation& sea, double t_s,
                                       const FloatingHull& hull, const BodyState<double>& state) {
   const Rotation<double> r = rotation_of(state.attitude);
   std::array<WaveSample, most_strips> samples;
-  for (std::size_t first = 0; first < hull.strips; first += hull.strips_in_row)
+  // A hull that does not say is looked at strip by strip.
+  const std::size_t in_row = std::max<std::size_t>(hull.strips_in_row, 1);
+  for (std::size_t first = 0; first < hull.strips; first += in_row)
     sample_row(sea, row_of(hull, first, r, state.position_m, t_s),
-               std::span(samples).subspan(first, hull.strips_in_row));
+               std::span(samples).subspan(first, in_row));
   WaterAtStrips<double> water;
   for (std::size_t i = 0; i < hull.strips; ++i) {
     const WaveSample& sample = samples[i];
