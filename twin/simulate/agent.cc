@@ -180,12 +180,12 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
     const Measured taken_for = sense(*agent.navigation, sensed, body, state.navigation);
     if (agent.navigation->steers) measured = taken_for;
   }
-  if (agent.autopilot.settings.current_feed_forward)
+  if (agent.autopilot->settings.current_feed_forward)
     measured.water_m_s = flies ? around.wind_m_s : current_m_s;
   const Reference reference =
       next_reference(agent.mission, measured, t_s, agent.plan.dt_s, state.mission);
   const Effort effort =
-      effort_of(agent.autopilot, measured, reference, agent.plan.dt_s, state.control);
+      effort_of(*agent.autopilot, measured, reference, agent.plan.dt_s, state.control);
   command_thrusters(agent, effort, state, measured, r, around.height_above_m, input.command);
   input.command.rudder_rad = effort.rudder_rad;
   input.command.elevator_rad = effort.elevator_rad;

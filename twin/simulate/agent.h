@@ -31,7 +31,7 @@ struct Agent {
   std::string name;
   std::shared_ptr<const Vehicle> vehicle;
   std::shared_ptr<const EnvironmentSampler> water;  ///< what it lives in
-  Autopilot autopilot;
+  std::shared_ptr<const Autopilot> autopilot;  ///< one for all of a kind: it stays in the cache
   Mission mission;
   StepPlan plan;
   std::size_t steps_per_barrier = 1;

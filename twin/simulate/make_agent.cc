@@ -67,11 +67,11 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
     voltage_v = rest_voltage_v(*vehicle->battery, rested(*vehicle->battery, 0.5));
   const ThrustRange range = range_of(vehicle->thruster, voltage_v);
   const std::vector<ThrustRange> ranges(vehicle->mounts, range);
-  agent.autopilot =
+  agent.autopilot = std::make_shared<const Autopilot>(
       plan_autopilot(settings, vehicle->kind, vehicle->body,
                      {std::span(vehicle->mount).first(vehicle->mounts), ranges, vehicle->fins,
-                      vehicle->trim, vehicle->thruster.rise_time_constant_s});
-  agent.mission = mission_of(*vehicle, agent.autopilot, entry, voltage_v);
+                      vehicle->trim, vehicle->thruster.rise_time_constant_s}));
+  agent.mission = mission_of(*vehicle, *agent.autopilot, entry, voltage_v);
   if (entry.tether) {
     if (!vehicle->tether) {
       throw Error(ErrorKind::invalid_input,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "fields/base/error.h"
 #include "fields/wave/product_sea.h"
@@ -178,6 +179,17 @@ void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const
   }
 }
 
+/// By what an autopilot is worked out from.
+using Autopilots =
+    std::map<std::tuple<const Vehicle*, FollowerChoice, double>, std::shared_ptr<const Autopilot>>;
+
+/// A thousand vehicles that each go by an autopilot of their own do not fit in the cache.
+void share_autopilot(Autopilots& autopilots, const ScenarioVehicle& entry, Agent& agent) {
+  auto& first = autopilots[{agent.vehicle.get(), entry.follower, entry.held_voltage_v}];
+  if (!first) first = agent.autopilot;
+  agent.autopilot = first;
+}
+
 }  // namespace
 
 std::filesystem::path vehicle_file(const std::string& model,
@@ -223,6 +235,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   const std::shared_ptr<const EnvironmentSampler> water = sampler_of(ready.environment);
   std::map<std::filesystem::path, std::shared_ptr<const Vehicle>> vehicles;
   ready.vessels = vessels_of(scenario, surround);
+  Autopilots autopilots;
   for (const ScenarioVehicle& listed : scenario.vehicles) {
     ScenarioVehicle entry;
     with_context("vehicle " + listed.name, [&] {
@@ -232,6 +245,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
         vehicle = std::make_shared<const Vehicle>(read_vehicle(file, surround.data_folder));
       entry = with_tracks(listed, *vehicle, ready.vessels, scenario.duration_s);
       ready.agents.push_back(make_agent(vehicle, water, entry, scenario.step_s));
+      share_autopilot(autopilots, entry, ready.agents.back());
     });
     Agent& agent = ready.agents.back();
     expect_places(scenario, entry, agent);

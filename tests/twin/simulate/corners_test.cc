@@ -93,7 +93,7 @@ TEST(Corners, SurfaceCraftRoundASquareInSeaAndCurrentAndHoldItsEnd) {
     EXPECT_LT(std::hypot(at.x, at.y), craft.off_m) << craft.model;
     // It turns once it is abeam of its waypoint and comes round to the next leg from outside: a circle and a half.
     const double circle_m =
-        2 * craft.cruise_m_s / ready.agents[0].autopilot.settings.most_yaw_rate_rad_s;
+        2 * craft.cruise_m_s / ready.agents[0].autopilot->settings.most_yaw_rate_rad_s;
     EXPECT_LT(across_m, 1.7 * circle_m) << craft.model;
     std::printf("%s: %.1f m across, held within %.2f m, done at %.0f s\n", craft.model, across_m,
                 std::hypot(at.x, at.y), run.time_s());

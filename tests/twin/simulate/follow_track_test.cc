@@ -68,7 +68,7 @@ TEST(FollowTrack, ItStartsOnTheTrackWithItsWayOn) {
   // No faster than it can.
   const ReadyRun slow = ready_of(calm_head(0.05) + follower("wamv16") + leader(straight, 9));
   EXPECT_EQ(slow.states[0].vehicle.body.nu.linear.x,
-            slow.agents[0].autopilot.settings.most_speed_m_s);
+            slow.agents[0].autopilot->settings.most_speed_m_s);
 }
 
 TEST(FollowTrack, TheTopSpeedIsThatOfItsPowerNotOfItsThrustAtRest) {
@@ -78,7 +78,7 @@ TEST(FollowTrack, TheTopSpeedIsThatOfItsPowerNotOfItsThrustAtRest) {
                leader("{north_m: 0, east_m: 0}, {north_m: 0, east_m: 10000}", 16));
   const double top_m_s = ready.agents[0].mission.pursuit.most_speed_m_s;
   EXPECT_NEAR(top_m_s, 26 * 1852 / 3600.0, 0.13 * 13.4);
-  EXPECT_LT(top_m_s, 0.9 * ready.agents[0].autopilot.settings.most_speed_m_s);
+  EXPECT_LT(top_m_s, 0.9 * ready.agents[0].autopilot->settings.most_speed_m_s);
   ASSERT_EQ(ready.warnings.size(), 1U);
   twin::Run run(ready.agents, ready.states, settings_of(0.1));
   RunControl control(0);
@@ -115,7 +115,7 @@ TEST(FollowTrack, ATrackFasterThanTheVehicleIsAWarningAndItFallsBehindByTheDiffe
   const auto places = places_of(ready, 0.05, 300, 400);
   const Deviation first = deviation_from(track, {}, std::span(places).first(1));
   const Deviation last = deviation_from(track, {}, std::span(places).last(1));
-  const double top_m_s = ready.agents[0].autopilot.settings.most_speed_m_s;
+  const double top_m_s = ready.agents[0].autopilot->settings.most_speed_m_s;
   EXPECT_NEAR(first.along.mean_m - last.along.mean_m, 100 * (3 - top_m_s), 5);
   EXPECT_LT(last.across.most_m, 1);
   EXPECT_TRUE(ready_of(calm_head(0.05) + follower("ctv24") + leader(straight, 3)).warnings.empty());
