@@ -50,7 +50,7 @@ if(CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# Forty programs that each hold most of the library: mold links them in a tenth of the time of GNU ld.
+# Forty programs that each hold most of the library: mold links them in half the time of GNU ld.
 find_program(MOLD mold)
 if(MOLD)
   add_link_options(-fuse-ld=mold)
