@@ -18,6 +18,7 @@
 #include "fields/base/random.h"
 #include "tests/bench/bench_report.h"
 #include "tests/scenarios/published_profiles.h"
+#include "tests/support/own_autopilot.h"
 #include "tests/support/shared_data.h"
 #include "twin/control/patterns.h"
 #include "twin/simulate/made_up_field.h"
@@ -221,8 +222,10 @@ class Fleet {
   void add(const Water& water, const twin::ScenarioVehicle& entry) {
     agents_.push_back(twin::make_agent(vehicle_, water, entry, step_s));
     // A sinusoid of 15 m in 150 s sinks and climbs at 0.63 m/s; the usual bound is 0.5.
-    agents_.back().autopilot.settings.most_climb_m_s = 1;
-    agents_.back().autopilot.settings.most_descent_m_s = 1;
+    tests::change_autopilot(agents_.back(), [](twin::AutopilotSettings& own) {
+      own.most_climb_m_s = 1;
+      own.most_descent_m_s = 1;
+    });
     states_.push_back(twin::first_state(agents_.back(), entry, 1));
   }
   std::shared_ptr<const twin::Vehicle> vehicle_;

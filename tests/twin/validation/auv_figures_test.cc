@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tests/support/own_autopilot.h"
 #include "tests/twin/validation/flight.h"
 #include "twin/battery/battery_step.h"
 
@@ -36,7 +37,8 @@ TEST(AuvFigures, ThreeHundredTurnsAMinuteMakeTheSpeedOfItsCoefficients) {
   // Kt rho D^4 w^2 = 6.98 N against 6.2282 u^2: 1.059 m/s; the model's system test has 1 m/s within 6 %.
   const Scenario scenario = straight_ahead(1.2);
   Flight flight(scenario, Flight::field_of(scenario), [](ReadyRun& ready) {
-    ready.agents[0].autopilot.settings.most_speed_m_s = 1.2;
+    tests::change_autopilot(ready.agents[0],
+                            [](AutopilotSettings& own) { own.most_speed_m_s = 1.2; });
     ready.agents[0].mission.guidance.speed_m_s = 1.2;
   });
   flight.run(240);

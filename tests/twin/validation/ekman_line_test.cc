@@ -8,6 +8,7 @@
 
 #include "fields/current/coriolis.h"
 #include "fields/current/ekman_layer.h"
+#include "tests/support/own_autopilot.h"
 #include "tests/twin/validation/flight.h"
 #include "twin/simulate/vehicle_step.h"
 
@@ -63,7 +64,8 @@ vehicles:
 
 /// With a log of its speed through the water: else it keeps its speed over ground.
 void knows_the_water(ReadyRun& ready) {
-  for (Agent& agent : ready.agents) agent.autopilot.settings.current_feed_forward = true;
+  for (Agent& agent : ready.agents)
+    tests::change_autopilot(agent, [](AutopilotSettings& own) { own.current_feed_forward = true; });
 }
 
 /// The vehicle under its autopilot as it holds a heading of east: a reference that no mission gives.
@@ -85,7 +87,7 @@ Triple<double> drift_m_s(const Flight& flight, const EnvironmentSampler& water) 
     around.water = water.current(body.position_m, vehicle.body.height_m, 0).motion;
     const Measured measured{body.position_m, body.attitude, body.nu, around.water.velocity_m_s};
     const Effort effort =
-        effort_of(agent.autopilot, measured, east, agent.plan.dt_s, state.control);
+        effort_of(*agent.autopilot, measured, east, agent.plan.dt_s, state.control);
     VehicleCommand<double> command;
     ThrusterSurroundings<double> meets;
     meets.voltage_v = state.vehicle.bus_voltage_v;

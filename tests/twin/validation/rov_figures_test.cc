@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tests/support/own_autopilot.h"
 #include "tests/twin/validation/flight.h"
 
 // The BlueROV2 Heavy against what is published of it and what follows from that: reference/vehicles.md.
@@ -32,8 +33,10 @@ vehicles:
 Flight full_ahead(double held_voltage_v) {
   Scenario scenario = parse_scenario(away_at_full_speed, "full ahead");
   scenario.vehicles[0].held_voltage_v = held_voltage_v;
-  return Flight(scenario, Flight::field_of(scenario),
-                [](ReadyRun& ready) { ready.agents[0].autopilot.settings.most_speed_m_s = 1.6; });
+  return Flight(scenario, Flight::field_of(scenario), [](ReadyRun& ready) {
+    tests::change_autopilot(ready.agents[0],
+                            [](AutopilotSettings& own) { own.most_speed_m_s = 1.6; });
+  });
 }
 
 double surge_drag_n(const Vehicle& vehicle, double speed_m_s) {
