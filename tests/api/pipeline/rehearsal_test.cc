@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "fields/base/check.h"
 #include "fields/base/random.h"
 #include "tests/support/known_series_for_tests.h"
 
@@ -171,12 +172,14 @@ TEST(Rehearsals, WhatNeverErredEarnsTheWeight) {
 }
 
 TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
-  const KnownSeriesForTests sea = sea_of(7);
+  const KnownSeriesForTests sea = sea_of(4);
   SiteData data = site_of({sea.data});
   Rehearsals rehearsals(data);
   const std::vector<bool> available(candidate_names().size(), true);
   const Earned first = rehearsals.earned(plan_of(day), available, 1);
-  data.columns[0] = ColumnData{};  // nothing is left to rehearse from
+  // From here on whoever rehearses a day stumbles.
+  data.site.fetch_km = -1;
+  EXPECT_THROW((void)earned(data, plan_of(day)), ContractViolation);
   expect_same(rehearsals.earned(plan_of(day), available, 1), first);
 }
 
@@ -189,6 +192,17 @@ TEST(Rehearsals, AreTheSameWhicheverDayOfAHindcastAsksFirst) {
   const UtcDay before = day - days(2);
   expect_same(shared.earned(plan_of(before), available, 1),
               Rehearsals(data).earned(plan_of(before), available, 1));
+}
+
+TEST(Rehearsals, ARehearsedDayBelongsToItsWindPolicy) {
+  const KnownSeriesForTests sea = sea_of(7);
+  const SiteData data = site_of({sea.data});
+  std::vector<bool> available(candidate_names().size(), true);
+  available[1] = false;
+  Rehearsals shared(data);
+  for (const WindPolicy wind : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
+    expect_same(shared.earned(plan_of(day, wind), available, 1), earned(data, plan_of(day, wind)));
+  }
 }
 
 TEST(Rehearsals, PassOverColumnsWithoutCurrents) {
