@@ -60,14 +60,14 @@ endif()
 set(SLACKWATER_PRECOMPILED <algorithm> <array> <chrono> <cmath> <complex> <filesystem> <functional> <map> <memory> <optional>
     <span> <string> <string_view> <vector> <Eigen/Core>)
 
-# slackwater_room(<name> [LINK <public targets>] [PRIVATE <private targets>] [PRECOMPILE <headers>])
+# slackwater_room(<name> [FOLDER <folder>] [LINK <public targets>] [PRIVATE <private targets>]
+#                 [PRECOMPILE <headers> | REUSE <room>])
 #
-# One static library per room, from every .cc below the folder, under the name slackwater::<name>.
+# One static library per room, from every .cc below the folder, under the name slackwater::<name>. REUSE takes the
+# precompiled headers of another room instead of making them once more.
 function(slackwater_room name)
-  cmake_parse_arguments(ROOM "" "FOLDER" "LINK;PRIVATE;EXCLUDE;PRECOMPILE" ${ARGN})
-  if(NOT ROOM_FOLDER)
-    set(ROOM_FOLDER ${CMAKE_CURRENT_SOURCE_DIR})
-  endif()
+  cmake_parse_arguments(ROOM "" "FOLDER;REUSE" "LINK;PRIVATE;EXCLUDE;PRECOMPILE" ${ARGN})
+  set(ROOM_FOLDER ${CMAKE_CURRENT_SOURCE_DIR}/${ROOM_FOLDER})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ROOM_FOLDER}/*.cc)
   foreach(pattern ${ROOM_EXCLUDE})
     list(FILTER sources EXCLUDE REGEX ${pattern})
@@ -75,5 +75,10 @@ function(slackwater_room name)
   add_library(slackwater_${name} STATIC ${sources})
   add_library(slackwater::${name} ALIAS slackwater_${name})
   target_link_libraries(slackwater_${name} PUBLIC slackwater_options ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE})
-  target_precompile_headers(slackwater_${name} PRIVATE ${SLACKWATER_PRECOMPILED} ${ROOM_PRECOMPILE})
+  if(ROOM_REUSE)
+    target_precompile_headers(slackwater_${name} REUSE_FROM ${ROOM_REUSE})
+  else()
+    target_precompile_headers(slackwater_${name} PRIVATE ${SLACKWATER_PRECOMPILED} ${ROOM_PRECOMPILE})
+  endif()
+  slackwater_doors(${name})
 endfunction()

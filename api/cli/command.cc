@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
 
 namespace slackwater::api {
 namespace {

@@ -7,7 +7,9 @@
 #include "api/cli/progress.h"
 #include "api/demo/demo_page.h"
 #include "api/demo/demo_run.h"
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
+#include "api/report/skill_json.h"
+#include "api/report/skill_table.h"
 
 namespace slackwater::api {
 namespace {

@@ -6,8 +6,10 @@
 #include "api/cli/command.h"
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/downloads.h"
-#include "api/pipeline/paths.h"
+#include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
+#include "api/program/paths.h"
+#include "calibration/verify/skill_set.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 
@@ -26,7 +28,7 @@ struct ForecastArguments {
   bool print_downloads = false;
 };
 
-void print_calibration(const ColumnForecast& column) {
+void print_calibration(const calibration::ColumnForecast& column) {
   if (column.calibration() == nullptr) {
     std::printf("  not calibrated: %s\n", column.calibration_problem.c_str());
     return;
@@ -54,7 +56,7 @@ void print_calibration(const ColumnForecast& column) {
   for (const std::string& note : column.notes) std::printf("  note: %s\n", note.c_str());
 }
 
-void print_blend(const DailyForecast& forecast) {
+void print_blend(const calibration::DailyForecast& forecast) {
   if (!forecast.earned) return;
   std::printf("Issued:");
   for (const calibration::CandidateShare& share : forecast.earned->blend.share) {
@@ -94,15 +96,15 @@ void print_days(const Snapshot& snapshot) {
 }
 
 /// The forecast's own face: does it beat the plainest alternatives where the truth is in?
-std::string verdict_of(const std::vector<SkillEntry>& skill) {
-  const LeadBin day{0, 24};
-  const auto ours = set_rmse(skill, "sea_water_velocity", "forecast", day);
+std::string verdict_of(const std::vector<calibration::SkillEntry>& skill) {
+  const calibration::LeadBin day{0, 24};
+  const auto ours = calibration::set_rmse(skill, "sea_water_velocity", "forecast", day);
   if (!ours) return "Not verified yet: no truth after a stored forecast of this site.";
   std::string best_name;
   double best = 0;
   for (const char* const name : {"persistence", "day-mean", "same-hour", "tide-phase",
                                  "tide-harmonic", "reference-slab", "provider"}) {
-    const auto theirs = set_rmse(skill, "sea_water_velocity", name, day);
+    const auto theirs = calibration::set_rmse(skill, "sea_water_velocity", name, day);
     if (theirs && (best_name.empty() || *theirs < best)) {
       best = *theirs;
       best_name = name;
@@ -118,7 +120,7 @@ std::string verdict_of(const std::vector<SkillEntry>& skill) {
 
 void run_forecast(const ForecastArguments& arguments, const Context& context) {
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
-  JobOptions options;
+  calibration::ForecastOptions options;
   options.issued = context.now();
   options.horizon = horizon_from(arguments.horizon);
   options.wind = wind_policy_from(arguments.wind);
@@ -151,10 +153,11 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   }
   store::Store store = context.open(store::OpenMode::create_or_write);
   const UtcDay last = options.day.value_or(day_of(options.issued));
-  const SiteData data = load_site_data(store, site, UtcTime(last) - history_read,
+  const SiteData data = load_site_data(store, site, UtcTime(last) - calibration::history_read,
                                        UtcTime(last) + days(1) + options.horizon);
-  const DailyForecast forecast = make_forecast(data, options);
-  const std::int64_t id = publish(store, forecast, options);
+  const DailyJob job = daily_job(data, options);
+  const calibration::DailyForecast& forecast = job.forecast;
+  const std::int64_t id = publish(store, job, "forecast");
   const Snapshot& snapshot = forecast.snapshot;
   if (!arguments.out.empty()) {
     const std::filesystem::path out = arguments.out;
@@ -163,14 +166,15 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     std::filesystem::rename(partial, out);
   }
   // What can be verified is: earlier forecasts of the last two weeks whose truth has come in.
-  VerifyOptions verify_options;
+  calibration::VerifyOptions verify_options;
   verify_options.from = snapshot.day - days(14);
   verify_options.leads = {{0, 24}};
   verify_options.bands = {{0, 1e5}};
-  const std::vector<SkillEntry> skill = verify_with(store, site, data, verify_options);
+  const std::vector<calibration::SkillEntry> skill =
+      verify_with(store, site, data, verify_options).entries;
   const std::string verdict = verdict_of(skill);
   if (context.json) {
-    json out = json::parse(forecast.summary_json);
+    json out = json::parse(job.summary_json);
     out["id"] = id;
     out["degraded"] = snapshot.degraded;
     out["headline"] = snapshot.headline;

@@ -6,9 +6,12 @@
 
 #include "api/cli/command.h"
 #include "api/cli/progress.h"
-#include "api/pipeline/paths.h"
-#include "api/pipeline/verify_page.h"
+#include "api/pipeline/verify.h"
+#include "api/program/paths.h"
+#include "api/report/skill_json.h"
 #include "api/report/skill_page.h"
+#include "api/report/skill_table.h"
+#include "api/report/verify_page.h"
 
 namespace slackwater::api {
 namespace {
@@ -31,10 +34,10 @@ struct HindcastArguments {
 void write_page(store::Store& store, const Site& site, const HindcastOptions& options,
                 const HindcastReport& report, const HindcastArguments& arguments,
                 const Context& context) {
-  VerifyOptions verify_options = options.verify;
+  calibration::VerifyOptions verify_options = options.verify;
   verify_options.forecasts = report.forecasts;
   verify_options.traces = true;
-  const Verification result = verification(store, site, verify_options);
+  const calibration::Verification result = verify(store, site, verify_options);
   write_skill_page(verify_page(site, result, format_utc(context.now())), arguments.html);
 }
 
@@ -47,7 +50,7 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   options.latency = option_value("--latency", arguments.latency, parse_duration);
   options.horizon = horizon_from(arguments.horizon);
   options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  if (!arguments.bands.empty()) options.verify.bands = parse_bands(arguments.bands);
+  if (!arguments.bands.empty()) options.verify.bands = calibration::parse_bands(arguments.bands);
   options.verify.per_column = arguments.per_column;
   options.verify.threads = options.threads;
   store::Store store = context.open(store::OpenMode::create_or_write);

@@ -5,8 +5,8 @@
 #include "api/cli/command.h"
 #include "api/cli/progress.h"
 #include "api/pipeline/ingest_files.h"
-#include "api/pipeline/paths.h"
-#include "api/pipeline/site.h"
+#include "api/program/paths.h"
+#include "fields/site/site.h"
 #include "ingest/copernicus/product_catalogue.h"
 
 namespace slackwater::api {

@@ -5,8 +5,8 @@
 
 #include "api/cli/command.h"
 #include "api/cli/profile_print.h"
-#include "api/pipeline/paths.h"
-#include "api/pipeline/site.h"
+#include "api/program/paths.h"
+#include "fields/site/site.h"
 #include "ingest/cf/forecast_file.h"
 
 namespace slackwater::api {

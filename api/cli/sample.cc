@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include "api/cli/command.h"
+#include "api/cli/point_list.h"
 #include "api/cli/sample_write.h"
-#include "api/pipeline/paths.h"
-#include "api/pipeline/point_list.h"
-#include "api/pipeline/site.h"
+#include "api/program/paths.h"
+#include "fields/site/site.h"
 #include "ingest/cf/forecast_file.h"
 
 namespace slackwater::api {

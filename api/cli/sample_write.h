@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "api/pipeline/sample_points.h"
 #include "data/store/rows.h"
 #include "fields/service/field.h"
+#include "fields/service/sample_points.h"
 
 namespace slackwater::api {
 

@@ -9,7 +9,7 @@
 #include "api/http/health.h"
 #include "api/http/metrics.h"
 #include "api/http/server.h"
-#include "api/pipeline/issued_fields.h"
+#include "api/issued/issued_fields.h"
 #include "fields/base/log.h"
 
 namespace slackwater::api {

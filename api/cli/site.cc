@@ -1,12 +1,14 @@
-#include "api/pipeline/site.h"
+#include "fields/site/site.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
-#include "api/pipeline/daily_job.h"
-#include "api/pipeline/paths.h"
+#include "api/pipeline/load_site_data.h"
+#include "api/program/paths.h"
+#include "calibration/day/daily_forecast.h"
+#include "calibration/day/whole_day.h"
 
 namespace slackwater::api {
 namespace {
@@ -33,8 +35,9 @@ void run_site_check(const std::string& name, const Context& context) {
     store::Store store = context.open(store::OpenMode::read_only);
     const UtcTime now = context.now();
     try {
-      const SiteData data = load_site_data(store, site, now - history_read, now + days(15));
-      const auto day = newest_whole_day(data, now);
+      const SiteData data =
+          load_site_data(store, site, now - calibration::history_read, now + days(15));
+      const auto day = calibration::newest_whole_day(data, now);
       const ColumnData& column = data.columns.front();
       out["store"] = {{"columns", data.columns.size()},
                       {"dry_columns", data.dry_columns},

@@ -6,9 +6,11 @@
 #include <thread>
 
 #include "api/cli/command.h"
-#include "api/pipeline/paths.h"
-#include "api/pipeline/verify_page.h"
+#include "api/program/paths.h"
+#include "api/report/skill_json.h"
 #include "api/report/skill_page.h"
+#include "api/report/skill_table.h"
+#include "api/report/verify_page.h"
 
 namespace slackwater::api {
 namespace {
@@ -26,15 +28,15 @@ struct VerifyArguments {
 
 void run_verify(const VerifyArguments& arguments, const Context& context) {
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
-  VerifyOptions options;
+  calibration::VerifyOptions options;
   if (!arguments.from.empty()) options.from = option_value("--from", arguments.from, parse_day);
   if (!arguments.to.empty()) options.to = option_value("--to", arguments.to, parse_day);
-  if (!arguments.bands.empty()) options.bands = parse_bands(arguments.bands);
+  if (!arguments.bands.empty()) options.bands = calibration::parse_bands(arguments.bands);
   options.per_column = arguments.per_column;
   options.traces = !arguments.html.empty();
   options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   store::Store store = context.open(store::OpenMode::read_only);
-  const Verification result = verification(store, site, options);
+  const calibration::Verification result = verify(store, site, options);
   if (!arguments.html.empty())
     write_skill_page(verify_page(site, result, format_utc(context.now())), arguments.html);
   if (context.json) {

@@ -1,4 +1,6 @@
 #include "api/demo/demo_page.h"
+#include "api/report/skill_table.h"
+#include "calibration/verify/skill_set.h"
 
 #include <cmath>
 #include <cstdio>
@@ -48,12 +50,14 @@ ReportProfile profile_of(const DemoResult& result) {
 std::vector<ReportSkill> skill_of(const DemoResult& result) {
   std::vector<ReportSkill> rows;
   std::set<std::string> methods;
-  for (const SkillEntry& e : result.skill) {
+  for (const calibration::SkillEntry& e : result.skill) {
     if (e.variable == "sea_water_velocity") methods.insert(e.method);
   }
-  for (const LeadBin lead : {LeadBin{0, 24}, LeadBin{24, 48}, LeadBin{48, 72}}) {
+  for (const calibration::LeadBin lead :
+       {calibration::LeadBin{0, 24}, calibration::LeadBin{24, 48}, calibration::LeadBin{48, 72}}) {
     for (const std::string& method : methods) {
-      if (const auto rmse = set_rmse(result.skill, "sea_water_velocity", method, lead)) {
+      if (const auto rmse =
+              calibration::set_rmse(result.skill, "sea_water_velocity", method, lead)) {
         ReportSkill row;
         row.method = method;
         row.lead = number(lead.from_h, "%.0f") + "–" + number(lead.to_h, "%.0f h");

@@ -4,11 +4,14 @@
 
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/ingest_files.h"
-#include "api/pipeline/known_currents.h"
-#include "api/pipeline/paths.h"
+#include "api/pipeline/load_site_data.h"
+#include "api/pipeline/verify.h"
+#include "api/program/paths.h"
 #include "api/synthetic/product_files.h"
+#include "calibration/day/known_currents.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/record/slice.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 
@@ -63,16 +66,13 @@ std::optional<Horizontal> analysed(const VectorColumn& column, UtcTime time, std
 }
 
 DemoDay score_against_truth(const SyntheticOcean& ocean, const SiteData& data,
-                            const DailyForecast& forecast) {
+                            const calibration::DailyForecast& forecast) {
   const Snapshot& s = forecast.snapshot;
   DemoDay result;
   result.day = s.day;
-  ForecastPlan plan;
-  plan.day = s.day;
-  plan.issued = s.issued;
-  plan.dataset = forecast.dataset;
   const VectorColumn known =
-      slice(known_currents(data.columns.front(), plan).column, UtcTime(s.day), plan.end_of_day());
+      slice(calibration::known_currents(data.columns.front(), forecast.plan).column, UtcTime(s.day),
+            forecast.plan.end_of_day());
   TruthScore ours;
   TruthScore persistence;
   TruthScore day_mean;
@@ -92,7 +92,8 @@ DemoDay score_against_truth(const SyntheticOcean& ocean, const SiteData& data,
     }
     if (n == 0) continue;
     mean /= n;
-    for (std::size_t t = 1; t < s.time.size() && s.time[t] <= plan.end_of_day() + hours(24); ++t) {
+    for (std::size_t t = 1;
+         t < s.time.size() && s.time[t] <= forecast.plan.end_of_day() + hours(24); ++t) {
       const auto truth = ocean.current_truth(column.point, s.depth_m[k], s.time[t]);
       const std::size_t o = t * s.depth_m.size() + k;
       if (!truth || !has_value(column.current_status[o])) continue;
@@ -138,23 +139,23 @@ DemoResult run_demo(const DemoOptions& options,
 
   for (int i = 0; i < history_days + options.days; ++i) {
     const UtcDay day = settings.first_day + days(i);
-    const bool job = i >= history_days;
+    const bool is_run = i >= history_days;
     say((i + 1) / total, "day " + format_day(day));
-    deliver(store, products, ocean, day, job, files);
-    if (!job) continue;
-    JobOptions options_of_day;
+    deliver(store, products, ocean, day, is_run, files);
+    if (!is_run) continue;
+    calibration::ForecastOptions options_of_day;
     options_of_day.issued = UtcTime(day) + days(1) + hours(5);
     options_of_day.threads = 2;
-    const SiteData data =
-        load_site_data(store, result.site, UtcTime(day) - history_read, UtcTime(day) + days(4));
-    const DailyForecast forecast = make_forecast(data, options_of_day);
-    static_cast<void>(publish(store, forecast, options_of_day));
-    result.days.push_back(score_against_truth(ocean, data, forecast));
-    result.last = forecast.snapshot;
-    result.last_summary_json = forecast.summary_json;
+    const SiteData data = load_site_data(
+        store, result.site, UtcTime(day) - calibration::history_read, UtcTime(day) + days(4));
+    const DailyJob job = daily_job(data, options_of_day);
+    static_cast<void>(publish(store, job, "forecast"));
+    result.days.push_back(score_against_truth(ocean, data, job.forecast));
+    result.last = job.forecast.snapshot;
+    result.last_summary_json = job.summary_json;
   }
   say(1, "verifying");
-  result.skill = verify(store, result.site, {});
+  result.skill = verify(store, result.site, {}).entries;
   return result;
 }
 

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "api/pipeline/verify.h"
 #include "api/synthetic/synthetic_ocean.h"
+#include "calibration/verify/skill_entry.h"
 #include "fields/service/snapshot.h"
+#include "fields/site/site.h"
 
 namespace slackwater::api {
 
@@ -32,9 +33,9 @@ struct DemoResult {
   SyntheticOcean ocean;
   Site site;
   std::vector<DemoDay> days;
-  std::vector<SkillEntry> skill;  ///< `verify` against the analysed products
-  Snapshot last;                  ///< the newest forecast
-  std::string last_summary_json;  ///< its calibration
+  std::vector<calibration::SkillEntry> skill;  ///< `verify` against the analysed products
+  Snapshot last;                               ///< the newest forecast
+  std::string last_summary_json;               ///< its calibration
 };
 
 /// Writes a synthetic ocean as product files day by day, as they would arrive, ingests them and

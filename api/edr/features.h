@@ -5,7 +5,7 @@
 
 #include "api/edr/collection.h"
 #include "api/edr/query_string.h"
-#include "api/pipeline/issued_fields.h"
+#include "api/issued/issued_fields.h"
 
 // Locations (the columns of each site) and items (issued forecasts) as GeoJSON features.
 

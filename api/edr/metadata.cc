@@ -9,7 +9,7 @@
 #include "api/edr/crs.h"
 #include "api/edr/distance.h"
 #include "api/edr/queries.h"
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
 
 namespace slackwater::api::edr {
 namespace {

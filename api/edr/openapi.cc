@@ -5,7 +5,7 @@
 #include "api/edr/feature_filter.h"
 #include "api/edr/openapi_parts.h"
 #include "api/edr/queries.h"
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
 
 namespace slackwater::api::edr {
 namespace {

@@ -2,7 +2,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "api/pipeline/issued_fields.h"
+#include "api/issued/issued_fields.h"
 
 // The components of the OpenAPI document: openapi.cc makes paths of them.
 

@@ -7,7 +7,7 @@
 #include "api/edr/collection.h"
 #include "api/edr/content.h"
 #include "api/edr/query_string.h"
-#include "api/pipeline/issued_fields.h"
+#include "api/issued/issued_fields.h"
 
 namespace slackwater::api::edr {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "api/http/router.h"
-#include "api/pipeline/issued_fields.h"
+#include "api/issued/issued_fields.h"
 
 namespace slackwater::api::edr {
 

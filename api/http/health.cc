@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
 
 namespace slackwater::api::http {
 

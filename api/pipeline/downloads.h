@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "api/pipeline/site.h"
 #include "fields/base/time.h"
+#include "fields/site/site.h"
 #include "ingest/copernicus/product_catalogue.h"
 
 namespace slackwater::api {

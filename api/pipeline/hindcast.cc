@@ -1,5 +1,7 @@
 #include "api/pipeline/hindcast.h"
 
+#include "api/pipeline/load_site_data.h"
+#include "calibration/day/whole_day.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api {
@@ -27,42 +29,42 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
   }
   const UtcTime first(options.from);
   const UtcTime last = UtcTime(options.to) + days(1) + options.horizon;
-  const SiteData data = load_site_data(store, site, first - history_read, last);
+  const SiteData data = load_site_data(store, site, first - calibration::history_read, last);
   HindcastReport report;
-  Rehearsals rehearsals(data);
-  std::vector<DailyForecast> forecasts;
+  calibration::Rehearsals rehearsals(data);
+  std::vector<DailyJob> jobs;
   const double count = static_cast<double>((options.to - options.from).count() + 1);
   for (UtcDay day = options.from; day <= options.to; day += days(1)) {
-    JobOptions job;
+    calibration::ForecastOptions job;
     job.day = day;
     job.issued = UtcTime(day) + days(1) + options.latency;
     job.horizon = options.horizon;
     job.wind = options.wind;
-    job.origin = "hindcast";
     job.threads = options.threads;
     job.rehearsals = &rehearsals;
-    if (!holds_day(data, day, job.issued)) {
+    if (!calibration::holds_day(data, day, job.issued)) {
       report.skipped.push_back(format_day(day) + ": no whole day of currents");
     } else {
-      forecasts.push_back(make_forecast(data, job));
-      drop_members(forecasts.back().snapshot);
+      jobs.push_back(daily_job(data, job));
+      drop_members(jobs.back().forecast.snapshot);
     }
     if (progress) progress(0.8 * static_cast<double>((day - options.from).count() + 1) / count);
   }
-  if (forecasts.empty()) {
+  if (jobs.empty()) {
     throw Error(ErrorKind::not_found, "the store holds no whole day of currents for site " +
                                           site.id + " from " + format_day(options.from) + " to " +
                                           format_day(options.to) +
                                           "; ingest current products of these days");
   }
-  JobOptions job;
-  job.origin = "hindcast";
-  report.forecasts = publish(store, forecasts, job);
-  for (std::size_t i = 0; i < forecasts.size(); ++i) {
-    auto scored = score_forecast(data, forecasts[i].snapshot, forecasts[i].dataset, options.verify);
+  report.forecasts = publish(store, jobs, "hindcast");
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const calibration::DailyForecast& forecast = jobs[i].forecast;
+    const auto scored =
+        calibration::score_forecast(data, forecast.snapshot, forecast.plan.dataset, options.verify)
+            .entries;
     report.skill.insert(report.skill.end(), scored.begin(), scored.end());
     if (progress)
-      progress(0.8 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(forecasts.size()));
+      progress(0.8 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(jobs.size()));
   }
   return report;
 }

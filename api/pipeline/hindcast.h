@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "api/pipeline/daily_job.h"
-#include "api/pipeline/verify.h"
+#include "calibration/verify/score_forecast.h"
 
 namespace slackwater::api {
 
@@ -14,11 +14,11 @@ struct HindcastOptions {
   Duration latency{0};  ///< a day's data are available when it ends plus this
   Duration horizon = std::chrono::hours(72);
   int threads = 2;
-  VerifyOptions verify;
+  calibration::VerifyOptions verify;
 };
 
 struct HindcastReport {
-  std::vector<SkillEntry> skill;
+  std::vector<calibration::SkillEntry> skill;
   std::vector<std::int64_t> forecasts;  ///< ids in the store
   std::vector<std::string> skipped;     ///< "2024-01-03: no whole day of currents"
 };

@@ -4,11 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
 
 namespace slackwater::api {
 namespace {
 
+using calibration::ColumnForecast;
+using calibration::DailyForecast;
+using calibration::ForecastOptions;
 using nlohmann::json;
 
 json inputs_of(const DailyForecast& forecast) {
@@ -87,8 +90,9 @@ json blend_json(const DailyForecast& forecast) {
 
 }  // namespace
 
-std::string job_summary(const SiteData& data, const ForecastPlan& plan, const JobOptions& options,
+std::string job_summary(const SiteData& data, const ForecastOptions& options,
                         const DailyForecast& forecast) {
+  const calibration::ForecastPlan& plan = forecast.plan;
   json columns = json::array();
   for (std::size_t i = 0; i < forecast.columns.size(); ++i) {
     const ColumnForecast& column = forecast.columns[i];
@@ -128,7 +132,7 @@ std::string job_summary(const SiteData& data, const ForecastPlan& plan, const Jo
   return summary.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-std::string job_provenance(const SiteData& data, const JobOptions& options,
+std::string job_provenance(const SiteData& data, const ForecastOptions& options,
                            const DailyForecast& forecast) {
   json provenance = {{"site", data.site.id},
                      {"issued", format_utc(options.issued)},

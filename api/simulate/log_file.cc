@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
 #include "api/simulate/traffic_tables.h"
 #include "fields/base/sha256.h"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
 #include "api/simulate/heard_traffic.h"
 #include "api/simulate/log_file.h"
 #include "fields/base/error.h"

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "api/pipeline/version.h"
+#include "api/program/version.h"
 #include "api/simulate/checkpoint_file.h"
 #include "api/simulate/log_file.h"
 #include "api/simulate/traffic_tables.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "api/pipeline/paths.h"
-#include "api/pipeline/site.h"
+#include "api/program/paths.h"
+#include "fields/site/site.h"
 #include "api/simulate/scenario_run.h"
 #include "data/store/store.h"
 #include "fields/base/error.h"
@@ -46,12 +46,12 @@ void add_turbines(const Scenario& scenario, const Site& site, ScenarioWater& wat
   water.surround.site = site.point;
   if (!scenario.has_wakes) return;
   const LocalFrame frame(twin::origin_of(scenario, site.point));
-  for (const Turbine& turbine : site.turbines) {
+  for (const TurbinePlace& turbine : site.turbines) {
     const auto at = frame.to_local(turbine.point);
     water.surround.turbines_m.emplace_back(at.x(), at.y());
   }
-  water.surround.turbine = std::make_shared<slackwater::Turbine>(
-      slackwater::Turbine::load(data_folder() / "turbines" / "nrel_5mw.yaml"));
+  water.surround.turbine = std::make_shared<Turbine>(
+      Turbine::load(data_folder() / "turbines" / "nrel_5mw.yaml"));
 }
 
 store::ForecastRow newest(store::Store& store, const Site& site, const ForecastWater& wanted) {

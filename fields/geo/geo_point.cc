@@ -1,6 +1,7 @@
 #include "fields/geo/geo_point.h"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "fields/base/error.h"
@@ -52,6 +53,12 @@ bool BoundingBox::contains(const GeoPoint& point) const noexcept {
            (longitude + 360 >= west_deg && longitude + 360 <= east_deg);
   }
   return longitude >= west_deg || longitude <= east_deg;
+}
+
+std::string position_text(const GeoPoint& point) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4f N %.4f E", point.latitude_deg(), point.longitude_deg());
+  return text;
 }
 
 }  // namespace slackwater

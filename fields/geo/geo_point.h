@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "fields/base/angle.h"
 
 namespace slackwater {
@@ -33,6 +35,9 @@ struct BoundingBox {
                                                 double north);
   bool operator==(const BoundingBox&) const = default;
 };
+
+/// "48.8500 N -2.5500 E": a place for people.
+[[nodiscard]] std::string position_text(const GeoPoint& point);
 
 /// Geodesic distance on WGS 84, metres (PROJ).
 [[nodiscard]] double distance_m(const GeoPoint& a, const GeoPoint& b);

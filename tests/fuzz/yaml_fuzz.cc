@@ -1,8 +1,8 @@
 #include <cmath>
 #include <string>
 
-#include "api/pipeline/site.h"
 #include "fields/base/config.h"
+#include "fields/site/site.h"
 #include "ingest/copernicus/product.h"
 #include "ingest/copernicus/vocabulary.h"
 #include "tests/fuzz/fuzz_case.h"
@@ -41,7 +41,7 @@ void read_everything(const Config& config) {
   fuzz::accepts([&] { config.expect_all_read(); });
 }
 
-void claim_sound(const api::Site& site) {
+void claim_sound(const Site& site) {
   const auto on_earth = [](const GeoPoint& point) {
     fuzz::claim(std::abs(point.latitude_deg()) <= 90 && point.longitude_deg() >= -180 &&
                     point.longitude_deg() < 180,
@@ -65,7 +65,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text = fuzz::text_of(data, size);
   const bool is_yaml = fuzz::accepts([&] { static_cast<void>(Config::parse(text, "fuzz.yaml")); });
   fuzz::accepts([&] { read_everything(Config::parse(text, "fuzz.yaml")); });
-  const bool is_site = fuzz::accepts([&] { claim_sound(api::parse_site(text, "fuzz.yaml")); });
+  const bool is_site =
+      fuzz::accepts([&] { claim_sound(slackwater::parse_site(text, "fuzz.yaml")); });
   fuzz::claim(is_yaml || !is_site, "a site that is not YAML");
   if (!is_yaml) return 0;
   const auto file = fuzz::scratch_folder().file_of(data, size, "fuzz.yaml");

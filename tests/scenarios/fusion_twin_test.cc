@@ -11,6 +11,7 @@
 
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/hindcast.h"
+#include "api/pipeline/load_site_data.h"
 #include "fields/base/random.h"
 #include "tests/scenarios/real_pairs.h"
 #include "tests/support/point_series_for_tests.h"
@@ -124,12 +125,13 @@ void write_profiler(const TemporaryFolder& folder, store::Store& store, Twin& tw
 }
 
 struct Issued {
-  api::DailyForecast forecast;
+  calibration::DailyForecast forecast;
+  std::string summary_json;
   double rmse_m_s = 0;  ///< of the vector against the truth at the site, lead (0, 24] h
 };
 
-api::Site twin_site() {
-  api::Site site = site_of("twin", {GeoPoint::from_degrees(site_latitude, site_longitude)});
+Site twin_site() {
+  Site site = site_of("twin", {GeoPoint::from_degrees(site_latitude, site_longitude)});
   site.columns.clear();
   site.water_depth_m = 30;
   return site;
@@ -142,16 +144,18 @@ Issued issue(std::uint64_t seed, const std::optional<Profiler>& profiler,
   Twin twin(seed);
   write_product_days(folder, store, twin, share_of_error);
   if (profiler) write_profiler(folder, store, twin, *profiler);
-  const api::Site site = twin_site();
+  const Site site = twin_site();
   const UtcTime end = UtcTime(day_d) + std::chrono::days(1);
-  const api::SiteData data =
+  const SiteData data =
       api::load_site_data(store, site, UtcTime(first_day), end + std::chrono::days(1));
-  api::JobOptions options;
+  calibration::ForecastOptions options;
   options.day = day_d;
   options.issued = end;
   options.horizon = std::chrono::hours(24);
   Issued issued;
-  issued.forecast = api::make_forecast(data, options);
+  api::DailyJob job = api::daily_job(data, options);
+  issued.forecast = std::move(job.forecast);
+  issued.summary_json = std::move(job.summary_json);
   const Snapshot& snapshot = issued.forecast.snapshot;
   double squares = 0;
   int count = 0;
@@ -230,7 +234,8 @@ TEST(FusionTwin, TheProfilerIsTheTruthAtItsOwnDepthsAndTimes) {
   options.verify.leads = {{0, 24}};
   options.verify.bands = {{0, 100}};
   std::set<std::string> methods;
-  for (const api::SkillEntry& entry : api::hindcast(store, twin_site(), options, {}).skill) {
+  for (const calibration::SkillEntry& entry :
+       api::hindcast(store, twin_site(), options, {}).skill) {
     const bool is_whole_day = entry.lead.from_h == 0 && entry.lead.to_h == 24;
     if (entry.variable != "sea_water_velocity" || !is_whole_day) continue;
     methods.insert(entry.method);
@@ -249,8 +254,7 @@ TEST(FusionTwin, TheRecordSaysWithWhatItWasFused) {
   const std::vector<std::string>& notes = issued.forecast.columns.front().notes;
   EXPECT_NE(std::find(notes.begin(), notes.end(), "fused with station NEAR at 2.0 km"),
             notes.end());
-  EXPECT_NE(issued.forecast.summary_json.find("fused with station NEAR at 2.0 km"),
-            std::string::npos);
+  EXPECT_NE(issued.summary_json.find("fused with station NEAR at 2.0 km"), std::string::npos);
   EXPECT_EQ(issued.forecast.input_granules.size(), 2U) << "the product's and the profiler's";
   EXPECT_EQ(issued.forecast.snapshot.depth_m, (std::vector<double>{0, 5, 10, 20, 30}))
       << "the product's levels, from surface to bed";

@@ -1,11 +1,12 @@
 // Otranto in August: the base of the mixed layer comes from the product's own temperatures.
-#include "api/pipeline/layer_of_days.h"
+#include "calibration/day/layer_of_days.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "api/pipeline/daily_job.h"
+#include "api/pipeline/load_site_data.h"
+#include "calibration/day/daily_forecast.h"
 #include "ingest/netcdf/file.h"
 #include "tests/scenarios/real_pairs.h"
 #include "tests/support/shared_data.h"
@@ -45,12 +46,12 @@ TEST(LayerOfDays, TheTemperaturesOfAnAugustAreReadWhereNoDepthIsStated) {
                                                file.read_all(*file.find("lon"))[i]);
   const Site site = tests::site_of("otranto", {cell});
   const UtcDay day = parse_day("2023-08-17");
-  const SiteData data =
-      load_site_data(store, site, UtcTime(day) - history_read, UtcTime(day) + std::chrono::days(2));
-  ForecastPlan plan;
+  const SiteData data = load_site_data(store, site, UtcTime(day) - calibration::history_read,
+                                       UtcTime(day) + std::chrono::days(2));
+  calibration::ForecastPlan plan;
   plan.day = day;
   plan.issued = plan.end_of_day();
-  const LayerOfDays layer = layer_of_days(data.columns.front(), plan);
+  const calibration::LayerOfDays layer = calibration::layer_of_days(data.columns.front(), plan);
   ASSERT_EQ(layer.size(), 4U) << "14 to 17 August";
   for (std::size_t d = 0; d < 4; ++d) {
     const auto figure = layer.at(parse_day("2023-08-14") + std::chrono::days(static_cast<int>(d)));
@@ -58,10 +59,10 @@ TEST(LayerOfDays, TheTemperaturesOfAnAugustAreReadWhereNoDepthIsStated) {
     EXPECT_EQ(figure.source, "thetao");
   }
 
-  JobOptions job;
+  calibration::ForecastOptions job;
   job.day = day;
   job.issued = plan.issued;
-  const DailyForecast forecast = make_forecast(data, job);
+  const calibration::DailyForecast forecast = calibration::make_forecast(data, job);
   bool is_named = false;
   for (const calibration::Calibration& form : forecast.columns.front().forms) {
     if (const auto* p = calibration::find_parameter(form, "mixed_layer_depth"))

@@ -28,9 +28,9 @@ struct Pooled {
   double pairs = 0;
 };
 
-Pooled pooled(const std::vector<api::SkillEntry>& skill) {
+Pooled pooled(const std::vector<calibration::SkillEntry>& skill) {
   Pooled sum;
-  for (const api::SkillEntry& e : skill) {
+  for (const calibration::SkillEntry& e : skill) {
     const bool is_whole = e.band && e.band->from_m == 0 && e.band->to_m > 1000;
     if (e.variable != "sea_water_velocity" || !is_whole || e.lead.from_h != 0 || e.lead.to_h != 24)
       continue;

@@ -3,8 +3,12 @@
 #include <cmath>
 #include <limits>
 
-#include "api/pipeline/daily_job.h"
 #include "api/pipeline/ingest_files.h"
+#include "api/pipeline/load_site_data.h"
+#include "calibration/day/daily_forecast.h"
+#include "calibration/verify/score_forecast.h"
+#include "calibration/verify/skill_set.h"
+#include "fields/record/leading_dataset.h"
 #include "ingest/cf/granule_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "tests/support/shared_data.h"
@@ -47,8 +51,8 @@ std::vector<GeoPoint> wet_cells(store::Store& store, std::size_t first, std::siz
   return points;
 }
 
-api::Site site_of(const std::string& id, const std::vector<GeoPoint>& columns) {
-  api::Site site;
+Site site_of(const std::string& id, const std::vector<GeoPoint>& columns) {
+  Site site;
   site.id = id;
   site.name = id;
   site.point = columns.front();
@@ -56,12 +60,12 @@ api::Site site_of(const std::string& id, const std::vector<GeoPoint>& columns) {
   return site;
 }
 
-std::vector<api::SkillEntry> baseline_skill(store::Store& store, const api::Site& site,
-                                            const api::HindcastOptions& options) {
+std::vector<calibration::SkillEntry> baseline_skill(store::Store& store, const Site& site,
+                                                    const api::HindcastOptions& options) {
   const UtcTime last = UtcTime(options.to) + std::chrono::days(1) + options.horizon;
-  const api::SiteData data =
-      api::load_site_data(store, site, UtcTime(options.from) - api::history_read, last);
-  std::vector<api::SkillEntry> skill;
+  const SiteData data =
+      api::load_site_data(store, site, UtcTime(options.from) - calibration::history_read, last);
+  std::vector<calibration::SkillEntry> skill;
   for (UtcDay day = options.from; day <= options.to; day += std::chrono::days(1)) {
     Snapshot empty;
     empty.site_id = site.id;
@@ -69,30 +73,29 @@ std::vector<api::SkillEntry> baseline_skill(store::Store& store, const api::Site
     empty.issued = UtcTime(day) + std::chrono::days(1);
     empty.wind_policy = name_of(options.wind);
     empty.time = {empty.issued, empty.issued + options.horizon};
-    for (const api::ColumnData& column : data.columns) {
+    for (const ColumnData& column : data.columns) {
       empty.columns.emplace_back();
       empty.columns.back().point = column.point;
       empty.columns.back().water_depth_m = column.water_depth.depth_m;
     }
-    const auto dataset =
-        api::fullest_dataset(data.columns.front().current, UtcTime(day), empty.issued);
+    const auto dataset = leading_dataset(data.columns.front().current, UtcTime(day), empty.issued);
     if (!dataset) continue;
-    const auto scored = api::score_forecast(data, empty, *dataset, options.verify);
+    const auto scored = calibration::score_forecast(data, empty, *dataset, options.verify).entries;
     skill.insert(skill.end(), scored.begin(), scored.end());
   }
   return skill;
 }
 
-double set_error(const std::vector<api::SkillEntry>& skill, const std::string& method) {
-  return api::set_rmse(skill, "sea_water_velocity", method, {0, 24})
+double set_error(const std::vector<calibration::SkillEntry>& skill, const std::string& method) {
+  return calibration::set_rmse(skill, "sea_water_velocity", method, {0, 24})
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-std::vector<double> pair_errors(const std::vector<api::SkillEntry>& skill,
+std::vector<double> pair_errors(const std::vector<calibration::SkillEntry>& skill,
                                 const std::string& method) {
   std::vector<double> errors;
-  const api::LeadBin whole_day{0, 24};
-  for (const api::SkillEntry& entry : skill) {
+  const calibration::LeadBin whole_day{0, 24};
+  for (const calibration::SkillEntry& entry : skill) {
     if (entry.variable == "sea_water_velocity" && entry.method == method && !entry.column &&
         entry.lead == whole_day)
       errors.push_back(entry.vector.rmse_m_s);

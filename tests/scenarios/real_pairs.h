@@ -19,19 +19,18 @@ void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& f
                                               std::size_t every);
 
 /// A site whose columns are these points.
-[[nodiscard]] api::Site site_of(const std::string& id, const std::vector<GeoPoint>& columns);
+[[nodiscard]] Site site_of(const std::string& id, const std::vector<GeoPoint>& columns);
 
 /// The baselines alone over a period, no forecast made: every column of the site.
-[[nodiscard]] std::vector<api::SkillEntry> baseline_skill(store::Store& store,
-                                                          const api::Site& site,
-                                                          const api::HindcastOptions& options);
+[[nodiscard]] std::vector<calibration::SkillEntry> baseline_skill(
+    store::Store& store, const Site& site, const api::HindcastOptions& options);
 
 /// Root mean square over days of a method's error, lead (0, 24] h, one band.
-[[nodiscard]] double set_error(const std::vector<api::SkillEntry>& skill,
+[[nodiscard]] double set_error(const std::vector<calibration::SkillEntry>& skill,
                                const std::string& method);
 
 /// The same for each day, in the order of days.
-[[nodiscard]] std::vector<double> pair_errors(const std::vector<api::SkillEntry>& skill,
+[[nodiscard]] std::vector<double> pair_errors(const std::vector<calibration::SkillEntry>& skill,
                                               const std::string& method);
 
 }  // namespace slackwater::tests

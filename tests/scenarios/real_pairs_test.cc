@@ -4,6 +4,10 @@
 
 #include <cstdio>
 
+#include "api/pipeline/daily_job.h"
+#include "api/pipeline/load_site_data.h"
+#include "api/pipeline/verify.h"
+#include "calibration/verify/skill_set.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
@@ -27,7 +31,7 @@ api::HindcastOptions pair_options(const char* from, const char* to, double deepe
 }
 
 /// The page's figures of reference-slab: each pair of the set to three digits.
-void expect_reference_slab_per_pair(const std::vector<api::SkillEntry>& skill,
+void expect_reference_slab_per_pair(const std::vector<calibration::SkillEntry>& skill,
                                     const std::vector<double>& per_pair) {
   const std::vector<double> found = pair_errors(skill, "reference-slab");
   ASSERT_EQ(found.size(), per_pair.size());
@@ -36,7 +40,8 @@ void expect_reference_slab_per_pair(const std::vector<api::SkillEntry>& skill,
 }
 
 /// Prints a set's line for the table of the README: pairs of days weigh the same.
-void print_set(const char* set, const char* wind, const std::vector<api::SkillEntry>& skill) {
+void print_set(const char* set, const char* wind,
+               const std::vector<calibration::SkillEntry>& skill) {
   std::printf("%-8s wind %-8s", set, wind);
   for (const char* const method :
        {"forecast", "persistence", "day-mean", "same-hour", "oracle-mean", "reference-slab"}) {
@@ -53,18 +58,19 @@ constexpr std::size_t thinned = 12;
 constexpr std::size_t thinned = 1;
 #endif
 
-api::Site thinned_site(api::Site site) {
+Site thinned_site(Site site) {
   std::vector<GeoPoint> kept;
   for (std::size_t i = 0; i < site.columns.size(); i += thinned) kept.push_back(site.columns[i]);
   site.columns = kept;
   return site;
 }
 
-std::vector<api::SkillEntry> period_skill(store::Store& store, const api::Site& site,
-                                          const api::HindcastOptions& options) {
+std::vector<calibration::SkillEntry> period_skill(store::Store& store, const Site& site,
+                                                  const api::HindcastOptions& options) {
   if (thinned == 1 || site.columns.empty()) return api::hindcast(store, site, options, {}).skill;
-  std::vector<api::SkillEntry> skill = baseline_skill(store, site, options);
-  for (const api::SkillEntry& entry : api::hindcast(store, thinned_site(site), options, {}).skill) {
+  std::vector<calibration::SkillEntry> skill = baseline_skill(store, site, options);
+  for (const calibration::SkillEntry& entry :
+       api::hindcast(store, thinned_site(site), options, {}).skill) {
     if (entry.method == "forecast") skill.push_back(entry);
   }
   return skill;
@@ -72,11 +78,11 @@ std::vector<api::SkillEntry> period_skill(store::Store& store, const api::Site& 
 
 /// The skill of a set with the best wind and with persisted wind.
 struct SetSkill {
-  std::vector<api::SkillEntry> best;
-  std::vector<api::SkillEntry> persist;
+  std::vector<calibration::SkillEntry> best;
+  std::vector<calibration::SkillEntry> persist;
 };
 
-SetSkill skill_of(const char* set, store::Store& store, const api::Site& site,
+SetSkill skill_of(const char* set, store::Store& store, const Site& site,
                   const std::vector<std::pair<const char*, const char*>>& periods,
                   double deepest_m) {
   SetSkill skill;
@@ -84,7 +90,7 @@ SetSkill skill_of(const char* set, store::Store& store, const api::Site& site,
     auto options = pair_options(from, to, deepest_m);
     const auto best = period_skill(store, site, options);
     skill.best.insert(skill.best.end(), best.begin(), best.end());
-    options.wind = api::WindPolicy::persist;
+    options.wind = slackwater::WindPolicy::persist;
     const auto persist = period_skill(store, site, options);
     skill.persist.insert(skill.persist.end(), persist.begin(), persist.end());
   }
@@ -98,7 +104,7 @@ TEST(RealPairs, BrestWindowsReproduceTheBaselinesPage) {
   const TemporaryFolder folder;
   store::Store store = store::Store::open(folder / "store", store::OpenMode::create_or_write);
   ingest_all(store, {shared / "data/brest/windows"}, true);
-  api::Site site = site_of("brest", {GeoPoint::from_degrees(46.83334, -6.083328)});
+  Site site = site_of("brest", {GeoPoint::from_degrees(46.83334, -6.083328)});
   site.columns.clear();
   site.water_depth_m = 4400;
   const SetSkill skill = skill_of(
@@ -158,24 +164,26 @@ TEST(RealPairs, WavesAreScoredAgainstTheBuoyOfHollandseKustNoord) {
   const TemporaryFolder folder;
   store::Store store = store::Store::open(folder / "store", store::OpenMode::create_or_write);
   ingest_all(store, {shared / "data/dutch_coast_2017-10"}, false);
-  api::Site site = site_of("hkn", {GeoPoint::from_degrees(52.6887, 4.242)});
+  Site site = site_of("hkn", {GeoPoint::from_degrees(52.6887, 4.242)});
   site.columns.clear();
   site.water_depth_m = 23;
-  api::JobOptions job;
-  job.day = parse_day("2017-10-28");
-  job.issued = parse_utc("2017-10-29T05:00:00Z");
-  job.horizon = std::chrono::hours(24);
-  const auto data = api::load_site_data(store, site, UtcTime(*job.day) - api::history_read,
-                                        UtcTime(*job.day) + std::chrono::days(2));
-  const api::DailyForecast forecast = api::make_forecast(data, job);
+  calibration::ForecastOptions options;
+  options.day = parse_day("2017-10-28");
+  options.issued = parse_utc("2017-10-29T05:00:00Z");
+  options.horizon = std::chrono::hours(24);
+  const auto data =
+      api::load_site_data(store, site, UtcTime(*options.day) - calibration::history_read,
+                          UtcTime(*options.day) + std::chrono::days(2));
+  const api::DailyJob job = api::daily_job(data, options);
+  const calibration::DailyForecast& forecast = job.forecast;
   EXPECT_TRUE(forecast.snapshot.degraded);
   EXPECT_NE(forecast.snapshot.headline.find("currents"), std::string::npos)
       << forecast.snapshot.headline;
-  static_cast<void>(api::publish(store, forecast, job));
-  const auto skill = api::verify(store, site, {});
+  static_cast<void>(api::publish(store, job, "forecast"));
+  const auto skill = api::verify(store, site, {}).entries;
   const std::string height = "sea_surface_wave_significant_height";
-  const auto ours = api::set_rmse(skill, height, "forecast", {0, 24});
-  const auto held = api::set_rmse(skill, height, "persistence", {0, 24});
+  const auto ours = calibration::set_rmse(skill, height, "forecast", {0, 24});
+  const auto held = calibration::set_rmse(skill, height, "persistence", {0, 24});
   ASSERT_TRUE(ours && held);
   EXPECT_EQ(skill.front().truth.substr(0, 7), "station") << skill.front().truth;
   EXPECT_LT(*ours, *held) << "the wave model knew of the storm";

@@ -5,17 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "api/pipeline/site_data.h"
+#include "fields/record/site_data.h"
 
 namespace slackwater::tests {
-
-using api::ColumnData;
-using api::Origin;
-using api::PieceColumn;
-using api::Record;
-using api::ScalarRecord;
-using api::SiteData;
-using api::VectorRecord;
 
 /// (east, north) at a time and depth; NaN: missing.
 using FlowForTests = std::function<Horizontal(UtcTime, double)>;

@@ -1,0 +1,12 @@
+#pragma once
+#include "data/store/store.h"
+#include "fields/record/site_data.h"
+
+namespace slackwater::api {
+
+/// Reads what the store holds for the site from `from` to `to` and looks at it from each column
+/// (fields/record/site_data.h). A site with no data of any kind is Error(not_found).
+[[nodiscard]] SiteData load_site_data(store::Store& store, const Site& site, UtcTime from,
+                                      UtcTime to);
+
+}  // namespace slackwater::api

@@ -1,0 +1,31 @@
+#include "api/program/paths.h"
+
+#include <cstdlib>
+
+#include "fields/base/error.h"
+
+namespace slackwater::api {
+
+std::filesystem::path data_folder() {
+  if (const char* named = std::getenv("SLACKWATER_DATA")) {
+    if (std::filesystem::is_directory(std::filesystem::path(named) / "products")) return named;
+    throw Error(ErrorKind::not_found,
+                std::string("found no products folder below SLACKWATER_DATA=") + named +
+                    "; point it at Slackwater's data folder");
+  }
+  std::error_code ignored;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const auto installed = program.parent_path().parent_path() / "share" / "slackwater";
+  for (const std::filesystem::path& folder :
+       {installed, std::filesystem::path(SLACKWATER_SOURCE_DATA)}) {
+    if (std::filesystem::is_directory(folder / "products")) return folder;
+  }
+  throw Error(ErrorKind::not_found,
+              "found no data folder with product descriptors; set SLACKWATER_DATA to it");
+}
+
+std::vector<std::filesystem::path> site_folders(const std::filesystem::path& store) {
+  return {store / "sites", data_folder() / "sites"};
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,122 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "api/report/skill_json.h"
+#include "calibration/verify/skill_set.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+/// A tenth of a micrometre a second is beyond every instrument; more digits only fill the disk.
+json number(double value) { return std::round(value * 1e7) / 1e7; }
+
+json or_null(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
+
+json interval_json(const std::optional<calibration::Interval95>& interval) {
+  return interval ? json::array({number(interval->low), number(interval->high)}) : json(nullptr);
+}
+
+json correlation_json(const std::optional<double>& modulus, const std::optional<double>& angle) {
+  return modulus ? json::array({number(*modulus), or_null(angle)}) : json(nullptr);
+}
+
+template <std::size_t n>
+json numbers(const std::array<double, n>& values) {
+  json list = json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+json reliability_json(const std::optional<calibration::Reliability>& reliability) {
+  if (!reliability) return nullptr;
+  return {{"probability", calibration::Reliability::probability},
+          {"below", numbers(reliability->below)},
+          {"pit", numbers(reliability->pit)}};
+}
+
+void add_scalar(json& j, const calibration::ScalarScore& s) {
+  j["unit"] = "m";
+  j["n"] = s.n;
+  j["rmse"] = number(s.rmse);
+  j["bias"] = number(s.bias);
+  j["mae"] = number(s.mae);
+  j["scatter_index"] = or_null(s.scatter_index);
+}
+
+void add_vector(json& j, const calibration::VectorScore& v) {
+  j["unit"] = "m s-1";
+  j["n"] = v.n;
+  j["rmse_m_s"] = number(v.rmse_m_s);
+  j["bias_east_m_s"] = number(v.bias_east_m_s);
+  j["bias_north_m_s"] = number(v.bias_north_m_s);
+  j["speed_bias_m_s"] = number(v.speed_bias_m_s);
+  j["direction_mae_deg"] = or_null(v.direction_mae_deg);
+  j["correlation"] = correlation_json(v.correlation_abs, v.correlation_deg);
+  j["crps_m_s"] = or_null(v.crps_m_s);
+  j["coverage_80"] = or_null(v.coverage_80);
+  j["reliability"] = reliability_json(v.reliability);
+}
+
+json set_json(const calibration::SkillSet& set) {
+  const calibration::SetScore& s = set.score;
+  json j = {{"pairs", s.pairs},
+            {"days", {format_day(set.first_day), format_day(set.last_day)}},
+            {"n", s.n},
+            {"interval_95", interval_json(s.rmse_interval_m_s)}};
+  if (set.of.scalar) {
+    j["rmse"] = number(s.rmse_m_s);
+    j["bias"] = number(s.bias_east_m_s);
+    return j;
+  }
+  j["rmse_m_s"] = number(s.rmse_m_s);
+  j["bias_east_m_s"] = number(s.bias_east_m_s);
+  j["bias_north_m_s"] = number(s.bias_north_m_s);
+  j["speed_bias_m_s"] = number(s.speed_bias_m_s);
+  j["direction_mae_deg"] = or_null(s.direction_mae_deg);
+  j["correlation"] = correlation_json(s.correlation_abs, s.correlation_deg);
+  j["crps_m_s"] = or_null(s.crps_m_s);
+  j["coverage_80"] = or_null(s.coverage_80);
+  j["coverage_80_interval_95"] = interval_json(s.coverage_interval);
+  j["reliability"] = reliability_json(s.reliability);
+  return j;
+}
+
+json entry_json(const calibration::SkillEntry& e) {
+  json j = {{"variable", e.variable},
+            {"site", e.site},
+            {"column", e.column ? json(*e.column) : json(nullptr)},
+            {"day", format_day(e.day)},
+            {"issued", format_utc(e.issued)},
+            {"wind", e.wind},
+            {"lead_h", json::array({e.lead.from_h, e.lead.to_h})},
+            {"method", e.method},
+            {"interval_95", interval_json(e.interval)},
+            {"truth", e.truth}};
+  const char* const place = e.band && e.band->above_bed ? "height_above_bed_m" : "depth_m";
+  j[place] = e.band ? json::array({e.band->from_m, e.band->to_m}) : json(nullptr);
+  if (e.scalar) {
+    add_scalar(j, *e.scalar);
+  } else {
+    add_vector(j, e.vector);
+  }
+  return j;
+}
+
+}  // namespace
+
+std::string skill_json(const std::vector<calibration::SkillEntry>& entries) {
+  const calibration::SkillSets sets = calibration::sets_of(entries);
+  // One entry a line: a month of hours is long, and a line is what people search for.
+  std::string text = "[";
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    json j = entry_json(entries[i]);
+    j["set"] = set_json(sets.sets[sets.of_entry[i]]);
+    text += i == 0 ? "\n" : ",\n";
+    text += j.dump(-1, ' ', false, json::error_handler_t::replace);
+  }
+  return text + "\n]";
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "api/report/skill_table.h"
+#include "calibration/verify/skill_set.h"
+
+namespace slackwater::api {
+namespace {
+
+constexpr const char* explanation =
+    "Pairs of days (D, D+1) weigh the same. RMSE is of the vector. [95 %]: block bootstrap that "
+    "draws whole\npairs of days. dir: mean absolute angle in degrees where both exceed 0.05 m/s. "
+    "corr: complex correlation.\nCRPS and the share inside the 80 % band pool east and north.\n";
+
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+std::string or_dash(const std::optional<double>& value, const char* format, int width) {
+  return value ? formatted(format, *value) : formatted("%*s", width, "-");
+}
+
+std::string interval_text(const std::optional<calibration::Interval95>& interval,
+                          const char* format, int width) {
+  return interval ? formatted(format, interval->low, interval->high) : formatted("%*s", width, "-");
+}
+
+bool is_wave(const calibration::SkillEntry& e) { return e.scalar.has_value(); }
+
+std::string heading(const calibration::SkillEntry& e) {
+  std::string text = "\n" + e.variable + ", " + calibration::band_text(e.band) + ", lead " +
+                     calibration::lead_text(e.lead) + ", wind " + e.wind + ", truth " + e.truth +
+                     "\n";
+  if (is_wave(e))
+    return text + formatted("  %-15s %5s %8s %8s %17s %8s\n", "method", "pairs", "values", "rmse m",
+                            "[95 %]", "bias m");
+  return text + formatted("  %-15s %5s %8s %8s %17s %7s %7s %7s %5s %5s %7s %7s %9s\n", "method",
+                          "pairs", "values", "rmse m/s", "[95 %]", "bias E", "bias N", "speed",
+                          "dir", "corr", "CRPS", "in 80%", "[95 %]");
+}
+
+std::string row(const calibration::SkillSet& set) {
+  const calibration::SetScore& s = set.score;
+  std::string line =
+      formatted("%s %-15s %5zu %8zu %8.4f ", set.of.method == "forecast" ? " >" : "  ",
+                set.of.method.c_str(), s.pairs, s.n, s.rmse_m_s);
+  line += interval_text(s.rmse_interval_m_s, "[%7.4f,%7.4f]", 17);
+  line += formatted(" %+7.4f", s.bias_east_m_s);
+  if (is_wave(set.of)) return line + "\n";
+  line += formatted(" %+7.4f %+7.4f ", s.bias_north_m_s, s.speed_bias_m_s);
+  line += or_dash(s.direction_mae_deg, "%5.0f", 5) + " ";
+  line += or_dash(s.correlation_abs, "%5.2f", 5);
+  if (!s.coverage_80) return line + "\n";
+  line += " " + or_dash(s.crps_m_s, "%7.4f", 7);
+  line += formatted(" %6.0f%% ", 100 * *s.coverage_80);
+  std::optional<calibration::Interval95> percent = s.coverage_interval;
+  if (percent) percent = {100 * percent->low, 100 * percent->high};
+  return line + interval_text(percent, "[%3.0f,%3.0f]", 9) + "\n";
+}
+
+std::string reliability_line(const calibration::Reliability& reliability) {
+  std::string line = "    truth below the quantile";
+  for (std::size_t i = 0; i < reliability.below.size(); ++i)
+    line += formatted("  %.0f%%: %.0f%%", 100 * calibration::Reliability::probability[i],
+                      100 * reliability.below[i]);
+  return line + "\n";
+}
+
+bool is_hour_of_a_band(const calibration::SkillEntry& e) {
+  return e.band && e.lead.to_h - e.lead.from_h <= 1;
+}
+
+/// What one block of the table shares.
+auto block_of(const calibration::SkillEntry& e) {
+  const calibration::DepthBand band = e.band.value_or(calibration::DepthBand{});
+  return std::tuple(e.variable, e.wind, band.from_m, band.to_m, band.above_bed, e.lead.from_h,
+                    e.lead.to_h);
+}
+
+std::string block_text(std::vector<const calibration::SkillSet*> sets) {
+  std::sort(sets.begin(), sets.end(),
+            [](const calibration::SkillSet* a, const calibration::SkillSet* b) {
+              return std::tuple(a->score.rmse_m_s, a->of.method) <
+                     std::tuple(b->score.rmse_m_s, b->of.method);
+            });
+  std::string text = heading(sets.front()->of);
+  for (const calibration::SkillSet* set : sets) text += row(*set);
+  for (const calibration::SkillSet* set : sets)
+    if (set->score.reliability) text += reliability_line(*set->score.reliability);
+  return text;
+}
+
+}  // namespace
+
+std::string skill_table(const std::vector<calibration::SkillEntry>& entries) {
+  const calibration::SkillSets all = calibration::sets_of(entries);
+  std::vector<std::vector<const calibration::SkillSet*>> blocks;
+  std::map<decltype(block_of(entries.front())), std::size_t> index;
+  for (const calibration::SkillSet& set : all.sets) {
+    if (set.of.column || is_hour_of_a_band(set.of)) continue;
+    const auto [found, is_new] = index.try_emplace(block_of(set.of), blocks.size());
+    if (is_new) blocks.emplace_back();
+    blocks[found->second].push_back(&set);
+  }
+  std::string table = "\n";
+  table += explanation;
+  for (auto& block : blocks) table += block_text(std::move(block));
+  return table;
+}
+
+std::string hourly_table(const std::vector<calibration::SkillEntry>& entries) {
+  const calibration::SkillSets all = calibration::sets_of(entries);
+  std::map<std::string, std::map<double, std::map<std::string, double>>> by_wind;
+  std::set<std::string> methods;
+  for (const calibration::SkillSet& set : all.sets) {
+    if (set.of.column || !is_hour_of_a_band(set.of)) continue;
+    by_wind[set.of.wind][set.of.lead.to_h][set.of.method] = set.score.rmse_m_s;
+    methods.insert(set.of.method);
+  }
+  std::string table;
+  for (const auto& [wind, hours] : by_wind) {
+    table += "\nvector RMSE (m/s) by hour of lead, wind " + wind + "\n  lead h";
+    for (const std::string& method : methods) table += formatted(" %14s", method.c_str());
+    table += "\n";
+    for (const auto& [hour, scores] : hours) {
+      table += formatted("  %6g", hour);
+      for (const std::string& method : methods) {
+        const auto found = scores.find(method);
+        table +=
+            found == scores.end() ? formatted(" %14s", "-") : formatted(" %14.4f", found->second);
+      }
+      table += "\n";
+    }
+  }
+  return table;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,283 @@
+#include "api/report/verify_page.h"
+#include "calibration/verify/skill_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace slackwater::api {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+bool is_current(const calibration::SkillSet& set) {
+  return set.of.variable == "sea_water_velocity" && !set.of.column;
+}
+
+bool is_hour(const calibration::SkillSet& set) {
+  return set.of.lead.to_h - set.of.lead.from_h <= 1;
+}
+
+/// The lines of skill by lead hour, the forecast first.
+std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets,
+                                const std::string& wind) {
+  std::map<std::string, SkillLine> by_method;
+  for (const calibration::SkillSet& set : sets) {
+    if (!is_current(set) || !is_hour(set) || set.of.wind != wind) continue;
+    SkillLine& line = by_method[set.of.method];
+    line.method = set.of.method;
+    line.lead_h.push_back(set.of.lead.to_h);
+    line.rmse_m_s.push_back(set.score.rmse_m_s);
+    const auto& interval = set.score.rmse_interval_m_s;
+    line.low_m_s.push_back(interval ? interval->low : nan);
+    line.high_m_s.push_back(interval ? interval->high : nan);
+  }
+  std::vector<SkillLine> lines;
+  for (auto& [method, line] : by_method) lines.push_back(std::move(line));
+  std::stable_partition(lines.begin(), lines.end(),
+                        [](const SkillLine& line) { return line.method == "forecast"; });
+  return lines;
+}
+
+/// The daily sets of a policy in the first band and lead, which speak for the whole.
+std::vector<const calibration::SkillSet*> leading_sets(
+    const std::vector<calibration::SkillSet>& sets, const std::string& wind) {
+  std::vector<const calibration::SkillSet*> found;
+  for (const calibration::SkillSet& set : sets) {
+    if (!is_current(set) || is_hour(set) || set.of.wind != wind) continue;
+    if (found.empty() ||
+        (set.of.band == found.front()->of.band && set.of.lead == found.front()->of.lead))
+      found.push_back(&set);
+  }
+  return found;
+}
+
+/// At most four levels, spread evenly over those of which the forecast speaks.
+std::vector<std::size_t> drawn_levels(const calibration::ForecastTrace& trace) {
+  const std::size_t levels = trace.depth_m.size();
+  std::vector<std::size_t> there;
+  for (std::size_t k = 0; k < levels; ++k) {
+    bool any = false;
+    for (std::size_t t = 0; t < trace.time.size() && !any; ++t)
+      any = !std::isnan(trace.truth_m_s[t * levels + k].real());
+    if (any) there.push_back(k);
+  }
+  if (there.size() <= 4) return there;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < 4; ++i) chosen.push_back(there[i * (there.size() - 1) / 3]);
+  return chosen;
+}
+
+SkillTrack track_of(const calibration::ForecastTrace& trace) {
+  SkillTrack track;
+  track.label = format_day(trace.day) + ", issued " + format_utc(trace.issued);
+  track.time = trace.time;
+  track.depth_m = trace.depth_m;
+  const std::size_t levels = trace.depth_m.size();
+  const std::vector<std::size_t> drawn = drawn_levels(trace);
+  for (const std::size_t k : drawn) track.drawn_depth_m.push_back(trace.depth_m[k]);
+  for (std::size_t t = 0; t < trace.time.size(); ++t) {
+    for (std::size_t k = 0; k < levels; ++k) {
+      const auto cell = trace.misfit.find({trace.time[t], trace.depth_m[k]});
+      track.misfit_m_s.push_back(
+          cell == trace.misfit.end() ? nan : std::sqrt(cell->second.sum / cell->second.weight));
+    }
+    for (const std::size_t k : drawn) {
+      track.forecast_m_s.push_back(trace.forecast_m_s[t * levels + k]);
+      track.truth_m_s.push_back(trace.truth_m_s[t * levels + k]);
+    }
+  }
+  return track;
+}
+
+/// Squared errors of all forecasts by hour of lead and depth.
+void pool_misfit(const std::vector<calibration::ForecastTrace>& traces, SkillPolicy& policy) {
+  std::map<std::pair<double, double>, calibration::BlockSum> pooled;
+  std::set<double> hours;
+  std::set<double> depths;
+  for (const calibration::ForecastTrace& trace : traces) {
+    if (trace.wind != policy.wind) continue;
+    const UtcTime end = UtcTime(trace.day) + std::chrono::days(1);
+    for (const auto& [place, sum] : trace.misfit) {
+      const auto hour = calibration::hour_of_lead(end, place.first);
+      if (!hour) continue;
+      const auto lead_h = static_cast<double>(*hour + 1);
+      calibration::BlockSum& cell = pooled[{lead_h, place.second}];
+      cell.sum += sum.sum;
+      cell.weight += sum.weight;
+      hours.insert(lead_h);
+      depths.insert(place.second);
+    }
+  }
+  policy.pooled_lead_h.assign(hours.begin(), hours.end());
+  policy.pooled_depth_m.assign(depths.begin(), depths.end());
+  for (const double hour : hours) {
+    for (const double depth : depths) {
+      const auto cell = pooled.find({hour, depth});
+      policy.pooled_misfit_m_s.push_back(
+          cell == pooled.end() ? nan : std::sqrt(cell->second.sum / cell->second.weight));
+    }
+  }
+}
+
+SkillPolicy policy_of(const std::string& wind, const calibration::Verification& result,
+                      const std::vector<calibration::SkillSet>& sets) {
+  SkillPolicy policy;
+  policy.wind = wind;
+  policy.by_lead = lines_of(sets, wind);
+  for (const calibration::SkillSet* set : leading_sets(sets, wind)) {
+    if (!set->score.reliability) continue;
+    const calibration::Reliability& found = *set->score.reliability;
+    policy.probability.assign(found.probability.begin(), found.probability.end());
+    policy.below.assign(found.below.begin(), found.below.end());
+    policy.pit.assign(found.pit.begin(), found.pit.end());
+  }
+  for (const calibration::ForecastTrace& trace : result.traces)
+    if (trace.wind == wind) policy.tracks.push_back(track_of(trace));
+  pool_misfit(result.traces, policy);
+  return policy;
+}
+
+/// "forecast 0.048 m/s [0.040, 0.060], best baseline reference-slab 0.050 m/s; ..."
+std::string verdict_of(const std::vector<const calibration::SkillSet*>& sets, bool& beaten) {
+  const calibration::SkillSet* forecast = nullptr;
+  const calibration::SkillSet* best = nullptr;
+  for (const calibration::SkillSet* set : sets) {
+    if (set->of.method == "forecast") {
+      forecast = set;
+    } else if (set->of.method != "oracle-mean" &&
+               (best == nullptr || set->score.rmse_m_s < best->score.rmse_m_s)) {
+      best = set;
+    }
+  }
+  if (forecast == nullptr) return {};
+  const calibration::SetScore& s = forecast->score;
+  std::string text = "Wind " + forecast->of.wind + ", lead " +
+                     calibration::lead_text(forecast->of.lead) +
+                     formatted(", %zu %s: forecast %.3f m/s", s.pairs,
+                               s.pairs == 1 ? "pair of days" : "pairs of days", s.rmse_m_s);
+  if (s.rmse_interval_m_s)
+    text += formatted(" [%.3f, %.3f]", s.rmse_interval_m_s->low, s.rmse_interval_m_s->high);
+  if (best != nullptr) {
+    beaten = beaten || best->score.rmse_m_s < s.rmse_m_s;
+    text += ", best baseline " + best->of.method + formatted(" %.3f m/s", best->score.rmse_m_s);
+  }
+  if (s.coverage_80)
+    text += formatted("; %.0f %% of the truth inside the 80 %% band", 100 * *s.coverage_80);
+  if (s.coverage_interval)
+    text +=
+        formatted(" [%.0f, %.0f]", 100 * s.coverage_interval->low, 100 * s.coverage_interval->high);
+  return text + ". ";
+}
+
+std::string cell(const std::optional<double>& value, const char* format) {
+  return value ? formatted(format, *value) : "";
+}
+
+std::string cell(const std::optional<calibration::Interval95>& interval, const char* format,
+                 double factor) {
+  return interval ? formatted(format, factor * interval->low, factor * interval->high) : "";
+}
+
+std::vector<std::string> row_of(const calibration::SkillSet& set) {
+  const calibration::SetScore& s = set.score;
+  return {calibration::band_text(set.of.band),
+          calibration::lead_text(set.of.lead),
+          set.of.method,
+          formatted("%zu", s.pairs),
+          formatted("%.4f", s.rmse_m_s),
+          cell(s.rmse_interval_m_s, "%.4f to %.4f", 1),
+          formatted("%+.4f", s.bias_east_m_s),
+          formatted("%+.4f", s.bias_north_m_s),
+          formatted("%+.4f", s.speed_bias_m_s),
+          cell(s.direction_mae_deg, "%.0f"),
+          cell(s.correlation_abs, "%.2f"),
+          cell(s.crps_m_s, "%.4f"),
+          s.coverage_80 ? formatted("%.0f", 100 * *s.coverage_80) : "",
+          cell(s.coverage_interval, "%.0f to %.0f", 100)};
+}
+
+ReportTable table_of(const std::string& wind, const std::vector<calibration::SkillSet>& sets) {
+  ReportTable table;
+  table.title = "Scores by depth band, lead and method, wind " + wind;
+  table.note =
+      "Pairs of days weigh the same. RMSE of the vector, biases east, north and of the speed "
+      "(forecast minus truth), m/s. Direction: mean absolute angle where both exceed 0.05 m/s. "
+      "Correlation: modulus of the complex correlation. CRPS (m/s) and the share inside the 80 % "
+      "band pool east and north. 95 % intervals: block bootstrap, a block is a pair of days.";
+  table.columns = {"Depth",       "Lead",         "Method",       "Pairs",       "RMSE (m/s)",
+                   "95 %",        "Bias E (m/s)", "Bias N (m/s)", "Speed (m/s)", "Direction (deg)",
+                   "Correlation", "CRPS (m/s)",   "In band (%)",  "95 %"};
+  for (const calibration::SkillSet& set : sets)
+    if (is_current(set) && !is_hour(set) && set.of.wind == wind) table.rows.push_back(row_of(set));
+  return table;
+}
+
+ReportTable hourly_table_of(const SkillPolicy& policy) {
+  ReportTable table;
+  table.title = "Vector RMSE (m/s) by hour of lead, wind " + policy.wind;
+  table.columns = {"Lead (h)"};
+  std::map<double, std::vector<std::string>> rows;
+  for (std::size_t j = 0; j < policy.by_lead.size(); ++j) {
+    const SkillLine& line = policy.by_lead[j];
+    table.columns.push_back(line.method);
+    for (std::size_t i = 0; i < line.lead_h.size(); ++i) {
+      auto& row = rows[line.lead_h[i]];
+      row.resize(policy.by_lead.size() + 1);
+      row[0] = formatted("%g", line.lead_h[i]);
+      row[j + 1] = formatted("%.4f", line.rmse_m_s[i]);
+    }
+  }
+  for (auto& [lead, row] : rows) table.rows.push_back(std::move(row));
+  return table;
+}
+
+}  // namespace
+
+SkillPage verify_page(const Site& site, const calibration::Verification& result,
+                      const std::string& generated) {
+  SkillPage page;
+  page.title = "Skill of issued forecasts for " + site.name;
+  page.site = formatted("%.3f N %.3f E", site.point.latitude_deg(), site.point.longitude_deg());
+  page.generated = generated;
+  const std::vector<calibration::SkillSet> sets = calibration::sets_of(result.entries).sets;
+  std::set<std::string> winds;
+  std::set<std::string> truths;
+  std::optional<UtcDay> first;
+  std::optional<UtcDay> last;
+  for (const calibration::SkillSet& set : sets) {
+    if (!is_current(set)) continue;
+    winds.insert(set.of.wind);
+    truths.insert(set.of.truth);
+    first = first ? std::min(*first, set.first_day) : set.first_day;
+    last = last ? std::max(*last, set.last_day) : set.last_day;
+  }
+  for (const std::string& wind : winds) {
+    page.headline += verdict_of(leading_sets(sets, wind), page.beaten);
+    page.policies.push_back(policy_of(wind, result, sets));
+    page.tables.push_back(table_of(wind, sets));
+    page.tables.push_back(hourly_table_of(page.policies.back()));
+  }
+  if (page.policies.empty()) page.headline = "The truth of the issued forecasts is not in yet.";
+  if (first && last)
+    page.facts.emplace_back("Days D", format_day(*first) + " to " + format_day(*last));
+  for (const std::string& truth : truths) page.facts.emplace_back("Truth", truth);
+  if (!result.traces.empty()) {
+    const GeoPoint& point = result.traces.front().point;
+    page.place = formatted("%.3f N %.3f E", point.latitude_deg(), point.longitude_deg());
+    page.facts.emplace_back("Hodographs at", page.place);
+  }
+  return page;
+}
+
+}  // namespace slackwater::api

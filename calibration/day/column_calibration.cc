@@ -1,0 +1,101 @@
+#include "calibration/day/column_calibration.h"
+
+#include <algorithm>
+
+#include "calibration/solve/ageing.h"
+#include "fields/base/error.h"
+#include "fields/record/slice.h"
+
+namespace slackwater::calibration {
+namespace {
+
+using std::chrono::days;
+
+VectorColumn without_tide(VectorColumn column, const ColumnTide& tide) {
+  for (std::size_t t = 0; t < column.times(); ++t) {
+    for (std::size_t k = 0; k < column.levels(); ++k)
+      column.value[column.offset(t, k)] -= tide.at(k, column.time[t]);
+  }
+  return column;
+}
+
+std::optional<LayerFigure> figure_of(const LayerOfDays& layer, UtcDay day) {
+  const auto found = layer.find(day);
+  if (found == layer.end()) return std::nullopt;
+  return found->second;
+}
+
+bool has_any(const VectorColumn& column) {
+  return std::any_of(column.status.begin(), column.status.end(),
+                     [](SampleStatus status) { return has_value(status); });
+}
+
+}  // namespace
+
+ColumnTide fit_column_tide(const VectorColumn& known, Angle latitude) {
+  ColumnTide tide;
+  bool any = false;
+  std::vector<Horizontal> value(known.times());
+  std::vector<SampleStatus> status(known.times());
+  for (std::size_t k = 0; k < known.levels(); ++k) {
+    for (std::size_t t = 0; t < known.times(); ++t) {
+      value[t] = known.value[known.offset(t, k)];
+      status[t] = known.status[known.offset(t, k)];
+    }
+    tide.levels.push_back(fit_tide(known.time, value, status, latitude));
+    any = any || !tide.levels.back().terms.empty();
+  }
+  if (!any) {
+    tide.levels.clear();
+    return tide;
+  }
+  tide.notes = tide.levels.front().notes;
+  return tide;
+}
+
+std::size_t ColumnCalibration::best() const {
+  const std::vector<double> weight = form_weights(forms);
+  return static_cast<std::size_t>(std::max_element(weight.begin(), weight.end()) - weight.begin());
+}
+
+std::vector<SteadyForm> forms_in(double water_depth_m, Angle latitude) {
+  if (is_equatorial(latitude)) return {SteadyForm::finite_depth};
+  if (default_form(water_depth_m, latitude) == SteadyForm::finite_depth)
+    return {SteadyForm::finite_depth, SteadyForm::mixed_layer};
+  return {SteadyForm::mixed_layer};
+}
+
+ColumnCalibration calibrate_column(const VectorColumn& known, UtcDay day, Angle latitude,
+                                   double water_depth_m, const std::optional<VectorColumn>& wind,
+                                   const LayerOfDays& layer) {
+  ColumnCalibration result;
+  result.tide = fit_column_tide(known, latitude);
+  CalibrationInput input;
+  input.latitude = latitude;
+  input.water_depth_m = water_depth_m;
+  input.wind = wind;
+  input.is_unsteady = true;
+  for (const SteadyForm form : forms_in(water_depth_m, latitude)) {
+    input.form = form;
+    std::vector<KnownParameter> learnt;
+    UtcDay taught{};
+    for (int before = chain_days; before >= 0; --before) {
+      const UtcDay today = day - days(before);
+      input.current =
+          without_tide(slice(known, UtcTime(today), UtcTime(today) + days(1)), result.tide);
+      if (!has_any(input.current)) continue;
+      input.known = with_layer(learnt, figure_of(layer, taught), figure_of(layer, today));
+      try {
+        Calibration fitted = calibrate_day(input);
+        learnt = aged(fitted, 1.0);
+        taught = today;
+        if (before == 0) result.forms.push_back(std::move(fitted));
+      } catch (const Error& problem) {
+        if (before == 0) result.problem = problem.message();
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,233 @@
+#include "calibration/day/daily_forecast.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "calibration/day/issued_blend.h"
+#include "calibration/day/known_currents.h"
+#include "calibration/day/whole_day.h"
+#include "fields/base/error.h"
+#include "fields/base/parallel.h"
+
+namespace slackwater::calibration {
+namespace {
+
+using std::chrono::days;
+using std::chrono::hours;
+
+/// A forecast reaches this far beyond the day it was fitted on, at most.
+constexpr int longest_lead_days = 40;
+
+/// Levels of the dataset that are wet at any column.
+std::vector<double> wet_levels(const SiteData& data, const std::string& dataset) {
+  std::vector<double> levels;
+  std::size_t deepest = 0;
+  for (const ColumnData& column : data.columns) {
+    for (const auto& piece : column.current.pieces) {
+      if (piece.origin->dataset != dataset) continue;
+      levels = piece.column.levels_m;
+      for (std::size_t k = deepest; k < levels.size(); ++k) {
+        for (std::size_t t = 0; t < piece.column.times(); ++t) {
+          if (piece.column.has(t, k)) {
+            deepest = k + 1;
+            break;
+          }
+        }
+      }
+    }
+  }
+  if (levels.empty())
+    return {0.0};  // a surface product without a depth: its one level is the surface
+  levels.resize(deepest);
+  return levels;
+}
+
+std::vector<UtcTime> hourly(UtcTime from, UtcTime to) {
+  std::vector<UtcTime> stamps;
+  for (UtcTime stamp = from; stamp <= to; stamp += hours(1)) stamps.push_back(stamp);
+  return stamps;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// Which day is forecast from, and which should have been.
+struct DayChoice {
+  UtcDay wanted{};
+  std::optional<UtcDay> usable;  ///< nothing: no whole day of currents is known
+  std::string dataset;           ///< of the usable day's currents
+};
+
+DayChoice choose_day(const SiteData& data, const ForecastOptions& options) {
+  DayChoice choice;
+  if (options.day && holds_day(data, *options.day, options.issued)) {
+    choice.usable = options.day;
+  } else {
+    choice.usable = newest_whole_day(data, options.issued, options.day);
+  }
+  // Providers deliver a day late; more than that is late, and the forecast still has to reach as
+  // far.
+  const UtcDay newest_possible = day_of(options.issued) - days(1);
+  choice.wanted = options.day.value_or(
+      std::max(choice.usable.value_or(newest_possible), newest_possible - days(1)));
+  if (choice.usable) choice.dataset = currents_of_day(data, *choice.usable, options.issued).dataset;
+  return choice;
+}
+
+ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
+                     const DayChoice& choice) {
+  ForecastPlan plan;
+  plan.day = choice.usable.value_or(choice.wanted);
+  plan.issued = options.issued;
+  plan.wind = options.wind;
+  plan.seed = options.seed;
+  plan.stamps = hourly(plan.end_of_day(), UtcTime(choice.wanted) + days(1) + options.horizon);
+  plan.dataset = choice.dataset;
+  if (choice.usable) plan.depth_m = wet_levels(data, plan.dataset);
+  // A plan of more than some weeks of lead is no forecast.
+  if (plan.stamps.size() > 24 * longest_lead_days) {
+    throw Error(ErrorKind::not_found, "the newest usable day of currents is " +
+                                          format_day(plan.day) + ", more than 30 days before " +
+                                          format_day(choice.wanted) + "; ingest newer currents");
+  }
+  return plan;
+}
+
+/// Issues the blend that the rehearsed past has earned.
+void blend_columns(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
+  const ForecastPlan& plan = result.plan;
+  const auto first = std::find_if(result.columns.begin(), result.columns.end(),
+                                  [](const ColumnForecast& c) { return !c.forms.empty(); });
+  if (first == result.columns.end()) return;
+  const auto index = static_cast<std::size_t>(first - result.columns.begin());
+  Rehearsals own(data);
+  Rehearsals& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
+  result.earned = rehearsals.earned(
+      plan, available_candidates(first->column, data.columns[index], plan), options.threads);
+  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
+    if (result.columns[i].forms.empty()) return;
+    issue_blend(result.columns[i].column, data.columns[i], plan, *result.earned);
+  });
+}
+
+/// What was late or missing about the day's currents.
+void judge_day(const DayChoice& choice, std::vector<std::string>& troubles) {
+  if (!choice.usable) {
+    troubles.push_back("no whole day of currents is stored: wind and waves alone");
+  } else if (*choice.usable != choice.wanted) {
+    troubles.push_back("currents of " + format_day(choice.wanted) +
+                       " are missing or not whole, the last good day " +
+                       format_day(*choice.usable) + " is used");
+  }
+}
+
+/// Which columns could not be calibrated.
+void judge_columns(const std::vector<ColumnForecast>& columns, std::vector<std::string>& troubles) {
+  std::size_t uncalibrated = 0;
+  std::string first_problem;
+  for (const ColumnForecast& column : columns) {
+    if (!column.forms.empty()) continue;
+    ++uncalibrated;
+    if (first_problem.empty()) first_problem = column.calibration_problem;
+  }
+  if (uncalibrated == columns.size()) {
+    troubles.push_back("calibration failed: " + first_problem);
+  } else if (uncalibrated > 0) {
+    troubles.push_back(std::to_string(uncalibrated) + " of " + std::to_string(columns.size()) +
+                       " columns are not calibrated: " + first_problem);
+  }
+}
+
+/// Whether the wind beyond D is there.
+void judge_wind(const ForecastColumn& column, WindPolicy policy,
+                std::vector<std::string>& troubles) {
+  if (column.wind_m_s.empty()) {
+    troubles.push_back("no wind is stored: the wind-driven part is left out");
+    return;
+  }
+  if (policy == WindPolicy::persist) return;
+  const auto persisted =
+      std::count(column.wind_source.begin(), column.wind_source.end(), DataStatus::persisted);
+  if (2 * persisted > static_cast<std::ptrdiff_t>(column.wind_source.size())) {
+    troubles.push_back("wind is persisted for " + std::to_string(persisted) + " of " +
+                       std::to_string(column.wind_source.size()) +
+                       " hours: no wind forecast is stored");
+  }
+}
+
+std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>& troubles) {
+  if (troubles.empty()) {
+    return "Currents calibrated on " + format_day(plan.day) + ", forecast to " +
+           format_utc(plan.stamps.back()) + ".";
+  }
+  std::string headline = troubles.front();
+  headline[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(headline[0])));
+  for (std::size_t i = 1; i < troubles.size(); ++i) headline += "; " + troubles[i];
+  return headline + ".";
+}
+
+/// The columns and what they share, as one forecast.
+Snapshot snapshot_of(const SiteData& data, const ForecastPlan& plan,
+                     const std::vector<ColumnForecast>& columns) {
+  Snapshot snapshot;
+  snapshot.site_id = data.site.id;
+  snapshot.site_name = data.site.name;
+  snapshot.day = plan.day;
+  snapshot.issued = plan.issued;
+  snapshot.wind_policy = name_of(plan.wind);
+  snapshot.time = plan.stamps;
+  snapshot.depth_m = plan.depth_m;
+  snapshot.seed = plan.seed;
+  std::set<std::string> attributions;
+  const std::size_t values = plan.stamps.size() * plan.depth_m.size();
+  for (const ColumnForecast& column : columns) {
+    for (const Origin* origin : column.origins) {
+      if (!origin->attribution.empty()) attributions.insert(origin->attribution);
+    }
+    snapshot.contains_stokes = snapshot.contains_stokes || column.contains_stokes;
+    snapshot.columns.push_back(column.column);
+    if (values > 0)
+      snapshot.members = std::max(snapshot.members, 1 + column.column.member_m_s.size() / values);
+  }
+  snapshot.attributions.assign(attributions.begin(), attributions.end());
+  return snapshot;
+}
+
+std::vector<std::int64_t> granules_of(const std::vector<ColumnForecast>& columns) {
+  std::set<std::int64_t> granules;
+  for (const ColumnForecast& column : columns) {
+    for (const Origin* origin : column.origins)
+      granules.insert(origin->granules.begin(), origin->granules.end());
+  }
+  return {granules.begin(), granules.end()};
+}
+
+}  // namespace
+
+DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options) {
+  const DayChoice choice = choose_day(data, options);
+  DailyForecast result;
+  result.plan = plan_of(data, options, choice);
+  result.columns.resize(data.columns.size());
+  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
+    result.columns[i] = forecast_column(data.columns[i], data.site, result.plan);
+    const std::vector<std::string> notes = notes_on_record(data.columns[i], result.plan);
+    result.columns[i].notes.insert(result.columns[i].notes.begin(), notes.begin(), notes.end());
+  });
+  blend_columns(data, options, result);
+
+  std::vector<std::string> troubles;  // each makes the forecast degraded
+  judge_day(choice, troubles);
+  if (choice.usable) judge_columns(result.columns, troubles);
+  judge_wind(result.columns.front().column, options.wind, troubles);
+  result.snapshot = snapshot_of(data, result.plan, result.columns);
+  result.snapshot.degraded = !troubles.empty();
+  result.snapshot.headline = headline_of(result.plan, troubles);
+  result.input_granules = granules_of(result.columns);
+  return result;
+}
+
+}  // namespace slackwater::calibration

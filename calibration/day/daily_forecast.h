@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/day/forecast_column.h"
+#include "calibration/day/forecast_plan.h"
+#include "calibration/day/rehearsal.h"
+#include "fields/record/site_data.h"
+#include "fields/service/snapshot.h"
+
+namespace slackwater::calibration {
+
+struct ForecastOptions {
+  std::optional<UtcDay> day;  ///< D; absent: the newest day that the data hold throughout
+  UtcTime issued{};           ///< when the job runs
+  Duration horizon = std::chrono::hours(72);  ///< beyond the end of D
+  WindPolicy wind = WindPolicy::best;
+  int threads = 1;
+  std::uint64_t seed = 1;  ///< of the members
+  /// Rehearsed days to share between forecasts of the same data; null: the forecast's own.
+  Rehearsals* rehearsals = nullptr;
+};
+
+/// A forecast with all that it rests on.
+struct DailyForecast {
+  Snapshot snapshot;
+  ForecastPlan plan;
+  /// Calibrations, notes and origins, in the snapshot's order. Origins are owned by the data.
+  std::vector<ColumnForecast> columns;
+  std::vector<std::int64_t> input_granules;
+  std::optional<Earned> earned;  ///< weights and spread; nothing where no current is forecast
+};
+
+/// How much history a forecast looks at for the tide: two spring-neap cycles and a month beyond.
+inline constexpr Duration history_read = std::chrono::days(60);
+
+/// The forecast of a site from its data alone: calibrate on D, propagate to the horizon, wind and
+/// waves beside it, blended as the rehearsed past has earned. Pure: no store, no clock; the same
+/// for any number of threads.
+///
+/// Where D lacks currents it falls back on the last good day before it (longer lead, wider bands,
+/// `degraded`, a headline that says so); without any currents the forecast carries wind and waves
+/// alone. Error(not_found) where the last good day is too long ago to forecast from.
+[[nodiscard]] DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options);
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,228 @@
+#include "calibration/day/horizon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/interpolate/temporal.h"
+#include "fields/record/choose.h"
+#include "fields/record/slice.h"
+#include "fields/wave/growth.h"
+
+namespace slackwater::calibration {
+namespace {
+
+using std::chrono::hours;
+
+/// Six-hourly analyses leave gaps of six hours; a gap of more than twice that is a gap.
+constexpr Duration widest_wind_gap = hours(12);
+/// Waves change more slowly than wind and come 1- to 6-hourly.
+constexpr Duration widest_wave_gap = hours(12);
+/// Persisted wind relaxes to the mean of the known record with this e-folding time: mid-latitude 10
+/// m wind keeps a correlation of about 1/e over two to three days.
+constexpr double wind_memory_h = 24.0;
+
+Knowledge knowledge_of(WindPolicy policy, UtcTime end_of_day) {
+  switch (policy) {
+    case WindPolicy::best:
+      return {};
+    case WindPolicy::forecast:
+    case WindPolicy::persist:
+      return {end_of_day, end_of_day};
+  }
+  return {};
+}
+
+template <typename T>
+bool has_grid(const Record<T>& record) {
+  return std::any_of(record.pieces.begin(), record.pieces.end(),
+                     [](const auto& piece) { return !piece.origin->is_point_series; });
+}
+
+/// Products where there are any, else moored instruments; with `persist` nothing that is valid
+/// after D.
+template <typename T>
+Chosen<T> choose_input(const Record<T>& record, WindPolicy policy, UtcTime end_of_day) {
+  Choice choice;
+  choice.only_grids = has_grid(record);
+  Chosen<T> chosen = choose(record, knowledge_of(policy, end_of_day), choice);
+  if (policy == WindPolicy::persist) {
+    chosen.column = slice(chosen.column, UtcTime::min(), end_of_day);
+    chosen.origin.resize(chosen.column.times());
+  }
+  return chosen;
+}
+
+/// The status of the stored value nearest to a time.
+template <typename T>
+std::size_t nearest_index(const Column<T>& column, UtcTime time) {
+  std::size_t best = 0;
+  for (std::size_t t = 1; t < column.times(); ++t) {
+    const auto distance = [&](std::size_t i) {
+      return std::chrono::abs(column.time[i].centre() - time);
+    };
+    if (distance(t) <= distance(best)) best = t;
+  }
+  return best;
+}
+
+void append(VectorColumn& series, UtcTime time, Horizontal value, DataStatus source) {
+  series.time.push_back(TimeCell::instant(time));
+  series.value.push_back(value);
+  series.status.push_back(SampleStatus::ok);
+  series.source.push_back(source);
+}
+
+/// The newest time before `stamp` at which the store knows the waves, at most two days back.
+std::optional<UtcTime> last_known(const Chosen<double>& height, UtcTime stamp) {
+  for (std::size_t i = height.column.times(); i-- > 0;) {
+    const UtcTime centre = height.column.time[i].centre();
+    if (height.column.has(i) && centre <= stamp) {
+      return stamp - centre <= hours(48) ? std::optional(centre) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The sea at stamps [first, stamps.size()) from the state before them: the stamp before, else the
+/// last one stored before the horizon, else a sea that the first wind has raised for half a day.
+template <typename StoredAt>
+std::vector<SeaState> grow_sea(const std::vector<SeaState>& before, const Chosen<double>& height,
+                               const StoredAt& stored_at, std::span<const UtcTime> stamps,
+                               std::size_t first, const HorizonWind& wind,
+                               const WaveSetting& setting) {
+  std::optional<SeaState> start;
+  std::vector<Horizontal> blown;
+  if (first > 0) {
+    start = before.back();
+    if (!wind.wind_m_s.empty()) blown.push_back(wind.wind_m_s[first - 1]);
+  } else if (const auto then = last_known(height, stamps[first])) {
+    start = stored_at(*then);
+    // The hours between that state and the horizon blow as the series says.
+    for (UtcTime time = *then; wind.series && time < stamps[first]; time += hours(1)) {
+      blown.push_back(
+          value_at(*wind.series, time, widest_wind_gap).value_or(wind.wind_m_s.front()));
+    }
+  }
+  if (wind.wind_m_s.empty()) {
+    return std::vector<SeaState>(
+        stamps.size() - first, start.value_or(SeaState{std::nan(""), std::nan(""), std::nan("")}));
+  }
+  if (!start) {
+    constexpr double half_day_s = 43200;
+    const Horizontal now = wind.wind_m_s[first];
+    const WindSea sea =
+        limited_wind_sea(std::abs(now), setting.fetch_m, half_day_s, setting.water_depth_m);
+    start = SeaState{sea.significant_height_m, sea.peak_period_s, from_direction_deg(now)};
+  }
+  const std::size_t skipped = blown.size();
+  for (std::size_t t = first; t < stamps.size(); ++t) blown.push_back(wind.wind_m_s[t]);
+  const std::vector<SeaState> sea = propagate_sea_state(*start, blown, setting);
+  return {sea.begin() + static_cast<std::ptrdiff_t>(skipped), sea.end()};
+}
+
+}  // namespace
+
+HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day,
+                         std::span<const UtcTime> stamps) {
+  HorizonWind result;
+  const Chosen<Horizontal> known = choose_input(wind, policy, end_of_day);
+  const VectorColumn& column = known.column;
+  VectorColumn series;
+  series.point = column.point;
+  Horizontal sum{};
+  double count = 0;
+  std::optional<Horizontal> last;
+  UtcTime last_time{};
+  for (std::size_t t = 0; t < column.times(); ++t) {
+    const UtcTime centre = column.time[t].centre();
+    if (!column.has(t)) continue;
+    append(series, centre, column.value[t], column.source[t]);
+    result.origins.push_back(known.origin[t]);
+    sum += column.value[t];
+    count += 1;
+    last = column.value[t];
+    last_time = centre;
+  }
+  if (!last) return result;
+  const Horizontal mean = sum / count;
+  for (const UtcTime stamp : stamps) {
+    const auto value = stamp <= last_time ? value_at(series, stamp, widest_wind_gap) : std::nullopt;
+    if (value) {
+      result.wind_m_s.push_back(*value);
+      result.source.push_back(column.source[nearest_index(column, stamp)]);
+      continue;
+    }
+    const double age_h = std::max(0.0, hours_between(last_time, stamp));
+    const double weight = std::exp(-age_h / wind_memory_h);
+    result.wind_m_s.push_back(weight * *last + (1 - weight) * mean);
+    result.source.push_back(DataStatus::persisted);
+  }
+  // Calibration and propagation see one series: stored values, then the stamps beyond the last of
+  // them.
+  for (std::size_t t = 0; t < stamps.size(); ++t) {
+    if (stamps[t] > last_time) append(series, stamps[t], result.wind_m_s[t], result.source[t]);
+  }
+  result.series = std::move(series);
+  return result;
+}
+
+HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy policy,
+                       UtcTime end_of_day, std::span<const UtcTime> stamps,
+                       const HorizonWind& wind) {
+  HorizonSea result;
+  const Chosen<double> height = choose_input(column.significant_height, policy, end_of_day);
+  const Chosen<double> period = choose_input(column.peak_period, policy, end_of_day);
+  const Chosen<double> direction = choose_input(column.wave_direction, policy, end_of_day);
+  if (height.empty() && wind.wind_m_s.empty()) return result;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto at = [](const Chosen<double>& chosen, UtcTime time) {
+    return chosen.empty() ? std::nullopt : value_at(chosen.column, time, widest_wave_gap);
+  };
+  // Directions pass through unit vectors.
+  VectorColumn heading;
+  for (std::size_t t = 0; t < direction.column.times(); ++t) {
+    if (direction.column.has(t)) {
+      append(heading, direction.column.time[t].centre(),
+             vector_to_direction(1, direction.column.value[t]), direction.column.source[t]);
+    }
+  }
+  const auto stored_at = [&](UtcTime time) -> std::optional<SeaState> {
+    const auto stored = at(height, time);
+    if (!stored) return std::nullopt;
+    const auto toward = value_at(heading, time, widest_wave_gap);
+    return SeaState{*stored, at(period, time).value_or(unknown),
+                    toward ? to_direction_deg(*toward) : unknown};
+  };
+  WaveSetting setting;
+  if (site.fetch_km) setting.fetch_m = *site.fetch_km * 1000;
+  setting.water_depth_m = std::max(1.0, column.water_depth.depth_m);
+
+  std::size_t t = 0;
+  while (t < stamps.size()) {
+    if (const auto stored = stored_at(stamps[t])) {
+      const std::size_t nearest = nearest_index(height.column, stamps[t]);
+      result.sea.push_back(*stored);
+      result.source.push_back(height.column.source[nearest]);
+      result.origins.push_back(height.origin[nearest]);
+      ++t;
+      continue;
+    }
+    // A run of stamps without stored waves: grow them from the state before it.
+    std::size_t end = t;
+    while (end < stamps.size() && !stored_at(stamps[end])) ++end;
+    const std::vector<SeaState> grown =
+        grow_sea(result.sea, height, stored_at, stamps.subspan(0, end), t, wind, setting);
+    if (t == 0 && !height.empty() && last_known(height, stamps[0])) {
+      result.origins.push_back(height.origin[nearest_index(height.column, stamps[0])]);
+    }
+    for (const SeaState& state : grown) {
+      result.sea.push_back(state);
+      result.source.push_back(wind.wind_m_s.empty() ? DataStatus::persisted : DataStatus::modelled);
+    }
+    t = end;
+  }
+  return result;
+}
+
+}  // namespace slackwater::calibration

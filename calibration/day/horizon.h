@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fields/record/site_data.h"
+#include "fields/service/snapshot.h"
+#include "fields/service/wind_policy.h"
+
+namespace slackwater::calibration {
+
+/// The wind of a column: what is known up to the end of D as stored, then hourly over the horizon.
+struct HorizonWind {
+  std::optional<VectorColumn>
+      series;  ///< for calibration and propagation; nothing where no wind is stored
+  std::vector<Horizontal> wind_m_s;    ///< at the stamps; empty where no wind is stored
+  std::vector<DataStatus> source;      ///< per stamp
+  std::vector<const Origin*> origins;  ///< whose values were used
+};
+[[nodiscard]] HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy,
+                                       UtcTime end_of_day, std::span<const UtcTime> stamps);
+
+/// The sea state of a column over the horizon: stored waves by the same policy, else the growth law
+/// of fields/wave driven by the wind, from the last known state. Empty where there are neither
+/// waves nor wind.
+struct HorizonSea {
+  std::vector<SeaState> sea;
+  std::vector<DataStatus> source;
+  std::vector<const Origin*> origins;
+};
+[[nodiscard]] HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy policy,
+                                     UtcTime end_of_day, std::span<const UtcTime> stamps,
+                                     const HorizonWind& wind);
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,19 @@
+#pragma once
+#include "calibration/day/rehearsal.h"
+
+namespace slackwater::calibration {
+
+/// Turns our own forecast of each column into the one that is issued: the blend of the candidates that
+/// past verification earned, its spread scaled by what past bands earned. Members keep their departures
+/// from the centre. A value that a candidate lacks is blended from the others.
+///
+/// The weights come from the first day of lead and hold for the whole horizon.
+void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastPlan& plan,
+                 const Earned& earned);
+
+/// Which of the standard candidates can be made for this day at this column.
+[[nodiscard]] std::vector<bool> available_candidates(const ForecastColumn& column,
+                                                     const ColumnData& data,
+                                                     const ForecastPlan& plan);
+
+}  // namespace slackwater::calibration

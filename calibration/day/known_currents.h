@@ -1,0 +1,37 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "calibration/day/forecast_plan.h"
+#include "fields/record/choose.h"
+#include "fields/record/site_data.h"
+
+namespace slackwater::calibration {
+
+/// The currents of a column up to the end of D as known then, on the levels and times of the plan's
+/// dataset: what a day is calibrated on.
+///
+/// Where an in-situ series stands near a product (within 10 km), the two are fused by their stated
+/// errors (calibration/fuse/fusion.h), so that the day and the history that calibration sees are
+/// those of the site. Where the plan's dataset is the series itself and a coarser product covers D
+/// too, that product is the background; without one the series stands alone.
+[[nodiscard]] Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan);
+
+/// What an operator should know about that record: "fused with station X at 2.1 km", "currents of
+/// station X at 0.4 km alone"; empty for a product alone. Cheap: nothing is fused.
+[[nodiscard]] std::vector<std::string> notes_on_record(const ColumnData& column,
+                                                       const ForecastPlan& plan);
+
+/// The truth of a column after D, at its own levels and times: the in-situ series nearest to the
+/// site (within 5 km, or farther where no product is there) if it has values then at depths that
+/// the dataset spans; else the dataset itself, analysed or observed.
+[[nodiscard]] Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset,
+                                          UtcTime end_of_day, UtcTime until);
+
+/// What was known up to the end of D on the levels of a truth: the record that baselines start from.
+/// The truth's own dataset, unfused; where that has nothing on D, the plan's record brought to the
+/// truth's depths.
+[[nodiscard]] Chosen<Horizontal> known_beside(const Chosen<Horizontal>& truth,
+                                              const ColumnData& column, const ForecastPlan& plan);
+
+}  // namespace slackwater::calibration

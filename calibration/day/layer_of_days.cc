@@ -1,0 +1,56 @@
+#include "calibration/day/layer_of_days.h"
+
+#include <cmath>
+#include <limits>
+
+#include "fields/record/choose.h"
+#include "fields/record/slice.h"
+
+namespace slackwater::calibration {
+namespace {
+
+using std::chrono::days;
+
+/// The mean over the times, per level; NaN where a level has no value.
+std::vector<double> mean_profile(const ScalarColumn& column) {
+  std::vector<double> sum(column.levels());
+  std::vector<double> count(column.levels());
+  for (std::size_t t = 0; t < column.times(); ++t) {
+    for (std::size_t k = 0; k < column.levels(); ++k) {
+      if (!column.has(t, k)) continue;
+      sum[k] += column.value[column.offset(t, k)];
+      ++count[k];
+    }
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    sum[k] = count[k] > 0 ? sum[k] / count[k] : std::numeric_limits<double>::quiet_NaN();
+  return sum;
+}
+
+std::vector<double> values_of(const ScalarColumn& column) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < column.value.size(); ++i) {
+    if (has_value(column.status[i])) values.push_back(column.value[i]);
+  }
+  return values;
+}
+
+}  // namespace
+
+LayerOfDays layer_of_days(const ColumnData& column, const ForecastPlan& plan) {
+  const bool is_stated = !column.mixed_layer_depth.pieces.empty();
+  const ScalarRecord& record = is_stated ? column.mixed_layer_depth : column.temperature;
+  LayerOfDays layer;
+  if (record.pieces.empty()) return layer;
+  const ScalarColumn known = choose(record, {plan.end_of_day(), plan.issued}, {}).column;
+  for (int before = chain_days; before >= 0; --before) {
+    const UtcDay day = plan.day - days(before);
+    const ScalarColumn part = slice(known, UtcTime(day), UtcTime(day) + days(1));
+    const auto figure = is_stated ? stated_layer(values_of(part))
+                                  : layer_of_profile(part.levels_m, mean_profile(part));
+    if (figure) layer.emplace(day, *figure);
+  }
+  return layer;
+}
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,130 @@
+#include "calibration/day/methods.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/day/horizon.h"
+#include "calibration/skill/tide_baseline.h"
+#include "fields/interpolate/temporal.h"
+
+namespace slackwater::calibration {
+namespace {
+
+/// Neighbouring snapshot levels of a truth level; nothing outside them by more than a hand's
+/// breadth.
+struct LevelPlace {
+  std::size_t low = 0;
+  std::size_t high = 0;
+  double share = 0;
+};
+
+std::optional<LevelPlace> level_place(const std::vector<double>& depth_m, double wanted_m) {
+  constexpr double same_m = 1e-3;
+  for (std::size_t k = 0; k < depth_m.size(); ++k) {
+    if (std::abs(depth_m[k] - wanted_m) <= same_m) return LevelPlace{k, k, 0};
+  }
+  const auto above = std::upper_bound(depth_m.begin(), depth_m.end(), wanted_m);
+  if (above == depth_m.begin() || above == depth_m.end()) return std::nullopt;
+  const auto high = static_cast<std::size_t>(above - depth_m.begin());
+  return LevelPlace{high - 1, high,
+                    (wanted_m - depth_m[high - 1]) / (depth_m[high] - depth_m[high - 1])};
+}
+
+BaselineForecast nothing_at(const VectorColumn& truth) {
+  BaselineForecast made;
+  made.value.resize(truth.value.size());
+  made.status.resize(truth.value.size(), SampleStatus::missing);
+  return made;
+}
+
+bool has_any(const BaselineForecast& made) {
+  return std::any_of(made.status.begin(), made.status.end(), has_value);
+}
+
+/// The forecast as issued at the truth's own cells and levels: means over the truth's means, linear
+/// between the forecast's depths.
+MethodForecast as_issued(const Snapshot& snapshot, std::size_t index, const VectorColumn& truth) {
+  MethodForecast method{"forecast", nothing_at(truth), {}};
+  const ForecastColumn& column = snapshot.columns[index];
+  const std::size_t levels = snapshot.depth_m.size();
+  if (column.current_m_s.empty()) return method;
+  method.sigma_m_s.resize(truth.value.size());
+  const std::vector<Horizontal> sigma(column.current_sigma_m_s.begin(),
+                                      column.current_sigma_m_s.end());
+  for (std::size_t k = 0; k < truth.levels(); ++k) {
+    const auto place = level_place(snapshot.depth_m, truth.levels_m[k]);
+    if (!place || !has_value(column.current_status[place->low]) ||
+        !has_value(column.current_status[place->high])) {
+      continue;
+    }
+    for (std::size_t t = 0; t < truth.times(); ++t) {
+      if (!truth.has(t, k)) continue;
+      const auto blend = [&](const std::vector<Horizontal>& values) -> std::optional<Horizontal> {
+        const auto low = mean_over(snapshot.time, values, levels, place->low, truth.time[t]);
+        if (!low || place->share == 0) return low;
+        const auto high = mean_over(snapshot.time, values, levels, place->high, truth.time[t]);
+        if (!high) return std::nullopt;
+        return (1 - place->share) * *low + place->share * *high;
+      };
+      const auto value = blend(column.current_m_s);
+      if (!value) continue;
+      const std::size_t o = truth.offset(t, k);
+      method.made.value[o] = *value;
+      method.made.status[o] = SampleStatus::ok;
+      method.sigma_m_s[o] = blend(sigma)->real();
+    }
+  }
+  return method;
+}
+
+/// The provider's own forecast issued by the end of D, at the truth's cells.
+MethodForecast provider_forecast(const ColumnData& column, const std::string& dataset,
+                                 const VectorColumn& truth, UtcTime end_of_day) {
+  MethodForecast method{"provider", nothing_at(truth), {}};
+  Choice choice;
+  choice.dataset = dataset;
+  choice.only_forecasts = true;
+  const Chosen<Horizontal> provider = choose(column.current, {end_of_day, end_of_day}, choice);
+  if (provider.empty() || provider.column.levels() != truth.levels()) return method;
+  std::size_t p = 0;
+  for (std::size_t t = 0; t < truth.times(); ++t) {
+    const UtcTime centre = truth.time[t].centre();
+    while (p < provider.column.times() && provider.column.time[p].centre() < centre) ++p;
+    if (p == provider.column.times()) break;
+    if (!(provider.column.time[p] == truth.time[t])) continue;
+    for (std::size_t k = 0; k < truth.levels(); ++k) {
+      if (!provider.column.has(p, k)) continue;
+      method.made.value[truth.offset(t, k)] = provider.column.value[provider.column.offset(p, k)];
+      method.made.status[truth.offset(t, k)] = SampleStatus::ok;
+    }
+  }
+  return method;
+}
+
+}  // namespace
+
+std::vector<MethodForecast> current_methods(const ColumnData& column, const ForecastPlan& plan,
+                                            const Snapshot& snapshot, std::size_t column_index,
+                                            const Chosen<Horizontal>& truth,
+                                            const Chosen<Horizontal>& known) {
+  const UtcTime end = plan.end_of_day();
+  std::vector<MethodForecast> methods;
+  methods.push_back(as_issued(snapshot, column_index, truth.column));
+  if (!known.empty()) {
+    // Held wind is that of the end of D, on the line between the stamps around it.
+    const WindPolicy policy = plan.wind == WindPolicy::persist ? WindPolicy::best : plan.wind;
+    const HorizonWind wind = horizon_wind(column.nearest_wind, policy, end, {});
+    const BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,
+                              column.point.latitude, plan.wind == WindPolicy::persist};
+    for (const Baseline baseline : all_baselines) {
+      auto outcome = make_baseline(baseline, input, truth.column.time, &truth.column);
+      if (outcome.forecast)
+        methods.push_back({std::string(name_of(baseline)), std::move(*outcome.forecast), {}});
+    }
+  }
+  methods.push_back(provider_forecast(column, plan.dataset, truth.column, end));
+  std::erase_if(methods, [](const MethodForecast& method) { return !has_any(method.made); });
+  return methods;
+}
+
+}  // namespace slackwater::calibration

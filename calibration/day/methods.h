@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "calibration/day/forecast_plan.h"
+#include "calibration/skill/baseline.h"
+#include "fields/record/choose.h"
+#include "fields/record/site_data.h"
+#include "fields/service/snapshot.h"
+
+namespace slackwater::calibration {
+
+/// One method evaluated at the truth's own cells and levels.
+struct MethodForecast {
+  std::string name;       ///< "forecast", "provider" or a baseline
+  BaselineForecast made;  ///< shape of the truth
+  /// Standard deviation of each component, shape of the truth; empty for a method without spread.
+  std::vector<double> sigma_m_s;
+};
+
+/// The forecast as issued, every baseline that the column's record allows and the provider's own
+/// forecast; those without any value are left out. `known` is the record up to the end of D that baselines
+/// start from, on the truth's levels. Each baseline is made once. Pure.
+[[nodiscard]] std::vector<MethodForecast> current_methods(
+    const ColumnData& column, const ForecastPlan& plan, const Snapshot& snapshot,
+    std::size_t column_index, const Chosen<Horizontal>& truth, const Chosen<Horizontal>& known);
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,54 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "calibration/blend/blend.h"
+#include "calibration/blend/earned_spread.h"
+#include "calibration/day/forecast_column.h"
+#include "fields/record/site_data.h"
+
+namespace slackwater::calibration {
+
+/// One past day D' forecast as if live and held against D'+1, with every other method beside it.
+struct RehearsedDay {
+  std::vector<std::vector<Horizontal>> errors;  ///< per standard candidate; empty: absent
+  std::vector<double> sigma_m_s;                ///< of our forecast, per value; unscaled
+};
+
+/// What the past of a site has earned: the weights of the candidates, and the factor on the spread.
+struct Earned {
+  Blend blend;
+  EarnedSpread spread;
+};
+
+/// Rehearses past days of the data at a few columns and remembers them, so that a hindcast rehearses each
+/// day once. A day D' is forecast from what was known at its own end (plus the latency of the run) and
+/// held against the currents of D'+1, which end by the D that is forecast from: nothing later is seen.
+/// Thread-safe.
+class Rehearsals {
+ public:
+  explicit Rehearsals(const SiteData& data) : data_(data) {}
+
+  /// What the pairs up to the plan's D have earned.
+  /// @param available  whether each standard candidate can be made for D
+  [[nodiscard]] Earned earned(const ForecastPlan& plan, const std::vector<bool>& available,
+                              int threads);
+
+  static constexpr int longest_days = 21;
+  static constexpr std::size_t most_columns = 4;
+
+ private:
+  [[nodiscard]] std::shared_ptr<const RehearsedDay> day(const ForecastPlan& plan, UtcDay day);
+  [[nodiscard]] RehearsedDay rehearse(const ForecastPlan& plan, UtcDay day) const;
+
+  const SiteData& data_;
+  std::mutex mutex_;
+  std::map<std::tuple<UtcDay, WindPolicy, std::string>, std::shared_ptr<const RehearsedDay>> done_;
+};
+
+/// The names of the standard candidates, in order.
+[[nodiscard]] std::vector<std::string> candidate_names();
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,23 @@
+#include "calibration/verify/score_forecast.h"
+
+#include "calibration/verify/surface_skill.h"
+
+namespace slackwater::calibration {
+
+ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
+                             const std::string& dataset, const VerifyOptions& options) {
+  SkillEntry blank;
+  blank.variable = "sea_water_velocity";
+  blank.site = snapshot.site_id;
+  blank.day = snapshot.day;
+  blank.issued = snapshot.issued;
+  blank.wind = snapshot.wind_policy;
+  ForecastSkill skill = score_currents(data, snapshot, dataset, options, blank);
+  if (data.columns.empty() || snapshot.columns.empty()) return skill;
+  const UtcTime end = UtcTime(snapshot.day) + std::chrono::days(1);
+  auto surface = score_surface(data.columns.front(), snapshot, end, options, blank);
+  std::move(surface.begin(), surface.end(), std::back_inserter(skill.entries));
+  return skill;
+}
+
+}  // namespace slackwater::calibration

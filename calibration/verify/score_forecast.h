@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "calibration/verify/current_skill.h"
+#include "calibration/verify/skill_entry.h"
+#include "fields/record/site_data.h"
+#include "fields/service/snapshot.h"
+
+namespace slackwater::calibration {
+
+/// Scores one forecast, currents, wind and waves, against the truth that the data hold now, with
+/// every baseline beside it. Pure; the same for any number of threads.
+/// @param dataset  of the currents that the forecast was made from
+[[nodiscard]] ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
+                                           const std::string& dataset,
+                                           const VerifyOptions& options);
+
+/// Scores of many forecasts, and what a page draws of them where the options ask for it.
+struct Verification {
+  std::vector<SkillEntry> entries;
+  std::vector<ForecastTrace> traces;  ///< in the order of the forecasts
+};
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,70 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/skill/score.h"
+#include "fields/base/time.h"
+
+namespace slackwater::calibration {
+
+/// The lower end of the deepest band.
+inline constexpr double whole_column_m = 1e5;
+
+/// Both ends included, metres below mean sea level; or metres above the bed.
+struct DepthBand {
+  double from_m = 0;
+  double to_m = 0;
+  bool above_bed = false;  ///< from_m and to_m are heights above the bed
+  bool operator==(const DepthBand&) const = default;
+};
+
+/// Whether a level belongs to a band. A level given as deeper than the water stands on the bed.
+[[nodiscard]] bool holds(const DepthBand& band, double depth_m, double water_depth_m) noexcept;
+
+/// The whole column and the bands that operators speak of: 0-5, 5-20, 20-50, below 50 m, and the
+/// 5 m above the bed.
+[[nodiscard]] std::vector<DepthBand> standard_bands();
+
+/// "0,150" or "0,5,20,50": edges of neighbouring bands. Throws Error(usage).
+[[nodiscard]] std::vector<DepthBand> parse_bands(const std::string& text);
+
+/// (from, to] hours after the end of D.
+struct LeadBin {
+  double from_h = 0;
+  double to_h = 24;
+  bool operator==(const LeadBin&) const = default;
+};
+
+struct VerifyOptions {
+  std::optional<UtcDay> from;  ///< day D, both ends included
+  std::optional<UtcDay> to;
+  std::vector<std::int64_t> forecasts;  ///< only these ids of the store; empty: all in the range
+  std::vector<DepthBand> bands;         ///< empty: the whole column and the standard bands
+  std::vector<LeadBin> leads{{0, 24}, {24, 48}, {48, 72}};  ///< whole hours
+  bool by_hour = true;      ///< also each hour of lead, for the first band
+  bool per_column = false;  ///< each column beside the pooled figures
+  bool traces = false;      ///< keep what a page draws of each forecast
+  int threads = 1;
+};
+
+/// One line of skill: a method against the truth, for one issued forecast, band and lead.
+struct SkillEntry {
+  std::string variable;  ///< CF name of what is scored; "sea_water_velocity" for the current
+  std::string site;
+  std::optional<std::size_t> column;  ///< nothing: pooled over columns
+  UtcDay day{};
+  UtcTime issued{};
+  std::string wind;
+  std::optional<DepthBand> band;  ///< nothing for wind and waves
+  LeadBin lead;
+  std::string method;
+  VectorScore vector;                  ///< for currents and wind
+  std::optional<ScalarScore> scalar;   ///< for waves
+  std::optional<Interval95> interval;  ///< of the RMSE; blocks are six hours of lead
+  std::string truth;                   ///< the dataset or station it was held against
+};
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,95 @@
+#include "calibration/verify/skill_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <tuple>
+
+namespace slackwater::calibration {
+namespace {
+
+/// What the entries of one set share.
+auto key_of(const SkillEntry& e) {
+  const DepthBand band = e.band.value_or(DepthBand{});
+  return std::tuple(e.variable, e.site, e.column, e.wind, band.from_m, band.to_m, band.above_bed,
+                    e.lead.from_h, e.lead.to_h, e.method);
+}
+
+/// Scores of waves in the shape of a vector's, so that one recipe pools both.
+VectorScore vector_score(const SkillEntry& e) {
+  if (!e.scalar) return e.vector;
+  VectorScore score;
+  score.n = e.scalar->n;
+  score.rmse_m_s = e.scalar->rmse;
+  score.bias_east_m_s = e.scalar->bias;
+  return score;
+}
+
+double width_of(const std::optional<DepthBand>& band) {
+  return band && !band->above_bed ? band->to_m - band->from_m : 0.0;
+}
+
+}  // namespace
+
+SkillSets sets_of(const std::vector<SkillEntry>& entries) {
+  SkillSets result;
+  std::map<decltype(key_of(entries.front())), std::size_t> index;
+  std::vector<std::vector<VectorScore>> pairs;
+  for (const SkillEntry& entry : entries) {
+    const auto [found, is_new] = index.try_emplace(key_of(entry), result.sets.size());
+    if (is_new) {
+      result.sets.push_back({entry, entry.day, entry.day, {}});
+      pairs.emplace_back();
+    }
+    SkillSet& set = result.sets[found->second];
+    set.of = entry;
+    set.first_day = std::min(set.first_day, entry.day);
+    set.last_day = std::max(set.last_day, entry.day);
+    pairs[found->second].push_back(vector_score(entry));
+    result.of_entry.push_back(found->second);
+  }
+  for (std::size_t i = 0; i < result.sets.size(); ++i) {
+    Rng random(static_cast<std::uint64_t>(result.sets[i].first_day.time_since_epoch().count()),
+               "verify/pairs");
+    result.sets[i].score = score_set(pairs[i], random, 1000);
+  }
+  return result;
+}
+
+std::optional<double> set_rmse(const std::vector<SkillEntry>& entries, const std::string& variable,
+                               const std::string& method, const LeadBin& lead) {
+  std::vector<double> rmse;
+  double widest = -1;
+  for (const SkillEntry& e : entries) {
+    if (e.variable != variable || e.method != method || e.column || !(e.lead == lead)) continue;
+    const double width = width_of(e.band);
+    if (width < widest) continue;
+    if (width > widest) rmse.clear();
+    widest = width;
+    rmse.push_back(e.scalar ? e.scalar->rmse : e.vector.rmse_m_s);
+  }
+  if (rmse.empty()) return std::nullopt;
+  return rmse_of_pairs(rmse);
+}
+
+std::string band_text(const std::optional<DepthBand>& band) {
+  if (!band) return "surface";
+  char text[64];
+  if (band->above_bed) {
+    std::snprintf(text, sizeof text, "%g-%g m above the bed", band->from_m, band->to_m);
+  } else if (band->to_m >= whole_column_m) {
+    std::snprintf(text, sizeof text, band->from_m > 0 ? "below %g m" : "all depths", band->from_m);
+  } else {
+    std::snprintf(text, sizeof text, "%g-%g m", band->from_m, band->to_m);
+  }
+  return text;
+}
+
+std::string lead_text(const LeadBin& lead) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%g-%g h", lead.from_h, lead.to_h);
+  return text;
+}
+
+}  // namespace slackwater::calibration

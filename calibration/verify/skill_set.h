@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/verify/skill_entry.h"
+
+namespace slackwater::calibration {
+
+/// The pairs of days of one method that belong together: same variable, wind policy, column, band
+/// and lead. Pairs weigh the same; intervals draw whole pairs.
+struct SkillSet {
+  SkillEntry of;  ///< the last pair's entry, for what all share
+  UtcDay first_day{};
+  UtcDay last_day{};
+  SetScore score;  ///< waves: rmse and bias east, in m
+};
+
+/// The sets of a list of entries, in the order in which they first appear, and for each entry the
+/// index of its set.
+struct SkillSets {
+  std::vector<SkillSet> sets;
+  std::vector<std::size_t> of_entry;
+};
+[[nodiscard]] SkillSets sets_of(const std::vector<SkillEntry>& entries);
+
+/// Root mean square over the pairs of days of a method's error, in one lead bin and the
+/// widest band, pooled over columns: what a set scores.
+[[nodiscard]] std::optional<double> set_rmse(const std::vector<SkillEntry>& entries,
+                                             const std::string& variable, const std::string& method,
+                                             const LeadBin& lead);
+
+/// "0-5 m", "below 50 m", "0-5 m above the bed", "all depths", "surface".
+[[nodiscard]] std::string band_text(const std::optional<DepthBand>& band);
+/// "0-24 h".
+[[nodiscard]] std::string lead_text(const LeadBin& lead);
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,161 @@
+#include "calibration/verify/surface_skill.h"
+
+#include <cmath>
+#include <map>
+
+#include "calibration/verify/current_skill.h"
+#include "fields/interpolate/temporal.h"
+#include "fields/record/choose.h"
+
+namespace slackwater::calibration {
+namespace {
+
+using std::chrono::hours;
+
+/// Forecast and truth at one time; scalars travel as vectors with a zero north component.
+struct SurfacePair {
+  Horizontal forecast{};
+  Horizontal truth{};
+  double lead_h = 0;
+  std::size_t block = 0;  ///< six hours of UTC
+};
+
+SurfacePair pair_at(Horizontal forecast, Horizontal truth, UtcTime time, UtcTime end) {
+  return {forecast, truth, hours_between(end, time),
+          static_cast<std::size_t>(time.time_since_epoch() / hours(6))};
+}
+
+/// A moored instrument where there is one, else the analysed product; never a forecast.
+template <typename T>
+Chosen<T> surface_truth(const Record<T>& record) {
+  Record<T> known;
+  for (const auto& piece : record.pieces) {
+    if (piece.origin->status != DataStatus::forecast) known.pieces.push_back(piece);
+  }
+  Choice series;
+  series.only_series = true;
+  Chosen<T> chosen = choose(known, {}, series);
+  if (!chosen.empty()) return chosen;
+  Choice grids;
+  grids.only_grids = true;
+  return choose(known, {}, grids);
+}
+
+/// Whether a forecast's value at a time is the later analysis itself.
+bool is_its_own_truth(const Snapshot& snapshot, const std::vector<DataStatus>& source, UtcTime time,
+                      const Origin& truth) {
+  if (truth.is_point_series) return false;
+  const auto place = place_in(snapshot.time, time);
+  return place && place->low < source.size() && source[place->low] == DataStatus::analysis;
+}
+
+std::vector<SurfacePair> within(const std::vector<SurfacePair>& pairs, const LeadBin& lead) {
+  std::vector<SurfacePair> part;
+  for (const SurfacePair& pair : pairs)
+    if (pair.lead_h > lead.from_h && pair.lead_h <= lead.to_h) part.push_back(pair);
+  return part;
+}
+
+void score(SkillEntry& entry, const std::vector<SurfacePair>& pairs, bool scalar) {
+  std::vector<Horizontal> forecast;
+  std::vector<Horizontal> truth;
+  std::vector<double> height;
+  std::vector<double> true_height;
+  std::vector<double> squared;
+  std::vector<std::size_t> block;
+  for (const SurfacePair& pair : pairs) {
+    forecast.push_back(pair.forecast);
+    truth.push_back(pair.truth);
+    height.push_back(pair.forecast.real());
+    true_height.push_back(pair.truth.real());
+    squared.push_back(std::norm(pair.forecast - pair.truth));
+    block.push_back(pair.block);
+  }
+  if (scalar) {
+    entry.scalar = score_scalars(height, true_height);
+  } else {
+    entry.vector = score_vectors(forecast, truth);
+  }
+  Rng random(static_cast<std::uint64_t>(entry.day.time_since_epoch().count()), "verify/bootstrap");
+  entry.interval = bootstrap_rmse(squared, block, random, 1000);
+}
+
+using PairsByMethod = std::map<std::string, std::vector<SurfacePair>>;
+
+void add_entries(const PairsByMethod& methods, const VerifyOptions& options,
+                 const SkillEntry& blank, bool scalar, std::vector<SkillEntry>& entries) {
+  for (const LeadBin& lead : options.leads) {
+    for (const auto& [method, pairs] : methods) {
+      const std::vector<SurfacePair> part = within(pairs, lead);
+      if (part.empty()) continue;
+      SkillEntry entry = blank;
+      entry.method = method;
+      entry.lead = lead;
+      score(entry, part, scalar);
+      entries.push_back(std::move(entry));
+    }
+  }
+}
+
+void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
+                const VerifyOptions& options, SkillEntry blank, std::vector<SkillEntry>& entries) {
+  const ForecastColumn& column = snapshot.columns.front();
+  if (column.wind_m_s.empty()) return;
+  const Chosen<Horizontal> truth = surface_truth(data.wind);
+  PairsByMethod methods;
+  for (std::size_t t = 0; t < truth.column.times(); ++t) {
+    const UtcTime time = truth.column.time[t].centre();
+    if (time <= end || !truth.column.has(t)) continue;
+    if (is_its_own_truth(snapshot, column.wind_source, time, *truth.origin[t])) continue;
+    const auto forecast = mean_over(snapshot.time, column.wind_m_s, 1, 0, TimeCell::instant(time));
+    if (forecast)
+      methods["forecast"].push_back(pair_at(*forecast, truth.column.value[t], time, end));
+  }
+  if (methods.empty()) return;
+  blank.variable = "wind";
+  blank.truth = truth_name(*truth.origin.back());
+  add_entries(methods, options, blank, false, entries);
+}
+
+void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
+                 const VerifyOptions& options, SkillEntry blank, std::vector<SkillEntry>& entries) {
+  const ForecastColumn& column = snapshot.columns.front();
+  if (column.sea.empty()) return;
+  const Chosen<double> truth = surface_truth(data.significant_height);
+  std::vector<Horizontal> height;
+  for (const SeaState& sea : column.sea) height.emplace_back(sea.significant_height_m, 0);
+  // Persistence of waves: the last value that was known at the end of D.
+  std::optional<double> last;
+  PairsByMethod methods;
+  for (std::size_t t = 0; t < truth.column.times(); ++t) {
+    if (!truth.column.has(t)) continue;
+    const UtcTime time = truth.column.time[t].centre();
+    const double value = truth.column.value[t];
+    if (time <= end) {
+      last = value;
+      continue;
+    }
+    if (is_its_own_truth(snapshot, column.sea_source, time, *truth.origin[t])) continue;
+    const auto forecast = mean_over(snapshot.time, height, 1, 0, TimeCell::instant(time));
+    if (!forecast || std::isnan(forecast->real())) continue;
+    methods["forecast"].push_back(pair_at(*forecast, value, time, end));
+    if (last) methods["persistence"].push_back(pair_at(*last, value, time, end));
+  }
+  if (methods.empty()) return;
+  blank.variable = "sea_surface_wave_significant_height";
+  blank.truth = truth_name(*truth.origin.back());
+  add_entries(methods, options, blank, true, entries);
+}
+
+}  // namespace
+
+std::vector<SkillEntry> score_surface(const ColumnData& data, const Snapshot& snapshot,
+                                      UtcTime end_of_day, const VerifyOptions& options,
+                                      const SkillEntry& blank) {
+  std::vector<SkillEntry> entries;
+  score_wind(data, snapshot, end_of_day, options, blank, entries);
+  score_waves(data, snapshot, end_of_day, options, blank, entries);
+  return entries;
+}
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fields/base/time.h"
+#include "fields/grid/status.h"
+
+namespace slackwater {
+
+/// Where a piece of data came from, as far as choosing between pieces needs it.
+struct Origin {
+  std::vector<std::int64_t> granules;  ///< one, or two where U and V came in separate files
+  DataStatus status = DataStatus::analysis;
+  std::optional<UtcTime> reference_time;  ///< of a provider's forecast
+  std::string dataset;  ///< product/dataset/levels: pieces of one dataset may be joined
+  std::string product_id;
+  std::string attribution;
+  std::vector<std::string> sources;  ///< sha256 of the product files
+  int ensemble_member = 0;           ///< of a weather model; 0 is the control
+  std::string station;               ///< platform of a point series
+  bool contains_stokes = false;
+  bool is_point_series = false;
+  std::optional<double> water_depth_m;  ///< where the file of a point series states it
+};
+
+/// Whether a piece was measured at a place: a point series of observations. Model output written as
+/// a point series (`ingest --as analysis`) is a product.
+[[nodiscard]] inline bool is_in_situ(const Origin& origin) noexcept {
+  return origin.is_point_series && origin.status == DataStatus::observation;
+}
+
+}  // namespace slackwater

@@ -1,0 +1,15 @@
+#pragma once
+#include <string_view>
+
+namespace slackwater {
+
+/// Where the wind (and the waves) beyond day D come from (DESIGN §3).
+enum class WindPolicy {
+  best,      ///< the newest stored forecast, or later analysis, marked as such
+  forecast,  ///< only what was issued by the end of D
+  persist,   ///< the last value of D, decaying to the mean of the known record
+};
+[[nodiscard]] std::string_view name_of(WindPolicy policy) noexcept;
+[[nodiscard]] WindPolicy wind_policy_from(std::string_view name);  ///< throws Error(usage)
+
+}  // namespace slackwater

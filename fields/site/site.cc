@@ -1,0 +1,131 @@
+#include "fields/site/site.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "fields/base/config.h"
+#include "fields/base/error.h"
+
+namespace slackwater {
+namespace {
+
+constexpr Range latitude_range{-90, 90};
+constexpr Range longitude_range{-180, 360};
+
+GeoPoint read_point(const Config& config) {
+  return GeoPoint::from_degrees(config.number("latitude_deg", latitude_range),
+                                config.number("longitude_deg", longitude_range));
+}
+
+ColumnBlock read_block(const Config& config) {
+  const std::vector<double> box = config.numbers("bbox", {-180, 360});
+  if (box.size() != 4) config.refuse("bbox", "expected four numbers: [west, south, east, north]");
+  ColumnBlock block;
+  try {
+    block.box = BoundingBox::from_degrees(box[0], box[1], box[2], box[3]);
+  } catch (const Error& problem) {
+    config.refuse("bbox", problem.message());
+  }
+  block.every = config.optional_integer("every", 1, 1000).value_or(1);
+  return block;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream)
+    throw Error(ErrorKind::not_found, "cannot read " + file.string() + "; check the path");
+  return text.str();
+}
+
+bool looks_like_path(const std::string& text) {
+  return text.find('/') != std::string::npos || text.ends_with(".yaml") || text.ends_with(".yml");
+}
+
+}  // namespace
+
+BoundingBox Site::box(double margin_deg) const {
+  if (column_block) {
+    const BoundingBox& b = column_block->box;
+    return BoundingBox::from_degrees(
+        b.west_deg - margin_deg, std::max(-90.0, b.south_deg - margin_deg),
+        (b.west_deg > b.east_deg ? b.east_deg + 360 : b.east_deg) + margin_deg,
+        std::min(90.0, b.north_deg + margin_deg));
+  }
+  double south = point.latitude_deg();
+  double north = south;
+  double west = point.longitude_deg();
+  double east = west;
+  for (const GeoPoint& column : columns) {
+    south = std::min(south, column.latitude_deg());
+    north = std::max(north, column.latitude_deg());
+    // Longitudes next to the site's own, so that a farm across the antimeridian stays small.
+    const double longitude =
+        column.longitude_deg() +
+        360.0 * std::round((point.longitude_deg() - column.longitude_deg()) / 360.0);
+    west = std::min(west, longitude);
+    east = std::max(east, longitude);
+  }
+  return BoundingBox::from_degrees(west - margin_deg, std::max(-90.0, south - margin_deg),
+                                   east + margin_deg, std::min(90.0, north + margin_deg));
+}
+
+Site parse_site(std::string_view yaml, std::string_view name) {
+  const Config config = Config::parse(yaml, name);
+  Site site;
+  site.yaml = yaml;
+  site.id = config.text("id");
+  const bool plain = !site.id.empty() && site.id.size() <= 64 &&
+                     std::all_of(site.id.begin(), site.id.end(), [](unsigned char c) {
+                       return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+                     });
+  if (!plain) config.refuse("id", "expected at most 64 letters, digits, '-', '_' or '.'");
+  site.name = config.optional_text("name").value_or(site.id);
+  site.point = read_point(config);
+  site.water_depth_m = config.optional_number("water_depth_m", {1, 11000});
+  site.hub_height_m = config.optional_number("hub_height_m", {10, 400});
+  site.fetch_km = config.optional_number("fetch_km", {0.1, 5000});
+  site.tasks = config.texts("tasks");
+  for (const Config& entry : config.children("turbines")) {
+    site.turbines.push_back({entry.text("id"), read_point(entry)});
+  }
+  if (config.is_mapping("columns")) {
+    site.column_block = read_block(config.child("columns"));
+  } else {
+    for (const Config& entry : config.children("columns"))
+      site.columns.push_back(read_point(entry));
+  }
+  config.expect_all_read();
+  return site;
+}
+
+std::vector<std::string> known_sites(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> ids;
+  for (const auto& folder : folders) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == ".yaml") ids.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+Site find_site(const std::string& id_or_path, const std::vector<std::filesystem::path>& folders) {
+  if (looks_like_path(id_or_path)) return parse_site(read_text(id_or_path), id_or_path);
+  for (const auto& folder : folders) {
+    const auto file = folder / (id_or_path + ".yaml");
+    if (std::filesystem::exists(file)) return parse_site(read_text(file), file.string());
+  }
+  std::string known;
+  for (const std::string& id : known_sites(folders)) known += " " + id;
+  throw Error(ErrorKind::not_found, "found no site '" + id_or_path +
+                                        "'; known sites are:" + (known.empty() ? " none" : known) +
+                                        "; or give the path of a site's YAML file");
+}
+
+}  // namespace slackwater

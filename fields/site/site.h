@@ -1,0 +1,54 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fields/geo/geo_point.h"
+
+namespace slackwater {
+
+/// A block of product cells: every n-th wet cell whose centre lies in the box becomes a column.
+struct ColumnBlock {
+  BoundingBox box;
+  int every = 1;
+};
+
+/// Where one turbine of the farm stands.
+struct TurbinePlace {
+  std::string id;
+  GeoPoint point;
+};
+
+/// An offshore site as `data/sites/*.yaml` describes it (DESIGN §2).
+struct Site {
+  std::string id;
+  std::string name;
+  GeoPoint point;
+  std::optional<double> water_depth_m;
+  std::optional<double> hub_height_m;
+  std::optional<double> fetch_km;  ///< upwind fetch for the wave fallback
+  std::vector<TurbinePlace> turbines;
+  std::vector<std::string> tasks;
+  std::vector<GeoPoint> columns;  ///< extra columns; empty: the site's own point alone
+  std::optional<ColumnBlock> column_block;
+  std::string yaml;  ///< the text it was read from, kept with every result
+
+  /// The smallest box that holds every column, with a margin in degrees.
+  [[nodiscard]] BoundingBox box(double margin_deg) const;
+};
+
+/// Reads a site from YAML; unknown keys, values out of range and contradictions are
+/// Error(invalid_input).
+[[nodiscard]] Site parse_site(std::string_view yaml, std::string_view name);
+
+/// Finds a site by id in the sites folders, or by the path of its file. Throws Error(not_found)
+/// that lists the ids there are.
+[[nodiscard]] Site find_site(const std::string& id_or_path,
+                             const std::vector<std::filesystem::path>& folders);
+
+/// Ids of the sites in these folders, sorted.
+[[nodiscard]] std::vector<std::string> known_sites(
+    const std::vector<std::filesystem::path>& folders);
+
+}  // namespace slackwater

@@ -1,0 +1,134 @@
+#include "calibration/verify/skill_entry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "api/report/skill_json.h"
+#include "api/report/skill_table.h"
+#include "calibration/verify/method_tallies.h"
+#include "calibration/verify/skill_set.h"
+#include "fields/base/error.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+const UtcTime end_of_d = parse_utc("2024-06-02T00:00:00Z");
+
+calibration::SkillEntry entry_of(const char* day, const char* method, double rmse) {
+  calibration::SkillEntry entry;
+  entry.variable = "sea_water_velocity";
+  entry.site = "site";
+  entry.wind = "best";
+  entry.day = parse_day(day);
+  entry.method = method;
+  entry.band = calibration::DepthBand{0, calibration::whole_column_m, false};
+  entry.vector.n = 10;
+  entry.vector.rmse_m_s = rmse;
+  return entry;
+}
+
+TEST(DepthBand, NearTheBedIsCountedFromTheBed) {
+  const calibration::DepthBand near_bed = calibration::standard_bands().back();
+  ASSERT_TRUE(near_bed.above_bed);
+  EXPECT_TRUE(holds(near_bed, 31, 35));
+  EXPECT_TRUE(holds(near_bed, 30, 35));
+  EXPECT_FALSE(holds(near_bed, 29.9, 35));
+  EXPECT_FALSE(holds(near_bed, 31, 100));
+  EXPECT_TRUE(holds(near_bed, 36, 35)) << "a level below the bed's figure stands on the bed";
+  EXPECT_TRUE(holds({5, 20, false}, 20, 35));
+}
+
+TEST(HourOfLead, TheInstantAtTheEndOfAnHourBelongsToIt) {
+  using std::chrono::minutes;
+  EXPECT_FALSE(calibration::hour_of_lead(end_of_d, end_of_d));
+  EXPECT_EQ(calibration::hour_of_lead(end_of_d, end_of_d + minutes(1)), 0U);
+  EXPECT_EQ(calibration::hour_of_lead(end_of_d, end_of_d + minutes(60)), 0U);
+  EXPECT_EQ(calibration::hour_of_lead(end_of_d, end_of_d + minutes(61)), 1U);
+  EXPECT_EQ(calibration::hour_of_lead(end_of_d, end_of_d + minutes(24 * 60)), 23U);
+}
+
+/// One method, one band, the error of each of 24 hours as given.
+template <typename ErrorAt>
+calibration::TalliesByMethod day_of(ErrorAt error_at) {
+  calibration::HourlyTallies tallies(1, 24);
+  for (std::size_t h = 0; h < 24; ++h)
+    tallies.at(0, h).add(calibration::contribution_of({error_at(h), 0}, {0, 0}));
+  calibration::TalliesByMethod methods;
+  methods.emplace("forecast", tallies);
+  return methods;
+}
+
+TEST(EntriesOf, AreTheLeadBinsAndEachHourOfTheFirstBand) {
+  calibration::VerifyOptions options;
+  options.leads = {{0, 24}};
+  const auto entries = calibration::entries_of(
+      day_of([](std::size_t h) { return 0.01 * static_cast<double>(h + 1); }),
+      {{0, calibration::whole_column_m, false}}, options, calibration::SkillEntry{}, true);
+  ASSERT_EQ(entries.size(), 25U);
+  EXPECT_EQ(entries[0].vector.n, 24U);
+  ASSERT_TRUE(entries[0].interval);
+  EXPECT_LE(entries[0].interval->low, entries[0].vector.rmse_m_s);
+  EXPECT_GE(entries[0].interval->high, entries[0].vector.rmse_m_s);
+  for (std::size_t h = 0; h < 24; ++h) {
+    EXPECT_EQ(entries[h + 1].lead.to_h, static_cast<double>(h + 1));
+    EXPECT_NEAR(entries[h + 1].vector.rmse_m_s, 0.01 * static_cast<double>(h + 1), 1e-15);
+  }
+  options.by_hour = false;
+  EXPECT_EQ(calibration::entries_of(day_of([](std::size_t) { return 0.1; }), {{0, 1, false}},
+                                    options, calibration::SkillEntry{}, true)
+                .size(),
+            1U);
+}
+
+TEST(SkillJson, NamesTheBandByWhatItCountsAndCarriesTheSet) {
+  auto first = entry_of("2024-06-01", "forecast", 0.3);
+  auto second = entry_of("2024-06-02", "forecast", 0.4);
+  auto bed = entry_of("2024-06-02", "forecast", 0.2);
+  bed.band = calibration::DepthBand{0, 5, true};
+  const json list = json::parse(skill_json({first, second, bed}));
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[0]["depth_m"], json::array({0.0, 1e5}));
+  EXPECT_FALSE(list[0].contains("height_above_bed_m"));
+  EXPECT_EQ(list[2]["height_above_bed_m"], json::array({0.0, 5.0}));
+  EXPECT_FALSE(list[2].contains("depth_m"));
+  EXPECT_EQ(list[0]["set"]["pairs"], 2);
+  EXPECT_NEAR(list[0]["set"]["rmse_m_s"].get<double>(), std::sqrt(0.125), 1e-7);
+  EXPECT_EQ(list[0]["set"], list[1]["set"]);
+  EXPECT_EQ(list[2]["set"]["pairs"], 1);
+  EXPECT_TRUE(list[2]["set"]["interval_95"].is_null());
+}
+
+TEST(SetRmse, TakesTheLeadBinAskedForAndNoHourThatEndsWithIt) {
+  auto day = entry_of("2024-06-01", "forecast", 0.3);
+  auto hour = entry_of("2024-06-01", "forecast", 0.9);
+  hour.lead = {23, 24};
+  auto bed = entry_of("2024-06-01", "forecast", 0.7);
+  bed.band = calibration::DepthBand{0, 5, true};
+  EXPECT_DOUBLE_EQ(
+      *calibration::set_rmse({bed, day, hour, bed}, "sea_water_velocity", "forecast", {0, 24}),
+      0.3);
+  EXPECT_FALSE(calibration::set_rmse({day}, "sea_water_velocity", "persistence", {0, 24}));
+}
+
+TEST(SkillTable, PutsTheBestFirstAndLeavesHoursToTheirOwnTable) {
+  auto ours = entry_of("2024-06-01", "forecast", 0.3);
+  auto better = entry_of("2024-06-01", "day-mean", 0.2);
+  auto hour = entry_of("2024-06-01", "forecast", 0.9);
+  hour.lead = {3, 4};
+  const std::string table = skill_table({ours, better, hour});
+  EXPECT_LT(table.find("day-mean"), table.find("> forecast"));
+  EXPECT_EQ(table.find("0.9000"), std::string::npos);
+  EXPECT_NE(hourly_table({ours, better, hour}).find("0.9000"), std::string::npos);
+}
+
+TEST(ParseBands, RefusesWhatDoesNotAscend) {
+  EXPECT_EQ(calibration::parse_bands("0,5,20").size(), 2U);
+  for (const char* const text : {"5", "5,5", "20,5", "a,b", "0,5x", "-1,5"})
+    EXPECT_THROW((void)calibration::parse_bands(text), Error) << text;
+}
+
+}  // namespace
+}  // namespace slackwater::api

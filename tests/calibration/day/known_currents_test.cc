@@ -1,0 +1,321 @@
+#include "calibration/day/known_currents.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "calibration/fuse/fusion_settings.h"
+#include "tests/support/known_series_for_tests.h"
+
+namespace slackwater::calibration {
+namespace {
+
+using std::chrono::days;
+using std::chrono::hours;
+using std::chrono::minutes;
+using namespace tests;
+
+const UtcDay day = parse_day("2024-06-11");
+const UtcTime end_of_day = UtcTime(day) + days(1);
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+const std::vector<double> product_depth_m{1, 5, 10, 20};
+
+/// The plan of a day that was run at 05:00 of the next.
+ForecastPlan plan_of(const std::string& dataset) {
+  ForecastPlan plan;
+  plan.day = day;
+  plan.issued = end_of_day + hours(5);
+  plan.dataset = dataset;
+  plan.depth_m = product_depth_m;
+  return plan;
+}
+
+/// A tide over a drift that changes with depth: no two values alike. Linear in depth, so that it is
+/// brought to other depths exactly.
+Horizontal water(UtcTime time, double depth_m) {
+  const double hour = hours_between(UtcTime(day), time);
+  return std::polar(0.4, 0.506 * hour) + Horizontal(0.1 - 0.004 * depth_m, 0.003 * depth_m);
+}
+
+std::vector<TimeCell> hourly_around_the_day() {
+  return instants(UtcTime(day) - days(3), end_of_day + days(2));
+}
+
+KnownSeriesForTests product_alone() {
+  KnownSeriesForTests sea;
+  sea.current(analysis_of("model"), hourly_around_the_day(), product_depth_m, water);
+  return sea;
+}
+
+/// A product, and an instrument that says the same plus `more`.
+KnownSeriesForTests product_and_station(Horizontal more, double distance_m = 2100,
+                                        const std::vector<double>& depth_m = {8, 12}) {
+  KnownSeriesForTests sea = product_alone();
+  sea.current(
+      station_of("Buoy"), hourly_around_the_day(), depth_m,
+      [more](UtcTime time, double depth) { return water(time, depth) + more; }, distance_m);
+  return sea;
+}
+
+void expect_same(const Chosen<Horizontal>& a, const Chosen<Horizontal>& b) {
+  EXPECT_EQ(a.column.time, b.column.time);
+  EXPECT_EQ(a.column.levels_m, b.column.levels_m);
+  EXPECT_EQ(a.column.value, b.column.value);
+  EXPECT_EQ(a.column.status, b.column.status);
+  EXPECT_EQ(a.origin, b.origin);
+}
+
+TEST(KnownCurrents, AProductAloneIsReturnedAsItIsUpToTheEndOfTheDay) {
+  const KnownSeriesForTests sea = product_alone();
+  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("model"));
+  ASSERT_EQ(known.column.times(), 4 * 24 + 1u) << "24:00 belongs to the day";
+  ASSERT_EQ(known.origin.size(), known.column.times());
+  for (std::size_t t = 0; t < known.column.times(); ++t) {
+    for (std::size_t k = 0; k < product_depth_m.size(); ++k) {
+      EXPECT_EQ(known.column.value[known.column.offset(t, k)],
+                water(known.column.time[t].centre(), product_depth_m[k]));
+    }
+  }
+  EXPECT_TRUE(notes_on_record(sea.data, plan_of("model")).empty());
+  EXPECT_TRUE(known_currents(sea.data, plan_of("unheard of")).empty());
+}
+
+TEST(KnownCurrents, NothingAfterTheEndOfTheDayIsUsed) {
+  for (const std::string dataset : {"model", "Buoy"}) {
+    const KnownSeriesForTests sea = product_and_station({0.1, 0.05});
+    const Chosen<Horizontal> known = known_currents(sea.data, plan_of(dataset));
+    ColumnData spoilt = sea.data;
+    spoil_all_after(spoilt, end_of_day);
+    expect_same(known_currents(spoilt, plan_of(dataset)), known);
+    spoil_all_after(spoilt, end_of_day - Duration(1));
+    EXPECT_NE(known_currents(spoilt, plan_of(dataset)).column.value, known.column.value)
+        << "24:00 is used";
+  }
+}
+
+TEST(KnownCurrents, ADayThatIsOnlyForecastIsTheNewestForecastThatWasIssued) {
+  KnownSeriesForTests sea;
+  const auto whole_day = instants(UtcTime(day), end_of_day + days(2));
+  const auto run = [&](UtcTime issued, double mark) {
+    sea.current(forecast_of("model", issued), whole_day, {5}, steady({mark, 0}));
+  };
+  run(UtcTime(day) - hours(12), 1);
+  run(UtcTime(day), 2);
+  run(end_of_day + hours(6), 3);
+  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("model"));
+  ASSERT_EQ(known.column.times(), 25u) << "the sea is known up to the end of D, forecast or not";
+  EXPECT_EQ(known.column.value, std::vector<Horizontal>(25, Horizontal(2, 0)));
+  EXPECT_EQ(known.column.source.front(), DataStatus::forecast);
+}
+
+TEST(KnownCurrents, ASurfaceProductWithoutADepthSpeaksOfTheSurface) {
+  KnownSeriesForTests sea;
+  sea.current(analysis_of("radar"), hourly_around_the_day(), {}, water);
+  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("radar"));
+  EXPECT_EQ(known.column.levels_m, std::vector<double>{0.0});
+  EXPECT_EQ(known.column.vertical, VerticalKind::depth_m);
+}
+
+/// What share of the instrument's constant difference the fused value has taken up. The instrument
+/// hangs at a level of the product: between levels its word would overshoot at them by a hair.
+std::vector<double> shares(double distance_m) {
+  const Horizontal more(0.12, -0.07);
+  const KnownSeriesForTests alone = product_alone();
+  const KnownSeriesForTests both = product_and_station(more, distance_m, {10});
+  const VectorColumn product = known_currents(alone.data, plan_of("model")).column;
+  const VectorColumn fused = known_currents(both.data, plan_of("model")).column;
+  EXPECT_EQ(fused.time, product.time);
+  EXPECT_EQ(fused.levels_m, product.levels_m);
+  std::vector<double> share;
+  for (std::size_t i = 0; i < fused.value.size(); ++i) {
+    const Horizontal taken = (fused.value[i] - product.value[i]) / more;
+    EXPECT_NEAR(taken.imag(), 0, 1e-9) << "rounding of sums of a few hundred terms";
+    share.push_back(taken.real());
+  }
+  return share;
+}
+
+TEST(KnownCurrents, FusedLiesBetweenTheProductAndTheInstrument) {
+  for (const double distance : {100.0, 2000.0, 9999.0}) {
+    for (const double share : shares(distance)) {
+      EXPECT_GT(share, 0) << distance;
+      EXPECT_LT(share, 1) << distance;
+    }
+  }
+}
+
+TEST(KnownCurrents, TheNearerTheInstrumentTheMoreItCounts) {
+  const std::vector<double> near = shares(500);
+  const std::vector<double> middle = shares(3000);
+  const std::vector<double> far = shares(9000);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    EXPECT_GT(near[i], middle[i]);
+    EXPECT_GT(middle[i], far[i]);
+  }
+}
+
+TEST(KnownCurrents, AnInstrumentOutOfReachChangesNothing) {
+  const KnownSeriesForTests alone = product_alone();
+  const KnownSeriesForTests both = product_and_station({0.1, 0}, FusionSettings{}.farthest_m + 1);
+  EXPECT_EQ(known_currents(both.data, plan_of("model")).column.value,
+            known_currents(alone.data, plan_of("model")).column.value);
+  EXPECT_TRUE(notes_on_record(both.data, plan_of("model")).empty());
+}
+
+TEST(KnownCurrents, OfTwoInstrumentsTheNearerIsFused) {
+  KnownSeriesForTests sea = product_and_station({0.1, 0}, 3000);
+  sea.current(station_of("Nearer"), hourly_around_the_day(), {8}, water, 1200);
+  EXPECT_EQ(notes_on_record(sea.data, plan_of("model")),
+            std::vector<std::string>{"fused with station Nearer at 1.2 km"});
+  bool used = false;
+  for (const Origin* origin : known_currents(sea.data, plan_of("model")).origin) {
+    EXPECT_NE(origin->dataset, "Buoy");
+    used = used || origin->dataset == "Nearer";
+  }
+  EXPECT_TRUE(used) << "a number that is served can name its source";
+}
+
+TEST(KnownCurrents, WhereTheSeriesLeadsItsTimesAndDepthsAreKept) {
+  KnownSeriesForTests sea;
+  const Horizontal coarse(0.2, 0.1);
+  const Horizontal fine(0.3, -0.1);
+  const auto every_ten_minutes = instants(UtcTime(day) - days(2), end_of_day, minutes(10));
+  sea.current(analysis_of("model"), means(UtcTime(day) - days(3), end_of_day, hours(24)), {1, 20},
+              steady(coarse));
+  sea.current(station_of("Buoy"), every_ten_minutes, {8, 30}, steady(fine), 2100);
+  const VectorColumn fused = known_currents(sea.data, plan_of("Buoy")).column;
+  ASSERT_EQ(fused.time, every_ten_minutes);
+  ASSERT_EQ(fused.levels_m, (std::vector<double>{8, 30}));
+  for (std::size_t t = 0; t < fused.times(); ++t) {
+    const Horizontal share = (fused.value[fused.offset(t, 0)] - coarse) / (fine - coarse);
+    EXPECT_GT(share.real(), 0);
+    EXPECT_LT(share.real(), 1);
+    EXPECT_NEAR(share.imag(), 0, 1e-9);
+    EXPECT_EQ(fused.value[fused.offset(t, 1)], fine) << "below the product the series itself";
+  }
+  EXPECT_EQ(
+      notes_on_record(sea.data, plan_of("Buoy")),
+      std::vector<std::string>{"currents of station Buoy at 2.1 km fused with a coarser product"});
+}
+
+TEST(KnownCurrents, ASeriesWithoutAProductStandsAlone) {
+  KnownSeriesForTests sea;
+  sea.current(station_of("Buoy"), hourly_around_the_day(), {8}, water, 400);
+  const VectorColumn known = known_currents(sea.data, plan_of("Buoy")).column;
+  ASSERT_EQ(known.times(), 4 * 24 + 1u);
+  for (std::size_t t = 0; t < known.times(); ++t)
+    EXPECT_EQ(known.value[t], water(known.time[t].centre(), 8));
+  EXPECT_EQ(notes_on_record(sea.data, plan_of("Buoy")),
+            std::vector<std::string>{"currents of station Buoy at 0.4 km alone, no product"});
+}
+
+TEST(KnownCurrents, TurningTheSeaTurnsTheRecord) {
+  const Horizontal by = std::polar(1.0, 0.7);
+  for (const std::string dataset : {"model", "Buoy"}) {
+    KnownSeriesForTests sea = product_and_station({0.1, 0.05});
+    const VectorColumn straight = known_currents(sea.data, plan_of(dataset)).column;
+    turn(sea.data.current, by);
+    const VectorColumn turned = known_currents(sea.data, plan_of(dataset)).column;
+    ASSERT_EQ(turned.value.size(), straight.value.size());
+    for (std::size_t i = 0; i < turned.value.size(); ++i)
+      EXPECT_NEAR(std::abs(turned.value[i] - by * straight.value[i]), 0, 1e-12) << "rounding";
+  }
+}
+
+TEST(TruthOf, IsWhatWasAnalysedAfterTheInstantThatBelongsToTheDay) {
+  const KnownSeriesForTests sea = product_alone();
+  const Chosen<Horizontal> truth = truth_of(sea.data, "model", end_of_day, end_of_day + days(1));
+  ASSERT_EQ(truth.column.times(), 24u);
+  EXPECT_EQ(truth.column.time.front(), TimeCell::instant(end_of_day + hours(1)));
+  EXPECT_EQ(truth.column.time.back(), TimeCell::instant(end_of_day + days(1)));
+  EXPECT_EQ(truth.origin.size(), 24u);
+  for (std::size_t t = 0; t < 24; ++t) {
+    EXPECT_EQ(truth.column.value[truth.column.offset(t, 2)],
+              water(truth.column.time[t].centre(), product_depth_m[2]));
+  }
+}
+
+TEST(TruthOf, AForecastIsNeverTheTruth) {
+  KnownSeriesForTests sea;
+  sea.current(analysis_of("model"), instants(UtcTime(day), end_of_day + hours(3)), {5},
+              steady({1, 0}));
+  sea.current(forecast_of("model", end_of_day + hours(2)),
+              instants(end_of_day, end_of_day + days(1)), {5}, steady({2, 0}));
+  const Chosen<Horizontal> truth = truth_of(sea.data, "model", end_of_day, end_of_day + days(1));
+  EXPECT_EQ(truth.column.value, std::vector<Horizontal>(3, Horizontal(1, 0)));
+  EXPECT_TRUE(truth_of(sea.data, "model", end_of_day + days(1), end_of_day + days(2)).empty());
+}
+
+/// Who is the truth of the product's forecast where a station with these depths stands there.
+std::string truth_beside(double distance_m, const std::vector<double>& depth_m,
+                         const std::vector<TimeCell>& time, bool with_product = true) {
+  KnownSeriesForTests sea;
+  if (with_product) sea = product_alone();
+  sea.current(station_of("Buoy"), time, depth_m, steady({1, 0}), distance_m);
+  const Chosen<Horizontal> truth = truth_of(sea.data, "model", end_of_day, end_of_day + days(1));
+  return truth.origin.empty() ? "" : truth.origin.front()->dataset;
+}
+
+TEST(TruthOf, IsTheInstrumentWhereItStandsNearAndSpeaksOfTheSameDepths) {
+  const auto always = hourly_around_the_day();
+  EXPECT_EQ(truth_beside(0, {8}, always), "Buoy");
+  EXPECT_EQ(truth_beside(5000, {8}, always), "Buoy");
+  EXPECT_EQ(truth_beside(5001, {8}, always), "model");
+  EXPECT_EQ(truth_beside(5001, {8}, always, false), "Buoy") << "no product is there";
+  EXPECT_EQ(truth_beside(0, {1}, always), "Buoy");
+  EXPECT_EQ(truth_beside(0, {20, 40}, always), "Buoy") << "one depth within is enough";
+  EXPECT_EQ(truth_beside(0, {0.5, 25}, always), "model") << "the product does not reach there";
+  EXPECT_EQ(truth_beside(0, {8}, instants(UtcTime(day), end_of_day)), "model")
+      << "silent after the day";
+}
+
+TEST(TruthOf, IsNotFused) {
+  const KnownSeriesForTests sea = product_and_station({0.1, 0});
+  const Chosen<Horizontal> truth = truth_of(sea.data, "model", end_of_day, end_of_day + days(1));
+  ASSERT_EQ(truth.column.levels_m, (std::vector<double>{8, 12}));
+  EXPECT_EQ(truth.column.value[0], water(end_of_day + hours(1), 8) + Horizontal(0.1, 0));
+}
+
+TEST(KnownBeside, IsTheTruthsOwnRecordUnfused) {
+  const KnownSeriesForTests sea = product_and_station({0.1, 0});
+  const Chosen<Horizontal> truth = truth_of(sea.data, "model", end_of_day, end_of_day + days(1));
+  const Chosen<Horizontal> known = known_beside(truth, sea.data, plan_of("model"));
+  EXPECT_EQ(known.column.levels_m, truth.column.levels_m);
+  ASSERT_EQ(known.column.times(), 4 * 24 + 1u) << "nothing after the day";
+  for (std::size_t t = 0; t < known.column.times(); ++t) {
+    EXPECT_EQ(known.column.value[known.column.offset(t, 1)],
+              water(known.column.time[t].centre(), 12) + Horizontal(0.1, 0));
+  }
+}
+
+TEST(KnownBeside, IsTheProductBroughtToTheDepthsOfAStationThatWasSilentOnTheDay) {
+  KnownSeriesForTests sea = product_alone();
+  sea.current(station_of("Buoy"), instants(end_of_day + hours(1), end_of_day + days(1)), {8, 30},
+              steady({1, 0}), 100);
+  const Chosen<Horizontal> truth = truth_of(sea.data, "model", end_of_day, end_of_day + days(1));
+  ASSERT_EQ(truth.origin.front()->dataset, "Buoy");
+  const Chosen<Horizontal> known = known_beside(truth, sea.data, plan_of("model"));
+  ASSERT_EQ(known.column.levels_m, truth.column.levels_m);
+  ASSERT_EQ(known.column.times(), 4 * 24 + 1u);
+  for (std::size_t t = 0; t < known.column.times(); ++t) {
+    const Horizontal expected = water(known.column.time[t].centre(), 8);
+    EXPECT_NEAR(std::abs(known.column.value[known.column.offset(t, 0)] - expected), 0, 1e-14);
+    EXPECT_FALSE(known.column.has(t, 1)) << "below the product nothing is known";
+  }
+}
+
+TEST(KnownCurrents, GapsStayGaps) {
+  KnownSeriesForTests sea;
+  sea.current(analysis_of("model"), instants(UtcTime(day), end_of_day), {5, 10},
+              [](UtcTime time, double depth) {
+                return time == UtcTime(day) + hours(3) && depth > 6 ? Horizontal(nan, nan)
+                                                                    : Horizontal(1, 0);
+              });
+  const VectorColumn known = known_currents(sea.data, plan_of("model")).column;
+  EXPECT_EQ(std::count(known.status.begin(), known.status.end(), SampleStatus::missing), 1);
+  EXPECT_FALSE(known.has(3, 1));
+}
+
+}  // namespace
+}  // namespace slackwater::calibration

@@ -1,0 +1,218 @@
+#include "calibration/day/rehearsal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fields/base/check.h"
+#include "fields/base/random.h"
+#include "tests/support/known_series_for_tests.h"
+
+namespace slackwater::calibration {
+namespace {
+
+using std::chrono::days;
+using std::chrono::hours;
+using namespace tests;
+
+const UtcDay day = parse_day("2024-06-11");
+const UtcTime end_of_day = UtcTime(day) + days(1);
+const std::vector<double> depth_m{2, 8};
+
+ForecastPlan plan_of(UtcDay last, WindPolicy wind = WindPolicy::forecast) {
+  ForecastPlan plan;
+  plan.day = last;
+  plan.issued = plan.end_of_day() + hours(5);
+  plan.wind = wind;
+  plan.dataset = "model";
+  plan.depth_m = depth_m;
+  for (int h = 0; h <= 24; ++h) plan.stamps.push_back(plan.end_of_day() + hours(h));
+  return plan;
+}
+
+/// A tide, a drift that wanders, and what the wind makes; a little noise, drawn by the hour.
+Horizontal water(UtcTime time, double depth) {
+  const double hour = hours_between(UtcTime(day), time);
+  Rng rng(static_cast<std::uint64_t>(hour + 10000), "tests/rehearsal/noise");
+  return std::polar(0.3, 0.506 * hour) + std::polar(0.15, 0.03 * hour) +
+         Horizontal(0.02 * rng.normal(), 0.02 * rng.normal()) * std::exp(-depth / 20);
+}
+
+KnownSeriesForTests sea_of(int past_days, const FlowForTests& flow = water) {
+  KnownSeriesForTests sea;
+  sea.current(analysis_of("model"), instants(end_of_day - days(past_days), end_of_day + days(3)),
+              depth_m, flow);
+  sea.wind(analysis_of("wind"), instants(end_of_day - days(past_days), end_of_day + days(3)),
+           [](UtcTime time, double) {
+             const double hour = hours_between(UtcTime(day), time);
+             return std::polar(7 + 2 * std::sin(0.07 * hour), 0.02 * hour);
+           });
+  return sea;
+}
+
+Earned earned(const SiteData& data, const ForecastPlan& plan, int threads = 1) {
+  std::vector<bool> available(candidate_names().size(), true);
+  available[1] = false;  // no provider's own forecast is stored
+  return Rehearsals(data).earned(plan, available, threads);
+}
+
+void expect_same(const Earned& a, const Earned& b) {
+  ASSERT_EQ(a.blend.share.size(), b.blend.share.size());
+  for (std::size_t c = 0; c < a.blend.share.size(); ++c) {
+    EXPECT_EQ(a.blend.share[c].name, b.blend.share[c].name);
+    EXPECT_EQ(a.blend.share[c].weight, b.blend.share[c].weight);
+    EXPECT_EQ(a.blend.share[c].pairs, b.blend.share[c].pairs);
+    EXPECT_EQ(a.blend.share[c].past_rmse_m_s, b.blend.share[c].past_rmse_m_s);
+  }
+  EXPECT_EQ(a.blend.pairs, b.blend.pairs);
+  EXPECT_EQ(a.blend.provenance, b.blend.provenance);
+  EXPECT_EQ(a.spread.scale, b.spread.scale);
+  EXPECT_EQ(a.spread.pairs, b.spread.pairs);
+  EXPECT_EQ(a.spread.past_coverage_80, b.spread.past_coverage_80);
+}
+
+double weight_of(const Earned& earned, const std::string& name) {
+  for (const auto& share : earned.blend.share)
+    if (share.name == name) return share.weight;
+  ADD_FAILURE() << name;
+  return 0;
+}
+
+TEST(Rehearsals, SeeNothingLaterThanTheDay) {
+  for (const WindPolicy wind : {WindPolicy::forecast, WindPolicy::persist}) {
+    const KnownSeriesForTests sea = sea_of(7);
+    ColumnData spoilt = sea.data;
+    spoil_all_after(spoilt, end_of_day);
+    const Earned made = earned(site_of({sea.data}), plan_of(day, wind));
+    EXPECT_GE(made.blend.pairs, 5u) << "enough that the past decides";
+    expect_same(earned(site_of({spoilt}), plan_of(day, wind)), made);
+  }
+}
+
+TEST(Rehearsals, TheDayItselfIsTheTruthOfTheLastOfThem) {
+  const KnownSeriesForTests sea = sea_of(7);
+  ColumnData spoilt = sea.data;
+  spoil_all_after(spoilt, end_of_day - hours(2));
+  const Earned made = earned(site_of({sea.data}), plan_of(day));
+  const Earned other = earned(site_of({spoilt}), plan_of(day));
+  EXPECT_EQ(other.blend.pairs, made.blend.pairs);
+  EXPECT_GT(*other.blend.share[0].past_rmse_m_s, *made.blend.share[0].past_rmse_m_s);
+}
+
+TEST(Rehearsals, EachWeightIsAShareOfOne) {
+  const KnownSeriesForTests sea = sea_of(8);
+  const Earned made = earned(site_of({sea.data}), plan_of(day));
+  double sum = 0;
+  for (const auto& share : made.blend.share) {
+    EXPECT_GE(share.weight, 0) << share.name;
+    sum += share.weight;
+  }
+  EXPECT_NEAR(sum, 1, 1e-12);
+  EXPECT_EQ(weight_of(made, "provider"), 0) << "it cannot be made for this day";
+  EXPECT_TRUE(made.blend.earned);
+  EXPECT_EQ(made.spread.pairs, made.blend.pairs);
+}
+
+TEST(Rehearsals, DoNotDependOnTheNumberOfThreads) {
+  const KnownSeriesForTests sea = sea_of(8);
+  const SiteData data = site_of({sea.data, sea.data});
+  expect_same(earned(data, plan_of(day), 1), earned(data, plan_of(day), 2));
+}
+
+TEST(Rehearsals, GoBackSoManyDaysAndNoFurther) {
+  const KnownSeriesForTests sea = sea_of(Rehearsals::longest_days + 6);
+  const Earned made = earned(site_of({sea.data}), plan_of(day));
+  EXPECT_EQ(made.blend.pairs, static_cast<std::size_t>(Rehearsals::longest_days));
+}
+
+TEST(Rehearsals, OfAShortRecordEveryWholeDayButTheLastIsOne) {
+  // Of six whole days five have a next one; the first of them needs no history.
+  const KnownSeriesForTests sea = sea_of(6);
+  EXPECT_EQ(earned(site_of({sea.data}), plan_of(day)).blend.pairs, 5u);
+}
+
+TEST(Rehearsals, ADayWithAGapIsPassedOver) {
+  KnownSeriesForTests sea = sea_of(6);
+  VectorColumn& column = sea.data.current.pieces[0].column;
+  const UtcTime third_day = end_of_day - days(3);
+  for (std::size_t t = 0; t < column.times(); ++t) {
+    const double hour = hours_between(third_day, column.time[t].centre());
+    if (hour > 6 && hour < 18)
+      for (std::size_t k = 0; k < column.levels(); ++k)
+        column.status[column.offset(t, k)] = SampleStatus::missing;
+  }
+  // It cannot be forecast from; what is left of it still is the truth of the day before.
+  EXPECT_EQ(earned(site_of({sea.data}), plan_of(day)).blend.pairs, 4u);
+}
+
+TEST(Rehearsals, WithoutAPastThePriorStands) {
+  const KnownSeriesForTests sea = sea_of(1);
+  const Earned made = earned(site_of({sea.data}), plan_of(day));
+  EXPECT_EQ(made.blend.pairs, 0u);
+  EXPECT_FALSE(made.blend.earned);
+  EXPECT_EQ(weight_of(made, "slackwater"), 1) << "with the provider absent, all that has a prior";
+  EXPECT_EQ(made.spread.scale, 1);
+}
+
+TEST(Rehearsals, WhatNeverErredEarnsTheWeight) {
+  // Every day is the day before, hour by hour, and no hour is like the next.
+  const KnownSeriesForTests sea = sea_of(11, [](UtcTime time, double) {
+    const auto hour = std::chrono::floor<hours>(time).time_since_epoch().count() % 24;
+    Rng rng(static_cast<std::uint64_t>(hour), "tests/rehearsal/hour_of_day");
+    return Horizontal(0.4 * rng.normal(), 0.4 * rng.normal());
+  });
+  const Earned made = earned(site_of({sea.data}), plan_of(day));
+  EXPECT_GT(weight_of(made, "same-hour"), 0.95);
+  for (const auto& share : made.blend.share) {
+    if (share.name != "same-hour") continue;
+    EXPECT_LT(*share.past_rmse_m_s, 1e-12) << "rounding";
+  }
+}
+
+TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
+  const KnownSeriesForTests sea = sea_of(4);
+  SiteData data = site_of({sea.data});
+  Rehearsals rehearsals(data);
+  const std::vector<bool> available(candidate_names().size(), true);
+  const Earned first = rehearsals.earned(plan_of(day), available, 1);
+  // From here on whoever rehearses a day stumbles.
+  data.site.fetch_km = -1;
+  EXPECT_THROW((void)earned(data, plan_of(day)), ContractViolation);
+  expect_same(rehearsals.earned(plan_of(day), available, 1), first);
+}
+
+TEST(Rehearsals, AreTheSameWhicheverDayOfAHindcastAsksFirst) {
+  const KnownSeriesForTests sea = sea_of(8);
+  const SiteData data = site_of({sea.data});
+  const std::vector<bool> available(candidate_names().size(), true);
+  Rehearsals shared(data);
+  (void)shared.earned(plan_of(day), available, 1);
+  const UtcDay before = day - days(2);
+  expect_same(shared.earned(plan_of(before), available, 1),
+              Rehearsals(data).earned(plan_of(before), available, 1));
+}
+
+TEST(Rehearsals, ARehearsedDayBelongsToItsWindPolicy) {
+  const KnownSeriesForTests sea = sea_of(7);
+  const SiteData data = site_of({sea.data});
+  std::vector<bool> available(candidate_names().size(), true);
+  available[1] = false;
+  Rehearsals shared(data);
+  for (const WindPolicy wind : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
+    expect_same(shared.earned(plan_of(day, wind), available, 1), earned(data, plan_of(day, wind)));
+  }
+}
+
+TEST(Rehearsals, PassOverColumnsWithoutCurrents) {
+  const KnownSeriesForTests sea = sea_of(7);
+  ColumnData dry = sea.data;
+  dry.current = {};
+  expect_same(earned(site_of({dry, sea.data}), plan_of(day)),
+              earned(site_of({sea.data}), plan_of(day)));
+  EXPECT_EQ(earned(site_of({dry}), plan_of(day)).blend.pairs, 0u);
+}
+
+}  // namespace
+}  // namespace slackwater::calibration
