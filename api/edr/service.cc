@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "api/edr/bad_parameter.h"
-#include "api/edr/body.h"
-#include "api/edr/crs.h"
-#include "api/edr/feature_filter.h"
-#include "api/edr/features.h"
-#include "api/edr/html_page.h"
-#include "api/edr/metadata.h"
-#include "api/edr/openapi.h"
-#include "api/edr/queries.h"
-#include "api/edr/site_choice.h"
+#include "api/edr/read/bad_parameter.h"
+#include "api/edr/read/crs.h"
+#include "api/edr/read/feature_filter.h"
+#include "api/edr/sample/queries.h"
+#include "api/edr/sample/site_choice.h"
+#include "api/edr/write/body.h"
+#include "api/edr/write/features.h"
+#include "api/edr/write/html_page.h"
+#include "api/edr/write/metadata.h"
+#include "api/edr/write/openapi.h"
 #include "api/http/percent.h"
 #include "fields/base/error.h"
 

@@ -3,12 +3,12 @@
 #include <functional>
 #include <variant>
 
-#include "api/edr/bbox.h"
-#include "api/edr/datetime.h"
-#include "api/edr/distance.h"
-#include "api/edr/resolution.h"
-#include "api/edr/vertical.h"
-#include "api/edr/wkt.h"
+#include "api/edr/read/bbox.h"
+#include "api/edr/read/datetime.h"
+#include "api/edr/read/distance.h"
+#include "api/edr/read/resolution.h"
+#include "api/edr/read/vertical.h"
+#include "api/edr/read/wkt.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {

@@ -2,10 +2,10 @@
 #include <set>
 #include <string>
 
-#include "api/edr/content.h"
-#include "api/edr/crs.h"
-#include "api/edr/parameter_names.h"
-#include "api/edr/query_string.h"
+#include "api/edr/read/crs.h"
+#include "api/edr/read/parameter_names.h"
+#include "api/edr/read/query_string.h"
+#include "api/edr/write/content.h"
 #include "api/http/percent.h"
 #include "tests/fuzz/fuzz_case.h"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "api/edr/body.h"
+#include "api/edr/write/body.h"
 #include "fields/base/error.h"
 #include "tests/api/edr/made_up_answer.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-#include "api/edr/answer.h"
+#include "api/edr/sample/answer.h"
 
 namespace slackwater::tests {
 

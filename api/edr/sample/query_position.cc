@@ -1,0 +1,63 @@
+#include <limits>
+
+#include "api/edr/read/bad_parameter.h"
+#include "api/edr/read/wkt.h"
+#include "api/edr/sample/queries.h"
+#include "fields/base/error.h"
+
+namespace slackwater::api::edr {
+namespace {
+
+/// The bed at a place that the forecast reaches.
+double bed_at(const Selection& s, double longitude_deg, double latitude_deg) {
+  const Place place{longitude_deg, latitude_deg, 0, {}};
+  BedSample bed;
+  s.field->sample_bed({&place, 1}, {&bed, 1});
+  if (bed.status != SampleStatus::outside_area && bed.status != SampleStatus::land)
+    return bed.water_depth_m;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.5f %.5f", longitude_deg, latitude_deg);
+  throw Error(ErrorKind::not_found,
+              "coords: found the place " + std::string(text) +
+                  (bed.status == SampleStatus::land ? ", which is on land"
+                                                    : ", which is outside the forecast") +
+                  "; valid: " + s.field->range().text());
+}
+
+}  // namespace
+
+Answer position_answer(Selection s, const QueryString& query) {
+  const Geometry geometry = parse_wkt("coords", query.find("coords").value_or(""),
+                                      {GeometryType::point, GeometryType::multi_point});
+  const std::vector<UtcTime> times = times_of(s, query);
+  Absences absences{};
+  std::vector<Coverage> coverages;
+  const Path& points = geometry.parts.front().front();
+  // The places of one answer share their levels, so that it has one domain type.
+  double deepest_bed_m = 0;
+  for (const Vertex& point : points)
+    deepest_bed_m = std::max(deepest_bed_m, bed_at(s, point.longitude_deg, point.latitude_deg));
+  const std::vector<double> levels = verticals_of(s, query, deepest_bed_m);
+  expect_moderate(s, points.size() * times.size() * levels.size());
+  for (const Vertex& point : points) {
+    std::vector<double> verticals = levels;
+    if (geometry.has_vertical && !query.find("z") && s.collection->vertical != Vertical::none)
+      verticals = {point.vertical};
+    coverages.push_back(
+        at_point(s, point.longitude_deg, point.latitude_deg, times, verticals, absences));
+  }
+  return answer_of(std::move(s), std::move(coverages), absences);
+}
+
+Answer location_answer(Selection s, const QueryString& query, std::size_t column) {
+  const ForecastColumn& c = s.field->snapshot().columns.at(column);
+  const std::vector<UtcTime> times = times_of(s, query);
+  const std::vector<double> levels = verticals_of(s, query, c.water_depth_m);
+  expect_moderate(s, times.size() * levels.size());
+  Absences absences{};
+  std::vector<Coverage> coverages{
+      at_point(s, c.point.longitude_deg(), c.point.latitude_deg(), times, levels, absences)};
+  return answer_of(std::move(s), std::move(coverages), absences);
+}
+
+}  // namespace slackwater::api::edr

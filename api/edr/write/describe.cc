@@ -1,0 +1,137 @@
+#include "api/edr/write/describe.h"
+
+#include <string_view>
+
+#include "api/edr/write/json_text.h"
+#include "api/http/percent.h"
+
+namespace slackwater::api::edr {
+namespace {
+
+void append_label(std::string& out, std::string_view key, std::string_view text) {
+  out += '"';
+  out += key;
+  out += "\":{\"en\":";
+  append_string(out, text);
+  out += '}';
+}
+
+void append_member(std::string& out, std::string_view key, std::string_view text) {
+  out += '"';
+  out += key;
+  out += "\":";
+  append_string(out, text);
+}
+
+void append_list(std::string& out, std::string_view key, const std::vector<std::string>& texts) {
+  out += '"';
+  out += key;
+  out += "\":[";
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (i > 0) out += ',';
+    append_string(out, texts[i]);
+  }
+  out += ']';
+}
+
+void append_unit(std::string& out, const Parameter& parameter) {
+  out += ",\"unit\":{";
+  if (!parameter.unit_label.empty()) {
+    append_label(out, "label", parameter.unit_label);
+    out += ',';
+  }
+  out += "\"symbol\":{\"value\":";
+  append_string(out, parameter.unit);
+  out += ",\"type\":\"http://www.opengis.net/def/uom/UCUM/\"}}";
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
+  return all;
+}
+
+std::string header_value(std::string_view text) {
+  std::string value;
+  for (const char c : text) {
+    if (c >= ' ' && c <= '~' && c != '%') {
+      value += c;
+    } else {
+      value += http::percent_encoded(std::string_view(&c, 1));
+    }
+  }
+  return value;
+}
+
+}  // namespace
+
+void append_parameter(std::string& out, const Parameter& parameter, bool with_id) {
+  out += "{\"type\":\"Parameter\"";
+  if (with_id) {
+    out += ',';
+    append_member(out, "id", parameter.name);
+  }
+  if (!parameter.description.empty()) {
+    out += ',';
+    append_label(out, "description", parameter.description);
+  }
+  out += ",\"observedProperty\":{";
+  if (!parameter.standard_name.empty()) {
+    append_member(out, "id",
+                  "http://vocab.nerc.ac.uk/standard_name/" + parameter.standard_name + "/");
+    out += ',';
+  }
+  append_label(out, "label", parameter.label.empty() ? parameter.name : parameter.label);
+  out += '}';
+  if (!parameter.unit.empty()) append_unit(out, parameter);
+  if (!parameter.method.empty()) {
+    out += ",\"measurementType\":{";
+    append_member(out, "method", parameter.method);
+    out += '}';
+  }
+  out += '}';
+}
+
+void append_provenance(std::string& out, const Answer& answer) {
+  const Provenance& from = answer.provenance;
+  out += '{';
+  append_member(out, "site", from.site_id);
+  out += ',';
+  append_member(out, "collection", answer.collection);
+  out += ',';
+  append_member(out, "instance", from.instance);
+  out += ",\"issued\":\"";
+  append_time(out, from.issued);
+  out += "\",";
+  append_member(out, "day", format_day(from.day));
+  out += ',';
+  append_member(out, "headline", from.headline);
+  out += from.degraded ? ",\"degraded\":true," : ",\"degraded\":false,";
+  append_list(out, "attributions", from.attributions);
+  out += ',';
+  append_list(out, "notes", answer.notes);
+  out += ',';
+  append_member(out, "code_version", from.code_version);
+  out += '}';
+}
+
+std::vector<std::pair<std::string, std::string>> provenance_headers(const Answer& answer) {
+  const Provenance& from = answer.provenance;
+  const std::pair<const char*, std::string> all[] = {
+      {"Slackwater-Site", from.site_id},
+      {"Slackwater-Instance", from.instance},
+      {"Slackwater-Issued", format_utc(from.issued)},
+      {"Slackwater-Day", format_day(from.day)},
+      {"Slackwater-Degraded", from.degraded ? "true" : "false"},
+      {"Slackwater-Headline", from.headline},
+      {"Slackwater-Attribution", joined(from.attributions)},
+      {"Slackwater-Version", from.code_version},
+      {"Slackwater-Note", joined(answer.notes)}};
+  std::vector<std::pair<std::string, std::string>> headers;
+  for (const auto& [name, value] : all) {
+    if (!value.empty()) headers.emplace_back(name, header_value(value));
+  }
+  return headers;
+}
+
+}  // namespace slackwater::api::edr

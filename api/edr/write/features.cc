@@ -1,0 +1,146 @@
+#include "api/edr/write/features.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "api/edr/read/feature_filter.h"
+#include "api/http/percent.h"
+
+namespace slackwater::api::edr {
+namespace {
+
+using nlohmann::json;
+
+std::string name_of_column(const std::string& site, std::size_t column) {
+  return column == 0 ? site : site + "." + std::to_string(column);
+}
+
+json names_of(const Collection& collection, std::size_t members) {
+  json names = json::array();
+  for (const Parameter& parameter : parameters_of(collection, members))
+    names.push_back(parameter.name);
+  return names;
+}
+
+/// To itself, to its other renditions, and to where its values are had.
+json feature_links(const std::string& href, const std::string& data) {
+  return {{{"href", href}, {"rel", "self"}, {"type", "application/geo+json"}},
+          {{"href", href + "?f=json"}, {"rel", "alternate"}, {"type", "application/json"}},
+          {{"href", href + "?f=html"}, {"rel", "alternate"}, {"type", "text/html"}},
+          {{"href", data}, {"rel", "data"}, {"type", "application/prs.coverage+json"}}};
+}
+
+slackwater::BoundingBox box_of(const ForecastCatalogue& catalogue, const std::string& site_id) {
+  for (const auto& site : catalogue.sites)
+    if (site.site_id == site_id) return site.field->range().box;
+  return {-180, -90, 180, 90};
+}
+
+json footprint(const slackwater::BoundingBox& box) {
+  const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
+  return {{"type", "Polygon"},
+          {"coordinates",
+           {{{box.west_deg, box.south_deg},
+             {east, box.south_deg},
+             {east, box.north_deg},
+             {box.west_deg, box.north_deg},
+             {box.west_deg, box.south_deg}}}}};
+}
+
+}  // namespace
+
+std::optional<LocationName> location_named(const std::string& name,
+                                           const ForecastCatalogue& catalogue, const Field* field) {
+  const auto columns_of = [&](const std::string& site) -> std::size_t {
+    if (field != nullptr)
+      return field->snapshot().site_id == site ? field->snapshot().columns.size() : 0;
+    for (const auto& known : catalogue.sites)
+      if (known.site_id == site) return known.field->snapshot().columns.size();
+    return 0;
+  };
+  if (columns_of(name) > 0) return LocationName{name, 0};
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos || dot + 1 == name.size()) return std::nullopt;
+  LocationName found{name.substr(0, dot), 0};
+  const char* end = name.data() + name.size();
+  const auto [last, problem] = std::from_chars(name.data() + dot + 1, end, found.column);
+  if (problem != std::errc{} || last != end || found.column >= columns_of(found.site_id))
+    return std::nullopt;
+  return found;
+}
+
+json locations_document(const std::string& at, const Collection& collection,
+                        const std::vector<std::shared_ptr<const Field>>& fields,
+                        const QueryString& query) {
+  const FeatureFilter filter(at + "/locations", query);
+  json features = json::array();
+  for (const auto& field : fields) {
+    const Snapshot& snapshot = field->snapshot();
+    const UtcTime from = snapshot.time.front();
+    const UtcTime to = snapshot.time.back();
+    const json names = names_of(collection, snapshot.members);
+    for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {
+      const ForecastColumn& column = snapshot.columns[c];
+      const double x = column.point.longitude_deg();
+      const double y = column.point.latitude_deg();
+      if (!filter.takes({x, y, x, y}, from, to)) continue;
+      const std::string id = name_of_column(snapshot.site_id, c);
+      const std::string label =
+          c == 0 ? snapshot.site_name : snapshot.site_name + ", column " + std::to_string(c);
+      features.push_back({{"type", "Feature"},
+                          {"id", id},
+                          {"geometry", {{"type", "Point"}, {"coordinates", {x, y}}}},
+                          {"properties",
+                           {{"datetime", format_utc(from) + "/" + format_utc(to)},
+                            {"parameter-name", names},
+                            {"label", label},
+                            {"edrqueryendpoint", at + "/locations/" + http::percent_encoded(id)},
+                            {"water_depth_m", column.water_depth_m}}}});
+    }
+  }
+  return filter.page(std::move(features));
+}
+
+json item_document(const std::string& base, const Collection& collection,
+                   const ForecastCatalogue& catalogue, const IssuedForecast& forecast) {
+  const std::string at = base + "/collections/" + collection.id;
+  const std::string data = at + "/instances/" + http::percent_encoded(forecast.instance);
+  std::size_t members = 1;
+  for (const auto& site : catalogue.sites)
+    if (site.site_id == forecast.row.site_id) members = site.field->snapshot().members;
+  return {
+      {"type", "Feature"},
+      {"id", forecast.instance},
+      {"geometry", footprint(box_of(catalogue, forecast.row.site_id))},
+      {"links", feature_links(at + "/items/" + http::percent_encoded(forecast.instance),
+                              data + "/position")},
+      {"properties",
+       {{"datetime", format_utc(forecast.row.valid_from) + "/" + format_utc(forecast.row.valid_to)},
+        {"parameter-name", names_of(collection, members)},
+        {"label", forecast.row.site_id + ", issued " + format_utc(forecast.row.issued)},
+        {"edrqueryendpoint", data + "/position"},
+        {"site", forecast.row.site_id},
+        {"day", format_day(forecast.row.day)},
+        {"issued", format_utc(forecast.row.issued)},
+        {"wind", forecast.row.wind_policy},
+        {"origin", forecast.row.origin},
+        {"degraded", forecast.row.degraded},
+        {"headline", forecast.row.headline},
+        {"code_version", forecast.row.code_version}}}};
+}
+
+json items_document(const std::string& base, const Collection& collection,
+                    const ForecastCatalogue& catalogue, const QueryString& query) {
+  const FeatureFilter filter(base + "/collections/" + collection.id + "/items", query);
+  json features = json::array();
+  for (const IssuedForecast& forecast : catalogue.instances) {
+    if (!filter.takes(box_of(catalogue, forecast.row.site_id), forecast.row.valid_from,
+                      forecast.row.valid_to)) {
+      continue;
+    }
+    features.push_back(item_document(base, collection, catalogue, forecast));
+  }
+  return filter.page(std::move(features));
+}
+
+}  // namespace slackwater::api::edr
