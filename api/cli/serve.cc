@@ -10,6 +10,7 @@
 #include "api/http/metrics.h"
 #include "api/http/server.h"
 #include "api/issued/issued_fields.h"
+#include "api/program/version.h"
 #include "fields/base/log.h"
 
 namespace slackwater::api {
@@ -94,6 +95,7 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   options.threads = static_cast<std::size_t>(arguments.threads);
   options.token = token_of(arguments.token_file);
   options.read_only = true;  // nothing that is served yet writes
+  options.exposed_fields = edr::own_header_fields();
   options.on_failure = [](const http::Request& request, const std::string& what) {
     log_event(LogLevel::error, "request failed", {{"path", request.path}, {"problem", what}});
   };
@@ -103,8 +105,9 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   std::vector<std::string> labels = router.labels();
   labels.insert(labels.end(), {"/health", "/metrics"});
   options.metrics = std::make_shared<http::Metrics>(labels);
-  router.add("GET", "/health",
-             http::health_handler(options.metrics, [forecasts] { return facts_of(*forecasts); }));
+  router.add("GET", "/health", http::health_handler(code_version(), options.metrics, [forecasts] {
+               return facts_of(*forecasts);
+             }));
   router.add("GET", "/metrics", http::metrics_handler(options.metrics));
   http::Server server(options, router);
   server.start();

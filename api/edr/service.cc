@@ -9,6 +9,7 @@
 #include "api/edr/sample/queries.h"
 #include "api/edr/sample/site_choice.h"
 #include "api/edr/write/body.h"
+#include "api/edr/write/describe.h"
 #include "api/edr/write/features.h"
 #include "api/edr/write/html_page.h"
 #include "api/edr/write/metadata.h"
@@ -208,6 +209,8 @@ class Service {
 };
 
 }  // namespace
+
+std::vector<std::string> own_header_fields() { return provenance_fields(); }
 
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "api/http/router.h"
 #include "api/issued/issued_fields.h"
@@ -12,5 +13,8 @@ namespace slackwater::api::edr {
 /// @param base_url  as clients see the service, without a slash at its end; empty: from the Host header
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url = {});
+
+/// Header fields that answers carry beside those of HTTP, for `http::ServerOptions::exposed_fields`.
+[[nodiscard]] std::vector<std::string> own_header_fields();
 
 }  // namespace slackwater::api::edr

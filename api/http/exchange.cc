@@ -13,10 +13,9 @@
 namespace slackwater::api::http {
 namespace {
 
-constexpr const char* exposed_fields =
-    "Content-Disposition, ETag, Link, Location, Retry-After, "
-    "Slackwater-Site, Slackwater-Instance, Slackwater-Issued, Slackwater-Day, Slackwater-Degraded, "
-    "Slackwater-Headline, Slackwater-Attribution, Slackwater-Version, Slackwater-Note";
+/// Fields that scripts of other origins may read, beside those of the handlers.
+constexpr const char* usual_exposed_fields =
+    "Content-Disposition, ETag, Link, Location, Retry-After";
 constexpr const char* preflight_seconds = "86400";
 
 bool reads(const std::string& method) { return method == "GET" || method == "HEAD"; }
@@ -87,7 +86,7 @@ void validate_and_code(Response& response, const Arrival& arrival) {
   response.headers.emplace_back("Content-Encoding", coding);
 }
 
-Reply finish(Response response, const Arrival& arrival) {
+Reply finish(Response response, const Arrival& arrival, const std::string& exposed_fields) {
   Reply reply;
   reply.route = take_field(response, route_field);
   reply.method = arrival.request.method;
@@ -108,6 +107,11 @@ Reply finish(Response response, const Arrival& arrival) {
 }
 
 }  // namespace
+
+Exchange::Exchange(const ServerOptions& options, const Handler& handler)
+    : options_(options), handler_(handler), exposed_fields_(usual_exposed_fields) {
+  for (const std::string& field : options.exposed_fields) exposed_fields_ += ", " + field;
+}
 
 std::string Exchange::allowed_methods() const {
   return options_.read_only ? "GET, HEAD, OPTIONS" : "GET, HEAD, OPTIONS, POST";
@@ -184,12 +188,12 @@ Response Exchange::respond(Arrival& arrival) const {
 
 std::optional<Reply> Exchange::answer(Arrival& arrival) const {
   try {
-    return finish(respond(arrival), arrival);
+    return finish(respond(arrival), arrival, exposed_fields_);
   } catch (const TakesLong&) {
     return std::nullopt;
   } catch (...) {
     const Failure failure = failure_of(std::current_exception(), arrival.request.path);
-    return finish(told(failure, arrival.request), arrival);
+    return finish(told(failure, arrival.request), arrival, exposed_fields_);
   }
 }
 
@@ -198,7 +202,7 @@ Reply Exchange::refusal(int status, const std::string& detail) const {
   unread.keep_alive = false;
   Response response = problem(status, detail, "");
   if (status == 503) response.headers.emplace_back("Retry-After", "1");
-  Reply reply = finish(std::move(response), unread);
+  Reply reply = finish(std::move(response), unread, exposed_fields_);
   reply.route = "(refused)";
   return reply;
 }

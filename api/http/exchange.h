@@ -38,8 +38,7 @@ struct Reply {
 /// carries. Knows nothing of sockets; thread-safe where the handler is.
 class Exchange {
  public:
-  Exchange(const ServerOptions& options, const Handler& handler)
-      : options_(options), handler_(handler) {}
+  Exchange(const ServerOptions& options, const Handler& handler);
 
   /// Never throws for what a request or a handler does.
   /// @return nothing where the answer takes long and the request may not; ask again where it may
@@ -56,6 +55,7 @@ class Exchange {
 
   const ServerOptions& options_;
   const Handler& handler_;
+  std::string exposed_fields_;  ///< for CORS
 };
 
 }  // namespace slackwater::api::http

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "api/http/message.h"
 
@@ -45,6 +46,8 @@ struct ServerOptions {
   std::size_t threads = 2;
   std::optional<std::string> token;  ///< `Authorization: Bearer <token>` may write from afar
   bool read_only = false;            ///< POST is refused too
+  /// Fields of the handlers' own that scripts of other origins may read, beside the usual ones.
+  std::vector<std::string> exposed_fields;
   Limits limits;
   std::shared_ptr<Metrics> metrics;  ///< may be null
   /// Told of every exception that the client sees as 500 only; may be empty, called from any

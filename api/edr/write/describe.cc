@@ -1,5 +1,6 @@
 #include "api/edr/write/describe.h"
 
+#include <array>
 #include <string_view>
 
 #include "api/edr/write/json_text.h"
@@ -7,6 +8,11 @@
 
 namespace slackwater::api::edr {
 namespace {
+
+constexpr std::array provenance_names{
+    "Slackwater-Site",        "Slackwater-Instance", "Slackwater-Issued",
+    "Slackwater-Day",         "Slackwater-Degraded", "Slackwater-Headline",
+    "Slackwater-Attribution", "Slackwater-Version",  "Slackwater-Note"};
 
 void append_label(std::string& out, std::string_view key, std::string_view text) {
   out += '"';
@@ -115,21 +121,24 @@ void append_provenance(std::string& out, const Answer& answer) {
   out += '}';
 }
 
+std::vector<std::string> provenance_fields() {
+  return {provenance_names.begin(), provenance_names.end()};
+}
+
 std::vector<std::pair<std::string, std::string>> provenance_headers(const Answer& answer) {
   const Provenance& from = answer.provenance;
-  const std::pair<const char*, std::string> all[] = {
-      {"Slackwater-Site", from.site_id},
-      {"Slackwater-Instance", from.instance},
-      {"Slackwater-Issued", format_utc(from.issued)},
-      {"Slackwater-Day", format_day(from.day)},
-      {"Slackwater-Degraded", from.degraded ? "true" : "false"},
-      {"Slackwater-Headline", from.headline},
-      {"Slackwater-Attribution", joined(from.attributions)},
-      {"Slackwater-Version", from.code_version},
-      {"Slackwater-Note", joined(answer.notes)}};
+  const std::array<std::string, provenance_names.size()> values{from.site_id,
+                                                                from.instance,
+                                                                format_utc(from.issued),
+                                                                format_day(from.day),
+                                                                from.degraded ? "true" : "false",
+                                                                from.headline,
+                                                                joined(from.attributions),
+                                                                from.code_version,
+                                                                joined(answer.notes)};
   std::vector<std::pair<std::string, std::string>> headers;
-  for (const auto& [name, value] : all) {
-    if (!value.empty()) headers.emplace_back(name, header_value(value));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i].empty()) headers.emplace_back(provenance_names[i], header_value(values[i]));
   }
   return headers;
 }

@@ -23,5 +23,7 @@ void append_provenance(std::string& out, const Answer& answer);
 /// lists are joined by "; ".
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> provenance_headers(
     const Answer& answer);
+/// The names of these headers.
+[[nodiscard]] std::vector<std::string> provenance_fields();
 
 }  // namespace slackwater::api::edr

@@ -95,13 +95,13 @@ TEST(Metrics, AreServedAndCountTheServer) {
 TEST(Health, IsOkOrDegradedWithWhatTheRootKnows) {
   auto metrics = std::make_shared<Metrics>(std::vector<std::string>{});
   HealthFacts facts{true, {{"newest_forecast", "2025-03-10T00:00:00Z"}}};
-  const Handler health = health_handler(metrics, [&] { return facts; });
+  const Handler health = health_handler("1.2.3", metrics, [&] { return facts; });
   const Response good = health({});
   EXPECT_EQ(good.status, 200);
   const auto document = nlohmann::json::parse(good.body);
   EXPECT_EQ(document.at("status"), "ok");
   EXPECT_GE(document.at("uptime_s").get<int>(), 0);
-  EXPECT_FALSE(document.at("version").get<std::string>().empty());
+  EXPECT_EQ(document.at("version"), "1.2.3");
   EXPECT_EQ(document.at("newest_forecast"), "2025-03-10T00:00:00Z");
   facts.is_degraded = true;
   EXPECT_EQ(health(Request{}).status, 200) << "said, but served";

@@ -153,6 +153,16 @@ TEST(HttpServer, CodesLongTextForClientsThatLikeIt) {
   EXPECT_EQ(again->status, 304);
 }
 
+TEST(HttpServer, LetsScriptsOfOtherSitesReadTheFieldsOfItsHandlers) {
+  api::http::ServerOptions options;
+  options.exposed_fields = {"House-Colour", "House-Number"};
+  const Served served(example_router(), options);
+  const auto reply = served.get("/short");
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->field("access-control-expose-headers"),
+            "Content-Disposition, ETag, Link, Location, Retry-After, House-Colour, House-Number");
+}
+
 TEST(HttpServer, TellsBrowsersWhatOtherSitesMayAsk) {
   const Served served;
   HttpClient client = served.client();
