@@ -20,6 +20,8 @@
 namespace slackwater::api::edr {
 namespace {
 
+using http::LongWork;
+using http::Outcome;
 using http::PathParameters;
 using http::Request;
 using http::Response;
@@ -101,8 +103,14 @@ class Service {
             metadata_max_age_s};
   }
 
-  Response data(const Request& request, const QueryType& type, const PathParameters& path,
-                bool of_instance) const {
+  /// A data query that was read, and the format of its answer.
+  struct Planned {
+    Plan plan;
+    Format format;
+  };
+
+  Planned data(const Request& request, const QueryType& type, const PathParameters& path,
+               bool of_instance) const {
     const QueryString query = QueryString::parse(request.query);
     const Collection& collection = collection_named(path.at("collectionId"));
     expect_known(query, type.parameters);
@@ -118,12 +126,10 @@ class Service {
     Selection selection =
         of_instance ? of_named_instance(collection, *catalogue, path, query)
                     : in_force(collection, *catalogue, site_for(*catalogue, type, query), query);
-    selection.may_take_long = request.may_take_long;
-    return told(request, type.answer(std::move(selection), query), format,
-                of_instance ? issued_max_age_s : in_force_max_age_s);
+    return {type.plan(std::move(selection), query), format};
   }
 
-  Response location(const Request& request, const PathParameters& path, bool of_instance) const {
+  Planned location(const Request& request, const PathParameters& path, bool of_instance) const {
     const QueryString query = QueryString::parse(request.query);
     const Collection& collection = collection_named(path.at("collectionId"));
     expect_known(query, location_parameters());
@@ -142,9 +148,21 @@ class Service {
                                      [&](const auto& s) { return s.site_id == name->site_id; });
       selection = in_force(collection, *catalogue, &*site, query);
     }
-    selection->may_take_long = request.may_take_long;
-    return told(request, location_answer(std::move(*selection), query, name->column), format,
-                of_instance ? issued_max_age_s : in_force_max_age_s);
+    return {location_plan(std::move(*selection), query, name->column), format};
+  }
+
+  /// The answer to a data query, or the work that leads to it where it takes long. That is planned
+  /// anew when its turn comes: what waits keeps no forecast in memory.
+  template <typename MakePlan>
+  Outcome answered(const Request& request, const PathParameters& path, bool of_instance,
+                   MakePlan make_plan) const {
+    const auto answer = [this, of_instance](const Request& asked, const Planned& planned) {
+      return told(asked, planned.plan.answer(), planned.format,
+                  of_instance ? issued_max_age_s : in_force_max_age_s);
+    };
+    const Planned planned = make_plan(request, path);
+    if (!takes_long(planned.plan.work)) return answer(request, planned);
+    return LongWork{[=]() -> Response { return answer(request, make_plan(request, path)); }};
   }
 
   [[nodiscard]] std::shared_ptr<const Field> field(const std::string& instance) const {
@@ -232,6 +250,11 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
   const auto features = [&](const std::string& pattern, auto make) {
     add(pattern, feature_formats, FeatureFilter::parameters(), make);
   };
+  const auto data_route = [&](auto make_plan, bool of_instance) {
+    return [=](const Request& request, const PathParameters& path) {
+      return service->answered(request, path, of_instance, make_plan);
+    };
+  };
   const auto collection_of = [](const PathParameters& path) -> const Collection& {
     return collection_named(path.at("collectionId"));
   };
@@ -289,14 +312,18 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
     const std::string& at = of_instance ? instance : collection;
     for (const QueryType& type : query_types()) {
       router.add("GET", at + "/" + std::string(type.name),
-                 [=, type = &type](const Request& request, const PathParameters& path) {
-                   return service->data(request, *type, path, of_instance);
-                 });
+                 data_route(
+                     [=, type = &type](const Request& request, const PathParameters& path) {
+                       return service->data(request, *type, path, of_instance);
+                     },
+                     of_instance));
     }
     router.add("GET", at + "/locations/{locationId}",
-               [=](const Request& request, const PathParameters& path) {
-                 return service->location(request, path, of_instance);
-               });
+               data_route(
+                   [=](const Request& request, const PathParameters& path) {
+                     return service->location(request, path, of_instance);
+                   },
+                   of_instance));
   }
 }
 

@@ -7,7 +7,6 @@
 #include "api/http/field_list.h"
 #include "api/http/problem.h"
 #include "api/http/response_head.h"
-#include "api/http/router.h"
 #include "api/http/trust.h"
 
 namespace slackwater::api::http {
@@ -86,26 +85,6 @@ void validate_and_code(Response& response, const Arrival& arrival) {
   response.headers.emplace_back("Content-Encoding", coding);
 }
 
-Reply finish(Response response, const Arrival& arrival, const std::string& exposed_fields) {
-  Reply reply;
-  reply.route = take_field(response, route_field);
-  reply.method = arrival.request.method;
-  reply.keep_alive = arrival.keep_alive;
-  add_cache_control(response, response.status < 300 && reads(arrival.request.method));
-  response.headers.emplace_back("Access-Control-Allow-Origin", "*");
-  response.headers.emplace_back("Access-Control-Expose-Headers", exposed_fields);
-  if (response.status == 204) response.body.clear();
-  validate_and_code(response, arrival);
-  reply.status = response.status;
-  if (!response.body.empty() && !response.media_type.empty()) {
-    response.headers.emplace_back("Content-Type", response.media_type);
-  }
-  reply.head =
-      response_head(reply.status, response.headers, response.body.size(), reply.keep_alive);
-  if (arrival.request.method != "HEAD") reply.body = std::move(response.body);
-  return reply;
-}
-
 }  // namespace
 
 Exchange::Exchange(const ServerOptions& options, const Handler& handler)
@@ -127,29 +106,13 @@ Response Exchange::options_response() const {
   return response;
 }
 
-Response Exchange::handled(const Request& request) const {
-  try {
-    return handler_(request);
-  } catch (const RouteFailure& failed) {
-    Response response = told(failed.failure(), request);
-    response.headers.emplace_back(route_field, failed.route());
-    return response;
-  } catch (const TakesLong&) {
-    if (!request.may_take_long) throw;
-    return told(failure_of(std::current_exception(), request.path), request);
-  } catch (...) {
-    return told(failure_of(std::current_exception(), request.path), request);
+void Exchange::log(const Response& response, const Request& request) const {
+  if (!response.for_the_log.empty() && options_.on_failure) {
+    options_.on_failure(request, response.for_the_log);
   }
 }
 
-Response Exchange::told(const Failure& failure, const Request& request) const {
-  if (!failure.for_the_log.empty() && options_.on_failure) {
-    options_.on_failure(request, failure.for_the_log);
-  }
-  return failure.response;
-}
-
-Response Exchange::respond(Arrival& arrival) const {
+Outcome Exchange::respond(Arrival& arrival) const {
   Request& request = arrival.request;
   if (arrival.host_fields > 1 || (arrival.is_http_1_1 && arrival.host_fields == 0)) {
     return problem(400,
@@ -180,21 +143,52 @@ Response Exchange::respond(Arrival& arrival) const {
     refused.headers.emplace_back("WWW-Authenticate", "Bearer");
     return refused;
   }
-  if (request.method != "HEAD") return handled(request);
+  if (request.method != "HEAD") return handler_(request);
   Request as_get = request;
   as_get.method = "GET";
-  return handled(as_get);
+  return handler_(as_get);
 }
 
-std::optional<Reply> Exchange::answer(Arrival& arrival) const {
-  try {
-    return finish(respond(arrival), arrival, exposed_fields_);
-  } catch (const TakesLong&) {
-    return std::nullopt;
-  } catch (...) {
-    const Failure failure = failure_of(std::current_exception(), arrival.request.path);
-    return finish(told(failure, arrival.request), arrival, exposed_fields_);
+Reply Exchange::finish(Response response, const Arrival& arrival) const {
+  Reply reply;
+  reply.route = std::move(response.route);
+  reply.method = arrival.request.method;
+  reply.keep_alive = arrival.keep_alive;
+  add_cache_control(response, response.status < 300 && reads(arrival.request.method));
+  response.headers.emplace_back("Access-Control-Allow-Origin", "*");
+  response.headers.emplace_back("Access-Control-Expose-Headers", exposed_fields_);
+  if (response.status == 204) response.body.clear();
+  validate_and_code(response, arrival);
+  reply.status = response.status;
+  if (!response.body.empty() && !response.media_type.empty()) {
+    response.headers.emplace_back("Content-Type", response.media_type);
   }
+  reply.head =
+      response_head(reply.status, response.headers, response.body.size(), reply.keep_alive);
+  if (arrival.request.method != "HEAD") reply.body = std::move(response.body);
+  return reply;
+}
+
+/// A response that cannot be sent (a field of two lines) is a failure like any other.
+Reply Exchange::reply_to(const Arrival& arrival, Response response) const {
+  log(response, arrival.request);
+  try {
+    return finish(std::move(response), arrival);
+  } catch (...) {
+    const Response failed = problem_of(std::current_exception(), arrival.request.path);
+    log(failed, arrival.request);
+    return finish(failed, arrival);
+  }
+}
+
+std::variant<Reply, LongReply> Exchange::answer(Arrival arrival) const {
+  Outcome outcome = made_or_problem([&] { return respond(arrival); }, arrival.request.path);
+  if (auto* response = std::get_if<Response>(&outcome)) {
+    return reply_to(arrival, std::move(*response));
+  }
+  return [this, run = std::get<LongWork>(std::move(outcome)).run, arrival = std::move(arrival)] {
+    return reply_to(arrival, made_or_problem(run, arrival.request.path));
+  };
 }
 
 Reply Exchange::refusal(int status, const std::string& detail) const {
@@ -202,7 +196,7 @@ Reply Exchange::refusal(int status, const std::string& detail) const {
   unread.keep_alive = false;
   Response response = problem(status, detail, "");
   if (status == 503) response.headers.emplace_back("Retry-After", "1");
-  Reply reply = finish(std::move(response), unread, exposed_fields_);
+  Reply reply = finish(std::move(response), unread);
   reply.route = "(refused)";
   return reply;
 }

@@ -1,10 +1,10 @@
 #pragma once
-#include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "api/http/message.h"
-#include "api/http/problem.h"
 #include "api/http/server_options.h"
 
 namespace slackwater::api::http {
@@ -33,6 +33,9 @@ struct Reply {
   std::string route;   ///< ... and the label of its route
 };
 
+/// What is left to do for an answer that takes long; called once, never throws.
+using LongReply = std::function<Reply()>;
+
 /// What happens between a parsed request and the bytes of its answer: which methods are served, who
 /// may write, the handler, HEAD and OPTIONS, validators, content coding, the fields every answer
 /// carries. Knows nothing of sockets; thread-safe where the handler is.
@@ -40,18 +43,19 @@ class Exchange {
  public:
   Exchange(const ServerOptions& options, const Handler& handler);
 
-  /// Never throws for what a request or a handler does.
-  /// @return nothing where the answer takes long and the request may not; ask again where it may
-  [[nodiscard]] std::optional<Reply> answer(Arrival& arrival) const;
+  /// The answer, or the work that leads to it where that takes long. Never throws for what a
+  /// request or a handler does.
+  [[nodiscard]] std::variant<Reply, LongReply> answer(Arrival arrival) const;
   /// The last answer on a connection whose request could not be read.
   [[nodiscard]] Reply refusal(int status, const std::string& detail) const;
 
  private:
-  [[nodiscard]] Response respond(Arrival& arrival) const;
+  [[nodiscard]] Outcome respond(Arrival& arrival) const;
+  [[nodiscard]] Reply reply_to(const Arrival& arrival, Response response) const;
+  [[nodiscard]] Reply finish(Response response, const Arrival& arrival) const;
   [[nodiscard]] std::string allowed_methods() const;
   [[nodiscard]] Response options_response() const;
-  [[nodiscard]] Response handled(const Request& request) const;
-  [[nodiscard]] Response told(const Failure& failure, const Request& request) const;
+  void log(const Response& response, const Request& request) const;
 
   const ServerOptions& options_;
   const Handler& handler_;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 // A request and its response as our handlers see them, whatever library carries them.
@@ -17,13 +18,7 @@ struct Request {
   std::string accept;  ///< Accept header
   std::string body;
   bool is_trusted = false;  ///< from loopback, or carries the token
-  /// Where it is false a handler that finds long work to do throws `TakesLong` before it begins.
-  bool may_take_long = true;
 };
-
-/// Thrown by a handler that may not take long, and would: it is handed the request again, with
-/// `may_take_long`, as soon as one of the threads for long work is free. Short answers pass by.
-struct TakesLong {};
 
 struct Response {
   int status = 200;
@@ -32,9 +27,29 @@ struct Response {
   std::vector<std::pair<std::string, std::string>> headers;
   /// Seconds that caches may keep it; nothing: no-store.
   std::optional<int> max_age_s;
+
+  // For the server alone, never sent.
+  std::string route{};        ///< label of the route that answered, for the metrics
+  std::string for_the_log{};  ///< what went wrong that the client is not told; mostly ""
 };
 
+/// Work that would keep short answers waiting: what is left of it, to be run once. It holds the
+/// request, and as little else as it can while it waits.
+struct LongWork {
+  std::function<Response()> run;
+};
+
+/// What a handler makes of a request: the response, or, where that would take long, the work that
+/// leads to it. The server runs it when one of the threads for long work is free.
+using Outcome = std::variant<Response, LongWork>;
+
 /// Called from several threads at once; what it throws becomes a problem document (problem.h).
-using Handler = std::function<Response(const Request&)>;
+using Handler = std::function<Outcome(const Request&)>;
+
+/// The response, worked out here and now.
+[[nodiscard]] inline Response completed(Outcome outcome) {
+  if (const auto* work = std::get_if<LongWork>(&outcome)) return work->run();
+  return std::get<Response>(std::move(outcome));
+}
 
 }  // namespace slackwater::api::http

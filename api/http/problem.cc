@@ -36,19 +36,22 @@ constexpr std::array<std::pair<int, std::string_view>, 25> reasons{{
     {505, "HTTP Version Not Supported"},
 }};
 
-Failure hidden(const std::string& what, const std::string& instance) {
-  return {problem(500, "The server failed on this request; its log says why.", instance), what};
+Response hidden(const std::string& what, const std::string& instance) {
+  Response response =
+      problem(500, "The server failed on this request; its log says why.", instance);
+  response.for_the_log = what;
+  return response;
 }
 
-Failure of_error(const Error& error, const std::string& instance) {
+Response of_error(const Error& error, const std::string& instance) {
   const int status = status_of(error.kind());
   if (status == 500) return hidden(error.message(), instance);
-  Failure failure{problem(status, error.message(), instance), {}};
+  Response response = problem(status, error.message(), instance);
   if (status == 503) {
-    failure.response.headers.emplace_back("Retry-After", "10");
-    failure.for_the_log = error.message();
+    response.headers.emplace_back("Retry-After", "10");
+    response.for_the_log = error.message();
   }
-  return failure;
+  return response;
 }
 
 }  // namespace
@@ -88,9 +91,9 @@ Response problem(int status, const std::string& detail, const std::string& insta
   return response;
 }
 
-Failure failure_of(const std::exception_ptr& problem, const std::string& instance) {
+Response problem_of(const std::exception_ptr& thrown, const std::string& instance) {
   try {
-    std::rethrow_exception(problem);
+    std::rethrow_exception(thrown);
   } catch (const Error& error) {
     return of_error(error, instance);
   } catch (const std::exception& error) {

@@ -19,12 +19,19 @@ namespace slackwater::api::http {
 /// @param instance  the path it is about; left out where empty
 [[nodiscard]] Response problem(int status, const std::string& detail, const std::string& instance);
 
-/// A problem for the exception in flight, and what the log should know of it ("" where the client
-/// has been told all). Only what the client caused or can mend is shown to it.
-struct Failure {
-  Response response;
-  std::string for_the_log;
-};
-[[nodiscard]] Failure failure_of(const std::exception_ptr& problem, const std::string& instance);
+/// The problem that an exception is: only what the client caused or can mend is shown to it, the
+/// rest is `Response::for_the_log`.
+[[nodiscard]] Response problem_of(const std::exception_ptr& thrown, const std::string& instance);
+
+/// What `make` makes; what it throws becomes the problem that it is.
+template <typename Make>
+[[nodiscard]] auto made_or_problem(const Make& make, const std::string& instance)
+    -> decltype(make()) {
+  try {
+    return make();
+  } catch (...) {
+    return problem_of(std::current_exception(), instance);
+  }
+}
 
 }  // namespace slackwater::api::http

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string> split(std::string_view path) {
   std::vector<std::string> segments;
-  // Clients that are given the service's address with a slash at its end ask for //collections.
+  // Clients that are given the service's address with a slash at its end ask for //shelves.
   path.remove_prefix(std::min(path.find_first_not_of('/'), path.size()));
   if (path.ends_with('/')) path.remove_suffix(1);
   while (!path.empty()) {
@@ -122,27 +122,27 @@ std::string Router::nearby(const Segments& path) const {
   return list;
 }
 
-Response Router::called(const Route& route, const Segments& path, const Request& request) {
+Outcome Router::called(const Route& route, const Segments& path, const Request& request) {
   PathParameters parameters;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const std::string& name = route.segments[i];
     if (is_parameter(name)) parameters.add(name.substr(1, name.size() - 2), path[i]);
   }
-  Response response;
-  try {
-    response = route.handler(request, parameters);
-  } catch (const TakesLong&) {
-    throw;
-  } catch (...) {
-    Failure failure = failure_of(std::current_exception(), request.path);
-    if (!failure.for_the_log.empty()) throw RouteFailure(route.pattern, std::move(failure));
-    response = std::move(failure.response);
+  Outcome outcome =
+      made_or_problem([&] { return route.handler(request, parameters); }, request.path);
+  if (auto* response = std::get_if<Response>(&outcome)) {
+    response->route = route.pattern;
+    return outcome;
   }
-  response.headers.emplace_back(route_field, route.pattern);
-  return response;
+  return LongWork{[run = std::get<LongWork>(std::move(outcome)).run, route = route.pattern,
+                   path = request.path] {
+    Response response = made_or_problem(run, path);
+    response.route = route;
+    return response;
+  }};
 }
 
-Response Router::operator()(const Request& request) const {
+Outcome Router::operator()(const Request& request) const {
   const auto path = decoded_segments(request.path);
   if (!path) {
     return problem(400,

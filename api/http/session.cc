@@ -140,25 +140,31 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   void dispatch() {
     enter(State::handling, site_.limits.handler_time);
     begin_request_count();
-    auto arrival = std::make_shared<Arrival>(reader_.take());
-    arrival->peer_is_loopback = peer_is_loopback_;
-    arrival->request.may_take_long = false;
-    submit(site_.short_work, std::move(arrival), ++serial_, deadline_);
+    Arrival arrival = reader_.take();
+    arrival.peer_is_loopback = peer_is_loopback_;
+    submit(
+        site_.short_work,
+        [&exchange = site_.exchange, arrival = std::move(arrival)]() mutable {
+          return exchange.answer(std::move(arrival));
+        },
+        ++serial_, deadline_);
   }
 
+  /// What a thread does for a request: to the end, or to where it takes long.
+  using Step = std::function<std::variant<Reply, LongReply>()>;
+
   /// Touches nothing of the session but what never changes: it is called on the threads of a pool too.
-  void submit(WorkerPool& pool, std::shared_ptr<Arrival> request, std::uint64_t serial,
-              Moment deadline) {
-    auto job = [self = shared_from_this(), serial, deadline,
-                arrival = std::move(request)]() mutable {
+  void submit(WorkerPool& pool, Step step, std::uint64_t serial, Moment deadline) {
+    auto job = [self = shared_from_this(), serial, deadline, step = std::move(step)]() mutable {
       SessionSite& site = self->site_;
       std::optional<Reply> reply;
       // Where all threads were busy for too long the client has been told already.
       if (std::chrono::steady_clock::now() < deadline) {
-        reply = site.exchange.answer(*arrival);
-        if (!reply) {
-          arrival->request.may_take_long = true;
-          self->submit(site.long_work, std::move(arrival), serial, deadline);
+        auto done = step();
+        if (auto* rest = std::get_if<LongReply>(&done)) {
+          self->submit(site.long_work, std::move(*rest), serial, deadline);
+        } else {
+          reply = std::get<Reply>(std::move(done));
         }
       }
       // The session goes back with the answer: it is never let go of on this thread.

@@ -23,7 +23,7 @@ struct SessionSite {
   boost::asio::io_context& io;
   const Exchange& exchange;
   WorkerPool& short_work;  ///< all begin here
-  WorkerPool& long_work;   ///< what takes long goes on here (message.h)
+  WorkerPool& long_work;   ///< `LongWork` goes on here (message.h)
   const Limits& limits;
   Metrics* metrics;                         ///< may be null
   std::function<void(Session&)> on_closed;  ///< called once, with the session still alive

@@ -106,16 +106,6 @@ std::optional<std::size_t> resolution(const QueryString& query, std::string_view
   return text ? parse_resolution(key, *text) : std::nullopt;
 }
 
-void expect_few_comparisons(const Selection& s, std::size_t cells, std::size_t vertices) {
-  if (cells <= most_comparisons / std::max<std::size_t>(1, vertices))
-    return expect_short(s, 0, cells * vertices);
-  throw Error(ErrorKind::usage, "coords: found a shape of " + std::to_string(vertices) +
-                                    " vertices over " + std::to_string(cells) +
-                                    " cells; expected at most " + std::to_string(most_comparisons) +
-                                    " of cells times vertices: simplify the shape, or lower "
-                                    "resolution-x and resolution-y");
-}
-
 std::size_t vertices_of(const Geometry& shape) {
   std::size_t vertices = 0;
   for (const Part& part : shape.parts)
@@ -123,9 +113,8 @@ std::size_t vertices_of(const Geometry& shape) {
   return vertices;
 }
 
-Answer over(Selection s, const QueryString& query, const Box& asked, std::string_view parameter,
-            const Inside& is_inside, const std::vector<double>* levels = nullptr,
-            std::size_t vertices = 1) {
+Plan over(Selection s, const QueryString& query, const Box& asked, std::string_view parameter,
+          Inside is_inside, const std::vector<double>* levels = nullptr, std::size_t vertices = 1) {
   const Box box = reached(s, asked, parameter);
   const auto x_count = resolution(query, "resolution-x");
   const auto y_count = resolution(query, "resolution-y");
@@ -133,30 +122,36 @@ Answer over(Selection s, const QueryString& query, const Box& asked, std::string
   if (axes.longitude_deg.empty()) axes = some_place_in(box, is_inside);
   if (x_count) axes.longitude_deg = even_axis(box.west_deg, box.east_deg, *x_count);
   if (y_count) axes.latitude_deg = even_axis(box.south_deg, box.north_deg, *y_count);
-  const std::vector<UtcTime> times = times_of(s, query);
-  const std::vector<double> verticals =
+  std::vector<UtcTime> times = times_of(s, query);
+  std::vector<double> verticals =
       levels != nullptr ? *levels : verticals_of(s, query, s.field->range().deepest_m);
-  expect_moderate(
-      s, axes.longitude_deg.size() * axes.latitude_deg.size() * times.size() * verticals.size());
-  expect_few_comparisons(s, axes.longitude_deg.size() * axes.latitude_deg.size(), vertices);
-  Absences absences{};
-  std::vector<Coverage> coverages{on_grid(s, std::move(axes.longitude_deg),
-                                          std::move(axes.latitude_deg), times, verticals, is_inside,
-                                          absences)};
-  return answer_of(std::move(s), std::move(coverages), absences);
+  const std::size_t cells = axes.longitude_deg.size() * axes.latitude_deg.size();
+  Work work = moderate_work(s, cells * times.size() * verticals.size());
+  work.comparisons = moderate_comparisons(cells, vertices);
+  return {work, [s = std::move(s), axes = std::move(axes), times = std::move(times),
+                 verticals = std::move(verticals), is_inside = std::move(is_inside)]() mutable {
+            Absences absences{};
+            std::vector<Coverage> coverages{on_grid(s, std::move(axes.longitude_deg),
+                                                    std::move(axes.latitude_deg), times, verticals,
+                                                    is_inside, absences)};
+            return answer_of(std::move(s), std::move(coverages), absences);
+          }};
 }
 
 }  // namespace
 
-Answer area_answer(Selection s, const QueryString& query) {
-  const Geometry shape = parse_wkt("coords", query.find("coords").value_or(""),
-                                   {GeometryType::polygon, GeometryType::multi_polygon});
-  return over(
-      std::move(s), query, bounding_box(shape), "coords",
-      [&](double x, double y) { return contains(shape, x, y); }, nullptr, vertices_of(shape));
+Plan area_plan(Selection s, const QueryString& query) {
+  Geometry shape = parse_wkt("coords", query.find("coords").value_or(""),
+                             {GeometryType::polygon, GeometryType::multi_polygon});
+  const Box box = bounding_box(shape);
+  const std::size_t vertices = vertices_of(shape);
+  const auto is_inside = [shape = std::move(shape)](double x, double y) {
+    return contains(shape, x, y);
+  };
+  return over(std::move(s), query, box, "coords", is_inside, nullptr, vertices);
 }
 
-Answer radius_answer(Selection s, const QueryString& query) {
+Plan radius_plan(Selection s, const QueryString& query) {
   const Geometry centre =
       parse_wkt("coords", query.find("coords").value_or(""), {GeometryType::point});
   const double radius_m = parse_distance_m("within", query.find("within").value_or(""),
@@ -169,12 +164,12 @@ Answer radius_answer(Selection s, const QueryString& query) {
   const Box box{middle.longitude_deg - east_deg, std::max(-90.0, middle.latitude_deg - north_deg),
                 middle.longitude_deg + east_deg, std::min(90.0, middle.latitude_deg + north_deg)};
   const GeoPoint from = GeoPoint::from_degrees(middle.latitude_deg, middle.longitude_deg);
-  return over(std::move(s), query, box, "coords", [&](double x, double y) {
+  return over(std::move(s), query, box, "coords", [from, radius_m](double x, double y) {
     return distance_m(from, GeoPoint::from_degrees(y, x)) <= radius_m;
   });
 }
 
-Answer cube_answer(Selection s, const QueryString& query) {
+Plan cube_plan(Selection s, const QueryString& query) {
   const auto text = query.find("bbox");
   if (!text)
     throw bad_parameter("bbox", "nothing", "west,south,east,north, e.g. 2.0,53.0,2.5,53.4");

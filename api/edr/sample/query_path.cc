@@ -79,9 +79,6 @@ void expect_reached(const Selection& s, const Geometry& lines) {
 }
 
 Answer along_all(Selection s, const std::vector<Path>& paths) {
-  std::size_t vertices = 0;
-  for (const Path& path : paths) vertices += path.size();
-  expect_moderate(s, vertices);
   Absences absences{};
   std::vector<Coverage> coverages;
   for (std::size_t i = 0; i < paths.size(); ++i)
@@ -239,26 +236,11 @@ void add_lines(std::vector<Path>& paths, const Path& line, const std::vector<dou
   }
 }
 
-}  // namespace
-
-Answer trajectory_answer(Selection s, const QueryString& query) {
-  const Geometry lines = lines_of(query);
-  if (lines.has_vertical && query.find("z")) {
-    throw Error(
-        ErrorKind::usage,
-        "found z beside a line whose vertices have their own (Z); leave one of the two out");
-  }
-  expect_reached(s, lines);
-  const std::vector<UtcTime> times = times_beside(s, lines, query);
-  const std::vector<double> levels = lines.has_vertical
-                                         ? std::vector<double>{}
-                                         : verticals_of(s, query, s.field->range().deepest_m);
+/// The lines of a trajectory query at each of its times, and at each of its levels where the vertices
+/// have none of their own.
+std::vector<Path> trajectories(const Geometry& lines, const std::vector<UtcTime>& times,
+                               const std::vector<double>& levels) {
   std::vector<Path> paths;
-  std::size_t vertices = 0;
-  for (const Part& part : lines.parts) vertices += part.front().size();
-  const std::size_t lines_each =
-      std::max<std::size_t>(1, levels.size()) * (lines.has_time ? 1 : times.size());
-  expect_moderate(s, vertices * lines_each, lines.parts.size() * lines_each);
   for (const Part& part : lines.parts) {
     for (const Path& timed : at_times(part.front(), lines.has_time, times)) {
       if (lines.has_vertical) {
@@ -268,14 +250,39 @@ Answer trajectory_answer(Selection s, const QueryString& query) {
       for (Path& path : at_levels(timed, levels)) paths.push_back(std::move(path));
     }
   }
-  return along_all(std::move(s), paths);
+  return paths;
 }
 
-Answer corridor_answer(Selection s, const QueryString& query) {
-  const Geometry lines = lines_of(query);
-  const Section section = section_of(s, query);
+}  // namespace
+
+Plan trajectory_plan(Selection s, const QueryString& query) {
+  Geometry lines = lines_of(query);
+  if (lines.has_vertical && query.find("z")) {
+    throw Error(
+        ErrorKind::usage,
+        "found z beside a line whose vertices have their own (Z); leave one of the two out");
+  }
   expect_reached(s, lines);
-  const std::vector<UtcTime> times = times_beside(s, lines, query);
+  std::vector<UtcTime> times = times_beside(s, lines, query);
+  std::vector<double> levels = lines.has_vertical
+                                   ? std::vector<double>{}
+                                   : verticals_of(s, query, s.field->range().deepest_m);
+  std::size_t vertices = 0;
+  for (const Part& part : lines.parts) vertices += part.front().size();
+  const std::size_t lines_each =
+      std::max<std::size_t>(1, levels.size()) * (lines.has_time ? 1 : times.size());
+  const Work work = moderate_work(s, vertices * lines_each, lines.parts.size() * lines_each);
+  return {work, [s = std::move(s), lines = std::move(lines), times = std::move(times),
+                 levels = std::move(levels)]() mutable {
+            return along_all(std::move(s), trajectories(lines, times, levels));
+          }};
+}
+
+Plan corridor_plan(Selection s, const QueryString& query) {
+  const Geometry lines = lines_of(query);
+  Section section = section_of(s, query);
+  expect_reached(s, lines);
+  std::vector<UtcTime> times = times_beside(s, lines, query);
   // Without a vertical of its own the corridor runs about the levels of z, else about the middle of the range.
   std::vector<double> about{0};
   const bool is_relative = lines.has_vertical && s.collection->vertical != Vertical::none;
@@ -296,15 +303,19 @@ Answer corridor_answer(Selection s, const QueryString& query) {
   }
   const std::size_t lines_each =
       section.across_m.size() * levels.size() * (lines.has_time ? 1 : times.size());
-  expect_moderate(s, vertices * lines_each, middle_lines.size() * lines_each);
-  std::vector<Path> paths;
-  for (const Path& line : middle_lines) {
-    for (const double sideways : section.across_m) {
-      for (const Path& timed : at_times(beside(line, sideways), lines.has_time, times))
-        add_lines(paths, timed, levels, is_relative);
-    }
-  }
-  return along_all(std::move(s), paths);
+  const Work work = moderate_work(s, vertices * lines_each, middle_lines.size() * lines_each);
+  return {work, [s = std::move(s), middle_lines = std::move(middle_lines),
+                 across_m = std::move(section.across_m), times = std::move(times),
+                 levels = std::move(levels), has_time = lines.has_time, is_relative]() mutable {
+            std::vector<Path> paths;
+            for (const Path& line : middle_lines) {
+              for (const double sideways : across_m) {
+                for (const Path& timed : at_times(beside(line, sideways), has_time, times))
+                  add_lines(paths, timed, levels, is_relative);
+              }
+            }
+            return along_all(std::move(s), paths);
+          }};
 }
 
 }  // namespace slackwater::api::edr

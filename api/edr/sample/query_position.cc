@@ -26,38 +26,44 @@ double bed_at(const Selection& s, double longitude_deg, double latitude_deg) {
 
 }  // namespace
 
-Answer position_answer(Selection s, const QueryString& query) {
+Plan position_plan(Selection s, const QueryString& query) {
   const Geometry geometry = parse_wkt("coords", query.find("coords").value_or(""),
                                       {GeometryType::point, GeometryType::multi_point});
-  const std::vector<UtcTime> times = times_of(s, query);
-  Absences absences{};
-  std::vector<Coverage> coverages;
+  std::vector<UtcTime> times = times_of(s, query);
   const Path& points = geometry.parts.front().front();
   // The places of one answer share their levels, so that it has one domain type.
   double deepest_bed_m = 0;
   for (const Vertex& point : points)
     deepest_bed_m = std::max(deepest_bed_m, bed_at(s, point.longitude_deg, point.latitude_deg));
-  const std::vector<double> levels = verticals_of(s, query, deepest_bed_m);
-  expect_moderate(s, points.size() * times.size() * levels.size());
-  for (const Vertex& point : points) {
-    std::vector<double> verticals = levels;
-    if (geometry.has_vertical && !query.find("z") && s.collection->vertical != Vertical::none)
-      verticals = {point.vertical};
-    coverages.push_back(
-        at_point(s, point.longitude_deg, point.latitude_deg, times, verticals, absences));
-  }
-  return answer_of(std::move(s), std::move(coverages), absences);
+  std::vector<double> levels = verticals_of(s, query, deepest_bed_m);
+  const bool has_own_levels =
+      geometry.has_vertical && !query.find("z") && s.collection->vertical != Vertical::none;
+  const Work work = moderate_work(s, points.size() * times.size() * levels.size());
+  return {work, [s = std::move(s), points, times = std::move(times), levels = std::move(levels),
+                 has_own_levels]() mutable {
+            Absences absences{};
+            std::vector<Coverage> coverages;
+            for (const Vertex& point : points) {
+              coverages.push_back(at_point(s, point.longitude_deg, point.latitude_deg, times,
+                                           has_own_levels ? std::vector{point.vertical} : levels,
+                                           absences));
+            }
+            return answer_of(std::move(s), std::move(coverages), absences);
+          }};
 }
 
-Answer location_answer(Selection s, const QueryString& query, std::size_t column) {
+Plan location_plan(Selection s, const QueryString& query, std::size_t column) {
   const ForecastColumn& c = s.field->snapshot().columns.at(column);
-  const std::vector<UtcTime> times = times_of(s, query);
-  const std::vector<double> levels = verticals_of(s, query, c.water_depth_m);
-  expect_moderate(s, times.size() * levels.size());
-  Absences absences{};
-  std::vector<Coverage> coverages{
-      at_point(s, c.point.longitude_deg(), c.point.latitude_deg(), times, levels, absences)};
-  return answer_of(std::move(s), std::move(coverages), absences);
+  std::vector<UtcTime> times = times_of(s, query);
+  std::vector<double> levels = verticals_of(s, query, c.water_depth_m);
+  const Work work = moderate_work(s, times.size() * levels.size());
+  return {work, [s = std::move(s), place = c.point, times = std::move(times),
+                 levels = std::move(levels)]() mutable {
+            Absences absences{};
+            std::vector<Coverage> coverages{
+                at_point(s, place.longitude_deg(), place.latitude_deg(), times, levels, absences)};
+            return answer_of(std::move(s), std::move(coverages), absences);
+          }};
 }
 
 }  // namespace slackwater::api::edr

@@ -8,7 +8,6 @@
 #include "api/edr/read/datetime.h"
 #include "api/edr/read/parameter_names.h"
 #include "api/edr/read/vertical.h"
-#include "api/http/message.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api::edr {
@@ -116,28 +115,6 @@ std::vector<double> verticals_of(const Selection& s, const QueryString& query, d
     if (to > from) levels.push_back(to);
   }
   return levels;
-}
-
-void expect_moderate(const Selection& s, std::size_t places, std::size_t domains) {
-  if (domains > most_domains) {
-    throw Error(ErrorKind::usage, "found a query for " + std::to_string(domains) +
-                                      " lines (each at each time and level); an answer holds at "
-                                      "most " +
-                                      std::to_string(most_domains) +
-                                      ": narrow datetime, z or the resolution");
-  }
-  const std::size_t parameters = std::max<std::size_t>(1, s.parameters.size());
-  if (places <= most_values / parameters) return expect_short(s, places * parameters);
-  throw Error(ErrorKind::usage, "found a query for " + std::to_string(places) +
-                                    " places and times with " + std::to_string(parameters) +
-                                    " parameters; an answer holds at most " +
-                                    std::to_string(most_values) +
-                                    " values: narrow datetime, z, parameter-name or the area");
-}
-
-void expect_short(const Selection& s, std::size_t values, std::size_t comparisons) {
-  if (s.may_take_long) return;
-  if (values > most_short_values || comparisons > most_short_comparisons) throw http::TakesLong{};
 }
 
 std::vector<std::string> notes_of(const Absences& absences, const Field& field) {

@@ -17,7 +17,6 @@ struct Selection {
   std::shared_ptr<const Field> field;
   std::vector<std::size_t> parameters;  ///< indices into parameters_of
   Answer answer;                        ///< with all but its coverages and notes
-  bool may_take_long = true;            ///< see `expect_short`
 };
 
 /// @throws Error(usage) for a parameter name that the collection does not have
@@ -34,21 +33,6 @@ struct Selection {
 /// @throws Error(usage) for z where there is no vertical; Error(not_found) outside the range
 [[nodiscard]] std::vector<double> verticals_of(const Selection& selection, const QueryString& query,
                                                double bed_m);
-
-/// Refuses what would be more numbers, or more domains, than an answer may hold.
-/// @throws Error(usage) that says how many were asked and how many are allowed
-void expect_moderate(const Selection& selection, std::size_t places, std::size_t domains = 1);
-inline constexpr std::size_t most_values = 2'000'000;
-/// A domain costs some 500 bytes of answer before it holds a number.
-inline constexpr std::size_t most_domains = 50'000;
-/// Cells times vertices of a polygon that are held against each other: two seconds.
-inline constexpr std::size_t most_comparisons = 100'000'000;
-
-/// Leaves long work to the threads for it (http/message.h). What may not take long is answered within 50 ms.
-/// @throws http::TakesLong
-void expect_short(const Selection& selection, std::size_t values, std::size_t comparisons = 0);
-inline constexpr std::size_t most_short_values = 50'000;
-inline constexpr std::size_t most_short_comparisons = 2'000'000;
 
 /// Why values are missing, one sentence a reason, with the valid range.
 [[nodiscard]] std::vector<std::string> notes_of(const Absences& absences, const Field& field);

@@ -47,25 +47,22 @@ api::http::Response EdrServiceForTests::get_raw(const std::string& path,
   request.path = path;
   request.query = query;
   request.host = "edr.test";
-  return router_(request);
+  return api::http::completed(router_(request));
 }
 
 api::http::Response EdrServiceForTests::get(const std::string& path, const QueryPairs& query,
                                             const std::string& accept) const {
   api::http::Request request = request_for(path, query);
   request.accept = accept;
-  return router_(request);
+  return api::http::completed(router_(request));
 }
 
 bool EdrServiceForTests::takes_long(const std::string& path, const QueryPairs& query) const {
-  api::http::Request request = request_for(path, query);
-  request.may_take_long = false;
-  try {
-    EXPECT_EQ(router_(request).status, 200) << path;
-    return false;
-  } catch (const api::http::TakesLong&) {
-    return true;
-  }
+  const api::http::Outcome outcome = router_(request_for(path, query));
+  const auto* response = std::get_if<api::http::Response>(&outcome);
+  if (response == nullptr) return true;
+  EXPECT_EQ(response->status, 200) << path;
+  return false;
 }
 
 json EdrServiceForTests::document(const std::string& path, const QueryPairs& query) const {

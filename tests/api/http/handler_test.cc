@@ -149,12 +149,13 @@ TEST(WorkThatTakesLong, IsPassedByShortAnswersAndDoneAFewAtATime) {
   std::atomic<int> most_at_work = 0;
   Router router;
   router.add("GET", "/short", [](const Request&) { return text_response("short"); });
-  router.add("GET", "/long", [&](const Request& request) {
-    if (!request.may_take_long) throw TakesLong{};
-    most_at_work = std::max(most_at_work.load(), ++at_work);
-    std::this_thread::sleep_for(200ms);
-    --at_work;
-    return text_response("long");
+  router.add("GET", "/long", [&](const Request&) {
+    return LongWork{[&] {
+      most_at_work = std::max(most_at_work.load(), ++at_work);
+      std::this_thread::sleep_for(200ms);
+      --at_work;
+      return text_response("long");
+    }};
   });
   ServerOptions options;
   options.threads = 1;
@@ -176,15 +177,58 @@ TEST(WorkThatTakesLong, IsPassedByShortAnswersAndDoneAFewAtATime) {
   EXPECT_EQ(most_at_work, 1);
 }
 
-TEST(WorkThatTakesLong, IsAFaultWhereItIsNotBegunThoughItMay) {
+TEST(WorkThatTakesLong, FailsAsAShortAnswerWould) {
+  std::mutex mutex;
   std::vector<std::string> log;
   ServerOptions options;
-  options.on_failure = [&](const Request&, const std::string& what) { log.push_back(what); };
-  const Served served([](const Request&) -> Response { throw TakesLong{}; }, options);
-  const auto reply = served.get("/");
+  options.on_failure = [&](const Request&, const std::string& what) {
+    const std::lock_guard lock(mutex);
+    log.push_back(what);
+  };
+  options.metrics = std::make_shared<Metrics>(std::vector<std::string>{"/long"});
+  Router router;
+  router.add("GET", "/long", [](const Request&) {
+    return LongWork{[]() -> Response { throw Error(ErrorKind::internal, "the secret"); }};
+  });
+  const Served served(router, options);
+  const auto reply = served.get("/long");
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->status, 500);
+  EXPECT_EQ(reply->body.find("secret"), std::string::npos) << reply->body;
+  const std::string counted =
+      R"(slackwater_http_requests_total{route="/long",method="GET",status="500"} 1)";
+  for (int i = 0; i < 100 && options.metrics->exposition().find(counted) == std::string::npos; ++i)
+    std::this_thread::sleep_for(10ms);
+  EXPECT_NE(options.metrics->exposition().find(counted), std::string::npos);
+  const std::lock_guard lock(mutex);
   EXPECT_EQ(log.size(), 1U);
+}
+
+TEST(WorkThatTakesLong, IsNotBegunWhenNobodyWaitsForItAnyMore) {
+  std::atomic<int> runs = 0;
+  ServerOptions options;
+  options.limits.handler_time = 300ms;
+  options.threads = 1;
+  const Served served(
+      [&](const Request&) {
+        return LongWork{[&] {
+          ++runs;
+          std::this_thread::sleep_for(600ms);
+          return text_response("late");
+        }};
+      },
+      options);
+  std::vector<HttpClient> clients;
+  for (int i = 0; i < 4; ++i) {
+    clients.push_back(served.client());
+    ASSERT_TRUE(clients.back().send("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"));
+  }
+  for (HttpClient& client : clients) {
+    const auto reply = client.receive();
+    ASSERT_TRUE(reply);
+    EXPECT_EQ(reply->status, 503);
+  }
+  EXPECT_LE(runs, 2);
 }
 
 TEST(Handlers, RunAtOnceForManyClients) {

@@ -96,7 +96,7 @@ TEST(Health, IsOkOrDegradedWithWhatTheRootKnows) {
   auto metrics = std::make_shared<Metrics>(std::vector<std::string>{});
   HealthFacts facts{true, {{"newest_forecast", "2025-03-10T00:00:00Z"}}};
   const Handler health = health_handler("1.2.3", metrics, [&] { return facts; });
-  const Response good = health({});
+  const Response good = completed(health({}));
   EXPECT_EQ(good.status, 200);
   const auto document = nlohmann::json::parse(good.body);
   EXPECT_EQ(document.at("status"), "ok");
@@ -104,10 +104,10 @@ TEST(Health, IsOkOrDegradedWithWhatTheRootKnows) {
   EXPECT_EQ(document.at("version"), "1.2.3");
   EXPECT_EQ(document.at("newest_forecast"), "2025-03-10T00:00:00Z");
   facts.is_degraded = true;
-  EXPECT_EQ(health(Request{}).status, 200) << "said, but served";
-  EXPECT_NE(health(Request{}).body.find("degraded"), std::string::npos);
+  EXPECT_EQ(completed(health({})).status, 200) << "said, but served";
+  EXPECT_NE(completed(health({})).body.find("degraded"), std::string::npos);
   facts.is_healthy = false;
-  const Response bad = health({});
+  const Response bad = completed(health({}));
   EXPECT_EQ(bad.status, 503);
   EXPECT_EQ(nlohmann::json::parse(bad.body).at("status"), "degraded");
 }

@@ -39,19 +39,19 @@ TEST(Problem, EachKindOfErrorHasOneStatus) {
 }
 
 TEST(Problem, OursAreNotTheClientsToRead) {
-  const auto told = failure_of(
+  const Response told = problem_of(
       std::make_exception_ptr(Error(ErrorKind::not_found, "no site 'x'; known are a, b")), "/x");
-  EXPECT_NE(told.response.body.find("known are a, b"), std::string::npos);
+  EXPECT_NE(told.body.find("known are a, b"), std::string::npos);
   EXPECT_EQ(told.for_the_log, "");
   for (const auto& ours : {std::make_exception_ptr(ContractViolation("/src/a.cc:12: bad")),
                            std::make_exception_ptr(Error(ErrorKind::internal, "/src/a.cc:12: bad")),
                            std::make_exception_ptr(std::bad_alloc())}) {
-    const Failure failure = failure_of(ours, "/x");
-    EXPECT_EQ(failure.response.status, 500);
-    EXPECT_EQ(failure.response.body.find("a.cc"), std::string::npos);
-    EXPECT_NE(failure.for_the_log, "");
+    const Response hidden = problem_of(ours, "/x");
+    EXPECT_EQ(hidden.status, 500);
+    EXPECT_EQ(hidden.body.find("a.cc"), std::string::npos);
+    EXPECT_NE(hidden.for_the_log, "");
   }
-  EXPECT_EQ(failure_of(std::make_exception_ptr(3), "").response.status, 500);
+  EXPECT_EQ(problem_of(std::make_exception_ptr(3), "").status, 500);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fields/base/check.h"
+#include "fields/base/error.h"
 
 namespace slackwater::tests {
 namespace {
@@ -40,7 +41,7 @@ Response routed(const std::string& method, const std::string& path) {
   Request request;
   request.method = method;
   request.path = path;
-  return collections()(request);
+  return completed(collections()(request));
 }
 
 std::string detail_of(const Response& response) {
@@ -110,10 +111,33 @@ TEST(Router, ARouteThatExistsTwiceOrAParameterThatDoesNotIsABug) {
   EXPECT_THROW((void)PathParameters().at("x"), ContractViolation);
 }
 
+TEST(Router, WhatAHandlerLeavesForLaterIsRoutedTooAndFailsAsItWouldNow) {
+  Router router;
+  router.add("GET", "/later",
+             [](const Request&) { return LongWork{[] { return named("done"); }}; });
+  router.add("GET", "/never", [](const Request&) {
+    return LongWork{[]() -> Response { throw Error(ErrorKind::internal, "of the house"); }};
+  });
+  Request request;
+  request.method = "GET";
+  request.path = "/later";
+  const Outcome later = router(request);
+  ASSERT_TRUE(std::holds_alternative<LongWork>(later)) << "nothing is begun";
+  const Response done = completed(later);
+  EXPECT_EQ(done.body, "done");
+  EXPECT_EQ(done.route, "/later");
+  request.path = "/never";
+  const Response failed = completed(router(request));
+  EXPECT_EQ(failed.status, 500);
+  EXPECT_EQ(failed.route, "/never");
+  EXPECT_NE(failed.for_the_log.find("of the house"), std::string::npos);
+}
+
 TEST(Router, LabelsAreThePatterns) {
   const auto labels = collections().labels();
   EXPECT_EQ(labels.size(), 6U) << "GET and POST of a collection share one";
-  EXPECT_EQ(routed("GET", "/collections/wind").headers.back().second, "/collections/{collection}");
+  EXPECT_EQ(routed("GET", "/collections/wind").route, "/collections/{collection}");
+  EXPECT_EQ(routed("GET", "/nothing").route, "") << "no route answered";
 }
 
 }  // namespace
