@@ -2,12 +2,25 @@
 #include <array>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "api/edr/sample/answer.h"
 #include "fields/service/field.h"
 
 namespace slackwater::api::edr {
+
+/// A quantity of a collection, all that it is: what clients are told of it, and how it is had from
+/// samples, each of which says by its status whether it has a value.
+template <typename Sample>
+struct Quantity {
+  Parameter parameter;
+  /// Appends one value a sample, NaN where it has none: a call a batch, not a call a value.
+  void (*append)(std::span<const Sample> samples, std::vector<double>& values) = nullptr;
+};
+template <typename Sample>
+using Quantities = std::span<const Quantity<Sample>>;
 
 /// A group of quantities that are asked together.
 struct Collection {
@@ -16,10 +29,13 @@ struct Collection {
   std::string description;
   std::vector<std::string> keywords;
   Vertical vertical = Vertical::none;
+  /// Its parameters are these; with `is_of_members` these of each member, member by member.
+  std::variant<Quantities<CurrentSample>, Quantities<WindSample>, Quantities<SeaSample>> quantities;
+  bool is_of_members = false;
 };
 
-/// currents, currents-members, wind, wind-members, waves. Members have collections of their own, because who
-/// names no parameter is given all of a collection's.
+/// currents, currents-members, wind, wind-members, waves (collections.cc). Members have collections
+/// of their own, because who names no parameter is given all of a collection's.
 [[nodiscard]] std::span<const Collection> collections();
 /// @throws Error(not_found) that lists what there is
 [[nodiscard]] const Collection& collection_named(const std::string& id);
@@ -28,8 +44,8 @@ struct Collection {
 [[nodiscard]] std::vector<Parameter> parameters_of(const Collection& collection,
                                                    std::size_t members);
 
-/// The vertical positions at which a collection is given where none are asked for: the forecast's native
-/// levels, or 10 m for wind. Empty without a vertical.
+/// The vertical positions at which a collection is given where none are asked for: the forecast's
+/// native levels, or 10 m for wind. Empty without a vertical.
 [[nodiscard]] std::vector<double> native_levels(const Collection& collection, const Field& field);
 /// Positions that a range of the vertical may choose from.
 [[nodiscard]] std::vector<double> all_levels(const Collection& collection, const Field& field);
