@@ -6,6 +6,7 @@
 #include "api/edr/read/bad_parameter.h"
 #include "api/edr/read/crs.h"
 #include "api/edr/read/feature_filter.h"
+#include "api/edr/sample/location.h"
 #include "api/edr/sample/queries.h"
 #include "api/edr/sample/site_choice.h"
 #include "api/edr/write/body.h"

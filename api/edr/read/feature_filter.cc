@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "api/edr/read/bad_parameter.h"
 #include "api/edr/read/number.h"
-#include "api/http/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
-
-using nlohmann::json;
 
 std::size_t whole_number(const QueryString& query, std::string_view key, std::size_t least,
                          std::size_t otherwise) {
@@ -42,7 +38,7 @@ std::span<const std::string_view> FeatureFilter::parameters() noexcept {
   return names;
 }
 
-FeatureFilter::FeatureFilter(std::string href, const QueryString& query) : href_(std::move(href)) {
+FeatureFilter::FeatureFilter(const QueryString& query) {
   if (const auto text = query.find("bbox")) box_ = parse_bbox(*text).box;
   if (const auto text = query.find("datetime")) time_ = parse_datetime(*text);
   limit_ = std::min(whole_number(query, "limit", 1, usual_features), most_features);
@@ -55,39 +51,6 @@ FeatureFilter::FeatureFilter(std::string href, const QueryString& query) : href_
 bool FeatureFilter::takes(const slackwater::BoundingBox& place, UtcTime from, UtcTime to) const {
   if (box_ && !meet(*box_, place)) return false;
   return !time_ || ((!time_->from || *time_->from <= to) && (!time_->to || from <= *time_->to));
-}
-
-std::string FeatureFilter::address(std::string_view key, const std::string& value) const {
-  std::string query;
-  for (const auto& [name, asked] : asked_) {
-    query += (query.empty() ? "?" : "&") + http::percent_encoded(name) + "=" +
-             http::percent_encoded(asked);
-  }
-  if (!value.empty()) query += (query.empty() ? "?" : "&") + std::string(key) + "=" + value;
-  return href_ + query;
-}
-
-json FeatureFilter::page(json all_taken) const {
-  const std::size_t matched = all_taken.size();
-  const std::size_t first = std::min(offset_, matched);
-  const std::size_t last = std::min(first + limit_, matched);
-  json features = json::array();
-  for (std::size_t i = first; i < last; ++i) features.push_back(std::move(all_taken[i]));
-  const std::string offset = offset_ == 0 ? "" : std::to_string(offset_);
-  const auto link = [](std::string href, const char* rel, const char* type) {
-    return json{{"href", std::move(href)}, {"rel", rel}, {"type", type}};
-  };
-  json links = json::array({link(address("offset", offset), "self", "application/geo+json"),
-                            link(address("f", "json"), "alternate", "application/json"),
-                            link(address("f", "html"), "alternate", "text/html")});
-  if (last < matched) {
-    links.push_back(link(address("offset", std::to_string(last)), "next", "application/geo+json"));
-  }
-  return {{"type", "FeatureCollection"},
-          {"numberMatched", matched},
-          {"numberReturned", features.size()},
-          {"links", std::move(links)},
-          {"features", std::move(features)}};
 }
 
 }  // namespace slackwater::api::edr

@@ -1,10 +1,11 @@
 #pragma once
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "api/edr/read/bbox.h"
 #include "api/edr/read/datetime.h"
@@ -22,27 +23,27 @@ class FeatureFilter {
   /// The parameters that lists of features take, beside `f`.
   [[nodiscard]] static std::span<const std::string_view> parameters() noexcept;
 
-  /// @param href  of the list, without a query
   /// @throws Error(usage) for what cannot be read; a limit above `most_features` is cut to it
-  FeatureFilter(std::string href, const QueryString& query);
+  explicit FeatureFilter(const QueryString& query);
 
-  /// Whether a feature meets the box and the time, borders included. The vertical part of a box says
-  /// nothing here: all features lie at the surface.
+  /// Whether a feature meets the box and the time, borders included. The vertical part of a box
+  /// says nothing here: all features lie at the surface.
   [[nodiscard]] bool takes(const slackwater::BoundingBox& place, UtcTime from, UtcTime to) const;
 
-  /// A FeatureCollection of those features that fall on this page, with links to itself, to its other
-  /// renditions and to the next page.
-  [[nodiscard]] nlohmann::json page(nlohmann::json all_taken) const;
+  /// Of the features that are taken, how many to pass over and how many to show.
+  [[nodiscard]] std::size_t offset() const noexcept { return offset_; }
+  [[nodiscard]] std::size_t limit() const noexcept { return limit_; }
+  /// The query as it came, without the offset and the format.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& asked() const noexcept {
+    return asked_;
+  }
 
  private:
-  [[nodiscard]] std::string address(std::string_view key, const std::string& value) const;
-
-  std::string href_;
   std::optional<Box> box_;
   std::optional<TimeRange> time_;
   std::size_t limit_ = usual_features;
   std::size_t offset_ = 0;
-  std::vector<std::pair<std::string, std::string>> asked_;  ///< as it came, without the offset
+  std::vector<std::pair<std::string, std::string>> asked_;
 };
 
 }  // namespace slackwater::api::edr

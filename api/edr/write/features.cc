@@ -1,9 +1,8 @@
 #include "api/edr/write/features.h"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "api/edr/read/feature_filter.h"
+#include "api/edr/write/feature_page.h"
 #include "api/http/percent.h"
 
 namespace slackwater::api::edr {
@@ -49,30 +48,10 @@ json footprint(const slackwater::BoundingBox& box) {
 
 }  // namespace
 
-std::optional<LocationName> location_named(const std::string& name,
-                                           const ForecastCatalogue& catalogue, const Field* field) {
-  const auto columns_of = [&](const std::string& site) -> std::size_t {
-    if (field != nullptr)
-      return field->snapshot().site_id == site ? field->snapshot().columns.size() : 0;
-    for (const auto& known : catalogue.sites)
-      if (known.site_id == site) return known.field->snapshot().columns.size();
-    return 0;
-  };
-  if (columns_of(name) > 0) return LocationName{name, 0};
-  const std::size_t dot = name.rfind('.');
-  if (dot == std::string::npos || dot + 1 == name.size()) return std::nullopt;
-  LocationName found{name.substr(0, dot), 0};
-  const char* end = name.data() + name.size();
-  const auto [last, problem] = std::from_chars(name.data() + dot + 1, end, found.column);
-  if (problem != std::errc{} || last != end || found.column >= columns_of(found.site_id))
-    return std::nullopt;
-  return found;
-}
-
 json locations_document(const std::string& at, const Collection& collection,
                         const std::vector<std::shared_ptr<const Field>>& fields,
                         const QueryString& query) {
-  const FeatureFilter filter(at + "/locations", query);
+  const FeatureFilter filter(query);
   json features = json::array();
   for (const auto& field : fields) {
     const Snapshot& snapshot = field->snapshot();
@@ -98,7 +77,7 @@ json locations_document(const std::string& at, const Collection& collection,
                             {"water_depth_m", column.water_depth_m}}}});
     }
   }
-  return filter.page(std::move(features));
+  return feature_page(at + "/locations", filter, std::move(features));
 }
 
 json item_document(const std::string& base, const Collection& collection,
@@ -131,7 +110,7 @@ json item_document(const std::string& base, const Collection& collection,
 
 json items_document(const std::string& base, const Collection& collection,
                     const ForecastCatalogue& catalogue, const QueryString& query) {
-  const FeatureFilter filter(base + "/collections/" + collection.id + "/items", query);
+  const FeatureFilter filter(query);
   json features = json::array();
   for (const IssuedForecast& forecast : catalogue.instances) {
     if (!filter.takes(box_of(catalogue, forecast.row.site_id), forecast.row.valid_from,
@@ -140,7 +119,8 @@ json items_document(const std::string& base, const Collection& collection,
     }
     features.push_back(item_document(base, collection, catalogue, forecast));
   }
-  return filter.page(std::move(features));
+  return feature_page(base + "/collections/" + collection.id + "/items", filter,
+                      std::move(features));
 }
 
 }  // namespace slackwater::api::edr
