@@ -40,7 +40,8 @@ http::HealthFacts facts_of(const IssuedFields& forecasts) {
   http::HealthFacts facts;
   const std::shared_ptr<const ForecastCatalogue> catalogue = forecasts.catalogue();
   const std::string trouble = forecasts.trouble();
-  // A damaged forecast that a client asks for must not take the whole service out of a proxy's hands.
+  // A damaged forecast that a client asks for must not take the whole
+  // service out of a proxy's hands.
   facts.is_healthy = forecasts.is_following();
   facts.is_degraded = !trouble.empty();
   if (!trouble.empty()) facts.facts.emplace_back("store", trouble);

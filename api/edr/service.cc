@@ -39,7 +39,8 @@ constexpr const char* openapi_type = "application/vnd.oai.openapi+json;version=3
 /// What is negotiated by Accept must say so to caches.
 const std::pair<std::string, std::string> varies{"Vary", "Accept"};
 
-/// Headlines and names come from stored files: bytes that are not UTF-8 must not take a document away.
+/// Headlines and names come from stored files: bytes that are not UTF-8 must
+/// not take a document away.
 std::string text_of(const nlohmann::json& document) {
   return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -88,7 +89,8 @@ class Service {
     return {200, std::string(media_type_of(format)), text_of(made), {varies}, metadata_max_age_s};
   }
 
-  /// The OpenAPI document: under its own media type, as plain JSON for who asks for that, or as a page.
+  /// The OpenAPI document: under its own media type, as plain JSON for who
+  /// asks for that, or as a page.
   [[nodiscard]] Response openapi(const Request& request) const {
     const QueryString query = QueryString::parse(request.query);
     constexpr std::array<std::string_view, 1> known{"f"};
@@ -118,7 +120,8 @@ class Service {
     const Format format = expect_format(request, query);
     for (std::size_t i = 0; i < type.needed; ++i) {
       const std::string_view name = type.parameters[i];
-      // A collection without a vertical has no z; clients of EDR 1.0 know no height of a corridor, see query_path.cc.
+      // A collection without a vertical has no z; clients of EDR 1.0 know no height of a
+      // corridor, see query_path.cc.
       const bool may_miss = name == "z" || name == "corridor-height" || name == "height-units";
       if (!may_miss && !query.find(name))
         throw bad_parameter(name, "nothing", "this parameter; see /api");

@@ -8,8 +8,8 @@ namespace slackwater::api::http {
 /// Decodes %XX once; nothing where a '%' is not followed by two hexadecimal digits.
 [[nodiscard]] std::optional<std::string> percent_decoded(std::string_view text);
 
-/// All but the unreserved characters of RFC 3986 encoded: fit for a path segment, a query value or a
-/// header.
+/// All but the unreserved characters of RFC 3986 encoded: fit for a path segment, a
+/// query value or a header.
 [[nodiscard]] std::string percent_encoded(std::string_view text);
 
 }  // namespace slackwater::api::http

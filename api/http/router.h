@@ -22,16 +22,18 @@ class PathParameters {
 using RouteHandler = std::function<Outcome(const Request&, const PathParameters&)>;
 
 /// Sends a request to the handler of its method and path. Patterns are "/", "/shelves",
-/// "/shelves/{shelf}/books"; where several fit, the one whose fixed segments come first wins. A slash at the end is tolerated. Segments are decoded once, after the path was split;
-/// ".", "..", and segments that decode to a slash or a control character are refused with 400.
-/// Fill it first, then copy it into a `Handler`; thread-safe from then on.
+/// "/shelves/{shelf}/books"; where several fit, the one whose fixed segments come first wins. A
+/// slash at the end is tolerated. Segments are decoded once, after the path was split; ".", "..",
+/// and segments that decode to a slash or a control character are refused with 400. Fill it first,
+/// then copy it into a `Handler`; thread-safe from then on.
 class Router {
  public:
   /// HEAD is served by GET. Two handlers for one method and pattern are a ContractViolation.
   void add(std::string method, std::string_view pattern, RouteHandler handler);
   void add(std::string method, std::string_view pattern, Handler handler);
-  /// 404 says what exists nearby, 405 what is allowed; what a handler throws, at once or in its long
-  /// work, becomes a problem document. The response of a handler carries the pattern as its route.
+  /// 404 says what exists nearby, 405 what is allowed; what a handler throws, at once
+  /// or in its long work, becomes a problem document. The response of a handler carries
+  /// the pattern as its route.
   [[nodiscard]] Outcome operator()(const Request& request) const;
   /// The patterns, each once: the labels of the metrics.
   [[nodiscard]] std::vector<std::string> labels() const;

@@ -27,8 +27,8 @@ struct Limits {
   std::chrono::milliseconds handler_time{30'000};
   /// A client must take in a quarter of a megabyte, or the rest, within this time.
   std::chrono::milliseconds write_time{10'000};
-  /// Of all answers that clients are taking in at once, together: a large one beyond it is thrown away for a 503,
-  /// so that slow readers of large answers do not fill the memory.
+  /// Of all answers that clients are taking in at once, together: a large one beyond it is thrown
+  /// away for a 503, so that slow readers of large answers do not fill the memory.
   std::size_t answer_bytes = std::size_t{512} << 20U;
   /// Silence between two requests of one connection.
   std::chrono::milliseconds idle_time{60'000};
@@ -42,7 +42,8 @@ struct Limits {
 struct ServerOptions {
   std::string address = "127.0.0.1";  ///< numeric, IPv4 or IPv6
   std::uint16_t port = 0;             ///< 0: any that is free
-  /// That run handlers, and as many more for what takes long (message.h); one more carries the bytes.
+  /// That run handlers, and as many more for what takes long (message.h);
+  /// one more carries the bytes.
   std::size_t threads = 2;
   std::optional<std::string> token;  ///< `Authorization: Bearer <token>` may write from afar
   bool read_only = false;            ///< POST is refused too

@@ -153,7 +153,8 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   /// What a thread does for a request: to the end, or to where it takes long.
   using Step = std::function<std::variant<Reply, LongReply>()>;
 
-  /// Touches nothing of the session but what never changes: it is called on the threads of a pool too.
+  /// Touches nothing of the session but what never changes: it is called on
+  /// the threads of a pool too.
   void submit(WorkerPool& pool, Step step, std::uint64_t serial, Moment deadline) {
     auto job = [self = shared_from_this(), serial, deadline, step = std::move(step)]() mutable {
       SessionSite& site = self->site_;

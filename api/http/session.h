@@ -55,7 +55,8 @@ class Session {
   virtual void close() = 0;
 };
 
-/// Takes over a connected, non-blocking socket; where it throws, it does not. Call `begin` or `refuse_newcomer` next.
+/// Takes over a connected, non-blocking socket; where it throws, it does not. Call `begin`
+/// or `refuse_newcomer` next.
 [[nodiscard]] std::shared_ptr<Session> open_session(SessionSite& site, int descriptor,
                                                     bool peer_is_loopback, bool is_ipv6);
 

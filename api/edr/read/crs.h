@@ -13,13 +13,13 @@ constexpr std::string_view crs84_uri = "http://www.opengis.net/def/crs/OGC/1.3/C
   return {"CRS84", "EPSG:4326", crs84_uri};
 }
 
-/// Accepts `crs` where it names CRS84 or WGS 84: CRS84, OGC:CRS84, EPSG:4326, WGS84, the http(s) URIs and
-/// urn:ogc:def:crs forms of these, in either case. Throws Error(usage) that lists what is supported for
-/// anything else.
+/// Accepts `crs` where it names CRS84 or WGS 84: CRS84, OGC:CRS84, EPSG:4326, WGS84, the http(s)
+/// URIs and urn:ogc:def:crs forms of these, in either case. Throws Error(usage) that lists what is
+/// supported for anything else.
 ///
 /// Coordinates are longitude, latitude under every one of these names, as EDR 1.1 has it
-/// (/req/edr/coords-response C spells WGS 84 longitude/latitude out as EPSG 4326); the axis order of
-/// the EPSG register is not applied.
+/// (/req/edr/coords-response C spells WGS 84 longitude/latitude out as EPSG 4326); the axis order
+/// of the EPSG register is not applied.
 void expect_supported_crs(std::string_view text);
 
 }  // namespace slackwater::api::edr

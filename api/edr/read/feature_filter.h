@@ -17,7 +17,8 @@ namespace slackwater::api::edr {
 constexpr std::size_t most_features = 10'000;
 constexpr std::size_t usual_features = 1'000;
 
-/// Which features a list is to hold: `bbox`, `datetime`, `limit` and `offset` of OGC API - Features.
+/// Which features a list is to hold: `bbox`, `datetime`, `limit` and
+/// `offset` of OGC API - Features.
 class FeatureFilter {
  public:
   /// The parameters that lists of features take, beside `f`.

@@ -19,8 +19,8 @@ enum class GeometryType {
 /// "POINT", "MULTIPOLYGON": the word of WKT.
 [[nodiscard]] std::string_view name_of(GeometryType type) noexcept;
 
-/// WGS 84 longitude and latitude as the client wrote them: longitudes in [-180, 360], so that a line or
-/// polygon which crosses the antimeridian is written with longitudes beyond 180.
+/// WGS 84 longitude and latitude as the client wrote them: longitudes in [-180, 360], so that a
+/// line or polygon which crosses the antimeridian is written with longitudes beyond 180.
 struct Vertex {
   double longitude_deg = 0;
   double latitude_deg = 0;
@@ -30,7 +30,8 @@ struct Vertex {
 };
 
 using Path = std::vector<Vertex>;
-/// One polygon: its outer ring, then its holes, each closed. One line, or all points: a single path.
+/// One polygon: its outer ring, then its holes, each closed. One line, or
+/// all points: a single path.
 using Part = std::vector<Path>;
 
 struct Geometry {
@@ -56,8 +57,8 @@ struct Box {
 
 /// Whether a point lies in one of the polygons and in none of its holes: edges are straight in
 /// longitude and latitude (as in OGC simple features), the border of the outer ring and of holes
-/// belongs to the polygon. The antimeridian: longitudes that differ by 360 are the same place, so that
-/// -179 lies in a polygon from 175 to 185. Never in points or lines.
+/// belongs to the polygon. The antimeridian: longitudes that differ by 360 are the same place, so
+/// that -179 lies in a polygon from 175 to 185. Never in points or lines.
 /// @param longitude_deg  any convention
 /// Cost: one pass over the vertices of all rings.
 [[nodiscard]] bool contains(const Geometry& polygons, double longitude_deg,

@@ -5,9 +5,9 @@
 
 namespace slackwater::api::edr {
 
-/// The decimal number at the start of a text, which loses it: sign, digits, point, exponent. Nothing
-/// (and the text keeps all) where there is none, where it is not finite, or written as nan, inf or in
-/// hexadecimal.
+/// The decimal number at the start of a text, which loses it: sign, digits, point, exponent.
+/// Nothing (and the text keeps all) where there is none, where it is not finite, or written as
+/// nan, inf or in hexadecimal.
 [[nodiscard]] std::optional<double> take_number(std::string_view& text) noexcept;
 
 /// A text that is one such number and nothing else.

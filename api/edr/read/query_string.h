@@ -15,8 +15,8 @@ constexpr std::size_t max_query_parameters = 64;
 class QueryString {
  public:
   /// Reads "coords=POINT(2%2057)&z=10" ('+' is a blank; empty pieces, as in "a=1&&b=2", are passed
-  /// over; "a" alone has an empty value). Throws Error(usage) for a key that repeats, an empty key, a
-  /// broken percent code, a NUL, and beyond the limits above.
+  /// over; "a" alone has an empty value). Throws Error(usage) for a key that repeats, an empty key,
+  /// a broken percent code, a NUL, and beyond the limits above.
   [[nodiscard]] static QueryString parse(std::string_view query);
 
   /// The value of a key, nothing where the key is absent. The view lives as long as this object.

@@ -4,8 +4,8 @@
 
 #include "fields/base/time.h"
 
-// What a query has found, before it takes the shape of a format. Queries fill it, formats write it; neither
-// knows of the other.
+// What a query has found, before it takes the shape of a format. Queries fill it, formats write it;
+// neither knows of the other.
 
 namespace slackwater::api::edr {
 
@@ -27,9 +27,9 @@ enum class DomainType { point, point_series, vertical_profile, grid, trajectory 
 /// What the vertical axis counts, metres from mean sea level.
 enum class Vertical { none, depth_down, height_up };
 
-/// Values over one domain. Axes are independent, and values run over t, z, y, x, the last fastest; on a
-/// trajectory the axes have one entry a vertex each (the vertical one too, or one entry for all, or none) and
-/// values one a vertex. NaN: no value.
+/// Values over one domain. Axes are independent, and values run over t, z, y, x, the last fastest;
+/// on a trajectory the axes have one entry a vertex each (the vertical one too, or one entry for
+/// all, or none) and values one a vertex. NaN: no value.
 struct Coverage {
   DomainType domain = DomainType::grid;
   std::string id;

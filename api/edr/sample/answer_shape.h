@@ -7,8 +7,8 @@
 
 namespace slackwater::api::edr {
 
-/// Lengths of the axes of a coverage; 1 where the axis is empty. On a trajectory x is the number of its
-/// vertices and the others are 1.
+/// Lengths of the axes of a coverage; 1 where the axis is empty. On a trajectory x is the number of
+/// its vertices and the others are 1.
 struct Shape {
   std::size_t t = 1;
   std::size_t z = 1;
@@ -24,9 +24,9 @@ struct Shape {
 
 [[nodiscard]] Shape shape_of(const Coverage& coverage) noexcept;
 
-/// A broken promise of `Answer` is a bug of the query that filled it: ContractViolation where coverages
-/// have no place, differ in domain type, have axes that their domain type does not allow (two times in a
-/// profile), or values that are not one per parameter and point.
+/// A broken promise of `Answer` is a bug of the query that filled it: ContractViolation where
+/// coverages have no place, differ in domain type, have axes that their domain type does not allow
+/// (two times in a profile), or values that are not one per parameter and point.
 void expect_whole(const Answer& answer);
 
 /// The axes where some coverage has them.

@@ -10,8 +10,8 @@
 
 namespace slackwater::api::edr {
 
-/// Series and profiles at one place: Point, PointSeries, VerticalProfile, or a Grid of one cell where both
-/// times and levels are many.
+/// Series and profiles at one place: Point, PointSeries, VerticalProfile, or a Grid of one cell
+/// where both times and levels are many.
 [[nodiscard]] Coverage at_point(const Selection& selection, double longitude_deg,
                                 double latitude_deg, const std::vector<UtcTime>& times,
                                 const std::vector<double>& verticals, Absences& absences);

@@ -13,7 +13,8 @@ struct LocationName {
   std::size_t column = 0;
 };
 
-/// Nothing where no such location is in the catalogue (or among the columns of `field`, where given).
+/// Nothing where no such location is in the catalogue (or among the columns
+/// of `field`, where given).
 [[nodiscard]] std::optional<LocationName> location_named(const std::string& name,
                                                          const ForecastCatalogue& catalogue,
                                                          const Field* field = nullptr);

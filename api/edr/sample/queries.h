@@ -4,9 +4,9 @@
 #include "api/edr/sample/coverages.h"
 #include "api/edr/sample/work.h"
 
-// One query type a file. Each takes a query string and the chosen forecast's selection, and says what is
-// to be done for an answer; each throws Error(usage) for what it cannot read or is too much, and
-// Error(not_found), with the valid range, for what the forecast does not reach.
+// One query type a file. Each takes a query string and the chosen forecast's selection, and says
+// what is to be done for an answer; each throws Error(usage) for what it cannot read or is too
+// much, and Error(not_found), with the valid range, for what the forecast does not reach.
 
 namespace slackwater::api::edr {
 

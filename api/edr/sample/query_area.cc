@@ -11,8 +11,8 @@
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 
-// Area, radius and cube: the forecast's own columns within a shape, or an even grid over it where a resolution
-// is asked for or no column lies inside.
+// Area, radius and cube: the forecast's own columns within a shape, or an even grid over it where a
+// resolution is asked for or no column lies inside.
 
 namespace slackwater::api::edr {
 namespace {
@@ -73,7 +73,8 @@ Axes some_place_in(const Box& box, const Inside& is_inside) {
   return {{x}, {y}};
 }
 
-/// What two boxes share, with the second moved by whole turns to where they share most; west > east for nothing.
+/// What two boxes share, with the second moved by whole turns to where they share most;
+/// west > east for nothing.
 Box shared(const Box& asked, const Box& area) {
   if (asked.east_deg - asked.west_deg >= 360)
     return {area.west_deg, std::max(asked.south_deg, area.south_deg), area.east_deg,

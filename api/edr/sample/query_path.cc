@@ -86,7 +86,8 @@ Answer along_all(Selection s, const std::vector<Path>& paths) {
   return answer_of(std::move(s), std::move(coverages), absences);
 }
 
-/// Points of a line at even distances along it, ends included; the vertices themselves where `count` is 0.
+/// Points of a line at even distances along it, ends included; the vertices
+/// themselves where `count` is 0.
 Path resampled(const Path& line, std::size_t count) {
   if (count == 0) return line;
   std::vector<double> at{0};
@@ -154,8 +155,8 @@ double length_m(const Path& line) {
   return length;
 }
 
-/// How many positions span a length at the spacing of the forecast's columns, ends included; as few as
-/// `least` where it has but one column.
+/// How many positions span a length at the spacing of the forecast's columns, ends included; as few
+/// as `least` where it has but one column.
 std::size_t stored_count(const Selection& s, double length, std::size_t least) {
   const auto& columns = s.field->snapshot().columns;
   double spacing_m = std::numeric_limits<double>::infinity();
@@ -204,7 +205,8 @@ Section section_of(const Selection& s, const QueryString& query) {
       parse_distance_m("corridor-width", query.find("corridor-width").value_or(""), "width-units",
                        query.find("width-units").value_or(""));
   Section section;
-  // EDR 1.0 knew corridors without a height, and its clients send none: such a one is of its path's own level.
+  // EDR 1.0 knew corridors without a height, and its clients send none: such a one is
+  // of its path's own level.
   const auto height = query.find("corridor-height");
   const auto height_units = query.find("height-units");
   const bool is_flat = !height && !height_units;
@@ -226,7 +228,8 @@ Path along_line(const Selection& s, const QueryString& query, const Path& line) 
   return resampled(line, *count > 0 ? *count : stored_count(s, length_m(line), line.size()));
 }
 
-/// A corridor's lines at one level of its middle, or at the vertices' own (`level` is added to them).
+/// A corridor's lines at one level of its middle, or at the vertices' own
+/// (`level` is added to them).
 void add_lines(std::vector<Path>& paths, const Path& line, const std::vector<double>& levels,
                bool is_relative) {
   for (const double level : levels) {
@@ -236,8 +239,8 @@ void add_lines(std::vector<Path>& paths, const Path& line, const std::vector<dou
   }
 }
 
-/// The lines of a trajectory query at each of its times, and at each of its levels where the vertices
-/// have none of their own.
+/// The lines of a trajectory query at each of its times, and at each of its levels where the
+/// vertices have none of their own.
 std::vector<Path> trajectories(const Geometry& lines, const std::vector<UtcTime>& times,
                                const std::vector<double>& levels) {
   std::vector<Path> paths;
@@ -283,7 +286,8 @@ Plan corridor_plan(Selection s, const QueryString& query) {
   Section section = section_of(s, query);
   expect_reached(s, lines);
   std::vector<UtcTime> times = times_beside(s, lines, query);
-  // Without a vertical of its own the corridor runs about the levels of z, else about the middle of the range.
+  // Without a vertical of its own the corridor runs about the levels of z, else about
+  // the middle of the range.
   std::vector<double> about{0};
   const bool is_relative = lines.has_vertical && s.collection->vertical != Vertical::none;
   if (s.collection->vertical != Vertical::none && !lines.has_vertical) {

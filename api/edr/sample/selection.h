@@ -10,8 +10,8 @@
 
 namespace slackwater::api::edr {
 
-/// Of one forecast, the parameters that a query wants: what all queries have in common once it is known which
-/// forecast answers.
+/// Of one forecast, the parameters that a query wants: what all queries have in common once it is
+/// known which forecast answers.
 struct Selection {
   const Collection* collection = nullptr;
   std::shared_ptr<const Field> field;
@@ -23,13 +23,14 @@ struct Selection {
 [[nodiscard]] Selection select(const Collection& collection, const IssuedForecast& forecast,
                                std::shared_ptr<const Field> field, const QueryString& query);
 
-/// The times of `datetime`: all stamps where it is absent; the instant itself, between stamps too; the stamps
-/// of an interval, or its ends cut to the forecast where no stamp lies in it.
+/// The times of `datetime`: all stamps where it is absent; the instant itself, between stamps too;
+/// the stamps of an interval, or its ends cut to the forecast where no stamp lies in it.
 /// @throws Error(not_found), with the valid range, where the forecast has none of it
 [[nodiscard]] std::vector<UtcTime> times_of(const Selection& selection, const QueryString& query);
 
-/// The vertical positions of `z`: as listed, or the levels of a range (its ends where no level lies in it).
-/// Where `z` is absent the native levels, for currents those above `bed_m`. One NaN without a vertical.
+/// The vertical positions of `z`: as listed, or the levels of a range (its ends where no
+/// level lies in it). Where `z` is absent the native levels, for currents those above
+/// `bed_m`. One NaN without a vertical.
 /// @throws Error(usage) for z where there is no vertical; Error(not_found) outside the range
 [[nodiscard]] std::vector<double> verticals_of(const Selection& selection, const QueryString& query,
                                                double bed_m);

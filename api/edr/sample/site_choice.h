@@ -7,8 +7,9 @@
 
 namespace slackwater::api::edr {
 
-/// The site whose forecast reaches the place that the query points at: the first vertex of points and lines, the
-/// middle of areas and boxes; else any site with a column within the shape. Null where no forecast reaches it.
+/// The site whose forecast reaches the place that the query points at: the first vertex of points
+/// and lines, the middle of areas and boxes; else any site with a column within the shape. Null
+/// where no forecast reaches it.
 /// @throws Error(usage) where `coords` or `bbox` is missing or cannot be read
 [[nodiscard]] const ForecastCatalogue::SiteForecast* site_for(const ForecastCatalogue& catalogue,
                                                               const QueryType& type,

@@ -20,8 +20,8 @@ inline constexpr std::size_t most_domains = 50'000;
 inline constexpr std::size_t most_comparisons = 100'000'000;
 
 /// The work of a query for so many places and times.
-/// @throws Error(usage) where it is more numbers, or more domains, than an answer may hold: says how
-/// many were asked and how many are allowed
+/// @throws Error(usage) where it is more numbers, or more domains, than an answer may hold: says
+/// how many were asked and how many are allowed
 [[nodiscard]] Work moderate_work(const Selection& selection, std::size_t places,
                                  std::size_t domains = 1);
 /// Cells times vertices. @throws Error(usage) where they are more than `most_comparisons`

@@ -14,7 +14,8 @@ namespace slackwater::api::edr {
 [[nodiscard]] std::string_view name_of(DomainType type) noexcept;
 
 /// Appends `"axes":{...}`.
-/// @return of a trajectory the vertices that its composite axis holds (a tuple stands once); else nothing
+/// @return of a trajectory the vertices that its composite axis holds (a tuple
+/// stands once); else nothing
 std::vector<std::size_t> append_axes(std::string& out, const Coverage& coverage);
 
 /// Appends `"referencing":[...]` with the systems of the axes that the answer has.

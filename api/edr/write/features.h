@@ -12,7 +12,8 @@
 
 namespace slackwater::api::edr {
 
-/// Locations of the forecasts in force, or of one forecast; which of them the query says (feature_filter.h).
+/// Locations of the forecasts in force, or of one forecast; which of them the query
+/// says (feature_filter.h).
 [[nodiscard]] nlohmann::json locations_document(
     const std::string& at, const Collection& collection,
     const std::vector<std::shared_ptr<const Field>>& fields, const QueryString& query);

@@ -9,9 +9,9 @@ namespace slackwater::api::edr {
 /// merged_coverage.h and ingest/cf/coverage_writer.h; provenance, attribution and notes as global
 /// attributes. Values keep their full precision.
 ///
-/// Goes through a file in a private folder below the system's folder for temporary files, which is gone
-/// afterwards. Throws Error(not_found) for an answer without coverages, which the format cannot hold,
-/// Error(usage) as merged_coverage does, Error(unavailable) where the disk refuses.
+/// Goes through a file in a private folder below the system's folder for temporary files, which is
+/// gone afterwards. Throws Error(not_found) for an answer without coverages, which the format
+/// cannot hold, Error(usage) as merged_coverage does, Error(unavailable) where the disk refuses.
 [[nodiscard]] std::string netcdf(const Answer& answer);
 
 }  // namespace slackwater::api::edr

@@ -9,13 +9,13 @@
 
 namespace slackwater::api::edr {
 
-/// A string with its quotes. Control characters are escaped; bytes that are not UTF-8, which JSON may
-/// not hold, become U+FFFD.
+/// A string with its quotes. Control characters are escaped; bytes that are not UTF-8, which JSON
+/// may not hold, become U+FFFD.
 void append_string(std::string& out, std::string_view text);
 
-/// A value with at most six significant digits, trailing zeros cut: "0.123457", "-12", "1e-07"; what is
-/// not finite is `null`. Off the value by at most half a unit of the sixth digit (and a relative
-/// rounding error of 2^-52). About 15 ns for what lies between 1e-5 and 1e6.
+/// A value with at most six significant digits, trailing zeros cut: "0.123457", "-12", "1e-07";
+/// what is not finite is `null`. Off the value by at most half a unit of the sixth digit (and a
+/// relative rounding error of 2^-52). About 15 ns for what lies between 1e-5 and 1e6.
 void append_value(std::string& out, double value);
 
 /// Degrees or metres with at most seven decimals (a centimetre on the globe); finite, below 1e8.

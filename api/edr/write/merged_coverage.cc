@@ -27,8 +27,8 @@ std::string udunits_of(const std::string& ucum) {
   return found == words.end() ? ucum : found->second;
 }
 
-/// As in the forecast file, a quantile or a member does not bear the standard name: what looks for it
-/// finds the central forecast alone.
+/// As in the forecast file, a quantile or a member does not bear the standard name: what looks for
+/// it finds the central forecast alone.
 std::string standard_name_of(const Parameter& parameter) {
   const bool is_central = parameter.method.empty() || parameter.method == "central";
   return is_central ? parameter.standard_name : std::string();

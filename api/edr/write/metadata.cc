@@ -28,7 +28,8 @@ constexpr const char* height_wkt =
     R"wkt(VERTCRS["height above mean sea level",VDATUM["mean sea level"],CS[vertical,1],)wkt"
     R"wkt(AXIS["height (H)",up],LENGTHUNIT["metre",1]])wkt";
 constexpr const char* gregorian =
-    R"wkt(TIMECRS["UTC",TDATUM["Gregorian calendar"],CS[TemporalDateTime,1],AXIS["time (T)",future]])wkt";
+    R"wkt(TIMECRS["UTC",TDATUM["Gregorian calendar"],CS[TemporalDateTime,1],)wkt"
+    R"wkt(AXIS["time (T)",future]])wkt";
 
 json link(const std::string& href, const char* rel, const char* type, const std::string& title) {
   return {{"href", href}, {"rel", rel}, {"type", type}, {"title", title}, {"hreflang", "en"}};
@@ -62,7 +63,8 @@ json parameter_names(const Collection& collection, std::size_t members) {
   return names;
 }
 
-/// What a document says of each query: all, or, where hundreds of instances are listed, what it must.
+/// What a document says of each query: all, or, where hundreds of instances
+/// are listed, what it must.
 enum class Detail { whole, brief };
 
 json query_link(const std::string& at, std::string_view name, std::string_view title,
@@ -150,8 +152,8 @@ json temporal_extent(UtcTime from, UtcTime to) {
           {"trs", gregorian}};
 }
 
-/// The stamps of forecasts, each once. (As ranges or repetitions they would be shorter, and the standard's
-/// text allows that; its schema wants a date-time each.)
+/// The stamps of forecasts, each once. (As ranges or repetitions they would be shorter, and the
+/// standard's text allows that; its schema wants a date-time each.)
 json stamps_of(const std::vector<std::shared_ptr<const Field>>& fields) {
   std::set<UtcTime> stamps;
   for (const auto& field : fields) {
@@ -261,8 +263,8 @@ json collections_document(const std::string& base, const ForecastCatalogue& cata
 
 namespace {
 
-/// An instance. Its columns are those of the site's forecast in force: a list must not open hundreds of
-/// files, and an instance by name says of itself what the list says of it.
+/// An instance. Its columns are those of the site's forecast in force: a list must not open
+/// hundreds of files, and an instance by name says of itself what the list says of it.
 json described_instance(const std::string& base, const Collection& collection,
                         const ForecastCatalogue& catalogue, const IssuedForecast& forecast,
                         Detail detail) {

@@ -6,8 +6,8 @@
 #include "api/edr/sample/collection.h"
 #include "api/issued/issued_fields.h"
 
-// What the service says of itself: landing page, conformance, collections, instances (OGC API-EDR 1.1, clauses 7
-// and 8). `base` is the address of the service without a slash at its end.
+// What the service says of itself: landing page, conformance, collections, instances (OGC API-EDR
+// 1.1, clauses 7 and 8). `base` is the address of the service without a slash at its end.
 
 namespace slackwater::api::edr {
 

@@ -11,8 +11,8 @@ namespace slackwater::api::edr {
 /// {"$ref": "#/components/KIND/NAME"}
 [[nodiscard]] nlohmann::json openapi_reference(const std::string& kind, const std::string& name);
 
-/// Parameters by name, in path and query. Examples are true of the first site of the catalogue, so that
-/// they can be tried as they stand.
+/// Parameters by name, in path and query. Examples are true of the first site of the catalogue, so
+/// that they can be tried as they stand.
 [[nodiscard]] nlohmann::json openapi_parameters(const ForecastCatalogue& catalogue);
 
 /// Schemas of all that is answered in JSON: what we promise of it.
@@ -21,8 +21,8 @@ namespace slackwater::api::edr {
 /// Responses by name; "Data", "Features", ... for 200 and one for each refusal, "400", "404", ...
 [[nodiscard]] nlohmann::json openapi_responses();
 
-/// The responses of an operation that succeeds with `answer`: that, and every refusal that a server of
-/// ours may send to a GET.
+/// The responses of an operation that succeeds with `answer`: that, and every refusal that a server
+/// of ours may send to a GET.
 [[nodiscard]] nlohmann::json openapi_responses_of(const std::string& answer);
 
 }  // namespace slackwater::api::edr

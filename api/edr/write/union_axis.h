@@ -5,8 +5,8 @@
 
 namespace slackwater::api::edr {
 
-/// The axis that several domains share when they are put into one array: all their entries, ascending,
-/// each once. `add` those of each, then `settle`.
+/// The axis that several domains share when they are put into one array: all their entries,
+/// ascending, each once. `add` those of each, then `settle`.
 template <typename Value>
 class UnionAxis {
  public:

@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t clients = 8;
 constexpr int swaps = 12;
 
-/// The made-up forecast with one current everywhere, which tells the day of its issue: 0.01 m/s a day.
+/// The made-up forecast with one current everywhere, which tells the day of
+/// its issue: 0.01 m/s a day.
 Snapshot marked(int days_later) {
   Snapshot made = lone_forecast(days_later, 7);
   for (ForecastColumn& column : made.columns)

@@ -13,7 +13,8 @@ namespace slackwater::tests {
 
 using QueryPairs = std::vector<std::pair<std::string, std::string>>;
 
-/// The routes of the EDR service over a store of made-up forecasts (made_up_store.h), called without sockets.
+/// The routes of the EDR service over a store of made-up forecasts
+/// (made_up_store.h), called without sockets.
 class EdrServiceForTests {
  public:
   static constexpr const char* base = "http://edr.test";

@@ -1,4 +1,5 @@
-// Queries that are small to ask and large to answer: refused with the limit, or answered in a moment.
+// Queries that are small to ask and large to answer: refused with the limit,
+// or answered in a moment.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,4 +1,5 @@
-// Every query parameter malformed, out of range, absent, repeated, unknown and hostile: a refusal with a reason.
+// Every query parameter malformed, out of range, absent, repeated, unknown and hostile:
+// a refusal with a reason.
 #include <chrono>
 #include <map>
 

@@ -5,9 +5,9 @@
 
 namespace slackwater::tests {
 
-/// An answer of one domain type as a query might give it: three parameters (the last with a method),
-/// values that tell where they stand (see `made_up_value`), the first value of the second parameter
-/// missing, texts with quotes and letters beyond ASCII.
+/// An answer of one domain type as a query might give it: three parameters (the last with a
+/// method), values that tell where they stand (see `made_up_value`), the first value of the second
+/// parameter missing, texts with quotes and letters beyond ASCII.
 /// @param coverages  how many domains, each a degree east of the one before
 /// @param levels     of profiles and grids
 [[nodiscard]] api::edr::Answer made_up_answer(api::edr::DomainType type, std::size_t coverages = 1,

@@ -26,7 +26,8 @@ std::string refusal_of(const Parse& parse) {
   return {};
 }
 
-/// A prefix and `count` times a character. (GCC 12 warns wrongly of "prefix" + std::string(count, c).)
+/// A prefix and `count` times a character. (GCC 12 warns wrongly of
+/// "prefix" + std::string(count, c).)
 inline std::string long_text(std::string_view prefix, std::size_t count, char c) {
   std::string text(prefix);
   text.append(count, c);

@@ -1,4 +1,5 @@
-// Requirements class "core" of OGC API-EDR 1.1: landing page, definition, conformance, bbox and datetime.
+// Requirements class "core" of OGC API-EDR 1.1: landing page, definition,
+// conformance, bbox and datetime.
 #include <algorithm>
 #include <set>
 

@@ -1,5 +1,5 @@
-// Requirements classes "json", "geojson", "edr-geojson" and "covjson" of OGC API-EDR 1.1. Schemas are checked
-// by strangers (tests/strangers/edr-conformance); here is what they cannot see.
+// Requirements classes "json", "geojson", "edr-geojson" and "covjson" of OGC API-EDR 1.1. Schemas
+// are checked by strangers (tests/strangers/edr-conformance); here is what they cannot see.
 #include <set>
 
 #include "tests/api/edr/edr_service_for_tests.h"

@@ -63,7 +63,8 @@ QueryPairs corridor_query(const QueryPairs& more = {}) {
   return query;
 }
 
-/// The distinct values of one coordinate (0 time, 1 longitude, 2 latitude, 3 vertical) over all paths.
+/// The distinct values of one coordinate (0 time, 1 longitude, 2 latitude,
+/// 3 vertical) over all paths.
 std::set<double> places_of(const json& body, std::size_t coordinate) {
   std::set<double> places;
   for (const json& coverage : body.at("coverages"))
@@ -263,7 +264,8 @@ TEST(EdrParameters, ResolutionXIsText) {
 }
 
 TEST(EdrParameters, ResolutionXCountsPositionsAcrossTheCorridorBordersIncluded) {
-  // A path due east at 57.21 N, so that across is latitude: 500 m are 0.0044966 degrees to either side.
+  // A path due east at 57.21 N, so that across is latitude: 500 m are
+  // 0.0044966 degrees to either side.
   const double half_deg = 500.0 / 6371008.8 * 180 / 3.14159265358979;
   const auto across = [&](const char* count) {
     return places_of(service().document(corridor, corridor_query({{"resolution-x", count}})), 2);

@@ -174,7 +174,8 @@ TEST(HostileClient, LargeAnswersThatNobodyReadsDoNotFillTheMemory) {
     return text_response(std::string(30'000'000, 'x'), "application/netcdf");
   });
   const Served served(router, options);
-  // Either of two requests at once may be the one that finds the room taken: the deaf one goes first.
+  // Either of two requests at once may be the one that finds the room taken:
+  // the deaf one goes first.
   std::optional<HttpClient> deaf;
   std::optional<HttpReply> second;
   for (int i = 0; i < 5 && (!second || second->status == 200); ++i) {
