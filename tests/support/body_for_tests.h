@@ -1,7 +1,7 @@
 #pragma once
 #include "fields/base/random.h"
-#include "twin/vehicle/body.h"
-#include "twin/vehicle/mass_matrix.h"
+#include "twin/body/body.h"
+#include "twin/body/mass_matrix.h"
 
 namespace slackwater::tests {
 

@@ -11,7 +11,7 @@
 #include "tests/support/shared_data.h"
 
 // Who may include whom: fields -> nothing of ours; ingest, calibration, twin, data -> fields; api
-// and tests -> all.
+// and tests -> all. Between the folders of a room no arrows lead round in a circle.
 
 namespace slackwater::tests {
 namespace {
@@ -75,6 +75,73 @@ TEST(IncludeArrows, AForbiddenArrowIsSeen) {
   EXPECT_NE(forbidden_in("data", "#include \"api/cli/command.h\""), "");
   EXPECT_EQ(forbidden_in("api", "#include \"data/store/store.h\""), "");
   EXPECT_EQ(forbidden_in("ingest", "#include <vector>"), "");
+}
+
+/// The folder that an include line leads to, where it is another one of the same room.
+std::string folder_of_include(const std::string& folder, const std::string& line) {
+  const std::string room = folder.substr(0, folder.find('/'));
+  if (room_of_include(line) != room) return {};
+  const std::string path = line.substr(10, line.find('"', 10) - 10);
+  const std::string target = path.substr(0, path.rfind('/'));
+  return target == folder ? std::string() : target;
+}
+
+Arrows folder_arrows(const std::string& room) {
+  Arrows arrows;
+  for_each_line(room, [&](const std::filesystem::path& file, const std::string& line) {
+    const auto path = std::filesystem::relative(file.parent_path(), source_folder());
+    const std::string target = folder_of_include(path.string(), line);
+    if (!target.empty()) arrows[path.string()].insert(target);
+  });
+  return arrows;
+}
+
+/// The folders on a way that leads back to where it began, "a -> b -> a"; empty where there is none.
+std::string cycle_in(Arrows arrows) {
+  // What leads nowhere is on no cycle; it goes, and with it the arrows that point to it.
+  for (bool is_less = true; is_less;) {
+    is_less = false;
+    for (auto& [folder, targets] : arrows)
+      is_less |= std::erase_if(targets, [&](const std::string& t) { return !arrows.contains(t); });
+    is_less |= std::erase_if(arrows, [](const auto& entry) { return entry.second.empty(); });
+  }
+  if (arrows.empty()) return {};
+  // Each folder that is left leads on to another: whoever walks comes past a place twice.
+  std::vector<std::string> way{arrows.begin()->first};
+  for (;;) {
+    const std::string next = *arrows.at(way.back()).begin();
+    const auto seen = std::find(way.begin(), way.end(), next);
+    if (seen == way.end()) {
+      way.push_back(next);
+      continue;
+    }
+    std::string text;
+    for (auto at = seen; at != way.end(); ++at) text += *at + " -> ";
+    return text + next;
+  }
+}
+
+TEST(IncludeArrows, NoFoldersOfARoomIncludeEachOtherInACircle) {
+  // Not yet `ingest`: its cf and copernicus include each other, and so do its root, grib and insitu.
+  std::size_t arrows = 0;
+  for (const std::string room : {"fields", "calibration", "twin", "data", "api"}) {
+    const Arrows found = folder_arrows(room);
+    arrows += found.size();
+    EXPECT_EQ(cycle_in(found), "") << room;
+  }
+  EXPECT_GT(arrows, 20U) << "the sources were not found";
+}
+
+TEST(IncludeArrows, ACircleOfFoldersIsSeen) {
+  EXPECT_EQ(folder_of_include("twin/control", "#include \"twin/body/attitude.h\""), "twin/body");
+  EXPECT_EQ(folder_of_include("twin/body", "#include \"twin/body/attitude.h\""), "");
+  EXPECT_EQ(folder_of_include("twin/body", "#include \"fields/base/real.h\""), "");
+  EXPECT_EQ(cycle_in({{"a", {"b", "c"}}, {"b", {"c"}}}), "");
+  EXPECT_EQ(cycle_in({{"a", {"b"}}, {"b", {"a", "c"}}}), "a -> b -> a");
+  EXPECT_EQ(cycle_in({{"a", {"b"}}, {"b", {"c"}}, {"c", {"d"}}, {"d", {"b"}}}), "b -> c -> d -> b");
+  Arrows planted = folder_arrows("twin");
+  planted["twin/body"].insert("twin/simulate");
+  EXPECT_NE(cycle_in(planted), "");
 }
 
 TEST(IncludeArrows, EachLibraryHasOneDoor) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tests/support/shared_data.h"
-#include "twin/vehicle/body_dynamics.h"
+#include "twin/body/body_dynamics.h"
 #include "twin/vehicle/read_body.h"
 
 namespace slackwater::tests {

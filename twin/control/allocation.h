@@ -2,8 +2,8 @@
 #include <array>
 #include <span>
 
-#include "twin/vehicle/actuators.h"
-#include "twin/vehicle/spatial.h"
+#include "twin/body/actuators.h"
+#include "twin/body/spatial.h"
 
 namespace slackwater::twin {
 
@@ -42,7 +42,7 @@ struct Allocation {
   std::array<std::array<double, most_mounts>, axes> inverse{};  ///< B+: by axis, then by mount
   /// 1 - B+ B: what thrusters may do against each other without any wrench.
   std::array<std::array<double, most_mounts>, most_mounts> idle{};
-  bool has_idle = false;  ///< anything but zeros in it
+  bool has_idle = false;                                       ///< anything but zeros in it
   std::array<std::array<double, most_mounts>, axes> effect{};  ///< B, of all axes
   std::array<double, most_mounts> least_n{};
   std::array<double, most_mounts> most_n{};

@@ -5,8 +5,8 @@
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "twin/body/mass_matrix.h"
 #include "twin/control/control_laws.h"
-#include "twin/vehicle/mass_matrix.h"
 
 namespace slackwater::twin {
 namespace {

@@ -2,10 +2,10 @@
 #include <array>
 #include <span>
 
+#include "twin/body/body.h"
 #include "twin/control/allocation.h"
 #include "twin/control/autopilot_settings.h"
 #include "twin/control/control_loop.h"
-#include "twin/vehicle/body.h"
 
 namespace slackwater::twin {
 

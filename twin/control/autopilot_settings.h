@@ -1,6 +1,6 @@
 #pragma once
 #include "fields/base/config.h"
-#include "twin/vehicle/vehicle_kind.h"
+#include "twin/body/vehicle_kind.h"
 
 namespace slackwater::twin {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "twin/vehicle/spatial.h"
+#include "twin/body/spatial.h"
 
 namespace slackwater::twin {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <limits>
 
+#include "twin/body/body.h"
 #include "twin/sensor/read_sensors.h"
-#include "twin/vehicle/body.h"
 
 namespace slackwater::twin {
 

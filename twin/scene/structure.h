@@ -3,7 +3,7 @@
 #include <span>
 #include <variant>
 
-#include "twin/vehicle/spatial.h"
+#include "twin/body/spatial.h"
 
 namespace slackwater::twin {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "twin/vehicle/spatial.h"
+#include "twin/body/spatial.h"
 
 namespace slackwater::twin {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "fields/wind/gust.h"
+#include "twin/body/waves_at_strips.h"
 #include "twin/tether/tether_dynamics.h"
 #include "twin/thruster/thrust_curve.h"
-#include "twin/vehicle/waves_at_strips.h"
 
 namespace slackwater::twin {
 namespace {

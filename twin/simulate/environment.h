@@ -7,8 +7,8 @@
 #include "fields/service/field.h"
 #include "fields/wave/sea_realisation.h"
 #include "fields/wind/farm_flow.h"
+#include "twin/body/body.h"
 #include "twin/scene/structure.h"
-#include "twin/vehicle/body.h"
 
 namespace slackwater::twin {
 

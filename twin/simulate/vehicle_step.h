@@ -1,6 +1,6 @@
 #pragma once
+#include "twin/body/body_dynamics.h"
 #include "twin/simulate/vehicle_state.h"
-#include "twin/vehicle/body_dynamics.h"
 
 namespace slackwater::twin {
 

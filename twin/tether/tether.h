@@ -2,7 +2,7 @@
 #include <array>
 #include <cstddef>
 
-#include "twin/vehicle/spatial.h"
+#include "twin/body/spatial.h"
 
 namespace slackwater::twin {
 

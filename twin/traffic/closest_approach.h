@@ -1,5 +1,5 @@
 #pragma once
-#include "twin/vehicle/attitude.h"
+#include "twin/body/attitude.h"
 
 namespace slackwater::twin {
 

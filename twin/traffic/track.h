@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "twin/vehicle/attitude.h"
+#include "twin/body/attitude.h"
 
 namespace slackwater::twin {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "fields/base/constants.h"
-#include "twin/vehicle/mass_matrix.h"
+#include "twin/body/mass_matrix.h"
 
 namespace slackwater::twin {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 #include "fields/base/config.h"
-#include "twin/vehicle/body.h"
+#include "twin/body/body.h"
 
 namespace slackwater::twin {
 

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "twin/battery/battery.h"
+#include "twin/body/actuators.h"
+#include "twin/body/body.h"
 #include "twin/control/autopilot_settings.h"
 #include "twin/sensor/read_sensors.h"
 #include "twin/tether/tether.h"
 #include "twin/thruster/thruster.h"
-#include "twin/vehicle/actuators.h"
-#include "twin/vehicle/body.h"
 
 namespace slackwater::twin {
 

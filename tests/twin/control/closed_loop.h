@@ -4,8 +4,8 @@
 
 #include "tests/support/shared_data.h"
 #include "tests/twin/control/craft_for_tests.h"
+#include "twin/body/body_dynamics.h"
 #include "twin/control/autopilot.h"
-#include "twin/vehicle/body_dynamics.h"
 #include "twin/vehicle/read_body.h"
 
 namespace slackwater::tests {

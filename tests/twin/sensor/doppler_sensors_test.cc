@@ -6,8 +6,8 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
+#include "twin/body/attitude.h"
 #include "twin/sensor/adcp.h"
-#include "twin/vehicle/attitude.h"
 
 namespace slackwater::twin {
 namespace {

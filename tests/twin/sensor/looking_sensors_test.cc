@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "fields/base/constants.h"
+#include "twin/body/attitude.h"
 #include "twin/sensor/camera.h"
 #include "twin/sensor/range_sonar.h"
-#include "twin/vehicle/attitude.h"
 
 namespace slackwater::twin {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "fields/base/constants.h"
+#include "twin/body/attitude.h"
 #include "twin/sensor/compass.h"
 #include "twin/sensor/depth_sensor.h"
 #include "twin/sensor/gnss.h"
 #include "twin/sensor/imu.h"
-#include "twin/vehicle/attitude.h"
 
 namespace slackwater::twin {
 namespace {

@@ -84,7 +84,7 @@ class Flight {
     if (change) change(ready);
     return ready;
   }
-  twin::ReadyRun ready_;  ///< keeps the environment
+  twin::ReadyRun ready_;   ///< keeps the environment
   mutable twin::Run run_;  ///< looking at its states brings them up to date
 };
 

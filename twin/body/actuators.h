@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-#include "twin/vehicle/attitude.h"
+#include "twin/body/attitude.h"
 
 namespace slackwater::twin {
 

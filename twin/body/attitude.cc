@@ -1,4 +1,4 @@
-#include "twin/vehicle/attitude.h"
+#include "twin/body/attitude.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "twin/vehicle/floating_hull.h"
+#include "twin/body/floating_hull.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "twin/vehicle/waves_at_strips.h"
+#include "twin/body/waves_at_strips.h"
 
 #include <algorithm>
 #include <span>

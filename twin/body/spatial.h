@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "twin/vehicle/attitude.h"
+#include "twin/body/attitude.h"
 
 namespace slackwater::twin {
 

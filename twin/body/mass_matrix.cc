@@ -1,4 +1,4 @@
-#include "twin/vehicle/mass_matrix.h"
+#include "twin/body/mass_matrix.h"
 
 #include <Eigen/Dense>
 

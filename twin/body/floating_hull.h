@@ -4,7 +4,7 @@
 
 #include "fields/base/config.h"
 #include "fields/base/constants.h"
-#include "twin/vehicle/spatial.h"
+#include "twin/body/spatial.h"
 
 namespace slackwater::twin {
 

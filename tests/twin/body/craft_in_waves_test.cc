@@ -5,7 +5,7 @@
 
 #include "fields/wave/sea_sampling.h"
 #include "tests/support/surface_craft.h"
-#include "twin/vehicle/waves_at_strips.h"
+#include "twin/body/waves_at_strips.h"
 
 namespace slackwater::twin {
 namespace {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstddef>
 
-#include "twin/vehicle/floating_hull.h"
+#include "twin/body/floating_hull.h"
 
 namespace slackwater::twin {
 

@@ -1,4 +1,4 @@
-#include "twin/vehicle/floating_hull.h"
+#include "twin/body/floating_hull.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 
 #include "fields/base/error.h"
 #include "fields/base/random.h"
-#include "twin/vehicle/body_dynamics.h"
-#include "twin/vehicle/mass_matrix.h"
+#include "twin/body/body_dynamics.h"
+#include "twin/body/mass_matrix.h"
 
 namespace slackwater::twin {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 #include "fields/wave/sea_realisation.h"
-#include "twin/vehicle/body.h"
+#include "twin/body/body.h"
 
 namespace slackwater::twin {
 

@@ -1,4 +1,4 @@
-#include "twin/vehicle/spatial.h"
+#include "twin/body/spatial.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "twin/vehicle/body_dynamics.h"
+#include "twin/body/body_dynamics.h"
 
 #include <gtest/gtest.h>
 
