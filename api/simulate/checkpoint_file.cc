@@ -40,7 +40,9 @@ json head_of(const StandingRun& run, const CheckpointOrigin& origin) {
           {"sensor_rows", sensor_rows},
           {"last_sensor_row_s", exact_text(run.last_sensor_row_s)},
           {"watch", watch_json(run.watch)},
-          {"states", states}};
+          {"states", states},
+          {"commands_taken", commands_json(run.checkpoint.taken)},
+          {"commands_waiting", commands_json(run.checkpoint.waiting)}};
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
@@ -91,6 +93,8 @@ StandingRun run_of(const json& head, std::string_view rows) {
   StandingRun run;
   run.checkpoint.steps_made = head.at("steps_made").get<std::uint64_t>();
   for (const json& state : head.at("states")) run.checkpoint.states.push_back(state_of(state));
+  run.checkpoint.taken = commands_of(head.at("commands_taken"));
+  run.checkpoint.waiting = commands_of(head.at("commands_waiting"));
   run.watch = watch_of(head.at("watch"));
   Rows numbers{rows};
   run.log.t_s = numbers.take(head.at("times").get<std::size_t>());

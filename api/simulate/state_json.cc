@@ -106,6 +106,34 @@ twin::AgentState state_of(const json& from) {
   return state;
 }
 
+json commands_json(std::span<const twin::Command> commands) {
+  json list = json::array();
+  for (const auto& [step, agent, what] : commands) {
+    json command{{"step", step}, {"agent", agent}};
+    if (const auto* reroute = std::get_if<twin::Reroute>(&what))
+      command["waypoints"] = written(reroute->waypoints);
+    else
+      command["vehicle"] = written(std::get<twin::PutVehicle>(what).vehicle);
+    list.push_back(std::move(command));
+  }
+  return list;
+}
+
+std::vector<twin::Command> commands_of(const json& from) {
+  std::vector<twin::Command> commands;
+  for (const json& entry : from) {
+    twin::Command command;
+    read(entry.at("step"), command.step);
+    read(entry.at("agent"), command.agent);
+    if (entry.contains("waypoints"))
+      read(entry.at("waypoints"), command.what.emplace<twin::Reroute>().waypoints);
+    else
+      read(entry.at("vehicle"), command.what.emplace<twin::PutVehicle>().vehicle);
+    commands.push_back(std::move(command));
+  }
+  return commands;
+}
+
 json watch_json(const twin::TrafficWatch::State& state) { return written(state); }
 
 twin::TrafficWatch::State watch_of(const json& from) {

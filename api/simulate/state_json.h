@@ -1,8 +1,10 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
+#include <vector>
 
-#include "twin/simulate/agent.h"
+#include "twin/simulate/command.h"
 #include "twin/simulate/traffic_watch.h"
 
 namespace slackwater::api {
@@ -16,6 +18,11 @@ namespace slackwater::api {
 [[nodiscard]] nlohmann::json state_json(const twin::AgentState& state);
 /// @throws Error(invalid_input) or nlohmann::json::exception for what is no state of this program
 [[nodiscard]] twin::AgentState state_of(const nlohmann::json& json);
+
+/// Commands in their order, likewise.
+[[nodiscard]] nlohmann::json commands_json(std::span<const twin::Command> commands);
+/// @throws as `state_of`
+[[nodiscard]] std::vector<twin::Command> commands_of(const nlohmann::json& json);
 
 /// What the watch for traffic has seen so far, likewise.
 [[nodiscard]] nlohmann::json watch_json(const twin::TrafficWatch::State& state);

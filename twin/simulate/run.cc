@@ -49,6 +49,7 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
         step_one(group.agents.front(), time);
     });
   }
+  scheduler_.before_step([this](const StepTime& time) { take_commands(time.step); });
   publish();
   scheduler_.at_barrier([this](const StepTime&) { publish(); });
 }
@@ -155,17 +156,29 @@ std::span<const AgentState> Run::states() {
   return states_;
 }
 
-AgentState& Run::state(std::size_t agent) {
+void Run::enqueue(Command command) {
+  expects(command.agent < agents_.size(), "a command is for a vehicle of the run");
+  expect_sound(command);
+  commands_.put(std::move(command));
+}
+
+void Run::take_commands(std::uint64_t step) {
+  std::vector<Command> due = commands_.take(step);
+  if (due.empty()) return;
   for (Group& group : groups_) {
     unload(group);
     group.is_loaded = false;
   }
-  return states_[agent];
+  for (Command& command : due) {
+    apply(command, agents_[command.agent], states_[command.agent]);
+    command.step = step;
+    taken_.push_back(std::move(command));
+  }
 }
 
 Run::Checkpoint Run::checkpoint() {
   (void)states();
-  return {steps_made(), states_};
+  return {steps_made(), states_, taken_, commands_.waiting()};
 }
 
 double Run::time_s() const noexcept {
@@ -184,7 +197,11 @@ void Run::run_until(double end_s, RunControl& control) {
 
 void Run::restore(const Checkpoint& checkpoint) {
   expects(checkpoint.states.size() == states_.size(), "a checkpoint of this run's vehicles");
+  for (const Command& command : checkpoint.waiting)
+    expects(command.agent < agents_.size(), "a command is for a vehicle of the run");
   states_ = checkpoint.states;
+  taken_ = checkpoint.taken;
+  commands_.restore(checkpoint.waiting);
   for (Group& group : groups_) {
     group.is_loaded = false;
     group.is_ahead = false;

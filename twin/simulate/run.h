@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "twin/simulate/agent.h"
+#include "twin/simulate/command_queue.h"
 #include "twin/simulate/scheduler.h"
 #include "twin/simulate/step_dispatch.h"
 
@@ -37,6 +37,14 @@ class Run {
   /// Steps until `end_s` or until the control says stop.
   void run_until(double end_s, RunControl& control);
 
+  /// From any thread: takes effect between two steps, before the step it asks for or the next one.
+  /// Where several do, by the step they ask for and then as they came.
+  /// @throws ContractViolation for a vehicle that is not there, waypoints that are not finite
+  void enqueue(Command command);
+  /// Between steps: all that took effect, in order, each with the step before which it did. Enqueued
+  /// at the start of a run like this one was, they make it again to the last bit.
+  [[nodiscard]] std::span<const Command> commands_taken() const noexcept { return taken_; }
+
   /// Called at each barrier, after everything has moved.
   void at_barrier(Scheduler::Client observer) { scheduler_.at_barrier(std::move(observer)); }
   /// Another client of each step: reads the states as of the last barrier through `seen`, writes what is its own.
@@ -48,8 +56,6 @@ class Run {
   [[nodiscard]] std::span<const Seen> seen() const noexcept { return seen_; }
   /// Between steps: all of every vehicle.
   [[nodiscard]] std::span<const AgentState> states();
-  /// Between steps: to change a vehicle's state or give it other waypoints.
-  [[nodiscard]] AgentState& state(std::size_t agent);
   [[nodiscard]] double time_s() const noexcept;
   [[nodiscard]] std::uint64_t steps_made() const noexcept { return scheduler_.steps_made(); }
   [[nodiscard]] bool all_halted() const noexcept;
@@ -58,8 +64,11 @@ class Run {
   struct Checkpoint {
     std::uint64_t steps_made = 0;
     std::vector<AgentState> states;
+    std::vector<Command> taken;
+    std::vector<Command> waiting;
   };
   [[nodiscard]] Checkpoint checkpoint();
+  /// Forgets the commands of this run for those of the checkpoint.
   /// @throws ContractViolation for that of another number of vehicles
   void restore(const Checkpoint& checkpoint);
 
@@ -78,6 +87,7 @@ class Run {
   void load(Group& group);
   void unload(Group& group);
   void halt_lane(Group& group, std::size_t lane, const VehicleState<Eight>& last);
+  void take_commands(std::uint64_t step);
   void publish();
   void step_group(Group& group, const StepTime& time);
   void step_one(std::size_t agent, const StepTime& time);
@@ -87,6 +97,8 @@ class Run {
   std::vector<Seen> seen_;
   std::deque<Group> groups_;  ///< that does not move its members
   StepBlock block_;
+  CommandQueue commands_;
+  std::vector<Command> taken_;
   Scheduler scheduler_;
 };
 

@@ -48,6 +48,7 @@ std::vector<std::size_t> Scheduler::order_of(std::uint64_t step) const {
 
 void Scheduler::step() {
   now_ = {made_, static_cast<double>(made_) * step_s_, step_s_};
+  for (const Client& opening : openings_) opening(now_);
   draw_order(made_, order_);
   pool_.run(order_.size(), call_);
   for (const Client& barrier : barriers_) barrier(now_);

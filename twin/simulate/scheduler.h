@@ -29,6 +29,8 @@ class Scheduler {
   Scheduler(std::uint64_t run_seed, double step_s, std::size_t threads = 1);
 
   void add_client(Client client);
+  /// Called before all clients of a step: where what came from outside takes effect.
+  void before_step(Client opening) { openings_.push_back(std::move(opening)); }
   /// Called after all clients of a step, in the order in which they were added.
   void at_barrier(Client barrier) { barriers_.push_back(std::move(barrier)); }
 
@@ -50,6 +52,7 @@ class Scheduler {
   std::uint64_t seed_;
   double step_s_;
   std::uint64_t made_ = 0;
+  std::vector<Client> openings_;
   std::vector<Client> clients_;
   std::vector<Client> barriers_;
   StepTime now_;

@@ -93,6 +93,23 @@ TEST(StateJson, EveryMemberIsVisitedAndComesBack) {
   EXPECT_EQ(std::memcmp(&copy.vehicle, &original.vehicle, sizeof copy.vehicle), 0);
 }
 
+TEST(StateJson, CommandsComeBackInTheirOrder) {
+  twin::VehicleState<double> elsewhere;
+  elsewhere.body.position_m = {0.1, -0.0, 1e-300};
+  const std::vector<twin::Command> commands{{7, 1, twin::Reroute{{{{1, 2, 3}, 0.1}, {}}}},
+                                            {7, 0, twin::PutVehicle{elsewhere}},
+                                            {9, 1, twin::Reroute{}}};
+  const json written = commands_json(commands);
+  const std::vector<twin::Command> back = commands_of(json::parse(written.dump()));
+  EXPECT_EQ(commands_json(back), written);
+  ASSERT_EQ(back.size(), 3U);
+  EXPECT_EQ(back[0].step, 7U);
+  EXPECT_EQ(std::get<twin::Reroute>(back[0].what).waypoints[0].speed_m_s, 0.1);
+  const auto& put = std::get<twin::PutVehicle>(back[1].what).vehicle;
+  EXPECT_EQ(std::memcmp(&put, &elsewhere, sizeof put), 0);
+  EXPECT_TRUE(std::get<twin::Reroute>(back[2].what).waypoints.empty());
+}
+
 TEST(StateJson, WhatIsNoStateIsRefused) {
   const json good = state_json({});
   json bad = good;

@@ -19,6 +19,13 @@ ReadyRun three() {
   return tests::ready_of(yaml);
 }
 
+/// Changes the second between two steps.
+void put(twin::Run& run, const std::function<void(VehicleState<double>&)>& change) {
+  VehicleState<double> vehicle = run.states()[1].vehicle;
+  change(vehicle);
+  run.enqueue({0, 1, PutVehicle{vehicle}});
+}
+
 RunLog log_with(bool is_batch, const std::function<void(twin::Run&, int)>& meddle) {
   const ReadyRun ready = three();
   RunSettings settings = tests::settings_of(0.05);
@@ -49,27 +56,27 @@ void expect_halt(const std::function<void(twin::Run&, int)>& meddle, Halt why) {
 TEST(Halts, AStateThatIsNoNumberDiverged) {
   expect_halt(
       [](twin::Run& run, int i) {
-        if (i == 10) run.state(1).vehicle.body.position_m.y = nan;
+        if (i == 10) put(run, [](auto& v) { v.body.position_m.y = nan; });
       },
       Halt::diverged);
   expect_halt(
       [](twin::Run& run, int i) {
-        if (i == 10) run.state(1).vehicle.body.nu.linear.x = nan;
+        if (i == 10) put(run, [](auto& v) { v.body.nu.linear.x = nan; });
       },
       Halt::diverged);
   expect_halt(
       [](twin::Run& run, int i) {
-        if (i == 10) run.state(1).vehicle.body.attitude.w = nan;
+        if (i == 10) put(run, [](auto& v) { v.body.attitude.w = nan; });
       },
       Halt::diverged);
   expect_halt(
       [](twin::Run& run, int i) {
-        if (i == 10) run.state(1).vehicle.body.attitude.y = nan;
+        if (i == 10) put(run, [](auto& v) { v.body.attitude.y = nan; });
       },
       Halt::diverged);
   expect_halt(
       [](twin::Run& run, int i) {
-        if (i == 10) run.state(1).vehicle.battery.charge = nan;
+        if (i == 10) put(run, [](auto& v) { v.battery.charge = nan; });
       },
       Halt::diverged);
 }
@@ -77,7 +84,7 @@ TEST(Halts, AStateThatIsNoNumberDiverged) {
 TEST(Halts, AThrusterOrABatteryThatIsNoNumberDivergedToo) {
   const auto spoilt = [](const std::function<void(VehicleState<double>&)>& spoil) {
     return [spoil](twin::Run& run, int i) {
-      if (i == 10) spoil(run.state(1).vehicle);
+      if (i == 10) put(run, spoil);
     };
   };
   using State = VehicleState<double>;
@@ -92,7 +99,7 @@ TEST(Halts, AThrusterOrABatteryThatIsNoNumberDivergedToo) {
 TEST(Halts, ARunawayKeepsItsLastSoundState) {
   // 190 m/s through water is more than the step can follow: it overshoots to what no vehicle has.
   const auto push = [](twin::Run& run, int i) {
-    if (i == 10) run.state(1).vehicle.body.nu.linear = {190, 150, -190};
+    if (i == 10) put(run, [](auto& v) { v.body.nu.linear = {190, 150, -190}; });
   };
   expect_halt(push, Halt::diverged);
   for (const bool is_batch : {true, false}) {
@@ -108,7 +115,7 @@ TEST(Halts, ARunawayKeepsItsLastSoundState) {
 TEST(Halts, AgroundBelowTheBed) {
   expect_halt(
       [](twin::Run& run, int i) {
-        if (i == 10) run.state(1).vehicle.body.position_m.z = 61;
+        if (i == 10) put(run, [](auto& v) { v.body.position_m.z = 61; });
       },
       Halt::aground);
 }
@@ -116,7 +123,7 @@ TEST(Halts, AgroundBelowTheBed) {
 TEST(Halts, OutsideOfTheForecastsArea) {
   expect_halt(
       [](twin::Run& run, int i) {
-        if (i == 10) run.state(1).vehicle.body.position_m.x = 60e3;
+        if (i == 10) put(run, [](auto& v) { v.body.position_m.x = 60e3; });
       },
       Halt::outside_area);
 }

@@ -86,14 +86,6 @@ ReadyRun northbound(const std::string& tasks) {
 }
 const std::string north = "{do: route, waypoints: [{north_m: 100, east_m: 0, depth_m: 10}]}";
 
-Measured seen_of(const AgentState& state) {
-  Measured measured;
-  measured.position_m = state.vehicle.body.position_m;
-  measured.attitude = state.vehicle.body.attitude;
-  measured.nu = state.vehicle.body.nu;
-  return measured;
-}
-
 double away_m(const AgentState& state, const Triple<double>& place_m) {
   const Triple<double> off = state.vehicle.body.position_m - place_m;
   return std::sqrt(dot(off, off));
@@ -108,11 +100,12 @@ TEST(Missions, WaypointsReplacedWhileItRunsAreFollowedFromWhereItIs) {
     const ReadyRun ready = northbound(tasks);
     twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
     for (int i = 0; i < 200; ++i) run.step();
-    AgentState& state = run.state(0);
-    const std::size_t taken = state.mission.waypoints_taken;
-    replace_waypoints(state.mission, seen_of(state), other);
-    EXPECT_NEAR(track_error(state.mission, state.vehicle.body.position_m).across_m, 0, 1e-9);
-    for (int i = 0; i < 1200; ++i) run.step();
+    const std::size_t taken = run.states()[0].mission.waypoints_taken;
+    const Triple<double> here = run.states()[0].vehicle.body.position_m;
+    run.enqueue({0, 0, Reroute{other}});
+    run.step();
+    EXPECT_NEAR(track_error(run.states()[0].mission, here).across_m, 0, 1e-9);
+    for (int i = 1; i < 1200; ++i) run.step();
     EXPECT_LT(away_m(run.states()[0], other.back().position_m), 0.7) << tasks;
     EXPECT_EQ(run.states()[0].mission.waypoints_taken, taken + 2) << tasks;
   }
@@ -122,9 +115,8 @@ TEST(Missions, NoWaypointsInThePlaceOfARouteIsToStopHere) {
   const ReadyRun ready = northbound(north);
   twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
   for (int i = 0; i < 200; ++i) run.step();
-  AgentState& state = run.state(0);
-  replace_waypoints(state.mission, seen_of(state), {});
-  const Triple<double> here = state.vehicle.body.position_m;
+  run.enqueue({0, 0, Reroute{}});
+  const Triple<double> here = run.states()[0].vehicle.body.position_m;
   for (int i = 0; i < 600; ++i) run.step();
   EXPECT_LT(away_m(run.states()[0], here), 0.7);
 }
@@ -134,9 +126,7 @@ TEST(Missions, AReroutedMissionGoesOnWithTheNextTask) {
       northbound(north + ", {do: route, waypoints: [{north_m: 3, east_m: 3, depth_m: 11}]}");
   twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
   for (int i = 0; i < 40; ++i) run.step();
-  AgentState& state = run.state(0);
-  const std::vector<Waypoint> near{{{2, 0, 10}, 0.5}};
-  replace_waypoints(state.mission, seen_of(state), near);
+  run.enqueue({0, 0, Reroute{{{{2, 0, 10}, 0.5}}}});
   for (int i = 0; i < 800; ++i) run.step();
   EXPECT_TRUE(run.states()[0].mission.is_done);
   EXPECT_LT(away_m(run.states()[0], {3, 3, 11}), 0.7);
