@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "api/program/version.h"
 #include "api/simulate/checkpoint_file.h"
 #include "api/simulate/log_file.h"
+#include "api/simulate/run_observers.h"
 #include "api/simulate/traffic_tables.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
@@ -104,15 +106,58 @@ void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
   result.sensed.last_s = standing.last_sensor_row_s;
 }
 
-/// When the checkpoint is due, or infinity. @throws Error(usage) for a time that the run does not reach
-double due_s(const twin::Scenario& scenario, const RunChoice& choice, double from_s) {
-  if (!choice.checkpoint_at_s) return HUGE_VAL;
+/// The step at whose end the checkpoint is due; 0: none is.
+/// @throws Error(usage) for a time that the run does not reach
+std::uint64_t due_step(const twin::Scenario& scenario, const RunChoice& choice,
+                       const twin::Run& run) {
+  if (!choice.checkpoint_at_s) return 0;
   const double at_s = *choice.checkpoint_at_s;
-  if (at_s > from_s && at_s < scenario.duration_s) return at_s;
+  if (at_s > run.time_s() && at_s < scenario.duration_s) {
+    const auto step = static_cast<std::uint64_t>(std::llround(at_s / scenario.step_s));
+    return std::max(step, run.steps_made() + 1);
+  }
   char text[160];
   std::snprintf(text, sizeof text, "--checkpoint-at: found %g s, the run goes from %g to %g s",
-                at_s, from_s, scenario.duration_s);
+                at_s, run.time_s(), scenario.duration_s);
   throw Error(ErrorKind::usage, text);
+}
+
+twin::RunSettings settings_of(const twin::Scenario& scenario, const RunChoice& choice) {
+  twin::RunSettings settings;
+  settings.seed = scenario.seed;
+  settings.step_s = scenario.step_s;
+  settings.threads = choice.threads;
+  settings.is_batch = choice.is_batch;
+  return settings;
+}
+
+twin::TrafficWatch watch_of(const twin::Scenario& scenario, const twin::ReadyRun& ready) {
+  std::vector<std::vector<std::uint32_t>> not_of_concern;
+  for (const Agent& agent : ready.agents) not_of_concern.push_back(twin::followed_by(agent));
+  return {ready.vessels, scenario.traffic.alarm, std::move(not_of_concern)};
+}
+
+/// What is known before the first step.
+ScenarioResult begun(const ScenarioWater& water, const twin::ReadyRun& ready) {
+  ScenarioResult result;
+  result.start = ready.start;
+  result.warnings = water.warnings;
+  result.warnings.insert(result.warnings.end(), ready.warnings.begin(), ready.warnings.end());
+  result.vessels = ready.vessels;
+  return result;
+}
+
+/// What is known after the last one.
+void conclude(const WatchedRun& watched) {
+  auto& [run, watch, result] = watched;
+  result.duration_s = run.time_s();
+  const auto states = run.states();
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i));
+    add_navigation(run.agents()[i], result.sensed, i, result.vehicles[i]);
+  }
+  result.alarms.assign(watch.records().begin(), watch.records().end());
+  result.followed = tracks_followed(run.agents(), result.log);
 }
 
 }  // namespace
@@ -122,65 +167,43 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
                             const std::function<void(double)>& on_progress) {
   const auto started = std::chrono::steady_clock::now();
   twin::ReadyRun ready = twin::set_up(scenario, water.surround);
-  ScenarioResult result;
-  result.start = ready.start;
-  result.warnings = water.warnings;
-  result.warnings.insert(result.warnings.end(), ready.warnings.begin(), ready.warnings.end());
-  result.vessels = ready.vessels;
-  twin::RunSettings settings;
-  settings.seed = scenario.seed;
-  settings.step_s = scenario.step_s;
-  settings.threads = choice.threads;
-  settings.is_batch = choice.is_batch;
-  std::vector<std::vector<std::uint32_t>> not_of_concern;
-  for (const Agent& agent : ready.agents) not_of_concern.push_back(twin::followed_by(agent));
-  twin::TrafficWatch watch(ready.vessels, scenario.traffic.alarm, std::move(not_of_concern));
-  twin::Run run(std::move(ready.agents), std::move(ready.states), settings);
-  const auto steps =
-      static_cast<std::uint64_t>(std::llround(scenario.duration_s / scenario.step_s));
-  const auto every = static_cast<std::uint64_t>(
-      std::max(1LL, std::llround(scenario.log_every_s / scenario.step_s)));
+  ScenarioResult result = begun(water, ready);
+  twin::TrafficWatch watch = watch_of(scenario, ready);
+  twin::Run run(std::move(ready.agents), std::move(ready.states), settings_of(scenario, choice));
+  const auto whole_steps = [&](double time_s) { return std::llround(time_s / scenario.step_s); };
+  const auto steps = static_cast<std::uint64_t>(whole_steps(scenario.duration_s));
+  const auto every = static_cast<std::uint64_t>(std::max(1LL, whole_steps(scenario.log_every_s)));
   result.log.reserve(run.agents().size(), steps / every + 2);
   result.sensed = twin::SensorLog(run.agents(), scenario.logs_sensors, scenario.seed);
+
   const WatchedRun watched{run, watch, result};
   const CheckpointOrigin origin = checkpoint_origin(scenario, water, ready.vessels);
-  if (choice.restore.empty()) {
-    result.log.append(0, run.agents(), run.states());
-    result.sensed.append(0, run.agents(), run.states());
-  } else {
+  const Recorder recorder{run, result.log, result.sensed};
+  if (choice.restore.empty())
+    recorder.record(0);
+  else
     take_up(choice.restore, origin, watched);
-  }
-  const double checkpoint_s = due_s(scenario, choice, run.time_s());
-  if (!ready.vessels.empty()) twin::keep_watch(watch, run, scenario.step_s);
+
+  // At each barrier, in this order.
   twin::RunControl control(choice.real_time_factor);
-  run.at_barrier([&](const twin::StepTime& time) {
-    if (choice.is_stop_asked != nullptr && *choice.is_stop_asked) control.stop();
-    if ((time.step + 1) % every != 0) return;
-    result.log.append(static_cast<double>(time.step + 1) * scenario.step_s, run.agents(),
-                      run.states());
-    result.sensed.append(result.log.t_s.back(), run.agents(), run.states());
-    if (on_progress) on_progress(static_cast<double>(time.step + 1) / static_cast<double>(steps));
-    if (run.all_halted()) control.stop();
-  });
-  if (checkpoint_s < scenario.duration_s) {
-    run.run_until(checkpoint_s, control);
-    if (!control.is_stopped()) save(watched, origin, choice.checkpoint);
-  }
+  const StopWatcher stop{choice.is_stop_asked, control};
+  const auto leave_checkpoint = [&] { save(watched, origin, choice.checkpoint); };
+  const std::uint64_t due = due_step(scenario, choice, run);
+  if (!ready.vessels.empty()) twin::keep_watch(watch, run, scenario.step_s);
+  run.at_barrier(stop);
+  run.at_barrier(EachNth{every, recorder});
+  run.at_barrier(EachNth{every, ProgressReporter{on_progress, steps}});
+  run.at_barrier(EachNth{every, HaltWatcher{run, control}});
+  run.at_barrier(Checkpointer{due, control, leave_checkpoint});
   run.run_until(scenario.duration_s, control);
-  if (choice.is_stop_asked != nullptr && *choice.is_stop_asked) {
-    save(watched, origin, choice.checkpoint);
+
+  if (stop.is_asked()) {
+    leave_checkpoint();
     throw Error(ErrorKind::unavailable, "stopped at " + std::to_string(run.time_s()) +
                                             " s of the run; go on with --restore " +
                                             choice.checkpoint.string());
   }
-  result.duration_s = run.time_s();
-  const auto states = run.states();
-  for (std::size_t i = 0; i < states.size(); ++i)
-    result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i));
-  for (std::size_t i = 0; i < states.size(); ++i)
-    add_navigation(run.agents()[i], result.sensed, i, result.vehicles[i]);
-  result.alarms.assign(watch.records().begin(), watch.records().end());
-  result.followed = tracks_followed(run.agents(), result.log);
+  conclude(watched);
   result.file = log_file_of(scenario, water, ready.origin, result, run.agents());
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return result;

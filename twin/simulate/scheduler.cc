@@ -51,8 +51,8 @@ void Scheduler::step() {
   for (const Client& opening : openings_) opening(now_);
   draw_order(made_, order_);
   pool_.run(order_.size(), call_);
-  for (const Client& barrier : barriers_) barrier(now_);
   ++made_;
+  for (const Client& barrier : barriers_) barrier(now_);
 }
 
 std::uint64_t Scheduler::run(std::uint64_t steps, RunControl& control) {

@@ -14,6 +14,7 @@ struct StepTime {
   std::uint64_t step = 0;  ///< the first is 0
   double start_s = 0;      ///< since the epoch
   double length_s = 0;
+  [[nodiscard]] double end_s() const noexcept { return static_cast<double>(step + 1) * length_s; }
 };
 
 /// A clock of fixed steps. In each, every client (physics, agents, observers) is called once, in an order that is drawn
@@ -31,7 +32,8 @@ class Scheduler {
   void add_client(Client client);
   /// Called before all clients of a step: where what came from outside takes effect.
   void before_step(Client opening) { openings_.push_back(std::move(opening)); }
-  /// Called after all clients of a step, in the order in which they were added.
+  /// Called after all clients of a step, which then counts as made, in the order in which they were
+  /// added.
   void at_barrier(Client barrier) { barriers_.push_back(std::move(barrier)); }
 
   /// The order of a step: a permutation of the clients. Fisher and Yates' shuffle.

@@ -97,9 +97,8 @@ void keep_watch(TrafficWatch& watch, Run& run, double step_s) {
   if (run.steps_made() == 0) watch.look(run.time_s(), run.seen());
   const auto every =
       static_cast<std::uint64_t>(std::max(1LL, std::llround(TrafficWatch::every_s / step_s)));
-  run.at_barrier([&watch, &run, every, step_s](const StepTime& time) {
-    if ((time.step + 1) % every == 0)
-      watch.look(static_cast<double>(time.step + 1) * step_s, run.seen());
+  run.at_barrier([&watch, &run, every](const StepTime& time) {
+    if ((time.step + 1) % every == 0) watch.look(time.end_s(), run.seen());
   });
 }
 

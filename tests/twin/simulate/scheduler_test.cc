@@ -71,6 +71,24 @@ TEST(Scheduler, OrderAndThreadsChangeNothing) {
   EXPECT_NEAR(one[0] + one[1], 1, 1e-12);
 }
 
+TEST(Scheduler, AStepIsOpenedThenMadeThenLookedAt) {
+  Scheduler scheduler(1, 0.5);
+  std::string order;
+  scheduler.at_barrier([&](const StepTime& time) {
+    EXPECT_EQ(scheduler.steps_made(), time.step + 1);
+    EXPECT_EQ(time.end_s(), 0.5 * static_cast<double>(time.step + 1));
+    order += "c";
+  });
+  scheduler.at_barrier([&](const StepTime&) { order += "d "; });
+  scheduler.add_client([&](const StepTime&) { order += "b"; });
+  scheduler.before_step([&](const StepTime& time) {
+    EXPECT_EQ(scheduler.steps_made(), time.step);
+    order += "a";
+  });
+  for (int i = 0; i < 3; ++i) scheduler.step();
+  EXPECT_EQ(order, "abcd abcd abcd ");
+}
+
 TEST(Scheduler, WhatAClientThrowsIsThrownByTheStepAfterTheOthers) {
   for (const std::size_t threads : {1U, 3U}) {
     Scheduler scheduler(1, 0.1, threads);
