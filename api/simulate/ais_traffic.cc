@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "twin/body/frame.h"
+
 namespace slackwater::api {
 namespace {
 
@@ -11,7 +13,7 @@ Horizontal north_at(const GeoPoint& point, const LocalFrame& site, const Vector3
   const double towards = point.latitude_deg() > 0 ? -step_deg : step_deg;
   const Vector3<Enu> beside =
       site.to_local(GeoPoint::from_degrees(point.latitude_deg() + towards, point.longitude_deg()));
-  const Horizontal way(beside.x() - place.x(), beside.y() - place.y());
+  const Horizontal way = horizontal_of(beside - place);
   return way * std::copysign(1 / std::abs(way), towards);
 }
 
@@ -24,7 +26,7 @@ std::optional<twin::Triple<double>> velocity_of(const ingest::AisPosition& posit
   // Clockwise from the vessel's north, in a plane whose numbers turn anticlockwise.
   const Horizontal way =
       speed_m_s * north * std::polar(1.0, -position.course_over_ground->radians());
-  return twin::Triple<double>{way.imag(), way.real(), 0};
+  return twin::ned_of(way);
 }
 
 twin::TrackPoint point_of(const ingest::AisPosition& position, const LocalFrame& site,
@@ -33,7 +35,7 @@ twin::TrackPoint point_of(const ingest::AisPosition& position, const LocalFrame&
   const Horizontal north = north_at(position.point, site, place);
   twin::TrackPoint point;
   point.t_s = seconds_between(epoch, position.time);
-  point.position_m = {place.y(), place.x(), 0};
+  point.position_m = twin::ned_of(horizontal_of(place));
   point.velocity_m_s = velocity_of(position, north);
   if (position.heading) {
     const Horizontal bow = north * std::polar(1.0, -position.heading->radians());

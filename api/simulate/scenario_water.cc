@@ -47,8 +47,7 @@ void add_turbines(const Scenario& scenario, const Site& site, ScenarioWater& wat
   if (!scenario.has_wakes) return;
   const LocalFrame frame(twin::origin_of(scenario, site.point));
   for (const TurbinePlace& turbine : site.turbines) {
-    const auto at = frame.to_local(turbine.point);
-    water.surround.turbines_m.emplace_back(at.x(), at.y());
+    water.surround.turbines_m.push_back(horizontal_of(frame.to_local(turbine.point)));
   }
   water.surround.turbine = std::make_shared<Turbine>(
       Turbine::load(data_folder() / "turbines" / "nrel_5mw.yaml"));

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "twin/body/frame.h"
+
 namespace slackwater::api {
 
 double TrackFollowing::share_within() const noexcept {
@@ -23,7 +25,7 @@ std::vector<TrackFollowing> tracks_followed(std::span<const twin::Agent> agents,
       std::vector<twin::FollowedPoint> points;
       for (std::size_t t = 0; t < log.t_s.size(); ++t)
         if (task[t] == static_cast<double>(k) && halt[t] == 0)
-          points.push_back({log.t_s[t], {y[t], x[t], 0}});
+          points.push_back({log.t_s[t], twin::ned_of(Horizontal(x[t], y[t]))});
       const twin::TrackToFollow& follow = *tasks[k].follow;
       // However far it has fallen behind.
       constexpr double window_m = std::numeric_limits<double>::infinity();

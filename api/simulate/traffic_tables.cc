@@ -6,6 +6,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
+#include "twin/body/frame.h"
 
 namespace slackwater::api {
 namespace {
@@ -46,10 +47,13 @@ TrajectoryTable report_table(std::span<const TrafficVessel> vessels) {
   for (const TrafficVessel& vessel : vessels) {
     for (const TrackPoint& point : vessel.track.points()) {
       t.push_back(point.t_s);
-      x.push_back(point.position_m.y);
-      y.push_back(point.position_m.x);
-      v_x.push_back(point.velocity_m_s ? point.velocity_m_s->y : none);
-      v_y.push_back(point.velocity_m_s ? point.velocity_m_s->x : none);
+      const Horizontal at_m = twin::horizontal_of(point.position_m);
+      const Horizontal v_m_s =
+          point.velocity_m_s ? twin::horizontal_of(*point.velocity_m_s) : Horizontal(none, none);
+      x.push_back(at_m.real());
+      y.push_back(at_m.imag());
+      v_x.push_back(v_m_s.real());
+      v_y.push_back(v_m_s.imag());
       heading.push_back(point.heading_rad.value_or(none));
     }
   }
@@ -127,8 +131,8 @@ twin::Track track_of(const TrajectoryTable& reports, std::size_t first, std::siz
   const auto& heading = needed(reports, "heading");
   std::vector<TrackPoint> points;
   for (std::size_t i = first; i < first + count; ++i) {
-    TrackPoint point{t[i], {y[i], x[i], 0}, {}, present(heading[i])};
-    if (!std::isnan(v_x[i])) point.velocity_m_s = twin::Triple<double>{v_y[i], v_x[i], 0};
+    TrackPoint point{t[i], twin::ned_of(Horizontal(x[i], y[i])), {}, present(heading[i])};
+    if (!std::isnan(v_x[i])) point.velocity_m_s = twin::ned_of(Horizontal(v_x[i], v_y[i]));
     if (!is_sound(point, points))
       throw Error(ErrorKind::invalid_input,
                   "row " + std::to_string(i) + " of the table report is no report of a track");

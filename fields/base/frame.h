@@ -6,9 +6,8 @@
 
 namespace slackwater {
 
-struct Enu {};   ///< east, north, up at the site origin
-struct Ned {};   ///< north, east, down
-struct Body {};  ///< forward, right, down
+struct Enu {};  ///< east, north, up at the site origin
+struct Ned {};  ///< north, east, down
 
 /// A vector that knows its frame; adding two frames does not compile.
 template <typename Frame>
@@ -40,6 +39,8 @@ class Vector3 {
 
 /// A horizontal vector as a complex number, east + i north: rotations are multiplications.
 using Horizontal = std::complex<double>;
+/// The level part.
+[[nodiscard]] inline Horizontal horizontal_of(const Vector3<Enu>& v) { return {v.x(), v.y()}; }
 
 /// Direction that a current flows *to*, clockwise from true north, in [0, 360).
 [[nodiscard]] double to_direction_deg(Horizontal velocity) noexcept;

@@ -4,17 +4,16 @@
 #include <span>
 
 #include "fields/wave/sea_sampling.h"
+#include "twin/body/frame.h"
 
 namespace slackwater::twin {
 namespace {
 
-Triple<double> ned_of(const double (&enu)[3]) { return {enu[1], enu[0], -enu[2]}; }
-
 WaveRow row_of(const FloatingHull& hull, std::size_t first, const Rotation<double>& r,
                const Triple<double>& position_m, double t_s) {
-  const Triple<double> at = strip_place(hull, first, r, position_m);
-  const Triple<double> step = r.to_ned({hull.strip_length_m, 0, 0});
-  return {{at.y, at.x, -at.z, t_s}, step.y, step.x, -step.z};
+  const Vector3<Enu> at = enu_of(strip_place(hull, first, r, position_m));
+  const Vector3<Enu> step = enu_of(r.to_ned({hull.strip_length_m, 0, 0}));
+  return {{at.x(), at.y(), at.z(), t_s}, step.x(), step.y(), step.z()};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/wind/gust.h"
+#include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
 #include "twin/tether/tether_dynamics.h"
 #include "twin/thruster/thrust_curve.h"
@@ -43,10 +44,9 @@ bool feel_wind(const Agent& agent, double t_s, AgentState& state, Surroundings<d
   around.wind_m_s = wind.velocity_m_s;
   if (agent.gusts) {
     const Gust gust = agent.gusts->step(state.gust, state.gust_rng);
-    const Vector3<Enu> enu =
-        gust_in_enu(gust, Horizontal(wind.velocity_m_s.y, wind.velocity_m_s.x));
+    const Vector3<Enu> enu = gust_in_enu(gust, horizontal_of(wind.velocity_m_s));
     const double ratio = agent.water->gust_ratio(state.vehicle.body.position_m);
-    around.wind_m_s = around.wind_m_s + ratio * Triple<double>{enu.y(), enu.x(), -enu.z()};
+    around.wind_m_s = around.wind_m_s + ratio * ned_of(enu);
   }
   return true;
 }
@@ -169,7 +169,7 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
   Triple<double> current_m_s;
   if (!flies && !feel_water(agent, t_s, state, r, around, current_m_s)) return false;
   if (is_blown && !feel_wind(agent, t_s, state, around)) return false;
-  around.height_above_m = -body.position_m.z;
+  around.height_above_m = height_of(body.position_m);
   if (agent.tether) pull_tether(agent, t_s, r, state, around);
   Measured measured;
   measured.position_m = body.position_m;

@@ -6,6 +6,7 @@
 
 #include "fields/base/check.h"
 #include "fields/wave/sea_sampling.h"
+#include "twin/body/frame.h"
 
 namespace slackwater::twin {
 namespace {
@@ -56,20 +57,19 @@ WaterSample EnvironmentSampler::current(const Triple<double>& position_m, double
   }
   Horizontal velocity = 0.5 * (current[0].velocity_m_s + current[1].velocity_m_s);
   for (const StandingPile& standing : environment_->piles) {
-    const auto around = flow_around_pile(standing.pile, velocity,
-                                         Horizontal(position_m.y, position_m.x) - standing.axis_m);
+    const auto around =
+        flow_around_pile(standing.pile, velocity, horizontal_of(position_m) - standing.axis_m);
     if (!around) {
       out.status = SampleStatus::land;
       return out;
     }
     velocity = *around;
   }
-  out.current_m_s = {velocity.imag(), velocity.real(), 0};
+  out.current_m_s = ned_of(velocity);
   out.motion.velocity_m_s = out.current_m_s;
   if (lower_m > upper_m) {
-    const Horizontal shear =
-        (current[1].velocity_m_s - current[0].velocity_m_s) / (lower_m - upper_m);
-    out.motion.shear_per_s = {shear.imag(), shear.real(), 0};
+    out.motion.shear_per_s =
+        ned_of((current[1].velocity_m_s - current[0].velocity_m_s) / (lower_m - upper_m));
   }
   return out;
 }
@@ -78,14 +78,12 @@ WaterSample EnvironmentSampler::water(const Triple<double>& position_m, double h
                                       double t_s) const noexcept {
   WaterSample out = current(position_m, height_m, t_s);
   if (!environment_->sea || !has_value(out.status)) return out;
-  const WaveSample wave =
-      sample_waves(*environment_->sea, {position_m.y, position_m.x, -position_m.z, t_s});
+  const Vector3<Enu> at = enu_of(position_m);
+  const WaveSample wave = sample_waves(*environment_->sea, {at.x(), at.y(), at.z(), t_s});
   out.motion.elevation_m = wave.motion.elevation_m;
   if (has_value(wave.motion.status)) {
-    const double* v = wave.motion.velocity_m_s;
-    const double* a = wave.acceleration_m_s2;
-    out.motion.velocity_m_s = out.motion.velocity_m_s + Triple<double>{v[1], v[0], -v[2]};
-    out.motion.acceleration_m_s2 = {a[1], a[0], -a[2]};
+    out.motion.velocity_m_s = out.motion.velocity_m_s + ned_of(wave.motion.velocity_m_s);
+    out.motion.acceleration_m_s2 = ned_of(wave.acceleration_m_s2);
   } else if (wave.motion.status != SampleStatus::above_surface) {
     out.status = wave.motion.status;
   }
@@ -95,23 +93,22 @@ WaterSample EnvironmentSampler::water(const Triple<double>& position_m, double h
 EnvironmentSampler::Wind EnvironmentSampler::wind(const Triple<double>& position_m,
                                                   double t_s) const noexcept {
   Wind out;
-  const double height_m = std::clamp(-position_m.z, lowest_wind_m, highest_wind_m);
+  const double height_m = std::clamp(height_of(position_m), lowest_wind_m, highest_wind_m);
   const Place at = place(position_m, height_m, t_s);
   WindSample sample;
   environment_->field->sample_wind({&at, 1}, {&sample, 1}, environment_->member);
   out.status = sample.status;
   if (!has_value(out.status)) return out;
   if (environment_->farm)
-    out.ratio = environment_->farm->speed_ratio(Horizontal(position_m.y, position_m.x), height_m);
-  out.velocity_m_s = {out.ratio * sample.velocity_m_s.imag(),
-                      out.ratio * sample.velocity_m_s.real(), 0};
+    out.ratio = environment_->farm->speed_ratio(horizontal_of(position_m), height_m);
+  out.velocity_m_s = ned_of(out.ratio * sample.velocity_m_s);
   return out;
 }
 
 double EnvironmentSampler::gust_ratio(const Triple<double>& position_m) const noexcept {
   const FarmFlow* farm = environment_->farm.get();
   if (farm == nullptr || !(farm->free_turbulence_intensity() > 0)) return 1;
-  return farm->turbulence_intensity(Horizontal(position_m.y, position_m.x), -position_m.z) /
+  return farm->turbulence_intensity(horizontal_of(position_m), height_of(position_m)) /
          farm->free_turbulence_intensity();
 }
 

@@ -3,6 +3,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "twin/body/frame.h"
 #include "twin/simulate/set_up.h"
 #include "twin/simulate/top_speed.h"
 #include "twin/tether/lay_tether.h"
@@ -108,7 +109,7 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
     // In the air, its rotors turn.
     ThrusterSurroundings<double> around;
     around.voltage_v = state.vehicle.bus_voltage_v;
-    around.height_m = std::max(-start_m.z, 0.0);
+    around.height_m = std::max(height_of(start_m), 0.0);
     const double each_n =
         vehicle.body.mass_kg * constants::gravity_m_s2 / static_cast<double>(vehicle.mounts);
     for (std::size_t i = 0; i < vehicle.mounts; ++i)

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "fields/base/check.h"
+#include "twin/body/frame.h"
 
 namespace slackwater::twin {
 namespace {
@@ -58,9 +59,10 @@ struct Pen {
   }
   /// NED as ENU.
   void put_enu(const Triple<double>& ned) {
-    put(ned.y);
-    put(ned.x);
-    put(-ned.z);
+    const Vector3<Enu> enu = enu_of(ned);
+    put(enu.x());
+    put(enu.y());
+    put(enu.z());
   }
 };
 

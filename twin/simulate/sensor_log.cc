@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fields/base/check.h"
+#include "twin/body/frame.h"
 
 namespace slackwater::twin {
 namespace {
@@ -21,7 +22,12 @@ struct Pen {
     put(v.y);
     put(v.z);
   }
-  void put_enu(const Triple<double>& ned) { put(Triple<double>{ned.y, ned.x, -ned.z}); }
+  void put_enu(const Triple<double>& ned) {
+    const Vector3<Enu> enu = enu_of(ned);
+    put(enu.x());
+    put(enu.y());
+    put(enu.z());
+  }
   void skip(std::size_t numbers) { at += numbers; }
 };
 
@@ -52,9 +58,10 @@ void put_profile(const Adcp& adcp, NoiseStream noise, const SensedWater& water,
   for (std::size_t i = 0; i < std::min(most, bins.size()); ++i) {
     out[i] = bins[i].down_m;
     if (!bins[i].velocity_m_s) continue;
-    out[most + i] = bins[i].velocity_m_s->y;
-    out[2 * most + i] = bins[i].velocity_m_s->x;
-    out[3 * most + i] = -bins[i].velocity_m_s->z;
+    const Vector3<Enu> velocity_m_s = enu_of(*bins[i].velocity_m_s);
+    out[most + i] = velocity_m_s.x();
+    out[2 * most + i] = velocity_m_s.y();
+    out[3 * most + i] = velocity_m_s.z();
   }
 }
 

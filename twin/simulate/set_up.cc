@@ -7,6 +7,7 @@
 
 #include "fields/base/error.h"
 #include "fields/wave/product_sea.h"
+#include "twin/body/frame.h"
 #include "twin/scene/structure.h"
 #include "twin/simulate/follow_tracks.h"
 
@@ -120,7 +121,7 @@ void add_gusts(const Scenario& scenario, const ScenarioVehicle& entry, Agent& ag
   if (!has_value(low.status) || !(speed > 0.1) || !(low.ratio > 0)) return;
   // The turbulence of the free wind: what a wake makes of it is known at each step.
   const double low_m_s = std::hypot(low.velocity_m_s.x, low.velocity_m_s.y) / low.ratio;
-  agent.gusts.emplace(dryden_turbulence(-entry.start_m.z, low_m_s), speed, agent.plan.dt_s);
+  agent.gusts.emplace(dryden_turbulence(height_of(entry.start_m), low_m_s), speed, agent.plan.dt_s);
 }
 
 /// Those of the logs and those made up, each number once.
@@ -229,7 +230,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   for (const ScenarioStructure& s : scenario.structures) {
     environment.structures.push_back(shape_of(s));
     if (s.turns_current)
-      environment.piles.push_back({{s.diameter_m, 1.05}, Horizontal(s.centre_m.y, s.centre_m.x)});
+      environment.piles.push_back({{s.diameter_m, 1.05}, horizontal_of(s.centre_m)});
   }
   ready.environment = std::make_shared<const Environment>(std::move(environment));
   const std::shared_ptr<const EnvironmentSampler> water = sampler_of(ready.environment);

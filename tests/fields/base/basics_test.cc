@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <type_traits>
 
 #include "fields/base/error.h"
 #include "fields/base/frame.h"
@@ -36,6 +37,22 @@ TEST(Directions, FollowTheConventionsOfWindAndCurrent) {
   EXPECT_NEAR(to_direction_deg(wind), 60, 1e-12);
   EXPECT_EQ(to_direction_deg({0, 1}), 0);
   EXPECT_EQ(to_direction_deg({1, 0}), 90);
+}
+
+template <typename A, typename B>
+concept Addable = requires(A a, B b) {
+  a + b;
+};
+template <typename A, typename B>
+concept Subtractable = requires(A a, B b) {
+  a - b;
+};
+
+TEST(Frames, TwoOfThemAreNotAdded) {
+  static_assert(Addable<Vector3<Enu>, Vector3<Enu>> && Addable<Vector3<Ned>, Vector3<Ned>>);
+  static_assert(!Addable<Vector3<Enu>, Vector3<Ned>> && !Subtractable<Vector3<Ned>, Vector3<Enu>>);
+  static_assert(!std::is_convertible_v<Vector3<Enu>, Vector3<Ned>>);
+  static_assert(!std::is_constructible_v<Vector3<Ned>, Vector3<Enu>>);
 }
 
 TEST(Frames, EnuAndNedAreEachOthersInverse) {
