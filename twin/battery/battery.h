@@ -7,12 +7,13 @@
 
 namespace slackwater::twin {
 
-/// A battery as an equivalent circuit, at one temperature: a source whose voltage follows the state of charge, a
-/// resistance, and a resistance beside a capacitor,
+/// A battery as an equivalent circuit, at one temperature: a source whose voltage follows the state
+/// of charge, a resistance, and a resistance beside a capacitor,
 ///
 ///   V = OCV(s) - I R0 - V1,   dV1/dt = I/C1 - V1/(R1 C1),   ds/dt = -I/Q.
 ///
-/// Li-ion; counts coulombs (Peukert's law is one of lead-acid). Source: Plett, Battery Management Systems I (2015), 2.
+/// Li-ion; counts coulombs (Peukert's law is one of lead-acid). Source: Plett, Battery Management
+/// Systems I (2015), 2.
 struct Battery {
   UniformAxis state_of_charge;         ///< from 0 to 1
   std::vector<double> open_circuit_v;  ///< of the pack, there; rising
@@ -42,11 +43,13 @@ struct BatteryState {
 /// Between the terminals without a load.
 [[nodiscard]] double rest_voltage_v(const Battery& battery, const BatteryState<double>& state);
 
-/// Energy that the source gives between two states of charge without any current to speak of: the area under its curve.
+/// Energy that the source gives between two states of charge without any current to speak of: the
+/// area under its curve.
 [[nodiscard]] double open_circuit_energy_j(const Battery& battery, double from_charge,
                                            double to_charge);
 
-/// Reads the `battery` of a vehicle: a pack of cells whose curve is in data_folder/batteries/CHEMISTRY.yaml.
+/// Reads the `battery` of a vehicle: a pack of cells whose curve is in
+/// data_folder/batteries/CHEMISTRY.yaml.
 /// Throws Error(invalid_input) with file, line and reason.
 [[nodiscard]] Battery read_battery(const Config& battery, const std::filesystem::path& data_folder);
 

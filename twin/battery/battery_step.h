@@ -24,18 +24,19 @@ struct BatteryOutput {
 
 /// One step under a load of constant power, load_w >= 0.
 ///
-/// The current is held over the step, under which V1 and the state of charge move exactly; the voltage that it meets is
-/// the mean over the step, V = V' - I R' with
+/// The current is held over the step, under which V1 and the state of charge move exactly; the
+/// voltage that it meets is the mean over the step, V = V' - I R' with
 ///
 ///   V' = OCV(s) - V1 m,   R' = R0 + R1 (1 - m) + (dOCV/ds) dt/(2 Q),   m = mean of e^(-t/(R1 C1)),
 ///
 /// so that power times time is the energy given, to second order in the step. P = I V has the roots
-/// (V' -+ sqrt(V'^2 - 4 R' P))/(2 R'), of which the smaller is the one that the battery comes to from rest; it is written
-/// 2 P/(V' + sqrt(...)), which loses no digits for a small load. What exceeds V'^2/(4 R'), the current limit or the
-/// charge that is left is not given, and `curtailed` says so.
+/// (V' -+ sqrt(V'^2 - 4 R' P))/(2 R'), of which the smaller is the one that the battery comes to
+/// from rest; it is written 2 P/(V' + sqrt(...)), which loses no digits for a small load. What
+/// exceeds V'^2/(4 R'), the current limit or the charge that is left is not given, and `curtailed`
+/// says so.
 ///
-/// Cost: a division or three, a square root. No allocation. For a step of zero length of an RC pair without resistance
-/// these are the textbook formulae.
+/// Cost: a division or three, a square root. No allocation. For a step of zero length of an RC pair
+/// without resistance these are the textbook formulae.
 template <typename Real>
 [[nodiscard]] BatteryOutput<Real> discharge(const Battery& battery, const BatteryStep& step,
                                             BatteryState<Real>& state, const Real& load_w) {

@@ -101,7 +101,8 @@ Battery read_battery(const Config& pack, const std::filesystem::path& data_folde
   (void)cell.text("name");
   (void)cell.text("source");
   const Cell curve = read_cell(cell);
-  // Between the North Sea of winter and of summer; a pack in a hull takes on the temperature of the water.
+  // Between the North Sea of winter and of summer; a pack in a hull takes on the temperature of the
+  // water.
   const double temperature_degc = pack.optional_number("temperature_degc", {-40, 80}).value_or(15);
   const double capacity_factor = read_factor(cell, "capacity", pack, temperature_degc);
   const double resistance_factor = read_factor(cell, "resistance", pack, temperature_degc);

@@ -8,8 +8,8 @@ namespace slackwater::twin {
 
 inline constexpr std::size_t most_stations = 8;
 
-/// A rigid body in a fluid, in body axes (forward, right, down) about the body's origin. All signs are those of one
-/// convention: masses and dampings are positive.
+/// A rigid body in a fluid, in body axes (forward, right, down) about the body's origin. All signs
+/// are those of one convention: masses and dampings are positive.
 struct Body {
   double mass_kg = 0;
   Triple<double> centre_of_gravity_m;
@@ -20,7 +20,8 @@ struct Body {
   SpatialMatrix inverse_mass;         ///< (M_RB + M_A)^-1
   Spatial<double> linear_damping;     ///< diagonal of D, N s/m and N m s
   Spatial<double> quadratic_damping;  ///< diagonal of D|nu|, N s2/m2 and N m s2
-  /// Where a hull under way leaves the water that it has pushed aside, and the two-dimensional added mass there.
+  /// Where a hull under way leaves the water that it has pushed aside, and the two-dimensional
+  /// added mass there.
   double trailing_edge_x_m = 0;
   double trailing_edge_kg_m = 0;
   /// Where along the hull the water is met, for drag in sheared water; shares of one.
@@ -40,7 +41,8 @@ struct FluidMotion {
   Real elevation_m{};              ///< of the surface above still water
 };
 
-/// Position from the site's origin (NED, z down from mean sea level), attitude and velocity in body axes.
+/// Position from the site's origin (NED, z down from mean sea level), attitude and velocity in body
+/// axes.
 template <typename Real>
 struct BodyState {
   Triple<Real> position_m;

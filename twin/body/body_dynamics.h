@@ -4,7 +4,8 @@
 
 namespace slackwater::twin {
 
-/// The share of the hull that is under water: 1 below the surface, linear over the height of the hull.
+/// The share of the hull that is under water: 1 below the surface, linear over the height of the
+/// hull.
 template <typename Real>
 [[nodiscard]] Real immersed_share(const Body& body, const Real& depth_m, const Real& elevation_m) {
   const Real share = (depth_m + elevation_m) / body.height_m + 0.5;
@@ -13,8 +14,9 @@ template <typename Real>
 
 /// Force of the fluid against motion through it, about the body's origin.
 ///
-/// Linear on the velocity at the origin; quadratic station by station, each in the water of its own depth, so that shear
-/// over the hull turns it. Without shear the stations add up to the published coefficients.
+/// Linear on the velocity at the origin; quadratic station by station, each in the water of its own
+/// depth, so that shear over the hull turns it. Without shear the stations add up to the published
+/// coefficients.
 template <typename Real>
 [[nodiscard]] Spatial<Real> damping(const Body& body, const Rotation<Real>& r,
                                     const Spatial<Real>& nu_r, const Triple<Real>& shear_per_s) {
@@ -45,13 +47,14 @@ template <typename Real>
   return drag;
 }
 
-/// What keeps a hull on its course: the sideways momentum a (v + x r) that it gives the water slides off its trailing edge
-/// with the speed of the hull,
+/// What keeps a hull on its course: the sideways momentum a (v + x r) that it gives the water
+/// slides off its trailing edge with the speed of the hull,
 ///
 ///   Y = -a |u| (v + x r),  N = x Y
 ///
-/// against half of the moment of its added mass (Munk), which turns every slender body across its way. The edge is at the
-/// other end of a craft that goes astern. Source: Lighthill (1960); Newman, Marine Hydrodynamics (1977), ch. 7.
+/// against half of the moment of its added mass (Munk), which turns every slender body across its
+/// way. The edge is at the other end of a craft that goes astern. Source: Lighthill (1960); Newman,
+/// Marine Hydrodynamics (1977), ch. 7.
 template <typename Real>
 [[nodiscard]] Spatial<Real> lift_of_hull(const Body& body, const Spatial<Real>& nu_r) {
   const double x = body.trailing_edge_x_m;
@@ -61,8 +64,8 @@ template <typename Real>
   return {{Real{}, force, Real{}}, {Real{}, Real{}, at_m * force}};
 }
 
-/// Weight and buoyancy, Fossen (2011) 4.1: -g(eta). `extra_volume_m3` and `gravity_shift_m` are those of a buoyancy
-/// engine and of a mass that moves along x.
+/// Weight and buoyancy, Fossen (2011) 4.1: -g(eta). `extra_volume_m3` and `gravity_shift_m` are
+/// those of a buoyancy engine and of a mass that moves along x.
 template <typename Real>
 [[nodiscard]] Spatial<Real> restoring(const Body& body, const Rotation<Real>& r,
                                       const Real& immersed, const Real& extra_volume_m3,
@@ -107,10 +110,12 @@ template <typename Real>
 
 /// d nu/dt by Fossen's equations in moving water,
 ///
-///   M_RB nu' + C_RB(nu) nu + M_A nu_r' + C_A(nu_r) nu_r + D(nu_r) nu_r + g(eta) = tau + rho V R^T Du/Dt
+///   M_RB nu' + C_RB(nu) nu + M_A nu_r' + C_A(nu_r) nu_r + D(nu_r) nu_r + g(eta)
+///     = tau + rho V R^T Du/Dt
 ///
-/// with nu_r = nu - (R^T U, 0), so that (R^T U)' = R^T Du/Dt - w x R^T U. The last term is what the pressure that
-/// accelerates the water does to the body in its place (Froude-Krylov; Auton, Hunt and Prud'homme 1988).
+/// with nu_r = nu - (R^T U, 0), so that (R^T U)' = R^T Du/Dt - w x R^T U. The last term is what the
+/// pressure that accelerates the water does to the body in its place (Froude-Krylov; Auton, Hunt
+/// and Prud'homme 1988).
 /// Source: Fossen (2011), 6.1-6.3 and 8.3.
 template <typename Real>
 [[nodiscard]] Spatial<Real> acceleration(const Body& body, const BodyState<Real>& state,

@@ -42,7 +42,8 @@ Shape read_shape(const Config& c) {
   return shape;
 }
 
-/// By the midpoint rule on many slices, so that the table is exact to what its own linear steps are.
+/// By the midpoint rule on many slices, so that the table is exact to what its own linear steps
+/// are.
 void tabulate(const Shape& shape, FloatingHull& hull) {
   constexpr int slices = 200;  // between two points of the table
   hull.section_depth_m = shape.depth_m;

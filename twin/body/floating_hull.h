@@ -19,8 +19,8 @@ struct Section {
   double second_moment_m3 = 0;  ///< of the waterline: breadth cubed/12
 };
 
-/// The hulls of a surface craft as strips across them, all of one section, whose geometry up to a waterline parallel to
-/// the deck says all that is needed. No strips: a craft that does not float.
+/// The hulls of a surface craft as strips across them, all of one section, whose geometry up to a
+/// waterline parallel to the deck says all that is needed. No strips: a craft that does not float.
 struct FloatingHull {
   std::size_t strips = 0;
   std::array<Triple<double>, most_strips> keel_m{};  ///< the lowest point of a strip, body axes
@@ -39,7 +39,8 @@ struct FloatingHull {
 /// The waves at the strips of a craft, NED, each at its `strip_place`; zeros: calm.
 template <typename Real>
 struct WaterAtStrips {
-  /// Dynamic pressure over rho g: the elevation of the surface less what of it does not reach down there.
+  /// Dynamic pressure over rho g: the elevation of the surface less what of it does not reach down
+  /// there.
   std::array<Real, most_strips> head_m{};
   std::array<Triple<Real>, most_strips> velocity_m_s{};  ///< orbital
   std::array<Triple<Real>, most_strips> acceleration_m_s2{};
@@ -47,9 +48,10 @@ struct WaterAtStrips {
 
 /// Where the waves are to be asked for on behalf of a strip: NED from the site's origin.
 ///
-/// Waves fade with depth, so that a hull feels less of them than their elevation (Smith effect). A section of area A and
-/// breadth B at the waterline is lifted by rho g B zeta (1 - k A/B + ...): the pressure at the depth A/B, its mean draught,
-/// times its breadth. Source: Salvesen, Tuck & Faltinsen (1970), whose decay is that at the draught times the area coefficient.
+/// Waves fade with depth, so that a hull feels less of them than their elevation (Smith effect). A
+/// section of area A and breadth B at the waterline is lifted by rho g B zeta (1 - k A/B + ...):
+/// the pressure at the depth A/B, its mean draught, times its breadth. Source: Salvesen, Tuck &
+/// Faltinsen (1970), whose decay is that at the draught times the area coefficient.
 template <typename Real>
 [[nodiscard]] Triple<Real> strip_place(const FloatingHull& hull, std::size_t strip,
                                        const Rotation<Real>& r, const Triple<Real>& position_m) {
@@ -58,8 +60,9 @@ template <typename Real>
                                             Real{} + (keel.z - hull.felt_height_m)});
 }
 
-/// What of the water's motion at the strips a rigid body can follow, NED: means over the strips, which stay as they are
-/// while the hull turns. `ned` of `moments_of` are velocities or accelerations.
+/// What of the water's motion at the strips a rigid body can follow, NED: means over the strips,
+/// which stay as they are while the hull turns. `ned` of `moments_of` are velocities or
+/// accelerations.
 template <typename Real>
 struct StripMoments {
   Triple<Real> mean;
@@ -82,9 +85,9 @@ template <typename Real>
   return sum;
 }
 
-/// The rigid motion, body axes about the origin, that comes nearest to what the water does at the strips, by least
-/// squares. With the strip theory's mass and damping spread evenly along the hulls, what a hull feels of the water is what
-/// it would feel of its own motion against this one.
+/// The rigid motion, body axes about the origin, that comes nearest to what the water does at the
+/// strips, by least squares. With the strip theory's mass and damping spread evenly along the
+/// hulls, what a hull feels of the water is what it would feel of its own motion against this one.
 template <typename Real>
 [[nodiscard]] Spatial<Real> motion_of_strips(const FloatingHull& hull, const Rotation<Real>& r,
                                              const StripMoments<Real>& moments) {
@@ -114,15 +117,17 @@ WavesMet<Real> waves_met(const FloatingHull&, WaterAtStrips<Real>&&) = delete;
 
 /// Buoyancy and the push of the waves, body axes about the origin.
 ///
-/// The water bears a strip up against n, the plumb line in the accelerated water, which is square to its surface:
-/// n = (z - a/g) with a the horizontal acceleration (the Froude-Krylov force, for waves long beside the breadth of a hull).
-/// In calm water the force is the gradient of an energy, so that none is won or lost. Per length of a strip over rho g,
+/// The water bears a strip up against n, the plumb line in the accelerated water, which is square
+/// to its surface: n = (z - a/g) with a the horizontal acceleration (the Froude-Krylov force, for
+/// waves long beside the breadth of a hull). In calm water the force is the gradient of an energy,
+/// so that none is won or lost. Per length of a strip over rho g,
 ///
 ///   U = A(h) s - n_z M(h) + (I_y(h) n_y^2 + I_x(h) n_x^2)/2,   h = s/n_z
 ///
-/// with s how far the keel lies below the surface, h the height of the waterline up the section, A and M the area under
-/// water and its moment about the keel, I_y = B^3/12 and I_x = B l^2/12 the waterplane's own second moments (small heel: the
-/// centre of the water displaced moves to the low side). Upside down it is the rest of the section that is under water.
+/// with s how far the keel lies below the surface, h the height of the waterline up the section, A
+/// and M the area under water and its moment about the keel, I_y = B^3/12 and I_x = B l^2/12 the
+/// waterplane's own second moments (small heel: the centre of the water displaced moves to the low
+/// side). Upside down it is the rest of the section that is under water.
 /// Source: Fossen (2011) 4.2 and 5.3; Faltinsen (1990), ch. 3.
 template <typename Real>
 [[nodiscard]] Spatial<Real> floating_force(const FloatingHull& hull, double water_density_kg_m3,
@@ -130,7 +135,8 @@ template <typename Real>
                                            const WaterAtStrips<Real>* water) {
   constexpr double per_gravity_s2_m = 1 / constants::gravity_m_s2;
   constexpr double last = section_points - 1;
-  // Within 12 degrees of lying on its side, where a waterline up the section means little, n_z is kept off 0.
+  // Within 12 degrees of lying on its side, where a waterline up the section means little, n_z is
+  // kept off 0.
   constexpr double on_its_side = 0.2;
   const double middle_m = 0.5 * hull.section_depth_m;
   const double per_m = last / hull.section_depth_m;
@@ -192,12 +198,14 @@ template <typename Real>
   return sum;
 }
 
-/// `hulls` of a vehicle's YAML: cylinders (`radius_m`) or boxes with a deadrise (`beam_m`, `depth_m`, `deadrise_deg`),
-/// `from_x_m` to `to_x_m`, at each of `centre_y_m`, `keel_z_m` below the origin, cut into `strips` each. Waves shorter than
-/// two strips are not told from longer ones: six or more to a hull.
+/// `hulls` of a vehicle's YAML: cylinders (`radius_m`) or boxes with a deadrise (`beam_m`,
+/// `depth_m`, `deadrise_deg`), `from_x_m` to `to_x_m`, at each of `centre_y_m`, `keel_z_m` below
+/// the origin, cut into `strips` each. Waves shorter than two strips are not told from longer ones:
+/// six or more to a hull.
 [[nodiscard]] FloatingHull read_floating_hull(const Config& vehicle);
 
-/// How far below the surface the origin of a craft at rest lies, level, in still water; negative above it.
+/// How far below the surface the origin of a craft at rest lies, level, in still water; negative
+/// above it.
 /// @throws Error(invalid_input) for one that sinks
 [[nodiscard]] double floating_depth_m(const FloatingHull& hull, double mass_kg,
                                       double water_density_kg_m3);

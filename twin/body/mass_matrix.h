@@ -6,8 +6,8 @@
 
 namespace slackwater::twin {
 
-/// Symmetric, about the centre of gravity, in axes parallel to the body's, kg m2. Products of inertia are the entries
-/// of the matrix: `xy` = -integral of x y dm.
+/// Symmetric, about the centre of gravity, in axes parallel to the body's, kg m2. Products of
+/// inertia are the entries of the matrix: `xy` = -integral of x y dm.
 struct Inertia {
   double xx = 0;
   double yy = 0;
@@ -17,13 +17,15 @@ struct Inertia {
   double yz = 0;
 };
 
-/// M_RB about the body's origin of a mass whose centre of gravity is elsewhere. Fossen (2011), 3.27.
+/// M_RB about the body's origin of a mass whose centre of gravity is elsewhere. Fossen (2011),
+/// 3.27.
 [[nodiscard]] SpatialMatrix rigid_mass_matrix(double mass_kg, const Inertia& inertia,
                                               const Triple<double>& centre_of_gravity_m);
 
 [[nodiscard]] SpatialMatrix sum_of(const SpatialMatrix& a, const SpatialMatrix& b);
 
-/// Nothing where the matrix is not symmetric and positive definite: such a body would gain energy by being slowed.
+/// Nothing where the matrix is not symmetric and positive definite: such a body would gain energy
+/// by being slowed.
 [[nodiscard]] std::optional<SpatialMatrix> inverse_of(const SpatialMatrix& mass);
 
 /// The three principal moments, ascending.

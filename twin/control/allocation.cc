@@ -11,7 +11,8 @@ namespace {
 
 using ThrustNumbers = std::array<double, most_mounts>;
 
-/// Below this sine of the angle between what an axis needs and what earlier axes use, it is not an axis of its own.
+/// Below this sine of the angle between what an axis needs and what earlier axes use, it is not an
+/// axis of its own.
 constexpr double least_independence = 0.02;
 
 AxisNumbers effect_of(const Mount& mount, const ThrustRange& range) {
@@ -22,7 +23,8 @@ AxisNumbers effect_of(const Mount& mount, const ThrustRange& range) {
 
 double size_of(const ThrustRange& range) { return 0.5 * (range.most_n - range.least_n); }
 
-/// Rows of B that are independent, scaled by the thrusters' sizes so that the least square is the weighted one.
+/// Rows of B that are independent, scaled by the thrusters' sizes so that the least square is the
+/// weighted one.
 struct Rows {
   Eigen::MatrixXd scaled;
   std::vector<WantedAxis> axes;
@@ -66,8 +68,8 @@ bool is_within(const Allocation& a, const ThrustNumbers& t) noexcept {
   return within;
 }
 
-/// Towards the ranges without a change of the wrench: the excess is put on those that idle, over and over (projections
-/// on convex sets, relaxed by 1.5).
+/// Towards the ranges without a change of the wrench: the excess is put on those that idle, over
+/// and over (projections on convex sets, relaxed by 1.5).
 void ease(const Allocation& a, ThrustNumbers& t) noexcept {
   constexpr int rounds = 6;
   constexpr double relaxation = 1.5;
@@ -100,8 +102,8 @@ void add(const Allocation& a, std::size_t axis, double amount, ThrustNumbers& t)
   for (std::size_t i = 0; i < most_mounts; ++i) t[i] += a.inverse[axis][i] * amount;
 }
 
-/// The share of a level's wrench that its axes could do one by one: what is asked far beyond it would leave `ease` no
-/// chance. Infinite and huge demands end here.
+/// The share of a level's wrench that its axes could do one by one: what is asked far beyond it
+/// would leave `ease` no chance. Infinite and huge demands end here.
 double share_in_reach(const Allocation& a, const AxisNumbers& wrench, std::size_t level) noexcept {
   double share = 1;
   for (std::size_t axis = 0; axis < axes; ++axis) {

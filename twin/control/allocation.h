@@ -7,7 +7,8 @@
 
 namespace slackwater::twin {
 
-/// What one mount can push, N; `torque_per_thrust_m` is the reaction of its propeller, along its own axis.
+/// What one mount can push, N; `torque_per_thrust_m` is the reaction of its propeller, along its
+/// own axis.
 struct ThrustRange {
   double least_n = 0;  ///< astern: zero or negative
   double most_n = 0;   ///< ahead
@@ -30,8 +31,9 @@ struct WantedAxis {
 };
 inline constexpr std::size_t most_levels = 3;
 
-/// How thrusters share a wrench, worked out once from where they stand. With B the matrix that takes thrusts to the
-/// wrench, W = diag(1/limit^2) and rows of B only for the axes that are commanded,
+/// How thrusters share a wrench, worked out once from where they stand. With B the matrix that
+/// takes thrusts to the wrench, W = diag(1/limit^2) and rows of B only for the axes that are
+/// commanded,
 ///
 ///   B+ = W^-1 B^T (B W^-1 B^T)^-1,    B B+ = 1,
 ///
@@ -48,8 +50,8 @@ struct Allocation {
   std::array<double, most_mounts> most_n{};
   std::array<bool, axes> is_commanded{};
   std::array<std::size_t, axes> level{};
-  /// The most force or moment along each axis alone, both positive; 0 where there is none (the roll of a multirotor has
-  /// none by itself: it lives on the thrust that carries it).
+  /// The most force or moment along each axis alone, both positive; 0 where there is none (the roll
+  /// of a multirotor has none by itself: it lives on the thrust that carries it).
   AxisNumbers most_ahead{};
   AxisNumbers most_astern{};
 
@@ -63,9 +65,11 @@ struct Allocation {
   }
 };
 
-/// @param wanted  in the order of their importance: an axis that the mounts move only together with earlier ones (the
-///                pitch of two outboards, say, that comes with their surge) is left out
-/// @throws ContractViolation for no mounts or too many, more levels than `most_levels`, a range without zero in it
+/// @param wanted  in the order of their importance: an axis that the mounts move only together with
+///                earlier ones (the pitch of two outboards, say, that comes with their surge) is
+///                left out
+/// @throws ContractViolation for no mounts or too many, more levels than `most_levels`, a range
+///         without zero in it
 [[nodiscard]] Allocation plan_allocation(std::span<const Mount> mounts,
                                          std::span<const ThrustRange> ranges,
                                          std::span<const WantedAxis> wanted);
@@ -77,10 +81,11 @@ struct Thrusts {
 
 /// Thrusts within their ranges for a wrench in body axes about the origin.
 ///
-/// Where the wrench asks for too much, thrusters first help each other out as far as that changes nothing of the wrench;
-/// then each level of axes has what the levels before it have left, scaled down as a whole, so that force and moment
-/// keep their direction within a level. An ROV thus keeps upright and at its depth first, then on its heading, and gives
-/// up way through the water. Cost: 48 multiplications, ten times that when it asks for too much. No allocation.
+/// Where the wrench asks for too much, thrusters first help each other out as far as that changes
+/// nothing of the wrench; then each level of axes has what the levels before it have left, scaled
+/// down as a whole, so that force and moment keep their direction within a level. An ROV thus keeps
+/// upright and at its depth first, then on its heading, and gives up way through the water. Cost:
+/// 48 multiplications, ten times that when it asks for too much. No allocation.
 [[nodiscard]] Thrusts allocate(const Allocation& allocation,
                                const Spatial<double>& wrench) noexcept;
 

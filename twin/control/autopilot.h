@@ -27,8 +27,8 @@ struct Autopilot {
   Loop vertical;
   Loop heading;
   Loop tilt;
-  /// A place is gone for at this rate: the outer one of `horizontal`, or a fifth of the heading's for craft that must turn
-  /// towards it first.
+  /// A place is gone for at this rate: the outer one of `horizontal`, or a fifth of the heading's
+  /// for craft that must turn towards it first.
   double station_per_s = 0;
   SpatialMatrix mass;         ///< M_RB + M_A
   Triple<double> added_mass;  ///< M_A along x, y, z
@@ -44,12 +44,13 @@ struct Autopilot {
   double displacement_n_m3 = 0;  ///< weight of displaced fluid per volume
 };
 
-/// @throws Error(invalid_input) for a vehicle that this kind of autopilot cannot steer, e.g. a multirotor whose rotors do
-///         not lift it
+/// @throws Error(invalid_input) for a vehicle that this kind of autopilot cannot steer, e.g. a
+///         multirotor whose rotors do not lift it
 [[nodiscard]] Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind,
                                        const Body& body, const Actuators& actuators);
 
-/// What a controller remembers from step to step: numbers only, stored and compared as a block of them.
+/// What a controller remembers from step to step: numbers only, stored and compared as a block of
+/// them.
 struct ControlState {
   double north_m_s2 = 0;  ///< integrals: accelerations held against what pushes steadily
   double east_m_s2 = 0;
@@ -82,9 +83,9 @@ struct Effort {
   double volume_m3 = 0;
 };
 
-/// One step of control, dt_s > 0. Always finite and within the actuators' ranges: what is measured and is not a number,
-/// or as large as none can be, leaves the state as it was and gives no thrust (a multirotor: its weight). No allocation,
-/// no exception.
+/// One step of control, dt_s > 0. Always finite and within the actuators' ranges: what is measured
+/// and is not a number, or as large as none can be, leaves the state as it was and gives no thrust
+/// (a multirotor: its weight). No allocation, no exception.
 [[nodiscard]] Effort effort_of(const Autopilot& autopilot, const Measured& measured,
                                const Reference& reference, double dt_s,
                                ControlState& state) noexcept;

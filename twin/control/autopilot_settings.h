@@ -4,7 +4,8 @@
 
 namespace slackwater::twin {
 
-/// How an autopilot is to behave. `autopilot` of a vehicle's YAML; each key has a default of its kind.
+/// How an autopilot is to behave. `autopilot` of a vehicle's YAML; each key has a default of its
+/// kind.
 struct AutopilotSettings {
   double horizontal_period_s = 0;  ///< natural periods of the closed loops, undamped
   double vertical_period_s = 0;
@@ -22,8 +23,9 @@ struct AutopilotSettings {
   bool current_feed_forward = false;  ///< takes the drag of the known current beforehand
 };
 
-/// Reads `autopilot`, or takes the defaults of the kind. Refuses loops too fast for the vehicle's step or for the loops
-/// inside them. @param largest_step_s  of the vehicle
+/// Reads `autopilot`, or takes the defaults of the kind. Refuses loops too fast for the vehicle's
+/// step or for the loops inside them.
+/// @param largest_step_s  of the vehicle
 [[nodiscard]] AutopilotSettings read_autopilot(const Config& vehicle, VehicleKind kind,
                                                double largest_step_s);
 [[nodiscard]] AutopilotSettings default_autopilot(VehicleKind kind) noexcept;

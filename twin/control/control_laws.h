@@ -43,14 +43,15 @@ struct Way {
   double yaw_rate_rad_s = 0;  ///< of the way itself, where it bends
 };
 
-/// The heading that takes a craft of that speed through the water along a course over ground: it leads by
-/// asin(U_c,across/U), Fossen (2011), 12.3; square to the course where the water is faster than that.
+/// The heading that takes a craft of that speed through the water along a course over ground: it
+/// leads by asin(U_c,across/U), Fossen (2011), 12.3; square to the course where the water is faster
+/// than that.
 [[nodiscard]] Course crabbing(const Course& course, double speed_m_s,
                               const Triple<double>& water_m_s) noexcept;
 
-/// Along a path of craft that must point where they go: at the reference's speed through the water, in what they know of
-/// the current and have learned of their drift. The course over ground leans towards the path as a line of sight does
-/// whose lookahead is U / station_per_s.
+/// Along a path of craft that must point where they go: at the reference's speed through the water,
+/// in what they know of the current and have learned of their drift. The course over ground leans
+/// towards the path as a line of sight does whose lookahead is U / station_per_s.
 [[nodiscard]] Way way_along(const Autopilot& autopilot, const Measured& measured,
                             const Reference& reference, const Triple<double>& wanted_m_s,
                             const Seen& seen, double dt_s, ControlState& state) noexcept;

@@ -7,14 +7,16 @@
 
 namespace slackwater::twin {
 
-/// A PID controller as two loops, one inside the other: the error asks for a rate, the rate for an acceleration,
+/// A PID controller as two loops, one inside the other: the error asks for a rate, the rate for an
+/// acceleration,
 ///
 ///   r_d = outer e,   a = inner (r_d - r) + s,   ds/dt = integral (r_d - r).
 ///
-/// With a natural frequency w and a damping ratio z, outer = w/(2z), inner = 2 z w, integral = z w^2/5: within the range
-/// of the limits the PID of Fossen (2011), 12.2.10, k_p = w^2 (and a fifth of z more), k_d = 2 z w, k_i = w^3/10 per unit
-/// of mass. In this form the rate can be bounded, a rate can be asked for instead of a place by the same integral (no
-/// bump between the two), and the integral does not wind up on a long way, as it sees the error of the rate.
+/// With a natural frequency w and a damping ratio z, outer = w/(2z), inner = 2 z w, integral = z
+/// w^2/5: within the range of the limits the PID of Fossen (2011), 12.2.10, k_p = w^2 (and a fifth
+/// of z more), k_d = 2 z w, k_i = w^3/10 per unit of mass. In this form the rate can be bounded, a
+/// rate can be asked for instead of a place by the same integral (no bump between the two), and the
+/// integral does not wind up on a long way, as it sees the error of the rate.
 struct Loop {
   double outer_per_s = 0;
   double inner_per_s = 0;
@@ -33,8 +35,8 @@ struct Loop {
   return loop.inner_per_s * rate_error + integral;
 }
 
-/// Grows the integral, unless what it adds to is already more than the thrusters give (share below 1) and it would ask
-/// for more still.
+/// Grows the integral, unless what it adds to is already more than the thrusters give (share below
+/// 1) and it would ask for more still.
 inline void integrate(const Loop& loop, double rate_error, double acceleration, double share,
                       double dt_s, double& integral) noexcept {
   if (share < 1 && rate_error * acceleration > 0) return;
@@ -42,8 +44,8 @@ inline void integrate(const Loop& loop, double rate_error, double acceleration, 
                         loop.most_integral);
 }
 
-/// The speed at which to go for a place `away` off: proportional nearby, and from afar no faster than it can be braked
-/// with `most_acceleration`. Never negative.
+/// The speed at which to go for a place `away` off: proportional nearby, and from afar no faster
+/// than it can be braked with `most_acceleration`. Never negative.
 [[nodiscard]] inline double approach_speed(double outer_per_s, double away, double most_speed,
                                            double most_acceleration) noexcept {
   const double bend = most_acceleration / (outer_per_s * outer_per_s);
@@ -52,8 +54,9 @@ inline void integrate(const Loop& loop, double rate_error, double acceleration, 
   return std::min(speed, most_speed);
 }
 
-/// From one course to another, rad, positive to the right: 2 tan(e/2) of the angle e, which is e for small ones and
-/// grows with it up to pi, without a call of atan2. Straight astern is to the right.
+/// From one course to another, rad, positive to the right: 2 tan(e/2) of the angle e, which is e
+/// for small ones and grows with it up to pi, without a call of atan2. Straight astern is to the
+/// right.
 [[nodiscard]] inline double turn_rad(const Course& from, const Course& to) noexcept {
   const double sine = from.north * to.east - from.east * to.north;
   const double cosine = from.north * to.north + from.east * to.east;

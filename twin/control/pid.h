@@ -3,8 +3,8 @@
 
 namespace slackwater::twin {
 
-/// Gains of a controller whose output is bounded. The integral stops where the output is at its bound and the error
-/// would push it further (clamping), so that it does not wind up.
+/// Gains of a controller whose output is bounded. The integral stops where the output is at its
+/// bound and the error would push it further (clamping), so that it does not wind up.
 struct Pid {
   double proportional = 0;
   double integral = 0;

@@ -53,7 +53,8 @@ AutopilotSettings default_autopilot(VehicleKind kind) noexcept {
   s.damping_ratio = 0.9;
   switch (kind) {
     case VehicleKind::rov:
-      // Slower than thrusters of 0.2 s lag by an order of magnitude, but for the tilt, see steer_free.cc.
+      // Slower than thrusters of 0.2 s lag by an order of magnitude, but for the tilt, see
+      // steer_free.cc.
       s.horizontal_period_s = 6;
       s.vertical_period_s = 5;
       s.heading_period_s = 4;
@@ -75,8 +76,9 @@ AutopilotSettings default_autopilot(VehicleKind kind) noexcept {
       s.holding_radius_m = 30;
       break;
     case VehicleKind::uav:
-      // PX4 1.14: MPC_XY_VEL_MAX 12, MPC_Z_VEL_MAX_UP 3, _DN 1.5 m/s, MPC_ACC_HOR 3 m/s2, MPC_TILTMAX_AIR 45 degrees;
-      // loops of about its MPC_XY_P 0.95, MPC_Z_P 1, MC_ROLL_P 6.5 per s.
+      // PX4 1.14: MPC_XY_VEL_MAX 12, MPC_Z_VEL_MAX_UP 3, _DN 1.5 m/s, MPC_ACC_HOR 3 m/s2,
+      // MPC_TILTMAX_AIR 45 degrees; loops of about its MPC_XY_P 0.95, MPC_Z_P 1, MC_ROLL_P 6.5 per
+      // s.
       s.horizontal_period_s = 3.7;
       s.vertical_period_s = 3.5;
       s.heading_period_s = 2;

@@ -3,7 +3,8 @@
 
 namespace slackwater::twin {
 
-/// A direction over the water as a vector of length one: no wrap at north, no trigonometry in a step.
+/// A direction over the water as a vector of length one: no wrap at north, no trigonometry in a
+/// step.
 struct Course {
   double north = 1;
   double east = 0;
@@ -23,9 +24,11 @@ enum class Vertical { depth, altitude };
 struct Reference {
   Target target = Target::station;
   Vertical vertical = Vertical::depth;
-  /// NED. Station: where to be. Path: the place on the path beside the vehicle. Cruise: only the depth, z, counts.
+  /// NED. Station: where to be. Path: the place on the path beside the vehicle. Cruise: only the
+  /// depth, z, counts.
   Triple<double> position_m;
-  /// Path: the velocity of that place over ground, NED. Cruise: ahead, to starboard of the heading, and down.
+  /// Path: the velocity of that place over ground, NED. Cruise: ahead, to starboard of the heading,
+  /// and down.
   Triple<double> velocity_m_s;
   /// Of the bow. Craft that cannot push sideways take their own on station and on a path.
   Course heading;

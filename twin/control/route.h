@@ -30,8 +30,9 @@ class Route {
   [[nodiscard]] const Waypoint* after() const noexcept;
   [[nodiscard]] double remaining_m(const Triple<double>& position_m) const noexcept;
 
-  /// Takes the waypoints that are reached: nearer than `tolerance_m` in the plane and `depth_tolerance_m`, or passed by
-  /// abeam within `passing_m` of them. @return how many
+  /// Takes the waypoints that are reached: nearer than `tolerance_m` in the plane and
+  /// `depth_tolerance_m`, or passed by abeam within `passing_m` of them.
+  /// @return how many
   std::size_t advance(const Triple<double>& position_m, double tolerance_m,
                       double depth_tolerance_m, double passing_m);
 

@@ -40,7 +40,8 @@ Way way_of(const Autopilot& a, const Measured& measured, const Reference& refere
           0};
 }
 
-/// Dives and climbs by pitching, the elevator at first and the moving mass in the long run. @return the elevator
+/// Dives and climbs by pitching, the elevator at first and the moving mass in the long run.
+/// @return the elevator
 double pitch_to(const Autopilot& a, const Measured& measured, const Seen& seen, double down_m_s,
                 double ahead_m_s, double fin_n_m, double dt_s, ControlState& state) noexcept {
   const double way = std::max(ahead_m_s, a.settings.least_speed_m_s);

@@ -3,7 +3,8 @@
 namespace slackwater::twin {
 namespace {
 
-/// Of the rotors' thrust, so that there is always some left to tilt with, either way. PX4: MPC_THR_MIN 0.12, MPC_THR_MAX 1.
+/// Of the rotors' thrust, so that there is always some left to tilt with, either way. PX4:
+/// MPC_THR_MIN 0.12, MPC_THR_MAX 1.
 constexpr double least_collective = 0.12;
 constexpr double most_collective = 0.9;
 /// PX4: MC_ROLLRATE_MAX, 220 degrees/s.

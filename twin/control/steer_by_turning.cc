@@ -7,9 +7,9 @@ double ahead_of(const Course& bow, double north, double east) noexcept {
   return bow.north * north + bow.east * east;
 }
 
-/// A velocity over ground is had by pointing along it less the water's, as far as that is known, and less the drift that
-/// shows (wind, unknown current). On station that points the bow into the disturbance; what is too little to point at is
-/// left to a push ahead or astern.
+/// A velocity over ground is had by pointing along it less the water's, as far as that is known,
+/// and less the drift that shows (wind, unknown current). On station that points the bow into the
+/// disturbance; what is too little to point at is left to a push ahead or astern.
 Way way_over_ground(const Autopilot& a, const Measured& measured, const Triple<double>& wanted_m_s,
                     const Seen& seen, ControlState& state) noexcept {
   const double most = a.settings.most_speed_m_s;
@@ -63,8 +63,8 @@ Effort steer_by_turning(const Autopilot& a, const Measured& measured, const Refe
   const double most_change = a.settings.most_acceleration_m_s2 * dt_s;
   state.wanted_ahead_m_s +=
       std::clamp(way.ahead_m_s - state.wanted_ahead_m_s, -most_change, most_change);
-  // On station the drift is the integral, and says the course too: a second one would hold the craft on its station with
-  // no course to steer.
+  // On station the drift is the integral, and says the course too: a second one would hold the
+  // craft on its station with no course to steer.
   const double lacking =
       is_station
           ? ahead_of(seen.bow, over_ground.x - seen.velocity_m_s.x,

@@ -3,9 +3,10 @@
 namespace slackwater::twin {
 namespace {
 
-/// What the added mass does to a craft that is not bow on to its flow (Munk's moment): it turns it further across, faster
-/// than a light ROV's righting moment turns it back from some 0.3 m/s on. Taken beforehand, as the flow will be when the
-/// thrusters have followed; C_A(nu) nu of a diagonal M_A, Fossen (2011) 6.42.
+/// What the added mass does to a craft that is not bow on to its flow (Munk's moment): it turns it
+/// further across, faster than a light ROV's righting moment turns it back from some 0.3 m/s on.
+/// Taken beforehand, as the flow will be when the thrusters have followed; C_A(nu) nu of a diagonal
+/// M_A, Fossen (2011) 6.42.
 Triple<double> turning_of_flow(const Autopilot& a, const Spatial<double>& nu) noexcept {
   const Triple<double>& m = a.added_mass;
   const Triple<double>& w = nu.angular;
@@ -15,8 +16,9 @@ Triple<double> turning_of_flow(const Autopilot& a, const Spatial<double>& nu) no
   return {(m.z - m.y) * v * heave, (m.x - m.z) * u * heave, (m.y - m.x) * u * v};
 }
 
-/// At speed that moment asks for quick small pushes either way, which thrusters with a dead band give only off it: those
-/// that pitch the craft then push against each other a little, which makes no wrench.
+/// At speed that moment asks for quick small pushes either way, which thrusters with a dead band
+/// give only off it: those that pitch the craft then push against each other a little, which makes
+/// no wrench.
 void lift_off_dead_band(const Autopilot& a, double ahead_m_s, Thrusts& thrusts) noexcept {
   constexpr double share_of_range = 0.06;
   const double upsetting_n_m = (a.added_mass.z - a.added_mass.x) * ahead_m_s * ahead_m_s;

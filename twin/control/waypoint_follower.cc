@@ -12,8 +12,8 @@ double approached(double value, double target, double most_change) {
   return value + std::clamp(target - value, -most_change, most_change);
 }
 
-/// The speed at which a turn of `error` brings the vehicle to a place that far away: on a circle of radius U/r a chord
-/// of `distance` turns by twice the angle to it.
+/// The speed at which a turn of `error` brings the vehicle to a place that far away: on a circle of
+/// radius U/r a chord of `distance` turns by twice the angle to it.
 double turning_speed_m_s(const WaypointFollower& f, double error_rad, double distance_m) {
   const double sine = std::abs(error_rad) < constants::pi / 2 ? std::sin(std::abs(error_rad)) : 1.0;
   if (sine < 1e-6) return f.most_speed_m_s;

@@ -4,8 +4,9 @@
 
 namespace slackwater::twin {
 
-/// How waypoints are followed by setting a speed and a rate of turn, as the public simulators do: heading by a PID
-/// controller on the bearing of the next waypoint, speed all ahead or all astern within its bounds.
+/// How waypoints are followed by setting a speed and a rate of turn, as the public simulators do:
+/// heading by a PID controller on the bearing of the next waypoint, speed all ahead or all astern
+/// within its bounds.
 struct WaypointFollower {
   double tolerance_m = 0.5;
   double depth_tolerance_m = 0.5;
@@ -15,8 +16,8 @@ struct WaypointFollower {
   double most_speed_m_s = 5;
   double most_yaw_rate_rad_s = 1;
   Pid heading{0.8, 0.05, 0.4};
-  /// Slows down so that the waypoint lies outside of the tightest turn: else one that is near and abeam is circled for
-  /// ever. The published settings do not.
+  /// Slows down so that the waypoint lies outside of the tightest turn: else one that is near and
+  /// abeam is circled for ever. The published settings do not.
   bool slows_to_turn = true;
 };
 
@@ -33,8 +34,8 @@ struct FollowerState {
   PidState heading;
 };
 
-/// One step: moves the state's speed and rate of turn, which are what is asked of the vehicle, and takes the waypoints
-/// that are reached. When the route is done both go to zero within the limits.
+/// One step: moves the state's speed and rate of turn, which are what is asked of the vehicle, and
+/// takes the waypoints that are reached. When the route is done both go to zero within the limits.
 void follow(const WaypointFollower& follower, FollowerState& state, Route& route,
             const Triple<double>& position_m, double yaw_rad, double dt_s);
 

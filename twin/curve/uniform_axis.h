@@ -17,7 +17,8 @@ struct UniformAxis {
   [[nodiscard]] double at(std::size_t i) const { return first + step * static_cast<double>(i); }
 };
 
-/// Where a number stands on an axis: `below` counts steps from the first place to the one at or below it.
+/// Where a number stands on an axis: `below` counts steps from the first place to the one at or
+/// below it.
 template <typename Real>
 struct PlaceOnAxis {
   Real below{};
@@ -47,8 +48,9 @@ template <typename Real>
   return {low + place.share * rise, rise};
 }
 
-/// The coarsest uniform axis that holds all of the points, of which the first and last are its ends, or nothing if it
-/// would need more than `most` places. @param points rising, at least two
+/// The coarsest uniform axis that holds all of the points, of which the first and last are its
+/// ends, or nothing if it would need more than `most` places.
+/// @param points rising, at least two
 [[nodiscard]] std::optional<UniformAxis> uniform_axis_through(std::span<const double> points,
                                                               std::size_t most);
 

@@ -9,7 +9,8 @@ namespace slackwater::twin {
 /// A number that an instrument did not give.
 inline constexpr double nothing_shown = std::numeric_limits<double>::quiet_NaN();
 
-/// The instruments of a vehicle that it navigates by, and after how many steps each speaks again; 0: it has none.
+/// The instruments of a vehicle that it navigates by, and after how many steps each speaks again;
+/// 0: it has none.
 struct Instruments {
   Sensors sensors;
   double dt_s = 0;

@@ -21,7 +21,8 @@ void blame_gyro(NavigatorState& state, const Triple<double>& rate_rad_s) noexcep
   state.gyro_bias_rad_s = state.gyro_bias_rad_s - rotation_of(state.attitude).to_body(rate_rad_s);
 }
 
-/// The turn that a velocity error speaks of: (north, east) too fast by what it is tilted by east and north.
+/// The turn that a velocity error speaks of: (north, east) too fast by what it is tilted by east
+/// and north.
 Triple<double> tilt_of(const Triple<double>& velocity_error_m_s) noexcept {
   return (1 / gravity) * Triple<double>{velocity_error_m_s.y, -velocity_error_m_s.x, 0};
 }

@@ -5,7 +5,8 @@
 
 namespace slackwater::twin {
 
-// Attitudes and the turns between them, exact for any angle: a turn is a vector along its axis, as long as its angle.
+// Attitudes and the turns between them, exact for any angle: a turn is a vector along its axis, as
+// long as its angle.
 
 /// p q: first the turn q, then p.
 [[nodiscard]] inline Attitude<double> product(const Attitude<double>& p,

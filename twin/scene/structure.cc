@@ -10,7 +10,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The part of a ray between two parallel planes at -half and half, seen from `at` with the slope `along`.
+/// The part of a ray between two parallel planes at -half and half, seen from `at` with the slope
+/// `along`.
 struct Passage {
   double in_m = -infinity;
   double out_m = infinity;
@@ -81,7 +82,8 @@ double signed_distance_m(const Structure& structure, const Triple<double>& at_m)
 
 double least_distance_m(const Structure& structure, const Triple<double>& from_m,
                         const Triple<double>& to_m) {
-  // The signed distance to a convex body is convex along a line: golden sections find its only valley.
+  // The signed distance to a convex body is convex along a line: golden sections find its only
+  // valley.
   const Triple<double> way = to_m - from_m;
   const auto distance = [&](double share) {
     return signed_distance_m(structure, from_m + share * way);

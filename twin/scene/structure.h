@@ -53,7 +53,8 @@ template <typename Real>
 }
 [[nodiscard]] double signed_distance_m(const Structure& structure, const Triple<double>& at_m);
 
-/// The least signed distance along a straight way, within 1e-9 of its length; negative where the way leads through.
+/// The least signed distance along a straight way, within 1e-9 of its length; negative where the
+/// way leads through.
 [[nodiscard]] double least_distance_m(const Structure& structure, const Triple<double>& from_m,
                                       const Triple<double>& to_m);
 
@@ -68,7 +69,8 @@ struct Hit {
   double range_m = 0;
   Triple<double> normal;  ///< unit, outward
 
-  /// Cosine of the angle between the ray, looked at backwards, and the normal: 1 for a ray that meets it squarely.
+  /// Cosine of the angle between the ray, looked at backwards, and the normal: 1 for a ray that
+  /// meets it squarely.
   [[nodiscard]] double squareness(const Ray& ray) const { return -dot(ray.direction, normal); }
 };
 

@@ -3,7 +3,8 @@
 namespace slackwater::twin {
 namespace {
 
-/// Mean over a bin about `centre_m` along the axis, with the triangle that reaches half over both neighbours.
+/// Mean over a bin about `centre_m` along the axis, with the triangle that reaches half over both
+/// neighbours.
 Triple<double> mean_flow(const Adcp& adcp, const WaterAt& water, const Ray& ray, double centre_m,
                          double along) {
   constexpr int half = 4;
@@ -32,7 +33,8 @@ std::vector<AdcpBin> measured(const Adcp& adcp, NoiseStream& noise, const Scene&
   std::array<double, 4> reach_m{};
   for (std::size_t i = 0; i < 4; ++i) {
     const std::optional<Hit> hit = first_hit(scene, Ray{at_m, r.to_ned(beams[i])});
-    // Side lobes hear the boundary at its nearest, which is nearer than along the slanted beam by its cosine.
+    // Side lobes hear the boundary at its nearest, which is nearer than along the slanted beam by
+    // its cosine.
     reach_m[i] = hit ? hit->range_m * along * along : 1e9;
   }
   const double sd_m_s = adcp.noise_sd_m_s / std::sqrt(static_cast<double>(adcp.pings));

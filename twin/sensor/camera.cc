@@ -25,7 +25,8 @@ std::optional<Sighting> sighting(const Camera& camera, const Scene& scene,
   seen.range_m = hit->range_m;
   seen.at_m = ray.from_m + hit->range_m * ray.direction;
   seen.squareness = hit->squareness(ray);
-  // A pixel at the angle a from the axis is cos(a)/f wide across the plane of that angle, less within it.
+  // A pixel at the angle a from the axis is cos(a)/f wide across the plane of that angle, less
+  // within it.
   seen.pixel_size_m = hit->range_m / size / seen.squareness;
   return seen;
 }

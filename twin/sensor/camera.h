@@ -6,13 +6,16 @@
 
 namespace slackwater::twin {
 
-/// A pinhole camera that looks forward, tilted downwards: the pixel (u, v), counted from the upper left corner, sees along
+/// A pinhole camera that looks forward, tilted downwards: the pixel (u, v), counted from the upper
+/// left corner, sees along
 ///
 ///   (f, u - w/2, v - h/2) / |...|,  f = w / (2 tan(fov/2)) in pixels.
 ///
-/// The field of view is the one in the medium: a flat port narrows it under water by the refractive index, 1.33.
-/// Source: Hartley and Zisserman, Multiple View Geometry (2004), 6.1. Defaults: the kind of the BlueROV2's camera
-/// (1080p, 64 degrees in water; unconfirmed); the visibility is that of fair North Sea water, an estimate.
+/// The field of view is the one in the medium: a flat port narrows it under water by the refractive
+/// index, 1.33.
+/// Source: Hartley and Zisserman, Multiple View Geometry (2004), 6.1. Defaults: the kind of the
+/// BlueROV2's camera (1080p, 64 degrees in water; unconfirmed); the visibility is that of fair
+/// North Sea water, an estimate.
 struct Camera {
   int pixels_wide = 1920;
   int pixels_high = 1080;
@@ -42,7 +45,8 @@ struct Footprint {
       true;  ///< false where a part of the edge sees nothing: then the outline leaves it out
   std::optional<Sighting> centre;
 };
-/// @param per_side  points on each side of the picture, at least 1: 1 is enough for a plane, whose outline is straight
+/// @param per_side  points on each side of the picture, at least 1: 1 is enough for a plane, whose
+///                  outline is straight
 [[nodiscard]] Footprint footprint(const Camera& camera, const Scene& scene,
                                   const Triple<double>& vehicle_m, const Rotation<double>& r,
                                   int per_side);

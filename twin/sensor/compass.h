@@ -7,8 +7,8 @@ namespace slackwater::twin {
 ///
 ///   delta(h) = A + B sin h + C cos h + D sin 2h + E cos 2h,
 ///
-/// with h the heading (Bowditch, The American Practical Navigator, ch. 6: permanent iron gives B and C, induced iron D and
-/// E), by what is left of the declination after correction, and by noise.
+/// with h the heading (Bowditch, The American Practical Navigator, ch. 6: permanent iron gives B
+/// and C, induced iron D and E), by what is left of the declination after correction, and by noise.
 struct Compass {
   double constant_rad = 0;  ///< A
   double sine_rad = 0.02;   ///< B; estimates of a compass that has been swung beside thrusters

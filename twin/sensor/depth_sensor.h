@@ -3,11 +3,11 @@
 
 namespace slackwater::twin {
 
-/// Depth by pressure: the depth below the surface as it stands, with an error of scale (the density assumed), an offset
-/// (the barometer at the start), white noise and a resolution.
+/// Depth by pressure: the depth below the surface as it stands, with an error of scale (the density
+/// assumed), an offset (the barometer at the start), white noise and a resolution.
 ///
-/// Defaults: MS5837-30BA (datasheet: 0.2 mbar, 2 mm of water; 30 bar); scale and noise are estimates, 0.2 % for a density
-/// taken 2 kg/m3 wrong.
+/// Defaults: MS5837-30BA (datasheet: 0.2 mbar, 2 mm of water; 30 bar); scale and noise are
+/// estimates, 0.2 % for a density taken 2 kg/m3 wrong.
 struct DepthSensor {
   double scale = 1.002;
   double offset_m = 0;

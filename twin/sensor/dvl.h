@@ -8,15 +8,16 @@
 
 namespace slackwater::twin {
 
-/// A Doppler velocity log: four Janus beams that listen to the bed (bottom track), or to a layer of water (water track)
-/// when fewer than three of them hear it.
+/// A Doppler velocity log: four Janus beams that listen to the bed (bottom track), or to a layer of
+/// water (water track) when fewer than three of them hear it.
 ///
-/// The speed of approach along a beam is that of the vehicle along it, plus an error of scale and noise. A beam is lost
-/// nearer than `nearest_m`, beyond `farthest_m` along itself, and, more and more, the more slantwise it meets the bed:
-/// below `least_squareness` nothing comes back.
+/// The speed of approach along a beam is that of the vehicle along it, plus an error of scale and
+/// noise. A beam is lost nearer than `nearest_m`, beyond `farthest_m` along itself, and, more and
+/// more, the more slantwise it meets the bed: below `least_squareness` nothing comes back.
 ///
-/// Defaults: Water Linked DVL A50 (docs.waterlinked.com: four beams, 0.05-50 m altitude, 1 mm/s long-term accuracy, water track
-/// 1.5-4.5 m); slant, scale, noise and least squareness are estimates.
+/// Defaults: Water Linked DVL A50 (docs.waterlinked.com: four beams, 0.05-50 m altitude, 1 mm/s
+/// long-term accuracy, water track 1.5-4.5 m); slant, scale, noise and least squareness are
+/// estimates.
 struct Dvl {
   double slant_rad = 0.5235987755982988;    ///< 30 degrees
   double azimuth_rad = 0.7853981633974483;  ///< 45 degrees: two beams look ahead

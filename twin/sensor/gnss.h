@@ -5,13 +5,13 @@
 
 namespace slackwater::twin {
 
-/// A satellite receiver: position with white noise (receiver, multipath) and a slow error (ionosphere, orbits, clocks)
-/// that a first-order Gauss-Markov process stands for; velocity with white noise. No fix while the antenna is under
-/// water nor for `reacquisition_s` after it.
+/// A satellite receiver: position with white noise (receiver, multipath) and a slow error
+/// (ionosphere, orbits, clocks) that a first-order Gauss-Markov process stands for; velocity with
+/// white noise. No fix while the antenna is under water nor for `reacquisition_s` after it.
 ///
-/// Source of the model: Rankin, GPS and Differential GPS: an error model for sensor simulation (IEEE PLANS 1994), who
-/// fits minutes to an hour. The numbers are estimates for a single-frequency receiver with SBAS: 95 % of its fixes within
-/// 2.4 m.
+/// Source of the model: Rankin, GPS and Differential GPS: an error model for sensor simulation
+/// (IEEE PLANS 1994), who fits minutes to an hour. The numbers are estimates for a single-frequency
+/// receiver with SBAS: 95 % of its fixes within 2.4 m.
 struct Gnss {
   double white_horizontal_sd_m = 0.3;
   double white_vertical_sd_m = 0.6;

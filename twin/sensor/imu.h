@@ -3,8 +3,9 @@
 
 namespace slackwater::twin {
 
-/// One kind of inertial sensor, three axes: white noise of a density N, and a bias that starts somewhere and walks with
-/// a density K. Its Allan variance is N^2/t + K^2 t/3 (IEEE Std 952-1997, annex C).
+/// One kind of inertial sensor, three axes: white noise of a density N, and a bias that starts
+/// somewhere and walks with a density K. Its Allan variance is N^2/t + K^2 t/3 (IEEE Std 952-1997,
+/// annex C).
 struct InertialNoise {
   double white_density = 0;  ///< N: rad/s or m/s2, per root hertz
   double walk_density = 0;   ///< K: rad/s or m/s2, per root second
@@ -12,8 +13,9 @@ struct InertialNoise {
   double range = 0;  ///< clipped beyond
 };
 
-/// Gyroscopes and accelerometers of the tactical-to-consumer kind of small vehicles. Numbers of the kind of a
-/// ICM-20689 (datasheet: 0.006 deg/s and 150 ug per root hertz); walk and start are estimates.
+/// Gyroscopes and accelerometers of the tactical-to-consumer kind of small vehicles. Numbers of the
+/// kind of a ICM-20689 (datasheet: 0.006 deg/s and 150 ug per root hertz); walk and start are
+/// estimates.
 struct Imu {
   InertialNoise gyro{1.05e-4, 4e-6, 2e-3, 34.9};
   InertialNoise accelerometer{1.47e-3, 1e-4, 0.05, 157};

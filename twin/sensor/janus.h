@@ -6,8 +6,9 @@
 
 namespace slackwater::twin {
 
-/// Four beams in two planes across each other, slanted from the axis of the instrument by the same angle, body axes. Beam
-/// 0 looks `azimuth` to the right of forward, 1 opposite, 2 a quarter turn further right than 0, 3 opposite.
+/// Four beams in two planes across each other, slanted from the axis of the instrument by the same
+/// angle, body axes. Beam 0 looks `azimuth` to the right of forward, 1 opposite, 2 a quarter turn
+/// further right than 0, 3 opposite.
 using JanusBeams = std::array<Triple<double>, 4>;
 [[nodiscard]] JanusBeams janus_beams(double slant_rad, double azimuth_rad, bool looks_up) noexcept;
 
@@ -22,7 +23,8 @@ struct JanusVelocity {
   int beams = 0;  ///< 4, or 3 with one left out and no measure of error
 };
 
-/// Least squares over the beams that are there; nothing with fewer than three. Exact for what moves alike in all beams.
+/// Least squares over the beams that are there; nothing with fewer than three. Exact for what moves
+/// alike in all beams.
 [[nodiscard]] std::optional<JanusVelocity> janus_velocity(const JanusBeams& beams,
                                                           const BeamSpeeds& speeds) noexcept;
 

@@ -7,9 +7,9 @@
 
 namespace slackwater::twin {
 
-/// A stream of random numbers that is two words: a key, made of the run's seed and the stream's name (for one sensor of
-/// one vehicle), and how many numbers have been drawn. Which other streams are drawn from, and in which order, does not
-/// matter to it; copying the words is a checkpoint.
+/// A stream of random numbers that is two words: a key, made of the run's seed and the stream's
+/// name (for one sensor of one vehicle), and how many numbers have been drawn. Which other streams
+/// are drawn from, and in which order, does not matter to it; copying the words is a checkpoint.
 ///
 /// Generator: SplitMix64 (Steele, Lea and Flood 2014): a mix of key + n x golden ratio.
 class NoiseStream {
@@ -38,14 +38,16 @@ class NoiseStream {
   std::uint64_t drawn_ = 0;
 };
 
-/// First-order Gauss-Markov noise: x' = -x/tau + white, with a standard deviation that lasts. Its autocorrelation is
-/// sd^2 exp(-t/tau). Source: Gelb, Applied Optimal Estimation (1974), 2.4 and 3.8.
+/// First-order Gauss-Markov noise: x' = -x/tau + white, with a standard deviation that lasts. Its
+/// autocorrelation is sd^2 exp(-t/tau). Source: Gelb, Applied Optimal Estimation (1974), 2.4 and
+/// 3.8.
 struct GaussMarkov {
   double sd = 0;
   double correlation_time_s = 1;
 };
 
-/// The noise `dt_s` later; exact for any step. A start from `sd` times a standard normal is stationary.
+/// The noise `dt_s` later; exact for any step. A start from `sd` times a standard normal is
+/// stationary.
 [[nodiscard]] double later(const GaussMarkov& model, double now, double dt_s,
                            NoiseStream& noise) noexcept;
 

@@ -7,12 +7,13 @@
 
 namespace slackwater::twin {
 
-/// A sonar that measures ranges over a sector, one narrow beam beside the other, about the vehicle's forward axis in its
-/// own plane: the nearest structure, bed or surface that the middle of a beam meets, with white noise and a resolution.
-/// Nothing from nearer than `nearest_m`, farther than `farthest_m`, or met more slantwise than `least_squareness`.
+/// A sonar that measures ranges over a sector, one narrow beam beside the other, about the
+/// vehicle's forward axis in its own plane: the nearest structure, bed or surface that the middle
+/// of a beam meets, with white noise and a resolution. Nothing from nearer than `nearest_m`,
+/// farther than `farthest_m`, or met more slantwise than `least_squareness`.
 ///
-/// Defaults: the kind of a Ping360 (Blue Robotics: 0.75-50 m, beams of 2 degrees; unconfirmed); noise, resolution and
-/// least squareness are estimates.
+/// Defaults: the kind of a Ping360 (Blue Robotics: 0.75-50 m, beams of 2 degrees; unconfirmed);
+/// noise, resolution and least squareness are estimates.
 struct RangeSonar {
   double sector_rad = 2.0943951023931953;  ///< 120 degrees
   int beams = 60;

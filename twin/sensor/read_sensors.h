@@ -25,8 +25,9 @@ struct Sensors {
   std::optional<Camera> camera;
 };
 
-/// `sensors` of a vehicle's YAML: a mapping of `gnss`, `imu`, `depth`, `compass`, `dvl`, `adcp`, `sonar`, `camera`, each with
-/// what differs from its defaults (`gnss: {}` is one with none). Angles in degrees.
+/// `sensors` of a vehicle's YAML: a mapping of `gnss`, `imu`, `depth`, `compass`, `dvl`, `adcp`,
+/// `sonar`, `camera`, each with what differs from its defaults (`gnss: {}` is one with none).
+/// Angles in degrees.
 /// @throws Error(invalid_input) for what no such sensor can be
 [[nodiscard]] Sensors read_sensors(const Config& vehicle);
 

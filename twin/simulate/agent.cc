@@ -31,7 +31,8 @@ Triple<double> at_point(const BodyState<double>& body, const Rotation<double>& r
   return body.position_m + r.to_ned(point_m);
 }
 
-/// The mean wind at the vehicle with the gusts of its own filter: wakes slow the one and strengthen the other.
+/// The mean wind at the vehicle with the gusts of its own filter: wakes slow the one and strengthen
+/// the other.
 bool feel_wind(const Agent& agent, double t_s, AgentState& state, Surroundings<double>& around) {
   const auto wind = agent.water->wind(state.vehicle.body.position_m, t_s);
   if (!has_value(wind.status)) {
@@ -57,7 +58,8 @@ bool feel_water(const Agent& agent, double t_s, AgentState& state, const Rotatio
   const BodyState<double>& body = state.vehicle.body;
   const FloatingHull& hull = vehicle.body.hull;
   const Triple<double> at = at_point(body, r, vehicle.body.centre_of_buoyancy_m);
-  // A craft that floats has the current of the water that its hulls are in, and the waves at its strips.
+  // A craft that floats has the current of the water that its hulls are in, and the waves at its
+  // strips.
   const WaterSample water =
       hull.strips > 0
           ? agent.water->current({at.x, at.y, std::max(at.z, 0.0)}, vehicle.body.height_m, t_s)
@@ -97,8 +99,8 @@ void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, Agen
   state.tether_n = felt.vehicle_tension_n;
 }
 
-/// Autopilots of measured thrusters command them by their curve at rest; what the flow takes from it their integrals make
-/// good. The others go by the water as well as they know it.
+/// Autopilots of measured thrusters command them by their curve at rest; what the flow takes from
+/// it their integrals make good. The others go by the water as well as they know it.
 void command_thrusters(const Agent& agent, const Effort& effort, const AgentState& state,
                        const Measured& measured, const Rotation<double>& r, double height_m,
                        VehicleCommand<double>& command) {

@@ -66,8 +66,10 @@ struct StepInput {
   Surroundings<double> around;
 };
 
-/// Looks at the surroundings, asks the mission and the autopilot what to do, and lets the tether pull: all of a step but
-/// the motion itself, which follows with `step` or, eight at a time, `step_block`. @return false where the agent halts
+/// Looks at the surroundings, asks the mission and the autopilot what to do, and lets the tether
+/// pull: all of a step but the motion itself, which follows with `step` or, eight at a time,
+/// `step_block`.
+/// @return false where the agent halts
 [[nodiscard]] bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input);
 
 /// Whether a step left numbers that a vehicle can have.

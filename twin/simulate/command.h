@@ -8,8 +8,8 @@
 
 namespace slackwater::twin {
 
-/// Other waypoints in the place of what is left of the route, from where the vehicle takes itself to
-/// be (`replace_waypoints`). None: it stays where it is.
+/// Other waypoints in the place of what is left of the route, from where the vehicle takes itself
+/// to be (`replace_waypoints`). None: it stays where it is.
 struct Reroute {
   std::vector<Waypoint> waypoints;
 };
@@ -20,8 +20,8 @@ struct PutVehicle {
   VehicleState<double> vehicle;
 };
 
-/// What is done to a vehicle from outside while a run goes on. A value: the list of those that a run
-/// took makes the run again.
+/// What is done to a vehicle from outside while a run goes on. A value: the list of those that a
+/// run took makes the run again.
 struct Command {
   /// Takes effect before this step is made; once that is past, before the next one.
   std::uint64_t step = 0;

@@ -18,8 +18,8 @@ struct StandingPile {
   Horizontal axis_m;  ///< east, north of the site's origin
 };
 
-/// What the vehicles of a run live in: one member of a forecast, a sea of sinusoids, turbines and foundations.
-/// Immutable, shared by any threads.
+/// What the vehicles of a run live in: one member of a forecast, a sea of sinusoids, turbines and
+/// foundations. Immutable, shared by any threads.
 struct Environment {
   std::shared_ptr<const Field> field;
   std::size_t member = 0;
@@ -33,9 +33,9 @@ struct Environment {
 
 /// Degrees per metre at a site: the plane that a run's positions lie in.
 ///
-/// Ten kilometres off along the diagonal the plane is tan(latitude) d^2/R, some 20 m, from where the ellipsoid has the
-/// place: a hundredth of a cell of the finest product. Waypoints in degrees are turned into metres by the exact
-/// `LocalFrame`.
+/// Ten kilometres off along the diagonal the plane is tan(latitude) d^2/R, some 20 m, from where
+/// the ellipsoid has the place: a hundredth of a cell of the finest product. Waypoints in degrees
+/// are turned into metres by the exact `LocalFrame`.
 struct DegreesPerMetre {
   double east = 0;
   double north = 0;
@@ -49,13 +49,15 @@ struct WaterSample {
   SampleStatus status = SampleStatus::missing;  ///< ok where the numbers hold
 };
 
-/// Samples an environment, with what it needs worked out once. Const, thread-safe, no allocation, no lock.
+/// Samples an environment, with what it needs worked out once. Const, thread-safe, no allocation,
+/// no lock.
 class EnvironmentSampler {
  public:
   explicit EnvironmentSampler(const Environment& environment);
 
-  /// Current and orbital motion, mean over a hull of `height_m` about the position (NED), with the shear of the current
-  /// over it. A place above the surface has the water of the surface and no orbital motion.
+  /// Current and orbital motion, mean over a hull of `height_m` about the position (NED), with the
+  /// shear of the current over it. A place above the surface has the water of the surface and no
+  /// orbital motion.
   [[nodiscard]] WaterSample water(const Triple<double>& position_m, double height_m,
                                   double t_s) const noexcept;
   /// The same without the waves: what a craft that meets them by `waves_at_strips` has besides.
@@ -68,7 +70,8 @@ class EnvironmentSampler {
     SampleStatus status = SampleStatus::missing;
   };
   [[nodiscard]] Wind wind(const Triple<double>& position_m, double t_s) const noexcept;
-  /// What wakes make of the standard deviation of the gusts there: 1 outside of them, more where rotors stir the air.
+  /// What wakes make of the standard deviation of the gusts there: 1 outside of them, more where
+  /// rotors stir the air.
   [[nodiscard]] double gust_ratio(const Triple<double>& position_m) const noexcept;
   /// m; what the field says of the bed there.
   [[nodiscard]] BedSample bed(const Triple<double>& position_m) const noexcept;

@@ -6,8 +6,9 @@
 
 namespace slackwater::twin {
 
-/// Made-up water as a forecast that says the same at every place within half a degree of the origin and at all times
-/// from `from` to `to`. The current is linear between its levels, and that of the first and last holds above and below.
+/// Made-up water as a forecast that says the same at every place within half a degree of the origin
+/// and at all times from `from` to `to`. The current is linear between its levels, and that of the
+/// first and last holds above and below.
 [[nodiscard]] std::shared_ptr<const Field> made_up_field(const MadeUpWater& water,
                                                          const GeoPoint& origin, UtcTime from,
                                                          UtcTime to);

@@ -23,7 +23,8 @@ double progress(const LegPlace& place) {
   return place.length_m > 0 ? std::clamp(place.along_m / place.length_m, 0.0, 1.0) : 1.0;
 }
 
-/// What the published follower sets: speed and rate of turn, at the depth of the leg beside the vehicle.
+/// What the published follower sets: speed and rate of turn, at the depth of the leg beside the
+/// vehicle.
 Reference followed(const Mission& mission, const Measured& measured, double dt_s,
                    MissionState& state) {
   const EulerAngles angles = euler_angles(measured.attitude);

@@ -39,21 +39,23 @@ struct MissionState {
 /// The vehicle before its first task, which is to begin where it is.
 [[nodiscard]] MissionState begun(const Measured& measured);
 
-/// The reference of a step, and moves the mission on: takes waypoints that are reached, goes to the next task when one is
-/// done. On a route the place is the foot of the vehicle on its leg and the velocity that of the leg; after its end, and
-/// in a hold, it is a station. A track is followed in time while it is known: before it begins and where it is silent the
-/// vehicle waits, and where it ends so does the task.
+/// The reference of a step, and moves the mission on: takes waypoints that are reached, goes to the
+/// next task when one is done. On a route the place is the foot of the vehicle on its leg and the
+/// velocity that of the leg; after its end, and in a hold, it is a station. A track is followed in
+/// time while it is known: before it begins and where it is silent the vehicle waits, and where it
+/// ends so does the task.
 /// @param t_s  since the run's epoch
 [[nodiscard]] Reference next_reference(const Mission& mission, const Measured& measured, double t_s,
                                        double dt_s, MissionState& state);
 
-/// Puts other waypoints in the place of what is left of the route under way; a hold goes on at the last of them, and so
-/// does a vehicle that has done all its tasks. The leg starts at the vehicle. No waypoints: it stays where it is.
+/// Puts other waypoints in the place of what is left of the route under way; a hold goes on at the
+/// last of them, and so does a vehicle that has done all its tasks. The leg starts at the vehicle.
+/// No waypoints: it stays where it is.
 void replace_waypoints(MissionState& state, const Measured& measured,
                        std::span<const Waypoint> waypoints);
 
-/// Distance from the leg under way, in the plane (positive: right of it) and in depth (positive: below it); 0 where there
-/// is none.
+/// Distance from the leg under way, in the plane (positive: right of it) and in depth (positive:
+/// below it); 0 where there is none.
 struct TrackError {
   double across_m = 0;
   double below_m = 0;

@@ -26,13 +26,14 @@ struct Seen {
   Halt halt = Halt::none;
 };
 
-/// Vehicles and the clock that steps them. Vehicles may share one environment, or each have that of its own member.
+/// Vehicles and the clock that steps them. Vehicles may share one environment, or each have that of
+/// its own member.
 class Run {
  public:
   Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSettings& settings);
 
-  /// One step of the barrier: each vehicle that goes on makes its own steps within it. No allocation, but where a mission
-  /// begins a route.
+  /// One step of the barrier: each vehicle that goes on makes its own steps within it. No
+  /// allocation, but where a mission begins a route.
   void step() { scheduler_.step(); }
   /// Steps until `end_s` or until the control says stop.
   void run_until(double end_s, RunControl& control);
@@ -41,13 +42,14 @@ class Run {
   /// Where several do, by the step they ask for and then as they came.
   /// @throws ContractViolation for a vehicle that is not there, waypoints that are not finite
   void enqueue(Command command);
-  /// Between steps: all that took effect, in order, each with the step before which it did. Enqueued
-  /// at the start of a run like this one was, they make it again to the last bit.
+  /// Between steps: all that took effect, in order, each with the step before which it did.
+  /// Enqueued at the start of a run like this one was, they make it again to the last bit.
   [[nodiscard]] std::span<const Command> commands_taken() const noexcept { return taken_; }
 
   /// Called at each barrier, after everything has moved.
   void at_barrier(Scheduler::Client observer) { scheduler_.at_barrier(std::move(observer)); }
-  /// Another client of each step: reads the states as of the last barrier through `seen`, writes what is its own.
+  /// Another client of each step: reads the states as of the last barrier through `seen`, writes
+  /// what is its own.
   void add_client(Scheduler::Client client) { scheduler_.add_client(std::move(client)); }
 
   [[nodiscard]] std::span<const Agent> agents() const noexcept { return agents_; }
@@ -73,8 +75,8 @@ class Run {
   void restore(const Checkpoint& checkpoint);
 
  private:
-  /// Up to eight vehicles of one kind and step. While they run, what of their state only the step itself needs lives in
-  /// the block alone.
+  /// Up to eight vehicles of one kind and step. While they run, what of their state only the step
+  /// itself needs lives in the block alone.
   struct Group {
     std::vector<std::size_t> agents;
     VehicleState<Eight> block;

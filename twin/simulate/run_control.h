@@ -6,8 +6,8 @@
 
 namespace slackwater::twin {
 
-/// What people do to a run from another thread: pause it, let it make a step, go on, stop, and how fast it goes.
-/// Thread-safe. It changes when steps are made, never what they are.
+/// What people do to a run from another thread: pause it, let it make a step, go on, stop, and how
+/// fast it goes. Thread-safe. It changes when steps are made, never what they are.
 class RunControl {
  public:
   /// @param real_time_factor  1: as the clock on the wall; 0: as fast as the machine can

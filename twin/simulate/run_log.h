@@ -19,7 +19,8 @@ struct LogColumn {
 /// Numbers in a row: all columns, one after the other.
 [[nodiscard]] std::size_t log_row_size() noexcept;
 
-/// What a run leaves behind: a row for each vehicle at each of the log's times, whether it moves or has halted.
+/// What a run leaves behind: a row for each vehicle at each of the log's times, whether it moves or
+/// has halted.
 struct RunLog {
   std::vector<double> t_s;
   std::vector<std::vector<double>> rows;  ///< of each vehicle: times x numbers of a row

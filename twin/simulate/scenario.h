@@ -13,7 +13,8 @@
 
 namespace slackwater::twin {
 
-/// Water of an issued forecast: of the store by site and day (the newest where no day is given), or of a file.
+/// Water of an issued forecast: of the store by site and day (the newest where no day is given), or
+/// of a file.
 struct ForecastWater {
   std::string site;
   std::optional<UtcDay> day;
@@ -112,8 +113,8 @@ struct Scenario {
   std::string yaml;  ///< the text it was read from
 };
 
-/// Reads a scenario. Everything that can be known without the forecast is checked: throws Error(invalid_input) with file,
-/// line, what was found and what to do.
+/// Reads a scenario. Everything that can be known without the forecast is checked: throws
+/// Error(invalid_input) with file, line, what was found and what to do.
 [[nodiscard]] Scenario read_scenario(const std::filesystem::path& file);
 [[nodiscard]] Scenario parse_scenario(std::string_view yaml, std::string_view name);
 

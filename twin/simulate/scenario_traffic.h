@@ -18,7 +18,8 @@ namespace slackwater::twin {
 /// A log of AIS by its file, and how it is laid on the run.
 struct AisLog {
   std::string file;  ///< counts from the folder of the scenario
-  /// The instant of the log that is the start of the run: puts an old day's traffic beside today's vehicles.
+  /// The instant of the log that is the start of the run: puts an old day's traffic beside today's
+  /// vehicles.
   std::optional<UtcTime> starts;    ///< absent: the start of the run itself
   std::vector<std::uint32_t> mmsi;  ///< these vessels alone; none: all
   /// From the origin: what a vessel of 30 m/s covers within the alarm's ten minutes.
@@ -30,8 +31,8 @@ struct AisLog {
 struct ScenarioTraffic {
   std::vector<AisLog> logs;
   std::vector<TrafficVessel> vessels;  ///< made up by hand
-  /// The reference sheets name no limits. 500 m is as far as safety zones around installations reach (UNCLOS, article 60);
-  /// ten minutes are an estimate.
+  /// The reference sheets name no limits. 500 m is as far as safety zones around installations
+  /// reach (UNCLOS, article 60); ten minutes are an estimate.
   AlarmLimits alarm{500, 600};
 };
 
@@ -39,7 +40,8 @@ struct ScenarioTraffic {
 struct TrackToFollow {
   std::uint32_t mmsi = 0;
   std::optional<AisLog> log;  ///< absent: one of the traffic
-  /// How near counts as on the track: what AIS calls a position of high accuracy (ITU-R M.1371-5, table 48).
+  /// How near counts as on the track: what AIS calls a position of high accuracy (ITU-R M.1371-5,
+  /// table 48).
   double within_m = 10;
   std::string name;                    ///< of the vessel, once found
   std::shared_ptr<const Track> track;  ///< once found

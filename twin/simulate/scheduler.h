@@ -17,12 +17,14 @@ struct StepTime {
   [[nodiscard]] double end_s() const noexcept { return static_cast<double>(step + 1) * length_s; }
 };
 
-/// A clock of fixed steps. In each, every client (physics, agents, observers) is called once, in an order that is drawn
-/// anew from (run seed, step); after the last comes the barrier, where what they wrote becomes what they read.
+/// A clock of fixed steps. In each, every client (physics, agents, observers) is called once, in an
+/// order that is drawn anew from (run seed, step); after the last comes the barrier, where what
+/// they wrote becomes what they read.
 ///
-/// The order is drawn so that nobody comes to depend on it: a client reads what stood at the last barrier and writes
-/// what is its own; with several threads they run beside each other. The order of a step depends on nothing but seed and step, so that a run taken up from a checkpoint
-/// goes on as it would have.
+/// The order is drawn so that nobody comes to depend on it: a client reads what stood at the last
+/// barrier and writes what is its own; with several threads they run beside each other. The order
+/// of a step depends on nothing but seed and step, so that a run taken up from a checkpoint goes on
+/// as it would have.
 class Scheduler {
  public:
   using Client = std::function<void(const StepTime&)>;
@@ -40,7 +42,8 @@ class Scheduler {
   [[nodiscard]] std::vector<std::size_t> order_of(std::uint64_t step) const;
   /// Makes one step. No allocation of its own.
   void step();
-  /// Steps until `steps` have been made in all, or the control says stop. @return the steps made in all
+  /// Steps until `steps` have been made in all, or the control says stop.
+  /// @return the steps made in all
   std::uint64_t run(std::uint64_t steps, RunControl& control);
 
   [[nodiscard]] std::uint64_t steps_made() const noexcept { return made_; }

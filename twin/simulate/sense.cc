@@ -131,8 +131,8 @@ Measured sense(const Navigation& navigation, const SensedWater& water,
   }
   if (is_due(instruments.dvl_every, looked)) {
     const auto heard = ping(instruments, looked, water, body.position_m, r, velocity_m_s);
-    // Against the water is against the ground where the water stands still, which is all that is known of it; a fix knows
-    // better.
+    // Against the water is against the ground where the water stands still, which is all that is
+    // known of it; a fix knows better.
     const bool has_fix = !std::isnan(looked.shown.gnss_position_m.x);
     if (heard && (heard->bottom || !has_fix)) {
       const Rotation<double> taken_for = rotation_of(state.navigator.attitude);

@@ -13,8 +13,9 @@ struct Navigation {
   bool steers = true;  ///< the autopilot goes by it; else by the truth, and it only goes along
 };
 
-/// Whether a vehicle can find its way by its own instruments: an IMU and a compass, what tells a velocity (a GNSS receiver
-/// or a DVL), and under water a depth sensor. @throws Error(invalid_input) that says what is missing
+/// Whether a vehicle can find its way by its own instruments: an IMU and a compass, what tells a
+/// velocity (a GNSS receiver or a DVL), and under water a depth sensor.
+/// @throws Error(invalid_input) that says what is missing
 [[nodiscard]] Navigation plan_navigation(const Vehicle& vehicle, double dt_s, bool steers);
 
 struct NavigationState {
@@ -23,8 +24,8 @@ struct NavigationState {
   Triple<double>
       error_m;  ///< NED: where it takes itself to be less where it is, as of the last look
 };
-/// It has stood still for half a minute: IMU and compass are averaged, and the place is that of the first fix, or else the
-/// one it was put in at, which its crew knows.
+/// It has stood still for half a minute: IMU and compass are averaged, and the place is that of the
+/// first fix, or else the one it was put in at, which its crew knows.
 [[nodiscard]] NavigationState begun(const Navigation& navigation, std::uint64_t seed,
                                     std::string_view vehicle, const BodyState<double>& body);
 
@@ -35,7 +36,8 @@ struct SensedWater {
   double t_s = 0;
 };
 
-/// Lets the instruments look and the navigator reckon. No allocation. @return what the vehicle takes for true
+/// Lets the instruments look and the navigator reckon. No allocation.
+/// @return what the vehicle takes for true
 [[nodiscard]] Measured sense(const Navigation& navigation, const SensedWater& water,
                              const BodyState<double>& body, NavigationState& state);
 

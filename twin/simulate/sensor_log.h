@@ -6,13 +6,13 @@
 
 namespace slackwater::twin {
 
-/// What the vehicles' instruments showed, at the times of the run's log: how far off they took themselves to be, and, where
-/// the scenario asks for it, the readings themselves. Columns only for instruments that one of the vehicles has; NaN where
-/// a vehicle has none or it gave nothing.
+/// What the vehicles' instruments showed, at the times of the run's log: how far off they took
+/// themselves to be, and, where the scenario asks for it, the readings themselves. Columns only for
+/// instruments that one of the vehicles has; NaN where a vehicle has none or it gave nothing.
 ///
-/// GNSS, DVL, depth, compass and IMU are those that the vehicle navigates by, as they stood. Sonar and ADCP look when a
-/// row is written, an ADCP once a minute; the noise of each look is that of (seed, vehicle, instrument, row), so that
-/// nothing has to be remembered between rows.
+/// GNSS, DVL, depth, compass and IMU are those that the vehicle navigates by, as they stood. Sonar
+/// and ADCP look when a row is written, an ADCP once a minute; the noise of each look is that of
+/// (seed, vehicle, instrument, row), so that nothing has to be remembered between rows.
 class SensorLog {
  public:
   SensorLog() = default;
@@ -25,7 +25,8 @@ class SensorLog {
   /// A column of one vehicle, times x per. @throws ContractViolation for one that is not there
   [[nodiscard]] std::vector<double> column(std::size_t vehicle, std::string_view name) const;
 
-  /// Of each vehicle: times x numbers of a row. Public for a checkpoint, which stores and puts back all of it.
+  /// Of each vehicle: times x numbers of a row. Public for a checkpoint, which stores and puts back
+  /// all of it.
   std::vector<std::vector<double>> rows;
   std::size_t times = 0;
   double last_s = -1;  ///< time of the last row

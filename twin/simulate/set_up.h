@@ -30,8 +30,9 @@ struct ReadyRun {
   std::vector<std::string> warnings;
 };
 
-/// Throws Error(invalid_input) before the first step for what cannot be run: a time or place outside the forecast, a start
-/// on land, below the bed or in a structure, a way through a structure, an unphysical vehicle.
+/// Throws Error(invalid_input) before the first step for what cannot be run: a time or place
+/// outside the forecast, a start on land, below the bed or in a structure, a way through a
+/// structure, an unphysical vehicle.
 [[nodiscard]] ReadyRun set_up(const Scenario& scenario, const Surround& surround);
 
 /// The file of a vehicle: data_folder/vehicles/MODEL.yaml, or the path that `model` is.
@@ -42,8 +43,9 @@ struct ReadyRun {
 /// The origin that a scenario will have.
 [[nodiscard]] GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept;
 
-/// An agent from its parts, for runs that are made without a file. @param barrier_s  the barrier's step; the vehicle's is
-/// the largest whole part of it that it bears, or that of `step_s`
+/// An agent from its parts, for runs that are made without a file.
+/// @param barrier_s  the barrier's step; the vehicle's is the largest whole part of it that it
+///                   bears, or that of `step_s`
 [[nodiscard]] Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
                                std::shared_ptr<const EnvironmentSampler> water,
                                const ScenarioVehicle& entry, double barrier_s);

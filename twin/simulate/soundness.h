@@ -3,8 +3,9 @@
 
 namespace slackwater::twin {
 
-/// What all numbers of a state, thrusters and battery too, come to when each is taken none times: 0, or NaN where one of
-/// them is infinite or no number. A sum without a branch, so that eight vehicles cost little more than one.
+/// What all numbers of a state, thrusters and battery too, come to when each is taken none times:
+/// 0, or NaN where one of them is infinite or no number. A sum without a branch, so that eight
+/// vehicles cost little more than one.
 [[nodiscard]] inline double doubt_of(const VehicleState<double>& state) noexcept {
   constexpr std::size_t numbers = sizeof state / sizeof(double);
   const auto* number = reinterpret_cast<const double*>(&state);

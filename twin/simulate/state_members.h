@@ -7,8 +7,9 @@
 
 namespace slackwater::twin {
 
-// The members of all that changes in a run by name, for what stores it and takes it up again. Each list is a structured binding of
-// the whole struct: a member that is added and not named here does not compile.
+// The members of all that changes in a run by name, for what stores it and takes it up again. Each
+// list is a structured binding of the whole struct: a member that is added and not named here does
+// not compile.
 
 /// Structs of doubles only, stored as a block of them.
 template <typename T>

@@ -4,7 +4,8 @@
 
 namespace slackwater::twin {
 
-/// The widest that this machine can run; the same bits as on any other, and as `step` of one vehicle.
+/// The widest that this machine can run; the same bits as on any other, and as `step` of one
+/// vehicle.
 [[nodiscard]] StepBlock step_block() noexcept;
 /// The one of a path, which this machine must support.
 [[nodiscard]] StepBlock step_block_on(KernelPath path) noexcept;

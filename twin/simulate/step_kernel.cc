@@ -1,4 +1,5 @@
-// Compiled once per instruction set, see cmake/SlackwaterKernels.cmake; SLACKWATER_KERNEL names the namespace.
+// Compiled once per instruction set, see cmake/SlackwaterKernels.cmake; SLACKWATER_KERNEL names the
+// namespace.
 #include "twin/simulate/step_kernel.h"
 
 #include "fields/base/lanes.h"
@@ -18,8 +19,8 @@ union Room {
   Room() {}
 };
 
-/// From `first` on, as many lanes of a block as a register holds. Both are arrays of numbers, of eight doubles each or of
-/// one register.
+/// From `first` on, as many lanes of a block as a register holds. Both are arrays of numbers, of
+/// eight doubles each or of one register.
 template <template <typename> typename Of>
 SLACKWATER_INLINE void load(Of<Lanes>& to, const Of<Eight>& from, std::size_t first) {
   constexpr std::size_t numbers = sizeof to / sizeof(Lanes);

@@ -10,12 +10,13 @@ struct alignas(64) Eight {
   double lane[block_lanes];
 };
 
-/// Steps eight vehicles of one kind by one step: `step` of vehicle_step.h on vectors, compiled once per instruction set.
+/// Steps eight vehicles of one kind by one step: `step` of vehicle_step.h on vectors, compiled once
+/// per instruction set.
 using StepBlock = void (*)(const Vehicle&, const StepPlan&, VehicleState<Eight>&,
                            const VehicleCommand<Eight>&, const Surroundings<Eight>&) noexcept;
 
-/// A value made of numbers only, as one vehicle in a block of eight has it. `Of` is VehicleState, VehicleCommand or
-/// Surroundings.
+/// A value made of numbers only, as one vehicle in a block of eight has it. `Of` is VehicleState,
+/// VehicleCommand or Surroundings.
 template <template <typename> typename Of>
 void put(Of<Eight>& block, std::size_t lane, const Of<double>& value) {
   static_assert(sizeof(Of<Eight>) == block_lanes * sizeof(Of<double>));

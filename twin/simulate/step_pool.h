@@ -8,8 +8,8 @@
 
 namespace slackwater::twin {
 
-/// Threads that share out the clients of a step and meet at its end. The threads live as long as this; a step allocates
-/// nothing. One thread: all is done by the caller.
+/// Threads that share out the clients of a step and meet at its end. The threads live as long as
+/// this; a step allocates nothing. One thread: all is done by the caller.
 class StepPool {
  public:
   explicit StepPool(std::size_t threads);
@@ -17,8 +17,8 @@ class StepPool {
   StepPool(const StepPool&) = delete;
   StepPool& operator=(const StepPool&) = delete;
 
-  /// Calls `work` with 0 to `count` - 1, each once, on any thread; returns when all are done. What a call throws is
-  /// thrown here (the first of them), after the others have finished.
+  /// Calls `work` with 0 to `count` - 1, each once, on any thread; returns when all are done. What
+  /// a call throws is thrown here (the first of them), after the others have finished.
   void run(std::size_t count, const std::function<void(std::size_t)>& work);
 
  private:

@@ -29,8 +29,9 @@ struct AlarmRecord {
   double least_distance_s = 0;  ///< when
 };
 
-/// Looks out for the traffic from every vehicle of a run, in the plane, whatever its depth or height. An observer: it
-/// changes nothing of the run, and what it keeps is a value for a checkpoint.
+/// Looks out for the traffic from every vehicle of a run, in the plane, whatever its depth or
+/// height. An observer: it changes nothing of the run, and what it keeps is a value for a
+/// checkpoint.
 class TrafficWatch {
  public:
   /// How often it looks, to the whole step: a few metres of a fast vessel's way.
@@ -65,8 +66,8 @@ class TrafficWatch {
   std::vector<Contact> contacts_;
 };
 
-/// Lets it look at the barriers of a run, which it must outlive, and at once where the run is at its start: one that was
-/// taken up from a checkpoint has a watch that was too.
+/// Lets it look at the barriers of a run, which it must outlive, and at once where the run is at
+/// its start: one that was taken up from a checkpoint has a watch that was too.
 void keep_watch(TrafficWatch& watch, Run& run, double step_s);
 
 }  // namespace slackwater::twin

@@ -5,7 +5,8 @@
 
 namespace slackwater::twin {
 
-/// All that changes of a vehicle. Made of numbers only, so that it is copied, stored and compared as a block of them.
+/// All that changes of a vehicle. Made of numbers only, so that it is copied, stored and compared
+/// as a block of them.
 template <typename Real>
 struct VehicleState {
   BodyState<Real> body;

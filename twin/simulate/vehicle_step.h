@@ -21,8 +21,9 @@ template <typename Real>
   return {direction.x * size, direction.y * size, direction.z * size};
 }
 
-/// Force on a pair of fins in a flow that meets it at `angle_rad` off its chord, with `speed2` the square of its speed:
-/// lift across, drag along, the lift held at what it is where the flow leaves it (stall).
+/// Force on a pair of fins in a flow that meets it at `angle_rad` off its chord, with `speed2` the
+/// square of its speed: lift across, drag along, the lift held at what it is where the flow leaves
+/// it (stall).
 template <typename Real>
 struct FinForce {
   Real lift_n{};
@@ -37,8 +38,8 @@ template <typename Real>
   return {pressure_n * coefficient, pressure_n * (fins.drag_factor * (coefficient * coefficient))};
 }
 
-/// Rudder (positive: bow to starboard) and elevator (positive: bow up), body axes about the origin; the angles of attack are small or stalled, so that the sine of the
-/// drift stands for it.
+/// Rudder (positive: bow to starboard) and elevator (positive: bow up), body axes about the origin;
+/// the angles of attack are small or stalled, so that the sine of the drift stands for it.
 template <typename Real>
 [[nodiscard]] Spatial<Real> fins_force(const Vehicle& vehicle, const Spatial<Real>& nu_r,
                                        const Real& rudder_rad, const Real& elevator_rad) {
@@ -127,11 +128,12 @@ template <typename Real>
   return select(drawn.curtailed > 0.5, left_w / (thrusters_w + 1e-9), one);
 }
 
-/// One step of a vehicle: thrusters behind their lag in the water (or air) of the start of the step, the battery that
-/// feeds them, fins, wind and tether, then the body under these forces by a Runge-Kutta step.
+/// One step of a vehicle: thrusters behind their lag in the water (or air) of the start of the
+/// step, the battery that feeds them, fins, wind and tether, then the body under these forces by a
+/// Runge-Kutta step.
 ///
-/// Fourth order in the motion of the body, first in what couples it to the rest. No allocation; the same bits for one
-/// vehicle and for eight.
+/// Fourth order in the motion of the body, first in what couples it to the rest. No allocation; the
+/// same bits for one vehicle and for eight.
 template <typename Real>
 void step(const Vehicle& vehicle, const StepPlan& plan, VehicleState<Real>& state,
           const VehicleCommand<Real>& command, const Surroundings<Real>& around) {

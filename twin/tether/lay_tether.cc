@@ -10,7 +10,8 @@
 namespace slackwater::twin {
 namespace {
 
-/// x in (0, pi) with sin(x)/x = ratio: half the angle of an arc whose chord is that share of its length.
+/// x in (0, pi) with sin(x)/x = ratio: half the angle of an arc whose chord is that share of its
+/// length.
 double half_angle_of(double ratio) {
   double low = 0;
   double high = constants::pi;
@@ -89,7 +90,8 @@ WaterAtNodes<double> water_at_nodes(const TetherState<double>& state, const Trip
 
 namespace {
 
-/// Dynamic relaxation (Day 1965): the line moves, and is stopped whenever its kinetic energy has passed a peak.
+/// Dynamic relaxation (Day 1965): the line moves, and is stopped whenever its kinetic energy has
+/// passed a peak.
 /// @return whether no node was faster than `still_m_s` for a second
 bool relax(const Tether& tether, TetherState<double>& state, const TetherEnds<double>& ends,
            const SteadyWater& water, double still_m_s, int most_steps) {

@@ -9,8 +9,8 @@ namespace slackwater::twin {
 using SteadyWater = std::function<Triple<double>(double depth_m)>;
 
 /// A line of `length_m` in an arc between its ends, bowed towards `bow`, at rest.
-/// @throws Error(invalid_input) where the ends are farther apart than the line reaches without parting, or more is paid
-///         out than the drum holds or less than is resolved
+/// @throws Error(invalid_input) where the ends are farther apart than the line reaches without
+///         parting, or more is paid out than the drum holds or less than is resolved
 [[nodiscard]] TetherState<double> laid_out(const Tether& tether, const Triple<double>& top_m,
                                            const Triple<double>& vehicle_m, double length_m,
                                            const Triple<double>& bow);
@@ -22,8 +22,9 @@ using SteadyWater = std::function<Triple<double>(double depth_m)>;
                                           const Triple<double>& vehicle_m,
                                           const SteadyWater& water);
 
-/// The same as far as it comes in `most_steps` of 0.05 s, at rest: where a run starts. Lines that hang slack in still water
-/// swing for hours before they lie as `settled` wants them, and none is refused for that. Slower than 0.1 mm/s counts as rest.
+/// The same as far as it comes in `most_steps` of 0.05 s, at rest: where a run starts. Lines that
+/// hang slack in still water swing for hours before they lie as `settled` wants them, and none is
+/// refused for that. Slower than 0.1 mm/s counts as rest.
 [[nodiscard]] TetherState<double> hung(const Tether& tether, TetherState<double> state,
                                        const Triple<double>& top_m, const Triple<double>& vehicle_m,
                                        const SteadyWater& water, int most_steps = 3000);

@@ -29,10 +29,12 @@ struct NodeLoad {
 
 /// Drag and weight in water of `length_m` of line about one point:
 ///
-///   f = rho d/2 (C_n |u_n| u_n + C_t |u_t| u_t) l + (m g - rho A g) l,  u = water - line, n across and t along the line.
+///   f = rho d/2 (C_n |u_n| u_n + C_t |u_t| u_t) l + (m g - rho A g) l,
 ///
-/// Sources: Morison's equation with the cross-flow principle, DNV-RP-C205 (2010) 6.2.2; Driscoll, Lueck and Nahon,
-/// Applied Ocean Research 22 (2000) 169-182, for lines of lumped mass.
+/// with u = water - line, n across and t along the line.
+///
+/// Sources: Morison's equation with the cross-flow principle, DNV-RP-C205 (2010) 6.2.2; Driscoll,
+/// Lueck and Nahon, Applied Ocean Research 22 (2000) 169-182, for lines of lumped mass.
 template <typename Real>
 [[nodiscard]] NodeLoad<Real> load_of(const Tether& tether, const Triple<Real>& along,
                                      const Real& length_m, const Real& down_m,
@@ -75,8 +77,8 @@ struct Yield {
   }
 };
 
-/// Drag grows with the motion that a step brings. With its slope in the inertia (implicit Euler, one Newton iteration) a
-/// light line in a strong current can be stepped at the vehicle's pace.
+/// Drag grows with the motion that a step brings. With its slope in the inertia (implicit Euler,
+/// one Newton iteration) a light line in a strong current can be stepped at the vehicle's pace.
 template <typename Real>
 [[nodiscard]] Yield<Real> yield_of(const NodeLoad<Real>& load, const Real& held_kg, double dt_s) {
   return {load.along, 1.0 / (load.mass_along_kg + dt_s * load.damping_along_kg_s + held_kg),

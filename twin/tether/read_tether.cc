@@ -51,7 +51,8 @@ std::optional<Tether> read_tether(const Config& vehicle) {
   tether.diameter_m = config->number("diameter_m", {0.0005, 0.2});
   tether.mass_per_m_kg = config->number("mass_per_m_kg", {1e-4, 200});
   tether.breaking_load_n = config->number("breaking_load_n", {10, 1e7});
-  // Aramid strength members part at 2.4 to 3.6 % (datasheets of Kevlar 29 and 49 yarn); a braid is no stiffer.
+  // Aramid strength members part at 2.4 to 3.6 % (datasheets of Kevlar 29 and 49 yarn); a braid is
+  // no stiffer.
   tether.axial_stiffness_n =
       tether.breaking_load_n /
       config->optional_number("elongation_at_break", {0.001, 0.5}).value_or(0.03);

@@ -7,8 +7,8 @@
 
 namespace slackwater::twin {
 
-/// How the stretch of each segment depends on the tensions: `diagonal` T_j + `beside` (T_j-1 and T_j+1) = `stretch_m`,
-/// symmetric and positive definite; `beside[j]` couples segments j and j + 1.
+/// How the stretch of each segment depends on the tensions: `diagonal` T_j + `beside` (T_j-1 and
+/// T_j+1) = `stretch_m`, symmetric and positive definite; `beside[j]` couples segments j and j + 1.
 template <typename Real>
 struct TensionSystem {
   std::array<Real, tether_segments> diagonal{};
@@ -16,7 +16,8 @@ struct TensionSystem {
   std::array<Real, tether_segments> stretch_m{};
 };
 
-/// The system of the segments that pull, the others having no tension: elimination without pivoting (Thomas).
+/// The system of the segments that pull, the others having no tension: elimination without pivoting
+/// (Thomas).
 template <typename Real>
 [[nodiscard]] std::array<Real, tether_segments> tensions_of(
     const TensionSystem<Real>& s, const std::array<Real, tether_segments>& pulls) {
@@ -39,9 +40,10 @@ template <typename Real>
 ///
 ///   T >= 0,  S T >= g,  T (S T - g) = 0.
 ///
-/// A line cannot push. Which segments pull is guessed from the tensions `before` and mended twice: a primal-dual active
-/// set method, which ends for matrices of this kind (Hintermueller, Ito and Kunisch, SIAM J. Optim. 13, 2003). What two
-/// mendings leave undone, in one step of some hundreds when a line is thrown about, is a few newtons in one segment.
+/// A line cannot push. Which segments pull is guessed from the tensions `before` and mended twice:
+/// a primal-dual active set method, which ends for matrices of this kind (Hintermueller, Ito and
+/// Kunisch, SIAM J. Optim. 13, 2003). What two mendings leave undone, in one step of some hundreds
+/// when a line is thrown about, is a few newtons in one segment.
 template <typename Real>
 [[nodiscard]] std::array<Real, tether_segments> pulling_tensions(
     const TensionSystem<Real>& s, const std::array<Real, tether_segments>& before) {

@@ -11,8 +11,8 @@ inline constexpr std::size_t tether_nodes =
     tether_segments + 1;  ///< with both ends: 0 at the top, last at the vehicle
 inline constexpr std::size_t tether_inner_nodes = tether_segments - 1;
 
-/// Segments shorter than those of such a line swing faster than a step of 0.05 s can follow: one with less paid out is
-/// reckoned as this long.
+/// Segments shorter than those of such a line swing faster than a step of 0.05 s can follow: one
+/// with less paid out is reckoned as this long.
 inline constexpr double shortest_tether_m = 10;
 
 /// The line between a winch, on a vessel or a structure, and a vehicle. SI.
@@ -26,7 +26,8 @@ struct Tether {
   double longest_m = 0;  ///< on the drum
   double water_density_kg_m3 = 0;
   Triple<double> attachment_m;  ///< on the vehicle, body axes
-  /// 1/(mass and added mass) of the vehicle, with which it yields to a pull within the step; 0: an end held fast.
+  /// 1/(mass and added mass) of the vehicle, with which it yields to a pull within the step; 0: an
+  /// end held fast.
   double vehicle_mobility_per_kg = 0;
 };
 

@@ -14,8 +14,8 @@ struct Chain {
   Real segment_m{};
 };
 
-/// How the inner nodes of a chain would move without tension, and what a newton in the segments beside them does to
-/// their velocity.
+/// How the inner nodes of a chain would move without tension, and what a newton in the segments
+/// beside them does to their velocity.
 template <typename Real>
 struct ChainMotion {
   std::array<Triple<Real>, tether_nodes> free_m_s{};
@@ -43,7 +43,8 @@ template <typename Real>
   for (std::size_t i = 0; i < tether_nodes; ++i) {
     const bool is_end = i == 0 || i == last;
     const Real length_m = (is_end ? 0.5 : 1.0) * chain.segment_m;
-    // The tangent, to second order at the ends too: there the two nearest segments are extrapolated.
+    // The tangent, to second order at the ends too: there the two nearest segments are
+    // extrapolated.
     const Triple<Real> along =
         i == 0      ? direction_of(three * chain.along[0] - chain.along[1])
         : i == last ? direction_of(three * chain.along[last - 1] - chain.along[last - 2])
@@ -54,9 +55,10 @@ template <typename Real>
   return chain;
 }
 
-/// Under tension a line is stiff across itself too, the more so the shorter its segments. The step squared times a bound
-/// of that stiffness (twice its diagonal, for `tension_n`) is added to the inertia: what implicit Euler would add, but
-/// for the coupling of neighbours. It slows only trembling that the step could not resolve.
+/// Under tension a line is stiff across itself too, the more so the shorter its segments. The step
+/// squared times a bound of that stiffness (twice its diagonal, for `tension_n`) is added to the
+/// inertia: what implicit Euler would add, but for the coupling of neighbours. It slows only
+/// trembling that the step could not resolve.
 template <typename Real>
 [[nodiscard]] ChainMotion<Real> motion_of(const Tether& tether, const Chain<Real>& chain,
                                           const std::array<Real, tether_segments>& tension_n,
@@ -118,16 +120,19 @@ void turn(Chain<Real>& chain, const std::array<Triple<Real>, tether_nodes>& velo
 
 /// Moves the line on by one step and says how it pulled meanwhile.
 ///
-/// A chain of lumped masses between two given ends. Each segment is an elastic that pulls but does not push,
-/// T = EA (l/l_0 - 1) >= 0, with the length that it will have at the end of the step: the tensions of all segments
-/// follow from one tridiagonal system, whatever the stiffness, so that nothing is iterated to some tolerance and nothing
-/// can fail to converge. At rest in steady water the chain is the quasi-static one: neither the step nor the inertia
-/// stands in that balance. Between, the line lags behind a vehicle as a line does.
+/// A chain of lumped masses between two given ends. Each segment is an elastic that pulls but does
+/// not push, T = EA (l/l_0 - 1) >= 0, with the length that it will have at the end of the step: the
+/// tensions of all segments follow from one tridiagonal system, whatever the stiffness, so that
+/// nothing is iterated to some tolerance and nothing can fail to converge. At rest in steady water
+/// the chain is the quasi-static one: neither the step nor the inertia stands in that balance.
+/// Between, the line lags behind a vehicle as a line does.
 ///
-/// Left out: stiffness in bending and torsion, the bed, structures in the way, the acceleration of the water (the line
-/// follows waves by its drag, within 0.05 s), and the inertia of the half segments at the ends.
+/// Left out: stiffness in bending and torsion, the bed, structures in the way, the acceleration of
+/// the water (the line follows waves by its drag, within 0.05 s), and the inertia of the half
+/// segments at the ends.
 ///
-/// Cost: 3.4 us for one line, 1.1 us per line in eight lanes of AVX-512, 1.7 of SSE2 (Xeon, 2.5 GHz). No allocation.
+/// Cost: 3.4 us for one line, 1.1 us per line in eight lanes of AVX-512, 1.7 of SSE2 (Xeon, 2.5
+/// GHz). No allocation.
 template <typename Real>
 TetherPull<Real> pull(const Tether& tether, TetherState<Real>& state, const TetherEnds<Real>& ends,
                       const WaterAtNodes<Real>& water, double dt_s) {

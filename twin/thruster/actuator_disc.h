@@ -3,12 +3,15 @@
 
 namespace slackwater::twin {
 
-// Momentum theory of a propeller: a disc of area A that pushes with T on fluid that comes at Va induces w in it,
+// Momentum theory of a propeller: a disc of area A that pushes with T on fluid that comes at Va
+// induces w in it,
 //
 //   T = 2 rho A w (Va + w),   P = T (Va + w),
 //
-// with Va counted along the thrust (what comes at the disc from ahead is positive). `disc_kg_m` is 2 rho A.
-// Source: Carlton, Marine Propellers and Propulsion (4th ed., 2019), 8.2; Leishman, Helicopter Aerodynamics (2006), 2.
+// with Va counted along the thrust (what comes at the disc from ahead is positive). `disc_kg_m` is
+// 2 rho A.
+// Source: Carlton, Marine Propellers and Propulsion (4th ed., 2019), 8.2; Leishman, Helicopter
+// Aerodynamics (2006), 2.
 
 /// +1 or, for what is negative, -1.
 template <typename Real>
@@ -16,19 +19,19 @@ template <typename Real>
   return select(value < 0.0, Real{} - 1.0, Real{} + 1.0);
 }
 
-/// Where momentum theory is left for flow against the thrust: at half the induced velocity of rest (beyond it rings of
-/// vortices form, and no simple theory holds).
+/// Where momentum theory is left for flow against the thrust: at half the induced velocity of rest
+/// (beyond it rings of vortices form, and no simple theory holds).
 inline constexpr double most_backflow = 0.5;
 
-/// z = (Va + w)/w0 of a disc that has the power 2 rho A w0^3, at k = Va/w0: the root of z^3 - k z^2 = 1. Its thrust is 1/z
-/// of that at rest.
+/// z = (Va + w)/w0 of a disc that has the power 2 rho A w0^3, at k = Va/w0: the root of
+/// z^3 - k z^2 = 1. Its thrust is 1/z of that at rest.
 ///
 /// By Householder's method of the third order, f the cubic less 1,
 ///
 ///   z -> z - f (f'^2 - f f''/2)/(f'^3 - f f' f'' + f^2),   f''' = 6,
 ///
-/// from z^2 - k z = 1 (the disc that keeps its thrust): two steps, of a division each, give all digits for any k. Held at
-/// k = -1/2, where the thrust is 17 % above that at rest.
+/// from z^2 - k z = 1 (the disc that keeps its thrust): two steps, of a division each, give all
+/// digits for any k. Held at k = -1/2, where the thrust is 17 % above that at rest.
 template <typename Real>
 [[nodiscard]] Real flow_through_disc(const Real& k_of_any_size) {
   const Real k = larger_of(k_of_any_size, Real{} - most_backflow);
@@ -43,7 +46,8 @@ template <typename Real>
   return z;
 }
 
-/// Thrust in flow of a disc that keeps the hydraulic power it has at rest, where it pushes with `rest_n`.
+/// Thrust in flow of a disc that keeps the hydraulic power it has at rest, where it pushes with
+/// `rest_n`.
 template <typename Real>
 [[nodiscard]] Real thrust_in_flow(double disc_kg_m, const Real& rest_n, const Real& advance_m_s) {
   // Without thrust nothing is divided by nothing.

@@ -44,7 +44,8 @@ double command_for(const Thruster& thruster, double thrust_n,
       // From eighty radii up the ground adds less than 1e-5.
       if (around.height_m > 80 * rotor.radius_m)
         return limited(std::sqrt(thrust_n / rotor.thrust_n_s2));
-      // What the ground adds depends on the thrust but little: once is enough near hover, and exact at rest.
+      // What the ground adds depends on the thrust but little: once is enough near hover, and exact
+      // at rest.
       const double edgewise2 = around.across_m_s * around.across_m_s;
       const double induced_m_s = induced_velocity_m_s(thrust_n / rotor.disc_kg_m,
                                                       std::max(around.advance_m_s, 0.0), edgewise2);

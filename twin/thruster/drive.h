@@ -6,7 +6,8 @@ namespace slackwater::twin {
 
 /// An outboard motor, pod or waterjet with a governor of its own, commanded by the thrust in N.
 ///
-/// A jet of nozzle area A' is a disc of twice that area: both leave the fluid with the momentum rho A' v^2.
+/// A jet of nozzle area A' is a disc of twice that area: both leave the fluid with the momentum rho
+/// A' v^2.
 struct Drive {
   double most_thrust_n = 0;
   double least_thrust_n = 0;  ///< astern: negative
@@ -14,8 +15,8 @@ struct Drive {
   double efficiency =
       0;  ///< power of a loss-free disc over power of the bus, or of the engine's shaft
   double idle_power_w = 0;  ///< without thrust
-  /// Induced velocity at rest of a disc that has all the engine's power, w0 = (efficiency P/(2 rho A))^(1/3); 0: the
-  /// engine has always enough. Ahead alone.
+  /// Induced velocity at rest of a disc that has all the engine's power, w0 = (efficiency P/(2 rho
+  /// A))^(1/3); 0: the engine has always enough. Ahead alone.
   double full_power_induced_m_s = 0;
   double fuel_kg_j = 0;  ///< burnt per energy of the shaft; 0: it draws from the bus
 };

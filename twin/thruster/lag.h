@@ -3,8 +3,8 @@
 
 namespace slackwater::twin {
 
-/// What a step of a given length needs of a first-order lag, T x' = command - x, worked out once. What rises has one
-/// time constant, what falls another.
+/// What a step of a given length needs of a first-order lag, T x' = command - x, worked out once.
+/// What rises has one time constant, what falls another.
 struct LagStep {
   double rise_left = 0;  ///< of the distance to the command, after the step: e^(-dt/T)
   double fall_left = 0;

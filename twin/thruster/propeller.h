@@ -4,7 +4,8 @@
 
 namespace slackwater::twin {
 
-/// A propeller whose shaft turns as told: T = Kt rho D^4 w|w|, commanded by the shaft's speed in rad/s.
+/// A propeller whose shaft turns as told: T = Kt rho D^4 w|w|, commanded by the shaft's speed in
+/// rad/s.
 struct Propeller {
   double thrust_n_s2 = 0;  ///< Kt rho D^4
   double disc_kg_m = 0;    ///< 2 rho A

@@ -32,7 +32,8 @@ double read_full_speed_voltage(const Config& c) {
   return c.optional_number("full_speed_voltage_v", {1, 2000}).value_or(0);
 }
 
-/// Power of a loss-free disc over the power said to be drawn must be one a propeller has: catches kgf for N, mm for m.
+/// Power of a loss-free disc over the power said to be drawn must be one a propeller has: catches
+/// kgf for N, mm for m.
 void expect_propeller_of_this_world(const Config& c, const char* key, double disc_kg_m,
                                     double thrust_n, double power_w) {
   const double share = disc_power_w(disc_kg_m, thrust_n, 0.0) / power_w;
@@ -196,7 +197,8 @@ void read_rotor(const Config& c, Thruster& thruster) {
   rotor.drag_n_s2_m = c.optional_number("drag_n_s2_m", {0, 1}).value_or(0);
   rotor.most_rad_s = c.number("most_shaft_rad_s", speed_range);
   rotor.full_speed_voltage_v = read_full_speed_voltage(c);
-  // Thrust coefficient T/(rho A (w R)^2); 0.02 and more would be beyond any blade, 1e-4 no lift at all.
+  // Thrust coefficient T/(rho A (w R)^2); 0.02 and more would be beyond any blade, 1e-4 no lift at
+  // all.
   const double tip = rotor.radius_m;
   const double coefficient = 2 * rotor.thrust_n_s2 / (rotor.disc_kg_m * tip * tip);
   if (coefficient < 1e-4 || coefficient > 0.1)

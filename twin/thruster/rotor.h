@@ -17,10 +17,12 @@ struct Rotor {
   double full_speed_voltage_v = 0;  ///< of the bus, from which on it turns that fast; 0: always
 };
 
-/// Induced velocity of a rotor that climbs and moves edgewise (Glauert): v = vh^2/sqrt(V^2 + (Vc + v)^2).
+/// Induced velocity of a rotor that climbs and moves edgewise (Glauert): v = vh^2/sqrt(V^2 + (Vc +
+/// v)^2).
 ///
-/// Newton's method from the smaller of the closed forms for either motion alone, between which the root lies; within
-/// 1e-6 of itself after three steps. @param hover2 square of the induced velocity in hover, above 0
+/// Newton's method from the smaller of the closed forms for either motion alone, between which the
+/// root lies; within 1e-6 of itself after three steps.
+/// @param hover2 square of the induced velocity in hover, above 0
 /// Source: Leishman, Helicopter Aerodynamics (2006), 2.14.
 template <typename Real>
 [[nodiscard]] Real induced_velocity_m_s(const Real& hover2, const Real& climb_m_s,
@@ -41,8 +43,10 @@ template <typename Real>
   return v;
 }
 
-/// Thrust over that far from the ground, at the same power: 1/(1 - (R/4z)^2/(1 + (V/v)^2)), held at z = R/2.
-/// Source: Cheeseman & Bennett (1955), The effect of the ground on a helicopter rotor in forward flight, ARC R&M 3021.
+/// Thrust over that far from the ground, at the same power: 1/(1 - (R/4z)^2/(1 + (V/v)^2)), held at
+/// z = R/2.
+/// Source: Cheeseman & Bennett (1955), The effect of the ground on a helicopter rotor in forward
+/// flight, ARC R&M 3021.
 template <typename Real>
 [[nodiscard]] Real ground_effect(double radius_m, const Real& height_m, const Real& edgewise2,
                                  const Real& induced_m_s) {
@@ -52,8 +56,9 @@ template <typename Real>
   return whole2 / (whole2 - near * near * induced2);
 }
 
-/// Power is induced power, T (Vc + v). In descent it is that of hover: momentum theory ends there, and down to the speed
-/// of the induced velocity measured power is 0.8 to 1 of hover's (Leishman 2006, 2.13.6).
+/// Power is induced power, T (Vc + v). In descent it is that of hover: momentum theory ends there,
+/// and down to the speed of the induced velocity measured power is 0.8 to 1 of hover's (Leishman
+/// 2006, 2.13.6).
 template <typename Real>
 [[nodiscard]] ThrusterOutput<Real> run(const Rotor& rotor, const Real& command,
                                        const ThrusterSurroundings<Real>& around) {

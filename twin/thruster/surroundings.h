@@ -5,8 +5,8 @@ namespace slackwater::twin {
 /// What a thruster meets.
 template <typename Real>
 struct ThrusterSurroundings {
-  Real
-      advance_m_s{};  ///< of the vehicle through the fluid there, along the direction of positive thrust
+  /// Of the vehicle through the fluid there, along the direction of positive thrust.
+  Real advance_m_s{};
   Real across_m_s{};  ///< its speed across that direction, not negative
   Real voltage_v{};   ///< of the bus
   Real height_m{};    ///< above what a rotor's wash meets
@@ -16,15 +16,16 @@ struct ThrusterSurroundings {
 template <typename Real>
 struct ThrusterOutput {
   Real thrust_n{};
-  Real
-      torque_n_m{};  ///< of the propeller on the fluid, about the direction of thrust and the way it turns
+  /// Of the propeller on the fluid, about the direction of thrust and the way it turns.
+  Real torque_n_m{};
   Real power_w{};     ///< drawn from the bus
   Real fuel_kg_s{};   ///< burnt
   Real drag_n_s_m{};  ///< force against motion across the thrust, per speed
 };
 
-/// The share of its full speed that a motor reaches on a sagging bus: with permanent magnets the speed it can turn at
-/// goes with the voltage. @param full_speed_voltage_v from which on it reaches all; 0: always
+/// The share of its full speed that a motor reaches on a sagging bus: with permanent magnets the
+/// speed it can turn at goes with the voltage.
+/// @param full_speed_voltage_v  from which on it reaches all; 0: always
 template <typename Real>
 [[nodiscard]] Real speed_share(double full_speed_voltage_v, const Real& voltage_v) {
   const double per_volt = full_speed_voltage_v > 0 ? 1 / full_speed_voltage_v : 0;

@@ -33,8 +33,9 @@ std::size_t last_with_less(std::span<const double> half_n, double share) {
   return step;
 }
 
-/// A row between two has, step by step, thrusts between theirs in proportion to its full one: what is true of a share of
-/// the full thrust in both is true in it. So the step that is sought lies between those of the two.
+/// A row between two has, step by step, thrusts between theirs in proportion to its full one: what
+/// is true of a share of the full thrust in both is true in it. So the step that is sought lies
+/// between those of the two.
 void index_half(ThrustTable& table, std::size_t row, bool is_astern) {
   const std::span all(table.half_n);
   const auto low = all.subspan(half_of(table, row, is_astern), table.half_count());

@@ -8,14 +8,15 @@
 
 namespace slackwater::twin {
 
-/// A thrust table on a bus of one voltage, to be asked for commands: what the thrusters of a vehicle have in common is
-/// worked out once. Lives as long as the table does.
+/// A thrust table on a bus of one voltage, to be asked for commands: what the thrusters of a
+/// vehicle have in common is worked out once. Lives as long as the table does.
 class ThrustCurve {
  public:
   ThrustCurve(const ThrustTable& table, double voltage_v);
 
-  /// The command of least size with that thrust at rest, or the full one; 0 on a bus without voltage. Cost: 15 ns, the
-  /// same for all thrusts: no branch hangs on where the thrust lies in the table.
+  /// The command of least size with that thrust at rest, or the full one; 0 on a bus without
+  /// voltage. Cost: 15 ns, the same for all thrusts: no branch hangs on where the thrust lies in
+  /// the table.
   [[nodiscard]] double command_for(double rest_thrust_n) const {
     const Way& way = rest_thrust_n < 0 ? astern_ : ahead_;
     const double wanted_n = std::abs(rest_thrust_n) * per_sag2_;

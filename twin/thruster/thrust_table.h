@@ -8,7 +8,8 @@
 
 namespace slackwater::twin {
 
-/// Thrust and electrical power as measured at rest, by command (-1 full astern to 1 full ahead) and voltage of the bus.
+/// Thrust and electrical power as measured at rest, by command (-1 full astern to 1 full ahead) and
+/// voltage of the bus.
 struct ThrustTable {
   UniformAxis command;
   UniformAxis voltage_v;
@@ -18,10 +19,11 @@ struct ThrustTable {
   // What follows is made of these by `index_thrusts`.
   /// Of each entry four numbers: thrust there and at the next command, power there and at the next.
   std::vector<double> step;
-  /// Of each row the thrusts ahead, then astern, counted positive, by steps from command 0; padded by huge ones.
+  /// Of each row the thrusts ahead, then astern, counted positive, by steps from command 0; padded
+  /// by huge ones.
   std::vector<double> half_n;
-  /// Where to look for a thrust: of each row and the next, ahead and astern, of shares of the full thrust whose roots are
-  /// even: the step that has less on any bus between the two...
+  /// Where to look for a thrust: of each row and the next, ahead and astern, of shares of the full
+  /// thrust whose roots are even: the step that has less on any bus between the two...
   std::vector<std::uint16_t> least_step;
   std::size_t tries = 0;  ///< ...and how many further steps may have less still
 
@@ -33,9 +35,10 @@ inline constexpr std::size_t thrust_tries = 6;    ///< at a time; even
 /// Fills all that once the rest stands.
 void index_thrusts(ThrustTable& table);
 
-/// Straight lines between what was measured; above the highest voltage as there, below the lowest the thrust falls with
-/// the square of the voltage and the power with its cube, as for a propeller whose speed goes with the voltage. In flow
-/// the thrust is that of an actuator disc that keeps its hydraulic power.
+/// Straight lines between what was measured; above the highest voltage as there, below the lowest
+/// the thrust falls with the square of the voltage and the power with its cube, as for a propeller
+/// whose speed goes with the voltage. In flow the thrust is that of an actuator disc that keeps its
+/// hydraulic power.
 template <typename Real>
 [[nodiscard]] ThrusterOutput<Real> run(const ThrustTable& table, const Real& command,
                                        const ThrusterSurroundings<Real>& around) {

@@ -29,7 +29,8 @@ struct Thruster {
   Drive drive;
 };
 
-/// What a thruster does at a command (behind its lag). No allocation; the same bits for one and for eight.
+/// What a thruster does at a command (behind its lag). No allocation; the same bits for one and for
+/// eight.
 template <typename Real>
 [[nodiscard]] ThrusterOutput<Real> run(const Thruster& thruster, const Real& command,
                                        const ThrusterSurroundings<Real>& around) {
@@ -46,11 +47,13 @@ template <typename Real>
   return run(thruster.drive, command, around);
 }
 
-/// The command of least size that gives a thrust in these surroundings; the full one where none does. Cost: 0.1 us.
+/// The command of least size that gives a thrust in these surroundings; the full one where none
+/// does. Cost: 0.1 us.
 [[nodiscard]] double command_for(const Thruster& thruster, double thrust_n,
                                  const ThrusterSurroundings<double>& around);
 
-/// Reads the `thruster` of a vehicle: a kind with its numbers, or the `model` of data_folder/thrusters/MODEL.yaml.
+/// Reads the `thruster` of a vehicle: a kind with its numbers, or the `model` of
+/// data_folder/thrusters/MODEL.yaml.
 /// Throws Error(invalid_input) with file, line and reason.
 [[nodiscard]] Thruster read_thruster(const Config& thruster,
                                      const std::filesystem::path& data_folder);

@@ -13,13 +13,13 @@ struct Contact {
   MovingPoint motion;
 };
 
-/// When a contact is a danger: its closest approach will be nearer than the distance and sooner than the time (DCPA and
-/// TCPA), or it is nearer already. The operator's choice.
+/// When a contact is a danger: its closest approach will be nearer than the distance and sooner
+/// than the time (DCPA and TCPA), or it is nearer already. The operator's choice.
 struct AlarmLimits {
   double distance_m = 0;
   double time_s = 0;
-  /// An alarm once raised holds until both limits times this are left, so that noise in the reports does not ring it
-  /// again and again. At least 1.
+  /// An alarm once raised holds until both limits times this are left, so that noise in the reports
+  /// does not ring it again and again. At least 1.
   double hold_factor = 1.25;
 };
 

@@ -20,8 +20,9 @@ struct ClosestApproach {
 ///
 ///   t = -p.v / |v|^2,     d = |p x v| / |v|.
 ///
-/// Where t would be negative they part, and where v = 0 (same velocity: parallel and abreast) nothing changes: the
-/// closest is now. Source: IMO MSC.192(79), which names the two; the formula is a minimisation.
+/// Where t would be negative they part, and where v = 0 (same velocity: parallel and abreast)
+/// nothing changes: the closest is now. Source: IMO MSC.192(79), which names the two; the formula
+/// is a minimisation.
 [[nodiscard]] ClosestApproach closest_approach(const MovingPoint& own,
                                                const MovingPoint& other) noexcept;
 

@@ -66,7 +66,8 @@ Place nearest_place(const std::vector<Corner>& way, const Triple<double>& positi
   double least = HUGE_VAL;
   auto corner = std::lower_bound(way.begin() + 1, way.end(), from_m,
                                  [](const Corner& c, double along) { return c.along_m < along; });
-  // The window may lie beyond an end, at a piece without length: the piece with length next to it is meant.
+  // The window may lie beyond an end, at a piece without length: the piece with length next to it
+  // is meant.
   if (corner == way.end()) --corner;
   while (corner != way.begin() + 1 && !(corner->along_m > (corner - 1)->along_m)) --corner;
   for (; corner != way.end() && (corner - 1)->along_m <= to_m; ++corner) {

@@ -27,16 +27,17 @@ struct Deviation {
   DistanceStatistics across;
   /// From where the track is to that place, along the way, positive ahead: was the time kept?
   DistanceStatistics along;
-  /// From where the track is: how far altogether, and how many samples were nearer than the radius asked for.
+  /// From where the track is: how far altogether, and how many samples were nearer than the radius
+  /// asked for.
   DistanceStatistics apart;
   std::size_t within = 0;
 };
 
-/// Compares in the plane. The way is the track's curve cut into pieces of at most a second; the first and last piece
-/// reach on, so that a follower that has not yet come to the start is behind it, not beside it. Where the way comes near
-/// itself, the nearest place is looked for near where the track is: within four times the distance from there and 20 m along
-/// the way, at most `window_m`. A track that never moves
-/// has no side: the distance is across, and positive.
+/// Compares in the plane. The way is the track's curve cut into pieces of at most a second; the
+/// first and last piece reach on, so that a follower that has not yet come to the start is behind
+/// it, not beside it. Where the way comes near itself, the nearest place is looked for near where
+/// the track is: within four times the distance from there and 20 m along the way, at most
+/// `window_m`. A track that never moves has no side: the distance is across, and positive.
 /// @param within_m  radius for `within`
 /// @throws ContractViolation for a track without points
 [[nodiscard]] Deviation deviation_from(const Track& track, const TrackRule& rule,

@@ -7,7 +7,8 @@
 
 namespace slackwater::twin {
 
-/// What no vessel does between two reports: to be further apart than `allowance_m + most_speed_m_s * time`.
+/// What no vessel does between two reports: to be further apart than `allowance_m + most_speed_m_s
+/// * time`.
 struct JumpRule {
   /// 102.2 kn, the fastest that a report can tell (ITU-R M.1371-5, table 48).
   double most_speed_m_s = 52.6;
@@ -15,7 +16,8 @@ struct JumpRule {
   double allowance_m = 100;
 };
 
-/// Two good reports that do not belong to one way: two craft under one number, or a receiver that was moved.
+/// Two good reports that do not belong to one way: two craft under one number, or a receiver that
+/// was moved.
 struct Jump {
   double from_s = 0;
   double to_s = 0;
@@ -29,8 +31,9 @@ struct SteadyPieces {
   std::size_t strays = 0;   ///< single reports elsewhere, left out
 };
 
-/// Cuts reports at jumps. A report from which the way goes on where it was before is a stray one, and so is a piece of a
-/// single report beside others. @param points  times strictly ascending
+/// Cuts reports at jumps. A report from which the way goes on where it was before is a stray one,
+/// and so is a piece of a single report beside others.
+/// @param points  times strictly ascending
 [[nodiscard]] SteadyPieces cut_at_jumps(std::span<const TrackPoint> points,
                                         const JumpRule& rule = {});
 

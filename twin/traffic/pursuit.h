@@ -8,8 +8,9 @@ namespace slackwater::twin {
 ///
 ///   v = v_track + k (p_track - p),
 ///
-/// so that the distance dies away as exp(-k t) while no bound is met; through the water less the current, bounded by
-/// the speed of the vehicle. Settings that suit a vessel of some metres that reports once a minute.
+/// so that the distance dies away as exp(-k t) while no bound is met; through the water less the
+/// current, bounded by the speed of the vehicle. Settings that suit a vessel of some metres that
+/// reports once a minute.
 struct Pursuit {
   double gain_per_s = 0.1;  ///< k
   double most_speed_m_s = 0;
@@ -23,13 +24,15 @@ struct Pursuit {
                              const Triple<double>& position_m, const Triple<double>& water_m_s,
                              double yaw_rad);
 
-/// Learns what carries the vehicle along and nobody tells it, current and leeway: d, which is added to the water's motion,
+/// Learns what carries the vehicle along and nobody tells it, current and leeway: d, which is added
+/// to the water's motion,
 ///
 ///   dd/dt = -(k^2/4) (p_track - p),
 ///
-/// so that the distance dies away as (1 + k t/2) exp(-k t/2) instead of staying at U/k. Only while the speed asked for is
-/// within its bound and the distance asks for less than half of that, as it then says something of the water: a craft that
-/// has fallen behind learns nothing. Never beyond half of the bound.
+/// so that the distance dies away as (1 + k t/2) exp(-k t/2) instead of staying at U/k. Only while
+/// the speed asked for is within its bound and the distance asks for less than half of that, as it
+/// then says something of the water: a craft that has fallen behind learns nothing. Never beyond
+/// half of the bound.
 void learn_drift(const Pursuit& pursuit, const TrackState& wanted, const Triple<double>& position_m,
                  double dt_s, Triple<double>& drift_m_s);
 

@@ -8,7 +8,8 @@
 
 namespace slackwater::twin {
 
-/// Where something was reported to be. NED metres from the site's origin, over ground; t_s from the run's epoch.
+/// Where something was reported to be. NED metres from the site's origin, over ground; t_s from the
+/// run's epoch.
 struct TrackPoint {
   double t_s = 0;
   Triple<double> position_m;
@@ -32,8 +33,8 @@ enum class TrackCurve : std::uint8_t {
 /// How a track is read between its reports.
 struct TrackRule {
   TrackCurve curve = TrackCurve::smooth;
-  /// Twice the longest interval at which vessels report, three minutes (ITU-R M.1371-5, tables 1 and 2): beyond it at
-  /// least one report was missed.
+  /// Twice the longest interval at which vessels report, three minutes (ITU-R M.1371-5, tables 1
+  /// and 2): beyond it at least one report was missed.
   double longest_gap_s = 360;
 };
 
@@ -52,9 +53,9 @@ struct TrackState {
 ///
 ///   p = (2u^3 - 3u^2 + 1) p0 + (u^3 - 2u^2 + u) T v0 + (3u^2 - 2u^3) p1 + (u^3 - u^2) T v1,
 ///
-/// exact for motion with linearly changing acceleration, with an error of order T^4 otherwise. It needs both velocities,
-/// and that neither contradicts the way made (differs from (p1 - p0)/T by more than that speed and 0.5 m/s, which noise
-/// at anchor keeps to); else the leg is straight.
+/// exact for motion with linearly changing acceleration, with an error of order T^4 otherwise. It
+/// needs both velocities, and that neither contradicts the way made (differs from (p1 - p0)/T by
+/// more than that speed and 0.5 m/s, which noise at anchor keeps to); else the leg is straight.
 class Track {
  public:
   Track() = default;

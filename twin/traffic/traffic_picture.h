@@ -19,7 +19,8 @@ struct TrafficVessel {
   bool is_around = true;  ///< false: it is not met, only its track is of use
 };
 
-/// Who is around at one moment. Values that are filled anew at each moment: after the first few, without allocation.
+/// Who is around at one moment. Values that are filled anew at each moment: after the first few,
+/// without allocation.
 struct TrafficPicture {
   /// Whose place is known, in the order of the vessels.
   std::vector<Contact> contacts;
@@ -27,7 +28,8 @@ struct TrafficPicture {
   std::vector<std::uint32_t> unheard;
 };
 
-/// Fills the picture of time t_s with the vessels that are around. Those before their first and after their last report are not in it.
+/// Fills the picture of time t_s with the vessels that are around. Those before their first and
+/// after their last report are not in it.
 void populate(const std::vector<TrafficVessel>& vessels, double t_s, const TrackRule& rule,
               TrafficPicture& picture);
 

@@ -35,7 +35,8 @@ Triple<double> read_point(const Config& config, std::string_view key,
   return {at[0], at[1], at[2]};
 }
 
-/// Derivatives stand in the file with the sign of SNAME, which opposes motion; one convention inside has them positive.
+/// Derivatives stand in the file with the sign of SNAME, which opposes motion; one convention
+/// inside has them positive.
 std::array<double, 6> read_derivatives(const Config& config,
                                        const std::array<const char*, 6>& names) {
   std::array<double, 6> out{};

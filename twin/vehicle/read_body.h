@@ -4,12 +4,13 @@
 
 namespace slackwater::twin {
 
-/// What a vehicle's YAML says of its body: `dimensions_m`, `rigid_body`, `displacement`, `added_mass` and `damping` (SNAME
-/// derivatives with their negative signs), `drag_stations`, `hulls`, `trailing_edge`.
+/// What a vehicle's YAML says of its body: `dimensions_m`, `rigid_body`, `displacement`,
+/// `added_mass` and `damping` (SNAME derivatives with their negative signs), `drag_stations`,
+/// `hulls`, `trailing_edge`.
 ///
-/// Throws Error(invalid_input), with file, line and reason, for what no body can be: a mass matrix that is not positive
-/// definite, moments of inertia that break the triangle inequality or want mass beyond the hull, a derivative of the
-/// wrong sign, a density that is a slip of units.
+/// Throws Error(invalid_input), with file, line and reason, for what no body can be: a mass matrix
+/// that is not positive definite, moments of inertia that break the triangle inequality or want
+/// mass beyond the hull, a derivative of the wrong sign, a density that is a slip of units.
 [[nodiscard]] Body read_body(const Config& vehicle);
 
 }  // namespace slackwater::twin

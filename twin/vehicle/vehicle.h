@@ -36,7 +36,8 @@ struct Vehicle {
   Sensors sensors;
 };
 
-/// Reads a vehicle's file. A sixth vehicle is such a file. @param data_folder holds thrusters/ and batteries/
+/// Reads a vehicle's file. A sixth vehicle is such a file.
+/// @param data_folder holds thrusters/ and batteries/
 /// Throws Error(invalid_input) with file, line and reason.
 [[nodiscard]] Vehicle read_vehicle(const std::filesystem::path& file,
                                    const std::filesystem::path& data_folder);
