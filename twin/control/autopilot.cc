@@ -174,33 +174,33 @@ Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind, co
 Effort effort_of(const Autopilot& a, const Measured& measured, const Reference& reference,
                  double dt_s, ControlState& state) noexcept {
   if (!is_sound(measured, reference, dt_s)) return resting(a, state);
-  Seen seen;
-  seen.r = rotation_of(measured.attitude);
-  seen.velocity_m_s = seen.r.to_ned(measured.nu.linear);
-  seen.bow = bow_of(seen.r);
-  seen.too_shallow_m = reference.vertical == Vertical::altitude
-                           ? measured.altitude_m - reference.altitude_m
-                           : reference.position_m.z - measured.position_m.z;
+  Outset outset;
+  outset.r = rotation_of(measured.attitude);
+  outset.velocity_m_s = outset.r.to_ned(measured.nu.linear);
+  outset.bow = bow_of(outset.r);
+  outset.too_shallow_m = reference.vertical == Vertical::altitude
+                             ? measured.altitude_m - reference.altitude_m
+                             : reference.position_m.z - measured.position_m.z;
   if (state.is_engaged == 0) {
     state.wanted_ahead_m_s = measured.nu.linear.x;
-    state.wanted_north_m_s = seen.velocity_m_s.x;
-    state.wanted_east_m_s = seen.velocity_m_s.y;
-    state.wanted_down_m_s = seen.velocity_m_s.z;
+    state.wanted_north_m_s = outset.velocity_m_s.x;
+    state.wanted_east_m_s = outset.velocity_m_s.y;
+    state.wanted_down_m_s = outset.velocity_m_s.z;
     state.is_engaged = 1;
   }
   switch (a.kind) {
     case VehicleKind::auv:
-      return steer_by_fins(a, measured, reference, seen, dt_s, state);
+      return steer_by_fins(a, measured, reference, outset, dt_s, state);
     case VehicleKind::uav:
-      return steer_by_tilt(a, measured, reference, seen, dt_s, state);
+      return steer_by_tilt(a, measured, reference, outset, dt_s, state);
     case VehicleKind::rov:
     case VehicleKind::usv:
     case VehicleKind::vessel:
       break;
   }
   if (a.allocation.commands(Axis::sway))
-    return steer_free(a, measured, reference, seen, dt_s, state);
-  return steer_by_turning(a, measured, reference, seen, dt_s, state);
+    return steer_free(a, measured, reference, outset, dt_s, state);
+  return steer_by_turning(a, measured, reference, outset, dt_s, state);
 }
 
 }  // namespace slackwater::twin

@@ -16,7 +16,7 @@ Triple<double> eased_velocity(const Autopilot& autopilot, const Triple<double>& 
 }
 
 Triple<double> wanted_velocity(const Autopilot& autopilot, const Measured& measured,
-                               const Reference& reference, const Seen& seen) noexcept {
+                               const Reference& reference, const Outset& outset) noexcept {
   const AutopilotSettings& settings = autopilot.settings;
   Triple<double> wanted{0, 0, reference.velocity_m_s.z};
   if (reference.target == Target::cruise) {
@@ -46,10 +46,10 @@ Triple<double> wanted_velocity(const Autopilot& autopilot, const Measured& measu
     wanted.x *= settings.most_speed_m_s / speed;
     wanted.y *= settings.most_speed_m_s / speed;
   }
-  const double down = approach_speed(autopilot.vertical.outer_per_s, std::abs(seen.too_shallow_m),
+  const double down = approach_speed(autopilot.vertical.outer_per_s, std::abs(outset.too_shallow_m),
                                      settings.most_descent_m_s + settings.most_climb_m_s,
                                      0.5 * settings.most_acceleration_m_s2);
-  wanted.z = std::clamp(wanted.z + (seen.too_shallow_m < 0 ? -down : down),
+  wanted.z = std::clamp(wanted.z + (outset.too_shallow_m < 0 ? -down : down),
                         -settings.most_climb_m_s, settings.most_descent_m_s);
   return wanted;
 }
@@ -62,20 +62,21 @@ Course crabbing(const Course& course, double speed_m_s, const Triple<double>& wa
 }
 
 Way way_along(const Autopilot& a, const Measured& measured, const Reference& reference,
-              const Triple<double>& wanted_m_s, const Seen& seen, double dt_s,
+              const Triple<double>& wanted_m_s, const Outset& outset, double dt_s,
               ControlState& state) noexcept {
   const Triple<double>& v = reference.velocity_m_s;
   const double speed = std::clamp(std::sqrt(v.x * v.x + v.y * v.y), a.settings.least_speed_m_s,
                                   a.settings.most_speed_m_s);
   const double size = std::sqrt(wanted_m_s.x * wanted_m_s.x + wanted_m_s.y * wanted_m_s.y);
-  if (!(size > 1e-6)) return {seen.bow, speed, 0};
+  if (!(size > 1e-6)) return {outset.bow, speed, 0};
   const Course course{wanted_m_s.x / size, wanted_m_s.y / size};
   const Triple<double> drift{measured.water_m_s.x - state.drift_north_m_s,
                              measured.water_m_s.y - state.drift_east_m_s, 0};
   const Way way{crabbing(course, speed, drift), speed, 0};
   // On its heading, what goes across the course is drift.
-  if (std::abs(turn_rad(seen.bow, way.heading)) < 0.3) {
-    const double across = course.north * seen.velocity_m_s.y - course.east * seen.velocity_m_s.x;
+  if (std::abs(turn_rad(outset.bow, way.heading)) < 0.3) {
+    const double across =
+        course.north * outset.velocity_m_s.y - course.east * outset.velocity_m_s.x;
     const double learned = 0.35 * a.heading.outer_per_s * dt_s * across;
     const double most = a.settings.most_speed_m_s;
     state.drift_north_m_s = std::clamp(state.drift_north_m_s + course.east * learned, -most, most);

@@ -5,7 +5,7 @@
 namespace slackwater::twin {
 
 /// What every law begins with.
-struct Seen {
+struct Outset {
   Rotation<double> r;
   Triple<double> velocity_m_s;  ///< over ground, NED
   Course bow;
@@ -14,18 +14,18 @@ struct Seen {
 
 /// A craft that pushes along both horizontal axes: an ROV, a vessel with tunnel thrusters.
 [[nodiscard]] Effort steer_free(const Autopilot& autopilot, const Measured& measured,
-                                const Reference& reference, const Seen& seen, double dt_s,
+                                const Reference& reference, const Outset& outset, double dt_s,
                                 ControlState& state) noexcept;
 /// A surface craft that drives and turns, and cannot push sideways.
 [[nodiscard]] Effort steer_by_turning(const Autopilot& autopilot, const Measured& measured,
-                                      const Reference& reference, const Seen& seen, double dt_s,
+                                      const Reference& reference, const Outset& outset, double dt_s,
                                       ControlState& state) noexcept;
 /// A torpedo: a propeller and fins.
 [[nodiscard]] Effort steer_by_fins(const Autopilot& autopilot, const Measured& measured,
-                                   const Reference& reference, const Seen& seen, double dt_s,
+                                   const Reference& reference, const Outset& outset, double dt_s,
                                    ControlState& state) noexcept;
 [[nodiscard]] Effort steer_by_tilt(const Autopilot& autopilot, const Measured& measured,
-                                   const Reference& reference, const Seen& seen, double dt_s,
+                                   const Reference& reference, const Outset& outset, double dt_s,
                                    ControlState& state) noexcept;
 
 /// Moves the velocity asked for towards `wanted`, by no more than the accelerations allowed.
@@ -34,7 +34,8 @@ struct Seen {
                                             ControlState& state) noexcept;
 /// The velocity over ground that the reference asks for, NED, within the limits of speed.
 [[nodiscard]] Triple<double> wanted_velocity(const Autopilot& autopilot, const Measured& measured,
-                                             const Reference& reference, const Seen& seen) noexcept;
+                                             const Reference& reference,
+                                             const Outset& outset) noexcept;
 
 /// Where to point the bow and how fast to go through the water.
 struct Way {
@@ -54,7 +55,7 @@ struct Way {
 /// towards the path as a line of sight does whose lookahead is U / station_per_s.
 [[nodiscard]] Way way_along(const Autopilot& autopilot, const Measured& measured,
                             const Reference& reference, const Triple<double>& wanted_m_s,
-                            const Seen& seen, double dt_s, ControlState& state) noexcept;
+                            const Outset& outset, double dt_s, ControlState& state) noexcept;
 
 /// Resistance at a velocity through the water, body axes, without the shear.
 [[nodiscard]] Spatial<double> resistance(const Autopilot& autopilot,

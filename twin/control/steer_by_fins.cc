@@ -8,13 +8,13 @@ constexpr double trim_time_s = 60;
 
 /// Round the place to be held, clockwise: the further off, the straighter towards it.
 Way circling(const Autopilot& a, const Measured& measured, const Reference& reference,
-             const Seen& seen, const ControlState& state) noexcept {
+             const Outset& outset, const ControlState& state) noexcept {
   const double radius = a.settings.holding_radius_m;
   const double speed = std::max(a.settings.least_speed_m_s, 0.6 * a.settings.most_speed_m_s);
   const double north = measured.position_m.x - reference.position_m.x;
   const double east = measured.position_m.y - reference.position_m.y;
   const double away = std::sqrt(north * north + east * east);
-  if (away < 1e-3) return {seen.bow, speed, 0};
+  if (away < 1e-3) return {outset.bow, speed, 0};
   const double outward_n = north / away, outward_e = east / away;
   const double inward = std::clamp(2 * (away - radius) / radius, -3.0, 10.0);
   const double length = std::sqrt(1 + inward * inward);
@@ -26,13 +26,13 @@ Way circling(const Autopilot& a, const Measured& measured, const Reference& refe
 }
 
 Way way_of(const Autopilot& a, const Measured& measured, const Reference& reference,
-           const Triple<double>& wanted_m_s, const Seen& seen, double dt_s,
+           const Triple<double>& wanted_m_s, const Outset& outset, double dt_s,
            ControlState& state) noexcept {
   switch (reference.target) {
     case Target::station:
-      return circling(a, measured, reference, seen, state);
+      return circling(a, measured, reference, outset, state);
     case Target::path:
-      return way_along(a, measured, reference, wanted_m_s, seen, dt_s, state);
+      return way_along(a, measured, reference, wanted_m_s, outset, dt_s, state);
     case Target::cruise:
       break;
   }
@@ -42,13 +42,13 @@ Way way_of(const Autopilot& a, const Measured& measured, const Reference& refere
 
 /// Dives and climbs by pitching, the elevator at first and the moving mass in the long run.
 /// @return the elevator
-double pitch_to(const Autopilot& a, const Measured& measured, const Seen& seen, double down_m_s,
+double pitch_to(const Autopilot& a, const Measured& measured, const Outset& outset, double down_m_s,
                 double ahead_m_s, double fin_n_m, double dt_s, ControlState& state) noexcept {
   const double way = std::max(ahead_m_s, a.settings.least_speed_m_s);
   const double most_sine = std::min(a.tan_most_tilt, 0.9);
   const double asked = -(down_m_s + state.dive_m_s) / way;
   const double sine = std::clamp(asked, -most_sine, most_sine);
-  const double pitch_rate = a.tilt.outer_per_s * (sine + seen.r.down.x);
+  const double pitch_rate = a.tilt.outer_per_s * (sine + outset.r.down.x);
   const double lacking = pitch_rate - measured.nu.angular.y;
   const double push = acceleration_of(a.tilt, lacking, state.pitch_rad_s2);
   const double moment = a.mass.entry[4][4] * push + a.righting_n_m * sine +
@@ -62,20 +62,20 @@ double pitch_to(const Autopilot& a, const Measured& measured, const Seen& seen, 
   if (sine == asked && ahead_m_s > 0.8 * a.settings.least_speed_m_s) {
     const double most_dive = 0.3 * a.settings.most_speed_m_s;
     state.dive_m_s = std::clamp(
-        state.dive_m_s + dt_s * 0.5 * a.vertical.outer_per_s * (down_m_s - seen.velocity_m_s.z),
+        state.dive_m_s + dt_s * 0.5 * a.vertical.outer_per_s * (down_m_s - outset.velocity_m_s.z),
         -most_dive, most_dive);
   }
   return bounded;
 }
 
 /// Without way on: the buoyancy engine, at a quarter of the pace.
-void sink_by_volume(const Autopilot& a, const Seen& seen, double dt_s,
+void sink_by_volume(const Autopilot& a, const Outset& outset, double dt_s,
                     ControlState& state) noexcept {
   constexpr double slower = 0.25;
   const double outer = slower * a.vertical.outer_per_s;
   const double most = a.settings.most_descent_m_s;
-  const double down = std::clamp(outer * seen.too_shallow_m, -most, most);
-  const double lacking = down - seen.velocity_m_s.z;
+  const double down = std::clamp(outer * outset.too_shallow_m, -most, most);
+  const double lacking = down - outset.velocity_m_s.z;
   const double push = slower * a.vertical.inner_per_s * lacking + state.down_m_s2;
   const double volume = -a.mass.entry[2][2] * push / a.displacement_n_m3;
   state.volume_m3 = std::clamp(volume, a.trim.least_volume_m3, a.trim.most_volume_m3);
@@ -86,11 +86,11 @@ void sink_by_volume(const Autopilot& a, const Seen& seen, double dt_s,
 }  // namespace
 
 Effort steer_by_fins(const Autopilot& a, const Measured& measured, const Reference& reference,
-                     const Seen& seen, double dt_s, ControlState& state) noexcept {
+                     const Outset& outset, double dt_s, ControlState& state) noexcept {
   const AutopilotSettings& s = a.settings;
-  const Triple<double> wanted = wanted_velocity(a, measured, reference, seen);
-  const Way way = way_of(a, measured, reference, wanted, seen, dt_s, state);
-  const double through = measured.nu.linear.x - seen.r.to_body(measured.water_m_s).x;
+  const Triple<double> wanted = wanted_velocity(a, measured, reference, outset);
+  const Way way = way_of(a, measured, reference, wanted, outset, dt_s, state);
+  const double through = measured.nu.linear.x - outset.r.to_body(measured.water_m_s).x;
   const double steering = std::max(through, s.least_speed_m_s);
   const double fin_n_m = a.fin_moment_n_m_s2_m2 * steering * steering;
 
@@ -105,7 +105,7 @@ Effort steer_by_fins(const Autopilot& a, const Measured& measured, const Referen
   integrate(a.horizontal, lacking, push, thrusts.share[0], dt_s, state.surge_m_s2);
 
   const double yaw_rate =
-      std::clamp(a.heading.outer_per_s * turn_rad(seen.bow, way.heading) + way.yaw_rate_rad_s,
+      std::clamp(a.heading.outer_per_s * turn_rad(outset.bow, way.heading) + way.yaw_rate_rad_s,
                  -s.most_yaw_rate_rad_s, s.most_yaw_rate_rad_s);
   const double yaw_lacking = yaw_rate - measured.nu.angular.z;
   const double yaw_push = acceleration_of(a.heading, yaw_lacking, state.yaw_rad_s2);
@@ -118,10 +118,10 @@ Effort steer_by_fins(const Autopilot& a, const Measured& measured, const Referen
   effort.rudder_rad = std::clamp(rudder, -a.fins.limit_rad, a.fins.limit_rad);
   integrate(a.heading, yaw_lacking, yaw_push, rudder == effort.rudder_rad ? 1.0 : 0.0, dt_s,
             state.yaw_rad_s2);
-  effort.elevator_rad = pitch_to(a, measured, seen, wanted.z, through, fin_n_m, dt_s, state);
+  effort.elevator_rad = pitch_to(a, measured, outset, wanted.z, through, fin_n_m, dt_s, state);
   if (a.trim.moving_mass_kg > 0)  // forward of its middle it puts the bow down
     effort.moving_mass_m = -state.trim_n_m / (a.trim.moving_mass_kg * constants::gravity_m_s2);
-  if (way.ahead_m_s < s.least_speed_m_s) sink_by_volume(a, seen, dt_s, state);
+  if (way.ahead_m_s < s.least_speed_m_s) sink_by_volume(a, outset, dt_s, state);
   effort.volume_m3 = state.volume_m3;
   return effort;
 }

@@ -42,12 +42,12 @@ Lift bounded_lift(const Autopilot& a, const Triple<double>& acceleration_m_s2) n
 }  // namespace
 
 Effort steer_by_tilt(const Autopilot& a, const Measured& measured, const Reference& reference,
-                     const Seen& seen, double dt_s, ControlState& state) noexcept {
-  const Rotation<double>& r = seen.r;
+                     const Outset& outset, double dt_s, ControlState& state) noexcept {
+  const Rotation<double>& r = outset.r;
   const Triple<double>& rate = measured.nu.angular;
   const Triple<double> wanted =
-      eased_velocity(a, wanted_velocity(a, measured, reference, seen), dt_s, state);
-  const Triple<double> lacking = wanted - seen.velocity_m_s;
+      eased_velocity(a, wanted_velocity(a, measured, reference, outset), dt_s, state);
+  const Triple<double> lacking = wanted - outset.velocity_m_s;
   const Triple<double> push{acceleration_of(a.horizontal, lacking.x, state.north_m_s2),
                             acceleration_of(a.horizontal, lacking.y, state.east_m_s2),
                             acceleration_of(a.vertical, lacking.z, state.down_m_s2)};
@@ -69,7 +69,7 @@ Effort steer_by_tilt(const Autopilot& a, const Measured& measured, const Referen
   const double most_turn = a.settings.most_yaw_rate_rad_s;
   const Triple<double> turning{
       tilt_rate(roll) - rate.x, tilt_rate(pitch) - rate.y,
-      std::clamp(a.heading.outer_per_s * turn_rad(seen.bow, reference.heading), -most_turn,
+      std::clamp(a.heading.outer_per_s * turn_rad(outset.bow, reference.heading), -most_turn,
                  most_turn) -
           rate.z};
   const Triple<double> twist{acceleration_of(a.tilt, turning.x, state.roll_rad_s2),

@@ -11,7 +11,7 @@ double ahead_of(const Course& bow, double north, double east) noexcept {
 /// and less the drift that shows (wind, unknown current). On station that points the bow into the
 /// disturbance; what is too little to point at is left to a push ahead or astern.
 Way way_over_ground(const Autopilot& a, const Measured& measured, const Triple<double>& wanted_m_s,
-                    const Seen& seen, ControlState& state) noexcept {
+                    const Outset& outset, ControlState& state) noexcept {
   const double most = a.settings.most_speed_m_s;
   double north = wanted_m_s.x - measured.water_m_s.x + state.drift_north_m_s;
   double east = wanted_m_s.y - measured.water_m_s.y + state.drift_east_m_s;
@@ -21,41 +21,41 @@ Way way_over_ground(const Autopilot& a, const Measured& measured, const Triple<d
     state.kept_north = north / size;
     state.kept_east = east / size;
   } else if (!has_course) {
-    state.kept_north = seen.bow.north;
-    state.kept_east = seen.bow.east;
+    state.kept_north = outset.bow.north;
+    state.kept_east = outset.bow.east;
   }
   return {{state.kept_north, state.kept_east},
-          std::clamp(ahead_of(seen.bow, north, east), -0.2 * most, most),
+          std::clamp(ahead_of(outset.bow, north, east), -0.2 * most, most),
           0};
 }
 
 /// Learns the drift while the bow is about where it should be.
-void learn_drift(const Autopilot& a, const Triple<double>& wanted_m_s, const Seen& seen,
+void learn_drift(const Autopilot& a, const Triple<double>& wanted_m_s, const Outset& outset,
                  double turn, double dt_s, ControlState& state) noexcept {
   if (std::abs(turn) > 0.5) return;
   const double rate = 0.35 * a.station_per_s * dt_s;
   const double most = a.settings.most_speed_m_s;
-  state.drift_north_m_s =
-      std::clamp(state.drift_north_m_s + rate * (wanted_m_s.x - seen.velocity_m_s.x), -most, most);
+  state.drift_north_m_s = std::clamp(
+      state.drift_north_m_s + rate * (wanted_m_s.x - outset.velocity_m_s.x), -most, most);
   state.drift_east_m_s =
-      std::clamp(state.drift_east_m_s + rate * (wanted_m_s.y - seen.velocity_m_s.y), -most, most);
+      std::clamp(state.drift_east_m_s + rate * (wanted_m_s.y - outset.velocity_m_s.y), -most, most);
 }
 
 }  // namespace
 
 Effort steer_by_turning(const Autopilot& a, const Measured& measured, const Reference& reference,
-                        const Seen& seen, double dt_s, ControlState& state) noexcept {
+                        const Outset& outset, double dt_s, ControlState& state) noexcept {
   const double most = a.settings.most_speed_m_s;
   const double most_turn = a.settings.most_yaw_rate_rad_s;
   Way way{reference.heading, std::clamp(reference.velocity_m_s.x, -0.2 * most, most), 0};
   Triple<double> over_ground;
   if (reference.target != Target::cruise)
-    over_ground = wanted_velocity(a, measured, reference, seen);
+    over_ground = wanted_velocity(a, measured, reference, outset);
   const bool is_station = reference.target == Target::station;
-  if (is_station) way = way_over_ground(a, measured, over_ground, seen, state);
+  if (is_station) way = way_over_ground(a, measured, over_ground, outset, state);
   if (reference.target == Target::path)
-    way = way_along(a, measured, reference, over_ground, seen, dt_s, state);
-  const double turn = turn_rad(seen.bow, way.heading);
+    way = way_along(a, measured, reference, over_ground, outset, dt_s, state);
+  const double turn = turn_rad(outset.bow, way.heading);
   const double yaw_rate = std::clamp(a.heading.outer_per_s * turn, -most_turn, most_turn);
   const double yaw_lacking = yaw_rate - measured.nu.angular.z;
   const double yaw_push = acceleration_of(a.heading, yaw_lacking, state.yaw_rad_s2);
@@ -65,11 +65,11 @@ Effort steer_by_turning(const Autopilot& a, const Measured& measured, const Refe
       std::clamp(way.ahead_m_s - state.wanted_ahead_m_s, -most_change, most_change);
   // On station the drift is the integral, and says the course too: a second one would hold the
   // craft on its station with no course to steer.
-  const double lacking =
-      is_station
-          ? ahead_of(seen.bow, over_ground.x - seen.velocity_m_s.x,
-                     over_ground.y - seen.velocity_m_s.y)
-          : state.wanted_ahead_m_s - (measured.nu.linear.x - seen.r.to_body(measured.water_m_s).x);
+  const double lacking = is_station
+                             ? ahead_of(outset.bow, over_ground.x - outset.velocity_m_s.x,
+                                        over_ground.y - outset.velocity_m_s.y)
+                             : state.wanted_ahead_m_s -
+                                   (measured.nu.linear.x - outset.r.to_body(measured.water_m_s).x);
   const double push = acceleration_of(a.horizontal, lacking, is_station ? 0.0 : state.surge_m_s2);
 
   const Spatial<double> drag = resistance(a, {{state.wanted_ahead_m_s, 0, 0}, {0, 0, yaw_rate}});
@@ -78,7 +78,7 @@ Effort steer_by_turning(const Autopilot& a, const Measured& measured, const Refe
   const Thrusts thrusts = allocate(a.allocation, tau);
   integrate(a.heading, yaw_lacking, yaw_push, thrusts.share[5], dt_s, state.yaw_rad_s2);
   if (is_station)
-    learn_drift(a, over_ground, seen, turn, dt_s, state);
+    learn_drift(a, over_ground, outset, turn, dt_s, state);
   else
     integrate(a.horizontal, lacking, push, thrusts.share[0], dt_s, state.surge_m_s2);
   Effort effort;

@@ -41,15 +41,15 @@ void lift_off_dead_band(const Autopilot& a, double ahead_m_s, Thrusts& thrusts) 
 }  // namespace
 
 Effort steer_free(const Autopilot& a, const Measured& measured, const Reference& reference,
-                  const Seen& seen, double dt_s, ControlState& state) noexcept {
-  const Rotation<double>& r = seen.r;
+                  const Outset& outset, double dt_s, ControlState& state) noexcept {
+  const Rotation<double>& r = outset.r;
   const Spatial<double>& nu = measured.nu;
   const Triple<double> wanted =
-      eased_velocity(a, wanted_velocity(a, measured, reference, seen), dt_s, state);
-  const Triple<double> lacking = wanted - seen.velocity_m_s;
+      eased_velocity(a, wanted_velocity(a, measured, reference, outset), dt_s, state);
+  const Triple<double> lacking = wanted - outset.velocity_m_s;
   const double most_turn = a.settings.most_yaw_rate_rad_s;
-  const double yaw_rate = std::clamp(a.heading.outer_per_s * turn_rad(seen.bow, reference.heading),
-                                     -most_turn, most_turn);
+  const double yaw_rate = std::clamp(
+      a.heading.outer_per_s * turn_rad(outset.bow, reference.heading), -most_turn, most_turn);
   const double yaw_lacking = yaw_rate - nu.angular.z;
 
   const Triple<double> push_ned{acceleration_of(a.horizontal, lacking.x, state.north_m_s2),
