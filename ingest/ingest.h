@@ -13,9 +13,9 @@ class ProductCatalogue;  // ingest/copernicus/product_catalogue.h: the descripto
 
 /// What the operator said about a file; what the file says itself yields to it.
 struct IngestOptions {
-  std::optional<BoundingBox> cut;        ///< keep only cells inside, and one cell around
-  std::optional<DataStatus> as;          ///< `--as analysis|forecast`
-  std::optional<UtcTime> issued;         ///< `--issued T`
+  std::optional<BoundingBox> cut;  ///< keep only cells inside, and one cell around
+  std::optional<DataStatus> as;    ///< `--as analysis|forecast`
+  std::optional<UtcTime> issued;   ///< `--issued T`
 };
 
 /// A granule decoded to its content file, which lies in the staging folder, written and fsynced.
@@ -36,8 +36,9 @@ using Progress = std::function<void(double)>;
 /// Decodes one product file (NetCDF by content, GRIB by its magic) into canonical granules. Peak memory is bounded
 /// (< 256 MB) whatever the file size. Refuses (Error invalid_input) what it cannot read correctly, saying what was
 /// found, what was expected and what to do.
-[[nodiscard]] Ingested decode_file(const std::filesystem::path& file, const ProductCatalogue& products,
-                                   const IngestOptions& options, const std::filesystem::path& staging_folder,
+[[nodiscard]] Ingested decode_file(const std::filesystem::path& file,
+                                   const ProductCatalogue& products, const IngestOptions& options,
+                                   const std::filesystem::path& staging_folder,
                                    const Progress& progress = {});
 
 }  // namespace slackwater::ingest

@@ -7,9 +7,9 @@
 #include "api/cli/command.h"
 #include "api/cli/progress.h"
 #include "api/cli/traffic_print.h"
-#include "api/simulate/heard_traffic.h"
-#include "api/simulate/run_page.h"
-#include "api/simulate/scenario_run.h"
+#include "api/rehearse/heard_traffic.h"
+#include "api/rehearse/run_page.h"
+#include "api/rehearse/scenario_run.h"
 
 namespace slackwater::api {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "api/simulate/traffic_tables.h"
+#include "api/rehearse/traffic_tables.h"
 
 namespace slackwater::api {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
-#include "api/simulate/scenario_run.h"
+#include "api/rehearse/scenario_run.h"
 
 namespace slackwater::api {
 

@@ -33,12 +33,13 @@ calibration::SkillEntry entry_of(const char* day, const char* method, double rms
 TEST(DepthBand, NearTheBedIsCountedFromTheBed) {
   const calibration::DepthBand near_bed = calibration::standard_bands().back();
   ASSERT_TRUE(near_bed.above_bed);
-  EXPECT_TRUE(holds(near_bed, 31, 35));
-  EXPECT_TRUE(holds(near_bed, 30, 35));
-  EXPECT_FALSE(holds(near_bed, 29.9, 35));
-  EXPECT_FALSE(holds(near_bed, 31, 100));
-  EXPECT_TRUE(holds(near_bed, 36, 35)) << "a level below the bed's figure stands on the bed";
-  EXPECT_TRUE(holds({5, 20, false}, 20, 35));
+  EXPECT_TRUE(calibration::holds(near_bed, 31, 35));
+  EXPECT_TRUE(calibration::holds(near_bed, 30, 35));
+  EXPECT_FALSE(calibration::holds(near_bed, 29.9, 35));
+  EXPECT_FALSE(calibration::holds(near_bed, 31, 100));
+  EXPECT_TRUE(calibration::holds(near_bed, 36, 35))
+      << "a level below the bed's figure stands on the bed";
+  EXPECT_TRUE(calibration::holds({5, 20, false}, 20, 35));
 }
 
 TEST(HourOfLead, TheInstantAtTheEndOfAnHourBelongsToIt) {

@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "api/program/paths.h"
-#include "fields/site/site.h"
-#include "api/simulate/scenario_run.h"
+#include "api/rehearse/scenario_run.h"
 #include "data/store/store.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "fields/geo/local_frame.h"
+#include "fields/site/site.h"
 #include "ingest/cf/forecast_file.h"
 #include "twin/simulate/made_up_field.h"
 
@@ -49,8 +49,8 @@ void add_turbines(const Scenario& scenario, const Site& site, ScenarioWater& wat
   for (const TurbinePlace& turbine : site.turbines) {
     water.surround.turbines_m.push_back(horizontal_of(frame.to_local(turbine.point)));
   }
-  water.surround.turbine = std::make_shared<Turbine>(
-      Turbine::load(data_folder() / "turbines" / "nrel_5mw.yaml"));
+  water.surround.turbine =
+      std::make_shared<Turbine>(Turbine::load(data_folder() / "turbines" / "nrel_5mw.yaml"));
 }
 
 store::ForecastRow newest(store::Store& store, const Site& site, const ForecastWater& wanted) {

@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "api/program/version.h"
-#include "api/simulate/heard_traffic.h"
-#include "api/simulate/log_file.h"
+#include "api/rehearse/heard_traffic.h"
+#include "api/rehearse/log_file.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api {

@@ -1,4 +1,4 @@
-#include "api/simulate/traffic_tables.h"
+#include "api/rehearse/traffic_tables.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "api/simulate/scenario_run.h"
+#include "api/rehearse/scenario_run.h"
 
 namespace slackwater::api {
 

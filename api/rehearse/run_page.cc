@@ -1,13 +1,13 @@
-#include "api/simulate/run_page.h"
+#include "api/rehearse/run_page.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/rehearse/run_page_traffic.h"
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
-#include "api/simulate/run_page_traffic.h"
 
 namespace slackwater::api {
 namespace {

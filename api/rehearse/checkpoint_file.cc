@@ -1,4 +1,4 @@
-#include "api/simulate/checkpoint_file.h"
+#include "api/rehearse/checkpoint_file.h"
 
 #include <algorithm>
 #include <cstring>
@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "api/simulate/state_json.h"
+#include "api/rehearse/state_json.h"
 #include "data/store/durable.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"

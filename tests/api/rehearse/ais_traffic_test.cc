@@ -1,4 +1,4 @@
-#include "api/simulate/ais_traffic.h"
+#include "api/rehearse/ais_traffic.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "api/simulate/run_page_traffic.h"
+#include "api/rehearse/run_page_traffic.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "api/rehearse/traffic_tables.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
-#include "api/simulate/traffic_tables.h"
 
 namespace slackwater::api {
 namespace {

@@ -1,4 +1,4 @@
-#include "api/simulate/scenario_run.h"
+#include "api/rehearse/scenario_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,10 +6,10 @@
 #include <cstdio>
 
 #include "api/program/version.h"
-#include "api/simulate/checkpoint_file.h"
-#include "api/simulate/log_file.h"
-#include "api/simulate/run_observers.h"
-#include "api/simulate/traffic_tables.h"
+#include "api/rehearse/checkpoint_file.h"
+#include "api/rehearse/log_file.h"
+#include "api/rehearse/run_observers.h"
+#include "api/rehearse/traffic_tables.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "twin/simulate/follow_tracks.h"

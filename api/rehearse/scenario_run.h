@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "api/simulate/track_following.h"
+#include "api/rehearse/track_following.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/simulate/run_log.h"
 #include "twin/simulate/scenario.h"

@@ -1,4 +1,4 @@
-#include "api/simulate/state_json.h"
+#include "api/rehearse/state_json.h"
 
 #include <gtest/gtest.h>
 

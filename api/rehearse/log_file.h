@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "api/simulate/scenario_run.h"
+#include "api/rehearse/scenario_run.h"
 
 namespace slackwater::api {
 

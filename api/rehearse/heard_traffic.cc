@@ -1,10 +1,10 @@
-#include "api/simulate/heard_traffic.h"
+#include "api/rehearse/heard_traffic.h"
 
 #include <algorithm>
 #include <map>
 
-#include "api/simulate/ais_traffic.h"
-#include "api/simulate/traffic_tables.h"
+#include "api/rehearse/ais_traffic.h"
+#include "api/rehearse/traffic_tables.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "ingest/ais/read_ais.h"

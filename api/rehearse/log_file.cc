@@ -1,9 +1,9 @@
-#include "api/simulate/log_file.h"
+#include "api/rehearse/log_file.h"
 
 #include <map>
 
 #include "api/program/version.h"
-#include "api/simulate/traffic_tables.h"
+#include "api/rehearse/traffic_tables.h"
 #include "fields/base/sha256.h"
 
 namespace slackwater::api {

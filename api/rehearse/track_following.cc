@@ -1,4 +1,4 @@
-#include "api/simulate/track_following.h"
+#include "api/rehearse/track_following.h"
 
 #include <cstdio>
 #include <limits>
