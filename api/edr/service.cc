@@ -15,8 +15,8 @@
 #include "api/edr/write/html_page.h"
 #include "api/edr/write/metadata.h"
 #include "api/edr/write/openapi.h"
-#include "api/http/percent.h"
 #include "fields/base/error.h"
+#include "fields/base/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -190,8 +190,7 @@ class Service {
     std::string asked = endpoint + "?";
     const QueryString parameters = QueryString::parse(query);
     for (const auto& [key, value] : parameters.all())
-      if (key != "f")
-        asked += http::percent_encoded(key) + "=" + http::percent_encoded(value) + "&";
+      if (key != "f") asked += percent_encoded(key) + "=" + percent_encoded(value) + "&";
     std::vector<Answer::Link> links;
     for (const Format format : answer_formats()) {
       links.push_back({format == Format::geojson ? "self" : "alternate",

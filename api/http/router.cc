@@ -4,9 +4,9 @@
 #include <optional>
 #include <set>
 
-#include "api/http/percent.h"
 #include "api/http/problem.h"
 #include "fields/base/check.h"
+#include "fields/base/percent.h"
 
 namespace slackwater::api::http {
 namespace {

@@ -6,7 +6,7 @@
 #include "api/edr/read/parameter_names.h"
 #include "api/edr/read/query_string.h"
 #include "api/edr/write/content.h"
-#include "api/http/percent.h"
+#include "fields/base/percent.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {
@@ -22,7 +22,7 @@ void check_query(std::string_view text) {
     for (const auto& [key, value] : query.all()) {
       fuzz::claim(!key.empty() && keys.insert(key).second, "an empty or repeated key");
       fuzz::claim((key + value).find('\0') == std::string::npos, "a NUL byte");
-      written += api::http::percent_encoded(key) + "=" + api::http::percent_encoded(value) + "&";
+      written += percent_encoded(key) + "=" + percent_encoded(value) + "&";
     }
     if (written.size() > max_query_bytes) return;
     fuzz::claim(QueryString::parse(written).all() == query.all(),

@@ -77,6 +77,28 @@ TEST(IncludeArrows, AForbiddenArrowIsSeen) {
   EXPECT_EQ(forbidden_in("ingest", "#include <vector>"), "");
 }
 
+/// Within api: the other folders of it that a folder may include. The libraries of api/CMakeLists.txt
+/// see the same.
+const Arrows& allowed_arrows_of_api() {
+  static const Arrows arrows{
+      {"api/program", {}},
+      {"api/http", {}},
+      {"api/report", {}},
+      {"api/issued", {}},
+      {"api/synthetic", {}},
+      {"api/edr/read", {}},
+      {"api/edr/sample", {"api/edr/read", "api/issued"}},
+      {"api/edr/write", {"api/edr/sample", "api/edr/read", "api/issued", "api/program"}},
+      {"api/edr", {"api/edr/write", "api/edr/sample", "api/edr/read", "api/issued", "api/http"}},
+      {"api/pipeline", {"api/issued", "api/program"}},
+      {"api/rehearse", {"api/issued", "api/program", "api/report"}},
+      {"api/demo", {"api/pipeline", "api/program", "api/report", "api/synthetic"}},
+      {"api/cli",
+       {"api/demo", "api/edr", "api/http", "api/issued", "api/pipeline", "api/program",
+        "api/rehearse", "api/report"}}};
+  return arrows;
+}
+
 /// The folder that an include line leads to, where it is another one of the same room.
 std::string folder_of_include(const std::string& folder, const std::string& line) {
   const std::string room = folder.substr(0, folder.find('/'));
@@ -94,6 +116,28 @@ Arrows folder_arrows(const std::string& room) {
     if (!target.empty()) arrows[path.string()].insert(target);
   });
   return arrows;
+}
+
+std::string forbidden_in_api(const std::string& folder, const std::set<std::string>& targets) {
+  const auto known = allowed_arrows_of_api().find(folder);
+  if (known == allowed_arrows_of_api().end()) return folder + " is not in the table of this test";
+  for (const std::string& target : targets)
+    if (!known->second.contains(target)) return folder + " -> " + target;
+  return {};
+}
+
+TEST(IncludeArrows, NoFolderOfApiIncludesWhatItMayNot) {
+  const Arrows found = folder_arrows("api");
+  EXPECT_GT(found.size(), 5U) << "the sources were not found";
+  for (const auto& [folder, targets] : found) EXPECT_EQ(forbidden_in_api(folder, targets), "");
+}
+
+TEST(IncludeArrows, AForbiddenArrowWithinApiIsSeen) {
+  EXPECT_NE(forbidden_in_api("api/http", {"api/program"}), "");
+  EXPECT_NE(forbidden_in_api("api/edr/read", {"api/edr/sample"}), "");
+  EXPECT_NE(forbidden_in_api("api/pipeline", {"api/report"}), "");
+  EXPECT_NE(forbidden_in_api("api/utils", {"api/cli"}), "");
+  EXPECT_EQ(forbidden_in_api("api/edr/write", {"api/edr/sample"}), "");
 }
 
 /// The folders on a way that leads back to where it began, "a -> b -> a"; empty where there is none.
@@ -151,7 +195,7 @@ TEST(IncludeArrows, EachLibraryHasOneDoor) {
       {"yaml-cpp/", "fields/base"},  {"nlohmann/", "api"},        {"CLI/", "api"},
       {"openssl/", "fields/base"},   {"boost/", "api/http"},      {"zlib.h", "api/http"},
       {"spdlog/", "fields/base"}};
-  for (const std::string room : {"fields", "ingest", "calibration", "data", "api"}) {
+  for (const std::string room : {"fields", "ingest", "calibration", "twin", "data", "api"}) {
     for_each_line(room, [&](const std::filesystem::path& file, const std::string& line) {
       if (!line.starts_with("#include <")) return;
       const std::string where = std::filesystem::relative(file, source_folder()).string();

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "api/edr/read/bad_parameter.h"
-#include "api/http/percent.h"
+#include "fields/base/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 std::string decoded(std::string_view name, std::string_view text) {
   std::string with_blanks(text);
   std::replace(with_blanks.begin(), with_blanks.end(), '+', ' ');
-  auto read = http::percent_decoded(with_blanks);
+  auto read = percent_decoded(with_blanks);
   if (!read) {
     throw bad_parameter(name, text,
                         "two hexadecimal digits after '%', as in %20; write a '%' itself as %25");

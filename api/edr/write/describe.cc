@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "api/edr/write/json_text.h"
-#include "api/http/percent.h"
+#include "fields/base/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -63,7 +63,7 @@ std::string header_value(std::string_view text) {
     if (c >= ' ' && c <= '~' && c != '%') {
       value += c;
     } else {
-      value += http::percent_encoded(std::string_view(&c, 1));
+      value += percent_encoded(std::string_view(&c, 1));
     }
   }
   return value;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "api/http/percent.h"
+#include "fields/base/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -15,8 +15,7 @@ std::string address(const std::string& href, const FeatureFilter& filter, std::s
                     const std::string& value) {
   std::string query;
   for (const auto& [name, asked] : filter.asked()) {
-    query += (query.empty() ? "?" : "&") + http::percent_encoded(name) + "=" +
-             http::percent_encoded(asked);
+    query += (query.empty() ? "?" : "&") + percent_encoded(name) + "=" + percent_encoded(asked);
   }
   if (!value.empty()) query += (query.empty() ? "?" : "&") + std::string(key) + "=" + value;
   return href + query;

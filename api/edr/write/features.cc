@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/edr/write/feature_page.h"
-#include "api/http/percent.h"
+#include "fields/base/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -73,7 +73,7 @@ json locations_document(const std::string& at, const Collection& collection,
                            {{"datetime", format_utc(from) + "/" + format_utc(to)},
                             {"parameter-name", names},
                             {"label", label},
-                            {"edrqueryendpoint", at + "/locations/" + http::percent_encoded(id)},
+                            {"edrqueryendpoint", at + "/locations/" + percent_encoded(id)},
                             {"water_depth_m", column.water_depth_m}}}});
     }
   }
@@ -83,7 +83,7 @@ json locations_document(const std::string& at, const Collection& collection,
 json item_document(const std::string& base, const Collection& collection,
                    const ForecastCatalogue& catalogue, const IssuedForecast& forecast) {
   const std::string at = base + "/collections/" + collection.id;
-  const std::string data = at + "/instances/" + http::percent_encoded(forecast.instance);
+  const std::string data = at + "/instances/" + percent_encoded(forecast.instance);
   std::size_t members = 1;
   for (const auto& site : catalogue.sites)
     if (site.site_id == forecast.row.site_id) members = site.field->snapshot().members;
@@ -91,8 +91,8 @@ json item_document(const std::string& base, const Collection& collection,
       {"type", "Feature"},
       {"id", forecast.instance},
       {"geometry", footprint(box_of(catalogue, forecast.row.site_id))},
-      {"links", feature_links(at + "/items/" + http::percent_encoded(forecast.instance),
-                              data + "/position")},
+      {"links",
+       feature_links(at + "/items/" + percent_encoded(forecast.instance), data + "/position")},
       {"properties",
        {{"datetime", format_utc(forecast.row.valid_from) + "/" + format_utc(forecast.row.valid_to)},
         {"parameter-name", names_of(collection, members)},

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include "api/http/percent.h"
+#include "fields/base/percent.h"
 
 namespace slackwater::tests {
 namespace {
@@ -22,7 +22,7 @@ api::http::Request request_for(const std::string& path, const QueryPairs& query)
   request.host = "edr.test";
   for (const auto& [key, value] : query) {
     request.query += (request.query.empty() ? "" : "&") + key + "=";
-    request.query += api::http::percent_encoded(value);
+    request.query += percent_encoded(value);
   }
   return request;
 }

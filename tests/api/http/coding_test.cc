@@ -2,7 +2,6 @@
 
 #include "api/http/content_coding.h"
 #include "api/http/entity_tag.h"
-#include "api/http/percent.h"
 #include "api/http/response_head.h"
 
 namespace slackwater::tests {
@@ -44,20 +43,6 @@ TEST(EntityTag, ListsWeakTagsAndStarsMatch) {
   for (const char* no : {"", "a", "\"b\"", "\"a-gzip\"", ",", "W/"}) {
     EXPECT_FALSE(matches_tag(no, "\"a\"")) << no;
   }
-}
-
-TEST(PercentCoding, RoundTripsEveryByte) {
-  std::string all;
-  for (int byte = 0; byte < 256; ++byte) all += static_cast<char>(byte);
-  const std::string coded = percent_encoded(all);
-  EXPECT_EQ(percent_decoded(coded), all);
-  EXPECT_EQ(coded.find_first_of(" \"<>&=+/\r\n"), std::string::npos);
-}
-
-TEST(PercentCoding, IsDecodedOnceOrRefused) {
-  EXPECT_EQ(percent_decoded("a%20b%2B%c3%A9"), "a b+\xc3\xa9");
-  EXPECT_EQ(percent_decoded("%2541"), "%41");
-  for (const char* bad : {"%", "%4", "%4g", "a%"}) EXPECT_FALSE(percent_decoded(bad)) << bad;
 }
 
 TEST(ResponseHead, DatesAreThoseOfRfc9110) {

@@ -1,6 +1,6 @@
-#include "api/http/percent.h"
+#include "fields/base/percent.h"
 
-namespace slackwater::api::http {
+namespace slackwater {
 namespace {
 
 int value_of_digit(char c) {
@@ -52,4 +52,4 @@ std::string percent_encoded(std::string_view text) {
   return encoded;
 }
 
-}  // namespace slackwater::api::http
+}  // namespace slackwater

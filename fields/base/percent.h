@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace slackwater::api::http {
+namespace slackwater {
 
 /// Decodes %XX once; nothing where a '%' is not followed by two hexadecimal digits.
 [[nodiscard]] std::optional<std::string> percent_decoded(std::string_view text);
@@ -12,4 +12,4 @@ namespace slackwater::api::http {
 /// query value or a header.
 [[nodiscard]] std::string percent_encoded(std::string_view text);
 
-}  // namespace slackwater::api::http
+}  // namespace slackwater
