@@ -5,9 +5,9 @@
 
 #include "api/cli/command.h"
 #include "api/cli/profile_print.h"
+#include "api/issued/in_force.h"
 #include "api/program/paths.h"
 #include "fields/site/site.h"
-#include "ingest/cf/forecast_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -23,31 +23,34 @@ struct ProfileArguments {
   bool members = false;  ///< list them all
 };
 
-/// A point within this distance of a forecast column is answered by that column.
-constexpr double column_reach_m = 5000.0;
-
-std::size_t nearest_column(const Snapshot& snapshot, const GeoPoint& point, double& distance) {
-  std::size_t best = 0;
-  distance = distance_m(snapshot.columns[0].point, point);
-  for (std::size_t i = 1; i < snapshot.columns.size(); ++i) {
-    const double d = distance_m(snapshot.columns[i].point, point);
-    if (d < distance) {
-      distance = d;
-      best = i;
-    }
+/// Forecasts of different sites may reach a place; the answer is that of the nearest site. Read
+/// without members: most questions do not need them, and they are most of the file.
+void choose_forecast(store::Store& store, const WantedForecast& wanted, ProfileAnswer& answer) {
+  const std::vector<store::ForecastRow> rows = by_force(store, wanted);
+  std::vector<store::ForecastRow> in_force;
+  std::vector<std::shared_ptr<const Field>> fields;
+  std::string reach;
+  for (const store::ForecastRow& row : rows) {
+    if (!in_force.empty() && in_force.back().site_id == row.site_id) continue;
+    in_force.push_back(row);
+    fields.push_back(read_field(store, row, ingest::Members::none));
+    reach += " " + row.site_id + " (" + fields.back()->range().text() + ")";
   }
-  return best;
+  const auto nearest =
+      nearest_reaching(fields, answer.point.longitude_deg(), answer.point.latitude_deg());
+  if (!nearest) {
+    throw Error(ErrorKind::not_found, "no forecast reaches " + position_text(answer.point) +
+                                          "; the forecasts in force reach" + reach);
+  }
+  answer.row = in_force[*nearest];
+  answer.field = fields[*nearest];
 }
 
-/// Without its members: most questions do not need them, and they are most of the file.
-Snapshot read(store::Store& store, const store::ForecastRow& row) {
-  return ingest::read_forecast(store.content_path(row.content_sha256), ingest::Members::none);
-}
-
-/// The members that the question is about, in the snapshot's column.
+/// Reads the forecast again with its members where the question is about them.
 void add_members(ProfileAnswer& answer, store::Store& store, const ProfileArguments& arguments) {
-  if (arguments.member >= answer.snapshot.members) {
-    const std::size_t last = answer.snapshot.members - 1;
+  const std::size_t members = answer.field->snapshot().members;
+  if (arguments.member >= members) {
+    const std::size_t last = members - 1;
     throw Error(ErrorKind::not_found,
                 "found no member " + std::to_string(arguments.member) + "; this forecast has " +
                     (last == 0 ? "member 0, the central one, alone"
@@ -55,76 +58,51 @@ void add_members(ProfileAnswer& answer, store::Store& store, const ProfileArgume
   }
   answer.member = arguments.member;
   if (arguments.member == 0 && !arguments.members) return;
-  ingest::read_members(store.content_path(answer.row.content_sha256), answer.snapshot,
-                       answer.column);
+  answer.field = read_field(store, answer.row, ingest::Members::all);
 }
 
 /// Samples the central forecast and what was asked for of the others.
 void sample(ProfileAnswer& answer, bool all_members) {
   const auto of_member = [&](std::size_t member) {
     std::vector<CurrentSample> samples(answer.depth_m.size());
-    sample_profile(answer.snapshot, answer.column, answer.time, answer.depth_m, samples, member);
+    answer.field->sample_profile(answer.point.longitude_deg(), answer.point.latitude_deg(),
+                                 answer.time, answer.depth_m, samples, member);
     return samples;
   };
   answer.central = of_member(0);
   answer.samples = of_member(answer.member);
   if (!all_members) return;
-  for (std::size_t m = 0; m < answer.snapshot.members; ++m) answer.members.push_back(of_member(m));
+  const std::size_t members = answer.field->snapshot().members;
+  for (std::size_t m = 0; m < members; ++m) answer.members.push_back(of_member(m));
 }
 
-/// The newest forecast that covers the time, of the site or of whichever site has a column near the
-/// point.
+/// The forecast in force that covers the time, of the site or of the nearest site that reaches the
+/// point; a site without a point is asked at its first column.
 ProfileAnswer find_answer(store::Store& store, const ProfileArguments& arguments,
                           const Context& context) {
   ProfileAnswer answer;
   answer.time = option_value("--time", arguments.time, parse_utc);
-  store::ForecastQuery query;
-  std::optional<GeoPoint> point;
-  if (!arguments.site.empty()) {
-    const Site site = find_site(arguments.site, site_folders(context.store_folder));
-    query.site_id = site.id;
-    if (arguments.latitude)
-      point = GeoPoint::from_degrees(*arguments.latitude, *arguments.longitude);
+  WantedForecast wanted;
+  wanted.valid_at = answer.time;
+  if (!arguments.site.empty())
+    wanted.site_id = find_site(arguments.site, site_folders(context.store_folder)).id;
+  answer.row = forecast_in_force(store, wanted);
+  if (arguments.latitude) {
+    answer.point = GeoPoint::from_degrees(*arguments.latitude, *arguments.longitude);
+    choose_forecast(store, wanted, answer);
   } else {
-    point = GeoPoint::from_degrees(*arguments.latitude, *arguments.longitude);
+    answer.field = read_field(store, answer.row, ingest::Members::none);
+    answer.point = answer.field->snapshot().columns.front().point;
   }
-  std::vector<store::ForecastRow> rows = store.find_forecasts(query);
-  std::reverse(rows.begin(), rows.end());  // newest day, then latest issue, first
-  if (rows.empty()) {
-    throw Error(ErrorKind::not_found,
-                "found no issued forecast" +
-                    (query.site_id.empty() ? std::string() : " for site " + query.site_id) +
-                    "; run `slackwater forecast` first");
-  }
-  const auto covers = [&](const store::ForecastRow& row) {
-    return answer.time >= row.valid_from && answer.time <= row.valid_to;
-  };
-  double nearest_m = 1e12;
-  for (const store::ForecastRow& row : rows) {
-    if (!covers(row)) continue;
-    Snapshot snapshot = read(store, row);
-    double distance = 0;
-    std::size_t column = 0;
-    if (point) {
-      column = nearest_column(snapshot, *point, distance);
-      nearest_m = std::min(nearest_m, distance);
-      if (distance > column_reach_m) continue;
-    }
-    answer.row = row;
-    answer.snapshot = std::move(snapshot);
-    answer.column = column;
-    return answer;
-  }
-  if (nearest_m < 1e12) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the nearest forecast column lies %.1f km away; forecasts answer within %.0f km",
-                  nearest_m / 1000, column_reach_m / 1000);
-    throw Error(ErrorKind::not_found, text);
-  }
-  throw Error(ErrorKind::not_found,
-              "no forecast covers " + arguments.time + "; the newest one is valid from " +
-                  format_utc(rows.front().valid_from) + " to " + format_utc(rows.front().valid_to));
+  return answer;
+}
+
+/// The bed at the answer's place.
+double bed_of(const ProfileAnswer& answer) {
+  const Place place{answer.point.longitude_deg(), answer.point.latitude_deg(), 0, answer.time};
+  BedSample bed;
+  answer.field->sample_bed({&place, 1}, {&bed, 1});
+  return bed.water_depth_m;
 }
 
 void run_profile(const ProfileArguments& arguments, const Context& context) {
@@ -146,11 +124,11 @@ void run_profile(const ProfileArguments& arguments, const Context& context) {
   store::Store store = context.open(store::OpenMode::read_only);
   ProfileAnswer answer = find_answer(store, arguments, context);
   add_members(answer, store, arguments);
-  const ForecastColumn& column = answer.snapshot.columns[answer.column];
+  answer.water_depth_m = bed_of(answer);
   answer.depth_m = arguments.depths;
   if (answer.depth_m.empty()) {
-    for (const double depth : answer.snapshot.depth_m) {
-      if (depth <= column.water_depth_m) answer.depth_m.push_back(depth);
+    for (const double depth : answer.field->snapshot().depth_m) {
+      if (depth <= answer.water_depth_m) answer.depth_m.push_back(depth);
     }
   }
   sample(answer, arguments.members);

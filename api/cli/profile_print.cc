@@ -43,35 +43,36 @@ json level_json(const ProfileAnswer& a, std::size_t i) {
 }
 
 json to_json(const ProfileAnswer& a) {
-  const ForecastColumn& column = a.snapshot.columns[a.column];
+  const Snapshot& snapshot = a.field->snapshot();
   json levels = json::array();
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) levels.push_back(level_json(a, i));
-  return {{"site", a.snapshot.site_id},
-          {"latitude_deg", column.point.latitude_deg()},
-          {"longitude_deg", column.point.longitude_deg()},
+  return {{"site", snapshot.site_id},
+          {"latitude_deg", a.point.latitude_deg()},
+          {"longitude_deg", a.point.longitude_deg()},
           {"time", format_utc(a.time)},
-          {"issued", format_utc(a.snapshot.issued)},
-          {"day", format_day(a.snapshot.day)},
-          {"wind", a.snapshot.wind_policy},
+          {"issued", format_utc(snapshot.issued)},
+          {"day", format_day(snapshot.day)},
+          {"wind", snapshot.wind_policy},
           {"origin", a.row.origin},
           {"member", a.member},
-          {"members", a.snapshot.members},
-          {"seed", a.snapshot.seed},
-          {"degraded", a.snapshot.degraded},
-          {"contains_stokes", a.snapshot.contains_stokes},
-          {"headline", a.snapshot.headline},
-          {"water_depth_m", column.water_depth_m},
+          {"members", snapshot.members},
+          {"seed", snapshot.seed},
+          {"degraded", snapshot.degraded},
+          {"contains_stokes", snapshot.contains_stokes},
+          {"headline", snapshot.headline},
+          {"water_depth_m", a.water_depth_m},
           {"units",
            {{"velocity", "m s-1"}, {"direction", "degree, towards, clockwise from true north"}}},
           {"levels", levels},
-          {"attributions", a.snapshot.attributions},
-          {"provenance", json::parse(a.snapshot.provenance_json, nullptr, false)}};
+          {"attributions", snapshot.attributions},
+          {"provenance", json::parse(snapshot.provenance_json, nullptr, false)}};
 }
 
 /// "21 members" beside the central forecast, or which of them the table shows.
 std::string members_text(const ProfileAnswer& a) {
-  if (a.snapshot.members < 2) return {};
-  const std::string count = std::to_string(a.snapshot.members) + " members";
+  const std::size_t members = a.field->snapshot().members;
+  if (members < 2) return {};
+  const std::string count = std::to_string(members) + " members";
   if (a.member == 0) return ", " + count;
   return ", member " + std::to_string(a.member) + " of " + count + " (p10 to p90 of all)";
 }
@@ -103,13 +104,12 @@ void print_profile_csv(const ProfileAnswer& a) {
 }
 
 void print_profile_table(const ProfileAnswer& a) {
-  const ForecastColumn& column = a.snapshot.columns[a.column];
+  const Snapshot& snapshot = a.field->snapshot();
   std::printf("%s at %s (%.4f N %.4f E, %.0f m of water), forecast issued %s from day %s%s\n",
-              a.snapshot.site_name.c_str(), format_utc(a.time).c_str(), column.point.latitude_deg(),
-              column.point.longitude_deg(), column.water_depth_m,
-              format_utc(a.snapshot.issued).c_str(), format_day(a.snapshot.day).c_str(),
-              members_text(a).c_str());
-  if (a.snapshot.degraded) std::printf("DEGRADED: %s\n", a.snapshot.headline.c_str());
+              snapshot.site_name.c_str(), format_utc(a.time).c_str(), a.point.latitude_deg(),
+              a.point.longitude_deg(), a.water_depth_m, format_utc(snapshot.issued).c_str(),
+              format_day(snapshot.day).c_str(), members_text(a).c_str());
+  if (snapshot.degraded) std::printf("DEGRADED: %s\n", snapshot.headline.c_str());
   std::printf("%8s %9s %9s %24s %24s\n", "depth m", "speed m/s", "to deg", "east m/s (p10 to p90)",
               "north m/s (p10 to p90)");
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
@@ -124,7 +124,7 @@ void print_profile_table(const ProfileAnswer& a) {
                 s.velocity_m_s.real(), q.p10_m_s.real(), q.p90_m_s.real(), s.velocity_m_s.imag(),
                 q.p10_m_s.imag(), q.p90_m_s.imag());
   }
-  for (const std::string& line : a.snapshot.attributions) std::printf("%s\n", line.c_str());
+  for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }
 
 }  // namespace slackwater::api

@@ -1,17 +1,19 @@
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "data/store/store.h"
-#include "fields/service/snapshot.h"
+#include "fields/service/field.h"
 
 namespace slackwater::api {
 
 /// What `slackwater profile` found.
 struct ProfileAnswer {
   store::ForecastRow row;
-  Snapshot snapshot;
-  std::size_t column = 0;
+  std::shared_ptr<const Field> field;
+  GeoPoint point;
+  double water_depth_m = 0;  ///< there
   UtcTime time;
   std::size_t member = 0;  ///< the one that was asked for
   std::vector<double> depth_m;

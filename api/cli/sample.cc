@@ -5,9 +5,9 @@
 #include "api/cli/command.h"
 #include "api/cli/point_list.h"
 #include "api/cli/sample_write.h"
+#include "api/issued/in_force.h"
 #include "api/program/paths.h"
 #include "fields/site/site.h"
-#include "ingest/cf/forecast_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -28,28 +28,21 @@ struct SampleArguments {
 constexpr std::size_t most_values = 1'000'000'000;
 
 store::ForecastRow find_instance(store::Store& store, const Site& site, const std::string& wanted) {
-  store::ForecastQuery query;
-  query.site_id = site.id;
-  query.latest_only = wanted == "newest";
+  const store::ForecastRow in_force = forecast_in_force(store, {site.id, {}, {}});
+  if (wanted == "newest") return in_force;
   std::int64_t id = 0;
   const char* const end = wanted.data() + wanted.size();
   const auto [stop, problem] = std::from_chars(wanted.data(), end, id);
-  if (!query.latest_only && (problem != std::errc{} || stop != end)) {
+  if (problem != std::errc{} || stop != end) {
     throw Error(ErrorKind::usage, "found --instance " + wanted +
                                       ", expected newest or the id of an issued forecast "
                                       "(`slackwater store list` shows them)");
   }
-  const std::vector<store::ForecastRow> rows = store.find_forecasts(query);
-  if (rows.empty()) {
-    throw Error(ErrorKind::not_found, "found no issued forecast for site " + site.id +
-                                          "; run `slackwater forecast` first");
-  }
-  if (query.latest_only) return rows.back();
-  for (const store::ForecastRow& row : rows) {
-    if (row.id == id) return row;
+  for (store::ForecastRow& row : by_force(store, {site.id, {}, {}})) {
+    if (row.id == id) return std::move(row);
   }
   throw Error(ErrorKind::not_found, "found no forecast " + wanted + " of site " + site.id +
-                                        "; its newest is " + std::to_string(rows.back().id) +
+                                        "; its newest is " + std::to_string(in_force.id) +
                                         " (`slackwater store list` shows all)");
 }
 
@@ -104,24 +97,23 @@ void run_sample(const SampleArguments& arguments, const Context& context) {
   store::Store store = context.open(store::OpenMode::read_only);
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   s.row = find_instance(store, site, arguments.instance);
-  s.snapshot = std::make_shared<const Snapshot>(
-      ingest::read_forecast(store.content_path(s.row.content_sha256),
-                            arguments.members ? ingest::Members::all : ingest::Members::none));
-  if (s.snapshot->depth_m.empty()) {
+  s.field =
+      read_field(store, s.row, arguments.members ? ingest::Members::all : ingest::Members::none);
+  const Snapshot& snapshot = s.field->snapshot();
+  if (snapshot.depth_m.empty()) {
     throw Error(ErrorKind::not_found, "forecast " + std::to_string(s.row.id) +
-                                          " holds no currents: " + s.snapshot->headline);
+                                          " holds no currents: " + snapshot.headline);
   }
-  s.grid.time = times_of(arguments, *s.snapshot);
+  s.grid.time = times_of(arguments, snapshot);
   s.grid.depth_m = arguments.depths.empty()
-                       ? s.snapshot->depth_m
+                       ? snapshot.depth_m
                        : option_value("--depths", arguments.depths, parse_depths);
-  if (arguments.members) s.members = s.snapshot->members;
+  if (arguments.members) s.members = snapshot.members;
   expect_bounded(s.grid, s.members);
-  const Field field(s.snapshot);
-  s.range = field.range();
+  s.range = s.field->range();
   const std::filesystem::path partial = arguments.out.string() + ".partial";
   const auto write = arguments.out.extension() == ".nc" ? write_netcdf : write_csv;
-  write(partial, field, s, context.json);
+  write(partial, s, context.json);
   if (with_value(s.counts) == 0) {
     std::filesystem::remove(partial);
     throw Error(ErrorKind::not_found, "found no current at any of these places (" +

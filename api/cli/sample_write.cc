@@ -21,7 +21,7 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 ingest::PointSamplesHead head_of(const Samples& s) {
-  const Snapshot& f = *s.snapshot;
+  const Snapshot& f = s.field->snapshot();
   const std::string credit = joined(f.attributions);
   return {s.grid.points,
           s.grid.time,
@@ -64,11 +64,11 @@ class Progress {
 
 }  // namespace
 
-void write_netcdf(const std::filesystem::path& file, const Field& field, Samples& s, bool quiet) {
+void write_netcdf(const std::filesystem::path& file, Samples& s, bool quiet) {
   PointSamplesWriter out(file, head_of(s));
   Progress progress(s, quiet);
   s.counts = sample_points(
-      field, s.grid, s.members, PointSamplesWriter::fill, [&](const SampleBlock& block) {
+      *s.field, s.grid, s.members, PointSamplesWriter::fill, [&](const SampleBlock& block) {
         out.write(block.member, block.first_point, block.east_m_s, block.north_m_s);
         if (block.member == 0) out.write_status(block.first_point, block.status);
         progress.took(block);
@@ -104,11 +104,11 @@ void write_rows(std::ostream& out, const SampleBlock& block, const SampleGrid& g
 
 }  // namespace
 
-void write_csv(const std::filesystem::path& file, const Field& field, Samples& s, bool quiet) {
+void write_csv(const std::filesystem::path& file, Samples& s, bool quiet) {
   std::ofstream out(file);
   out << "point,longitude_deg,latitude_deg,time,depth_m,member,east_m_s,north_m_s,status\n";
   Progress progress(s, quiet);
-  s.counts = sample_points(field, s.grid, s.members, PointSamplesWriter::fill,
+  s.counts = sample_points(*s.field, s.grid, s.members, PointSamplesWriter::fill,
                            [&](const SampleBlock& block) {
                              if (out) write_rows(out, block, s.grid);
                              progress.took(block);
@@ -142,7 +142,7 @@ void print_samples_json(const Samples& s, const std::filesystem::path& out) {
   json status = json::object();
   for (std::size_t i = 0; i < s.counts.size(); ++i)
     status[std::string(name_of(static_cast<SampleStatus>(i)))] = s.counts[i];
-  const Snapshot& f = *s.snapshot;
+  const Snapshot& f = s.field->snapshot();
   const json document = {{"site", f.site_id},
                          {"instance", s.row.id},
                          {"issued", format_utc(f.issued)},
@@ -169,7 +169,7 @@ void print_samples_json(const Samples& s, const std::filesystem::path& out) {
 }
 
 void print_samples(const Samples& s, const std::filesystem::path& out) {
-  const Snapshot& f = *s.snapshot;
+  const Snapshot& f = s.field->snapshot();
   std::printf("%s, forecast %lld issued %s from day %s\n", f.site_name.c_str(),
               static_cast<long long>(s.row.id), format_utc(f.issued).c_str(),
               format_day(f.day).c_str());

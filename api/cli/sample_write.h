@@ -12,7 +12,7 @@ namespace slackwater::api {
 /// What is written, and from where.
 struct Samples {
   store::ForecastRow row;
-  std::shared_ptr<const Snapshot> snapshot;
+  std::shared_ptr<const Field> field;
   SampleGrid grid;
   std::size_t members = 1;  ///< the central one among them
   ValidRange range;
@@ -20,9 +20,8 @@ struct Samples {
 };
 
 /// Samples and writes, block by block, and counts; `quiet`: no progress bar. Throws Error(unavailable).
-void write_netcdf(const std::filesystem::path& file, const Field& field, Samples& samples,
-                  bool quiet);
-void write_csv(const std::filesystem::path& file, const Field& field, Samples& samples, bool quiet);
+void write_netcdf(const std::filesystem::path& file, Samples& samples, bool quiet);
+void write_csv(const std::filesystem::path& file, Samples& samples, bool quiet);
 
 /// How many places have a value.
 [[nodiscard]] std::size_t with_value(const StatusCounts& counts);

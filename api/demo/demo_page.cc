@@ -1,11 +1,13 @@
 #include "api/demo/demo_page.h"
 #include "api/report/skill_table.h"
 #include "calibration/verify/skill_set.h"
+#include "fields/service/field.h"
 
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -32,9 +34,11 @@ ReportProfile profile_of(const DemoResult& result) {
   for (double depth = 0; depth < column.water_depth_m; depth += 1) profile.depth_m.push_back(depth);
   for (UtcTime time = s.time.front(); time <= s.time.back(); time += minutes(30))
     profile.time.push_back(time);
+  const Field field(std::make_shared<const Snapshot>(s));
   std::vector<CurrentSample> samples(profile.depth_m.size());
   for (const UtcTime time : profile.time) {
-    sample_profile(s, 0, time, profile.depth_m, samples);
+    field.sample_profile(column.point.longitude_deg(), column.point.latitude_deg(), time,
+                         profile.depth_m, samples);
     for (std::size_t k = 0; k < samples.size(); ++k) {
       const bool there = has_value(samples[k].status);
       profile.current_m_s.push_back(there ? samples[k].velocity_m_s : Horizontal(nan, nan));

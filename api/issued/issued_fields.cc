@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "api/issued/in_force.h"
 #include "data/store/layout.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
@@ -48,14 +49,14 @@ std::vector<IssuedForecast> named(std::vector<store::ForecastRow> rows) {
   return forecasts;
 }
 
-/// Of a site, best first: what was issued as a forecast comes before what was made in hindsight.
-std::vector<const IssuedForecast*> by_force(const std::vector<IssuedForecast>& newest_first,
-                                            const std::string& site) {
+/// Of a site, the one in force first.
+std::vector<const IssuedForecast*> of_site_by_force(const std::vector<IssuedForecast>& instances,
+                                                    const std::string& site) {
   std::vector<const IssuedForecast*> forecasts;
-  for (const IssuedForecast& forecast : newest_first)
+  for (const IssuedForecast& forecast : instances)
     if (forecast.row.site_id == site) forecasts.push_back(&forecast);
-  std::stable_partition(forecasts.begin(), forecasts.end(),
-                        [](const auto* forecast) { return forecast->row.origin == "forecast"; });
+  std::sort(forecasts.begin(), forecasts.end(),
+            [](const auto* a, const auto* b) { return has_more_force(a->row, b->row); });
   return forecasts;
 }
 
@@ -75,25 +76,12 @@ const IssuedForecast* ForecastCatalogue::find(const std::string& instance) const
   return nullptr;
 }
 
-const ForecastCatalogue::SiteForecast* ForecastCatalogue::site_at(
-    double longitude_deg, double latitude_deg) const noexcept {
-  const SiteForecast* nearest = nullptr;
-  double nearest_deg2 = 0;
-  for (const SiteForecast& site : sites) {
-    const Place place{longitude_deg, latitude_deg, 0, {}};
-    BedSample bed;
-    site.field->sample_bed({&place, 1}, {&bed, 1});
-    if (bed.status == SampleStatus::outside_area) continue;
-    const GeoPoint& centre = site.field->snapshot().columns.front().point;
-    const double east = std::remainder(longitude_deg - centre.longitude_deg(), 360.0) *
-                        std::cos(centre.latitude.radians());
-    const double north = latitude_deg - centre.latitude_deg();
-    const double deg2 = east * east + north * north;
-    if (nearest != nullptr && deg2 >= nearest_deg2) continue;
-    nearest = &site;
-    nearest_deg2 = deg2;
-  }
-  return nearest;
+const ForecastCatalogue::SiteForecast* ForecastCatalogue::site_at(double longitude_deg,
+                                                                  double latitude_deg) const {
+  std::vector<std::shared_ptr<const Field>> fields;
+  for (const SiteForecast& site : sites) fields.push_back(site.field);
+  const auto nearest = nearest_reaching(fields, longitude_deg, latitude_deg);
+  return nearest ? &sites[*nearest] : nullptr;
 }
 
 IssuedFields::IssuedFields(std::filesystem::path folder, Duration every)
@@ -185,7 +173,7 @@ ForecastCatalogue IssuedFields::next_catalogue(std::vector<IssuedForecast> insta
   }
   for (const std::string& site : sites) {
     std::size_t tries = 0;
-    for (const IssuedForecast* forecast : by_force(next.instances, site)) {
+    for (const IssuedForecast* forecast : of_site_by_force(next.instances, site)) {
       if (tries++ == most_tries) break;
       if (std::shared_ptr<const Field> field = in_force(*now, *forecast)) {
         next.sites.push_back({site, forecast->instance, std::move(field)});

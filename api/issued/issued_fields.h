@@ -38,8 +38,7 @@ struct ForecastCatalogue {
 
   [[nodiscard]] const IssuedForecast* find(const std::string& instance) const noexcept;
   /// The forecast in force for the site nearest to the place, of those that reach it; null where none does.
-  [[nodiscard]] const SiteForecast* site_at(double longitude_deg,
-                                            double latitude_deg) const noexcept;
+  [[nodiscard]] const SiteForecast* site_at(double longitude_deg, double latitude_deg) const;
 };
 
 /// Issued forecasts of a store, laid out for sampling: the one in force of each site always at hand, older ones

@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "api/issued/in_force.h"
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/daily_forecast.h"
 #include "fields/base/error.h"
@@ -23,20 +24,21 @@ bool is_wanted(const calibration::VerifyOptions& options, std::int64_t id) {
                                                 id) != options.forecasts.end();
 }
 
-/// The last issued of each day and wind policy, in order of day.
+/// The one in force of each day and wind policy, in order of day.
 std::vector<store::ForecastRow> forecasts_to_score(store::Store& store, const Site& site,
                                                    const calibration::VerifyOptions& options) {
   store::ForecastQuery query;
   query.site_id = site.id;
   query.from_day = options.from;
   query.to_day = options.to;
-  std::map<std::pair<UtcDay, std::string>, store::ForecastRow> last;
+  std::map<std::pair<UtcDay, std::string>, store::ForecastRow> in_force;
   for (store::ForecastRow& row : store.find_forecasts(query)) {
-    if (is_wanted(options, row.id))
-      last.insert_or_assign({row.day, row.wind_policy}, std::move(row));
+    if (!is_wanted(options, row.id)) continue;
+    const auto [found, is_new] = in_force.try_emplace({row.day, row.wind_policy}, row);
+    if (!is_new && has_more_force(row, found->second)) found->second = std::move(row);
   }
   std::vector<store::ForecastRow> rows;
-  for (auto& [key, row] : last) rows.push_back(std::move(row));
+  for (auto& [key, row] : in_force) rows.push_back(std::move(row));
   return rows;
 }
 

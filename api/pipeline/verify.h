@@ -6,8 +6,8 @@
 
 namespace slackwater::api {
 
-/// Scores every stored forecast of the site in the range whose truth is in: the last issued for
-/// each D and wind policy. Forecasts without any truth are left out; none at all is
+/// Scores every stored forecast of the site in the range whose truth is in: the one in force of
+/// each D and wind policy (api/issued/in_force.h). Forecasts without any truth are left out; none at all is
 /// Error(not_found).
 [[nodiscard]] calibration::Verification verify(store::Store& store, const Site& site,
                                                const calibration::VerifyOptions& options);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "api/issued/in_force.h"
 #include "api/program/paths.h"
 #include "api/rehearse/scenario_run.h"
 #include "data/store/store.h"
@@ -53,23 +54,6 @@ void add_turbines(const Scenario& scenario, const Site& site, ScenarioWater& wat
       std::make_shared<Turbine>(Turbine::load(data_folder() / "turbines" / "nrel_5mw.yaml"));
 }
 
-store::ForecastRow newest(store::Store& store, const Site& site, const ForecastWater& wanted) {
-  store::ForecastQuery query;
-  query.site_id = site.id;
-  query.from_day = wanted.day;
-  query.to_day = wanted.day;
-  query.latest_only = true;
-  const std::vector<store::ForecastRow> rows = store.find_forecasts(query);
-  if (rows.empty()) {
-    throw Error(ErrorKind::not_found,
-                "found no issued forecast for site " + site.id +
-                    (wanted.day ? " of day " + format_day(*wanted.day) : std::string()) +
-                    "; run `slackwater forecast` first, or name another day "
-                    "(`slackwater store list`)");
-  }
-  return rows.front();
-}
-
 }  // namespace
 
 ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& store_folder,
@@ -85,7 +69,9 @@ ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& st
     } else {
       store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
       const Site site = find_site(wanted.site, site_folders(store_folder));
-      water = of_file(store.content_path(newest(store, site, wanted).content_sha256));
+      const store::ForecastRow row =
+          forecast_in_force(store, {site.id, wanted.day, scenario.start});
+      water = of_file(store.content_path(row.content_sha256));
       add_turbines(scenario, site, water);
     }
   }

@@ -79,8 +79,7 @@ std::vector<ForecastRow> select_forecasts(Database& database, const ForecastQuer
   if (query.to_day) restrict_to(" AND day <= ?", format_day(*query.to_day));
   if (query.origin) restrict_to(" AND origin = ?", *query.origin);
   if (query.wind_policy) restrict_to(" AND wind_policy = ?", *query.wind_policy);
-  sql += query.latest_only ? " ORDER BY day DESC, issued_ms DESC, id DESC LIMIT 1"
-                           : " ORDER BY day, issued_ms, id";
+  sql += " ORDER BY day, issued_ms, id";
   Statement select = database.prepare(sql);
   for (std::size_t i = 0; i < bound.size(); ++i) select.bind(static_cast<int>(i) + 1, bound[i]);
   Statement inputs = database.prepare(

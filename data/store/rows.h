@@ -109,8 +109,6 @@ struct ForecastQuery {
   std::optional<UtcDay> to_day;
   std::optional<std::string> origin;
   std::optional<std::string> wind_policy;
-  bool latest_only =
-      false;  ///< at most one: the newest day, then the latest issue, then the latest stored
 };
 
 /// How one method did against the truth, for one forecast.

@@ -74,15 +74,6 @@ struct CurrentSample {
   SampleStatus status = SampleStatus::missing;
 };
 
-/// Linear in time and depth between the snapshot's stamps. Above the top level the top value holds,
-/// below the deepest level down to the bed the deepest value holds (physics between: the model
-/// decides, see `snapshot.cc`). Batch call; no allocation, thread-safe. `depths_m` and `out` have
-/// the same length. Member 0 is the central forecast and carries the forecast's sigma; any other
-/// is one future, its sigma is 0, and it is `missing` where the column does not hold it.
-void sample_profile(const Snapshot& snapshot, std::size_t column, UtcTime time,
-                    std::span<const double> depths_m, std::span<CurrentSample> out,
-                    std::size_t member = 0) noexcept;
-
 /// Quantiles of each component of the current.
 struct CurrentQuantiles {
   Horizontal p10_m_s{};

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 
 #include "data/store/store.h"
+#include "fields/service/field.h"
 #include "ingest/cf/forecast_file.h"
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/store_for_tests.h"
@@ -28,7 +30,8 @@ class ProfileOfAnEnsemble : public ::testing::Test {
     store::NewForecast row;
     row.content_file = store.staging_folder() / "made_up.nc";
     ingest::write_forecast(row.content_file, made);
-    snapshot_ = ingest::read_forecast(row.content_file);  // members as rounded
+    // Members as rounded.
+    field_.emplace(std::make_shared<const Snapshot>(ingest::read_forecast(row.content_file)));
     row.row.site_id = made.site_id;
     row.row.day = made.day;
     row.row.issued = made.issued;
@@ -53,14 +56,15 @@ class ProfileOfAnEnsemble : public ::testing::Test {
     return json::accept(result.out) ? json::parse(result.out) : json();
   }
   [[nodiscard]] std::vector<CurrentSample> sampled(std::size_t member) const {
-    std::vector<CurrentSample> samples(snapshot_.depth_m.size());
-    sample_profile(snapshot_, 2, parse_utc("2025-03-10T05:30:00Z"), snapshot_.depth_m, samples,
-                   member);
+    const std::vector<double>& depth_m = field_->snapshot().depth_m;
+    std::vector<CurrentSample> samples(depth_m.size());
+    field_->sample_profile(-2.55, 48.8701, parse_utc("2025-03-10T05:30:00Z"), depth_m, samples,
+                           member);
     return samples;
   }
 
   StoreForTests store_;
-  Snapshot snapshot_;
+  std::optional<Field> field_;
 };
 
 TEST_F(ProfileOfAnEnsemble, SaysHowManyMembersAndShowsTheCentralOneUnlessAsked) {

@@ -1,13 +1,14 @@
 // `slackwater profile` from a warm store as a whole process, its answer compared with
-// `sample_profile` on the same snapshot; and 50 levels evaluated inside the library, exact on a
+// the field of the same forecast; and 50 levels evaluated inside the library, exact on a
 // current that is linear in depth and time, without allocation.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <nlohmann/json.hpp>
 
-#include "fields/service/snapshot.h"
+#include "fields/service/field.h"
 #include "ingest/cf/forecast_file.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/counted_allocations.h"
@@ -47,9 +48,10 @@ PrintedProfile parse(const std::string& text) {
 }
 
 /// JSON prints the shortest decimals that read back as the same double: equal to the bit.
-bool same_as_library(const PrintedProfile& printed, const Snapshot& snapshot, UtcTime time) {
+bool same_as_library(const PrintedProfile& printed, const Field& field, UtcTime time) {
   std::vector<CurrentSample> samples(printed.depth_m.size());
-  sample_profile(snapshot, 0, time, printed.depth_m, samples);
+  const GeoPoint& point = field.snapshot().columns.front().point;
+  field.sample_profile(point.longitude_deg(), point.latitude_deg(), time, printed.depth_m, samples);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!has_value(samples[i].status) || samples[i].velocity_m_s != printed.velocity_m_s[i]) {
       return false;
@@ -62,17 +64,17 @@ void bench_command(BenchReport& report) {
   const SyntheticStore synthetic;
   const std::filesystem::path out = synthetic.file("forecast.nc");
   slackwater_or_throw(synthetic.forecast_arguments(synthetic.store(), out));
-  const Snapshot snapshot = ingest::read_forecast(out);
+  const Field field(std::make_shared<const Snapshot>(ingest::read_forecast(out)));
   const UtcTime time = UtcTime(synthetic.day()) + std::chrono::minutes(24 * 60 + 617);
   const std::vector<std::string> command{"profile", "--json",
                                          "--store", synthetic.store().string(),
                                          "--site",  synthetic.site_file().string(),
                                          "--time",  format_utc(time)};
   const PrintedProfile first = parse(slackwater_or_throw(command).out);  // warms the store
-  const bool right = same_as_library(first, snapshot, time);
+  const bool right = same_as_library(first, field, time);
   report.answer("profile", right,
                 std::to_string(first.depth_m.size()) + " levels " +
-                    (right ? "equal to" : "DIFFER from") + " sample_profile on the snapshot");
+                    (right ? "equal to" : "DIFFER from") + " the field in memory");
   if (!right || report.options().check_only) return;
   std::vector<double> wall_ms;
   std::vector<double> cpu_ms;
@@ -115,7 +117,8 @@ Snapshot linear_snapshot() {
 
 void bench_library(BenchReport& report) {
   constexpr std::size_t levels = 50;
-  const Snapshot snapshot = linear_snapshot();
+  const Field field(std::make_shared<const Snapshot>(linear_snapshot()));
+  const UtcTime start = field.range().from;
   std::vector<double> depths;
   for (std::size_t k = 0; k < levels; ++k) depths.push_back(1.6 * static_cast<double>(k));
   std::vector<CurrentSample> samples(levels);
@@ -128,8 +131,7 @@ void bench_library(BenchReport& report) {
   const std::size_t allocated_before = allocations();
   for (int i = 0; i < runs; ++i) {
     const int minute = minute_of(i);
-    sample_profile(snapshot, 0, snapshot.time.front() + std::chrono::minutes(minute), depths,
-                   samples);
+    field.sample_profile(0, 0, start + std::chrono::minutes(minute), depths, samples);
     for (std::size_t k = 0; k < levels; ++k) {
       const Horizontal error = samples[k].velocity_m_s - linear_current(depths[k], minute / 60.0);
       worst = std::max(worst, samples[k].status == SampleStatus::ok ? std::abs(error) : 1e9);
@@ -141,20 +143,20 @@ void bench_library(BenchReport& report) {
   std::snprintf(text, sizeof text,
                 "%d profiles of %zu levels, worst error %.1e m/s, %zu allocations, checksum %.9g",
                 runs, levels, worst, allocated, checksum);
-  // Values up to 2 m/s, a dozen roundings each: 1e-14 m/s.
-  const bool right = worst < 1e-14 && allocated == 0;
-  report.answer("sample_profile", right, text);
+  // Values up to 2 m/s in single precision, a few roundings each.
+  const bool right = worst < 1e-6 && allocated == 0;
+  report.answer("profile from a field", right, text);
   if (!right || report.options().check_only) return;
 
   std::vector<double> us(static_cast<std::size_t>(runs));
   for (int i = 0; i < runs; ++i) {
-    const UtcTime time = snapshot.time.front() + std::chrono::minutes(minute_of(i));
+    const UtcTime time = start + std::chrono::minutes(minute_of(i));
     const auto from = std::chrono::steady_clock::now();
-    sample_profile(snapshot, 0, time, depths, samples);
+    field.sample_profile(0, 0, time, depths, samples);
     us[static_cast<std::size_t>(i)] =
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - from).count();
   }
-  report.figure({"sample_profile, 50 levels", "us", us, library_target_us, ""});
+  report.figure({"profile from a field, 50 levels", "us", us, library_target_us, ""});
 }
 
 }  // namespace

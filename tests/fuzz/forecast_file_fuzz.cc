@@ -1,7 +1,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
+#include "fields/service/field.h"
 #include "ingest/cf/forecast_file.h"
 #include "tests/fuzz/fuzz_case.h"
 #include "tests/fuzz/scratch_folder.h"
@@ -41,10 +43,13 @@ void claim_sampling_is_safe(const Snapshot& snapshot) {
   const std::array depths_m{-1.0, 0.0, 3.0, 50.0, 20000.0};
   std::array<CurrentSample, depths_m.size()> samples;
   const auto last = snapshot.time.back();
+  const Field field(std::make_shared<const Snapshot>(snapshot));
+  const GeoPoint& point = snapshot.columns.front().point;
   for (const UtcTime time :
        {snapshot.time.front(), last, snapshot.time.front() + std::chrono::minutes(30)}) {
     for (const std::size_t member : {std::size_t{0}, snapshot.members - 1, snapshot.members}) {
-      sample_profile(snapshot, 0, time, depths_m, samples, member);
+      field.sample_profile(point.longitude_deg(), point.latitude_deg(), time, depths_m, samples,
+                           member);
       for (const CurrentSample& sample : samples) {
         fuzz::claim(!has_value(sample.status) || (std::isfinite(sample.velocity_m_s.real()) &&
                                                   std::isfinite(sample.velocity_m_s.imag())),

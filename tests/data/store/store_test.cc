@@ -195,7 +195,7 @@ TEST_F(StoreTest, ReturnsAForecastAsIssuedWithItsInputs) {
   EXPECT_EQ(bytes_of(store_.content_path(expected.content_sha256)), samples::forecast_content(1));
 }
 
-TEST_F(StoreTest, FindsForecastsBySiteDayOriginAndPolicyAndTheLatest) {
+TEST_F(StoreTest, FindsForecastsBySiteDayOriginAndPolicy) {
   std::vector<NewForecast> forecasts;
   for (int number = 1; number <= 4; ++number) {
     const auto file = store_.staging_folder() / std::to_string(number);
@@ -227,9 +227,6 @@ TEST_F(StoreTest, FindsForecastsBySiteDayOriginAndPolicyAndTheLatest) {
   query = otranto;
   query.wind_policy = "persist";
   EXPECT_EQ(found(query), std::vector{ids[1]});
-  query = otranto;
-  query.latest_only = true;
-  EXPECT_EQ(found(query), std::vector{again});
   EXPECT_EQ(store_.list_forecasts().size(), 5U);
 }
 

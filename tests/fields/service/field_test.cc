@@ -9,6 +9,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 #include "tests/support/made_up_forecast.h"
+#include "tests/support/reference_profile.h"
 
 namespace slackwater {
 namespace {
@@ -92,7 +93,7 @@ TEST(Field, AtItsColumnsItIsTheSnapshotWithinAMillimetrePerSecond) {
         snapshot->time.front() + minutes(static_cast<int>(random.uniform(0, 4320)));
     const std::array depth{random.uniform(0, snapshot->columns[c].water_depth_m)};
     std::array<CurrentSample, 1> exact;
-    sample_profile(*snapshot, c, time, depth, exact, member);
+    tests::reference_profile(*snapshot, c, time, depth, exact, member);
     const GeoPoint& p = snapshot->columns[c].point;
     const CurrentSample found =
         field.current({p.longitude_deg(), p.latitude_deg(), depth[0], time}, member);

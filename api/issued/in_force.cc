@@ -1,0 +1,83 @@
+#include "api/issued/in_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "fields/base/error.h"
+
+namespace slackwater::api {
+
+bool has_more_force(const store::ForecastRow& a, const store::ForecastRow& b) noexcept {
+  const auto rank = [](const store::ForecastRow& row) {
+    return std::tuple(row.origin == "forecast", row.day, row.issued, row.id);
+  };
+  return rank(a) > rank(b);
+}
+
+std::vector<store::ForecastRow> by_force(store::Store& store, const WantedForecast& wanted) {
+  store::ForecastQuery query;
+  query.site_id = wanted.site_id;
+  query.from_day = wanted.day;
+  query.to_day = wanted.day;
+  std::vector<store::ForecastRow> rows = store.find_forecasts(query);
+  std::erase_if(rows, [&](const store::ForecastRow& row) {
+    return wanted.valid_at &&
+           (*wanted.valid_at < row.valid_from || *wanted.valid_at > row.valid_to);
+  });
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
+    return a.site_id != b.site_id ? a.site_id < b.site_id : has_more_force(a, b);
+  });
+  return rows;
+}
+
+store::ForecastRow forecast_in_force(store::Store& store, const WantedForecast& wanted) {
+  std::vector<store::ForecastRow> rows = by_force(store, wanted);
+  if (!rows.empty()) return std::move(rows.front());
+  const std::string of_site =
+      wanted.site_id.empty() ? std::string() : " for site " + wanted.site_id;
+  const std::string of_day = wanted.day ? " of day " + format_day(*wanted.day) : std::string();
+  if (wanted.valid_at) {
+    const std::vector<store::ForecastRow> others =
+        by_force(store, {wanted.site_id, wanted.day, {}});
+    if (!others.empty()) {
+      throw Error(ErrorKind::not_found,
+                  "no forecast" + of_site + of_day + " covers " + format_utc(*wanted.valid_at) +
+                      "; the newest one is valid from " + format_utc(others.front().valid_from) +
+                      " to " + format_utc(others.front().valid_to));
+    }
+  }
+  throw Error(ErrorKind::not_found,
+              "found no issued forecast" + of_site + of_day + "; run `slackwater forecast` first" +
+                  (wanted.day ? ", or name another day (`slackwater store list`)" : ""));
+}
+
+std::shared_ptr<const Field> read_field(const store::Store& store, const store::ForecastRow& row,
+                                        ingest::Members members) {
+  return std::make_shared<const Field>(std::make_shared<const Snapshot>(
+      ingest::read_forecast(store.content_path(row.content_sha256), members)));
+}
+
+std::optional<std::size_t> nearest_reaching(std::span<const std::shared_ptr<const Field>> fields,
+                                            double longitude_deg, double latitude_deg) noexcept {
+  std::optional<std::size_t> nearest;
+  double nearest_deg2 = 0;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i] == nullptr) continue;
+    const Place place{longitude_deg, latitude_deg, 0, {}};
+    BedSample bed;
+    fields[i]->sample_bed({&place, 1}, {&bed, 1});
+    if (bed.status == SampleStatus::outside_area) continue;
+    const GeoPoint& centre = fields[i]->snapshot().columns.front().point;
+    const double east = std::remainder(longitude_deg - centre.longitude_deg(), 360.0) *
+                        std::cos(centre.latitude.radians());
+    const double north = latitude_deg - centre.latitude_deg();
+    const double deg2 = east * east + north * north;
+    if (nearest && deg2 >= nearest_deg2) continue;
+    nearest = i;
+    nearest_deg2 = deg2;
+  }
+  return nearest;
+}
+
+}  // namespace slackwater::api
