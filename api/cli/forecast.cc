@@ -60,7 +60,8 @@ void print_blend(const calibration::DailyForecast& forecast) {
   if (!forecast.earned) return;
   std::printf("Issued:");
   for (const calibration::CandidateShare& share : forecast.earned->blend.share) {
-    if (share.weight > 0) std::printf(" %s %.0f%%", share.name.c_str(), 100 * share.weight);
+    if (share.weight > 0)
+      std::printf(" %s %.0f%%", std::string(name_of(share.method)).c_str(), 100 * share.weight);
   }
   std::printf(". %s\n", forecast.earned->blend.provenance.c_str());
   std::printf("Spread times %.2f. %s\n", forecast.earned->spread.scale,
@@ -98,16 +99,18 @@ void print_days(const Snapshot& snapshot) {
 /// The forecast's own face: does it beat the plainest alternatives where the truth is in?
 std::string verdict_of(const std::vector<calibration::SkillEntry>& skill) {
   const calibration::LeadBin day{0, 24};
-  const auto ours = calibration::set_rmse(skill, "sea_water_velocity", "forecast", day);
+  const auto ours =
+      calibration::set_rmse(skill, "sea_water_velocity", calibration::Method::forecast, day);
   if (!ours) return "Not verified yet: no truth after a stored forecast of this site.";
   std::string best_name;
   double best = 0;
-  for (const char* const name : {"persistence", "day-mean", "same-hour", "tide-phase",
-                                 "tide-harmonic", "reference-slab", "provider"}) {
-    const auto theirs = calibration::set_rmse(skill, "sea_water_velocity", name, day);
+  for (const calibration::Method method : calibration::all_methods) {
+    if (method == calibration::Method::forecast || method == calibration::Method::oracle_mean)
+      continue;
+    const auto theirs = calibration::set_rmse(skill, "sea_water_velocity", method, day);
     if (theirs && (best_name.empty() || *theirs < best)) {
       best = *theirs;
-      best_name = name;
+      best_name = name_of(method);
     }
   }
   char text[200];

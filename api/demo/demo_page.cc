@@ -53,17 +53,17 @@ ReportProfile profile_of(const DemoResult& result) {
 
 std::vector<ReportSkill> skill_of(const DemoResult& result) {
   std::vector<ReportSkill> rows;
-  std::set<std::string> methods;
+  std::set<calibration::Method> methods;
   for (const calibration::SkillEntry& e : result.skill) {
     if (e.variable == "sea_water_velocity") methods.insert(e.method);
   }
   for (const calibration::LeadBin lead :
        {calibration::LeadBin{0, 24}, calibration::LeadBin{24, 48}, calibration::LeadBin{48, 72}}) {
-    for (const std::string& method : methods) {
+    for (const calibration::Method method : methods) {
       if (const auto rmse =
               calibration::set_rmse(result.skill, "sea_water_velocity", method, lead)) {
         ReportSkill row;
-        row.method = method;
+        row.method = name_of(method);
         row.lead = number(lead.from_h, "%.0f") + "–" + number(lead.to_h, "%.0f h");
         row.rmse_m_s = *rmse;
         rows.push_back(row);

@@ -72,20 +72,21 @@ json blend_json(const DailyForecast& forecast) {
   const auto& [blend, spread] = *forecast.earned;
   json share = json::array();
   for (const calibration::CandidateShare& s : blend.share) {
-    share.push_back({{"method", s.name},
+    share.push_back({{"method", name_of(s.method)},
                      {"weight", s.weight},
                      {"pairs", s.pairs},
                      {"past_rmse_m_s", s.past_rmse_m_s ? json(*s.past_rmse_m_s) : json(nullptr)}});
   }
-  return {{"share", share},
-          {"pairs", blend.pairs},
-          {"earned", blend.earned},
-          {"fell_back_to",
-           blend.fell_back_to ? json(blend.share[*blend.fell_back_to].name) : json(nullptr)},
-          {"provenance", blend.provenance},
-          {"spread_scale", spread.scale},
-          {"spread_pairs", spread.pairs},
-          {"spread_provenance", spread.provenance}};
+  return {
+      {"share", share},
+      {"pairs", blend.pairs},
+      {"earned", blend.earned},
+      {"fell_back_to",
+       blend.fell_back_to ? json(name_of(blend.share[*blend.fell_back_to].method)) : json(nullptr)},
+      {"provenance", blend.provenance},
+      {"spread_scale", spread.scale},
+      {"spread_pairs", spread.pairs},
+      {"spread_provenance", spread.provenance}};
 }
 
 }  // namespace

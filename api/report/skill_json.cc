@@ -91,7 +91,7 @@ json entry_json(const calibration::SkillEntry& e) {
             {"issued", format_utc(e.issued)},
             {"wind", e.wind},
             {"lead_h", json::array({e.lead.from_h, e.lead.to_h})},
-            {"method", e.method},
+            {"method", name_of(e.method)},
             {"interval_95", interval_json(e.interval)},
             {"truth", e.truth}};
   const char* const place = e.band && e.band->above_bed ? "height_above_bed_m" : "depth_m";

@@ -47,9 +47,9 @@ std::string heading(const calibration::SkillEntry& e) {
 
 std::string row(const calibration::SkillSet& set) {
   const calibration::SetScore& s = set.score;
-  std::string line =
-      formatted("%s %-15s %5zu %8zu %8.4f ", set.of.method == "forecast" ? " >" : "  ",
-                set.of.method.c_str(), s.pairs, s.n, s.rmse_m_s);
+  std::string line = formatted(
+      "%s %-15s %5zu %8zu %8.4f ", set.of.method == calibration::Method::forecast ? " >" : "  ",
+      std::string(name_of(set.of.method)).c_str(), s.pairs, s.n, s.rmse_m_s);
   line += interval_text(s.rmse_interval_m_s, "[%7.4f,%7.4f]", 17);
   line += formatted(" %+7.4f", s.bias_east_m_s);
   if (is_wave(set.of)) return line + "\n";
@@ -116,8 +116,8 @@ std::string skill_table(const std::vector<calibration::SkillEntry>& entries) {
 
 std::string hourly_table(const std::vector<calibration::SkillEntry>& entries) {
   const calibration::SkillSets all = calibration::sets_of(entries);
-  std::map<std::string, std::map<double, std::map<std::string, double>>> by_wind;
-  std::set<std::string> methods;
+  std::map<std::string, std::map<double, std::map<calibration::Method, double>>> by_wind;
+  std::set<calibration::Method> methods;
   for (const calibration::SkillSet& set : all.sets) {
     if (set.of.column || !is_hour_of_a_band(set.of)) continue;
     by_wind[set.of.wind][set.of.lead.to_h][set.of.method] = set.score.rmse_m_s;
@@ -126,11 +126,12 @@ std::string hourly_table(const std::vector<calibration::SkillEntry>& entries) {
   std::string table;
   for (const auto& [wind, hours] : by_wind) {
     table += "\nvector RMSE (m/s) by hour of lead, wind " + wind + "\n  lead h";
-    for (const std::string& method : methods) table += formatted(" %14s", method.c_str());
+    for (const calibration::Method method : methods)
+      table += formatted(" %14s", std::string(name_of(method)).c_str());
     table += "\n";
     for (const auto& [hour, scores] : hours) {
       table += formatted("  %6g", hour);
-      for (const std::string& method : methods) {
+      for (const calibration::Method method : methods) {
         const auto found = scores.find(method);
         table +=
             found == scores.end() ? formatted(" %14s", "-") : formatted(" %14.4f", found->second);

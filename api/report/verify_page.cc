@@ -31,11 +31,11 @@ bool is_hour(const calibration::SkillSet& set) {
 /// The lines of skill by lead hour, the forecast first.
 std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets,
                                 const std::string& wind) {
-  std::map<std::string, SkillLine> by_method;
+  std::map<calibration::Method, SkillLine> by_method;
   for (const calibration::SkillSet& set : sets) {
     if (!is_current(set) || !is_hour(set) || set.of.wind != wind) continue;
     SkillLine& line = by_method[set.of.method];
-    line.method = set.of.method;
+    line.method = name_of(set.of.method);
     line.lead_h.push_back(set.of.lead.to_h);
     line.rmse_m_s.push_back(set.score.rmse_m_s);
     const auto& interval = set.score.rmse_interval_m_s;
@@ -43,9 +43,9 @@ std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets,
     line.high_m_s.push_back(interval ? interval->high : nan);
   }
   std::vector<SkillLine> lines;
+  const auto ours = by_method.find(calibration::Method::forecast);
+  if (ours != by_method.end()) lines.push_back(std::move(by_method.extract(ours).mapped()));
   for (auto& [method, line] : by_method) lines.push_back(std::move(line));
-  std::stable_partition(lines.begin(), lines.end(),
-                        [](const SkillLine& line) { return line.method == "forecast"; });
   return lines;
 }
 
@@ -153,9 +153,9 @@ std::string verdict_of(const std::vector<const calibration::SkillSet*>& sets, bo
   const calibration::SkillSet* forecast = nullptr;
   const calibration::SkillSet* best = nullptr;
   for (const calibration::SkillSet* set : sets) {
-    if (set->of.method == "forecast") {
+    if (set->of.method == calibration::Method::forecast) {
       forecast = set;
-    } else if (set->of.method != "oracle-mean" &&
+    } else if (set->of.method != calibration::Method::oracle_mean &&
                (best == nullptr || set->score.rmse_m_s < best->score.rmse_m_s)) {
       best = set;
     }
@@ -170,7 +170,8 @@ std::string verdict_of(const std::vector<const calibration::SkillSet*>& sets, bo
     text += formatted(" [%.3f, %.3f]", s.rmse_interval_m_s->low, s.rmse_interval_m_s->high);
   if (best != nullptr) {
     beaten = beaten || best->score.rmse_m_s < s.rmse_m_s;
-    text += ", best baseline " + best->of.method + formatted(" %.3f m/s", best->score.rmse_m_s);
+    text += ", best baseline " + std::string(name_of(best->of.method)) +
+            formatted(" %.3f m/s", best->score.rmse_m_s);
   }
   if (s.coverage_80)
     text += formatted("; %.0f %% of the truth inside the 80 %% band", 100 * *s.coverage_80);
@@ -193,7 +194,7 @@ std::vector<std::string> row_of(const calibration::SkillSet& set) {
   const calibration::SetScore& s = set.score;
   return {calibration::band_text(set.of.band),
           calibration::lead_text(set.of.lead),
-          set.of.method,
+          std::string(name_of(set.of.method)),
           formatted("%zu", s.pairs),
           formatted("%.4f", s.rmse_m_s),
           cell(s.rmse_interval_m_s, "%.4f to %.4f", 1),

@@ -28,7 +28,6 @@ void check(std::span<const Candidate> candidates) {
                       [](const Candidate& c) { return c.available; }),
           "a blend needs a candidate that is available");
   for (const Candidate& candidate : candidates) {
-    expects(!candidate.name.empty(), "a candidate has a name");
     expects(std::isfinite(candidate.prior_weight) && candidate.prior_weight >= 0,
             "a prior weight is a number >= 0");
   }
@@ -38,7 +37,7 @@ void check(std::span<const Candidate> candidates) {
 std::size_t first_in_line(std::span<const Candidate> candidates) {
   for (const Candidate& standard : standard_candidates()) {
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-      if (candidates[c].available && candidates[c].name == standard.name) return c;
+      if (candidates[c].available && candidates[c].method == standard.method) return c;
     }
   }
   const auto first = std::find_if(candidates.begin(), candidates.end(),
@@ -120,7 +119,8 @@ std::string list_of(std::span<const CandidateShare> shares) {
   std::string list;
   for (const CandidateShare& share : shares) {
     if (share.weight <= 0) continue;
-    list += (list.empty() ? "" : ", ") + share.name + " " + fixed(share.weight, 2);
+    list += (list.empty() ? "" : ", ") + std::string(name_of(share.method)) + " " +
+            fixed(share.weight, 2);
   }
   return list;
 }
@@ -137,9 +137,9 @@ std::string provenance_of(const Blend& blend, const std::optional<Contest>& cont
   }
   if (contest && replaces(*contest, settings)) {
     const double of_baseline = std::max(0.0, contest->of_blend - contest->gain.mean);
-    return blend.share[contest->baseline].name + " alone: over " + pairs_text(blend.pairs) +
-           " it beat the blend, " + fixed(std::sqrt(of_baseline), 4) + " against " +
-           fixed(std::sqrt(contest->of_blend), 4) + " m/s";
+    return std::string(name_of(blend.share[contest->baseline].method)) + " alone: over " +
+           pairs_text(blend.pairs) + " it beat the blend, " + fixed(std::sqrt(of_baseline), 4) +
+           " against " + fixed(std::sqrt(contest->of_blend), 4) + " m/s";
   }
   return "weights earned over " + pairs_text(blend.pairs) + " (memory " +
          fixed(settings.forgetting_days, 0) + " days): " + list_of(blend.share) +
@@ -149,10 +149,10 @@ std::string provenance_of(const Blend& blend, const std::optional<Contest>& cont
 }  // namespace
 
 std::vector<Candidate> standard_candidates() {
-  return {{"slackwater", true, 1.0, false},    {"provider", true, 1.0, true},
-          {"reference-slab", true, 0.0, true}, {"tide-harmonic", true, 0.0, true},
-          {"tide-phase", true, 0.0, true},     {"day-mean", true, 0.0, true},
-          {"same-hour", true, 0.0, true},      {"persistence", true, 0.0, true}};
+  return {{Method::forecast, true, 1.0, false},      {Method::provider, true, 1.0, true},
+          {Method::reference_slab, true, 0.0, true}, {Method::tide_harmonic, true, 0.0, true},
+          {Method::tide_phase, true, 0.0, true},     {Method::day_mean, true, 0.0, true},
+          {Method::same_hour, true, 0.0, true},      {Method::persistence, true, 0.0, true}};
 }
 
 Blend blend_of(std::span<const Candidate> candidates, std::span<const PastPair> past,
@@ -175,7 +175,7 @@ Blend blend_of(std::span<const Candidate> candidates, std::span<const PastPair> 
     weights = VectorXd::Unit(weights.size(), static_cast<Index>(best->baseline));
   }
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    result.share.push_back({candidates[c].name, weights[static_cast<Index>(c)],
+    result.share.push_back({candidates[c].method, weights[static_cast<Index>(c)],
                             evidence.pairs_of(c), evidence.rmse_of(c)});
     if (result.earned && candidates[c].baseline && result.share.back().weight == 1.0) {
       result.fell_back_to = c;

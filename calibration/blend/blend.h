@@ -3,22 +3,22 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "calibration/blend/past_pair.h"
+#include "calibration/skill/method.h"
 
 namespace slackwater::calibration {
 
 /// A forecast that may take part in the one that is issued.
 struct Candidate {
-  std::string name;  ///< as in `verify --json`: "slackwater", "provider", "reference-slab", ...
+  Method method = Method::forecast;
   bool available = true;      ///< it can be made for the day that is forecast now
   double prior_weight = 0.0;  ///< >= 0, before anything is known of the past; need not sum to 1
   bool baseline = true;       ///< it may be issued in place of the blend
 };
 
-/// The names in use with the prior that is documented: `slackwater` and `provider` share equally, all
+/// The methods in use with the prior that is documented: `forecast` and `provider` share equally, all
 /// else is a baseline that has to earn its weight.
 ///
 /// Two forecasts of different origin and like skill are best averaged, and weights fitted to a short
@@ -48,7 +48,7 @@ struct BlendSettings {
 
 /// What a candidate contributes, and why.
 struct CandidateShare {
-  std::string name;
+  Method method = Method::forecast;
   double weight = 0;      ///< of the issued forecast; >= 0, sum 1
   std::size_t pairs = 0;  ///< past pairs it was present in
   /// Root mean square vector error over them, forgetting as the weights do; empty: none.
@@ -96,8 +96,8 @@ struct Blend {
 /// one standard error: it never decides.
 ///
 /// @param past  any order; candidates in the same order; older than six forgetting times is ignored
-/// Throws ContractViolation where no candidate is available, a name is empty, a prior weight is not a
-/// number >= 0, or a pair has another number of candidates.  Cost: about 1 ms for 8 candidates and 60
+/// Throws ContractViolation where no candidate is available, a prior weight is not a number >= 0, or a
+/// pair has another number of candidates.  Cost: about 1 ms for 8 candidates and 60
 /// pairs. Thread-safe, deterministic.
 [[nodiscard]] Blend blend_of(std::span<const Candidate> candidates, std::span<const PastPair> past,
                              const BlendSettings& settings = {});

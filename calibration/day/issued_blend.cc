@@ -36,11 +36,9 @@ std::vector<MethodForecast> methods_at(const ForecastColumn& column, const Colum
   return current_methods(data, plan, snapshot, 0, places, known);
 }
 
-const MethodForecast* find_method(const std::vector<MethodForecast>& methods,
-                                  const std::string& candidate) {
-  const std::string name = candidate == "slackwater" ? "forecast" : candidate;
+const MethodForecast* find_method(const std::vector<MethodForecast>& methods, Method candidate) {
   const auto found = std::find_if(methods.begin(), methods.end(),
-                                  [&](const MethodForecast& m) { return m.name == name; });
+                                  [&](const MethodForecast& m) { return m.method == candidate; });
   return found == methods.end() ? nullptr : &*found;
 }
 
@@ -51,8 +49,8 @@ std::vector<bool> available_candidates(const ForecastColumn& column, const Colum
   const Chosen<Horizontal> known = known_currents(data, plan);
   const auto methods = methods_at(column, data, plan, places_of(column, plan, known), known);
   std::vector<bool> available;
-  for (const std::string& name : candidate_names())
-    available.push_back(find_method(methods, name) != nullptr);
+  for (const Method candidate : candidate_methods())
+    available.push_back(find_method(methods, candidate) != nullptr);
   return available;
 }
 
@@ -63,7 +61,7 @@ void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastP
   const std::vector<Horizontal> own = column.current_m_s;
   const auto& share = earned.blend.share;
   const bool is_own_alone = std::all_of(share.begin(), share.end(), [](const auto& s) {
-    return s.name == "slackwater" || s.weight <= 0;
+    return s.method == Method::forecast || s.weight <= 0;
   });
   if (!is_own_alone) {
     const Chosen<Horizontal> known = known_currents(data, plan);
@@ -77,7 +75,7 @@ void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastP
         Horizontal sum{};
         double weight = 0;
         for (const auto& s : share) {
-          const MethodForecast* method = s.weight > 0 ? find_method(methods, s.name) : nullptr;
+          const MethodForecast* method = s.weight > 0 ? find_method(methods, s.method) : nullptr;
           const std::size_t at = places.column.offset(t, k);
           if (method == nullptr || !method->made.has(at)) continue;
           sum += s.weight * method->made.value[at];

@@ -44,7 +44,7 @@ bool has_any(const BaselineForecast& made) {
 /// The forecast as issued at the truth's own cells and levels: means over the truth's means, linear
 /// between the forecast's depths.
 MethodForecast as_issued(const Snapshot& snapshot, std::size_t index, const VectorColumn& truth) {
-  MethodForecast method{"forecast", nothing_at(truth), {}};
+  MethodForecast method{Method::forecast, nothing_at(truth), {}};
   const ForecastColumn& column = snapshot.columns[index];
   const std::size_t levels = snapshot.depth_m.size();
   if (column.current_m_s.empty()) return method;
@@ -80,7 +80,7 @@ MethodForecast as_issued(const Snapshot& snapshot, std::size_t index, const Vect
 /// The provider's own forecast issued by the end of D, at the truth's cells.
 MethodForecast provider_forecast(const ColumnData& column, const std::string& dataset,
                                  const VectorColumn& truth, UtcTime end_of_day) {
-  MethodForecast method{"provider", nothing_at(truth), {}};
+  MethodForecast method{Method::provider, nothing_at(truth), {}};
   Choice choice;
   choice.dataset = dataset;
   choice.only_forecasts = true;
@@ -116,10 +116,9 @@ std::vector<MethodForecast> current_methods(const ColumnData& column, const Fore
     const HorizonWind wind = horizon_wind(column.nearest_wind, policy, end, {});
     const BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,
                               column.point.latitude, plan.wind == WindPolicy::persist};
-    for (const Baseline baseline : all_baselines) {
+    for (const Method baseline : all_baselines) {
       auto outcome = make_baseline(baseline, input, truth.column.time, &truth.column);
-      if (outcome.forecast)
-        methods.push_back({std::string(name_of(baseline)), std::move(*outcome.forecast), {}});
+      if (outcome.forecast) methods.push_back({baseline, std::move(*outcome.forecast), {}});
     }
   }
   methods.push_back(provider_forecast(column, plan.dataset, truth.column, end));

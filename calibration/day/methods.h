@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "calibration/day/forecast_plan.h"
@@ -12,7 +11,7 @@ namespace slackwater::calibration {
 
 /// One method evaluated at the truth's own cells and levels.
 struct MethodForecast {
-  std::string name;       ///< "forecast", "provider" or a baseline
+  Method method = Method::forecast;
   BaselineForecast made;  ///< shape of the truth
   /// Standard deviation of each component, shape of the truth; empty for a method without spread.
   std::vector<double> sigma_m_s;

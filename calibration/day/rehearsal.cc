@@ -52,14 +52,14 @@ Chosen<Horizontal> day_after(const Chosen<Horizontal>& known, UtcTime end_of_day
 
 }  // namespace
 
-std::vector<std::string> candidate_names() {
-  std::vector<std::string> names;
-  for (const Candidate& c : standard_candidates()) names.push_back(c.name);
-  return names;
+std::vector<Method> candidate_methods() {
+  std::vector<Method> methods;
+  for (const Candidate& c : standard_candidates()) methods.push_back(c.method);
+  return methods;
 }
 
 RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
-  const std::vector<std::string> names = candidate_names();
+  const std::vector<Method> candidates = candidate_methods();
   RehearsedDay result;
   const ForecastPlan past = plan_of(plan, day);
   if (!holds_day(data_, day, past.issued)) return result;
@@ -76,16 +76,15 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
     const std::vector<MethodForecast> methods =
         current_methods(column, past, snapshot, 0, truth, known_currents(column, past));
     const std::size_t size = truth.column.value.size();
-    if (result.errors.empty()) result.errors.resize(names.size());
+    if (result.errors.empty()) result.errors.resize(candidates.size());
     const std::size_t before = result.sigma_m_s.size();
-    for (std::size_t c = 0; c < names.size(); ++c)
+    for (std::size_t c = 0; c < candidates.size(); ++c)
       result.errors[c].resize(before + size, Horizontal(nan, nan));
     result.sigma_m_s.resize(before + size, nan);
     for (const MethodForecast& method : methods) {
-      const std::string name = method.name == "forecast" ? "slackwater" : method.name;
-      const auto c =
-          static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-      if (c == names.size()) continue;  // the oracle is no candidate
+      const auto found = std::find(candidates.begin(), candidates.end(), method.method);
+      const auto c = static_cast<std::size_t>(found - candidates.begin());
+      if (c == candidates.size()) continue;  // the oracle is no candidate
       for (std::size_t o = 0; o < size; ++o) {
         if (!has_value(truth.column.status[o]) || !method.made.has(o)) continue;
         result.errors[c][before + o] = method.made.value[o] - truth.column.value[o];

@@ -48,7 +48,7 @@ class Rehearsals {
   std::map<std::tuple<UtcDay, WindPolicy, std::string>, std::shared_ptr<const RehearsedDay>> done_;
 };
 
-/// The names of the standard candidates, in order.
-[[nodiscard]] std::vector<std::string> candidate_names();
+/// The methods of the standard candidates, in order.
+[[nodiscard]] std::vector<Method> candidate_methods();
 
 }  // namespace slackwater::calibration

@@ -133,43 +133,32 @@ BaselineOutcome oracle(const BaselineInput& input, std::span<const TimeCell> tru
                     "no truth after " + format_day(input.day));
 }
 
-constexpr std::array<std::string_view, all_baselines.size()> names{
-    "persistence",   "day-mean",    "same-hour",     "tide-phase",
-    "tide-harmonic", "oracle-mean", "reference-slab"};
-
 }  // namespace
 
-std::string_view name_of(Baseline baseline) noexcept {
-  return names[static_cast<std::size_t>(baseline)];
-}
-
-std::optional<Baseline> baseline_from(std::string_view name) noexcept {
-  for (const Baseline baseline : all_baselines)
-    if (name_of(baseline) == name) return baseline;
-  return std::nullopt;
-}
-
-BaselineOutcome make_baseline(Baseline baseline, const BaselineInput& input,
+BaselineOutcome make_baseline(Method baseline, const BaselineInput& input,
                               std::span<const TimeCell> truth_time, const VectorColumn* truth) {
   expects(input.current.time.empty() || input.current.time.back().end <= end_of_day(input.day),
           "a baseline's history ends with day D");
   switch (baseline) {
-    case Baseline::persistence:
+    case Method::persistence:
       return constant_of_day(input, truth_time, false);
-    case Baseline::day_mean:
+    case Method::day_mean:
       return constant_of_day(input, truth_time, true);
-    case Baseline::same_hour:
+    case Method::same_hour:
       return repeated(input, truth_time, same_hour_period,
                       "no history 24 h before any of the forecast times");
-    case Baseline::tide_phase:
+    case Method::tide_phase:
       return repeated(input, truth_time, tide_phase_period,
                       "no history 24.84 h before any of the forecast times");
-    case Baseline::tide_harmonic:
+    case Method::tide_harmonic:
       return harmonic(input, truth_time);
-    case Baseline::oracle_mean:
+    case Method::oracle_mean:
       return oracle(input, truth_time, truth);
-    case Baseline::reference_slab:
+    case Method::reference_slab:
       return reference_slab_forecast(input, truth_time);
+    case Method::forecast:
+    case Method::provider:
+      break;
   }
   expects(false, "a baseline without a recipe");
   return {};

@@ -3,33 +3,19 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "calibration/skill/method.h"
 #include "fields/base/angle.h"
 #include "fields/base/time.h"
 #include "fields/interpolate/column.h"
 
 namespace slackwater::calibration {
 
-/// What a forecast is compared with. All but `oracle_mean` know nothing of the days after D.
-enum class Baseline {
-  persistence,     ///< the last value of D, held
-  day_mean,        ///< mean of D
-  same_hour,       ///< the value 24 h before; beyond 24 h of lead the last day repeats
-  tide_phase,      ///< the value two M2 periods (24.84 h) before, repeated likewise
-  tide_harmonic,   ///< mean + M2 S2 K1 O1 M4 of the last 15 days
-  oracle_mean,     ///< the mean of the forecast day itself: a yardstick, not a forecast
-  reference_slab,  ///< inertial slab driven by the wind, see reference_slab.h
-};
-
+/// The methods that `make_baseline` has a recipe for.
 inline constexpr std::array all_baselines{
-    Baseline::persistence,   Baseline::day_mean,    Baseline::same_hour,     Baseline::tide_phase,
-    Baseline::tide_harmonic, Baseline::oracle_mean, Baseline::reference_slab};
-
-/// The name in `verify --json`, e.g. "reference-slab".
-[[nodiscard]] std::string_view name_of(Baseline baseline) noexcept;
-[[nodiscard]] std::optional<Baseline> baseline_from(std::string_view name) noexcept;
+    Method::persistence,   Method::day_mean,    Method::same_hour,     Method::tide_phase,
+    Method::tide_harmonic, Method::oracle_mean, Method::reference_slab};
 
 class ColumnTide;
 
@@ -64,11 +50,13 @@ struct BaselineOutcome {
 
 /// Makes one baseline; pure. Recipes of the page "Baselines of the D -> D+1 current forecast".
 ///
+/// @param baseline    one of `all_baselines`
 /// @param truth_time  cells to forecast, all after the end of D, in any order
 /// @param truth       needed by `oracle_mean` alone: a column on the same levels that holds the
-/// truth; else ignored Throws ContractViolation where the history reaches beyond D.  Cost: below 1
-/// ms a column without tide.
-[[nodiscard]] BaselineOutcome make_baseline(Baseline baseline, const BaselineInput& input,
+///                    truth; else ignored
+/// Throws ContractViolation where the history reaches beyond D, or for a method without a recipe.
+/// Cost: below 1 ms a column without tide.
+[[nodiscard]] BaselineOutcome make_baseline(Method baseline, const BaselineInput& input,
                                             std::span<const TimeCell> truth_time,
                                             const VectorColumn* truth = nullptr);
 

@@ -46,7 +46,7 @@ std::vector<std::size_t> bands_of(const Scored& scored, double depth_m, double w
 void tally(const Scored& scored, const MethodForecast& method, const VectorColumn& truth,
            double water_depth_m, TalliesByMethod& sums) {
   HourlyTallies& tallies =
-      sums.try_emplace(method.name, scored.bands.size(), scored.hours).first->second;
+      sums.try_emplace(method.method, scored.bands.size(), scored.hours).first->second;
   for (std::size_t k = 0; k < truth.levels(); ++k) {
     const std::vector<std::size_t> bands = bands_of(scored, truth.levels_m[k], water_depth_m);
     for (std::size_t t = 0; t < truth.times(); ++t) {
@@ -121,7 +121,7 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   TalliesByMethod own;
   for (const MethodForecast& method : methods) {
     tally(scored, method, truth.column, issued.water_depth_m, apart ? own : sum.methods);
-    if (scored.options.traces && method.name == "forecast")
+    if (scored.options.traces && method.method == Method::forecast)
       trace_column(truth.column, method, sum.trace);
   }
   if (!apart) return;

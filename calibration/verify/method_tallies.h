@@ -1,6 +1,5 @@
 #pragma once
 #include <map>
-#include <string>
 #include <vector>
 
 #include "calibration/skill/vector_tally.h"
@@ -32,7 +31,7 @@ class HourlyTallies {
   std::vector<VectorTally> tally_;  ///< band x hour, hour fastest
 };
 
-using TalliesByMethod = std::map<std::string, HourlyTallies>;
+using TalliesByMethod = std::map<Method, HourlyTallies>;
 void merge(TalliesByMethod& all, const TalliesByMethod& more);
 
 /// The hour h of lead that a time falls into, (h, h + 1]; nothing at or before the end of D.

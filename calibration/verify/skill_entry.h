@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/skill/method.h"
 #include "calibration/skill/score.h"
 #include "fields/base/time.h"
 
@@ -60,7 +61,7 @@ struct SkillEntry {
   std::string wind;
   std::optional<DepthBand> band;  ///< nothing for wind and waves
   LeadBin lead;
-  std::string method;
+  Method method = Method::forecast;
   VectorScore vector;                  ///< for currents and wind
   std::optional<ScalarScore> scalar;   ///< for waves
   std::optional<Interval95> interval;  ///< of the RMSE; blocks are six hours of lead

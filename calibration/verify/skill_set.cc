@@ -58,7 +58,7 @@ SkillSets sets_of(const std::vector<SkillEntry>& entries) {
 }
 
 std::optional<double> set_rmse(const std::vector<SkillEntry>& entries, const std::string& variable,
-                               const std::string& method, const LeadBin& lead) {
+                               Method method, const LeadBin& lead) {
   std::vector<double> rmse;
   double widest = -1;
   for (const SkillEntry& e : entries) {

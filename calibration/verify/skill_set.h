@@ -27,7 +27,7 @@ struct SkillSets {
 /// Root mean square over the pairs of days of a method's error, in one lead bin and the
 /// widest band, pooled over columns: what a set scores.
 [[nodiscard]] std::optional<double> set_rmse(const std::vector<SkillEntry>& entries,
-                                             const std::string& variable, const std::string& method,
+                                             const std::string& variable, Method method,
                                              const LeadBin& lead);
 
 /// "0-5 m", "below 50 m", "0-5 m above the bed", "all depths", "surface".

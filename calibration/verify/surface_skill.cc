@@ -80,7 +80,7 @@ void score(SkillEntry& entry, const std::vector<SurfacePair>& pairs, bool scalar
   entry.interval = bootstrap_rmse(squared, block, random, 1000);
 }
 
-using PairsByMethod = std::map<std::string, std::vector<SurfacePair>>;
+using PairsByMethod = std::map<Method, std::vector<SurfacePair>>;
 
 void add_entries(const PairsByMethod& methods, const VerifyOptions& options,
                  const SkillEntry& blank, bool scalar, std::vector<SkillEntry>& entries) {
@@ -109,7 +109,7 @@ void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
     if (is_its_own_truth(snapshot, column.wind_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, column.wind_m_s, 1, 0, TimeCell::instant(time));
     if (forecast)
-      methods["forecast"].push_back(pair_at(*forecast, truth.column.value[t], time, end));
+      methods[Method::forecast].push_back(pair_at(*forecast, truth.column.value[t], time, end));
   }
   if (methods.empty()) return;
   blank.variable = "wind";
@@ -138,8 +138,8 @@ void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
     if (is_its_own_truth(snapshot, column.sea_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, height, 1, 0, TimeCell::instant(time));
     if (!forecast || std::isnan(forecast->real())) continue;
-    methods["forecast"].push_back(pair_at(*forecast, value, time, end));
-    if (last) methods["persistence"].push_back(pair_at(*last, value, time, end));
+    methods[Method::forecast].push_back(pair_at(*forecast, value, time, end));
+    if (last) methods[Method::persistence].push_back(pair_at(*last, value, time, end));
   }
   if (methods.empty()) return;
   blank.variable = "sea_surface_wave_significant_height";

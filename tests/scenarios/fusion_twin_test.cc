@@ -233,7 +233,8 @@ TEST(FusionTwin, TheProfilerIsTheTruthAtItsOwnDepthsAndTimes) {
   options.horizon = std::chrono::hours(24);
   options.verify.leads = {{0, 24}};
   options.verify.bands = {{0, 100}};
-  std::set<std::string> methods;
+  using calibration::Method;
+  std::set<Method> methods;
   for (const calibration::SkillEntry& entry :
        api::hindcast(store, twin_site(), options, {}).skill) {
     const bool is_whole_day = entry.lead.from_h == 0 && entry.lead.to_h == 24;
@@ -241,12 +242,13 @@ TEST(FusionTwin, TheProfilerIsTheTruthAtItsOwnDepthsAndTimes) {
     methods.insert(entry.method);
     EXPECT_EQ(entry.truth, "station NEAR");
     // Eight depths, every ten minutes from 00:10 to 23:50; the repetitions need a value there.
-    if (entry.method == "forecast" || entry.method == "day-mean") {
-      EXPECT_EQ(entry.vector.n, 8U * 143U) << entry.method;
+    if (entry.method == Method::forecast || entry.method == Method::day_mean) {
+      EXPECT_EQ(entry.vector.n, 8U * 143U) << name_of(entry.method);
     }
   }
-  for (const char* method : {"forecast", "persistence", "day-mean", "tide-phase", "tide-harmonic"})
-    EXPECT_TRUE(methods.contains(method)) << method;
+  for (const Method method : {Method::forecast, Method::persistence, Method::day_mean,
+                              Method::tide_phase, Method::tide_harmonic})
+    EXPECT_TRUE(methods.contains(method)) << name_of(method);
 }
 
 TEST(FusionTwin, TheRecordSaysWithWhatItWasFused) {

@@ -34,8 +34,9 @@ Pooled pooled(const std::vector<calibration::SkillEntry>& skill) {
     const bool is_whole = e.band && e.band->from_m == 0 && e.band->to_m > 1000;
     if (e.variable != "sea_water_velocity" || !is_whole || e.lead.from_h != 0 || e.lead.to_h != 24)
       continue;
-    if (e.method == "persistence") sum.persistence_square += e.vector.rmse_m_s * e.vector.rmse_m_s;
-    if (e.method != "forecast") continue;
+    if (e.method == calibration::Method::persistence)
+      sum.persistence_square += e.vector.rmse_m_s * e.vector.rmse_m_s;
+    if (e.method != calibration::Method::forecast) continue;
     sum.forecast_square += e.vector.rmse_m_s * e.vector.rmse_m_s;
     sum.coverage += e.vector.coverage_80.value_or(NAN);
     sum.crps_m_s += e.vector.crps_m_s.value_or(NAN);

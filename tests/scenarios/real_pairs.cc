@@ -86,13 +86,13 @@ std::vector<calibration::SkillEntry> baseline_skill(store::Store& store, const S
   return skill;
 }
 
-double set_error(const std::vector<calibration::SkillEntry>& skill, const std::string& method) {
+double set_error(const std::vector<calibration::SkillEntry>& skill, calibration::Method method) {
   return calibration::set_rmse(skill, "sea_water_velocity", method, {0, 24})
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 std::vector<double> pair_errors(const std::vector<calibration::SkillEntry>& skill,
-                                const std::string& method) {
+                                calibration::Method method) {
   std::vector<double> errors;
   const calibration::LeadBin whole_day{0, 24};
   for (const calibration::SkillEntry& entry : skill) {

@@ -27,10 +27,10 @@ void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& f
 
 /// Root mean square over days of a method's error, lead (0, 24] h, one band.
 [[nodiscard]] double set_error(const std::vector<calibration::SkillEntry>& skill,
-                               const std::string& method);
+                               calibration::Method method);
 
 /// The same for each day, in the order of days.
 [[nodiscard]] std::vector<double> pair_errors(const std::vector<calibration::SkillEntry>& skill,
-                                              const std::string& method);
+                                              calibration::Method method);
 
 }  // namespace slackwater::tests

@@ -33,7 +33,7 @@ api::HindcastOptions pair_options(const char* from, const char* to, double deepe
 /// The page's figures of reference-slab: each pair of the set to three digits.
 void expect_reference_slab_per_pair(const std::vector<calibration::SkillEntry>& skill,
                                     const std::vector<double>& per_pair) {
-  const std::vector<double> found = pair_errors(skill, "reference-slab");
+  const std::vector<double> found = pair_errors(skill, calibration::Method::reference_slab);
   ASSERT_EQ(found.size(), per_pair.size());
   for (std::size_t i = 0; i < found.size(); ++i)
     EXPECT_NEAR(found[i], per_pair[i], 0.51e-3) << "pair " << i;
@@ -43,9 +43,10 @@ void expect_reference_slab_per_pair(const std::vector<calibration::SkillEntry>& 
 void print_set(const char* set, const char* wind,
                const std::vector<calibration::SkillEntry>& skill) {
   std::printf("%-8s wind %-8s", set, wind);
-  for (const char* const method :
-       {"forecast", "persistence", "day-mean", "same-hour", "oracle-mean", "reference-slab"}) {
-    std::printf("  %s %.4f", method, set_error(skill, method));
+  using calibration::Method;
+  for (const Method method : {Method::forecast, Method::persistence, Method::day_mean,
+                              Method::same_hour, Method::oracle_mean, Method::reference_slab}) {
+    std::printf("  %s %.4f", std::string(name_of(method)).c_str(), set_error(skill, method));
   }
   std::printf("\n");
 }
@@ -71,7 +72,7 @@ std::vector<calibration::SkillEntry> period_skill(store::Store& store, const Sit
   std::vector<calibration::SkillEntry> skill = baseline_skill(store, site, options);
   for (const calibration::SkillEntry& entry :
        api::hindcast(store, thinned_site(site), options, {}).skill) {
-    if (entry.method == "forecast") skill.push_back(entry);
+    if (entry.method == calibration::Method::forecast) skill.push_back(entry);
   }
   return skill;
 }
@@ -111,14 +112,17 @@ TEST(RealPairs, BrestWindowsReproduceTheBaselinesPage) {
       "brest", store, site,
       {{"2023-11-02", "2023-11-02"}, {"2024-06-01", "2024-06-01"}, {"2024-08-05", "2024-08-05"}},
       150);
-  EXPECT_NEAR(set_error(skill.best, "persistence"), 0.2306, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "day-mean"), 0.1652, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "oracle-mean"), 0.1473, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "reference-slab"), 0.0499, half_last_digit);
-  EXPECT_NEAR(set_error(skill.persist, "reference-slab"), 0.0752, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::persistence), 0.2306, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::day_mean), 0.1652, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::oracle_mean), 0.1473, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::reference_slab), 0.0499, half_last_digit);
+  EXPECT_NEAR(set_error(skill.persist, calibration::Method::reference_slab), 0.0752,
+              half_last_digit);
   expect_reference_slab_per_pair(skill.best, {0.060, 0.040, 0.047});
-  EXPECT_LT(set_error(skill.best, "forecast"), set_error(skill.best, "day-mean"));
-  EXPECT_LT(set_error(skill.persist, "forecast"), set_error(skill.persist, "day-mean"));
+  EXPECT_LT(set_error(skill.best, calibration::Method::forecast),
+            set_error(skill.best, calibration::Method::day_mean));
+  EXPECT_LT(set_error(skill.persist, calibration::Method::forecast),
+            set_error(skill.persist, calibration::Method::day_mean));
 }
 
 TEST(RealPairs, OtrantoReproducesTheBaselinesPage) {
@@ -131,13 +135,15 @@ TEST(RealPairs, OtrantoReproducesTheBaselinesPage) {
   ASSERT_EQ(cells.size(), 394U);
   const SetSkill skill =
       skill_of("otranto", store, site_of("otranto", cells), {{"2021-10-12", "2021-10-13"}}, 120);
-  EXPECT_NEAR(set_error(skill.best, "persistence"), 0.1228, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "day-mean"), 0.1197, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "oracle-mean"), 0.0882, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "reference-slab"), 0.1111, half_last_digit);
-  EXPECT_NEAR(set_error(skill.persist, "reference-slab"), 0.1066, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::persistence), 0.1228, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::day_mean), 0.1197, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::oracle_mean), 0.0882, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::reference_slab), 0.1111, half_last_digit);
+  EXPECT_NEAR(set_error(skill.persist, calibration::Method::reference_slab), 0.1066,
+              half_last_digit);
   expect_reference_slab_per_pair(skill.best, {0.084, 0.133});
-  EXPECT_LT(set_error(skill.best, "forecast"), set_error(skill.best, "day-mean"));
+  EXPECT_LT(set_error(skill.best, calibration::Method::forecast),
+            set_error(skill.best, calibration::Method::day_mean));
 }
 
 TEST(RealPairs, ElbaReproducesTheBaselinesPage) {
@@ -149,14 +155,17 @@ TEST(RealPairs, ElbaReproducesTheBaselinesPage) {
   ASSERT_EQ(cells.size(), 168U);
   const SetSkill skill =
       skill_of("elba", store, site_of("elba", cells), {{"2014-05-17", "2014-05-19"}}, 120);
-  EXPECT_NEAR(set_error(skill.best, "persistence"), 0.0678, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "day-mean"), 0.0693, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "oracle-mean"), 0.0395, half_last_digit);
-  EXPECT_NEAR(set_error(skill.best, "reference-slab"), 0.0548, half_last_digit);
-  EXPECT_NEAR(set_error(skill.persist, "reference-slab"), 0.0606, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::persistence), 0.0678, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::day_mean), 0.0693, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::oracle_mean), 0.0395, half_last_digit);
+  EXPECT_NEAR(set_error(skill.best, calibration::Method::reference_slab), 0.0548, half_last_digit);
+  EXPECT_NEAR(set_error(skill.persist, calibration::Method::reference_slab), 0.0606,
+              half_last_digit);
   expect_reference_slab_per_pair(skill.best, {0.074, 0.047, 0.037});
-  EXPECT_LT(set_error(skill.best, "forecast"), set_error(skill.best, "persistence"));
-  EXPECT_LT(set_error(skill.persist, "forecast"), set_error(skill.persist, "persistence"));
+  EXPECT_LT(set_error(skill.best, calibration::Method::forecast),
+            set_error(skill.best, calibration::Method::persistence));
+  EXPECT_LT(set_error(skill.persist, calibration::Method::forecast),
+            set_error(skill.persist, calibration::Method::persistence));
 }
 
 TEST(RealPairs, WavesAreScoredAgainstTheBuoyOfHollandseKustNoord) {
@@ -182,8 +191,8 @@ TEST(RealPairs, WavesAreScoredAgainstTheBuoyOfHollandseKustNoord) {
   static_cast<void>(api::publish(store, job, "forecast"));
   const auto skill = api::verify(store, site, {}).entries;
   const std::string height = "sea_surface_wave_significant_height";
-  const auto ours = calibration::set_rmse(skill, height, "forecast", {0, 24});
-  const auto held = calibration::set_rmse(skill, height, "persistence", {0, 24});
+  const auto ours = calibration::set_rmse(skill, height, calibration::Method::forecast, {0, 24});
+  const auto held = calibration::set_rmse(skill, height, calibration::Method::persistence, {0, 24});
   ASSERT_TRUE(ours && held);
   EXPECT_EQ(skill.front().truth.substr(0, 7), "station") << skill.front().truth;
   EXPECT_LT(*ours, *held) << "the wave model knew of the storm";

@@ -14,10 +14,11 @@
 namespace slackwater::api {
 namespace {
 
+using calibration::Method;
 using nlohmann::json;
 const UtcTime end_of_d = parse_utc("2024-06-02T00:00:00Z");
 
-calibration::SkillEntry entry_of(const char* day, const char* method, double rmse) {
+calibration::SkillEntry entry_of(const char* day, Method method, double rmse) {
   calibration::SkillEntry entry;
   entry.variable = "sea_water_velocity";
   entry.site = "site";
@@ -58,7 +59,7 @@ calibration::TalliesByMethod day_of(ErrorAt error_at) {
   for (std::size_t h = 0; h < 24; ++h)
     tallies.at(0, h).add(calibration::contribution_of({error_at(h), 0}, {0, 0}));
   calibration::TalliesByMethod methods;
-  methods.emplace("forecast", tallies);
+  methods.emplace(Method::forecast, tallies);
   return methods;
 }
 
@@ -85,9 +86,9 @@ TEST(EntriesOf, AreTheLeadBinsAndEachHourOfTheFirstBand) {
 }
 
 TEST(SkillJson, NamesTheBandByWhatItCountsAndCarriesTheSet) {
-  auto first = entry_of("2024-06-01", "forecast", 0.3);
-  auto second = entry_of("2024-06-02", "forecast", 0.4);
-  auto bed = entry_of("2024-06-02", "forecast", 0.2);
+  auto first = entry_of("2024-06-01", Method::forecast, 0.3);
+  auto second = entry_of("2024-06-02", Method::forecast, 0.4);
+  auto bed = entry_of("2024-06-02", Method::forecast, 0.2);
   bed.band = calibration::DepthBand{0, 5, true};
   const json list = json::parse(skill_json({first, second, bed}));
   ASSERT_EQ(list.size(), 3U);
@@ -103,21 +104,21 @@ TEST(SkillJson, NamesTheBandByWhatItCountsAndCarriesTheSet) {
 }
 
 TEST(SetRmse, TakesTheLeadBinAskedForAndNoHourThatEndsWithIt) {
-  auto day = entry_of("2024-06-01", "forecast", 0.3);
-  auto hour = entry_of("2024-06-01", "forecast", 0.9);
+  auto day = entry_of("2024-06-01", Method::forecast, 0.3);
+  auto hour = entry_of("2024-06-01", Method::forecast, 0.9);
   hour.lead = {23, 24};
-  auto bed = entry_of("2024-06-01", "forecast", 0.7);
+  auto bed = entry_of("2024-06-01", Method::forecast, 0.7);
   bed.band = calibration::DepthBand{0, 5, true};
-  EXPECT_DOUBLE_EQ(
-      *calibration::set_rmse({bed, day, hour, bed}, "sea_water_velocity", "forecast", {0, 24}),
-      0.3);
-  EXPECT_FALSE(calibration::set_rmse({day}, "sea_water_velocity", "persistence", {0, 24}));
+  EXPECT_DOUBLE_EQ(*calibration::set_rmse({bed, day, hour, bed}, "sea_water_velocity",
+                                          Method::forecast, {0, 24}),
+                   0.3);
+  EXPECT_FALSE(calibration::set_rmse({day}, "sea_water_velocity", Method::persistence, {0, 24}));
 }
 
 TEST(SkillTable, PutsTheBestFirstAndLeavesHoursToTheirOwnTable) {
-  auto ours = entry_of("2024-06-01", "forecast", 0.3);
-  auto better = entry_of("2024-06-01", "day-mean", 0.2);
-  auto hour = entry_of("2024-06-01", "forecast", 0.9);
+  auto ours = entry_of("2024-06-01", Method::forecast, 0.3);
+  auto better = entry_of("2024-06-01", Method::day_mean, 0.2);
+  auto hour = entry_of("2024-06-01", Method::forecast, 0.9);
   hour.lead = {3, 4};
   const std::string table = skill_table({ours, better, hour});
   EXPECT_LT(table.find("day-mean"), table.find("> forecast"));

@@ -16,9 +16,9 @@ using Eigen::MatrixXd;
 
 /// Candidates a (prior 1, no baseline), b, c (baselines).
 std::vector<Candidate> three() {
-  return {{"slackwater", true, 1.0, false},
-          {"reference-slab", true, 0.0, true},
-          {"persistence", true, 0.0, true}};
+  return {{Method::forecast, true, 1.0, false},
+          {Method::reference_slab, true, 0.0, true},
+          {Method::persistence, true, 0.0, true}};
 }
 
 PastPair pair_with(const MatrixXd& gram, double age_days) {
@@ -73,7 +73,7 @@ TEST(Blend, ThePriorSharesBetweenOurForecastAndTheProvidersWhereItIsPresent) {
   EXPECT_EQ(blend.share[0].weight, 1.0);
   candidates[0].available = false;
   blend = blend_of(candidates, {});
-  EXPECT_EQ(blend.share[2].name, "reference-slab");
+  EXPECT_EQ(blend.share[2].method, Method::reference_slab);
   EXPECT_EQ(blend.share[2].weight, 1.0);
 }
 
@@ -87,7 +87,7 @@ TEST(Blend, MinimisesThePastErrorAndThePullOfThePriorExactly) {
   candidates[2].available = false;
   double g = 0;
   for (int day = 0; day < 30; ++day) g += std::exp(-day / 14.0);
-  // d_1 = min(a + b, b) = b; slackwater itself has d = 0. Minimum over w_1 = w of
+  // d_1 = min(a + b, b) = b; our own forecast has d = 0. Minimum over w_1 = w of
   // g [a (1-w)^2 + b w^2] + 2 b w^2.
   const double w = g * a / (g * (a + b) + 2.0 * b);
   const Blend blend = blend_of(candidates, past, settings);

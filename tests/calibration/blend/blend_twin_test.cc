@@ -23,13 +23,14 @@ struct Twin {
   double correlation = 0;        ///< between any two
 };
 
-const std::vector<std::string> names{"slackwater", "provider", "reference-slab", "tide-phase",
-                                     "same-hour",  "day-mean", "persistence"};
+const std::vector<Method> methods{Method::forecast,   Method::provider,  Method::reference_slab,
+                                  Method::tide_phase, Method::same_hour, Method::day_mean,
+                                  Method::persistence};
 
 std::vector<Candidate> candidates_of(const Twin& twin) {
   std::vector<Candidate> candidates;
   for (std::size_t c = 0; c < twin.rmse_m_s.size(); ++c) {
-    candidates.push_back({names[c], true, c == 0 ? 1.0 : 0.0, c != 0});
+    candidates.push_back({methods[c], true, c == 0 ? 1.0 : 0.0, c != 0});
   }
   return candidates;
 }

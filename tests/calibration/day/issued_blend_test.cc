@@ -62,18 +62,18 @@ ForecastColumn own_forecast(const ForecastPlan& plan) {
   return column;
 }
 
-/// Weights by name; all others are 0.
-Earned earned(const std::map<std::string, double>& weight, double scale = 1) {
+/// Weights by method; all others are 0.
+Earned earned(const std::map<Method, double>& weight, double scale = 1) {
   Earned result;
-  for (const std::string& name : candidate_names()) {
-    const auto found = weight.find(name);
-    result.blend.share.push_back({name, found == weight.end() ? 0 : found->second, 0, {}});
+  for (const Method method : candidate_methods()) {
+    const auto found = weight.find(method);
+    result.blend.share.push_back({method, found == weight.end() ? 0 : found->second, 0, {}});
   }
   result.spread.scale = scale;
   return result;
 }
 
-ForecastColumn issued(const ColumnData& data, const std::map<std::string, double>& weight,
+ForecastColumn issued(const ColumnData& data, const std::map<Method, double>& weight,
                       double scale = 1, int lead_h = 24) {
   const ForecastPlan plan = plan_to(lead_h);
   ForecastColumn column = own_forecast(plan);
@@ -84,7 +84,7 @@ ForecastColumn issued(const ColumnData& data, const std::map<std::string, double
 TEST(IssueBlend, OurOwnForecastAloneIsIssuedAsItIs) {
   const KnownSeriesForTests sea = known_sea();
   const ForecastColumn own = own_forecast(plan_to(24));
-  const ForecastColumn column = issued(sea.data, {{"slackwater", 1.0}});
+  const ForecastColumn column = issued(sea.data, {{Method::forecast, 1.0}});
   EXPECT_EQ(column.current_m_s, own.current_m_s);
   EXPECT_EQ(column.current_sigma_m_s, own.current_sigma_m_s);
   for (std::size_t i = 0; i < column.member_m_s.size(); ++i)
@@ -94,8 +94,8 @@ TEST(IssueBlend, OurOwnForecastAloneIsIssuedAsItIs) {
 TEST(IssueBlend, ACandidateWithAllTheWeightIsIssued) {
   const KnownSeriesForTests sea = known_sea();
   const ForecastPlan plan = plan_to(24);
-  const ForecastColumn persisted = issued(sea.data, {{"persistence", 1.0}});
-  const ForecastColumn repeated = issued(sea.data, {{"same-hour", 1.0}});
+  const ForecastColumn persisted = issued(sea.data, {{Method::persistence, 1.0}});
+  const ForecastColumn repeated = issued(sea.data, {{Method::same_hour, 1.0}});
   for (std::size_t t = 0; t < plan.stamps.size(); ++t) {
     for (std::size_t k = 0; k < levels; ++k) {
       EXPECT_EQ(persisted.current_m_s[t * levels + k], water(end_of_day, depth_m[k]));
@@ -107,10 +107,10 @@ TEST(IssueBlend, ACandidateWithAllTheWeightIsIssued) {
 TEST(IssueBlend, IsTheWeightedMeanOfItsCandidates) {
   const KnownSeriesForTests sea = known_sea();
   const ForecastColumn own = own_forecast(plan_to(24));
-  const ForecastColumn persisted = issued(sea.data, {{"persistence", 1.0}});
-  const ForecastColumn repeated = issued(sea.data, {{"same-hour", 1.0}});
-  const ForecastColumn blend =
-      issued(sea.data, {{"slackwater", 0.5}, {"persistence", 0.3}, {"same-hour", 0.2}});
+  const ForecastColumn persisted = issued(sea.data, {{Method::persistence, 1.0}});
+  const ForecastColumn repeated = issued(sea.data, {{Method::same_hour, 1.0}});
+  const ForecastColumn blend = issued(
+      sea.data, {{Method::forecast, 0.5}, {Method::persistence, 0.3}, {Method::same_hour, 0.2}});
   for (std::size_t i = 0; i < blend.current_m_s.size(); ++i) {
     const Horizontal expected =
         0.5 * own.current_m_s[i] + 0.3 * persisted.current_m_s[i] + 0.2 * repeated.current_m_s[i];
@@ -126,22 +126,24 @@ TEST(IssueBlend, IdenticalCandidatesBlendToThemselves) {
   const ForecastPlan plan = plan_to(24);
   ForecastColumn column = own_forecast(plan);
   std::fill(column.current_m_s.begin(), column.current_m_s.end(), everywhere);
-  issue_blend(
-      column, sea.data, plan,
-      earned(
-          {{"slackwater", 0.37}, {"persistence", 0.21}, {"day-mean", 0.13}, {"same-hour", 0.29}}));
+  issue_blend(column, sea.data, plan,
+              earned({{Method::forecast, 0.37},
+                      {Method::persistence, 0.21},
+                      {Method::day_mean, 0.13},
+                      {Method::same_hour, 0.29}}));
   for (const Horizontal value : column.current_m_s)
     EXPECT_LT(std::abs(value - everywhere), 1e-15) << "weights sum to one up to rounding";
 }
 
 TEST(IssueBlend, TheWeightOfACandidateThatIsAbsentGoesToTheOthers) {
   const KnownSeriesForTests sea = known_sea();  // no provider's forecast in it
-  const ForecastColumn with =
-      issued(sea.data, {{"slackwater", 0.3}, {"persistence", 0.2}, {"provider", 0.5}});
-  const ForecastColumn without = issued(sea.data, {{"slackwater", 0.6}, {"persistence", 0.4}});
+  const ForecastColumn with = issued(
+      sea.data, {{Method::forecast, 0.3}, {Method::persistence, 0.2}, {Method::provider, 0.5}});
+  const ForecastColumn without =
+      issued(sea.data, {{Method::forecast, 0.6}, {Method::persistence, 0.4}});
   for (std::size_t i = 0; i < with.current_m_s.size(); ++i)
     EXPECT_LT(std::abs(with.current_m_s[i] - without.current_m_s[i]), 1e-14);
-  const ForecastColumn alone = issued(sea.data, {{"provider", 1.0}});
+  const ForecastColumn alone = issued(sea.data, {{Method::provider, 1.0}});
   EXPECT_EQ(alone.current_m_s, own_forecast(plan_to(24)).current_m_s)
       << "where no candidate has a value our own stays";
 }
@@ -154,7 +156,8 @@ TEST(IssueBlend, TheProvidersForecastIsUsedAsFarAsItReaches) {
   sea.current(forecast_of("model", end_of_day + hours(4)),
               instants(end_of_day + hours(4), end_of_day + hours(24)), depth_m,
               steady({9, 9}));  // issued after the end of D: never seen
-  const ForecastColumn column = issued(sea.data, {{"slackwater", 0.5}, {"provider", 0.5}});
+  const ForecastColumn column =
+      issued(sea.data, {{Method::forecast, 0.5}, {Method::provider, 0.5}});
   const ForecastColumn own = own_forecast(plan_to(24));
   for (std::size_t i = 0; i < column.current_m_s.size(); ++i) {
     const Horizontal expected =
@@ -168,7 +171,7 @@ TEST(IssueBlend, MembersKeepTheirDeparturesScaledAsTheBandIs) {
   const double scale = 1.7;
   const ForecastColumn own = own_forecast(plan_to(24));
   const ForecastColumn column =
-      issued(sea.data, {{"slackwater", 0.5}, {"persistence", 0.5}}, scale);
+      issued(sea.data, {{Method::forecast, 0.5}, {Method::persistence, 0.5}}, scale);
   const std::size_t size = own.current_m_s.size();
   ASSERT_EQ(column.member_m_s.size(), members * size);
   for (std::size_t i = 0; i < column.member_m_s.size(); ++i) {
@@ -186,7 +189,7 @@ TEST(IssueBlend, QuantilesStandInOrderAboutTheIssuedCentre) {
   const ForecastPlan plan = plan_to(24);
   snapshot.time = plan.stamps;
   snapshot.depth_m = plan.depth_m;
-  snapshot.columns = {issued(sea.data, {{"slackwater", 0.4}, {"day-mean", 0.6}}, 0.6)};
+  snapshot.columns = {issued(sea.data, {{Method::forecast, 0.4}, {Method::day_mean, 0.6}}, 0.6)};
   for (const UtcTime stamp : plan.stamps) {
     std::vector<CurrentSample> samples(levels);
     reference_profile(snapshot, 0, stamp, depth_m, samples);
@@ -211,7 +214,7 @@ TEST(IssueBlend, WhatHasNoValueIsGivenNone) {
     column.current_m_s[t * levels + 1] = {};
   }
   const std::vector<SampleStatus> status = column.current_status;
-  issue_blend(column, sea.data, plan, earned({{"persistence", 1.0}}));
+  issue_blend(column, sea.data, plan, earned({{Method::persistence, 1.0}}));
   EXPECT_EQ(column.current_status, status);
   for (std::size_t t = 0; t < plan.stamps.size(); ++t)
     EXPECT_EQ(column.current_m_s[t * levels + 1], Horizontal{});
@@ -221,40 +224,44 @@ TEST(IssueBlend, NothingAfterTheDayMatters) {
   KnownSeriesForTests sea = known_sea();
   sea.current(analysis_of("model", 5), instants(end_of_day + hours(1), end_of_day + days(2)),
               depth_m, water);
-  const std::map<std::string, double> weight{
-      {"slackwater", 0.4}, {"persistence", 0.2}, {"same-hour", 0.2}, {"day-mean", 0.2}};
+  const std::map<Method, double> weight{{Method::forecast, 0.4},
+                                        {Method::persistence, 0.2},
+                                        {Method::same_hour, 0.2},
+                                        {Method::day_mean, 0.2}};
   ColumnData spoilt = sea.data;
   spoil_all_after(spoilt, end_of_day);
   EXPECT_EQ(issued(spoilt, weight).current_m_s, issued(sea.data, weight).current_m_s);
 }
 
-std::vector<std::string> available(const ColumnData& data) {
+std::vector<Method> available(const ColumnData& data) {
   const ForecastPlan plan = plan_to(24);
   const std::vector<bool> found = available_candidates(own_forecast(plan), data, plan);
-  const std::vector<std::string> names = candidate_names();
-  EXPECT_EQ(found.size(), names.size());
-  std::vector<std::string> result;
-  for (std::size_t c = 0; c < names.size(); ++c)
-    if (found[c]) result.push_back(names[c]);
+  const std::vector<Method> methods = candidate_methods();
+  EXPECT_EQ(found.size(), methods.size());
+  std::vector<Method> result;
+  for (std::size_t c = 0; c < methods.size(); ++c)
+    if (found[c]) result.push_back(methods[c]);
   return result;
 }
 
 TEST(AvailableCandidates, AreThoseThatTheRecordAllows) {
-  using Names = std::vector<std::string>;
+  using Methods = std::vector<Method>;
   KnownSeriesForTests sea = known_sea();
-  EXPECT_EQ(available(sea.data), (Names{"slackwater", "reference-slab", "tide-phase", "day-mean",
-                                        "same-hour", "persistence"}));
+  EXPECT_EQ(available(sea.data),
+            (Methods{Method::forecast, Method::reference_slab, Method::tide_phase, Method::day_mean,
+                     Method::same_hour, Method::persistence}));
   sea.current(forecast_of("model", end_of_day - hours(6)),
               instants(end_of_day - hours(6), end_of_day + days(2)), depth_m, water);
-  EXPECT_EQ(available(sea.data), (Names{"slackwater", "provider", "reference-slab", "tide-phase",
-                                        "day-mean", "same-hour", "persistence"}));
+  EXPECT_EQ(available(sea.data),
+            (Methods{Method::forecast, Method::provider, Method::reference_slab, Method::tide_phase,
+                     Method::day_mean, Method::same_hour, Method::persistence}));
   sea.current(analysis_of("model", 7), instants(end_of_day - days(20), end_of_day - days(4)),
               depth_m, water);
-  EXPECT_EQ(available(sea.data), candidate_names()) << "a record of more than 15 days";
+  EXPECT_EQ(available(sea.data), candidate_methods()) << "a record of more than 15 days";
 }
 
 TEST(AvailableCandidates, NeverHoldTheOracle) {
-  for (const std::string& name : candidate_names()) EXPECT_NE(name, "oracle-mean");
+  for (const Method method : candidate_methods()) EXPECT_NE(method, Method::oracle_mean);
 }
 
 }  // namespace

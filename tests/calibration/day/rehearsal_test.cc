@@ -53,7 +53,7 @@ KnownSeriesForTests sea_of(int past_days, const FlowForTests& flow = water) {
 }
 
 Earned earned(const SiteData& data, const ForecastPlan& plan, int threads = 1) {
-  std::vector<bool> available(candidate_names().size(), true);
+  std::vector<bool> available(candidate_methods().size(), true);
   available[1] = false;  // no provider's own forecast is stored
   return Rehearsals(data).earned(plan, available, threads);
 }
@@ -61,7 +61,7 @@ Earned earned(const SiteData& data, const ForecastPlan& plan, int threads = 1) {
 void expect_same(const Earned& a, const Earned& b) {
   ASSERT_EQ(a.blend.share.size(), b.blend.share.size());
   for (std::size_t c = 0; c < a.blend.share.size(); ++c) {
-    EXPECT_EQ(a.blend.share[c].name, b.blend.share[c].name);
+    EXPECT_EQ(a.blend.share[c].method, b.blend.share[c].method);
     EXPECT_EQ(a.blend.share[c].weight, b.blend.share[c].weight);
     EXPECT_EQ(a.blend.share[c].pairs, b.blend.share[c].pairs);
     EXPECT_EQ(a.blend.share[c].past_rmse_m_s, b.blend.share[c].past_rmse_m_s);
@@ -73,10 +73,10 @@ void expect_same(const Earned& a, const Earned& b) {
   EXPECT_EQ(a.spread.past_coverage_80, b.spread.past_coverage_80);
 }
 
-double weight_of(const Earned& earned, const std::string& name) {
+double weight_of(const Earned& earned, Method method) {
   for (const auto& share : earned.blend.share)
-    if (share.name == name) return share.weight;
-  ADD_FAILURE() << name;
+    if (share.method == method) return share.weight;
+  ADD_FAILURE() << name_of(method);
   return 0;
 }
 
@@ -106,11 +106,11 @@ TEST(Rehearsals, EachWeightIsAShareOfOne) {
   const Earned made = earned(site_of({sea.data}), plan_of(day));
   double sum = 0;
   for (const auto& share : made.blend.share) {
-    EXPECT_GE(share.weight, 0) << share.name;
+    EXPECT_GE(share.weight, 0) << name_of(share.method);
     sum += share.weight;
   }
   EXPECT_NEAR(sum, 1, 1e-12);
-  EXPECT_EQ(weight_of(made, "provider"), 0) << "it cannot be made for this day";
+  EXPECT_EQ(weight_of(made, Method::provider), 0) << "it cannot be made for this day";
   EXPECT_TRUE(made.blend.earned);
   EXPECT_EQ(made.spread.pairs, made.blend.pairs);
 }
@@ -152,7 +152,8 @@ TEST(Rehearsals, WithoutAPastThePriorStands) {
   const Earned made = earned(site_of({sea.data}), plan_of(day));
   EXPECT_EQ(made.blend.pairs, 0u);
   EXPECT_FALSE(made.blend.earned);
-  EXPECT_EQ(weight_of(made, "slackwater"), 1) << "with the provider absent, all that has a prior";
+  EXPECT_EQ(weight_of(made, Method::forecast), 1)
+      << "with the provider absent, all that has a prior";
   EXPECT_EQ(made.spread.scale, 1);
 }
 
@@ -164,9 +165,9 @@ TEST(Rehearsals, WhatNeverErredEarnsTheWeight) {
     return Horizontal(0.4 * rng.normal(), 0.4 * rng.normal());
   });
   const Earned made = earned(site_of({sea.data}), plan_of(day));
-  EXPECT_GT(weight_of(made, "same-hour"), 0.95);
+  EXPECT_GT(weight_of(made, Method::same_hour), 0.95);
   for (const auto& share : made.blend.share) {
-    if (share.name != "same-hour") continue;
+    if (share.method != Method::same_hour) continue;
     EXPECT_LT(*share.past_rmse_m_s, 1e-12) << "rounding";
   }
 }
@@ -175,7 +176,7 @@ TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
   const KnownSeriesForTests sea = sea_of(4);
   SiteData data = site_of({sea.data});
   Rehearsals rehearsals(data);
-  const std::vector<bool> available(candidate_names().size(), true);
+  const std::vector<bool> available(candidate_methods().size(), true);
   const Earned first = rehearsals.earned(plan_of(day), available, 1);
   // From here on whoever rehearses a day stumbles.
   data.site.fetch_km = -1;
@@ -186,7 +187,7 @@ TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
 TEST(Rehearsals, AreTheSameWhicheverDayOfAHindcastAsksFirst) {
   const KnownSeriesForTests sea = sea_of(8);
   const SiteData data = site_of({sea.data});
-  const std::vector<bool> available(candidate_names().size(), true);
+  const std::vector<bool> available(candidate_methods().size(), true);
   Rehearsals shared(data);
   (void)shared.earned(plan_of(day), available, 1);
   const UtcDay before = day - days(2);
@@ -197,7 +198,7 @@ TEST(Rehearsals, AreTheSameWhicheverDayOfAHindcastAsksFirst) {
 TEST(Rehearsals, ARehearsedDayBelongsToItsWindPolicy) {
   const KnownSeriesForTests sea = sea_of(7);
   const SiteData data = site_of({sea.data});
-  std::vector<bool> available(candidate_names().size(), true);
+  std::vector<bool> available(candidate_methods().size(), true);
   available[1] = false;
   Rehearsals shared(data);
   for (const WindPolicy wind : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
