@@ -126,7 +126,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   calibration::ForecastOptions options;
   options.issued = context.now();
   options.horizon = horizon_from(arguments.horizon);
-  options.wind = wind_policy_from(arguments.wind);
+  options.wind = option_value("--wind", arguments.wind, wind_policy_from);
   if (!arguments.day.empty()) options.day = option_value("--day", arguments.day, parse_day);
   if (arguments.print_downloads) {
     const auto products = ingest::ProductCatalogue::load(data_folder() / "products");
@@ -160,7 +160,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
                                        UtcTime(last) + days(1) + options.horizon);
   const DailyJob job = daily_job(data, options);
   const calibration::DailyForecast& forecast = job.forecast;
-  const std::int64_t id = publish(store, job, "forecast");
+  const std::int64_t id = publish(store, job, ForecastOrigin::forecast);
   const Snapshot& snapshot = forecast.snapshot;
   if (!arguments.out.empty()) {
     const std::filesystem::path out = arguments.out;

@@ -46,7 +46,7 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   HindcastOptions options;
   options.from = option_value("--from", arguments.from, parse_day);
   options.to = option_value("--to", arguments.to, parse_day);
-  options.wind = wind_policy_from(arguments.wind);
+  options.wind = option_value("--wind", arguments.wind, wind_policy_from);
   options.latency = option_value("--latency", arguments.latency, parse_duration);
   options.horizon = horizon_from(arguments.horizon);
   options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

@@ -88,8 +88,8 @@ void run_list(const Context& context) {
                                        {"issued", format_utc(f.issued)},
                                        {"valid_from", format_utc(f.valid_from)},
                                        {"valid_to", format_utc(f.valid_to)},
-                                       {"wind", f.wind_policy},
-                                       {"origin", f.origin},
+                                       {"wind", name_of(f.wind_policy)},
+                                       {"origin", name_of(f.origin)},
                                        {"degraded", f.degraded},
                                        {"headline", f.headline},
                                        {"content_sha256", f.content_sha256},
@@ -111,7 +111,8 @@ void run_list(const Context& context) {
   for (const auto& f : forecasts) {
     std::printf("  %-6lld %-22s day %s issued %s wind %-8s %s%s\n", static_cast<long long>(f.id),
                 f.site_id.c_str(), format_day(f.day).c_str(), format_utc(f.issued).c_str(),
-                f.wind_policy.c_str(), f.origin.c_str(), f.degraded ? " DEGRADED" : "");
+                std::string(name_of(f.wind_policy)).c_str(), std::string(name_of(f.origin)).c_str(),
+                f.degraded ? " DEGRADED" : "");
   }
 }
 

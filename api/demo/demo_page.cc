@@ -155,7 +155,7 @@ ReportInput demo_page(const DemoResult& result, const std::string& generated) {
   page.facts = {{"Issued", format_utc(s.issued)},
                 {"Valid", format_utc(s.time.front()) + " to " + format_utc(s.time.back())},
                 {"Calibrated on", format_day(s.day)},
-                {"Wind", s.wind_policy}};
+                {"Wind", std::string(name_of(s.wind_policy.value()))}};
   page.profile = profile_of(result);
   page.skill = skill_of(result);
   page.skill_note = "Root mean square vector error over " + std::to_string(result.days.size()) +

@@ -149,7 +149,7 @@ DemoResult run_demo(const DemoOptions& options,
     const SiteData data = load_site_data(
         store, result.site, UtcTime(day) - calibration::history_read, UtcTime(day) + days(4));
     const DailyJob job = daily_job(data, options_of_day);
-    static_cast<void>(publish(store, job, "forecast"));
+    static_cast<void>(publish(store, job, ForecastOrigin::forecast));
     result.days.push_back(score_against_truth(ocean, data, job.forecast));
     result.last = job.forecast.snapshot;
     result.last_summary_json = job.summary_json;

@@ -10,7 +10,7 @@ namespace slackwater::api {
 
 bool has_more_force(const store::ForecastRow& a, const store::ForecastRow& b) noexcept {
   const auto rank = [](const store::ForecastRow& row) {
-    return std::tuple(row.origin == "forecast", row.day, row.issued, row.id);
+    return std::tuple(row.origin == ForecastOrigin::forecast, row.day, row.issued, row.id);
   };
   return rank(a) > rank(b);
 }

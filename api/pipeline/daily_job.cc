@@ -14,12 +14,12 @@ DailyJob daily_job(const SiteData& data, const calibration::ForecastOptions& opt
   return job;
 }
 
-std::int64_t publish(store::Store& store, const DailyJob& job, const std::string& origin) {
+std::int64_t publish(store::Store& store, const DailyJob& job, ForecastOrigin origin) {
   return publish(store, std::span(&job, 1), origin).front();
 }
 
 std::vector<std::int64_t> publish(store::Store& store, std::span<const DailyJob> jobs,
-                                  const std::string& origin) {
+                                  ForecastOrigin origin) {
   std::vector<store::NewForecast> rows;
   for (const DailyJob& job : jobs) {
     const Snapshot& snapshot = job.forecast.snapshot;
@@ -31,7 +31,7 @@ std::vector<std::int64_t> publish(store::Store& store, std::span<const DailyJob>
     row.row.issued = snapshot.issued;
     row.row.valid_from = snapshot.time.front();
     row.row.valid_to = snapshot.time.back();
-    row.row.wind_policy = snapshot.wind_policy;
+    row.row.wind_policy = job.forecast.plan.wind;
     row.row.origin = origin;
     row.row.degraded = snapshot.degraded;
     row.row.headline = snapshot.headline;

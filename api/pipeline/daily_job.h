@@ -20,10 +20,9 @@ struct DailyJob {
 [[nodiscard]] DailyJob daily_job(const SiteData& data, const calibration::ForecastOptions& options);
 
 /// Writes the forecast's file and stores it as issued; returns its id.
-/// @param origin  forecast | hindcast
-std::int64_t publish(store::Store& store, const DailyJob& job, const std::string& origin);
+std::int64_t publish(store::Store& store, const DailyJob& job, ForecastOrigin origin);
 /// Several at once, all or none (hindcast).
 std::vector<std::int64_t> publish(store::Store& store, std::span<const DailyJob> jobs,
-                                  const std::string& origin);
+                                  ForecastOrigin origin);
 
 }  // namespace slackwater::api

@@ -31,7 +31,7 @@ std::vector<store::ForecastRow> forecasts_to_score(store::Store& store, const Si
   query.site_id = site.id;
   query.from_day = options.from;
   query.to_day = options.to;
-  std::map<std::pair<UtcDay, std::string>, store::ForecastRow> in_force;
+  std::map<std::pair<UtcDay, WindPolicy>, store::ForecastRow> in_force;
   for (store::ForecastRow& row : store.find_forecasts(query)) {
     if (!is_wanted(options, row.id)) continue;
     const auto [found, is_new] = in_force.try_emplace({row.day, row.wind_policy}, row);

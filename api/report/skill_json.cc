@@ -89,7 +89,7 @@ json entry_json(const calibration::SkillEntry& e) {
             {"column", e.column ? json(*e.column) : json(nullptr)},
             {"day", format_day(e.day)},
             {"issued", format_utc(e.issued)},
-            {"wind", e.wind},
+            {"wind", name_of(e.wind)},
             {"lead_h", json::array({e.lead.from_h, e.lead.to_h})},
             {"method", name_of(e.method)},
             {"interval_95", interval_json(e.interval)},

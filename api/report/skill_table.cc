@@ -35,8 +35,8 @@ bool is_wave(const calibration::SkillEntry& e) { return e.scalar.has_value(); }
 
 std::string heading(const calibration::SkillEntry& e) {
   std::string text = "\n" + e.variable + ", " + calibration::band_text(e.band) + ", lead " +
-                     calibration::lead_text(e.lead) + ", wind " + e.wind + ", truth " + e.truth +
-                     "\n";
+                     calibration::lead_text(e.lead) + ", wind " + std::string(name_of(e.wind)) +
+                     ", truth " + e.truth + "\n";
   if (is_wave(e))
     return text + formatted("  %-15s %5s %8s %8s %17s %8s\n", "method", "pairs", "values", "rmse m",
                             "[95 %]", "bias m");
@@ -116,7 +116,7 @@ std::string skill_table(const std::vector<calibration::SkillEntry>& entries) {
 
 std::string hourly_table(const std::vector<calibration::SkillEntry>& entries) {
   const calibration::SkillSets all = calibration::sets_of(entries);
-  std::map<std::string, std::map<double, std::map<calibration::Method, double>>> by_wind;
+  std::map<WindPolicy, std::map<double, std::map<calibration::Method, double>>> by_wind;
   std::set<calibration::Method> methods;
   for (const calibration::SkillSet& set : all.sets) {
     if (set.of.column || !is_hour_of_a_band(set.of)) continue;
@@ -125,7 +125,8 @@ std::string hourly_table(const std::vector<calibration::SkillEntry>& entries) {
   }
   std::string table;
   for (const auto& [wind, hours] : by_wind) {
-    table += "\nvector RMSE (m/s) by hour of lead, wind " + wind + "\n  lead h";
+    table +=
+        "\nvector RMSE (m/s) by hour of lead, wind " + std::string(name_of(wind)) + "\n  lead h";
     for (const calibration::Method method : methods)
       table += formatted(" %14s", std::string(name_of(method)).c_str());
     table += "\n";

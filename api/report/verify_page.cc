@@ -29,8 +29,7 @@ bool is_hour(const calibration::SkillSet& set) {
 }
 
 /// The lines of skill by lead hour, the forecast first.
-std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets,
-                                const std::string& wind) {
+std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets, WindPolicy wind) {
   std::map<calibration::Method, SkillLine> by_method;
   for (const calibration::SkillSet& set : sets) {
     if (!is_current(set) || !is_hour(set) || set.of.wind != wind) continue;
@@ -51,7 +50,7 @@ std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets,
 
 /// The daily sets of a policy in the first band and lead, which speak for the whole.
 std::vector<const calibration::SkillSet*> leading_sets(
-    const std::vector<calibration::SkillSet>& sets, const std::string& wind) {
+    const std::vector<calibration::SkillSet>& sets, WindPolicy wind) {
   std::vector<const calibration::SkillSet*> found;
   for (const calibration::SkillSet& set : sets) {
     if (!is_current(set) || is_hour(set) || set.of.wind != wind) continue;
@@ -101,12 +100,13 @@ SkillTrack track_of(const calibration::ForecastTrace& trace) {
 }
 
 /// Squared errors of all forecasts by hour of lead and depth.
-void pool_misfit(const std::vector<calibration::ForecastTrace>& traces, SkillPolicy& policy) {
+void pool_misfit(const std::vector<calibration::ForecastTrace>& traces, WindPolicy wind,
+                 SkillPolicy& policy) {
   std::map<std::pair<double, double>, calibration::BlockSum> pooled;
   std::set<double> hours;
   std::set<double> depths;
   for (const calibration::ForecastTrace& trace : traces) {
-    if (trace.wind != policy.wind) continue;
+    if (trace.wind != wind) continue;
     const UtcTime end = UtcTime(trace.day) + std::chrono::days(1);
     for (const auto& [place, sum] : trace.misfit) {
       const auto hour = calibration::hour_of_lead(end, place.first);
@@ -130,10 +130,10 @@ void pool_misfit(const std::vector<calibration::ForecastTrace>& traces, SkillPol
   }
 }
 
-SkillPolicy policy_of(const std::string& wind, const calibration::Verification& result,
+SkillPolicy policy_of(WindPolicy wind, const calibration::Verification& result,
                       const std::vector<calibration::SkillSet>& sets) {
   SkillPolicy policy;
-  policy.wind = wind;
+  policy.wind = name_of(wind);
   policy.by_lead = lines_of(sets, wind);
   for (const calibration::SkillSet* set : leading_sets(sets, wind)) {
     if (!set->score.reliability) continue;
@@ -144,7 +144,7 @@ SkillPolicy policy_of(const std::string& wind, const calibration::Verification& 
   }
   for (const calibration::ForecastTrace& trace : result.traces)
     if (trace.wind == wind) policy.tracks.push_back(track_of(trace));
-  pool_misfit(result.traces, policy);
+  pool_misfit(result.traces, wind, policy);
   return policy;
 }
 
@@ -162,7 +162,7 @@ std::string verdict_of(const std::vector<const calibration::SkillSet*>& sets, bo
   }
   if (forecast == nullptr) return {};
   const calibration::SetScore& s = forecast->score;
-  std::string text = "Wind " + forecast->of.wind + ", lead " +
+  std::string text = "Wind " + std::string(name_of(forecast->of.wind)) + ", lead " +
                      calibration::lead_text(forecast->of.lead) +
                      formatted(", %zu %s: forecast %.3f m/s", s.pairs,
                                s.pairs == 1 ? "pair of days" : "pairs of days", s.rmse_m_s);
@@ -208,9 +208,9 @@ std::vector<std::string> row_of(const calibration::SkillSet& set) {
           cell(s.coverage_interval, "%.0f to %.0f", 100)};
 }
 
-ReportTable table_of(const std::string& wind, const std::vector<calibration::SkillSet>& sets) {
+ReportTable table_of(WindPolicy wind, const std::vector<calibration::SkillSet>& sets) {
   ReportTable table;
-  table.title = "Scores by depth band, lead and method, wind " + wind;
+  table.title = "Scores by depth band, lead and method, wind " + std::string(name_of(wind));
   table.note =
       "Pairs of days weigh the same. RMSE of the vector, biases east, north and of the speed "
       "(forecast minus truth), m/s. Direction: mean absolute angle where both exceed 0.05 m/s. "
@@ -252,7 +252,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
   page.site = formatted("%.3f N %.3f E", site.point.latitude_deg(), site.point.longitude_deg());
   page.generated = generated;
   const std::vector<calibration::SkillSet> sets = calibration::sets_of(result.entries).sets;
-  std::set<std::string> winds;
+  std::set<WindPolicy> winds;
   std::set<std::string> truths;
   std::optional<UtcDay> first;
   std::optional<UtcDay> last;
@@ -263,7 +263,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
     first = first ? std::min(*first, set.first_day) : set.first_day;
     last = last ? std::max(*last, set.last_day) : set.last_day;
   }
-  for (const std::string& wind : winds) {
+  for (const WindPolicy wind : winds) {
     page.headline += verdict_of(leading_sets(sets, wind), page.beaten);
     page.policies.push_back(policy_of(wind, result, sets));
     page.tables.push_back(table_of(wind, sets));

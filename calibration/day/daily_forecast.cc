@@ -177,7 +177,7 @@ Snapshot snapshot_of(const SiteData& data, const ForecastPlan& plan,
   snapshot.site_name = data.site.name;
   snapshot.day = plan.day;
   snapshot.issued = plan.issued;
-  snapshot.wind_policy = name_of(plan.wind);
+  snapshot.wind_policy = plan.wind;
   snapshot.time = plan.stamps;
   snapshot.depth_m = plan.depth_m;
   snapshot.seed = plan.seed;

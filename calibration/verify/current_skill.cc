@@ -133,11 +133,12 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   slackwater::calibration::merge(sum.methods, own);
 }
 
-ForecastPlan plan_of(const Snapshot& snapshot, const std::string& dataset) {
+ForecastPlan plan_of(const Snapshot& snapshot, const std::string& dataset,
+                     const SkillEntry& blank) {
   ForecastPlan plan;
   plan.day = snapshot.day;
   plan.issued = snapshot.issued;
-  plan.wind = wind_policy_from(snapshot.wind_policy);
+  plan.wind = blank.wind;
   plan.dataset = dataset;
   return plan;
 }
@@ -163,7 +164,7 @@ ForecastSkill score_currents(const SiteData& data, const Snapshot& snapshot,
   ForecastSkill skill;
   if (dataset.empty() || snapshot.columns.empty()) return skill;
   const std::vector<DepthBand> bands = options.bands.empty() ? standard_bands() : options.bands;
-  const ForecastPlan plan = plan_of(snapshot, dataset);
+  const ForecastPlan plan = plan_of(snapshot, dataset, blank);
   const Scored scored{data,
                       snapshot,
                       options,
@@ -193,7 +194,7 @@ ForecastSkill score_currents(const SiteData& data, const Snapshot& snapshot,
   if (all.trace) {
     all.trace->day = snapshot.day;
     all.trace->issued = snapshot.issued;
-    all.trace->wind = snapshot.wind_policy;
+    all.trace->wind = blank.wind;
     all.trace->truth = all.truth;
   }
   skill.trace = std::move(all.trace);

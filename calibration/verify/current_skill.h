@@ -15,7 +15,7 @@ namespace slackwater::calibration {
 struct ForecastTrace {
   UtcDay day{};
   UtcTime issued{};
-  std::string wind;
+  WindPolicy wind = WindPolicy::best;
   std::string truth;
   GeoPoint point;               ///< of the column that is drawn
   std::vector<UtcTime> time;    ///< centres of the truth's cells after D

@@ -1,17 +1,19 @@
 #include "calibration/verify/score_forecast.h"
 
 #include "calibration/verify/surface_skill.h"
+#include "fields/base/check.h"
 
 namespace slackwater::calibration {
 
 ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
                              const std::string& dataset, const VerifyOptions& options) {
+  expects(snapshot.wind_policy.has_value(), "a forecast to score has a wind policy");
   SkillEntry blank;
   blank.variable = "sea_water_velocity";
   blank.site = snapshot.site_id;
   blank.day = snapshot.day;
   blank.issued = snapshot.issued;
-  blank.wind = snapshot.wind_policy;
+  blank.wind = *snapshot.wind_policy;
   ForecastSkill skill = score_currents(data, snapshot, dataset, options, blank);
   if (data.columns.empty() || snapshot.columns.empty()) return skill;
   const UtcTime end = UtcTime(snapshot.day) + std::chrono::days(1);

@@ -8,6 +8,7 @@
 #include "calibration/skill/method.h"
 #include "calibration/skill/score.h"
 #include "fields/base/time.h"
+#include "fields/service/wind_policy.h"
 
 namespace slackwater::calibration {
 
@@ -58,7 +59,7 @@ struct SkillEntry {
   std::optional<std::size_t> column;  ///< nothing: pooled over columns
   UtcDay day{};
   UtcTime issued{};
-  std::string wind;
+  WindPolicy wind = WindPolicy::best;
   std::optional<DepthBand> band;  ///< nothing for wind and waves
   LeadBin lead;
   Method method = Method::forecast;

@@ -21,8 +21,10 @@ ForecastRow forecast_from(const Statement& row) {
   forecast.issued = row.time(column++);
   forecast.valid_from = row.time(column++);
   forecast.valid_to = row.time(column++);
-  forecast.wind_policy = row.text(column++);
-  forecast.origin = row.text(column++);
+  with_context("forecast " + std::to_string(forecast.id) + " of the catalogue", [&] {
+    forecast.wind_policy = wind_policy_from(row.text(column++));
+    forecast.origin = forecast_origin_from(row.text(column++));
+  });
   forecast.degraded = row.integer(column++) != 0;
   forecast.headline = row.text(column++);
   forecast.content_sha256 = row.text(column++);
@@ -35,8 +37,6 @@ ForecastRow forecast_from(const Statement& row) {
 
 std::int64_t insert_forecast(Database& database, const ForecastRow& row,
                              const SealedFile& content) {
-  expects(row.origin == "forecast" || row.origin == "hindcast",
-          "the origin of a forecast is 'forecast' or 'hindcast'");
   expects(row.valid_from <= row.valid_to, "a forecast is valid from an instant to a later one");
   Statement insert = database.prepare(
       "INSERT INTO forecast (site_id, day, issued_ms, valid_from_ms, valid_to_ms, wind_policy, "
@@ -44,9 +44,9 @@ std::int64_t insert_forecast(Database& database, const ForecastRow& row,
       "headline, content_sha256, content_bytes, summary_json, code_version) VALUES "
       "(?,?,?,?,?,?,?,?,?,?,?,?,?)");
   insert.bind_all(row.site_id, format_day(row.day), row.issued, row.valid_from, row.valid_to,
-                  row.wind_policy, row.origin, std::int64_t{row.degraded}, row.headline,
-                  content.sha256, static_cast<std::int64_t>(content.bytes), row.summary_json,
-                  row.code_version);
+                  name_of(row.wind_policy), name_of(row.origin), std::int64_t{row.degraded},
+                  row.headline, content.sha256, static_cast<std::int64_t>(content.bytes),
+                  row.summary_json, row.code_version);
   insert.run();
   const std::int64_t id = database.last_inserted_id();
   Statement input = database.prepare(
@@ -77,8 +77,9 @@ std::vector<ForecastRow> select_forecasts(Database& database, const ForecastQuer
   if (!query.site_id.empty()) restrict_to(" AND site_id = ?", query.site_id);
   if (query.from_day) restrict_to(" AND day >= ?", format_day(*query.from_day));
   if (query.to_day) restrict_to(" AND day <= ?", format_day(*query.to_day));
-  if (query.origin) restrict_to(" AND origin = ?", *query.origin);
-  if (query.wind_policy) restrict_to(" AND wind_policy = ?", *query.wind_policy);
+  if (query.origin) restrict_to(" AND origin = ?", std::string(name_of(*query.origin)));
+  if (query.wind_policy)
+    restrict_to(" AND wind_policy = ?", std::string(name_of(*query.wind_policy)));
   sql += " ORDER BY day, issued_ms, id";
   Statement select = database.prepare(sql);
   for (std::size_t i = 0; i < bound.size(); ++i) select.bind(static_cast<int>(i) + 1, bound[i]);

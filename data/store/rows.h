@@ -10,6 +10,8 @@
 #include "fields/geo/geo_point.h"
 #include "fields/grid/gridded_field.h"
 #include "fields/grid/status.h"
+#include "fields/service/forecast_origin.h"
+#include "fields/service/wind_policy.h"
 
 namespace slackwater::store {
 
@@ -85,8 +87,8 @@ struct ForecastRow {
   UtcTime issued{};
   UtcTime valid_from{};
   UtcTime valid_to{};
-  std::string wind_policy;          ///< best | forecast | persist
-  std::string origin = "forecast";  ///< forecast | hindcast
+  WindPolicy wind_policy = WindPolicy::best;
+  ForecastOrigin origin = ForecastOrigin::forecast;
   bool degraded = false;
   std::string headline;
   std::string content_sha256;  ///< given by the store
@@ -107,8 +109,8 @@ struct ForecastQuery {
   std::string site_id;             ///< empty: all sites
   std::optional<UtcDay> from_day;  ///< day D, both ends included
   std::optional<UtcDay> to_day;
-  std::optional<std::string> origin;
-  std::optional<std::string> wind_policy;
+  std::optional<ForecastOrigin> origin;
+  std::optional<WindPolicy> wind_policy;
 };
 
 /// How one method did against the truth, for one forecast.

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
 #include "fields/grid/status.h"
+#include "fields/service/wind_policy.h"
 
 namespace slackwater {
 
@@ -46,9 +48,9 @@ struct Snapshot {
   std::string site_name;
   UtcDay day;  ///< day D, the last calibrated day
   UtcTime issued;
-  std::string wind_policy;      ///< best | forecast | persist
-  std::vector<UtcTime> time;    ///< hourly from the end of D, both ends included
-  std::vector<double> depth_m;  ///< below mean sea level, ascending
+  std::optional<WindPolicy> wind_policy;  ///< nothing: made up, its wind is nobody's forecast
+  std::vector<UtcTime> time;              ///< hourly from the end of D, both ends included
+  std::vector<double> depth_m;            ///< below mean sea level, ascending
   std::vector<ForecastColumn> columns;
   std::size_t members = 1;  ///< equally likely futures as issued, the central one among them
   std::uint64_t seed = 0;   ///< of the run: all randomness comes from (seed, stream name)

@@ -22,7 +22,7 @@ WindPolicy wind_policy_from(std::string_view name) {
   for (const WindPolicy policy : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
     if (name == name_of(policy)) return policy;
   }
-  throw Error(ErrorKind::usage,
+  throw Error(ErrorKind::invalid_input,
               "found wind policy '" + std::string(name) + "', expected best, forecast or persist");
 }
 

@@ -9,7 +9,9 @@ enum class WindPolicy {
   forecast,  ///< only what was issued by the end of D
   persist,   ///< the last value of D, decaying to the mean of the known record
 };
+/// The name in files, rows, JSON and `--wind`.
 [[nodiscard]] std::string_view name_of(WindPolicy policy) noexcept;
-[[nodiscard]] WindPolicy wind_policy_from(std::string_view name);  ///< throws Error(usage)
+/// Throws Error(invalid_input) for a name that is none.
+[[nodiscard]] WindPolicy wind_policy_from(std::string_view name);
 
 }  // namespace slackwater

@@ -21,8 +21,8 @@ inline constexpr double wind_member_step_m_s = 1.0 / 1024;
 /// never zero. Doubles, so that the round trip is exact, but for the members: floats rounded to
 /// `member_step_m_s`, deflated.
 ///
-/// Broken sizes (a member array that does not hold `members - 1` blocks) and members without a
-/// number are a ContractViolation.
+/// Broken sizes (a member array that does not hold `members - 1` blocks), members without a number
+/// and a snapshot without a wind policy are a ContractViolation.
 void write_forecast(const std::filesystem::path& file, const Snapshot& snapshot);
 
 /// Whether `read_forecast` brings the members along or leaves them in the file.

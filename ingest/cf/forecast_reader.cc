@@ -49,7 +49,7 @@ class ForecastReader {
     s.site_name = text("slackwater_site_name");
     s.day = parse_day(text("slackwater_day"));
     s.issued = parse_utc(text("slackwater_issued"));
-    s.wind_policy = text("slackwater_wind_policy");
+    s.wind_policy = wind_policy();
     s.seed = seed();
     s.members = count_members(in_);
     s.degraded = text("slackwater_degraded") == "true";
@@ -94,6 +94,11 @@ class ForecastReader {
     const auto [stop, problem] = std::from_chars(found->data(), end, value);
     if (problem != std::errc{} || stop != end) refuse("a seed that is no number: " + *found);
     return value;
+  }
+  WindPolicy wind_policy() const {
+    const std::string name = text("slackwater_wind_policy");
+    return with_context(in_.path().string() + ": slackwater_wind_policy",
+                        [&] { return wind_policy_from(name); });
   }
   std::string text(const char* name) const {
     if (auto found = in_.text(name)) return *found;

@@ -27,6 +27,7 @@ constexpr std::size_t chunk_values = std::size_t{1} << 20;
 void expect_whole(const Snapshot& s) {
   expects(!s.columns.empty() && !s.time.empty(), "a forecast has columns and times");
   expects(s.members >= 1, "a forecast has a central member");
+  expects(s.wind_policy.has_value(), "a forecast says where its wind beyond D comes from");
   for (const ForecastColumn& c : s.columns) {
     const std::size_t more = s.members - 1;
     expects(c.member_m_s.empty() || (c.current_m_s.size() == s.time.size() * s.depth_m.size() &&
@@ -243,7 +244,7 @@ class ForecastWriter {
     global("slackwater_site_name", s_.site_name);
     global("slackwater_day", format_day(s_.day));
     global("slackwater_issued", format_utc(s_.issued));
-    global("slackwater_wind_policy", s_.wind_policy);
+    global("slackwater_wind_policy", std::string(name_of(*s_.wind_policy)));
     global("slackwater_seed", std::to_string(s_.seed));
     global("slackwater_degraded", s_.degraded ? "true" : "false");
     global("slackwater_contains_stokes", s_.contains_stokes ? "true" : "false");

@@ -37,7 +37,7 @@ class ProfileOfAnEnsemble : public ::testing::Test {
     row.row.issued = made.issued;
     row.row.valid_from = made.time.front();
     row.row.valid_to = made.time.back();
-    row.row.wind_policy = made.wind_policy;
+    row.row.wind_policy = made.wind_policy.value();
     row.row.summary_json = "{}";
     row.row.code_version = "test";
     store.commit_forecasts(std::span(&row, 1));

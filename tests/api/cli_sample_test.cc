@@ -45,7 +45,7 @@ class Sample : public ::testing::Test {
     row.issued = made.issued;
     row.valid_from = made.time.front();
     row.valid_to = made.time.back();
-    row.wind_policy = made.wind_policy;
+    row.wind_policy = made.wind_policy.value();
     row.summary_json = "{}";
     row.code_version = "test";
     store.commit_forecast(row, content);

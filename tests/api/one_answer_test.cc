@@ -42,7 +42,7 @@ class OneAnswer : public ::testing::Test {
     issued_.issue(of_day(0, 1));
     in_force_ = of_day(1, 2);
     issued_.issue(in_force_);
-    issued_.issue(of_day(2, 3), "hindcast");  // newer, but made in hindsight
+    issued_.issue(of_day(2, 3), ForecastOrigin::hindcast);  // newer, but made in hindsight
     std::filesystem::create_directories(issued_.path() / "sites");
     std::ofstream(issued_.path() / "sites" / (in_force_.site_id + ".yaml"))
         << "id: " << in_force_.site_id

@@ -52,7 +52,7 @@ Snapshot forecast() {
   s.site_name = "Benchmark";
   s.day = parse_day("2025-03-09");
   s.issued = parse_utc("2025-03-10T05:00:00Z");
-  s.wind_policy = "best";
+  s.wind_policy = WindPolicy::best;
   s.provenance_json = "{}";
   s.headline = "made up";
   for (int k = 0; k < levels; ++k) s.depth_m.push_back(depth(k));
@@ -125,7 +125,7 @@ class Problem {
     row.issued = made.issued;
     row.valid_from = made.time.front();
     row.valid_to = made.time.back();
-    row.wind_policy = made.wind_policy;
+    row.wind_policy = made.wind_policy.value();
     row.summary_json = "{}";
     row.code_version = "bench";
     const auto content = store.staging_folder() / "forecast.nc";

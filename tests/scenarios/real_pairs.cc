@@ -71,7 +71,7 @@ std::vector<calibration::SkillEntry> baseline_skill(store::Store& store, const S
     empty.site_id = site.id;
     empty.day = day;
     empty.issued = UtcTime(day) + std::chrono::days(1);
-    empty.wind_policy = name_of(options.wind);
+    empty.wind_policy = options.wind;
     empty.time = {empty.issued, empty.issued + options.horizon};
     for (const ColumnData& column : data.columns) {
       empty.columns.emplace_back();

@@ -188,7 +188,7 @@ TEST(RealPairs, WavesAreScoredAgainstTheBuoyOfHollandseKustNoord) {
   EXPECT_TRUE(forecast.snapshot.degraded);
   EXPECT_NE(forecast.snapshot.headline.find("currents"), std::string::npos)
       << forecast.snapshot.headline;
-  static_cast<void>(api::publish(store, job, "forecast"));
+  static_cast<void>(api::publish(store, job, slackwater::ForecastOrigin::forecast));
   const auto skill = api::verify(store, site, {}).entries;
   const std::string height = "sea_surface_wave_significant_height";
   const auto ours = calibration::set_rmse(skill, height, calibration::Method::forecast, {0, 24});

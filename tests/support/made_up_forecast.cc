@@ -85,7 +85,7 @@ Snapshot made_up_forecast(const MadeUpForecast& size) {
   s.site_name = "Made-up site";
   s.day = parse_day("2025-03-09");
   s.issued = parse_utc("2025-03-10T05:00:00Z");
-  s.wind_policy = "best";
+  s.wind_policy = WindPolicy::best;
   s.headline = "A made-up forecast.";
   s.attributions = {"made up for tests"};
   s.provenance_json = R"({"inputs":[]})";

@@ -22,7 +22,6 @@ std::shared_ptr<const Field> made_up_field(std::vector<UtcTime> times, std::vect
   snapshot->site_name = "made-up water";
   snapshot->day = day_of(times.front());
   snapshot->issued = times.front();
-  snapshot->wind_policy = "made-up";
   snapshot->headline = "Made-up water.";
   snapshot->time = std::move(times);
   snapshot->depth_m = std::move(depths_m);

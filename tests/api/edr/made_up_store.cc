@@ -58,7 +58,7 @@ void commit_made_up_forecast(const std::filesystem::path& folder, const Snapshot
   row.row.issued = made.issued;
   row.row.valid_from = made.time.front();
   row.row.valid_to = made.time.back();
-  row.row.wind_policy = made.wind_policy;
+  row.row.wind_policy = made.wind_policy.value();
   row.row.headline = made.headline;
   row.row.summary_json = "{}";
   row.row.code_version = "test";

@@ -14,7 +14,7 @@ using std::chrono::days;
 using std::chrono::hours;
 using tests::IssuedStore;
 
-store::ForecastRow row_of(const std::string& origin, int day, int hour, std::int64_t id) {
+store::ForecastRow row_of(ForecastOrigin origin, int day, int hour, std::int64_t id) {
   store::ForecastRow row;
   row.site_id = "lone";
   row.origin = origin;
@@ -26,8 +26,8 @@ store::ForecastRow row_of(const std::string& origin, int day, int hour, std::int
 
 TEST(InForce, AForecastBeforeHindsightThenDayThenIssueThenNumber) {
   const std::vector<store::ForecastRow> in_order{
-      row_of("forecast", 2, 6, 4), row_of("forecast", 2, 6, 3), row_of("forecast", 2, 5, 9),
-      row_of("forecast", 1, 9, 8), row_of("hindcast", 5, 0, 7), row_of("hindcast", 4, 0, 6)};
+      row_of(ForecastOrigin::forecast, 2, 6, 4), row_of(ForecastOrigin::forecast, 2, 6, 3), row_of(ForecastOrigin::forecast, 2, 5, 9),
+      row_of(ForecastOrigin::forecast, 1, 9, 8), row_of(ForecastOrigin::hindcast, 5, 0, 7), row_of(ForecastOrigin::hindcast, 4, 0, 6)};
   for (std::size_t a = 0; a < in_order.size(); ++a) {
     for (std::size_t b = 0; b < in_order.size(); ++b)
       EXPECT_EQ(has_more_force(in_order[a], in_order[b]), a < b) << a << " against " << b;
@@ -39,7 +39,7 @@ class InForceOfAStore : public ::testing::Test {
   InForceOfAStore() {
     issued_.issue(IssuedStore::small("lone", 0, 0.1));
     later_ = issued_.issue(IssuedStore::small("lone", 1, 0.2));
-    hindcast_ = issued_.issue(IssuedStore::small("lone", 2, 0.3), "hindcast");
+    hindcast_ = issued_.issue(IssuedStore::small("lone", 2, 0.3), ForecastOrigin::hindcast);
     issued_.issue(IssuedStore::small("other", 1, 0.4));
   }
   store::Store open() const {

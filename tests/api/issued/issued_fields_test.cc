@@ -171,10 +171,10 @@ TEST(IssuedFields, OfTwoIssuedAtOnceTheLaterStoredIsInForceAndNamesStayWithTheir
 
 TEST(IssuedFields, AHindcastIsInForceOnlyWhereNothingWasIssued) {
   IssuedStore store;
-  store.issue(IssuedStore::small("a", 5, 0.1), "hindcast");
-  store.issue(IssuedStore::small("b", 1, 0.2), "forecast");
-  store.issue(IssuedStore::small("b", 5, 0.3), "hindcast");
-  store.issue(IssuedStore::small("a", 7, 0.4), "hindcast");
+  store.issue(IssuedStore::small("a", 5, 0.1), ForecastOrigin::hindcast);
+  store.issue(IssuedStore::small("b", 1, 0.2), ForecastOrigin::forecast);
+  store.issue(IssuedStore::small("b", 5, 0.3), ForecastOrigin::hindcast);
+  store.issue(IssuedStore::small("a", 7, 0.4), ForecastOrigin::hindcast);
   IssuedFields fields(store.path(), never);
   ASSERT_EQ(fields.catalogue()->sites.size(), 2U);
   EXPECT_NEAR(mark_in_force(fields, 0), 0.4, 1e-6);

@@ -40,7 +40,7 @@ class IssuedStore {
     return made;
   }
 
-  std::int64_t issue(const Snapshot& made, const std::string& origin = "forecast") {
+  std::int64_t issue(const Snapshot& made, ForecastOrigin origin = ForecastOrigin::forecast) {
     store::Store store = open();
     store::NewForecast row;
     row.content_file = store.staging_folder() / "made_up.nc";
@@ -50,7 +50,7 @@ class IssuedStore {
     row.row.issued = made.issued;
     row.row.valid_from = made.time.front();
     row.row.valid_to = made.time.back();
-    row.row.wind_policy = made.wind_policy;
+    row.row.wind_policy = made.wind_policy.value();
     row.row.origin = origin;
     row.row.headline = made.headline;
     row.row.summary_json = "{}";

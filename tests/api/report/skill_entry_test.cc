@@ -22,7 +22,6 @@ calibration::SkillEntry entry_of(const char* day, Method method, double rmse) {
   calibration::SkillEntry entry;
   entry.variable = "sea_water_velocity";
   entry.site = "site";
-  entry.wind = "best";
   entry.day = parse_day(day);
   entry.method = method;
   entry.band = calibration::DepthBand{0, calibration::whole_column_m, false};

@@ -46,7 +46,7 @@ TEST(WindPolicyNames, AreReadAsTheyAreWritten) {
     (void)wind_policy_from("storm");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    EXPECT_EQ(error.kind(), ErrorKind::invalid_input);
     EXPECT_NE(error.message().find("'storm'"), std::string::npos);
   }
 }

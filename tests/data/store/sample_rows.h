@@ -90,7 +90,6 @@ inline ForecastRow forecast_row(int number, std::vector<std::int64_t> inputs = {
   row.issued = UtcTime(row.day) + std::chrono::hours(29);
   row.valid_from = UtcTime(row.day) + std::chrono::hours(24);
   row.valid_to = row.valid_from + std::chrono::hours(72);
-  row.wind_policy = "best";
   row.headline = "Forecast " + std::to_string(number);
   row.summary_json = R"({"misfit_m_s": 0.03})";
   row.code_version = "0.1.0";

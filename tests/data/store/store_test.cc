@@ -202,8 +202,8 @@ TEST_F(StoreTest, FindsForecastsBySiteDayOriginAndPolicy) {
     samples::write_file(file, samples::forecast_content(number));
     forecasts.push_back({samples::forecast_row(number), file});
   }
-  forecasts[0].row.origin = "hindcast";
-  forecasts[1].row.wind_policy = "persist";
+  forecasts[0].row.origin = ForecastOrigin::hindcast;
+  forecasts[1].row.wind_policy = WindPolicy::persist;
   forecasts[3].row.site_id = "elba";
   const auto ids = store_.commit_forecasts(forecasts);
   ASSERT_EQ(ids.size(), 4U);
@@ -222,12 +222,30 @@ TEST_F(StoreTest, FindsForecastsBySiteDayOriginAndPolicy) {
   query.from_day = query.to_day = samples::forecast_row(3).day;
   EXPECT_EQ(found(query), (std::vector{ids[2], again}));
   query = otranto;
-  query.origin = "hindcast";
+  query.origin = ForecastOrigin::hindcast;
   EXPECT_EQ(found(query), std::vector{ids[0]});
   query = otranto;
-  query.wind_policy = "persist";
+  query.wind_policy = WindPolicy::persist;
   EXPECT_EQ(found(query), std::vector{ids[1]});
   EXPECT_EQ(store_.list_forecasts().size(), 5U);
+}
+
+TEST_F(StoreTest, RefusesAForecastWhoseWindPolicyIsUnknown) {
+  const std::int64_t id = samples::issue(store_, 1);
+  ASSERT_EQ(run_sql(folder_,
+                    "DROP TRIGGER forecast_is_immutable; UPDATE forecast SET wind_policy='storm'"),
+            "");
+  try {
+    static_cast<void>(store_.list_forecasts());
+    FAIL() << "read a policy that is none";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::invalid_input);
+    EXPECT_NE(error.message().find("forecast " + std::to_string(id) +
+                                   " of the catalogue: found "
+                                   "wind policy 'storm', expected best, forecast or persist"),
+              std::string::npos)
+        << error.message();
+  }
 }
 
 TEST_F(StoreTest, StoresSeveralForecastsOrNone) {

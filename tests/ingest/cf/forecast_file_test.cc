@@ -24,7 +24,7 @@ Snapshot full_snapshot(std::size_t columns) {
   s.site_name = "Test site";
   s.day = parse_day("2025-03-09");
   s.issued = parse_utc("2025-03-10T05:00:00Z");
-  s.wind_policy = "best";
+  s.wind_policy = WindPolicy::best;
   s.seed = 0xfedcba9876543210;  // more than a double holds
   s.degraded = true;
   s.contains_stokes = true;

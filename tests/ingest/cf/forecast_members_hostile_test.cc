@@ -208,6 +208,13 @@ TEST(DamagedMembers, WithASeedThatIsNoNumberAreRefused) {
   }
 }
 
+TEST(DamagedMembers, OfAForecastWithAnUnknownWindPolicyAreRefused) {
+  Damage damage;
+  damage.attributes["slackwater_wind_policy"] = "storm";
+  expect_refused(damage,
+                 "slackwater_wind_policy: found wind policy 'storm', expected best, forecast or");
+}
+
 TEST(DamagedMembers, ThatDeflateToNothingAreRefusedBeforeTheyFillTheMemory) {
   Damage damage;
   damage.dimension_lengths["realization"] = 1023;
