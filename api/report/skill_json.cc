@@ -37,7 +37,6 @@ json reliability_json(const std::optional<calibration::Reliability>& reliability
 }
 
 void add_scalar(json& j, const calibration::ScalarScore& s) {
-  j["unit"] = "m";
   j["n"] = s.n;
   j["rmse"] = number(s.rmse);
   j["bias"] = number(s.bias);
@@ -46,7 +45,6 @@ void add_scalar(json& j, const calibration::ScalarScore& s) {
 }
 
 void add_vector(json& j, const calibration::VectorScore& v) {
-  j["unit"] = "m s-1";
   j["n"] = v.n;
   j["rmse_m_s"] = number(v.rmse_m_s);
   j["bias_east_m_s"] = number(v.bias_east_m_s);
@@ -64,22 +62,23 @@ json set_json(const calibration::SkillSet& set) {
   json j = {{"pairs", s.pairs},
             {"days", {format_day(set.first_day), format_day(set.last_day)}},
             {"n", s.n},
-            {"interval_95", interval_json(s.rmse_interval_m_s)}};
-  if (set.of.scalar) {
-    j["rmse"] = number(s.rmse_m_s);
-    j["bias"] = number(s.bias_east_m_s);
+            {"interval_95", interval_json(s.rmse_interval)}};
+  if (!s.vector) {
+    j["rmse"] = number(s.rmse);
+    j["bias"] = or_null(s.bias);
     return j;
   }
-  j["rmse_m_s"] = number(s.rmse_m_s);
-  j["bias_east_m_s"] = number(s.bias_east_m_s);
-  j["bias_north_m_s"] = number(s.bias_north_m_s);
-  j["speed_bias_m_s"] = number(s.speed_bias_m_s);
-  j["direction_mae_deg"] = or_null(s.direction_mae_deg);
-  j["correlation"] = correlation_json(s.correlation_abs, s.correlation_deg);
-  j["crps_m_s"] = or_null(s.crps_m_s);
-  j["coverage_80"] = or_null(s.coverage_80);
-  j["coverage_80_interval_95"] = interval_json(s.coverage_interval);
-  j["reliability"] = reliability_json(s.reliability);
+  const calibration::VectorSetScore& v = *s.vector;
+  j["rmse_m_s"] = number(s.rmse);
+  j["bias_east_m_s"] = number(v.bias_east_m_s);
+  j["bias_north_m_s"] = number(v.bias_north_m_s);
+  j["speed_bias_m_s"] = number(v.speed_bias_m_s);
+  j["direction_mae_deg"] = or_null(v.direction_mae_deg);
+  j["correlation"] = correlation_json(v.correlation_abs, v.correlation_deg);
+  j["crps_m_s"] = or_null(v.crps_m_s);
+  j["coverage_80"] = or_null(v.coverage_80);
+  j["coverage_80_interval_95"] = interval_json(v.coverage_interval);
+  j["reliability"] = reliability_json(v.reliability);
   return j;
 }
 
@@ -92,6 +91,7 @@ json entry_json(const calibration::SkillEntry& e) {
             {"wind", name_of(e.wind)},
             {"lead_h", json::array({e.lead.from_h, e.lead.to_h})},
             {"method", name_of(e.method)},
+            {"unit", calibration::unit_of(e.variable)},
             {"interval_95", interval_json(e.interval)},
             {"truth", e.truth}};
   const char* const place = e.band && e.band->above_bed ? "height_above_bed_m" : "depth_m";

@@ -31,13 +31,11 @@ std::string interval_text(const std::optional<calibration::Interval95>& interval
   return interval ? formatted(format, interval->low, interval->high) : formatted("%*s", width, "-");
 }
 
-bool is_wave(const calibration::SkillEntry& e) { return e.scalar.has_value(); }
-
 std::string heading(const calibration::SkillEntry& e) {
   std::string text = "\n" + e.variable + ", " + calibration::band_text(e.band) + ", lead " +
                      calibration::lead_text(e.lead) + ", wind " + std::string(name_of(e.wind)) +
                      ", truth " + e.truth + "\n";
-  if (is_wave(e))
+  if (e.scalar)
     return text + formatted("  %-15s %5s %8s %8s %17s %8s\n", "method", "pairs", "values", "rmse m",
                             "[95 %]", "bias m");
   return text + formatted("  %-15s %5s %8s %8s %17s %7s %7s %7s %5s %5s %7s %7s %9s\n", "method",
@@ -47,19 +45,19 @@ std::string heading(const calibration::SkillEntry& e) {
 
 std::string row(const calibration::SkillSet& set) {
   const calibration::SetScore& s = set.score;
-  std::string line = formatted(
-      "%s %-15s %5zu %8zu %8.4f ", set.of.method == calibration::Method::forecast ? " >" : "  ",
-      std::string(name_of(set.of.method)).c_str(), s.pairs, s.n, s.rmse_m_s);
-  line += interval_text(s.rmse_interval_m_s, "[%7.4f,%7.4f]", 17);
-  line += formatted(" %+7.4f", s.bias_east_m_s);
-  if (is_wave(set.of)) return line + "\n";
-  line += formatted(" %+7.4f %+7.4f ", s.bias_north_m_s, s.speed_bias_m_s);
-  line += or_dash(s.direction_mae_deg, "%5.0f", 5) + " ";
-  line += or_dash(s.correlation_abs, "%5.2f", 5);
-  if (!s.coverage_80) return line + "\n";
-  line += " " + or_dash(s.crps_m_s, "%7.4f", 7);
-  line += formatted(" %6.0f%% ", 100 * *s.coverage_80);
-  std::optional<calibration::Interval95> percent = s.coverage_interval;
+  std::string line = formatted("%s %-15s %5zu %8zu %8.4f ",
+                               set.of.method == calibration::Method::forecast ? " >" : "  ",
+                               std::string(name_of(set.of.method)).c_str(), s.pairs, s.n, s.rmse);
+  line += interval_text(s.rmse_interval, "[%7.4f,%7.4f]", 17);
+  if (!s.vector) return line + formatted(" %+7.4f\n", s.bias.value_or(0));
+  const calibration::VectorSetScore& v = *s.vector;
+  line += formatted(" %+7.4f %+7.4f %+7.4f ", v.bias_east_m_s, v.bias_north_m_s, v.speed_bias_m_s);
+  line += or_dash(v.direction_mae_deg, "%5.0f", 5) + " ";
+  line += or_dash(v.correlation_abs, "%5.2f", 5);
+  if (!v.coverage_80) return line + "\n";
+  line += " " + or_dash(v.crps_m_s, "%7.4f", 7);
+  line += formatted(" %6.0f%% ", 100 * *v.coverage_80);
+  std::optional<calibration::Interval95> percent = v.coverage_interval;
   if (percent) percent = {100 * percent->low, 100 * percent->high};
   return line + interval_text(percent, "[%3.0f,%3.0f]", 9) + "\n";
 }
@@ -84,15 +82,15 @@ auto block_of(const calibration::SkillEntry& e) {
 }
 
 std::string block_text(std::vector<const calibration::SkillSet*> sets) {
-  std::sort(sets.begin(), sets.end(),
-            [](const calibration::SkillSet* a, const calibration::SkillSet* b) {
-              return std::tuple(a->score.rmse_m_s, a->of.method) <
-                     std::tuple(b->score.rmse_m_s, b->of.method);
-            });
+  std::sort(
+      sets.begin(), sets.end(), [](const calibration::SkillSet* a, const calibration::SkillSet* b) {
+        return std::tuple(a->score.rmse, a->of.method) < std::tuple(b->score.rmse, b->of.method);
+      });
   std::string text = heading(sets.front()->of);
   for (const calibration::SkillSet* set : sets) text += row(*set);
   for (const calibration::SkillSet* set : sets)
-    if (set->score.reliability) text += reliability_line(*set->score.reliability);
+    if (set->score.vector && set->score.vector->reliability)
+      text += reliability_line(*set->score.vector->reliability);
   return text;
 }
 
@@ -120,7 +118,7 @@ std::string hourly_table(const std::vector<calibration::SkillEntry>& entries) {
   std::set<calibration::Method> methods;
   for (const calibration::SkillSet& set : all.sets) {
     if (set.of.column || !is_hour_of_a_band(set.of)) continue;
-    by_wind[set.of.wind][set.of.lead.to_h][set.of.method] = set.score.rmse_m_s;
+    by_wind[set.of.wind][set.of.lead.to_h][set.of.method] = set.score.rmse;
     methods.insert(set.of.method);
   }
   std::string table;

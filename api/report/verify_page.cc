@@ -21,7 +21,7 @@ std::string formatted(const char* format, Values... values) {
 }
 
 bool is_current(const calibration::SkillSet& set) {
-  return set.of.variable == "sea_water_velocity" && !set.of.column;
+  return set.of.variable == calibration::current_variable && !set.of.column;
 }
 
 bool is_hour(const calibration::SkillSet& set) {
@@ -36,8 +36,8 @@ std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets, 
     SkillLine& line = by_method[set.of.method];
     line.method = name_of(set.of.method);
     line.lead_h.push_back(set.of.lead.to_h);
-    line.rmse_m_s.push_back(set.score.rmse_m_s);
-    const auto& interval = set.score.rmse_interval_m_s;
+    line.rmse_m_s.push_back(set.score.rmse);
+    const auto& interval = set.score.rmse_interval;
     line.low_m_s.push_back(interval ? interval->low : nan);
     line.high_m_s.push_back(interval ? interval->high : nan);
   }
@@ -136,8 +136,8 @@ SkillPolicy policy_of(WindPolicy wind, const calibration::Verification& result,
   policy.wind = name_of(wind);
   policy.by_lead = lines_of(sets, wind);
   for (const calibration::SkillSet* set : leading_sets(sets, wind)) {
-    if (!set->score.reliability) continue;
-    const calibration::Reliability& found = *set->score.reliability;
+    if (!set->score.vector->reliability) continue;
+    const calibration::Reliability& found = *set->score.vector->reliability;
     policy.probability.assign(found.probability.begin(), found.probability.end());
     policy.below.assign(found.below.begin(), found.below.end());
     policy.pit.assign(found.pit.begin(), found.pit.end());
@@ -156,7 +156,7 @@ std::string verdict_of(const std::vector<const calibration::SkillSet*>& sets, bo
     if (set->of.method == calibration::Method::forecast) {
       forecast = set;
     } else if (set->of.method != calibration::Method::oracle_mean &&
-               (best == nullptr || set->score.rmse_m_s < best->score.rmse_m_s)) {
+               (best == nullptr || set->score.rmse < best->score.rmse)) {
       best = set;
     }
   }
@@ -165,19 +165,19 @@ std::string verdict_of(const std::vector<const calibration::SkillSet*>& sets, bo
   std::string text = "Wind " + std::string(name_of(forecast->of.wind)) + ", lead " +
                      calibration::lead_text(forecast->of.lead) +
                      formatted(", %zu %s: forecast %.3f m/s", s.pairs,
-                               s.pairs == 1 ? "pair of days" : "pairs of days", s.rmse_m_s);
-  if (s.rmse_interval_m_s)
-    text += formatted(" [%.3f, %.3f]", s.rmse_interval_m_s->low, s.rmse_interval_m_s->high);
+                               s.pairs == 1 ? "pair of days" : "pairs of days", s.rmse);
+  if (s.rmse_interval)
+    text += formatted(" [%.3f, %.3f]", s.rmse_interval->low, s.rmse_interval->high);
   if (best != nullptr) {
-    beaten = beaten || best->score.rmse_m_s < s.rmse_m_s;
+    beaten = beaten || best->score.rmse < s.rmse;
     text += ", best baseline " + std::string(name_of(best->of.method)) +
-            formatted(" %.3f m/s", best->score.rmse_m_s);
+            formatted(" %.3f m/s", best->score.rmse);
   }
-  if (s.coverage_80)
-    text += formatted("; %.0f %% of the truth inside the 80 %% band", 100 * *s.coverage_80);
-  if (s.coverage_interval)
-    text +=
-        formatted(" [%.0f, %.0f]", 100 * s.coverage_interval->low, 100 * s.coverage_interval->high);
+  if (s.vector->coverage_80)
+    text += formatted("; %.0f %% of the truth inside the 80 %% band", 100 * *s.vector->coverage_80);
+  if (s.vector->coverage_interval)
+    text += formatted(" [%.0f, %.0f]", 100 * s.vector->coverage_interval->low,
+                      100 * s.vector->coverage_interval->high);
   return text + ". ";
 }
 
@@ -192,20 +192,21 @@ std::string cell(const std::optional<calibration::Interval95>& interval, const c
 
 std::vector<std::string> row_of(const calibration::SkillSet& set) {
   const calibration::SetScore& s = set.score;
+  const calibration::VectorSetScore& v = s.vector.value();
   return {calibration::band_text(set.of.band),
           calibration::lead_text(set.of.lead),
           std::string(name_of(set.of.method)),
           formatted("%zu", s.pairs),
-          formatted("%.4f", s.rmse_m_s),
-          cell(s.rmse_interval_m_s, "%.4f to %.4f", 1),
-          formatted("%+.4f", s.bias_east_m_s),
-          formatted("%+.4f", s.bias_north_m_s),
-          formatted("%+.4f", s.speed_bias_m_s),
-          cell(s.direction_mae_deg, "%.0f"),
-          cell(s.correlation_abs, "%.2f"),
-          cell(s.crps_m_s, "%.4f"),
-          s.coverage_80 ? formatted("%.0f", 100 * *s.coverage_80) : "",
-          cell(s.coverage_interval, "%.0f to %.0f", 100)};
+          formatted("%.4f", s.rmse),
+          cell(s.rmse_interval, "%.4f to %.4f", 1),
+          formatted("%+.4f", v.bias_east_m_s),
+          formatted("%+.4f", v.bias_north_m_s),
+          formatted("%+.4f", v.speed_bias_m_s),
+          cell(v.direction_mae_deg, "%.0f"),
+          cell(v.correlation_abs, "%.2f"),
+          cell(v.crps_m_s, "%.4f"),
+          v.coverage_80 ? formatted("%.0f", 100 * *v.coverage_80) : "",
+          cell(v.coverage_interval, "%.0f to %.0f", 100)};
 }
 
 ReportTable table_of(WindPolicy wind, const std::vector<calibration::SkillSet>& sets) {

@@ -46,11 +46,11 @@ ScalarScore score_scalars(std::span<const double> forecast, std::span<const doub
   return score;
 }
 
-double rmse_of_pairs(std::span<const double> pair_rmse_m_s) {
-  expects(!pair_rmse_m_s.empty(), "a set has at least one pair");
+double rmse_of_pairs(std::span<const double> pair_rmse) {
+  expects(!pair_rmse.empty(), "a set has at least one pair");
   double squares = 0;
-  for (const double rmse : pair_rmse_m_s) squares += rmse * rmse;
-  return std::sqrt(squares / static_cast<double>(pair_rmse_m_s.size()));
+  for (const double rmse : pair_rmse) squares += rmse * rmse;
+  return std::sqrt(squares / static_cast<double>(pair_rmse.size()));
 }
 
 }  // namespace slackwater::calibration

@@ -61,18 +61,11 @@ struct ScalarScore {
                                         std::span<const double> truth);
 
 /// Root mean square error of a set in which every pair of days weighs the same, whatever its number
-/// of values.
-[[nodiscard]] double rmse_of_pairs(std::span<const double> pair_rmse_m_s);
+/// of values; in the unit of what is given.
+[[nodiscard]] double rmse_of_pairs(std::span<const double> pair_rmse);
 
-/// A set of pairs of days (D, D+1), each of which weighs the same whatever its number of values.
-/// Intervals come from drawing whole pairs with replacement: the errors of one day are not
-/// independent of each other, those of different days nearly are.
-struct SetScore {
-  std::size_t pairs = 0;
-  std::size_t n = 0;    ///< values in all pairs
-  double rmse_m_s = 0;  ///< root of the mean over pairs of the pair's mean squared error
-  std::optional<Interval95> rmse_interval_m_s;  ///< empty for a single pair
-  /// Means over the pairs that have the score.
+/// What a set of vectors has beyond its error: means over the pairs that have the score.
+struct VectorSetScore {
   double bias_east_m_s = 0;
   double bias_north_m_s = 0;
   double speed_bias_m_s = 0;
@@ -85,7 +78,23 @@ struct SetScore {
   std::optional<Reliability> reliability;
 };
 
-/// Scores a set. Throws ContractViolation for no pairs. Cost: draws x pairs.
+/// A set of pairs of days (D, D+1), each of which weighs the same whatever its number of values.
+/// Intervals come from drawing whole pairs with replacement: the errors of one day are not
+/// independent of each other, those of different days nearly are.
+struct SetScore {
+  std::size_t pairs = 0;
+  std::size_t n = 0;  ///< values in all pairs
+  /// Root of the mean over pairs of the pair's mean squared error, in the unit of what was scored
+  /// (`unit_of`): m/s for vectors, m for the height of waves.
+  double rmse = 0;
+  std::optional<Interval95> rmse_interval;  ///< in the same unit; empty for a single pair
+  std::optional<double> bias;               ///< of scalars, in the same unit
+  std::optional<VectorSetScore> vector;     ///< of vectors
+};
+
+/// Scores a set of vectors. Throws ContractViolation for no pairs. Cost: draws x pairs.
 [[nodiscard]] SetScore score_set(std::span<const VectorScore> pairs, Rng& random, int draws = 2000);
+/// The same of scalars.
+[[nodiscard]] SetScore score_set(std::span<const ScalarScore> pairs, Rng& random, int draws = 2000);
 
 }  // namespace slackwater::calibration

@@ -9,11 +9,11 @@ namespace slackwater::calibration {
 namespace {
 
 /// Mean of a score over the pairs that have it.
-template <typename Of>
-std::optional<double> mean_over(std::span<const VectorScore> pairs, Of of) {
+template <typename Score, typename Of>
+std::optional<double> mean_over(std::span<const Score> pairs, Of of) {
   double sum = 0;
   double count = 0;
-  for (const VectorScore& pair : pairs) {
+  for (const Score& pair : pairs) {
     const std::optional<double> value = of(pair);
     if (!value) continue;
     sum += *value;
@@ -23,7 +23,7 @@ std::optional<double> mean_over(std::span<const VectorScore> pairs, Of of) {
   return sum / count;
 }
 
-void set_correlation(std::span<const VectorScore> pairs, SetScore& set) {
+void set_correlation(std::span<const VectorScore> pairs, VectorSetScore& set) {
   Horizontal sum{};
   double count = 0;
   for (const VectorScore& pair : pairs) {
@@ -36,7 +36,7 @@ void set_correlation(std::span<const VectorScore> pairs, SetScore& set) {
   set.correlation_deg = std::arg(sum) * 180.0 / constants::pi;
 }
 
-void set_reliability(std::span<const VectorScore> pairs, SetScore& set) {
+void set_reliability(std::span<const VectorScore> pairs, VectorSetScore& set) {
   Reliability sum;
   double count = 0;
   for (const VectorScore& pair : pairs) {
@@ -51,33 +51,55 @@ void set_reliability(std::span<const VectorScore> pairs, SetScore& set) {
   set.reliability = sum;
 }
 
-}  // namespace
-
-SetScore score_set(std::span<const VectorScore> pairs, Rng& random, int draws) {
+/// The error of a set and its interval.
+/// @param rmse_of  the error of a pair
+template <typename Score, typename Of>
+SetScore set_error(std::span<const Score> pairs, Of rmse_of, Rng& random, int draws) {
   expects(!pairs.empty(), "a set has at least one pair");
   SetScore set;
   set.pairs = pairs.size();
   std::vector<BlockSum> squares;
+  std::vector<double> rmse;
+  for (const Score& pair : pairs) {
+    set.n += pair.n;
+    rmse.push_back(rmse_of(pair));
+    squares.push_back({rmse.back() * rmse.back(), 1.0});
+  }
+  set.rmse = rmse_of_pairs(rmse);
+  set.rmse_interval = bootstrap_rms(squares, random, draws);
+  return set;
+}
+
+}  // namespace
+
+SetScore score_set(std::span<const VectorScore> pairs, Rng& random, int draws) {
+  using Score = const VectorScore&;
+  SetScore set = set_error(
+      pairs, [](Score s) { return s.rmse_m_s; }, random, draws);
+  VectorSetScore& vector = set.vector.emplace();
   std::vector<BlockSum> coverage;
   for (const VectorScore& pair : pairs) {
-    set.n += pair.n;
-    squares.push_back({pair.rmse_m_s * pair.rmse_m_s, 1.0});
     if (pair.coverage_80) coverage.push_back({*pair.coverage_80, 1.0});
   }
-  std::vector<double> rmse;
-  for (const VectorScore& pair : pairs) rmse.push_back(pair.rmse_m_s);
-  set.rmse_m_s = rmse_of_pairs(rmse);
-  set.rmse_interval_m_s = bootstrap_rms(squares, random, draws);
-  set.coverage_interval = bootstrap_mean(coverage, random, draws);
-  using Score = const VectorScore&;
-  set.bias_east_m_s = *mean_over(pairs, [](Score s) { return std::optional(s.bias_east_m_s); });
-  set.bias_north_m_s = *mean_over(pairs, [](Score s) { return std::optional(s.bias_north_m_s); });
-  set.speed_bias_m_s = *mean_over(pairs, [](Score s) { return std::optional(s.speed_bias_m_s); });
-  set.direction_mae_deg = mean_over(pairs, [](Score s) { return s.direction_mae_deg; });
-  set.crps_m_s = mean_over(pairs, [](Score s) { return s.crps_m_s; });
-  set.coverage_80 = mean_over(pairs, [](Score s) { return s.coverage_80; });
-  set_correlation(pairs, set);
-  set_reliability(pairs, set);
+  vector.coverage_interval = bootstrap_mean(coverage, random, draws);
+  vector.bias_east_m_s = *mean_over(pairs, [](Score s) { return std::optional(s.bias_east_m_s); });
+  vector.bias_north_m_s =
+      *mean_over(pairs, [](Score s) { return std::optional(s.bias_north_m_s); });
+  vector.speed_bias_m_s =
+      *mean_over(pairs, [](Score s) { return std::optional(s.speed_bias_m_s); });
+  vector.direction_mae_deg = mean_over(pairs, [](Score s) { return s.direction_mae_deg; });
+  vector.crps_m_s = mean_over(pairs, [](Score s) { return s.crps_m_s; });
+  vector.coverage_80 = mean_over(pairs, [](Score s) { return s.coverage_80; });
+  set_correlation(pairs, vector);
+  set_reliability(pairs, vector);
+  return set;
+}
+
+SetScore score_set(std::span<const ScalarScore> pairs, Rng& random, int draws) {
+  using Score = const ScalarScore&;
+  SetScore set = set_error(
+      pairs, [](Score s) { return s.rmse; }, random, draws);
+  set.bias = mean_over(pairs, [](Score s) { return std::optional(s.bias); });
   return set;
 }
 

@@ -9,7 +9,7 @@ ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
                              const std::string& dataset, const VerifyOptions& options) {
   expects(snapshot.wind_policy.has_value(), "a forecast to score has a wind policy");
   SkillEntry blank;
-  blank.variable = "sea_water_velocity";
+  blank.variable = current_variable;
   blank.site = snapshot.site_id;
   blank.day = snapshot.day;
   blank.issued = snapshot.issued;

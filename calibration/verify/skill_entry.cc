@@ -3,9 +3,16 @@
 #include <algorithm>
 #include <sstream>
 
+#include "fields/base/check.h"
 #include "fields/base/error.h"
 
 namespace slackwater::calibration {
+
+std::string_view unit_of(std::string_view variable) {
+  if (variable == current_variable || variable == wind_variable) return "m s-1";
+  expects(variable == wave_variable, "a variable that is scored has a unit");
+  return "m";
+}
 
 bool holds(const DepthBand& band, double depth_m, double water_depth_m) noexcept {
   const double place = band.above_bed ? std::max(0.0, water_depth_m - depth_m) : depth_m;

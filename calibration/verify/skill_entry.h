@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibration/skill/method.h"
@@ -40,6 +41,11 @@ struct LeadBin {
   bool operator==(const LeadBin&) const = default;
 };
 
+/// What is scored. Vectors go by a name for both components; CF has one for the speed alone.
+inline constexpr const char* current_variable = "sea_water_velocity";
+inline constexpr const char* wind_variable = "wind";
+inline constexpr const char* wave_variable = "sea_surface_wave_significant_height";
+
 struct VerifyOptions {
   std::optional<UtcDay> from;  ///< day D, both ends included
   std::optional<UtcDay> to;
@@ -52,9 +58,13 @@ struct VerifyOptions {
   int threads = 1;
 };
 
+/// What the errors of a variable are counted in: "m s-1", or "m" for the height of waves.
+/// @param variable  of a SkillEntry
+[[nodiscard]] std::string_view unit_of(std::string_view variable);
+
 /// One line of skill: a method against the truth, for one issued forecast, band and lead.
 struct SkillEntry {
-  std::string variable;  ///< CF name of what is scored; "sea_water_velocity" for the current
+  std::string variable;  ///< `current_variable`, `wind_variable` or `wave_variable`
   std::string site;
   std::optional<std::size_t> column;  ///< nothing: pooled over columns
   UtcDay day{};

@@ -16,14 +16,17 @@ auto key_of(const SkillEntry& e) {
                     e.lead.from_h, e.lead.to_h, e.method);
 }
 
-/// Scores of waves in the shape of a vector's, so that one recipe pools both.
-VectorScore vector_score(const SkillEntry& e) {
-  if (!e.scalar) return e.vector;
-  VectorScore score;
-  score.n = e.scalar->n;
-  score.rmse_m_s = e.scalar->rmse;
-  score.bias_east_m_s = e.scalar->bias;
-  return score;
+/// The pairs of a set score as what they are.
+SetScore score_of(const std::vector<const SkillEntry*>& pairs, Rng& random) {
+  constexpr int draws = 1000;
+  if (!pairs.front()->scalar) {
+    std::vector<VectorScore> scores;
+    for (const SkillEntry* pair : pairs) scores.push_back(pair->vector);
+    return score_set(scores, random, draws);
+  }
+  std::vector<ScalarScore> scores;
+  for (const SkillEntry* pair : pairs) scores.push_back(pair->scalar.value());
+  return score_set(scores, random, draws);
 }
 
 double width_of(const std::optional<DepthBand>& band) {
@@ -35,7 +38,7 @@ double width_of(const std::optional<DepthBand>& band) {
 SkillSets sets_of(const std::vector<SkillEntry>& entries) {
   SkillSets result;
   std::map<decltype(key_of(entries.front())), std::size_t> index;
-  std::vector<std::vector<VectorScore>> pairs;
+  std::vector<std::vector<const SkillEntry*>> pairs;
   for (const SkillEntry& entry : entries) {
     const auto [found, is_new] = index.try_emplace(key_of(entry), result.sets.size());
     if (is_new) {
@@ -46,13 +49,13 @@ SkillSets sets_of(const std::vector<SkillEntry>& entries) {
     set.of = entry;
     set.first_day = std::min(set.first_day, entry.day);
     set.last_day = std::max(set.last_day, entry.day);
-    pairs[found->second].push_back(vector_score(entry));
+    pairs[found->second].push_back(&entry);
     result.of_entry.push_back(found->second);
   }
   for (std::size_t i = 0; i < result.sets.size(); ++i) {
     Rng random(static_cast<std::uint64_t>(result.sets[i].first_day.time_since_epoch().count()),
                "verify/pairs");
-    result.sets[i].score = score_set(pairs[i], random, 1000);
+    result.sets[i].score = score_of(pairs[i], random);
   }
   return result;
 }

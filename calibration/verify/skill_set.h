@@ -13,7 +13,7 @@ struct SkillSet {
   SkillEntry of;  ///< the last pair's entry, for what all share
   UtcDay first_day{};
   UtcDay last_day{};
-  SetScore score;  ///< waves: rmse and bias east, in m
+  SetScore score;
 };
 
 /// The sets of a list of entries, in the order in which they first appear, and for each entry the

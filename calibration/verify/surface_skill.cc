@@ -112,7 +112,7 @@ void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
       methods[Method::forecast].push_back(pair_at(*forecast, truth.column.value[t], time, end));
   }
   if (methods.empty()) return;
-  blank.variable = "wind";
+  blank.variable = wind_variable;
   blank.truth = truth_name(*truth.origin.back());
   add_entries(methods, options, blank, false, entries);
 }
@@ -142,7 +142,7 @@ void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
     if (last) methods[Method::persistence].push_back(pair_at(*last, value, time, end));
   }
   if (methods.empty()) return;
-  blank.variable = "sea_surface_wave_significant_height";
+  blank.variable = wave_variable;
   blank.truth = truth_name(*truth.origin.back());
   add_entries(methods, options, blank, true, entries);
 }

@@ -15,12 +15,13 @@ namespace slackwater::api {
 namespace {
 
 using calibration::Method;
+using calibration::SkillEntry;
 using nlohmann::json;
 const UtcTime end_of_d = parse_utc("2024-06-02T00:00:00Z");
 
-calibration::SkillEntry entry_of(const char* day, Method method, double rmse) {
-  calibration::SkillEntry entry;
-  entry.variable = "sea_water_velocity";
+SkillEntry entry_of(const char* day, Method method, double rmse) {
+  SkillEntry entry;
+  entry.variable = calibration::current_variable;
   entry.site = "site";
   entry.day = parse_day(day);
   entry.method = method;
@@ -67,7 +68,7 @@ TEST(EntriesOf, AreTheLeadBinsAndEachHourOfTheFirstBand) {
   options.leads = {{0, 24}};
   const auto entries = calibration::entries_of(
       day_of([](std::size_t h) { return 0.01 * static_cast<double>(h + 1); }),
-      {{0, calibration::whole_column_m, false}}, options, calibration::SkillEntry{}, true);
+      {{0, calibration::whole_column_m, false}}, options, SkillEntry{}, true);
   ASSERT_EQ(entries.size(), 25U);
   EXPECT_EQ(entries[0].vector.n, 24U);
   ASSERT_TRUE(entries[0].interval);
@@ -79,7 +80,7 @@ TEST(EntriesOf, AreTheLeadBinsAndEachHourOfTheFirstBand) {
   }
   options.by_hour = false;
   EXPECT_EQ(calibration::entries_of(day_of([](std::size_t) { return 0.1; }), {{0, 1, false}},
-                                    options, calibration::SkillEntry{}, true)
+                                    options, SkillEntry{}, true)
                 .size(),
             1U);
 }
@@ -112,6 +113,24 @@ TEST(SetRmse, TakesTheLeadBinAskedForAndNoHourThatEndsWithIt) {
                                           Method::forecast, {0, 24}),
                    0.3);
   EXPECT_FALSE(calibration::set_rmse({day}, "sea_water_velocity", Method::persistence, {0, 24}));
+}
+
+TEST(SkillJson, CountsWavesInMetresUnderKeysThatSaySo) {
+  SkillEntry waves;
+  waves.variable = calibration::wave_variable;
+  waves.day = parse_day("2024-06-01");
+  waves.scalar = calibration::ScalarScore{10, 0.3, -0.1, 0.2, 0.15};
+  SkillEntry next = waves;
+  next.day = parse_day("2024-06-02");
+  next.scalar->rmse = 0.4;
+  const json list = json::parse(skill_json({waves, next}));
+  EXPECT_EQ(list[0]["unit"], "m");
+  EXPECT_EQ(list[0]["rmse"], 0.3);
+  EXPECT_NEAR(list[0]["set"]["rmse"].get<double>(), std::sqrt(0.125), 1e-7);
+  EXPECT_NEAR(list[0]["set"]["bias"].get<double>(), -0.1, 1e-7);
+  EXPECT_EQ(list[0].dump().find("_m_s"), std::string::npos) << "a height is no speed";
+  EXPECT_EQ(json::parse(skill_json({entry_of("2024-06-01", Method::forecast, 0.3)}))[0]["unit"],
+            "m s-1");
 }
 
 TEST(SkillTable, PutsTheBestFirstAndLeavesHoursToTheirOwnTable) {

@@ -25,9 +25,9 @@ TEST(ScoreSet, WeighsPairsEquallyWhateverTheirSize) {
       score_set(std::vector<VectorScore>{pair_of(0.3, 0.7, 10), pair_of(0.4, 0.9, 100000)}, random);
   EXPECT_EQ(set.pairs, 2U);
   EXPECT_EQ(set.n, 100010U);
-  EXPECT_DOUBLE_EQ(set.rmse_m_s, std::sqrt(0.125));
-  EXPECT_DOUBLE_EQ(*set.coverage_80, 0.8);
-  EXPECT_DOUBLE_EQ(set.bias_east_m_s, 0.175);
+  EXPECT_DOUBLE_EQ(set.rmse, std::sqrt(0.125));
+  EXPECT_DOUBLE_EQ(*set.vector->coverage_80, 0.8);
+  EXPECT_DOUBLE_EQ(set.vector->bias_east_m_s, 0.175);
 }
 
 TEST(ScoreSet, TheIntervalOfAFewPairsSpansThem) {
@@ -36,10 +36,10 @@ TEST(ScoreSet, TheIntervalOfAFewPairsSpansThem) {
       std::vector<VectorScore>{pair_of(0.06, 0.70), pair_of(0.04, 0.95), pair_of(0.047, 0.78)},
       random);
   // All three draws fall on one pair with probability 1/27 = 3.7 %: more than either tail.
-  EXPECT_DOUBLE_EQ(set.rmse_interval_m_s->low, 0.04);
-  EXPECT_DOUBLE_EQ(set.rmse_interval_m_s->high, 0.06);
-  EXPECT_DOUBLE_EQ(set.coverage_interval->low, 0.70);
-  EXPECT_DOUBLE_EQ(set.coverage_interval->high, 0.95);
+  EXPECT_DOUBLE_EQ(set.rmse_interval->low, 0.04);
+  EXPECT_DOUBLE_EQ(set.rmse_interval->high, 0.06);
+  EXPECT_DOUBLE_EQ(set.vector->coverage_interval->low, 0.70);
+  EXPECT_DOUBLE_EQ(set.vector->coverage_interval->high, 0.95);
 }
 
 TEST(ScoreSet, TheIntervalOfManyPairsShrinksWithTheirNumber) {
@@ -48,7 +48,7 @@ TEST(ScoreSet, TheIntervalOfManyPairsShrinksWithTheirNumber) {
     std::vector<VectorScore> scores;
     for (std::size_t i = 0; i < pairs; ++i) scores.push_back(pair_of(0.1, random.uniform()));
     const SetScore set = score_set(scores, random);
-    return set.coverage_interval->high - set.coverage_interval->low;
+    return set.vector->coverage_interval->high - set.vector->coverage_interval->low;
   };
   // Mean of uniforms: 2 * 1.96 / sqrt(12 n), within a quarter.
   EXPECT_NEAR(width(50), 3.92 / std::sqrt(600.0), 0.25 * 3.92 / std::sqrt(600.0));
@@ -58,9 +58,30 @@ TEST(ScoreSet, TheIntervalOfManyPairsShrinksWithTheirNumber) {
 TEST(ScoreSet, ASinglePairHasNoIntervalAndNoPairsAreABug) {
   Rng random(4, "set");
   const SetScore set = score_set(std::vector<VectorScore>{pair_of(0.1, 0.8)}, random);
-  EXPECT_FALSE(set.rmse_interval_m_s);
-  EXPECT_FALSE(set.coverage_interval);
-  EXPECT_THROW((void)score_set({}, random), ContractViolation);
+  EXPECT_FALSE(set.rmse_interval);
+  EXPECT_FALSE(set.vector->coverage_interval);
+  EXPECT_THROW((void)score_set(std::vector<VectorScore>{}, random), ContractViolation);
+}
+
+TEST(ScoreSet, OfScalarsIsThatOfVectorsOfOneComponentInItsOwnUnit) {
+  Rng a(6, "set");
+  Rng b(6, "set");
+  const std::vector<ScalarScore> heights{{10, 0.3, 0.1, 0.2, {}}, {20, 0.4, -0.2, 0.3, {}}};
+  std::vector<VectorScore> vectors(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    vectors[i].n = heights[i].n;
+    vectors[i].rmse_m_s = heights[i].rmse;
+    vectors[i].bias_east_m_s = heights[i].bias;
+  }
+  const SetScore scalar = score_set(heights, a);
+  const SetScore vector = score_set(vectors, b);
+  EXPECT_EQ(scalar.rmse, vector.rmse);
+  EXPECT_EQ(scalar.n, 30U);
+  EXPECT_EQ(scalar.rmse_interval->low, vector.rmse_interval->low);
+  EXPECT_DOUBLE_EQ(*scalar.bias, -0.05);
+  EXPECT_EQ(*scalar.bias, vector.vector->bias_east_m_s);
+  EXPECT_FALSE(scalar.vector);
+  EXPECT_FALSE(vector.bias);
 }
 
 TEST(BootstrapMean, NeedsBlocksNotValues) {
