@@ -10,6 +10,7 @@
 #include "api/program/version.h"
 #include "api/report/skill_json.h"
 #include "api/report/skill_table.h"
+#include "api/report/verdict_text.h"
 
 namespace slackwater::api {
 namespace {
@@ -87,8 +88,8 @@ void run(const DemoArguments& arguments, const Context& context) {
   }
   std::printf("  %-12s %9.3f %12.3f %9.3f %10.3f\n", "all", mean.forecast, mean.persistence,
               mean.day_mean, mean.same_hour);
-  std::printf("\nAgainst the analysed products, as `slackwater verify` sees it:\n%s",
-              skill_table(result.skill).c_str());
+  std::printf("\nAgainst the analysed products, as `slackwater verify` sees it:\n%s%s",
+              verdict_lines(result.skill).c_str(), skill_table(result.skill).c_str());
   std::printf(
       "\nOpen %s in a browser. The store is %s; try\n  slackwater --store %s profile --site %s "
       "--time %s\n",

@@ -9,7 +9,7 @@
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
 #include "api/program/paths.h"
-#include "calibration/verify/skill_set.h"
+#include "api/report/verdict_text.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 
@@ -97,28 +97,36 @@ void print_days(const Snapshot& snapshot) {
 }
 
 /// The forecast's own face: does it beat the plainest alternatives where the truth is in?
-std::string verdict_of(const std::vector<calibration::SkillEntry>& skill) {
-  const calibration::LeadBin day{0, 24};
-  const auto ours =
-      calibration::set_rmse(skill, "sea_water_velocity", calibration::Method::forecast, day);
-  if (!ours) return "Not verified yet: no truth after a stored forecast of this site.";
-  std::string best_name;
-  double best = 0;
-  for (const calibration::Method method : calibration::all_methods) {
-    if (method == calibration::Method::forecast || method == calibration::Method::oracle_mean)
-      continue;
-    const auto theirs = calibration::set_rmse(skill, "sea_water_velocity", method, day);
-    if (theirs && (best_name.empty() || *theirs < best)) {
-      best = *theirs;
-      best_name = name_of(method);
-    }
+std::string verified_text(const std::optional<calibration::Verdict>& verdict, WindPolicy wind) {
+  if (!verdict) {
+    return "Not verified yet: no truth after a stored forecast of this site with wind " +
+           std::string(name_of(wind)) + ".";
   }
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "Verified over past days, lead 0-24 h: %.3f m/s; best baseline %s %.3f m/s%s",
-                *ours, best_name.c_str(), best,
-                *ours <= best ? "." : ": THE FORECAST DOES NOT BEAT IT.");
-  return text;
+  char error[48];
+  std::snprintf(error, sizeof error, ": %.3f m/s", verdict->forecast.score.rmse);
+  std::string text =
+      "Verified over past days, lead " + calibration::lead_text(verdict->forecast.of.lead) + error;
+  if (verdict->best) text += "; " + baseline_text(*verdict);
+  return text + (verdict->is_beaten() ? ": THE FORECAST DOES NOT BEAT IT." : ".");
+}
+
+json verdict_json(const std::optional<calibration::Verdict>& verdict) {
+  if (!verdict) return nullptr;
+  const calibration::SkillSet& ours = verdict->forecast;
+  json document = {{"wind", name_of(verdict->wind)},
+                   {"lead_h", {ours.of.lead.from_h, ours.of.lead.to_h}},
+                   {"days", {format_day(ours.first_day), format_day(ours.last_day)}},
+                   {"pairs", ours.score.pairs},
+                   {"rmse_m_s", ours.score.rmse},
+                   {"beaten", verdict->is_beaten()},
+                   {"best_baseline", nullptr}};
+  if (verdict->best) {
+    document["best_baseline"] = {{"method", name_of(verdict->best->method)},
+                                 {"pairs", verdict->best->pairs},
+                                 {"rmse_m_s", verdict->best->rmse_m_s},
+                                 {"forecast_rmse_m_s", verdict->best->forecast_rmse_m_s}};
+  }
+  return document;
 }
 
 void run_forecast(const ForecastArguments& arguments, const Context& context) {
@@ -168,20 +176,22 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     ingest::write_forecast(partial, snapshot);
     std::filesystem::rename(partial, out);
   }
-  // What can be verified is: earlier forecasts of the last two weeks whose truth has come in.
+  // What can be verified is: forecasts of the last two weeks under the same wind policy, where
+  // their truth has come in.
   calibration::VerifyOptions verify_options;
   verify_options.from = snapshot.day - days(14);
   verify_options.leads = {{0, 24}};
-  verify_options.bands = {{0, 1e5}};
-  const std::vector<calibration::SkillEntry> skill =
-      verify_with(store, site, data, verify_options).entries;
-  const std::string verdict = verdict_of(skill);
+  verify_options.bands = {{0, calibration::whole_column_m}};
+  verify_options.by_hour = false;
+  const auto verdict =
+      calibration::verdict_of(verify_with(store, site, data, verify_options).entries, options.wind);
   if (context.json) {
     json out = json::parse(job.summary_json);
     out["id"] = id;
     out["degraded"] = snapshot.degraded;
     out["headline"] = snapshot.headline;
-    out["verified"] = verdict;
+    out["verified"] = verified_text(verdict, options.wind);
+    out["verdict"] = verdict_json(verdict);
     out["valid_from"] = format_utc(snapshot.time.front());
     out["valid_to"] = format_utc(snapshot.time.back());
     out["attributions"] = snapshot.attributions;
@@ -192,7 +202,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
               format_utc(snapshot.issued).c_str(), static_cast<long long>(id),
               format_utc(snapshot.time.front()).c_str(), format_utc(snapshot.time.back()).c_str());
   std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(),
-              verdict.c_str());
+              verified_text(verdict, options.wind).c_str());
   print_calibration(forecast.columns.front());
   print_blend(forecast);
   if (snapshot.columns.size() > 1)

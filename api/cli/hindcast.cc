@@ -11,6 +11,7 @@
 #include "api/report/skill_json.h"
 #include "api/report/skill_page.h"
 #include "api/report/skill_table.h"
+#include "api/report/verdict_text.h"
 #include "api/report/verify_page.h"
 
 namespace slackwater::api {
@@ -63,8 +64,9 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   if (context.json) {
     std::printf("%s\n", skill_json(report.skill).c_str());
   } else {
-    std::printf("%s: %zu forecasts issued as of their days\n%s", site.name.c_str(),
-                report.forecasts.size(), skill_table(report.skill).c_str());
+    std::printf("%s: %zu forecasts issued as of their days\n%s%s", site.name.c_str(),
+                report.forecasts.size(), verdict_lines(report.skill).c_str(),
+                skill_table(report.skill).c_str());
     if (arguments.by_hour) std::printf("%s", hourly_table(report.skill).c_str());
   }
   for (const std::string& line : report.skipped) std::fprintf(stderr, "skipped %s\n", line.c_str());

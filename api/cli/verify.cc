@@ -10,6 +10,7 @@
 #include "api/report/skill_json.h"
 #include "api/report/skill_page.h"
 #include "api/report/skill_table.h"
+#include "api/report/verdict_text.h"
 #include "api/report/verify_page.h"
 
 namespace slackwater::api {
@@ -45,8 +46,8 @@ void run_verify(const VerifyArguments& arguments, const Context& context) {
     std::printf("%s: the truth of the issued forecasts is not in the store yet\n",
                 site.name.c_str());
   } else {
-    std::printf("%s: skill of issued forecasts%s", site.name.c_str(),
-                skill_table(result.entries).c_str());
+    std::printf("%s: skill of issued forecasts\n%s%s", site.name.c_str(),
+                verdict_lines(result.entries).c_str(), skill_table(result.entries).c_str());
     if (arguments.by_hour) std::printf("%s", hourly_table(result.entries).c_str());
   }
 }

@@ -1,15 +1,16 @@
 #include "api/demo/demo_page.h"
-#include "api/report/skill_table.h"
-#include "calibration/verify/skill_set.h"
-#include "fields/service/field.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <tuple>
+
+#include "api/report/verdict_text.h"
+#include "calibration/verify/skill_set.h"
+#include "fields/service/field.h"
 
 namespace slackwater::api {
 namespace {
@@ -52,23 +53,18 @@ ReportProfile profile_of(const DemoResult& result) {
 }
 
 std::vector<ReportSkill> skill_of(const DemoResult& result) {
+  std::vector<calibration::SkillSet> sets =
+      calibration::sets_of(calibration::whole_current(result.skill, WindPolicy::best)).sets;
+  std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) {
+    return std::tuple(a.of.lead.from_h, a.of.method) < std::tuple(b.of.lead.from_h, b.of.method);
+  });
   std::vector<ReportSkill> rows;
-  std::set<calibration::Method> methods;
-  for (const calibration::SkillEntry& e : result.skill) {
-    if (e.variable == "sea_water_velocity") methods.insert(e.method);
-  }
-  for (const calibration::LeadBin lead :
-       {calibration::LeadBin{0, 24}, calibration::LeadBin{24, 48}, calibration::LeadBin{48, 72}}) {
-    for (const calibration::Method method : methods) {
-      if (const auto rmse =
-              calibration::set_rmse(result.skill, "sea_water_velocity", method, lead)) {
-        ReportSkill row;
-        row.method = name_of(method);
-        row.lead = number(lead.from_h, "%.0f") + "–" + number(lead.to_h, "%.0f h");
-        row.rmse_m_s = *rmse;
-        rows.push_back(row);
-      }
-    }
+  for (const calibration::SkillSet& set : sets) {
+    ReportSkill row;
+    row.method = name_of(set.of.method);
+    row.lead = number(set.of.lead.from_h, "%.0f") + "–" + number(set.of.lead.to_h, "%.0f h");
+    row.rmse_m_s = set.score.rmse;
+    rows.push_back(row);
   }
   return rows;
 }
@@ -160,7 +156,8 @@ ReportInput demo_page(const DemoResult& result, const std::string& generated) {
   page.skill = skill_of(result);
   page.skill_note = "Root mean square vector error over " + std::to_string(result.days.size()) +
                     " consecutive daily forecasts, all levels, against the analysed product; days "
-                    "weigh the same.";
+                    "weigh the same. " +
+                    verdict_lines(result.skill);
   add_wind_and_waves(page, result);
   page.tables = {truth_table(result), calibration_table(result)};
   page.attributions = s.attributions;

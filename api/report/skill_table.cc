@@ -70,9 +70,7 @@ std::string reliability_line(const calibration::Reliability& reliability) {
   return line + "\n";
 }
 
-bool is_hour_of_a_band(const calibration::SkillEntry& e) {
-  return e.band && e.lead.to_h - e.lead.from_h <= 1;
-}
+bool is_hour_of_a_band(const calibration::SkillEntry& e) { return e.band && is_hour(e.lead); }
 
 /// What one block of the table shares.
 auto block_of(const calibration::SkillEntry& e) {

@@ -1,5 +1,4 @@
 #include "api/report/verify_page.h"
-#include "calibration/verify/skill_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,10 @@
 #include <limits>
 #include <map>
 #include <set>
+
+#include "api/report/verdict_text.h"
+#include "calibration/verify/skill_set.h"
+#include "calibration/verify/verdict.h"
 
 namespace slackwater::api {
 namespace {
@@ -24,15 +27,11 @@ bool is_current(const calibration::SkillSet& set) {
   return set.of.variable == calibration::current_variable && !set.of.column;
 }
 
-bool is_hour(const calibration::SkillSet& set) {
-  return set.of.lead.to_h - set.of.lead.from_h <= 1;
-}
-
 /// The lines of skill by lead hour, the forecast first.
 std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets, WindPolicy wind) {
   std::map<calibration::Method, SkillLine> by_method;
   for (const calibration::SkillSet& set : sets) {
-    if (!is_current(set) || !is_hour(set) || set.of.wind != wind) continue;
+    if (!is_current(set) || !is_hour(set.of.lead) || set.of.wind != wind) continue;
     SkillLine& line = by_method[set.of.method];
     line.method = name_of(set.of.method);
     line.lead_h.push_back(set.of.lead.to_h);
@@ -46,19 +45,6 @@ std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets, 
   if (ours != by_method.end()) lines.push_back(std::move(by_method.extract(ours).mapped()));
   for (auto& [method, line] : by_method) lines.push_back(std::move(line));
   return lines;
-}
-
-/// The daily sets of a policy in the first band and lead, which speak for the whole.
-std::vector<const calibration::SkillSet*> leading_sets(
-    const std::vector<calibration::SkillSet>& sets, WindPolicy wind) {
-  std::vector<const calibration::SkillSet*> found;
-  for (const calibration::SkillSet& set : sets) {
-    if (!is_current(set) || is_hour(set) || set.of.wind != wind) continue;
-    if (found.empty() ||
-        (set.of.band == found.front()->of.band && set.of.lead == found.front()->of.lead))
-      found.push_back(&set);
-  }
-  return found;
 }
 
 /// At most four levels, spread evenly over those of which the forecast speaks.
@@ -131,13 +117,13 @@ void pool_misfit(const std::vector<calibration::ForecastTrace>& traces, WindPoli
 }
 
 SkillPolicy policy_of(WindPolicy wind, const calibration::Verification& result,
-                      const std::vector<calibration::SkillSet>& sets) {
+                      const std::vector<calibration::SkillSet>& sets,
+                      const std::optional<calibration::Verdict>& verdict) {
   SkillPolicy policy;
   policy.wind = name_of(wind);
   policy.by_lead = lines_of(sets, wind);
-  for (const calibration::SkillSet* set : leading_sets(sets, wind)) {
-    if (!set->score.vector->reliability) continue;
-    const calibration::Reliability& found = *set->score.vector->reliability;
+  if (verdict && verdict->forecast.score.vector->reliability) {
+    const calibration::Reliability& found = *verdict->forecast.score.vector->reliability;
     policy.probability.assign(found.probability.begin(), found.probability.end());
     policy.below.assign(found.below.begin(), found.below.end());
     policy.pit.assign(found.pit.begin(), found.pit.end());
@@ -146,39 +132,6 @@ SkillPolicy policy_of(WindPolicy wind, const calibration::Verification& result,
     if (trace.wind == wind) policy.tracks.push_back(track_of(trace));
   pool_misfit(result.traces, wind, policy);
   return policy;
-}
-
-/// "forecast 0.048 m/s [0.040, 0.060], best baseline reference-slab 0.050 m/s; ..."
-std::string verdict_of(const std::vector<const calibration::SkillSet*>& sets, bool& beaten) {
-  const calibration::SkillSet* forecast = nullptr;
-  const calibration::SkillSet* best = nullptr;
-  for (const calibration::SkillSet* set : sets) {
-    if (set->of.method == calibration::Method::forecast) {
-      forecast = set;
-    } else if (set->of.method != calibration::Method::oracle_mean &&
-               (best == nullptr || set->score.rmse < best->score.rmse)) {
-      best = set;
-    }
-  }
-  if (forecast == nullptr) return {};
-  const calibration::SetScore& s = forecast->score;
-  std::string text = "Wind " + std::string(name_of(forecast->of.wind)) + ", lead " +
-                     calibration::lead_text(forecast->of.lead) +
-                     formatted(", %zu %s: forecast %.3f m/s", s.pairs,
-                               s.pairs == 1 ? "pair of days" : "pairs of days", s.rmse);
-  if (s.rmse_interval)
-    text += formatted(" [%.3f, %.3f]", s.rmse_interval->low, s.rmse_interval->high);
-  if (best != nullptr) {
-    beaten = beaten || best->score.rmse < s.rmse;
-    text += ", best baseline " + std::string(name_of(best->of.method)) +
-            formatted(" %.3f m/s", best->score.rmse);
-  }
-  if (s.vector->coverage_80)
-    text += formatted("; %.0f %% of the truth inside the 80 %% band", 100 * *s.vector->coverage_80);
-  if (s.vector->coverage_interval)
-    text += formatted(" [%.0f, %.0f]", 100 * s.vector->coverage_interval->low,
-                      100 * s.vector->coverage_interval->high);
-  return text + ". ";
 }
 
 std::string cell(const std::optional<double>& value, const char* format) {
@@ -221,7 +174,8 @@ ReportTable table_of(WindPolicy wind, const std::vector<calibration::SkillSet>& 
                    "95 %",        "Bias E (m/s)", "Bias N (m/s)", "Speed (m/s)", "Direction (deg)",
                    "Correlation", "CRPS (m/s)",   "In band (%)",  "95 %"};
   for (const calibration::SkillSet& set : sets)
-    if (is_current(set) && !is_hour(set) && set.of.wind == wind) table.rows.push_back(row_of(set));
+    if (is_current(set) && !is_hour(set.of.lead) && set.of.wind == wind)
+      table.rows.push_back(row_of(set));
   return table;
 }
 
@@ -265,8 +219,12 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
     last = last ? std::max(*last, set.last_day) : set.last_day;
   }
   for (const WindPolicy wind : winds) {
-    page.headline += verdict_of(leading_sets(sets, wind), page.beaten);
-    page.policies.push_back(policy_of(wind, result, sets));
+    const auto verdict = calibration::verdict_of(result.entries, wind);
+    if (verdict) {
+      page.headline += verdict_text(*verdict) + " ";
+      page.beaten = page.beaten || verdict->is_beaten();
+    }
+    page.policies.push_back(policy_of(wind, result, sets, verdict));
     page.tables.push_back(table_of(wind, sets));
     page.tables.push_back(hourly_table_of(page.policies.back()));
   }

@@ -6,7 +6,7 @@
 
 namespace slackwater::calibration {
 
-Verdict verdict_of_normal(double mean, double sigma, double truth) noexcept {
+ComponentScore score_of_normal(double mean, double sigma, double truth) noexcept {
   if (sigma <= 0) {
     const double side = truth == mean ? 0.5 : (truth > mean ? 1.0 : 0.0);
     return {side, std::abs(truth - mean)};
@@ -19,7 +19,7 @@ Verdict verdict_of_normal(double mean, double sigma, double truth) noexcept {
 }
 
 double normal_crps(double mean, double sigma, double truth) noexcept {
-  return verdict_of_normal(mean, sigma, truth).crps;
+  return score_of_normal(mean, sigma, truth).crps;
 }
 
 }  // namespace slackwater::calibration

@@ -28,8 +28,8 @@ PairContribution contribution_of(Horizontal forecast, Horizontal truth) noexcept
 PairContribution contribution_of(Horizontal forecast, Horizontal truth, double sigma_m_s) {
   expects(sigma_m_s >= 0, "a standard deviation is not negative");
   PairContribution pair = contribution_of(forecast, truth);
-  pair.spread = {verdict_of_normal(forecast.real(), sigma_m_s, truth.real()),
-                 verdict_of_normal(forecast.imag(), sigma_m_s, truth.imag())};
+  pair.spread = {score_of_normal(forecast.real(), sigma_m_s, truth.real()),
+                 score_of_normal(forecast.imag(), sigma_m_s, truth.imag())};
   return pair;
 }
 
@@ -49,9 +49,9 @@ void VectorTally::add(const PairContribution& pair) noexcept {
   truth_power_ += std::norm(pair.truth);
   if (!pair.spread) return;
   ++spreads_;
-  for (const Verdict& verdict : *pair.spread) {
-    crps_ += verdict.crps;
-    const auto cell = static_cast<std::size_t>(verdict.probability_below * pit_cells);
+  for (const ComponentScore& component : *pair.spread) {
+    crps_ += component.crps;
+    const auto cell = static_cast<std::size_t>(component.probability_below * pit_cells);
     ++pit_[std::min(cell, pit_cells - 1)];
   }
 }

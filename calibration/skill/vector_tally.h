@@ -18,8 +18,9 @@ struct PairContribution {
   Horizontal truth{};
   double squared_error = 0;
   double speed_error = 0;
-  std::optional<double> direction_error_deg;     ///< absolute; where both exceed 0.05 m/s
-  std::optional<std::array<Verdict, 2>> spread;  ///< east, north; where the forecast has a spread
+  std::optional<double> direction_error_deg;  ///< absolute; where both exceed 0.05 m/s
+  std::optional<std::array<ComponentScore, 2>>
+      spread;  ///< east, north; where the forecast has a spread
 };
 [[nodiscard]] PairContribution contribution_of(Horizontal forecast, Horizontal truth) noexcept;
 /// The same with the standard deviation of each component. Throws ContractViolation for a negative

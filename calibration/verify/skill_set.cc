@@ -60,20 +60,20 @@ SkillSets sets_of(const std::vector<SkillEntry>& entries) {
   return result;
 }
 
-std::optional<double> set_rmse(const std::vector<SkillEntry>& entries, const std::string& variable,
-                               Method method, const LeadBin& lead) {
-  std::vector<double> rmse;
-  double widest = -1;
+bool is_hour(const LeadBin& lead) noexcept { return lead.to_h - lead.from_h <= 1; }
+
+std::vector<SkillEntry> whole_current(const std::vector<SkillEntry>& entries, WindPolicy wind) {
+  std::vector<SkillEntry> found;
+  std::optional<DepthBand> widest;
   for (const SkillEntry& e : entries) {
-    if (e.variable != variable || e.method != method || e.column || !(e.lead == lead)) continue;
-    const double width = width_of(e.band);
-    if (width < widest) continue;
-    if (width > widest) rmse.clear();
-    widest = width;
-    rmse.push_back(e.scalar ? e.scalar->rmse : e.vector.rmse_m_s);
+    if (e.variable != current_variable || e.wind != wind || e.column || is_hour(e.lead)) continue;
+    found.push_back(e);
+    if (!widest || width_of(e.band) > width_of(widest) ||
+        (width_of(e.band) == width_of(widest) && e.band && e.band->from_m < widest->from_m))
+      widest = e.band;
   }
-  if (rmse.empty()) return std::nullopt;
-  return rmse_of_pairs(rmse);
+  std::erase_if(found, [&](const SkillEntry& e) { return e.band != widest; });
+  return found;
 }
 
 std::string band_text(const std::optional<DepthBand>& band) {

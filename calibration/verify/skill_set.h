@@ -24,11 +24,13 @@ struct SkillSets {
 };
 [[nodiscard]] SkillSets sets_of(const std::vector<SkillEntry>& entries);
 
-/// Root mean square over the pairs of days of a method's error, in one lead bin and the
-/// widest band, pooled over columns: what a set scores.
-[[nodiscard]] std::optional<double> set_rmse(const std::vector<SkillEntry>& entries,
-                                             const std::string& variable, Method method,
-                                             const LeadBin& lead);
+/// Whether a lead bin is one hour of lead rather than a day.
+[[nodiscard]] bool is_hour(const LeadBin& lead) noexcept;
+
+/// The entries that speak for the whole current under a wind policy: pooled over columns, over the
+/// widest depth band (the shallower of equals) under which it was scored, all leads but single hours.
+[[nodiscard]] std::vector<SkillEntry> whole_current(const std::vector<SkillEntry>& entries,
+                                                    WindPolicy wind);
 
 /// "0-5 m", "below 50 m", "0-5 m above the bed", "all depths", "surface".
 [[nodiscard]] std::string band_text(const std::optional<DepthBand>& band);

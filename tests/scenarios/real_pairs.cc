@@ -86,11 +86,6 @@ std::vector<calibration::SkillEntry> baseline_skill(store::Store& store, const S
   return skill;
 }
 
-double set_error(const std::vector<calibration::SkillEntry>& skill, calibration::Method method) {
-  return calibration::set_rmse(skill, "sea_water_velocity", method, {0, 24})
-      .value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
 std::vector<double> pair_errors(const std::vector<calibration::SkillEntry>& skill,
                                 calibration::Method method) {
   std::vector<double> errors;
@@ -101,6 +96,12 @@ std::vector<double> pair_errors(const std::vector<calibration::SkillEntry>& skil
       errors.push_back(entry.vector.rmse_m_s);
   }
   return errors;
+}
+
+double set_error(const std::vector<calibration::SkillEntry>& skill, calibration::Method method) {
+  const std::vector<double> errors = pair_errors(skill, method);
+  return errors.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : calibration::rmse_of_pairs(errors);
 }
 
 }  // namespace slackwater::tests

@@ -103,18 +103,6 @@ TEST(SkillJson, NamesTheBandByWhatItCountsAndCarriesTheSet) {
   EXPECT_TRUE(list[2]["set"]["interval_95"].is_null());
 }
 
-TEST(SetRmse, TakesTheLeadBinAskedForAndNoHourThatEndsWithIt) {
-  auto day = entry_of("2024-06-01", Method::forecast, 0.3);
-  auto hour = entry_of("2024-06-01", Method::forecast, 0.9);
-  hour.lead = {23, 24};
-  auto bed = entry_of("2024-06-01", Method::forecast, 0.7);
-  bed.band = calibration::DepthBand{0, 5, true};
-  EXPECT_DOUBLE_EQ(*calibration::set_rmse({bed, day, hour, bed}, "sea_water_velocity",
-                                          Method::forecast, {0, 24}),
-                   0.3);
-  EXPECT_FALSE(calibration::set_rmse({day}, "sea_water_velocity", Method::persistence, {0, 24}));
-}
-
 TEST(SkillJson, CountsWavesInMetresUnderKeysThatSaySo) {
   SkillEntry waves;
   waves.variable = calibration::wave_variable;

@@ -11,13 +11,13 @@
 namespace slackwater::calibration {
 namespace {
 
-TEST(VerdictOfNormal, AsksTheNormalDistribution) {
+TEST(ScoreOfNormal, AsksTheNormalDistribution) {
   // Phi(-1.2815516) = 0.1, Phi(1.6448536) = 0.95: tables of the standard normal.
-  EXPECT_NEAR(verdict_of_normal(2.0, 0.5, 2.0 - 0.5 * 1.2815515655).probability_below, 0.1, 1e-9);
-  EXPECT_NEAR(verdict_of_normal(2.0, 0.5, 2.0 + 0.5 * 1.6448536270).probability_below, 0.95, 1e-9);
-  EXPECT_EQ(verdict_of_normal(1.0, 0.0, 1.5).probability_below, 1.0);
-  EXPECT_EQ(verdict_of_normal(1.0, 0.0, 0.5).probability_below, 0.0);
-  EXPECT_EQ(verdict_of_normal(1.0, 0.0, 1.0).probability_below, 0.5);
+  EXPECT_NEAR(score_of_normal(2.0, 0.5, 2.0 - 0.5 * 1.2815515655).probability_below, 0.1, 1e-9);
+  EXPECT_NEAR(score_of_normal(2.0, 0.5, 2.0 + 0.5 * 1.6448536270).probability_below, 0.95, 1e-9);
+  EXPECT_EQ(score_of_normal(1.0, 0.0, 1.5).probability_below, 1.0);
+  EXPECT_EQ(score_of_normal(1.0, 0.0, 0.5).probability_below, 0.0);
+  EXPECT_EQ(score_of_normal(1.0, 0.0, 1.0).probability_below, 0.5);
 }
 
 PairContribution random_pair(Rng& random, double bias, double sigma_of_error, double sigma_said) {

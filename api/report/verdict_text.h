@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "calibration/verify/skill_entry.h"
+#include "calibration/verify/verdict.h"
+
+namespace slackwater::api {
+
+/// "Wind best, lead 0-24 h, 6 pairs of days: forecast 0.048 m/s [0.040, 0.060], best baseline
+/// reference-slab 0.050 m/s; 81 % of the truth inside the 80 % band [78, 84]."
+[[nodiscard]] std::string verdict_text(const calibration::Verdict& verdict);
+
+/// "best baseline reference-slab 0.050 m/s". Where it has some of the forecast's pairs only:
+/// "best baseline provider 0.050 m/s (over 4 of these pairs, there the forecast has 0.047 m/s)".
+[[nodiscard]] std::string baseline_text(const calibration::Verdict& verdict);
+
+/// The verdict under each wind policy, a line each; a forecast that is beaten is said to be.
+[[nodiscard]] std::string verdict_lines(const std::vector<calibration::SkillEntry>& entries);
+
+}  // namespace slackwater::api

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "calibration/verify/skill_entry.h"
+#include "calibration/verify/skill_set.h"
+
+namespace slackwater::calibration {
+
+/// A baseline beside our forecast, over the pairs of days on which both were scored.
+struct BestBaseline {
+  Method method = Method::persistence;
+  std::size_t pairs = 0;         ///< that both have
+  double rmse_m_s = 0;           ///< of the baseline over them
+  double forecast_rmse_m_s = 0;  ///< of our forecast over them
+};
+
+/// How our forecast of the current did, and whether any baseline did better. Every command, page
+/// and document that says so says it by this rule:
+///
+/// - What is judged is the current over the widest depth band (the shallower of equals), all
+///   columns pooled, in the first lead bin of more than an hour. Each wind policy has its verdict.
+/// - Every method counts as a baseline, the provider's forecast too, but `oracle_mean`: it knows
+///   the day itself.
+/// - A baseline is held against our forecast over the pairs of days that both have; days on which
+///   it could not be made say nothing of it. It needs half of the forecast's pairs: one lucky day
+///   is no rival.
+/// - The best baseline is the one whose error is the smallest share of ours.
+///
+/// Within a pair, each method is scored on the values it has: a baseline that lacks some levels is
+/// not held against the forecast there alone.
+struct Verdict {
+  WindPolicy wind = WindPolicy::best;
+  SkillSet forecast;                 ///< our forecast over all its pairs
+  std::optional<BestBaseline> best;  ///< nothing: no baseline has enough pairs
+  [[nodiscard]] bool is_beaten() const noexcept {
+    return best && best->rmse_m_s < best->forecast_rmse_m_s;
+  }
+};
+
+/// One verdict for each wind policy under which our forecast was scored, in the order of the
+/// policies. Pure; the order of the entries does not matter, except that intervals draw pairs in it.
+[[nodiscard]] std::vector<Verdict> verdicts_of(const std::vector<SkillEntry>& entries);
+
+/// The verdict on one wind policy; nothing where no forecast was scored under it.
+[[nodiscard]] std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries,
+                                                WindPolicy wind);
+
+}  // namespace slackwater::calibration
