@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "fields/base/text.h"
 #include "ingest/ais/read_ais.h"
 
 namespace slackwater::api {
@@ -82,12 +83,12 @@ void print_vessel(const AisTrack& track) {
   }
   const Summary summary = summary_of(track.positions);
   const BoundingBox& box = summary.extent;
-  char speed[16] = "-";
-  if (summary.mean_speed_m_s) std::snprintf(speed, sizeof speed, "%.1f", *summary.mean_speed_m_s);
+  const std::string speed =
+      summary.mean_speed_m_s ? formatted("{:.1f}", *summary.mean_speed_m_s) : "-";
   std::printf("  %-20.20s  %-20.20s  %6s  %.4f..%.4f N  %.4f..%.4f E\n",
               format_utc(track.positions.front().time).c_str(),
-              format_utc(track.positions.back().time).c_str(), speed, box.south_deg, box.north_deg,
-              box.west_deg, box.east_deg);
+              format_utc(track.positions.back().time).c_str(), speed.c_str(), box.south_deg,
+              box.north_deg, box.west_deg, box.east_deg);
 }
 
 json reading_json(const std::string& file, const ingest::AisReading& reading) {

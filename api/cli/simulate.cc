@@ -10,6 +10,7 @@
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/run_page.h"
 #include "api/rehearse/scenario_run.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -77,18 +78,15 @@ void print_summary(const ScenarioResult& result, const std::filesystem::path& ou
   std::printf("%-16s %-16s %9s %11s %7s %9s %10s  %s\n", "vehicle", "model", "sailed m", "energy",
               "charge", "off m rms", "tasks", "halt");
   for (const VehicleSummary& s : result.vehicles) {
-    char energy[24], charge[16] = "-", tasks[32], halt[64] = "-";
-    if (s.has_battery) {
-      std::snprintf(energy, sizeof energy, "%.1f Wh", s.energy_wh);
-      std::snprintf(charge, sizeof charge, "%.1f %%", 100 * s.state_of_charge);
-    } else {
-      std::snprintf(energy, sizeof energy, "%.1f kg", s.fuel_kg);
-    }
-    std::snprintf(tasks, sizeof tasks, "%zu of %zu", s.tasks_done, s.tasks);
-    if (s.halt != "none")
-      std::snprintf(halt, sizeof halt, "%s at %.1f s", s.halt.c_str(), s.halted_at_s);
+    const std::string energy =
+        s.has_battery ? formatted("{:.1f} Wh", s.energy_wh) : formatted("{:.1f} kg", s.fuel_kg);
+    const std::string charge = s.has_battery ? formatted("{:.1f} %", 100 * s.state_of_charge) : "-";
+    const std::string tasks = formatted("{} of {}", s.tasks_done, s.tasks);
+    const std::string halt =
+        s.halt == "none" ? "-" : formatted("{} at {:.1f} s", s.halt, s.halted_at_s);
     std::printf("%-16s %-16s %9.1f %11s %7s %9.2f %10s  %s\n", s.name.c_str(), s.model.c_str(),
-                s.sailed_m, energy, charge, s.rms_across_track_m, tasks, halt);
+                s.sailed_m, energy.c_str(), charge.c_str(), s.rms_across_track_m, tasks.c_str(),
+                halt.c_str());
   }
   for (const VehicleSummary& s : result.vehicles) {
     if (!s.by_sensors) continue;

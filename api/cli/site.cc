@@ -9,6 +9,7 @@
 #include "api/program/paths.h"
 #include "calibration/day/daily_forecast.h"
 #include "calibration/day/whole_day.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -46,15 +47,13 @@ void run_site_check(const std::string& name, const Context& context) {
                       {"newest_whole_day", day ? json(format_day(*day)) : json(nullptr)},
                       {"has_wind", !column.wind.pieces.empty()},
                       {"has_waves", !column.significant_height.pieces.empty()}};
-      char text[240];
-      std::snprintf(text, sizeof text,
-                    "%zu columns (%zu dry), %.1f m of water (%s), newest whole day of currents %s, "
-                    "wind %s, waves %s",
-                    data.columns.size(), data.dry_columns, column.water_depth.depth_m,
-                    column.water_depth.source.c_str(), day ? format_day(*day).c_str() : "none",
-                    column.wind.pieces.empty() ? "no" : "yes",
-                    column.significant_height.pieces.empty() ? "no" : "yes");
-      data_line = text;
+      data_line = formatted(
+          "{} columns ({} dry), {:.1f} m of water ({}), newest whole day of currents {}, "
+          "wind {}, waves {}",
+          data.columns.size(), data.dry_columns, column.water_depth.depth_m,
+          column.water_depth.source, day ? format_day(*day) : "none",
+          column.wind.pieces.empty() ? "no" : "yes",
+          column.significant_height.pieces.empty() ? "no" : "yes");
     } catch (const Error& problem) {
       if (problem.kind() != ErrorKind::not_found) throw;
       out["store_problem"] = problem.message();

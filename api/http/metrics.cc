@@ -3,8 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
+
+#include "fields/base/text.h"
 
 namespace slackwater::api::http {
 namespace {
@@ -27,11 +28,7 @@ void add(Counter& counter, std::uint64_t n) noexcept {
   counter.fetch_add(n, std::memory_order_relaxed);
 }
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.9g", value);
-  return text.data();
-}
+std::string number(double value) { return formatted("{:.9g}", value); }
 
 /// A label value: backslash, quote and line feed are escaped.
 std::string in_quotes(std::string_view value) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "api/http/problem.h"
 #include "fields/base/check.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::http {
 namespace {
@@ -28,12 +28,10 @@ std::string http_date(std::time_t time) {
                                                "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
   std::tm utc{};
   gmtime_r(&time, &utc);
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%s, %02d %s %04d %02d:%02d:%02d GMT",
-                days.at(static_cast<std::size_t>(utc.tm_wday)), utc.tm_mday,
-                months.at(static_cast<std::size_t>(utc.tm_mon)), 1900 + utc.tm_year, utc.tm_hour,
-                utc.tm_min, utc.tm_sec);
-  return text.data();
+  return formatted("{}, {:02} {} {:04} {:02}:{:02}:{:02} GMT",
+                   days.at(static_cast<std::size_t>(utc.tm_wday)), utc.tm_mday,
+                   months.at(static_cast<std::size_t>(utc.tm_mon)), 1900 + utc.tm_year, utc.tm_hour,
+                   utc.tm_min, utc.tm_sec);
 }
 
 std::string response_head(int status, const Fields& fields, std::size_t length, bool keep_alive) {

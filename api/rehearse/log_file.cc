@@ -5,6 +5,7 @@
 #include "api/program/version.h"
 #include "api/rehearse/traffic_tables.h"
 #include "fields/base/sha256.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -76,9 +77,6 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   std::string attribution;
   for (const std::string& line : snapshot.attributions)
     attribution += (attribution.empty() ? "" : "; ") + line;
-  char place[80];
-  std::snprintf(place, sizeof place, "%.9f N, %.9f E", origin.latitude_deg(),
-                origin.longitude_deg());
   file.attributes = {
       {"title", scenario.name},
       {"source", "slackwater " + code_version()},
@@ -86,7 +84,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
       {"vehicle_files_sha256", vehicle_checksums(scenario, water.surround.data_folder)},
       {"seed", std::to_string(scenario.seed)},
       {"member", std::to_string(scenario.member)},
-      {"origin", place},
+      {"origin", formatted("{:.9f} N, {:.9f} E", origin.latitude_deg(), origin.longitude_deg())},
       {"forecast", water.forecast_name},
       {"forecast_sha256", water.forecast_sha256},
       {"attribution", attribution},

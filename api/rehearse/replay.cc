@@ -10,6 +10,7 @@
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/log_file.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -81,11 +82,8 @@ std::string difference_of(const TrajectoryFile& was, const TrajectoryFile& is) {
         for (std::size_t k = 0; k < v.per; ++k) {
           const std::size_t i = (thing * was.t_s.size() + t) * v.per + k;
           if (same_bits(v.values[i], other->values[i])) continue;
-          char text[200];
-          std::snprintf(text, sizeof text, "%s of %s at %g s: the log has %.17g, the run %.17g",
-                        v.name.c_str(), was.names[thing].c_str(), was.t_s[t], v.values[i],
-                        other->values[i]);
-          return text;
+          return formatted("{} of {} at {:g} s: the log has {:.17g}, the run {:.17g}", v.name,
+                           was.names[thing], was.t_s[t], v.values[i], other->values[i]);
         }
       }
     }

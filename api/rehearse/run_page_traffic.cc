@@ -1,23 +1,19 @@
 #include "api/rehearse/run_page_traffic.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "api/rehearse/traffic_tables.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
 
 using nlohmann::json;
 
-std::string number_text(double value, const char* form = "%.0f") {
-  char text[32];
-  std::snprintf(text, sizeof text, form, value);
-  return text;
-}
+std::string number_text(double value) { return formatted("{:.0f}", value); }
 
 /// Row `i` of a column; 0 where a foreign file has none.
 double at(const ingest::TrajectoryTable& table, const char* name, std::size_t i) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "api/program/version.h"
 #include "api/rehearse/checkpoint_file.h"
@@ -12,6 +11,7 @@
 #include "api/rehearse/traffic_tables.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
+#include "fields/base/text.h"
 #include "twin/simulate/follow_tracks.h"
 
 namespace slackwater::api {
@@ -116,10 +116,9 @@ std::uint64_t due_step(const twin::Scenario& scenario, const RunChoice& choice,
     const auto step = static_cast<std::uint64_t>(std::llround(at_s / scenario.step_s));
     return std::max(step, run.steps_made() + 1);
   }
-  char text[160];
-  std::snprintf(text, sizeof text, "--checkpoint-at: found %g s, the run goes from %g to %g s",
-                at_s, run.time_s(), scenario.duration_s);
-  throw Error(ErrorKind::usage, text);
+  throw Error(ErrorKind::usage,
+              formatted("--checkpoint-at: found {:g} s, the run goes from {:g} to {:g} s", at_s,
+                        run.time_s(), scenario.duration_s));
 }
 
 twin::RunSettings settings_of(const twin::Scenario& scenario, const RunChoice& choice) {

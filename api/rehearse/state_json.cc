@@ -1,9 +1,7 @@
 #include "api/rehearse/state_json.h"
 
 #include <bit>
-#include <cinttypes>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "twin/simulate/state_members.h"
 
 namespace slackwater::api {
@@ -80,12 +79,8 @@ void read(const json& from, T& value) {
 }  // namespace
 
 std::string exact_text(double value) {
-  char text[40];
-  if (std::isnan(value))
-    std::snprintf(text, sizeof text, "bits:%016" PRIx64, std::bit_cast<std::uint64_t>(value));
-  else
-    std::snprintf(text, sizeof text, "%a", value);
-  return text;
+  return std::isnan(value) ? formatted("bits:{:016x}", std::bit_cast<std::uint64_t>(value))
+                           : formatted("{:a}", value);
 }
 
 double exact_number(const std::string& text) {

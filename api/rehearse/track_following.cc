@@ -1,8 +1,8 @@
 #include "api/rehearse/track_following.h"
 
-#include <cstdio>
 #include <limits>
 
+#include "fields/base/text.h"
 #include "twin/body/frame.h"
 
 namespace slackwater::api {
@@ -41,13 +41,11 @@ std::string text_of(const TrackFollowing& f) {
   std::string text = f.vehicle_name + " followed " + std::to_string(f.mmsi) +
                      (f.name.empty() ? "" : " (" + f.name + ")") + ": ";
   if (d.samples == 0) return text + "the track says nothing of the time of that task";
-  char numbers[240];
-  std::snprintf(numbers, sizeof numbers,
-                "across %.2f m rms, %.2f m at most; along %.2f m rms, %.2f m at most (mean %+.2f "
-                "m); within %g m for %.1f %% of %zu samples",
-                d.across.rms_m, d.across.most_m, d.along.rms_m, d.along.most_m, d.along.mean_m,
-                f.within_m, 100 * f.share_within(), d.samples);
-  return text + numbers;
+  return text + formatted(
+                    "across {:.2f} m rms, {:.2f} m at most; along {:.2f} m rms, {:.2f} m at most "
+                    "(mean {:+.2f} m); within {:g} m for {:.1f} % of {} samples",
+                    d.across.rms_m, d.across.most_m, d.along.rms_m, d.along.most_m, d.along.mean_m,
+                    f.within_m, 100 * f.share_within(), d.samples);
 }
 
 }  // namespace slackwater::api

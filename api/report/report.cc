@@ -1,10 +1,10 @@
 #include "api/report/report.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "api/report/assets.h"
 #include "api/report/plot_data.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -37,9 +37,7 @@ ReportTable profile_table(const ReportProfile& profile) {
   const std::size_t levels = profile.depth_m.size();
   const std::size_t skip = levels / 6 + 1;
   for (std::size_t k = 0; k < levels; k += skip) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g m", profile.depth_m[k]);
-    table.columns.emplace_back(text);
+    table.columns.push_back(formatted("{:g} m", profile.depth_m[k]));
   }
   for (std::size_t t = 0; t < profile.time.size(); t += 3) {
     std::string stamp = format_utc(profile.time[t]).substr(0, 16);
@@ -47,10 +45,9 @@ ReportTable profile_table(const ReportProfile& profile) {
     std::vector<std::string> row{std::move(stamp)};
     for (std::size_t k = 0; k < levels; k += skip) {
       const Horizontal current = profile.current_m_s[t * levels + k];
-      char text[48];
-      std::snprintf(text, sizeof text, "%.2f to %03.0f", std::abs(current),
-                    to_direction_deg(current));
-      row.emplace_back(std::isnan(current.real()) ? "no value" : text);
+      row.push_back(std::isnan(current.real()) ? "no value"
+                                               : formatted("{:.2f} to {:03.0f}", std::abs(current),
+                                                           to_direction_deg(current)));
     }
     table.rows.push_back(std::move(row));
   }

@@ -1,11 +1,10 @@
 #include "fields/base/time.h"
 
-#include <array>
 #include <charconv>
-#include <cstdio>
 #include <optional>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater {
 namespace {
@@ -97,26 +96,16 @@ UtcDay parse_day(std::string_view text) {
 
 std::string format_day(UtcDay day) {
   const std::chrono::year_month_day date(day);
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%04d-%02u-%02u", static_cast<int>(date.year()),
-                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
-  return buffer.data();
+  return formatted("{:04}-{:02}-{:02}", static_cast<int>(date.year()),
+                   static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
 }
 
 std::string format_utc(UtcTime time) {
   const auto day = floor<std::chrono::days>(time);
   const auto ms = (time - day).count();
-  std::array<char, 32> buffer{};
-  const auto clock = [&](const char* form, long fraction) {
-    std::snprintf(buffer.data(), buffer.size(), form, static_cast<int>(ms / 3600000),
-                  static_cast<int>(ms / 60000 % 60), static_cast<int>(ms / 1000 % 60), fraction);
-  };
-  if (ms % 1000 == 0) {
-    clock("T%02d:%02d:%02dZ", 0);
-  } else {
-    clock("T%02d:%02d:%02d.%03ldZ", ms % 1000);
-  }
-  return format_day(day) + buffer.data();
+  const std::string fraction = ms % 1000 == 0 ? "" : formatted(".{:03}", ms % 1000);
+  return formatted("{}T{:02}:{:02}:{:02}{}Z", format_day(day), ms / 3600000, ms / 60000 % 60,
+                   ms / 1000 % 60, fraction);
 }
 
 Duration parse_duration(std::string_view text) {

@@ -1,10 +1,10 @@
 #include "fields/geo/geo_point.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater {
 
@@ -56,9 +56,7 @@ bool BoundingBox::contains(const GeoPoint& point) const noexcept {
 }
 
 std::string position_text(const GeoPoint& point) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.4f N %.4f E", point.latitude_deg(), point.longitude_deg());
-  return text;
+  return formatted("{:.4f} N {:.4f} E", point.latitude_deg(), point.longitude_deg());
 }
 
 }  // namespace slackwater

@@ -2,11 +2,10 @@
 
 #include <proj.h>
 
-#include <array>
-#include <cstdio>
 #include <string>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater {
 
@@ -23,14 +22,13 @@ struct LocalFrame::State {
 LocalFrame::LocalFrame(const GeoPoint& origin) : state_(std::make_unique<State>()) {
   state_->origin = origin;
   state_->context = proj_context_create();
-  std::array<char, 256> text{};
-  std::snprintf(text.data(), text.size(),
-                "+proj=pipeline +step +proj=cart +ellps=WGS84 "
-                "+step +proj=topocentric +ellps=WGS84 +lon_0=%.15g +lat_0=%.15g +h_0=0",
-                origin.longitude_deg(), origin.latitude_deg());
-  state_->transform = proj_create(state_->context, text.data());
+  const std::string text = formatted(
+      "+proj=pipeline +step +proj=cart +ellps=WGS84 "
+      "+step +proj=topocentric +ellps=WGS84 +lon_0={:.15g} +lat_0={:.15g} +h_0=0",
+      origin.longitude_deg(), origin.latitude_deg());
+  state_->transform = proj_create(state_->context, text.c_str());
   if (state_->transform == nullptr) {
-    throw Error(ErrorKind::internal, std::string("PROJ refused '") + text.data() + "'");
+    throw Error(ErrorKind::internal, "PROJ refused '" + text + "'");
   }
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "fields/record/nearest_wind.h"
 #include "fields/wind/log_profile.h"
 
@@ -153,12 +153,11 @@ SiteData site_data_of(const Site& site, SitePieces all) {
   }
   if (!data.has_currents() && !pieces.current.empty() && !site.column_block) {
     const BoundingBox box = coverage_of(pieces.current.front().east.grid);
-    char text[128];
-    std::snprintf(text, sizeof text, "%.3f..%.3f E, %.3f..%.3f N", box.west_deg, box.east_deg,
-                  box.south_deg, box.north_deg);
+    const std::string extent = formatted("{:.3f}..{:.3f} E, {:.3f}..{:.3f} N", box.west_deg,
+                                         box.east_deg, box.south_deg, box.north_deg);
     throw Error(ErrorKind::not_found, "site " + site.id + " at " + position_text(site.point) +
                                           " lies outside the stored currents nearest to it (" +
-                                          text + "); ingest a product that covers it");
+                                          extent + "); ingest a product that covers it");
   }
   return data;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "fields/base/check.h"
+#include "fields/base/text.h"
 
 namespace slackwater {
 namespace {
@@ -39,20 +39,16 @@ void expect_whole(const Snapshot& snapshot) {
 }
 
 std::string degrees(double value, char positive, char negative) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f %c", std::abs(value), value < 0 ? negative : positive);
-  return text;
+  return formatted("{:.3f} {}", std::abs(value), value < 0 ? negative : positive);
 }
 
 }  // namespace
 
 std::string ValidRange::text() const {
-  char depth[48];
-  std::snprintf(depth, sizeof depth, "0 to %.1f m", deepest_m);
   return "longitude " + degrees(box.west_deg, 'E', 'W') + " to " + degrees(box.east_deg, 'E', 'W') +
          ", latitude " + degrees(box.south_deg, 'N', 'S') + " to " +
          degrees(box.north_deg, 'N', 'S') + ", " + format_utc(from) + " to " + format_utc(to) +
-         ", depth " + depth;
+         formatted(", depth 0 to {:.1f} m", deepest_m);
 }
 
 Field::Field(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(snapshot)) {

@@ -1,8 +1,8 @@
 #include "fields/wave/product_sea.h"
 
 #include <cmath>
-#include <cstdio>
 
+#include "fields/base/text.h"
 #include "fields/wave/growth.h"
 
 namespace slackwater {
@@ -10,13 +10,6 @@ namespace {
 
 /// A height at the limit, worked out elsewhere, may pass it by rounding alone.
 constexpr double rounding_allowance = 1.0 + 1e-9;
-
-template <typename... Values>
-std::string text_of(const char* form, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, form, values...);
-  return text;
-}
 
 bool is_calm_or_absent(const WavePartition& p) {
   return p.significant_height_m == 0 ||
@@ -35,20 +28,20 @@ ServedSea lowered_to_limits(std::span<const WavePartition> partitions) {
     WavePartition p = partitions[i];
     if (!is_usable(p)) {
       if (!is_calm_or_absent(p)) {
-        served.warnings.push_back(
-            text_of("wave partition %zu left out: Hs %g m, Tp %g s, from %g degrees is not a sea",
-                    i + 1, p.significant_height_m, p.peak_period_s, p.from_direction_deg));
+        served.warnings.push_back(formatted(
+            "wave partition {} left out: Hs {:g} m, Tp {:g} s, from {:g} degrees is not a sea",
+            i + 1, p.significant_height_m, p.peak_period_s, p.from_direction_deg));
       }
       continue;
     }
     const double limit_m = steepest_height_m(p.peak_period_s);
     if (p.significant_height_m > limit_m * rounding_allowance) {
       served.warnings.push_back(
-          text_of("wave partition %zu: Hs %.3g m with Tp %.3g s is steeper than waves can be "
-                  "(%.3f, limit %.3f); lowered to %.3g m",
-                  i + 1, p.significant_height_m, p.peak_period_s,
-                  steepness_of(p.significant_height_m, p.peak_period_s),
-                  steepness_of(limit_m, p.peak_period_s), limit_m));
+          formatted("wave partition {}: Hs {:.3g} m with Tp {:.3g} s is steeper than waves can be "
+                    "({:.3f}, limit {:.3f}); lowered to {:.3g} m",
+                    i + 1, p.significant_height_m, p.peak_period_s,
+                    steepness_of(p.significant_height_m, p.peak_period_s),
+                    steepness_of(limit_m, p.peak_period_s), limit_m));
       p.significant_height_m = limit_m;
     }
     served.sea.partitions.push_back(p);
@@ -95,17 +88,17 @@ bool raise_within_limits(PartitionedSea& sea, double total_m) {
 void rescale_to_total(ServedSea& served, double total_m) {
   const double sum_m = served.sea.significant_height_m();
   if (std::abs(sum_m - total_m) > 0.02 * total_m) {
-    served.warnings.push_back(text_of(
-        "wave partitions of together %.3g m rescaled to the total of %.3g m", sum_m, total_m));
+    served.warnings.push_back(formatted(
+        "wave partitions of together {:.3g} m rescaled to the total of {:.3g} m", sum_m, total_m));
   }
   if (total_m <= sum_m) {
     scale_heights(served.sea, total_m / sum_m);
   } else if (!raise_within_limits(served.sea, total_m)) {
     scale_heights(served.sea, total_m / served.sea.significant_height_m());
-    served.warnings.push_back(
-        text_of("the total sea of Hs %.3g m is steeper than its partitions can carry; served as "
-                "the product gives it",
-                total_m));
+    served.warnings.push_back(formatted(
+        "the total sea of Hs {:.3g} m is steeper than its partitions can carry; served as "
+        "the product gives it",
+        total_m));
   }
 }
 
@@ -117,18 +110,18 @@ ServedSea product_sea(double total_height_m, std::span<const WavePartition> part
   if (sum_m > 0 && std::isfinite(total_height_m) && total_height_m >= 0) {
     rescale_to_total(served, total_height_m);
   } else if (sum_m <= 0 && total_height_m > 0) {
-    served.warnings.push_back(
-        text_of("a total sea of Hs %.3g m without any usable partition: no waves can be made of it",
-                total_height_m));
+    served.warnings.push_back(formatted(
+        "a total sea of Hs {:.3g} m without any usable partition: no waves can be made of it",
+        total_height_m));
   }
   const double total_m = served.sea.significant_height_m();
   const double period_s = served.sea.peak_period_s();
   if (total_m > 0 && total_m > steepest_height_m(period_s) * rounding_allowance) {
-    served.warnings.push_back(
-        text_of("the total sea, Hs %.3g m with Tp %.3g s, has a steepness of %.3f; the limit is "
-                "%.3f: treat it with care",
-                total_m, period_s, steepness_of(total_m, period_s),
-                steepness_of(steepest_height_m(period_s), period_s)));
+    served.warnings.push_back(formatted(
+        "the total sea, Hs {:.3g} m with Tp {:.3g} s, has a steepness of {:.3f}; the limit is "
+        "{:.3f}: treat it with care",
+        total_m, period_s, steepness_of(total_m, period_s),
+        steepness_of(steepest_height_m(period_s), period_s)));
   }
   return served;
 }

@@ -1,9 +1,9 @@
 #include "fields/wave/scenario_sea.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "fields/wave/growth.h"
 
 namespace slackwater {
@@ -24,31 +24,26 @@ double least_period_s(double height_m) {
   return high;
 }
 
-template <typename... Values>
-std::string text_of(const char* form, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, form, values...);
-  return text;
-}
-
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
   throw Error(ErrorKind::invalid_input, what + ": " + why);
 }
 
 void expect_range(const std::string& what, const char* key, double found, double low, double high) {
   if (found >= low && found <= high) return;
-  refuse(what, text_of("found %s = %g, expected %g to %g", key, found, low, high));
+  refuse(what, formatted("found {} = {:g}, expected {:g} to {:g}", key, found, low, high));
 }
 
 void expect_existing(const std::string& what, double height_m, double period_s) {
   const double limit_m = steepest_height_m(period_s);
   if (height_m <= limit_m * rounding_allowance) return;
-  refuse(what, text_of("found Hs %.4g m with Tp %.4g s, a steepness 2 pi Hs/(g Tp^2) of %.3f; such "
-                       "waves break, the limit is %.3f (DNV-RP-C205); lower Hs to %.3g m or less, "
-                       "or lengthen Tp to %.3g s or more",
-                       height_m, period_s, steepness_of(height_m, period_s),
-                       steepness_of(limit_m, period_s), std::floor(limit_m * 100.0) / 100.0,
-                       std::ceil(least_period_s(height_m) * 100.0) / 100.0));
+  refuse(
+      what,
+      formatted("found Hs {:.4g} m with Tp {:.4g} s, a steepness 2 pi Hs/(g Tp^2) of {:.3f}; such "
+                "waves break, the limit is {:.3f} (DNV-RP-C205); lower Hs to {:.3g} m or less, "
+                "or lengthen Tp to {:.3g} s or more",
+                height_m, period_s, steepness_of(height_m, period_s),
+                steepness_of(limit_m, period_s), std::floor(limit_m * 100.0) / 100.0,
+                std::ceil(least_period_s(height_m) * 100.0) / 100.0));
 }
 
 void expect_sound(const std::string& what, const WavePartition& partition) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 
@@ -10,6 +9,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/random.h"
+#include "fields/base/text.h"
 #include "fields/wave/spreading.h"
 #include "fields/wave/variance_division.h"
 
@@ -107,13 +107,13 @@ void add_waves(SeaComponents& sea, const std::vector<VarianceShare>& shares, Hea
 
 void expect_little_blocked(const SeaComponents& sea, double variance_m2, const WaveWater& water) {
   if (sea.blocked_variance_m2 <= most_blocked * variance_m2) return;
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "a current of %.2f m/s blocks %.0f %% of the wave energy, at most %.0f %% can be "
-                "left out; give the spectrum in intrinsic frequencies, or a weaker current",
-                std::abs(water.current_m_s), 100.0 * sea.blocked_variance_m2 / variance_m2,
-                100.0 * most_blocked);
-  throw Error(ErrorKind::invalid_input, text);
+  throw Error(
+      ErrorKind::invalid_input,
+      formatted(
+          "a current of {:.2f} m/s blocks {:.0f} % of the wave energy, at most {:.0f} % can be "
+          "left out; give the spectrum in intrinsic frequencies, or a weaker current",
+          std::abs(water.current_m_s), 100.0 * sea.blocked_variance_m2 / variance_m2,
+          100.0 * most_blocked));
 }
 
 /// How many sinusoids each partition gets: in proportion to its height, the rest to the highest.

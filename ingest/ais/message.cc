@@ -1,8 +1,9 @@
 #include "ingest/ais/message.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
+
+#include "fields/base/text.h"
 
 namespace slackwater::ingest {
 
@@ -22,9 +23,7 @@ std::vector<std::string> AisMessage::sentences() const {
     if (total > 1) body += '0';
     body += ",A," + payload.substr(i * characters, characters) + ',';
     body += std::to_string(i + 1 == total ? fill_bits : 0);
-    char checksum[8];
-    std::snprintf(checksum, sizeof checksum, "*%02X", static_cast<unsigned>(nmea_checksum(body)));
-    result.push_back('!' + body + checksum);
+    result.push_back('!' + body + formatted("*{:02X}", nmea_checksum(body)));
   }
   return result;
 }

@@ -1,17 +1,11 @@
 #include <cmath>
-#include <cstdio>
 
+#include "fields/base/text.h"
 #include "twin/battery/battery.h"
 #include "twin/curve/named_file.h"
 
 namespace slackwater::twin {
 namespace {
-
-std::string text_of(const char* form, double a, double b, double c = 0) {
-  char text[240];
-  std::snprintf(text, sizeof text, form, a, b, c);
-  return text;
-}
 
 struct Line {
   std::vector<double> x;
@@ -30,8 +24,8 @@ Line read_line(const Config& config, const char* x_key, Range x_range, const cha
   }
   for (std::size_t i = 1; i < line.x.size(); ++i) {
     if (!(line.x[i] > line.x[i - 1]))
-      config.refuse(
-          x_key, text_of("found %g after %g; give them in rising order", line.x[i], line.x[i - 1]));
+      config.refuse(x_key, formatted("found {:g} after {:g}; give them in rising order", line.x[i],
+                                     line.x[i - 1]));
   }
   return line;
 }
@@ -44,15 +38,17 @@ struct Cell {
 Cell read_cell(const Config& cell) {
   const Line curve = read_line(cell, "state_of_charge", {0, 1}, "open_circuit_voltage_v", {0.5, 5});
   if (curve.x.front() != 0 || curve.x.back() != 1)
-    cell.refuse("state_of_charge", text_of("found values from %g to %g; the curve reaches from 0 "
-                                           "(empty) to 1 (full)",
-                                           curve.x.front(), curve.x.back()));
+    cell.refuse("state_of_charge",
+                formatted("found values from {:g} to {:g}; the curve reaches from 0 "
+                          "(empty) to 1 (full)",
+                          curve.x.front(), curve.x.back()));
   for (std::size_t i = 1; i < curve.y.size(); ++i) {
     if (!(curve.y[i] > curve.y[i - 1]))
-      cell.refuse("open_circuit_voltage_v",
-                  text_of("found %g V at the state of charge %g, no more than before it; a cell's "
-                          "voltage rises with its charge",
-                          curve.y[i], curve.x[i]));
+      cell.refuse(
+          "open_circuit_voltage_v",
+          formatted("found {:g} V at the state of charge {:g}, no more than before it; a cell's "
+                    "voltage rises with its charge",
+                    curve.y[i], curve.x[i]));
   }
   const auto axis = uniform_axis_through(curve.x, 501);
   if (!axis)
@@ -66,9 +62,10 @@ double read_factor(const Config& cell, const char* key, const Config& pack,
   const Config c = cell.child(key);
   const Line line = read_line(c, "temperature_degc", {-60, 100}, "factor", {0.01, 20});
   if (temperature_degc < line.x.front() || temperature_degc > line.x.back())
-    pack.refuse("temperature_degc",
-                text_of("found %g, but what is known of these cells reaches from %g to %g degrees",
-                        temperature_degc, line.x.front(), line.x.back()));
+    pack.refuse(
+        "temperature_degc",
+        formatted("found {:g}, but what is known of these cells reaches from {:g} to {:g} degrees",
+                  temperature_degc, line.x.front(), line.x.back()));
   const UniformAxis there{temperature_degc, 1, 1};
   return on_axis(there, line.x, line.y).front();
 }
@@ -79,9 +76,10 @@ void expect_voltage_of_pack(const Config& pack, const Battery& battery) {
   if (battery.least_voltage_v >= 0.6 * low && battery.least_voltage_v < high) return;
   pack.refuse(
       "least_voltage_v",
-      text_of("found %g V for a pack of %g V when empty and %g V when full; give the pack's "
-              "voltage (not a cell's) below which a load ends it",
-              battery.least_voltage_v, low, high));
+      formatted(
+          "found {:g} V for a pack of {:g} V when empty and {:g} V when full; give the pack's "
+          "voltage (not a cell's) below which a load ends it",
+          battery.least_voltage_v, low, high));
 }
 
 /// A current that empties the pack in an hour must leave most of its voltage: catches mAh and mOhm.
@@ -89,9 +87,9 @@ void expect_resistance_suits_capacity(const Config& pack, double capacity_ah, do
                                       double full_v) {
   if (capacity_ah * resistance_ohm <= 0.5 * full_v) return;
   pack.refuse("capacity_ah",
-              text_of("%g A, which would empty the pack in an hour, would cost %g V in its "
-                      "resistance, of %g V; check the units (Ah, not mAh; ohm, not milliohm)",
-                      capacity_ah, capacity_ah * resistance_ohm, full_v));
+              formatted("{:g} A, which would empty the pack in an hour, would cost {:g} V in its "
+                        "resistance, of {:g} V; check the units (Ah, not mAh; ohm, not milliohm)",
+                        capacity_ah, capacity_ah * resistance_ohm, full_v));
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::twin {
 namespace {
@@ -116,12 +116,12 @@ double floating_depth_m(const FloatingHull& hull, double mass_kg, double water_d
   double high = -hull.keel_m[0].z;  // the keel at the surface
   double low = high + hull.section_depth_m;
   if (lift_n(low) < weight_n) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the hulls bear %.0f kg with the deck in the water and the vehicle has %.0f kg: "
-                  "it sinks; check mass_kg and hulls",
-                  lift_n(low) / constants::gravity_m_s2, mass_kg);
-    throw Error(ErrorKind::invalid_input, text);
+    throw Error(
+        ErrorKind::invalid_input,
+        formatted(
+            "the hulls bear {:.0f} kg with the deck in the water and the vehicle has {:.0f} kg: "
+            "it sinks; check mass_kg and hulls",
+            lift_n(low) / constants::gravity_m_s2, mass_kg));
   }
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);

@@ -1,7 +1,7 @@
-#include <cstdio>
 #include <string>
 
 #include "fields/base/constants.h"
+#include "fields/base/text.h"
 #include "twin/control/autopilot.h"
 
 namespace slackwater::twin {
@@ -13,16 +13,10 @@ double read(const Config& config, std::string_view key, Range range, double abse
   return config.optional_number(key, range).value_or(absent);
 }
 
-std::string text_of(const char* form, double a, double b) {
-  char text[200];
-  std::snprintf(text, sizeof text, form, a, b);
-  return text;
-}
-
 void expect_slower(const Config& config, std::string_view key, double period_s, double than_s,
                    const char* why) {
   if (period_s >= than_s) return;
-  config.refuse(key, text_of("found %g s, expected at least %g s: ", period_s, than_s) + why);
+  config.refuse(key, formatted("found {:g} s, expected at least {:g} s: ", period_s, than_s) + why);
 }
 
 void expect_stable(const Config& config, VehicleKind kind, const AutopilotSettings& s,
@@ -41,8 +35,9 @@ void expect_stable(const Config& config, VehicleKind kind, const AutopilotSettin
     expect_slower(config, "vertical_period_s", s.vertical_period_s, 2 * s.tilt_period_s,
                   "an auv dives by its pitch, which must be settled sooner (2 tilt_period_s)");
     if (s.most_speed_m_s > 0 && s.least_speed_m_s > s.most_speed_m_s)
-      config.refuse("least_speed_m_s", text_of("found %g m/s, more than most_speed_m_s, %g m/s",
-                                               s.least_speed_m_s, s.most_speed_m_s));
+      config.refuse("least_speed_m_s",
+                    formatted("found {:g} m/s, more than most_speed_m_s, {:g} m/s",
+                              s.least_speed_m_s, s.most_speed_m_s));
   }
 }
 

@@ -1,9 +1,9 @@
 #include "twin/sensor/read_sensors.h"
 
-#include <cstdio>
 #include <string>
 
 #include "fields/base/angle.h"
+#include "fields/base/text.h"
 
 namespace slackwater::twin {
 namespace {
@@ -22,10 +22,8 @@ void take_degrees(const Config& config, const char* key, Range range_deg, double
 void expect_order(const Config& config, const char* key, const char* near_key, double near_m,
                   double far_m) {
   if (near_m < far_m) return;
-  char text[160];
-  std::snprintf(text, sizeof text, "found %g m, not beyond %s, %g m; nothing would be heard", far_m,
-                near_key, near_m);
-  config.refuse(key, text);
+  config.refuse(key, formatted("found {:g} m, not beyond {}, {:g} m; nothing would be heard", far_m,
+                               near_key, near_m));
 }
 
 constexpr Range rates{0.01, 1000};  ///< Hz, of readings

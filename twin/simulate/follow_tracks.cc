@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::twin {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
-std::string text_of(const char* form, double a, double b, double c = 0) {
-  char text[160];
-  std::snprintf(text, sizeof text, form, a, b, c);
-  return text;
-}
 
 std::string called(std::uint32_t mmsi, const std::string& name) {
   return std::to_string(mmsi) + (name.empty() ? "" : " (" + name + ")");
@@ -49,21 +43,21 @@ const TrafficVessel& vessel_of(const TrackToFollow& follow, std::span<const Traf
   const std::string name = called(follow.mmsi, all.front()->name);
   if (during.empty()) {
     const auto points = all.front()->track.points();
-    refuse(
-        "the track of " + name +
-        text_of(" lasts from %.0f to %.0f s of the run's time and the run to %.0f s; set `starts`, "
-                "the instant of the log that is the start of the run",
-                points.front().t_s, points.back().t_s, duration_s));
+    refuse("the track of " + name +
+           formatted(" lasts from {:.0f} to {:.0f} s of the run's time and the run to {:.0f} s; "
+                     "set `starts`, the instant of the log that is the start of the run",
+                     points.front().t_s, points.back().t_s, duration_s));
   }
   if (during.size() > 1) {
     const TrackPoint& from = during[0]->track.points().back();
     const TrackPoint& to = during[1]->track.points().front();
-    refuse("the track of " + name +
-           text_of(
-               " jumps by %.0f m between %.0f and %.0f s of the run, which nothing can follow; "
-               "run before or after that",
-               std::hypot(to.position_m.x - from.position_m.x, to.position_m.y - from.position_m.y),
-               from.t_s, to.t_s));
+    refuse(
+        "the track of " + name +
+        formatted(
+            " jumps by {:.0f} m between {:.0f} and {:.0f} s of the run, which nothing can follow; "
+            "run before or after that",
+            std::hypot(to.position_m.x - from.position_m.x, to.position_m.y - from.position_m.y),
+            from.t_s, to.t_s));
   }
   return *during.front();
 }
@@ -132,9 +126,9 @@ std::vector<std::string> too_fast_tracks(const Agent& agent, double duration_s) 
     if (fastest <= most_m_s) continue;
     out.push_back(
         "vehicle " + agent.name + ": the track of " + called(task.follow->mmsi, task.follow->name) +
-        text_of(" goes up to %.2f m/s and the vehicle %.2f m/s through the water: it will "
-                "fall behind",
-                fastest, most_m_s));
+        formatted(" goes up to {:.2f} m/s and the vehicle {:.2f} m/s through the water: it will "
+                  "fall behind",
+                  fastest, most_m_s));
   }
   return out;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "twin/tether/tether_dynamics.h"
 
 namespace slackwater::twin {
@@ -33,23 +33,19 @@ Triple<double> across(const Triple<double>& chord, const Triple<double>& wanted)
 }
 
 void expect_reach(const Tether& tether, double distance_m, double length_m) {
-  char text[240];
   if (!(length_m >= shortest_tether_m && length_m <= tether.longest_m)) {
-    std::snprintf(
-        text, sizeof text,
-        "found %g m of tether paid out; give %g m, below which it is not resolved, to the %g m of "
-        "tether.longest_m",
-        length_m, shortest_tether_m, tether.longest_m);
-    throw Error(ErrorKind::invalid_input, text);
+    throw Error(ErrorKind::invalid_input,
+                formatted("found {:g} m of tether paid out; give {:g} m, below which it is not "
+                          "resolved, to the {:g} m of tether.longest_m",
+                          length_m, shortest_tether_m, tether.longest_m));
   }
   const double reach_m = length_m * (1 + tether.breaking_load_n / tether.axial_stiffness_n);
   if (distance_m < reach_m) return;
-  std::snprintf(
-      text, sizeof text,
-      "the vehicle is %g m from the top of its tether, of which %g m are paid out: it would "
-      "part at %g m; pay out more or move the vehicle nearer",
-      distance_m, length_m, reach_m);
-  throw Error(ErrorKind::invalid_input, text);
+  throw Error(
+      ErrorKind::invalid_input,
+      formatted("the vehicle is {:g} m from the top of its tether, of which {:g} m are "
+                "paid out: it would part at {:g} m; pay out more or move the vehicle nearer",
+                distance_m, length_m, reach_m));
 }
 
 }  // namespace

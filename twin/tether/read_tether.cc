@@ -1,44 +1,41 @@
 #include "twin/tether/read_tether.h"
 
-#include <cstdio>
 #include <string>
 
 #include "fields/base/constants.h"
+#include "fields/base/text.h"
 
 namespace slackwater::twin {
 namespace {
-
-std::string text_of(const char* form, double a, double b) {
-  char text[240];
-  std::snprintf(text, sizeof text, form, a, b);
-  return text;
-}
 
 void expect_a_line(const Config& config, const Tether& tether) {
   const double area_m2 = constants::pi / 4 * tether.diameter_m * tether.diameter_m;
   const double density_kg_m3 = tether.mass_per_m_kg / area_m2;
   // Foam is not lighter than 100 kg/m3, copper not heavier than 9000.
   if (density_kg_m3 < 100 || density_kg_m3 > 9000)
-    config.refuse("mass_per_m_kg",
-                  text_of("found %g kg/m, with its diameter a density of %g kg/m3; expected 100 to "
-                          "9000. Check both units",
-                          tether.mass_per_m_kg, density_kg_m3));
+    config.refuse(
+        "mass_per_m_kg",
+        formatted("found {:g} kg/m, with its diameter a density of {:g} kg/m3; expected 100 to "
+                  "9000. Check both units",
+                  tether.mass_per_m_kg, density_kg_m3));
   // A bundle of nothing but aramid or HMPE fibres bears 3.6 GPa.
   const double stress_pa = tether.breaking_load_n / area_m2;
   if (stress_pa > 3.6e9)
     config.refuse(
         "breaking_load_n",
-        text_of("found %g N, which is %g GPa in its section; no fibre bears more than 3.6",
-                tether.breaking_load_n, stress_pa / 1e9));
+        formatted("found {:g} N, which is {:g} GPa in its section; no fibre bears more than 3.6",
+                  tether.breaking_load_n, stress_pa / 1e9));
   const double weight_n = tether.mass_per_m_kg * tether.longest_m * constants::gravity_m_s2;
   if (tether.breaking_load_n < weight_n)
-    config.refuse("breaking_load_n", text_of("found %g N; the line would part under its own weight "
-                                             "in air, %g N. Check the units",
-                                             tether.breaking_load_n, weight_n));
+    config.refuse("breaking_load_n",
+                  formatted("found {:g} N; the line would part under its own weight "
+                            "in air, {:g} N. Check the units",
+                            tether.breaking_load_n, weight_n));
   if (tether.tangential_drag_coefficient > tether.normal_drag_coefficient)
-    config.refuse("tangential_drag_coefficient",
-                  text_of("found %g, more than the %g across the line; have they changed places?",
-                          tether.tangential_drag_coefficient, tether.normal_drag_coefficient));
+    config.refuse(
+        "tangential_drag_coefficient",
+        formatted("found {:g}, more than the {:g} across the line; have they changed places?",
+                  tether.tangential_drag_coefficient, tether.normal_drag_coefficient));
 }
 
 }  // namespace

@@ -1,20 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "fields/base/constants.h"
+#include "fields/base/text.h"
 #include "twin/curve/named_file.h"
 #include "twin/thruster/thruster.h"
 
 namespace slackwater::twin {
 namespace {
-
-std::string text_of(const char* form, double a, double b = 0, double c = 0) {
-  char text[300];
-  std::snprintf(text, sizeof text, form, a, b, c);
-  return text;
-}
 
 constexpr Range diameter_range{0.01, 10};
 constexpr Range efficiency_range{0.01, 1};
@@ -38,11 +32,12 @@ void expect_propeller_of_this_world(const Config& c, const char* key, double dis
                                     double thrust_n, double power_w) {
   const double share = disc_power_w(disc_kg_m, thrust_n, 0.0) / power_w;
   if (share >= 0.05 && share <= 1) return;
-  c.refuse(key,
-           text_of("%g N at rest for %g W is %g of what a disc of that size needs without loss, "
-                   "where propellers have 0.05 to 1 of their power; check the units (N, not "
-                   "kgf; metres) and the density",
-                   thrust_n, power_w, share));
+  c.refuse(
+      key,
+      formatted("{:g} N at rest for {:g} W is {:g} of what a disc of that size needs without loss, "
+                "where propellers have 0.05 to 1 of their power; check the units (N, not "
+                "kgf; metres) and the density",
+                thrust_n, power_w, share));
 }
 
 // ---- a measured table
@@ -81,11 +76,11 @@ void expect_thrust_to_rise(const Config& c, const Measured& m) {
       c.refuse("pwm_us", "give the pulses in rising order");
     if (i > 0 && m.thrust_n[i] < m.thrust_n[i - 1])
       c.refuse("thrust_n",
-               text_of("found %g N after %g N; a greater command pushes no less. Smooth "
-                       "the scatter of the measurement out",
-                       m.thrust_n[i], m.thrust_n[i - 1]));
+               formatted("found {:g} N after {:g} N; a greater command pushes no less. Smooth "
+                         "the scatter of the measurement out",
+                         m.thrust_n[i], m.thrust_n[i - 1]));
     if (m.command[i] == 0 && m.thrust_n[i] != 0)
-      c.refuse("thrust_n", text_of("found %g N at pwm_zero_us; expected 0", m.thrust_n[i]));
+      c.refuse("thrust_n", formatted("found {:g} N at pwm_zero_us; expected 0", m.thrust_n[i]));
   }
   const bool has_zero = std::find(m.command.begin(), m.command.end(), 0) != m.command.end();
   if (m.command.front() != -1 || m.command.back() != 1 || !has_zero)
@@ -202,9 +197,10 @@ void read_rotor(const Config& c, Thruster& thruster) {
   const double tip = rotor.radius_m;
   const double coefficient = 2 * rotor.thrust_n_s2 / (rotor.disc_kg_m * tip * tip);
   if (coefficient < 1e-4 || coefficient > 0.1)
-    c.refuse("thrust_n_s2", text_of("makes a thrust coefficient of %g, where rotors have 0.002 to "
-                                    "0.05; give T/w^2 in N and rad/s, and the diameter in metres",
-                                    coefficient));
+    c.refuse("thrust_n_s2",
+             formatted("makes a thrust coefficient of {:g}, where rotors have 0.002 to "
+                       "0.05; give T/w^2 in N and rad/s, and the diameter in metres",
+                       coefficient));
   thruster.most_command = rotor.most_rad_s;
 }
 
@@ -218,7 +214,7 @@ void read_drive(const Config& c, Thruster& thruster) {
   drive.idle_power_w = c.optional_number("idle_power_w", {0, 1e7}).value_or(0);
   if (const auto most_w = c.optional_number("most_power_w", {1, 1e8})) {
     if (!(*most_w > drive.idle_power_w))
-      c.refuse("most_power_w", text_of("found %g W, no more than the idle power", *most_w));
+      c.refuse("most_power_w", formatted("found {:g} W, no more than the idle power", *most_w));
     drive.full_power_induced_m_s =
         std::cbrt(drive.efficiency * (*most_w - drive.idle_power_w) / drive.disc_kg_m);
   }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "fields/base/constants.h"
+#include "fields/base/text.h"
 #include "twin/body/mass_matrix.h"
 
 namespace slackwater::twin {
@@ -19,12 +19,6 @@ constexpr std::array<const char*, 6> added_mass_names{"X_u_dot", "Y_v_dot", "Z_w
 constexpr std::array<const char*, 6> linear_names{"X_u", "Y_v", "Z_w", "K_p", "M_q", "N_r"};
 constexpr std::array<const char*, 6> quadratic_names{"X_u_abs_u", "Y_v_abs_v", "Z_w_abs_w",
                                                      "K_p_abs_p", "M_q_abs_q", "N_r_abs_r"};
-
-std::string text_of(const char* form, double a, double b) {
-  char text[160];
-  std::snprintf(text, sizeof text, form, a, b);
-  return text;
-}
 
 Triple<double> read_point(const Config& config, std::string_view key,
                           const Triple<double>& absent) {
@@ -43,9 +37,10 @@ std::array<double, 6> read_derivatives(const Config& config,
   for (std::size_t i = 0; i < 6; ++i) {
     const double value = config.optional_number(names[i], {-1e9, 1e9}).value_or(0);
     if (value > 0) {
-      config.refuse(names[i], text_of("found %g, which would push the vehicle on its way; SNAME "
-                                      "derivatives of resistance are negative: give %g",
-                                      value, -value));
+      config.refuse(names[i],
+                    formatted("found {:g}, which would push the vehicle on its way; SNAME "
+                              "derivatives of resistance are negative: give {:g}",
+                              value, -value));
     }
     out[i] = value == 0 ? 0 : -value;
   }
@@ -70,9 +65,9 @@ void expect_inertia_within(const Config& config, double moment, double mass_kg, 
   const double most = mass_kg * (a * a + b * b) / 4;
   if (moment <= most) return;
   config.refuse(key,
-                text_of("found %g kg m2; with all its mass at the edge of its hull the vehicle "
-                        "would have %g. Check the unit and the mass",
-                        moment, most));
+                formatted("found {:g} kg m2; with all its mass at the edge of its hull the vehicle "
+                          "would have {:g}. Check the unit and the mass",
+                          moment, most));
 }
 
 Inertia read_inertia(const Config& rigid, double mass_kg, const Dimensions& d) {
@@ -88,13 +83,15 @@ Inertia read_inertia(const Config& rigid, double mass_kg, const Dimensions& d) {
                         product("yz")};
   const auto [low, middle, high] = principal_moments(inertia);
   if (!(low > 0))
-    c.refuse("xx", text_of("the moments of inertia have the principal values %g to %g kg m2, which "
-                           "no mass has; check the products xy, xz, yz",
-                           low, high));
+    c.refuse("xx",
+             formatted("the moments of inertia have the principal values {:g} to {:g} kg m2, which "
+                       "no mass has; check the products xy, xz, yz",
+                       low, high));
   if (high > (low + middle) * (1 + 1e-9))
-    c.refuse("xx", text_of("the largest principal moment, %g kg m2, exceeds the sum of the other "
-                           "two, %g; no body has such (triangle inequality)",
-                           high, low + middle));
+    c.refuse("xx",
+             formatted("the largest principal moment, {:g} kg m2, exceeds the sum of the other "
+                       "two, {:g}; no body has such (triangle inequality)",
+                       high, low + middle));
   expect_inertia_within(c, inertia.xx, mass_kg, d.width, d.height, "xx");
   expect_inertia_within(c, inertia.yy, mass_kg, d.length, d.height, "yy");
   expect_inertia_within(c, inertia.zz, mass_kg, d.length, d.width, "zz");
@@ -108,13 +105,15 @@ void read_displacement(const Config& vehicle, const Dimensions& d, Body& body) {
   body.centre_of_buoyancy_m = read_point(*c, "centre_of_buoyancy_m", {});
   const double box_m3 = d.length * d.width * d.height;
   if (body.displaced_volume_m3 > box_m3)
-    c->refuse("volume_m3", text_of("found %g m3, more than the %g m3 of a box around the hull",
-                                   body.displaced_volume_m3, box_m3));
+    c->refuse("volume_m3",
+              formatted("found {:g} m3, more than the {:g} m3 of a box around the hull",
+                        body.displaced_volume_m3, box_m3));
   const double displaced_kg = sea_water_density_kg_m3 * body.displaced_volume_m3;
   if (body.mass_kg < 0.5 * displaced_kg || body.mass_kg > 2 * displaced_kg)
-    c->refuse("volume_m3", text_of("the vehicle has %g kg and displaces %g kg of sea water; one "
-                                   "that swims has about as much as it displaces. Check the units",
-                                   body.mass_kg, displaced_kg));
+    c->refuse("volume_m3",
+              formatted("the vehicle has {:g} kg and displaces {:g} kg of sea water; one "
+                        "that swims has about as much as it displaces. Check the units",
+                        body.mass_kg, displaced_kg));
 }
 
 void read_stations(const Config& vehicle, const Dimensions& d, Body& body) {

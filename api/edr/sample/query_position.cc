@@ -4,6 +4,7 @@
 #include "api/edr/read/wkt.h"
 #include "api/edr/sample/queries.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -15,10 +16,8 @@ double bed_at(const Selection& s, double longitude_deg, double latitude_deg) {
   s.field->sample_bed({&place, 1}, {&bed, 1});
   if (bed.status != SampleStatus::outside_area && bed.status != SampleStatus::land)
     return bed.water_depth_m;
-  char text[64];
-  std::snprintf(text, sizeof text, "%.5f %.5f", longitude_deg, latitude_deg);
   throw Error(ErrorKind::not_found,
-              "coords: found the place " + std::string(text) +
+              formatted("coords: found the place {:.5f} {:.5f}", longitude_deg, latitude_deg) +
                   (bed.status == SampleStatus::land ? ", which is on land"
                                                     : ", which is outside the forecast") +
                   "; valid: " + s.field->range().text());

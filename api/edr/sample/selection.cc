@@ -9,20 +9,15 @@
 #include "api/edr/read/parameter_names.h"
 #include "api/edr/read/vertical.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::edr {
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 std::string vertical_text(const Selection& s) {
   const auto [low, high] = vertical_range(*s.collection, *s.field);
-  return (s.collection->vertical == Vertical::height_up ? "height " : "depth ") + number(low) +
-         " to " + number(high) + " m";
+  return formatted("{} {:g} to {:g} m",
+                   s.collection->vertical == Vertical::height_up ? "height" : "depth", low, high);
 }
 
 }  // namespace
