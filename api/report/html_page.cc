@@ -62,33 +62,6 @@ std::string plot_html(const std::string& id, const std::string& title, const std
          "</p></section>\n";
 }
 
-std::string escaped_html(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 std::string page_html(const HtmlPage& page, std::string_view plotting_library) {
   const bool has_plots = !plotting_library.empty();
   std::string out =

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "fields/base/html.h"
+
 namespace slackwater::api {
 
 /// A table; every cell is text as it should stand.
@@ -43,9 +45,6 @@ struct HtmlPage {
                                     const std::string& note);
 /// Throws ContractViolation where a row has not a cell for every column.
 [[nodiscard]] std::string table_html(const ReportTable& table);
-
-/// The text with the five characters that HTML gives a meaning replaced.
-[[nodiscard]] std::string escaped_html(std::string_view text);
 
 /// Writes a page (through a neighbouring temporary file, so that a reader never sees half of it).
 /// Throws Error(unavailable) where it cannot be written.

@@ -2,33 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fields/base/html.h"
+
 namespace slackwater::api::edr {
 namespace {
 
 using nlohmann::json;
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string text_of(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
@@ -44,7 +23,7 @@ void append(std::string& out, const json& value) {
   if (value.is_object()) {
     out += "<dl>";
     for (const auto& [key, member] : value.items()) {
-      out += "<dt>" + escaped(key) + "</dt><dd>";
+      out += "<dt>" + escaped_html(key) + "</dt><dd>";
       append(out, member);
       out += "</dd>";
     }
@@ -58,24 +37,24 @@ void append(std::string& out, const json& value) {
     }
     out += "</ul>\n";
   } else if (is_address(value)) {
-    const std::string href = escaped(text_of(value));
+    const std::string href = escaped_html(text_of(value));
     out += "<a href=\"";
     out += href;
     out += "\">";
     out += href;
     out += "</a>";
   } else {
-    out += escaped(text_of(value));
+    out += escaped_html(text_of(value));
   }
 }
 
 std::string page(const std::string& title, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-         escaped(title) +
+         escaped_html(title) +
          "</title><style>body{font:1em/1.4 sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
          "dt{font-weight:bold}dd{margin:0 0 .4em 1.5em}table{border-collapse:collapse}"
          "td,th{border:1px solid #999;padding:.2em .5em;text-align:left}</style></head><body><h1>" +
-         escaped(title) + "</h1>\n" + body + "</body></html>\n";
+         escaped_html(title) + "</h1>\n" + body + "</body></html>\n";
 }
 
 /// A parameter of an operation, itself or as it is referred to.
@@ -90,11 +69,11 @@ std::string rows_of(const json& openapi, const json& parameters) {
   for (const json& given : parameters) {
     const json& parameter = resolved(openapi, given);
     const json example = parameter.value("example", json());
-    rows += "<tr><td>" + escaped(text_of(parameter.at("name"))) + "</td><td>" +
-            escaped(text_of(parameter.at("in"))) + "</td><td>" +
+    rows += "<tr><td>" + escaped_html(text_of(parameter.at("name"))) + "</td><td>" +
+            escaped_html(text_of(parameter.at("in"))) + "</td><td>" +
             (parameter.value("required", false) ? "yes" : "no") + "</td><td>" +
-            escaped(text_of(parameter.at("description"))) + "</td><td>" +
-            (example.is_null() ? "" : escaped(text_of(example))) + "</td></tr>\n";
+            escaped_html(text_of(parameter.at("description"))) + "</td><td>" +
+            (example.is_null() ? "" : escaped_html(text_of(example))) + "</td></tr>\n";
   }
   return rows;
 }
@@ -108,11 +87,11 @@ std::string html_page(const std::string& title, const json& document) {
 }
 
 std::string html_of_interface(const json& openapi) {
-  std::string body = "<p>" + escaped(text_of(openapi.at("info").at("description"))) + "</p>\n";
+  std::string body = "<p>" + escaped_html(text_of(openapi.at("info").at("description"))) + "</p>\n";
   for (const auto& [path, operations] : openapi.at("paths").items()) {
     const json& get = operations.at("get");
-    body +=
-        "<h2>GET " + escaped(path) + "</h2><p>" + escaped(text_of(get.at("summary"))) + "</p>\n";
+    body += "<h2>GET " + escaped_html(path) + "</h2><p>" +
+            escaped_html(text_of(get.at("summary"))) + "</p>\n";
     const std::string rows = rows_of(openapi, get.at("parameters"));
     if (rows.empty()) continue;
     body +=
