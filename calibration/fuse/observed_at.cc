@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fields/base/statistics.h"
+
 namespace slackwater::calibration {
 namespace {
 
@@ -10,9 +12,7 @@ Duration usual_step(const std::vector<TimeCell>& cells) {
   for (std::size_t i = 1; i < cells.size(); ++i)
     steps.push_back(cells[i].centre() - cells[i - 1].centre());
   if (steps.empty()) return Duration(0);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return upper_median(std::move(steps));
 }
 
 }  // namespace

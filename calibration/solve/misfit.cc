@@ -1,7 +1,8 @@
 #include "calibration/solve/misfit.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "fields/base/statistics.h"
 
 namespace slackwater::calibration {
 
@@ -62,9 +63,7 @@ double robust_component_sigma_m_s(const VectorColumn& residual) {
     if (has_value(residual.status[i])) modulus.push_back(std::abs(residual.value[i]));
   }
   if (modulus.empty()) return 0.0;
-  const auto middle = modulus.begin() + static_cast<std::ptrdiff_t>(modulus.size() / 2);
-  std::nth_element(modulus.begin(), middle, modulus.end());
-  return *middle / std::sqrt(2.0 * std::log(2.0));
+  return upper_median(std::move(modulus)) / std::sqrt(2.0 * std::log(2.0));
 }
 
 }  // namespace slackwater::calibration

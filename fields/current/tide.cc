@@ -6,6 +6,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
+#include "fields/base/statistics.h"
 #include "fields/current/astronomy.h"
 #include "fields/current/tidal_carriers.h"
 
@@ -35,13 +36,6 @@ struct Record {
   double usual_width_s = 0;
 };
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Record select(std::span<const TimeCell> time, std::span<const Horizontal> value,
               std::span<const SampleStatus> status) {
   expects(time.size() == value.size() && time.size() == status.size(),
@@ -59,8 +53,8 @@ Record select(std::span<const TimeCell> time, std::span<const Horizontal> value,
     kept.push_back(value[i]);
   }
   record.value = Eigen::Map<const VectorXcd>(kept.data(), static_cast<Index>(kept.size()));
-  record.usual_step_s = median(step);
-  record.usual_width_s = median(width);
+  if (!step.empty()) record.usual_step_s = upper_median(std::move(step));
+  if (!width.empty()) record.usual_width_s = upper_median(std::move(width));
   if (!record.time.empty()) {
     // The middle of the record keeps the phases small and the mean nearly orthogonal to the tide.
     record.reference =

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
+#include "fields/base/statistics.h"
 #include "ingest/cf/text_scanner.h"
 
 namespace slackwater::ingest {
@@ -221,14 +222,12 @@ void check_stamps(const std::vector<UtcTime>& stamps, std::vector<std::string>& 
     steps.push_back(stamps[t] - stamps[t - 1]);
   }
   if (steps.size() < 2) return;
-  std::vector<Duration> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
+  const Duration usual = lower_median(steps);
   for (std::size_t t = 0; t < steps.size(); ++t) {
-    if (2 * steps[t] > 3 * *middle) {
+    if (2 * steps[t] > 3 * usual) {
       warnings.push_back("gap in time: nothing between " + format_utc(stamps[t]) + " and " +
                          format_utc(stamps[t + 1]) + " where stamps are usually " +
-                         std::to_string(middle->count() / 60000) + " min apart");
+                         std::to_string(usual.count() / 60000) + " min apart");
       return;  // one is enough for an operator to look
     }
   }

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "fields/base/error.h"
+#include "fields/base/statistics.h"
 #include "ingest/copernicus/text_match.h"
 #include "ingest/insitu/series_values.h"
 
@@ -83,12 +84,6 @@ const netcdf::Variable* bare_scalar(const netcdf::File& file, const char* name) 
     }
   }
   return nullptr;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// The positions of one station, fill and bad ones left out; longitudes run on from the first.
@@ -194,9 +189,10 @@ GeoPoint position_of(const netcdf::File& file, const StationAxes& axes, std::siz
         normalised_longitude_deg(point.longitude_deg() - points.front().longitude_deg()));
   }
   const GeoPoint middle =
-      points.size() == 1 ? points.front()
-                         : GeoPoint::from_degrees(median(latitudes),
-                                                  points.front().longitude_deg() + median(offsets));
+      points.size() == 1
+          ? points.front()
+          : GeoPoint::from_degrees(upper_median(latitudes),
+                                   points.front().longitude_deg() + upper_median(offsets));
   double farthest_m = 0;
   GeoPoint last_measured = middle;
   for (const GeoPoint& point : points) {
@@ -256,7 +252,7 @@ std::optional<double> water_depth_of(const netcdf::File& file) {
     if (!is_it || !is_numeric(variable) || variable.size() > most_depths) continue;
     std::vector<double> depths = file.read_all(variable);
     std::erase_if(depths, [&](double depth) { return !believable(depth); });
-    if (!depths.empty()) return median(std::move(depths));
+    if (!depths.empty()) return upper_median(std::move(depths));
   }
   return std::nullopt;
 }

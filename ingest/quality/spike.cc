@@ -1,11 +1,11 @@
 #include "ingest/quality/spike.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include "fields/base/check.h"
+#include "fields/base/statistics.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -16,13 +16,6 @@ constexpr std::size_t fewest_triples = 8;
 constexpr int longest_gap_steps = 3;
 
 using Value = std::complex<double>;
-
-template <typename T>
-T median(std::vector<T> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 struct Triple {
   std::size_t sample;
@@ -37,7 +30,7 @@ std::vector<std::size_t> spikes_of(double threshold, const std::vector<UtcTime>&
   if (times.size() < fewest_triples + 2) return {};
   std::vector<Duration> gaps;
   for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back(times[i] - times[i - 1]);
-  const Duration longest_gap = longest_gap_steps * median(gaps);
+  const Duration longest_gap = longest_gap_steps * upper_median(gaps);
 
   std::vector<Triple> triples;
   std::vector<double> departures;
@@ -48,7 +41,7 @@ std::vector<std::size_t> spikes_of(double threshold, const std::vector<UtcTime>&
     departures.push_back(departure);
   }
   if (triples.size() < fewest_triples) return {};
-  const double scale = normal_consistency * median(departures);
+  const double scale = normal_consistency * upper_median(std::move(departures));
 
   std::vector<std::size_t> found;
   for (const Triple& triple : triples) {

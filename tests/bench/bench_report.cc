@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "fields/base/statistics.h"
+
 namespace slackwater::bench {
 namespace {
 
@@ -58,10 +60,7 @@ BenchOptions bench_options(int argc, char** argv) {
 }
 
 double median_of(std::vector<double> samples) {
-  if (samples.empty()) return 0;
-  std::sort(samples.begin(), samples.end());
-  const std::size_t half = samples.size() / 2;
-  return samples.size() % 2 == 1 ? samples[half] : 0.5 * (samples[half - 1] + samples[half]);
+  return samples.empty() ? 0 : median(std::move(samples));
 }
 
 BenchReport::BenchReport(BenchOptions options) : options_(std::move(options)) {

@@ -75,10 +75,4 @@ inline std::map<std::string, PublishedAccuracy> published_accuracy(
   return table;
 }
 
-inline double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
-
 }  // namespace slackwater::tests

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "calibration/profile/held_out.h"
+#include "fields/base/statistics.h"
 #include "tests/support/shared_data.h"
 
 // The published benchmark (reference/lotusim_current_evaluation.md): same-day fit of the 0-150 m
@@ -55,13 +56,13 @@ template <typename Member>
 double median_over(const std::vector<DateScore>& scores, Member member) {
   std::vector<double> values;
   for (const DateScore& s : scores) values.push_back(s.*member);
-  return median_of(values);
+  return median(values);
 }
 
 double median_eps(const std::map<std::string, PublishedAccuracy>& theirs) {
   std::vector<double> values;
   for (const auto& [date, accuracy] : theirs) values.push_back(accuracy.eps_m_s);
-  return median_of(values);
+  return median(values);
 }
 
 void print_row(const DateScore& s, const std::map<std::string, PublishedAccuracy>& theirs) {
@@ -93,7 +94,7 @@ void print_table(const std::vector<DateScore>& scores,
   }
   if (!their_eps.empty()) {
     std::printf("medians over %zu dates: theirs eps %.4f m/s, gain %.1f %%\n", their_eps.size(),
-                median_of(their_eps), 100 * median_of(their_gain));
+                median(their_eps), 100 * median(their_gain));
   }
   std::printf("medians over %zu dates: ours eps %.4f m/s, gain on held-out levels %.1f %%\n",
               scores.size(), median_over(scores, &DateScore::eps_m_s),

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "fields/base/statistics.h"
 #include "tests/calibration/solve/synthetic_day.h"
 
 namespace slackwater::calibration {
@@ -81,9 +82,7 @@ struct Row {
 
 double median_modulus(std::vector<double> values) {
   for (double& v : values) v = std::abs(v);
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
+  return upper_median(std::move(values));
 }
 
 std::vector<Row> fit_all(int n) {
