@@ -11,13 +11,10 @@ Rng::Rng(std::uint64_t run_seed, std::string_view stream_name) {
   for (const char c : stream_name) {
     mix = (mix ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   }
-  mix ^= run_seed * 0x9E3779B97F4A7C15ULL;
+  mix ^= run_seed * split_mix_step;
   for (std::uint64_t& word : state_) {
-    mix += 0x9E3779B97F4A7C15ULL;
-    std::uint64_t z = mix;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    word = z ^ (z >> 31U);
+    word = split_mix_64(mix);
+    mix += split_mix_step;
   }
 }
 

@@ -4,6 +4,18 @@
 
 namespace slackwater {
 
+/// How far the state of SplitMix64 goes on with each number: 2^64 over the golden ratio.
+inline constexpr std::uint64_t split_mix_step = 0x9E3779B97F4A7C15U;
+
+/// The next number of a SplitMix64 (Steele, Lea and Flood 2014) in this state, which any number
+/// can be: neighbours give numbers that have nothing to do with each other.
+[[nodiscard]] constexpr std::uint64_t split_mix_64(std::uint64_t state) noexcept {
+  std::uint64_t z = state + split_mix_step;
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return z ^ (z >> 31U);
+}
+
 /// A seeded stream of random numbers, the same on every machine and compiler.
 ///
 /// Generator: xoshiro256** (Blackman & Vigna 2018), seeded by SplitMix64 from (run seed, stream

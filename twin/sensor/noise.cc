@@ -8,10 +8,9 @@ NoiseStream::NoiseStream(std::uint64_t run_seed, std::string_view name)
     : key_(Rng(run_seed, name).bits()) {}
 
 double NoiseStream::uniform() noexcept {
-  std::uint64_t z = key_ + (++drawn_) * 0x9E3779B97F4A7C15ULL;
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
+  const std::uint64_t bits = split_mix_64(key_ + drawn_ * split_mix_step);
+  ++drawn_;
+  return static_cast<double>(bits >> 11U) * 0x1.0p-53;
 }
 
 double NoiseStream::normal() noexcept {

@@ -4,19 +4,9 @@
 #include <utility>
 
 #include "fields/base/check.h"
+#include "fields/base/random.h"
 
 namespace slackwater::twin {
-namespace {
-
-/// SplitMix64 (Steele, Lea and Flood 2014): a number from a counter.
-std::uint64_t mixed(std::uint64_t z) noexcept {
-  z += 0x9e3779b97f4a7c15U;
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-  return z ^ (z >> 31U);
-}
-
-}  // namespace
 
 Scheduler::Scheduler(std::uint64_t run_seed, double step_s, std::size_t threads)
     : seed_(run_seed),
@@ -33,9 +23,9 @@ void Scheduler::add_client(Client client) {
 
 void Scheduler::draw_order(std::uint64_t step, std::vector<std::size_t>& order) const {
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::uint64_t draw = mixed(seed_ ^ mixed(step));
+  std::uint64_t draw = split_mix_64(seed_ ^ split_mix_64(step));
   for (std::size_t left = order.size(); left > 1; --left) {
-    draw = mixed(draw);
+    draw = split_mix_64(draw);
     std::swap(order[left - 1], order[draw % left]);
   }
 }
