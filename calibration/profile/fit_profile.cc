@@ -3,13 +3,13 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "calibration/profile/profile_problem.h"
 #include "calibration/profile/profile_starts.h"
 #include "calibration/solve/determination.h"
 #include "calibration/solve/parameter_set.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "fields/current/coriolis.h"
 
 namespace slackwater::calibration {
@@ -25,11 +25,10 @@ void check_level(const ProfileLevel& level) {
       std::isfinite(level.current_m_s.real()) && std::isfinite(level.current_m_s.imag())) {
     return;
   }
-  std::ostringstream text;
-  text << "profile level at depth " << level.depth_m << " m holds the current ("
-       << level.current_m_s.real() << ", " << level.current_m_s.imag()
-       << ") m/s: expected a depth >= 0 and finite values; leave missing levels out";
-  refuse(text.str());
+  refuse(
+      formatted("profile level at depth {:g} m holds the current ({:g}, {:g}) m/s: expected a "
+                "depth >= 0 and finite values; leave missing levels out",
+                level.depth_m, level.current_m_s.real(), level.current_m_s.imag()));
 }
 
 void check(std::span<const ProfileLevel> levels, Angle latitude, const ProfileFitOptions& options) {
@@ -45,9 +44,8 @@ void check(std::span<const ProfileLevel> levels, Angle latitude, const ProfileFi
   std::sort(depths_m.begin(), depths_m.end());
   const auto twice = std::adjacent_find(depths_m.begin(), depths_m.end());
   if (twice != depths_m.end()) {
-    std::ostringstream text;
-    text << "profile has two levels at " << *twice << " m: expected one instant, each depth once";
-    refuse(text.str());
+    refuse(formatted("profile has two levels at {:g} m: expected one instant, each depth once",
+                     *twice));
   }
   if (!(options.sigma_m_s > 0)) refuse("sigma_m_s of a profile fit must be positive");
   if (is_equatorial(latitude)) {

@@ -3,9 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "calibration/solve/parameter_set.h"
+#include "fields/base/text.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -14,11 +14,9 @@ constexpr double determined_share = 0.8;  ///< of the prior's standard deviation
 constexpr double member_share = 0.3;      ///< of a direction of length one
 
 std::string bound_warning(const Parameter& p, bool is_lower) {
-  std::ostringstream text;
-  text << p.name << " ended on its " << (is_lower ? "lower" : "upper") << " bound of "
-       << (is_lower ? p.lower : p.upper) << ' ' << p.unit
-       << ": the day asks for what the steady model cannot give";
-  return text.str();
+  return formatted(
+      "{} ended on its {} bound of {:g} {}: the day asks for what the steady model cannot give",
+      p.name, is_lower ? "lower" : "upper", is_lower ? p.lower : p.upper, p.unit);
 }
 
 /// "a", "a and b", "a, b and c".

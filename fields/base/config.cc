@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater {
 namespace {
@@ -57,12 +58,7 @@ void limit_brackets(std::string_view yaml, const std::string& name) {
   }
 }
 
-std::string plain(double value) {
-  std::ostringstream text;
-  text.precision(6);
-  text << value;
-  return text.str();
-}
+std::string plain(double value) { return formatted("{:g}", value); }
 
 }  // namespace
 

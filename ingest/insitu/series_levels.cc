@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "ingest/copernicus/text_match.h"
 #include "ingest/insitu/vertical_coordinate.h"
 
@@ -28,12 +28,7 @@ Spread spread_of(std::vector<double> values) {
   return {at(0.5), at(0.95) - at(0.05)};
 }
 
-std::string metres(double value) {
-  std::ostringstream text;
-  text.precision(4);
-  text << value << " m";
-  return text.str();
-}
+std::string metres(double value) { return formatted("{:.4g} m", value); }
 
 bool is_vertical_role(const netcdf::Variable& variable) {
   if (contains_ignoring_case(variable.name, "distance") ||
