@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "ingest/cf/axes.h"
 #include "ingest/cf/time_cells.h"
 #include "ingest/cf/units.h"
-#include "ingest/copernicus/text_match.h"
 
 namespace slackwater::ingest {
 namespace {

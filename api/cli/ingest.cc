@@ -6,6 +6,7 @@
 #include "api/cli/progress.h"
 #include "api/pipeline/ingest_files.h"
 #include "api/program/paths.h"
+#include "fields/base/text.h"
 #include "fields/site/site.h"
 #include "ingest/copernicus/product_catalogue.h"
 
@@ -74,8 +75,7 @@ void print(const IngestReport& report) {
     std::printf("%s: already in the store\n", report.file.c_str());
     return;
   }
-  std::string names;
-  for (const std::string& name : report.standard_names) names += (names.empty() ? "" : ", ") + name;
+  const std::string names = joined(report.standard_names, ", ");
   std::printf("%s: %s, %s, %zu times: %s\n", report.file.c_str(), report.product_id.c_str(),
               report.status.c_str(), report.times, names.c_str());
   for (const std::string& warning : report.warnings)

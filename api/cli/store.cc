@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -100,8 +101,7 @@ void run_list(const Context& context) {
   }
   std::printf("%zu product files\n", sources.size());
   for (const auto& g : granules) {
-    std::string names;
-    for (const std::string& name : g.standard_names) names += (names.empty() ? "" : ", ") + name;
+    const std::string names = joined(g.standard_names, ", ");
     std::printf("  %-11s %s to %s  %-40s %s\n", std::string(name_of(g.status)).c_str(),
                 g.first_time ? format_utc(*g.first_time).c_str() : "static              ",
                 g.last_time ? format_utc(*g.last_time).c_str() : "", g.product_id.c_str(),

@@ -7,6 +7,7 @@
 #include "api/http/problem.h"
 #include "fields/base/check.h"
 #include "fields/base/percent.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::http {
 namespace {
@@ -56,7 +57,7 @@ std::size_t common_length(const std::vector<std::string>& pattern,
   return n;
 }
 
-std::string joined(const std::vector<std::string>& segments, std::size_t count) {
+std::string path_of(const std::vector<std::string>& segments, std::size_t count) {
   std::string path;
   for (std::size_t i = 0; i < count; ++i) path += "/" + segments[i];
   return path.empty() ? "/" : path;
@@ -115,11 +116,9 @@ std::string Router::nearby(const Segments& path) const {
   std::set<std::string> names;
   for (const Route& route : routes_) {
     if (common_length(route.segments, path) != depth) continue;
-    names.insert(joined(route.segments, std::min(depth + 1, route.segments.size())));
+    names.insert(path_of(route.segments, std::min(depth + 1, route.segments.size())));
   }
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
+  return joined(names, ", ");
 }
 
 Outcome Router::called(const Route& route, const Segments& path, const Request& request) {

@@ -74,9 +74,6 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   for (const twin::Agent& agent : agents)
     models += (models.empty() ? "" : ", ") + agent.name + ": " + agent.vehicle->id;
   const Snapshot& snapshot = water.surround.field->snapshot();
-  std::string attribution;
-  for (const std::string& line : snapshot.attributions)
-    attribution += (attribution.empty() ? "" : "; ") + line;
   file.attributes = {
       {"title", scenario.name},
       {"source", "slackwater " + code_version()},
@@ -87,7 +84,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
       {"origin", formatted("{:.9f} N, {:.9f} E", origin.latitude_deg(), origin.longitude_deg())},
       {"forecast", water.forecast_name},
       {"forecast_sha256", water.forecast_sha256},
-      {"attribution", attribution},
+      {"attribution", joined(snapshot.attributions, "; ")},
       {"scenario", scenario.yaml}};
   if (!water.traffic_files.empty())
     file.attributes.emplace_back("traffic_files_sha256", water.traffic_files);

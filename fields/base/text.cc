@@ -3,6 +3,8 @@
 #include <fmt/args.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fields/base/check.h"
 
 namespace slackwater {
@@ -20,6 +22,18 @@ std::string formatted_values(std::string_view format, std::span<const FormatValu
     expects(false, message.c_str());
     throw;
   }
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return lower;
+}
+
+bool contains_ignoring_case(std::string_view text, std::string_view part) {
+  return lower_case(text).find(lower_case(part)) != std::string::npos;
 }
 
 }  // namespace slackwater

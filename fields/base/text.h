@@ -121,4 +121,21 @@ template <typename... Values>
   return formatted_values(format.text(), all);
 }
 
+/// The texts one after the other, with the separator between them: "a, b, c". Empty texts at the
+/// beginning get none.
+template <typename Texts>
+[[nodiscard]] std::string joined(const Texts& texts, std::string_view separator) {
+  std::string all;
+  for (const auto& text : texts) {
+    if (!all.empty()) all += separator;
+    all += text;
+  }
+  return all;
+}
+
+/// A to Z in lower case, every other byte as it is.
+[[nodiscard]] std::string lower_case(std::string_view text);
+/// Whether `text` holds `part`, the case of A to Z ignored.
+[[nodiscard]] bool contains_ignoring_case(std::string_view text, std::string_view part);
+
 }  // namespace slackwater

@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "ingest/cf/packing.h"
 #include "ingest/cf/units.h"
-#include "ingest/copernicus/text_match.h"
 
 namespace slackwater::ingest {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/cf/forecast_members.h"
 #include "ingest/cf/forecast_names.h"
@@ -236,8 +237,7 @@ class ForecastWriter {
     global("institution", "Slackwater");
     global("source", "Ekman column model calibrated on " + format_day(s_.day));
     global("history", format_utc(s_.issued) + " issued by Slackwater");
-    std::string credit;
-    for (const std::string& line : s_.attributions) credit += (credit.empty() ? "" : "\n") + line;
+    const std::string credit = joined(s_.attributions, "\n");
     global("references", credit.empty() ? "none" : credit);
     global("comment", s_.headline.empty() ? "none" : s_.headline);
     global("slackwater_site_id", s_.site_id);

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "ingest/cf/axes.h"
 #include "ingest/cf/time_code.h"
-#include "ingest/copernicus/text_match.h"
 
 namespace slackwater::ingest {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ingest/copernicus/text_match.h"
+#include "fields/base/text.h"
 
 namespace slackwater::ingest {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "ingest/cf/granule_file.h"
 #include "ingest/copernicus/product_catalogue.h"
-#include "ingest/copernicus/text_match.h"
 #include "ingest/insitu/series_checks.h"
 #include "ingest/insitu/series_granule.h"
 #include "ingest/insitu/station.h"

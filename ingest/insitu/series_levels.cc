@@ -6,7 +6,6 @@
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "ingest/copernicus/text_match.h"
 #include "ingest/insitu/vertical_coordinate.h"
 
 namespace slackwater::ingest {

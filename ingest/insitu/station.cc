@@ -8,7 +8,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/statistics.h"
-#include "ingest/copernicus/text_match.h"
+#include "fields/base/text.h"
 #include "ingest/insitu/series_values.h"
 
 namespace slackwater::ingest {

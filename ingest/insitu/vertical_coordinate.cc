@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "fields/base/error.h"
-#include "ingest/copernicus/text_match.h"
+#include "fields/base/text.h"
 #include "ingest/insitu/series_values.h"
 
 namespace slackwater::ingest {

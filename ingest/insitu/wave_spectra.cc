@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "ingest/cf/packing.h"
 #include "ingest/cf/units.h"
 #include "ingest/insitu/series_times.h"
@@ -85,9 +86,7 @@ void expect_shape(const netcdf::Variable& variable, const StationAxes& axes,
     if (is_axis || variable.shape[d] != 1) long_ones.push_back(variable.dimensions[d]);
   }
   if (long_ones == std::vector{axes.time_dimension, frequency_dimension}) return;
-  std::string found;
-  for (const std::string& name : variable.dimensions) found += (found.empty() ? "" : ", ") + name;
-  refuse("'" + variable.name + "' has the dimensions (" + found +
+  refuse("'" + variable.name + "' has the dimensions (" + joined(variable.dimensions, ", ") +
          "); expected (time, frequency) of one station");
 }
 

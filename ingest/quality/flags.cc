@@ -4,15 +4,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "fields/base/text.h"
+
 namespace slackwater::ingest {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
 
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words;
@@ -58,7 +53,7 @@ const Table& qartod_table() {
 }
 
 const Table* named_table(std::string_view conventions) {
-  const std::string name = lower(conventions);
+  const std::string name = lower_case(conventions);
   if (holds(name, "seadatanet") || holds(name, "bodc")) return &seadatanet_table();
   if (holds(name, "qartod")) return &qartod_table();
   for (const auto* known : {"oceansites", "copernicus", "imos", "argo", "myocean"}) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "fields/wave/product_sea.h"
 #include "twin/body/frame.h"
 #include "twin/scene/structure.h"
@@ -198,13 +199,12 @@ std::filesystem::path vehicle_file(const std::string& model,
   const std::filesystem::path named = data_folder / "vehicles" / (model + ".yaml");
   if (model.find('/') == std::string::npos && std::filesystem::exists(named)) return named;
   if (std::filesystem::exists(model)) return model;
-  std::string known;
   std::vector<std::string> ids;
   for (const auto& entry : std::filesystem::directory_iterator(data_folder / "vehicles"))
     if (entry.path().extension() == ".yaml") ids.push_back(entry.path().stem().string());
   std::sort(ids.begin(), ids.end());
-  for (const std::string& id : ids) known += (known.empty() ? "" : ", ") + id;
-  refuse("model: found " + model + ", expected one of " + known + ", or the path of a file");
+  refuse("model: found " + model + ", expected one of " + joined(ids, ", ") +
+         ", or the path of a file");
 }
 
 GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept {

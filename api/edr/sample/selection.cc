@@ -132,11 +132,8 @@ std::vector<std::string> notes_of(const Absences& absences, const Field& field) 
 void expect_known(const QueryString& query, std::span<const std::string_view> known) {
   for (const auto& [key, value] : query.all()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    std::string list;
-    for (const std::string_view name : known)
-      list += (list.empty() ? "" : ", ") + std::string(name);
-    throw Error(ErrorKind::usage,
-                "found the query parameter '" + shown(key) + "'; this query takes " + list);
+    throw Error(ErrorKind::usage, "found the query parameter '" + shown(key) +
+                                      "'; this query takes " + joined(known, ", "));
   }
 }
 

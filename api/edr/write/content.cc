@@ -8,6 +8,7 @@
 #include "api/edr/read/bad_parameter.h"
 #include "api/edr/read/number.h"
 #include "fields/base/check.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -32,14 +33,6 @@ constexpr std::array known{
     Known{Format::html, "HTML", "text/html", "application/xhtml+xml"}};
 
 const Known& known_of(Format format) { return known[static_cast<std::size_t>(format)]; }
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), lower);
-  return result;
-}
 
 std::string_view trimmed(std::string_view text) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
@@ -66,7 +59,7 @@ std::vector<Range> ranges_of(std::string_view accept) {
   std::vector<Range> ranges;
   while (!accept.empty()) {
     std::string_view entry = take(',', accept);
-    Range range{lowered(take(';', entry)), 1};
+    Range range{lower_case(take(';', entry)), 1};
     while (!entry.empty()) {
       const std::string_view property = take(';', entry);
       if (!property.starts_with("q=") && !property.starts_with("Q=")) continue;
@@ -101,13 +94,13 @@ double weight_of(const std::vector<Range>& ranges, const Known& type) {
 
 Format named_by(std::string_view f, std::span<const Format> offered) {
   expect_short("f", f, max_f_bytes);
-  std::string wanted = lowered(trimmed(f));
+  std::string wanted = lower_case(trimmed(f));
   // The '+' of a media type becomes a blank where a client does not encode it.
   std::replace(wanted.begin(), wanted.end(), ' ', '+');
   std::string list;
   for (const Format format : offered) {
     const Known& candidate = known_of(format);
-    if (wanted == lowered(candidate.name) || wanted == candidate.media_type ||
+    if (wanted == lower_case(candidate.name) || wanted == candidate.media_type ||
         wanted == candidate.also) {
       return format;
     }

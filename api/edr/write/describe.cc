@@ -5,6 +5,7 @@
 
 #include "api/edr/write/json_text.h"
 #include "fields/base/percent.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -49,12 +50,6 @@ void append_unit(std::string& out, const Parameter& parameter) {
   out += "\"symbol\":{\"value\":";
   append_string(out, parameter.unit);
   out += ",\"type\":\"http://www.opengis.net/def/uom/UCUM/\"}}";
-}
-
-std::string joined(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
-  return all;
 }
 
 std::string header_value(std::string_view text) {
@@ -133,9 +128,9 @@ std::vector<std::pair<std::string, std::string>> provenance_headers(const Answer
                                                                 format_day(from.day),
                                                                 from.degraded ? "true" : "false",
                                                                 from.headline,
-                                                                joined(from.attributions),
+                                                                joined(from.attributions, "; "),
                                                                 from.code_version,
-                                                                joined(answer.notes)};
+                                                                joined(answer.notes, "; ")};
   std::vector<std::pair<std::string, std::string>> headers;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!values[i].empty()) headers.emplace_back(provenance_names[i], header_value(values[i]));

@@ -11,6 +11,7 @@
 #include "api/edr/write/merged_coverage.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -38,12 +39,6 @@ class PrivateFolder {
   std::filesystem::path path_;
 };
 
-std::string lines_of(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : "\n") + text;
-  return all;
-}
-
 /// Empty attributes are not CF: "none" stands for nothing to say.
 std::string or_none(std::string text) { return text.empty() ? "none" : std::move(text); }
 
@@ -53,8 +48,8 @@ std::vector<std::pair<std::string, std::string>> attributes_of(const Answer& ans
           {"institution", "Slackwater"},
           {"source", "Slackwater forecast " + from.instance},
           {"history", format_utc(from.issued) + " issued by Slackwater"},
-          {"references", or_none(lines_of(from.attributions))},
-          {"comment", or_none(lines_of(answer.notes))},
+          {"references", or_none(joined(from.attributions, "\n"))},
+          {"comment", or_none(joined(answer.notes, "\n"))},
           {"slackwater_site_id", or_none(from.site_id)},
           {"slackwater_collection", or_none(answer.collection)},
           {"slackwater_instance", or_none(from.instance)},
@@ -62,7 +57,7 @@ std::vector<std::pair<std::string, std::string>> attributes_of(const Answer& ans
           {"slackwater_day", format_day(from.day)},
           {"slackwater_headline", or_none(from.headline)},
           {"slackwater_degraded", from.degraded ? "true" : "false"},
-          {"slackwater_attributions", or_none(lines_of(from.attributions))},
+          {"slackwater_attributions", or_none(joined(from.attributions, "\n"))},
           {"slackwater_code_version", or_none(from.code_version)}};
 }
 

@@ -115,5 +115,18 @@ TEST(Formatted, ABadFormatOfARunIsABug) {
   EXPECT_THROW((void)formatted_values("{:", values), ContractViolation);
 }
 
+TEST(Joined, PutsTheSeparatorBetweenTexts) {
+  EXPECT_EQ(joined(std::vector<std::string>{"a", "b", "", "c"}, ", "), "a, b, , c");
+  EXPECT_EQ(joined(std::vector<std::string_view>{"", "a"}, "; "), "a");
+  EXPECT_EQ(joined(std::vector<std::string>{}, "; "), "");
+}
+
+TEST(LowerCase, TurnsTheLettersFromAToZAlone) {
+  EXPECT_EQ(lower_case("Eastward_VELOCITY @[`{ 0É"), "eastward_velocity @[`{ 0É");
+  EXPECT_TRUE(contains_ignoring_case("Quality FLAG", "flag"));
+  EXPECT_TRUE(contains_ignoring_case("x", ""));
+  EXPECT_FALSE(contains_ignoring_case("fla", "flag"));
+}
+
 }  // namespace
 }  // namespace slackwater
