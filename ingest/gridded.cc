@@ -4,9 +4,9 @@
 
 #include "fields/base/error.h"
 #include "ingest/cf/granule_file.h"
-#include "ingest/copernicus/provenance.h"
+#include "ingest/decoded/staged_files.h"
 #include "ingest/gridded_plan.h"
-#include "ingest/staged_files.h"
+#include "ingest/provenance.h"
 
 namespace slackwater::ingest {
 namespace {

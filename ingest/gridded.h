@@ -1,6 +1,6 @@
 #pragma once
 #include "ingest/copernicus/product_catalogue.h"
-#include "ingest/ingest.h"
+#include "ingest/decoded/ingested.h"
 #include "ingest/netcdf/file.h"
 
 namespace slackwater::ingest {

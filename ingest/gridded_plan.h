@@ -6,7 +6,7 @@
 #include "fields/grid/granule.h"
 #include "ingest/cf/gridded_source.h"
 #include "ingest/copernicus/product_catalogue.h"
-#include "ingest/ingest.h"
+#include "ingest/decoded/ingested.h"
 
 namespace slackwater::ingest {
 

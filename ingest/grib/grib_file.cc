@@ -13,8 +13,8 @@
 
 #include "fields/base/error.h"
 #include "ingest/cf/granule_file.h"
+#include "ingest/decoded/staged_files.h"
 #include "ingest/grib/inventory.h"
-#include "ingest/staged_files.h"
 
 namespace slackwater::ingest {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "ingest/ingest.h"
+#include "ingest/decoded/ingested.h"
 
 namespace slackwater::ingest {
 

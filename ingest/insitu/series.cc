@@ -8,11 +8,11 @@
 #include "fields/base/text.h"
 #include "ingest/cf/granule_file.h"
 #include "ingest/copernicus/product_catalogue.h"
+#include "ingest/decoded/staged_files.h"
 #include "ingest/insitu/series_checks.h"
 #include "ingest/insitu/series_granule.h"
 #include "ingest/insitu/station.h"
 #include "ingest/insitu/station_reader.h"
-#include "ingest/staged_files.h"
 
 namespace slackwater::ingest {
 namespace {

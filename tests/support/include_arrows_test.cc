@@ -166,9 +166,9 @@ std::string cycle_in(Arrows arrows) {
 }
 
 TEST(IncludeArrows, NoFoldersOfARoomIncludeEachOtherInACircle) {
-  // Not yet `ingest`: its cf and copernicus include each other, and so do its root, grib and insitu.
   std::size_t arrows = 0;
-  for (const std::string room : {"fields", "calibration", "twin", "data", "api"}) {
+  for (const std::string& room : rooms) {
+    if (room == "tests") continue;
     const Arrows found = folder_arrows(room);
     arrows += found.size();
     EXPECT_EQ(cycle_in(found), "") << room;
@@ -195,7 +195,8 @@ TEST(IncludeArrows, EachLibraryHasOneDoor) {
       {"yaml-cpp/", "fields/base"},  {"nlohmann/", "api"},        {"CLI/", "api"},
       {"openssl/", "fields/base"},   {"boost/", "api/http"},      {"zlib.h", "api/http"},
       {"spdlog/", "fields/base"},    {"fmt/", "fields/base/text"}};
-  for (const std::string room : {"fields", "ingest", "calibration", "twin", "data", "api"}) {
+  for (const std::string& room : rooms) {
+    if (room == "tests") continue;
     for_each_line(room, [&](const std::filesystem::path& file, const std::string& line) {
       if (!line.starts_with("#include <")) return;
       const std::string where = std::filesystem::relative(file, source_folder()).string();

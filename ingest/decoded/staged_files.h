@@ -1,7 +1,7 @@
 #pragma once
 #include <system_error>
 
-#include "ingest/ingest.h"
+#include "ingest/decoded/ingested.h"
 
 namespace slackwater::ingest {
 

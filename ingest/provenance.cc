@@ -1,4 +1,4 @@
-#include "ingest/copernicus/provenance.h"
+#include "ingest/provenance.h"
 
 #include <array>
 #include <string_view>
