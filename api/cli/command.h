@@ -32,7 +32,8 @@ struct Context {
 /// unavailable, 6 not converged.
 [[nodiscard]] int exit_code(ErrorKind kind) noexcept;
 
-/// The value of an option, read by `parse`; what it cannot read is Error(usage) that names the option.
+/// The value of an option, read by `parse`; what it cannot read is Error(usage) that names the
+/// option.
 template <typename Parse>
 [[nodiscard]] auto option_value(std::string_view option, const std::string& text, Parse parse) {
   try {

@@ -14,8 +14,8 @@ namespace slackwater::api {
 //   slackwater checkpoint 1
 //   <SHA-256 of all that follows this line>
 //   <length of the JSON in bytes>
-//   <JSON: what it belongs to, and each vehicle's state; doubles in hexadecimal, exact to the last bit>
-//   <times and rows of the log, doubles as they lie in memory>
+//   <JSON: what it belongs to, and each vehicle's state; doubles in hexadecimal, exact to the last
+//   bit> <times and rows of the log, doubles as they lie in memory>
 
 /// What a checkpoint belongs to; it is taken up by nothing else.
 struct CheckpointOrigin {
@@ -40,7 +40,8 @@ struct StandingRun {
 void write_checkpoint(const StandingRun& run, const CheckpointOrigin& origin,
                       const std::filesystem::path& file);
 
-/// @throws Error(not_found), and Error(invalid_input) for a file that is damaged, cut short, no checkpoint, or one of another
+/// @throws Error(not_found), and Error(invalid_input) for a file that is damaged, cut short, no
+/// checkpoint, or one of another
 ///         program, scenario, forecast or vehicle
 [[nodiscard]] StandingRun read_checkpoint(const std::filesystem::path& file,
                                           const CheckpointOrigin& origin);

@@ -5,14 +5,15 @@
 
 namespace slackwater::api {
 
-/// The log of a run as a file of tracks, with all that is needed to run it again: scenario, seed, checksums of forecast
-/// and vehicles, version. Nothing in it tells when or where it was run.
+/// The log of a run as a file of tracks, with all that is needed to run it again: scenario, seed,
+/// checksums of forecast and vehicles, version. Nothing in it tells when or where it was run.
 [[nodiscard]] ingest::TrajectoryFile log_file_of(const twin::Scenario& scenario,
                                                  const ScenarioWater& water, const GeoPoint& origin,
                                                  const ScenarioResult& result,
                                                  std::span<const twin::Agent> agents);
 
-/// "bluerov2_heavy 3f2a..., x500 ...": checksums of the vehicles' files, in the order of their names.
+/// "bluerov2_heavy 3f2a..., x500 ...": checksums of the vehicles' files, in the order of their
+/// names.
 [[nodiscard]] std::string vehicle_checksums(const twin::Scenario& scenario,
                                             const std::filesystem::path& data_folder);
 

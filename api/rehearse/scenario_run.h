@@ -25,8 +25,8 @@ struct ScenarioWater {
   std::vector<std::string> warnings;
 };
 
-/// Finds the forecast a scenario asks for: in the store, or the file it names (paths that are not absolute count from
-/// `scenario_folder`). @throws Error(not_found), Error(invalid_input)
+/// Finds the forecast a scenario asks for: in the store, or the file it names (paths that are not
+/// absolute count from `scenario_folder`). @throws Error(not_found), Error(invalid_input)
 [[nodiscard]] ScenarioWater water_of(const twin::Scenario& scenario,
                                      const std::filesystem::path& store_folder,
                                      const std::filesystem::path& scenario_folder);
@@ -81,8 +81,8 @@ struct RunChoice {
   const std::atomic<bool>* is_stop_asked = nullptr;  ///< looked at once a step
 };
 
-/// Runs a scenario to its end. Nothing of the choice changes what comes out: a run that goes on from a checkpoint leaves the
-/// log of one that was never interrupted.
+/// Runs a scenario to its end. Nothing of the choice changes what comes out: a run that goes on
+/// from a checkpoint leaves the log of one that was never interrupted.
 /// @throws Error(unavailable) where it was asked to stop, which names the checkpoint that it left
 [[nodiscard]] ScenarioResult run_scenario(const twin::Scenario& scenario,
                                           const ScenarioWater& water, const RunChoice& choice,
@@ -95,7 +95,8 @@ struct ReplayResult {
   double wall_s = 0;
 };
 /// Runs the scenario that a log holds again and compares the bytes of the two files.
-/// @throws Error(invalid_input) for what is no log, Error(not_found) where its forecast or a vehicle is gone or changed
+/// @throws Error(invalid_input) for what is no log, Error(not_found) where its forecast or a
+/// vehicle is gone or changed
 [[nodiscard]] ReplayResult replay(const std::filesystem::path& log,
                                   const std::filesystem::path& store_folder,
                                   const std::optional<std::filesystem::path>& forecast,

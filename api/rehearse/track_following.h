@@ -8,7 +8,8 @@
 
 namespace slackwater::api {
 
-/// How well a vehicle kept to a track in a task `follow_track`: at the times of the log while the task was under way.
+/// How well a vehicle kept to a track in a task `follow_track`: at the times of the log while the
+/// task was under way.
 struct TrackFollowing {
   std::size_t vehicle = 0;  ///< of the run
   std::string vehicle_name;

@@ -6,9 +6,10 @@
 
 namespace slackwater::api {
 
-/// The traffic of a run as tables of its log: `vessel`, a row each (each piece of its track); `report`, their positions,
-/// `vessel_reports` of them for each vessel, one vessel after the other (a contiguous ragged array of CF); and `alarm`.
-/// Times are seconds since the start of the run, x east and y north of the origin.
+/// The traffic of a run as tables of its log: `vessel`, a row each (each piece of its track);
+/// `report`, their positions, `vessel_reports` of them for each vessel, one vessel after the other
+/// (a contiguous ragged array of CF); and `alarm`. Times are seconds since the start of the run, x
+/// east and y north of the origin.
 [[nodiscard]] std::vector<ingest::TrajectoryTable> traffic_tables(
     std::span<const twin::TrafficVessel> vessels, std::span<const twin::AlarmRecord> alarms);
 

@@ -10,8 +10,8 @@ namespace slackwater::calibration {
 ///   s = b + q,   Cov b = B exp(-|dz|/L),   Cov q = Q exp(-|dz|/L),   both forgotten exponentially
 ///   y = H s + n, Cov n = R I
 ///
-/// The components east and north are independent and share the covariances, so complex numbers carry
-/// both. Causal: an analysis knows nothing later.
+/// The components east and north are independent and share the covariances, so complex numbers
+/// carry both. Causal: an analysis knows nothing later.
 class ErrorFilter {
  public:
   struct Kind {

@@ -24,16 +24,18 @@ struct FusedColumn {
 ///
 ///   e^ = w s^,   w = (P exp(-D/L) + M) / (P + M + R(D)),   Var e^ = w^2 Var s^ + (P + M - w^2 S) C
 ///
-/// with P the product's error variance, R(D) what a distance D costs, M the variance that the product
-/// lacks altogether (a product without tide, or of daily means, beside an instrument that sees it:
-/// observed less product variance, where positive; it counts as quick and is shared by both places).
-/// (with M the shapes differ a little, and w is that of the sums). The difference is carried over gaps and beyond the last observation as long as its slow part is
-/// remembered; then the product is left as it is. Nothing later than a time is used for it but the
-/// next sample (and M, which is of the whole record given).
+/// with P the product's error variance, R(D) what a distance D costs, M the variance that the
+/// product lacks altogether (a product without tide, or of daily means, beside an instrument that
+/// sees it: observed less product variance, where positive; it counts as quick and is shared by
+/// both places). (with M the shapes differ a little, and w is that of the sums). The difference is
+/// carried over gaps and beyond the last observation as long as its slow part is remembered; then
+/// the product is left as it is. Nothing later than a time is used for it but the next sample (and
+/// M, which is of the whole record given).
 ///
 /// @param product   levels are depths (at least one); missing values stay missing
 /// @param observed  levels are depths; instants or means; any times
-/// @param distance_m  between the two places, >= 0; beyond `farthest_m` the product is returned as is
+/// @param distance_m  between the two places, >= 0; beyond `farthest_m` the product is returned as
+///     is
 [[nodiscard]] FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed,
                                double distance_m, const FusionSettings& settings = {});
 

@@ -8,7 +8,8 @@ namespace slackwater::calibration {
 
 /// One level of an observed series brought to the time cells of a product: averaged over a mean,
 /// interpolated to an instant. Nothing where the observations fill too little of the cell, or the
-/// neighbours lie too far apart. Uses nothing that lies outside the cell, or beyond the next sample.
+/// neighbours lie too far apart. Uses nothing that lies outside the cell, or beyond the next
+/// sample.
 class ObservedLevel {
  public:
   ObservedLevel(const VectorColumn& observed, std::size_t level, const FusionSettings& settings);

@@ -10,8 +10,8 @@ namespace slackwater::calibration {
 namespace {
 
 /// Rate at which free inertial motion dies out, 1/h: that of the mixed layer (e-folding `decay_h`),
-/// and where the column feels the bed (finite_depth) the spin-down r/H of its linear drag beside it:
-/// 20 h in 35 m of water.
+/// and where the column feels the bed (finite_depth) the spin-down r/H of its linear drag beside
+/// it: 20 h in 35 m of water.
 double inertial_damping_per_h(const Calibration& calibration, double decay_h) {
   double damping_per_h = 1.0 / decay_h;
   if (calibration.form == SteadyForm::finite_depth && calibration.layout.has_shape) {

@@ -8,14 +8,15 @@
 
 namespace slackwater::calibration {
 
-/// What a calibrated column remembers under kernels of several livelinesses (Spread), each believed as
-/// its evidence on D says: neighbouring levels err together, so that a column has `independent_levels`
-/// witnesses. A kernel of less than a hundredth of the likeliest is left out.
+/// What a calibrated column remembers under kernels of several livelinesses (Spread), each believed
+/// as its evidence on D says: neighbouring levels err together, so that a column has
+/// `independent_levels` witnesses. A kernel of less than a hundredth of the likeliest is left out.
 class ColumnMemory {
  public:
   ColumnMemory(const Calibration& calibration, UtcTime end_of_day, const Spread& spread);
 
-  /// Mean and variance of a component, times x levels; the kernels' disagreement is in the variance.
+  /// Mean and variance of a component, times x levels; the kernels' disagreement is in the
+  /// variance.
   /// @param driven  the wind's part at these times, m/s
   /// @param mean, variance  zero on entry
   void predict(std::span<const UtcTime> times, std::span<const Horizontal> driven,

@@ -26,26 +26,26 @@ struct LevelMix {
 
 /// What each level of a column remembers of day D, and how it is said of later: the kernel of
 /// memory_kernel.h, regressed on the level's own values (level_regression.h). Levels that miss the
-/// same values share the factor that costs most: in units of its own amplitude s(z) each level has the
-/// same kernel.
+/// same values share the factor that costs most: in units of its own amplitude s(z) each level has
+/// the same kernel.
 ///
-/// A level without values is as its neighbours with values are, linear in depth, and held beyond the
-/// outermost. Where no level has any the prior is left: mean 0.
+/// A level without values is as its neighbours with values are, linear in depth, and held beyond
+/// the outermost. Where no level has any the prior is left: mean 0.
 ///
 /// Times may lie anywhere, within D too. Turning the values turns the mean and leaves the variance.
-/// Thread-safe once made. Cost of 24 cells x 35 levels: 0.1 ms, 0.25 ms to predict 73 times, 0.4 ms a
-/// member.
+/// Thread-safe once made. Cost of 24 cells x 35 levels: 0.1 ms, 0.25 ms to predict 73 times, 0.4 ms
+/// a member.
 class GaussianMemory {
  public:
-  /// @param residual      observation minus tide minus the calibrated answer to the wind, m/s, up to
-  ///                      the end of D (later cells are not read); instants or means. The cost is
-  ///                      cubic in the hours that have values: cut a long record to a few days
+  /// @param residual      observation minus tide minus the calibrated answer to the wind, m/s, up
+  ///                      to the end of D (later cells are not read); instants or means. The cost
+  ///                      is cubic in the hours that have values: cut a long record to a few days
   /// @param wind_answer   S at the residual's cells, m/s, times x levels; a mean over a mean
   /// @param end_of_day    24:00 of D
   /// @param inertial_damping_per_h  r > 0
   /// @param coriolis_rad_h          f in rad per HOUR, positive in the north
-  /// @param observation_sigma_m_s   stated errors beside the kernel's noise, white: standard deviation
-  ///                                of a component, times x levels; empty: none
+  /// @param observation_sigma_m_s   stated errors beside the kernel's noise, white: standard
+  ///                                deviation of a component, times x levels; empty: none
   GaussianMemory(const VectorColumn& residual, std::span<const Horizontal> wind_answer,
                  UtcTime end_of_day, double inertial_damping_per_h, double coriolis_rad_h,
                  const MemoryKernel& kernel = {},
@@ -63,10 +63,10 @@ class GaussianMemory {
   void predict(std::span<const UtcTime> times, std::span<const Horizontal> wind_answer_later,
                std::span<Horizontal> mean, std::span<double> variance) const;
 
-  /// Departures from that mean, members x times x levels: of the exact posterior covariance in time.
-  /// Two levels draw random numbers of correlation e^{-|dz|/L}: each is regressed by itself, which
-  /// leaves open how their errors hang together, and water of one layer errs as one. A level without
-  /// values departs as the nearer of its neighbours would, to its own variance.
+  /// Departures from that mean, members x times x levels: of the exact posterior covariance in
+  /// time. Two levels draw random numbers of correlation e^{-|dz|/L}: each is regressed by itself,
+  /// which leaves open how their errors hang together, and water of one layer errs as one. A level
+  /// without values departs as the nearer of its neighbours would, to its own variance.
   void sample(std::span<const UtcTime> times, std::span<const Horizontal> wind_answer_later,
               Rng& random, int members, std::span<Horizontal> departures) const;
 

@@ -8,7 +8,8 @@
 
 namespace slackwater::calibration {
 
-/// The values of a column up to the end of D, with what belongs to each: arrays over cells x levels.
+/// The values of a column up to the end of D, with what belongs to each: arrays over cells x
+/// levels.
 struct HourlyValues {
   std::vector<HourCell> cell;
   Eigen::MatrixXcd value_m_s;        ///< 0 where there is none

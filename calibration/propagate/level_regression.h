@@ -7,9 +7,9 @@
 
 namespace slackwater::calibration {
 
-/// What levels that have values in the same cells, with the same errors, say of other times: Gaussian
-/// process regression (Rasmussen and Williams 2006, Gaussian Processes for Machine Learning, ch. 2,
-/// algorithm 2.1) of complex numbers. Matrices are cells or times x levels.
+/// What levels that have values in the same cells, with the same errors, say of other times:
+/// Gaussian process regression (Rasmussen and Williams 2006, Gaussian Processes for Machine
+/// Learning, ch. 2, algorithm 2.1) of complex numbers. Matrices are cells or times x levels.
 ///
 /// With y the values of a level, S its answer to the wind there and S_* later, K the covariance of
 /// the values but for the own share, k_* that of later times with them, k_** that of later times:
@@ -17,8 +17,8 @@ namespace slackwater::calibration {
 ///   mean = k_* K^-1 (y - g S) + g S_*,       g = b^2 S^H K^-1 y / e,   e = 1 + b^2 S^H K^-1 S
 ///   cov  = k_** + n^2 - k_* K^-1 k_*^H + x x^H b^2 / e,                x = S_* - k_* K^-1 S
 ///
-/// The own share b is a rank-one update, so that the levels share one Cholesky factor. `cov` is that
-/// of a value as the product would give it, the kernel's noise n included.
+/// The own share b is a rank-one update, so that the levels share one Cholesky factor. `cov` is
+/// that of a value as the product would give it, the kernel's noise n included.
 class LevelRegression {
  public:
   struct Values {

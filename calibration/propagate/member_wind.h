@@ -7,8 +7,8 @@
 
 namespace slackwater::calibration {
 
-/// The model of a calibrated day at the instants of a horizon, under a stress that may be unknown at some
-/// (0 there).
+/// The model of a calibrated day at the instants of a horizon, under a stress that may be unknown
+/// at some (0 there).
 [[nodiscard]] ColumnDay day_of_horizon(const Calibration& calibration,
                                        std::span<const UtcTime> times, UtcTime end_of_day,
                                        const StressSeries& stress);
@@ -29,8 +29,8 @@ class WindDriven {
   ColumnRows rows_;
 };
 
-/// The parameters of the forward model drawn from their posterior: of a vector of standard normals, one a
-/// parameter. Interior and other flow stay at their estimate.
+/// The parameters of the forward model drawn from their posterior: of a vector of standard normals,
+/// one a parameter. Interior and other flow stay at their estimate.
 [[nodiscard]] SteadyParameters drawn_parameters(const Calibration& calibration,
                                                 std::span<const double> normals);
 

@@ -18,8 +18,8 @@ std::vector<UtcTime> wind_samples_after(const VectorColumn& wind, UtcTime end_of
   return times;
 }
 
-/// Departures known at the samples of the wind, at the stamps of the forecast: linear between samples,
-/// from 0 at the end of D, held after the last.
+/// Departures known at the samples of the wind, at the stamps of the forecast: linear between
+/// samples, from 0 at the end of D, held after the last.
 std::vector<Horizontal> at_stamps(std::span<const UtcTime> samples,
                                   std::span<const Horizontal> departure,
                                   std::span<const UtcTime> stamps, UtcTime end_of_day) {

@@ -9,8 +9,8 @@
 
 namespace slackwater::calibration {
 
-/// Departures of the members of an ensemble from its centre, in pairs of opposite sign: parameters and
-/// wind, then memory. Each pair follows one form, as often as the form's weight asks.
+/// Departures of the members of an ensemble from its centre, in pairs of opposite sign: parameters
+/// and wind, then memory. Each pair follows one form, as often as the form's weight asks.
 class Members {
  public:
   /// @param members  even
@@ -18,7 +18,8 @@ class Members {
   Members(std::span<const Calibration> forms, const std::vector<double>& form_weight, int members,
           std::size_t size, std::uint64_t seed);
 
-  /// Adds the wind-driven departures: the wind drawn from its error, the parameters from their posterior.
+  /// Adds the wind-driven departures: the wind drawn from its error, the parameters from their
+  /// posterior.
   /// @param central  the wind's part of each form, m/s
   void draw_wind_driven(std::span<const UtcTime> times, const VectorColumn& wind,
                         UtcTime end_of_day, const WindErrorGrowth& wind_error,

@@ -59,7 +59,8 @@ void carry(const Calibration& c, const ColumnMemory& memory, const Horizon& hori
   outlook.variance.push_back(std::move(variance));
 }
 
-/// The forms' weighted mean into `result`; what is left open, their disagreement included, is returned.
+/// The forms' weighted mean into `result`; what is left open, their disagreement included, is
+/// returned.
 std::vector<double> mix(const Outlook& outlook, Propagated& result) {
   const std::size_t size = outlook.mean.front().size();
   result.mean_m_s.resize(size);

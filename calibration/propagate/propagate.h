@@ -30,22 +30,22 @@ struct Propagated {
 ///
 ///   mean(z, t) = tide fitted with the day + F [T(t) B(z) - sum_n B_n(z) m_n(t)] + memory(z, t)
 ///
-/// the same forward model with the wind of the asked times, and by level what D remembers: interior and
-/// its shear, free inertial motion, slow and recent departures, a share of the wind's own answer
-/// (gaussian_memory.h), under kernels of several livelinesses (Spread). Kernels are averaged by their
-/// evidence on D, forms with their probabilities (`form_weights`); their disagreement
+/// the same forward model with the wind of the asked times, and by level what D remembers: interior
+/// and its shear, free inertial motion, slow and recent departures, a share of the wind's own
+/// answer (gaussian_memory.h), under kernels of several livelinesses (Spread). Kernels are averaged
+/// by their evidence on D, forms with their probabilities (`form_weights`); their disagreement
 /// goes to the spread.
 ///
 ///   sigma^2 = posterior variance of the memory + variance of the members' wind-driven part
 ///             + disagreement of the forms + the wind that may blow where none is known
 ///
-/// Members come in pairs of opposite sign: parameters drawn from the posterior, wind departures from
-/// the error of its source (wind_error.h), memory drawn from its posterior covariance in time. They are
-/// scaled to sigma at every time and level.
+/// Members come in pairs of opposite sign: parameters drawn from the posterior, wind departures
+/// from the error of its source (wind_error.h), memory drawn from its posterior covariance in time.
+/// They are scaled to sigma at every time and level.
 ///
-/// Where the calibration used a wind and the time has none, the wind's instantaneous part is left out and
-/// `has_wind` is false. A calibration without wind ignores the wind given here: its memory already holds
-/// what the wind made.
+/// Where the calibration used a wind and the time has none, the wind's instantaneous part is left
+/// out and `has_wind` is false. A calibration without wind ignores the wind given here: its memory
+/// already holds what the wind made.
 ///
 /// @param forms       the same day under one or several forms, same levels
 /// @param times       instants after the end of D or at it, ascending

@@ -16,8 +16,9 @@ struct Spread {
   /// Stress that may be blowing where the wind is missing, Pa, per component: that of 7.5 m/s.
   double unknown_stress_pa = 0.1;
   /// How lively the water may be: the memory's slow, recent and inertial terms times these, each
-  /// combination a kernel of its own, believed as its evidence on D says. A regional analysis of deep water moves by the
-  /// figures of the kernel, a current meter on a shelf by several times as much.
+  /// combination a kernel of its own, believed as its evidence on D says. A regional analysis of
+  /// deep water moves by the figures of the kernel, a current meter on a shelf by several times as
+  /// much.
   std::vector<double> slow_scales{1.0, 2.0, 4.0, 8.0};
   std::vector<double> recent_scales{1.0, 2.5, 5.0};
   std::vector<double> inertial_scales{1.0, 3.0};

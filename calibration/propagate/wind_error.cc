@@ -9,8 +9,9 @@
 namespace slackwater::calibration {
 namespace {
 
-/// Independent samples' worth of belief in `wind_climate_sigma_m_s`: winds over shelf seas differ by a
-/// fifth from place to place and season to season, as a standard deviation of ten samples does.
+/// Independent samples' worth of belief in `wind_climate_sigma_m_s`: winds over shelf seas differ
+/// by a fifth from place to place and season to season, as a standard deviation of ten samples
+/// does.
 constexpr double prior_samples = 10.0;
 
 bool is_finite(Horizontal value) noexcept {

@@ -13,8 +13,8 @@ Horizontal vector_at(const double* estimate, std::size_t i) {
   return {estimate[i], estimate[i + 1]};
 }
 
-/// e^{-lambda t} and its derivative by lambda, at an instant or averaged over a mean, t in seconds from
-/// `start`.
+/// e^{-lambda t} and its derivative by lambda, at an instant or averaged over a mean, t in seconds
+/// from `start`.
 struct Fading {
   Horizontal value;
   Horizontal by_lambda_s;

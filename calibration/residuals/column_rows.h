@@ -26,21 +26,22 @@ struct ColumnDay {
 /// The model of a day at all its times and levels, with its exact derivatives by every parameter.
 ///
 ///   W(z,t) = (W_g + W_g' (t - noon)) A(z) + F [T(t) B(z) - sum_n B_n(z) m_n(t)]
-///            + c e^{-lambda_0 (t - start)} phi_0(z) + sum_l sum_+- W_l+- e^{+-i w_l (t - start)} S_l+-(z)
+///            + c e^{-lambda_0 (t - start)} phi_0(z)
+///            + sum_l sum_+- W_l+- e^{+-i w_l (t - start)} S_l+-(z)
 ///
 /// the lines of fields/current evaluated in dual numbers over the three logarithms that shape them
 /// (viscosity, bottom, mixed-layer depth), everything else being linear. F the stress factor, W_g'
-/// per day, c the free inertial motion of the gravest mode at the start of D. Where a time is a mean
-/// every term is averaged over it exactly. Every term is a function of time times a function of depth,
-/// so that the model, and each derivative, is one small matrix product.
+/// per day, c the free inertial motion of the gravest mode at the start of D. Where a time is a
+/// mean every term is averaged over it exactly. Every term is a function of time times a function
+/// of depth, so that the model, and each derivative, is one small matrix product.
 class ColumnRows {
  public:
   using Matrix = Eigen::Matrix<Horizontal, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   explicit ColumnRows(ColumnDay day);
 
-  /// Evaluates at a point (logarithms where so). A fifth of a millisecond for 24 x 35 with twenty modes
-  /// and two tide lines.
+  /// Evaluates at a point (logarithms where so). A fifth of a millisecond for 24 x 35 with twenty
+  /// modes and two tide lines.
   void evaluate(const double* estimate, bool with_derivatives);
 
   /// Another wind over the same times: of each time, and by the hour.
@@ -53,8 +54,8 @@ class ColumnRows {
   /// By parameter i, of the last evaluation with derivatives.
   [[nodiscard]] Matrix derivative(std::size_t i) const;
 
-  /// The model again, and a column of derivatives for each parameter, as real numbers: east at all times
-  /// and levels (level fastest), then north.
+  /// The model again, and a column of derivatives for each parameter, as real numbers: east at all
+  /// times and levels (level fastest), then north.
   [[nodiscard]] Eigen::Map<const Eigen::VectorXd> stacked_model() const;
   [[nodiscard]] const Eigen::MatrixXd& stacked_derivatives() const noexcept { return derivatives_; }
   [[nodiscard]] const ColumnDay& day() const noexcept { return day_; }

@@ -9,8 +9,8 @@
 
 namespace slackwater::calibration {
 
-/// The three logarithms that the model is not linear in, beside the stress factor: viscosity, bottom,
-/// mixed-layer depth.
+/// The three logarithms that the model is not linear in, beside the stress factor: viscosity,
+/// bottom, mixed-layer depth.
 inline constexpr std::size_t shapers = 3;
 
 /// A quantity with its derivatives by the shapers (not set where only values were asked for).

@@ -15,10 +15,11 @@ struct TideLine {
 
 /// Which quantities a day estimates, and where each stands in every vector of this room:
 ///
-///   interior (2) | ln viscosity, ln bottom | ln stress factor | ln mixed layer | trend (2) | inertial (2)
-///   | W+ (2), W- (2) of each tide line
+///   interior (2) | ln viscosity, ln bottom | ln stress factor | ln mixed layer | trend (2)
+///   | inertial (2) | W+ (2), W- (2) of each tide line
 ///
-/// two numbers of a vector are its east and north components. What a day does not estimate takes no place.
+/// two numbers of a vector are its east and north components. What a day does not estimate takes no
+/// place.
 struct ParameterLayout {
   SteadyForm form = SteadyForm::finite_depth;
   bool has_shape = true;     ///< not in the equatorial band

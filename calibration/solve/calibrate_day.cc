@@ -104,8 +104,8 @@ Calibration calibrate_day(const CalibrationInput& input) {
   result.residual = residual_at(rough.estimate);
   double sigma_m_s = 0;
   double weight = 1;
-  // A poor first guess leaves a rough minimum that takes its own error for noise: measured again where
-  // the noise turns out much smaller.
+  // A poor first guess leaves a rough minimum that takes its own error for noise: measured again
+  // where the noise turns out much smaller.
   do {
     sigma_m_s = whitening(result.residual);
     result.effective_observations = residual_memory(result.residual).effective_pairs;

@@ -12,8 +12,8 @@
 
 namespace slackwater::calibration {
 
-/// What is known of a parameter before its day is seen: yesterday's posterior, aged (ageing.h), or a
-/// product's own figure (layer_figure.h).
+/// What is known of a parameter before its day is seen: yesterday's posterior, aged (ageing.h), or
+/// a product's own figure (layer_figure.h).
 struct KnownParameter {
   std::string name;
   double value = 0;
@@ -89,8 +89,8 @@ struct Calibration {
   double effective_observations = 0;  ///< independent pairs they are worth, see residual_memory.h
   double whitening_sigma_m_s = 0;     ///< what residuals were divided by in the end
   double misfit_sigma_m_s = 0;        ///< of a component of the residual, robust
-  /// ln of Occam's factor: how much of what the priors allow the day still allows, less the price of
-  /// leaving their centres (Laplace's approximation; MacKay 1992, Neural Computation 4, 415).
+  /// ln of Occam's factor: how much of what the priors allow the day still allows, less the price
+  /// of leaving their centres (Laplace's approximation; MacKay 1992, Neural Computation 4, 415).
   double log_occam = 0;
   int iterations = 0;
   std::string termination;  ///< one sentence an operator can read
@@ -109,8 +109,8 @@ struct Calibration {
 /// misfit where it exceeds the stated sigma, and with the data's weight reduced to the number of
 /// independent observations, so that the priors and the covariance face what the day really knows.
 /// A parameter that ends on a bound, and a direction that the day cannot determine, are flagged and
-/// warned of. Wind samples may be 6 hours apart at most, see `StressSeries`; an unsteady fit remembers
-/// `stress_history_h` of wind before the day.
+/// warned of. Wind samples may be 6 hours apart at most, see `StressSeries`; an unsteady fit
+/// remembers `stress_history_h` of wind before the day.
 ///
 /// @throws Error(invalid_input) for nothing to fit: no observation with a value (or none with wind
 /// at its time), a
@@ -126,8 +126,8 @@ inline constexpr double stress_history_h = 72.0;
 ///
 ///   ln p = -N ln sigma^2 + ln Occam,   N the independent observations of the day
 ///
-/// N that of the form whose residual repeats itself least: what a poor form leaves is one slow error
-/// and would count as few observations only because it explains so little.
+/// N that of the form whose residual repeats itself least: what a poor form leaves is one slow
+/// error and would count as few observations only because it explains so little.
 /// sigma the robust misfit, 5 mm/s at least: no form is believed for fitting beyond that.
 [[nodiscard]] std::vector<double> form_weights(const std::vector<Calibration>& forms);
 

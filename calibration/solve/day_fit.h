@@ -28,11 +28,12 @@ struct DayMinimum {
   std::string termination;  ///< one sentence
 };
 
-/// The least-squares problem of one day, handed to Ceres: the robust squares of all pairs and one square
-/// per prior. Least squares does not see a rotation of its residuals, so the thousands of a day are handed
-/// over rotated onto the directions of their n parameters:
+/// The least-squares problem of one day, handed to Ceres: the robust squares of all pairs and one
+/// square per prior. Least squares does not see a rotation of its residuals, so the thousands of a
+/// day are handed over rotated onto the directions of their n parameters:
 ///
-///   r = [L^{-1} g, sqrt(2 cost - |L^{-1} g|^2)],   J = [L^T, 0],   L L^T = information, g = gradient
+///   r = [L^{-1} g, sqrt(2 cost - |L^{-1} g|^2)],   J = [L^T, 0],
+///   L L^T = information,   g = gradient
 ///
 /// the same cost, gradient and Gauss-Newton step from n + 1 numbers.
 class DayFit {
@@ -56,8 +57,8 @@ class DayFit {
   [[nodiscard]] Eigen::MatrixXd information(const std::vector<double>& estimate, double sigma_m_s,
                                             double weight);
 
-  /// The model at a point. With derivatives where a minimisation or the information comes next: they are
-  /// not made again.
+  /// The model at a point. With derivatives where a minimisation or the information comes next:
+  /// they are not made again.
   [[nodiscard]] const ColumnRows& at(const std::vector<double>& estimate, bool with_derivatives);
 
  private:

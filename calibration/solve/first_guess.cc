@@ -57,7 +57,8 @@ struct Guess {
   std::vector<double> estimate;
 };
 
-/// Gauss-Newton in the linear parameters from a point of the grid, which is exact but for the factor.
+/// Gauss-Newton in the linear parameters from a point of the grid, which is exact but for the
+/// factor.
 Guess solve_linear(const DayProblem& problem, DayMisfit& misfit, std::vector<double> estimate) {
   const ParameterLayout& layout = problem.day.layout;
   const NormalEquations& all =

@@ -8,8 +8,8 @@
 
 namespace slackwater::calibration {
 
-/// How a pair far from the model counts: linearly beyond Huber's threshold of 2 whitened units of its
-/// two-component residual, or as its square.
+/// How a pair far from the model counts: linearly beyond Huber's threshold of 2 whitened units of
+/// its two-component residual, or as its square.
 enum class Loss { huber, plain };
 
 /// How the pairs of a day count.
@@ -19,23 +19,25 @@ struct PairWeighing {
   Loss loss = Loss::huber;
 };
 
-/// A sum of robust squares at a point, as a Gauss-Newton step sees it. With whitened residuals r of the
-/// pairs, J their derivatives and rho the loss:
+/// A sum of robust squares at a point, as a Gauss-Newton step sees it. With whitened residuals r of
+/// the pairs, J their derivatives and rho the loss:
 ///
-///   cost = weight/2 sum rho(|r|^2),   gradient = weight sum rho' J^T r,   information = weight sum rho' J^T J
+///   cost = weight/2 sum rho(|r|^2),   gradient = weight sum rho' J^T r,
+///   information = weight sum rho' J^T J
 struct NormalEquations {
   double cost = 0;
   Eigen::VectorXd gradient;
   Eigen::MatrixXd information;
 };
 
-/// The misfit of a day's model to its pairs, evaluated once per point and for all pairs at once. The last
-/// two points stand: a minimiser tries one, and may go back to where it was.
+/// The misfit of a day's model to its pairs, evaluated once per point and for all pairs at once.
+/// The last two points stand: a minimiser tries one, and may go back to where it was.
 class DayMisfit {
  public:
   DayMisfit(const ColumnDay& day, const std::vector<Pair>& pairs);
 
-  /// The model there; not evaluated again where it already stands. Good until the next but one call.
+  /// The model there; not evaluated again where it already stands. Good until the next but one
+  /// call.
   const ColumnRows& at(const std::vector<double>& estimate, bool with_derivatives);
   [[nodiscard]] const NormalEquations& normal_equations(const std::vector<double>& estimate,
                                                         const PairWeighing& weighing);

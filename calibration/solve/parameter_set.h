@@ -7,8 +7,8 @@
 
 namespace slackwater::calibration {
 
-/// The parameters that a day estimates, in the order of the layout, with priors, bounds and sources.
-/// `known` (yesterday's posterior, aged) replaces the prior of the parameters it names.
+/// The parameters that a day estimates, in the order of the layout, with priors, bounds and
+/// sources. `known` (yesterday's posterior, aged) replaces the prior of the parameters it names.
 [[nodiscard]] std::vector<Parameter> prior_parameters(const ParameterLayout& layout,
                                                       double water_depth_m,
                                                       const std::vector<KnownParameter>& known);
@@ -17,8 +17,8 @@ namespace slackwater::calibration {
 [[nodiscard]] double estimated(const Parameter& parameter, double value);
 /// All of them.
 [[nodiscard]] std::vector<double> estimates_of(const std::vector<Parameter>& parameters);
-/// The estimate with interior, trend and free inertial motion set to zero: what the wind and the tide
-/// make is left.
+/// The estimate with interior, trend and free inertial motion set to zero: what the wind and the
+/// tide make is left.
 [[nodiscard]] std::vector<double> without_flow(std::vector<double> estimate,
                                                const ParameterLayout& layout);
 /// The inverse of `estimated`.

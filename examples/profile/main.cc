@@ -1,4 +1,5 @@
-// profile FORECAST.nc LONGITUDE LATITUDE TIME: the current over depth at a place, with its p10 and p90.
+// profile FORECAST.nc LONGITUDE LATITUDE TIME: the current over depth at a place, with its p10 and
+// p90.
 #include <cstdio>
 #include <cstdlib>
 

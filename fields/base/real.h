@@ -6,8 +6,9 @@
 
 namespace slackwater {
 
-// What fields/base/lanes.h gives for eight numbers at once, for one: a formula written once over a type `Real` steps a
-// single vehicle or eight, with the same IEEE operations in the same order, hence the same bits.
+// What fields/base/lanes.h gives for eight numbers at once, for one: a formula written once over a
+// type `Real` steps a single vehicle or eight, with the same IEEE operations in the same order,
+// hence the same bits.
 
 [[nodiscard]] inline double select(bool holds, double yes, double no) { return holds ? yes : no; }
 [[nodiscard]] inline double larger_of(double a, double b) { return a > b ? a : b; }

@@ -25,10 +25,11 @@ inline constexpr int most_column_modes = 64;
 /// The modes of nu W'' = W_t + i f W, nu W' = 0 at the surface, nu W' = r W at the base (d = h):
 ///
 ///   k_n h tan(k_n h) = r h/nu,   phi_n = cos(k_n d),   lambda_n = i f + nu k_n^2,
-///   N_n = h/2 (1 + sin(2 k_n h)/(2 k_n h)),   sum_n phi_n(d)/(rho N_n lambda_n) = B(d), the steady answer
+///   N_n = h/2 (1 + sin(2 k_n h)/(2 k_n h)),
+///   sum_n phi_n(d)/(rho N_n lambda_n) = B(d), the steady answer
 ///
-/// down to those that answer within five minutes. The root is found in double precision; one Newton step
-/// in T gives it its exact derivative.
+/// down to those that answer within five minutes. The root is found in double precision; one Newton
+/// step in T gives it its exact derivative.
 ///
 /// @param eddy_viscosity_m2_s  nu > 0
 /// @param friction_m_s         r > 0

@@ -3,22 +3,23 @@
 
 namespace slackwater {
 
-/// The wind-driven current of stratified water: a mixed layer of depth h with the Ekman spiral inside
-/// it, over an interior that the wind does not reach.
+/// The wind-driven current of stratified water: a mixed layer of depth h with the Ekman spiral
+/// inside it, over an interior that the wind does not reach.
 ///
 ///   surface  ~~~~~~~~~~~~~   d <= h:  W = W_interior + T B_h(d)
 ///   base h   - - - - - - -   d >  h:  W = W_interior + T B_h(h) e^{-(d - h)/(h/4)}
 ///   interior                 A = 1
 ///
 /// B_h is the stress response of `FiniteDepthColumn` over the depth h, its linear bottom stress now
-/// the drag r_b between the layer and the water below: r_b -> 0 and large viscosity give the slab of
-/// Pollard and Millard, h -> the water depth the finite column (without its friction on the interior).
-/// Below the base the motion dies out over a quarter of the layer, the thickness of the entrainment zone
-/// in large-eddy simulations and microstructure (0.1 to 0.3 h), so that levels near the base see no jump.
+/// the drag r_b between the layer and the water below: r_b -> 0 and large viscosity give the slab
+/// of Pollard and Millard, h -> the water depth the finite column (without its friction on the
+/// interior). Below the base the motion dies out over a quarter of the layer, the thickness of the
+/// entrainment zone in large-eddy simulations and microstructure (0.1 to 0.3 h), so that levels
+/// near the base see no jump.
 ///
 /// Templated on the scalar: calibration differentiates the very lines that the service evaluates.
-/// Source: Pollard and Millard (1970), Deep-Sea Res. 17, 813; Price, Weller and Pinkel (1986), J. Geophys.
-/// Res. 91, 8411; the closed form of Welander (1957) inside the layer.
+/// Source: Pollard and Millard (1970), Deep-Sea Res. 17, 813; Price, Weller and Pinkel (1986), J.
+/// Geophys. Res. 91, 8411; the closed form of Welander (1957) inside the layer.
 template <typename T>
 class MixedLayerColumn {
  public:

@@ -45,8 +45,8 @@ struct MixedLayerShape {
 ///
 ///   W(d) = M + G d + B S(d) + V E(d)
 ///
-/// with W = east + i north, Eulerian, towards. An instantaneous profile holds the inertial motion of
-/// the mixed layer, which has any direction: therefore the slab B is a vector of its own, and V,
+/// with W = east + i north, Eulerian, towards. An instantaneous profile holds the inertial motion
+/// of the mixed layer, which has any direction: therefore the slab B is a vector of its own, and V,
 /// the surface current of the spiral, stands for the part that keeps up with the wind.
 ///
 /// Assumes: horizontally uniform, bed out of reach (no bottom layer), |latitude| >= 3 degrees.

@@ -27,8 +27,9 @@ struct SteadyParameters {
   double eddy_viscosity_m2_s = 0.03;  ///< nu > 0 (of the surface layer in three_layer)
   double bottom_friction_m_s = 5e-4;  ///< r > 0 of the linear bottom stress; finite_depth only
   double bottom_eddy_viscosity_m2_s = 5e-3;  ///< nu_b > 0 of the bed layer; three_layer only
-  /// r_b > 0, drag on the base of the mixed layer; mixed_layer only. 1e-4 m/s over 25 m lets inertial
-  /// motion decay in three days, within the 1 to 4 days of D'Asaro (1985), J. Phys. Oceanogr. 15, 1043.
+  /// r_b > 0, drag on the base of the mixed layer; mixed_layer only. 1e-4 m/s over 25 m lets
+  /// inertial motion decay in three days, within the 1 to 4 days of D'Asaro (1985), J. Phys.
+  /// Oceanogr. 15, 1043.
   double base_friction_m_s = 1e-4;
   double mixed_layer_depth_m = 25.0;  ///< h > 0; mixed_layer only
   double stress_factor = 1.0;         ///< multiplies the wind stress; > 0

@@ -20,9 +20,9 @@ struct HourlyStress {
                                            double history_h, double lead_h);
 };
 
-/// How the stress changes from hour to hour: all that a mode remembers of it, and the same for every
-/// mode. Before the first hour, and over an hour whose stress is unknown at either end, the stress is
-/// taken not to change: a gap makes no oscillation.
+/// How the stress changes from hour to hour: all that a mode remembers of it, and the same for
+/// every mode. Before the first hour, and over an hour whose stress is unknown at either end, the
+/// stress is taken not to change: a gap makes no oscillation.
 class StressChanges {
  public:
   /// An instant among the hours: the last whole hour at or before it, and the rest.
@@ -52,8 +52,8 @@ class StressChanges {
 ///
 ///   m(t) = Int e^{-lambda (t - s)} dT/ds ds,   lambda = r + i f
 ///
-/// so that T - m is the stress as the mode feels it: behind time and turned. Exact for a stress that
-/// is linear within each hour. Constant wind: m = 0.
+/// so that T - m is the stress as the mode feels it: behind time and turned. Exact for a stress
+/// that is linear within each hour. Constant wind: m = 0.
 class StressMemory {
  public:
   /// m and its derivative by lambda (holomorphic), Pa and Pa h.

@@ -5,18 +5,18 @@
 
 namespace slackwater {
 
-/// How one rotary tidal current stands over depth, relative to its mean over the column: friction on
-/// the bed slows and turns it, and the sense that turns with the Earth has the thicker layer.
+/// How one rotary tidal current stands over depth, relative to its mean over the column: friction
+/// on the bed slows and turns it, and the sense that turns with the Earth has the thicker layer.
 ///
-///   W(d, t) = W_mean S(d) e^{i w t},   S = A(d)/mean of A,   A the interior response of the finite column
-///   with f + w in place of f
+///   W(d, t) = W_mean S(d) e^{i w t},   S = A(d)/mean of A,
+///   A the interior response of the finite column with f + w in place of f
 ///
-/// w > 0 counter-clockwise, w < 0 clockwise. Where f + w vanishes (the inertial frequency) the layer has
-/// no finite scale and the profile becomes the parabola of non-rotating flow, which the formula reaches
-/// smoothly; f + w is kept 1e-7 rad/s away from zero.
+/// w > 0 counter-clockwise, w < 0 clockwise. Where f + w vanishes (the inertial frequency) the
+/// layer has no finite scale and the profile becomes the parabola of non-rotating flow, which the
+/// formula reaches smoothly; f + w is kept 1e-7 rad/s away from zero.
 ///
-/// Source: Prandle (1982), Geophys. Astrophys. Fluid Dyn. 22, 27-49; Souza and Simpson (1996), Continental
-/// Shelf Res. 16, 1039.
+/// Source: Prandle (1982), Geophys. Astrophys. Fluid Dyn. 22, 27-49; Souza and Simpson (1996),
+/// Continental Shelf Res. 16, 1039.
 template <typename T>
 class TidalShape {
  public:

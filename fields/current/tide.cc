@@ -104,8 +104,8 @@ MatrixXcd design(const Record& record, std::span<const TidalCarrier> carriers) {
   return a;
 }
 
-/// The carriers still in the fit, with their columns and the products of these: made once, and cut when
-/// a carrier goes.
+/// The carriers still in the fit, with their columns and the products of these: made once, and cut
+/// when a carrier goes.
 struct NormalForm {
   std::vector<TidalCarrier> carriers;
   MatrixXcd a;
@@ -191,8 +191,8 @@ struct Solution {
   VectorXcd residual;
 };
 
-/// Through the normal equations: the condition number is at most a thousand here, so that ten digits are
-/// left, enough to see which constituents stand out of the noise.
+/// Through the normal equations: the condition number is at most a thousand here, so that ten
+/// digits are left, enough to see which constituents stand out of the noise.
 Solution quick_solution(const NormalForm& normal, const VectorXcd& y) {
   Solution solution;
   solution.x = normal.gram.ldlt().solve(normal.right);

@@ -5,8 +5,8 @@
 
 namespace slackwater {
 
-/// A column brought to other depths, linear between its levels; `missing` outside them (by more than
-/// a millimetre) and where a neighbour has no value.
+/// A column brought to other depths, linear between its levels; `missing` outside them (by more
+/// than a millimetre) and where a neighbour has no value.
 [[nodiscard]] VectorColumn at_depths(const VectorColumn& column,
                                      const std::vector<double>& depths_m);
 

@@ -6,10 +6,10 @@
 namespace slackwater {
 
 /// The wind of the cell nearest to a point, for the baseline `reference-slab`, whose recipe takes
-/// that cell where the forecast itself interpolates: nearest latitude and nearest longitude, each by
-/// itself. Of two equally near the first in the order of the product's file counts: the western one,
-/// and the southern one in Copernicus Marine's wind (written south to north), the northern one in
-/// any other (weather centres write north to south); the store does not keep a file's own order.
+/// that cell where the forecast itself interpolates: nearest latitude and nearest longitude, each
+/// by itself. Of two equally near the first in the order of the product's file counts: the western
+/// one, and the southern one in Copernicus Marine's wind (written south to north), the northern one
+/// in any other (weather centres write north to south); the store does not keep a file's own order.
 ///
 /// @param wind    the record at the point; decides which products answer, and is itself the answer
 ///                for moored instruments and where the nearest cell has no value at all

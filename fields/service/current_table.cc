@@ -110,7 +110,8 @@ CurrentSample CurrentTable::at(const ColumnStencil& stencil, const TimePlace& ti
     return value;
   };
   Lanes sum{0, 0, 0, 0};
-  // On a stamp and a level, as tables are asked for, a quarter of the entries says the same to the bit.
+  // On a stamp and a level, as tables are asked for, a quarter of the entries says the same to the
+  // bit.
   const bool is_on_both = later == 0 && deeper == 0;
   for (std::uint32_t c = 0; c < stencil.count; ++c) {
     const auto w = static_cast<float>(stencil.weight[c]);

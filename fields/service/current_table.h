@@ -9,12 +9,12 @@
 
 namespace slackwater {
 
-/// The current of all columns of one member, laid out for sampling: levels beside each other, then times, then
-/// columns, in single precision (rounded by less than 1e-6 m/s).
+/// The current of all columns of one member, laid out for sampling: levels beside each other, then
+/// times, then columns, in single precision (rounded by less than 1e-6 m/s).
 ///
-/// Each entry carries beside its value whether it has one: 1 water, 0 never water (land, below the column's
-/// bed), and a large negative number where a value is missing for a time, so that one weighted sum tells the
-/// value, the weight of the water, and whether anything is missing in it.
+/// Each entry carries beside its value whether it has one: 1 water, 0 never water (land, below the
+/// column's bed), and a large negative number where a value is missing for a time, so that one
+/// weighted sum tells the value, the weight of the water, and whether anything is missing in it.
 class CurrentTable {
  public:
   CurrentTable() = default;

@@ -20,7 +20,8 @@ bool are_even(const std::vector<UtcTime>& time) {
 /// Shares of a step nearer to a stamp than this are the stamp: a millisecond of eleven days.
 constexpr double same_stamp = 1e-9;
 
-/// Beds that are interpolated differ from equal ones by rounding; nobody knows them to a micrometre.
+/// Beds that are interpolated differ from equal ones by rounding; nobody knows them to a
+/// micrometre.
 constexpr double same_depth_m = 1e-6;
 
 void expect_whole(const Snapshot& snapshot) {

@@ -9,16 +9,17 @@
 
 namespace slackwater {
 
-/// A forecast as issued, laid out so that wind, waves, current and bed are had at any place and time.
+/// A forecast as issued, laid out so that wind, waves, current and bed are had at any place and
+/// time.
 ///
-/// Between columns as `ColumnLayout` says, linear in time between stamps, linear in depth between levels. The
-/// vertical rule: depths count from mean sea level; the first level speaks for the water above it, the deepest
-/// wet level for the water down to the bed. Above the surface, below the bed, on land, outside the area and
-/// outside the time is a status, never a number. The bed is interpolated like all else, and a column whose own
-/// bed is above a depth has no say there.
+/// Between columns as `ColumnLayout` says, linear in time between stamps, linear in depth between
+/// levels. The vertical rule: depths count from mean sea level; the first level speaks for the
+/// water above it, the deepest wet level for the water down to the bed. Above the surface, below
+/// the bed, on land, outside the area and outside the time is a status, never a number. The bed is
+/// interpolated like all else, and a column whose own bed is above a depth has no say there.
 ///
-/// Immutable; all samplers are const, thread-safe, without locks and allocations. Batch calls are the real
-/// interface: `out` has the length of `places`.
+/// Immutable; all samplers are const, thread-safe, without locks and allocations. Batch calls are
+/// the real interface: `out` has the length of `places`.
 class Field {
  public:
   /// Keeps the snapshot. @throws ContractViolation for one without columns or times
@@ -27,8 +28,9 @@ class Field {
   [[nodiscard]] const Snapshot& snapshot() const noexcept { return *snapshot_; }
   [[nodiscard]] const ValidRange& range() const noexcept { return range_; }
 
-  /// The Eulerian current, towards. @param member  0: the central forecast, with its sigma; another: one future
-  /// of the ensemble, sigma 0; `missing` where it is not held
+  /// The Eulerian current, towards.
+  /// @param member  0: the central forecast, with its sigma; another: one future of the ensemble,
+  ///                sigma 0; `missing` where it is not held
   void sample_current(std::span<const Place> places, std::span<CurrentSample> out,
                       std::size_t member = 0) const noexcept;
   /// One place, many times and depths: the stencil is made once. @param out  times x depths
@@ -58,7 +60,8 @@ class Field {
   [[nodiscard]] SeaSample sea_at(const Place& place) const noexcept;
   [[nodiscard]] Spot spot(double longitude_deg, double latitude_deg) const noexcept;
   [[nodiscard]] std::optional<TimePlace> when(UtcTime time) const noexcept;
-  /// Whether there is water at a depth. Columns whose own bed is above it lose their weight in `stencil`.
+  /// Whether there is water at a depth. Columns whose own bed is above it lose their weight in
+  /// `stencil`.
   [[nodiscard]] SampleStatus water(ColumnStencil& stencil, double depth_m) const noexcept;
   [[nodiscard]] double bed_m(const ColumnStencil& stencil) const noexcept;
 

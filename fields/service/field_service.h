@@ -6,9 +6,9 @@
 
 namespace slackwater {
 
-/// The forecast in force at one site, for many readers: ask once for the field, sample it as long as the
-/// answer should be of one piece. A new run is published by swapping one pointer; nobody waits, and a request
-/// keeps the field it began with.
+/// The forecast in force at one site, for many readers: ask once for the field, sample it as long
+/// as the answer should be of one piece. A new run is published by swapping one pointer; nobody
+/// waits, and a request keeps the field it began with.
 class FieldService {
  public:
   FieldService() = default;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double product_wind_m = 10.0;
 constexpr double radians = constants::pi / 180.0;
-/// Weight of a sea without waves in the mean direction: none beside any other, all where all are calm.
+/// Weight of a sea without waves in the mean direction: none beside any other, all where all are
+/// calm.
 constexpr double calm_m2 = 1e-12;
 
 Horizontal between(std::span<const Horizontal> values, TimePlace time) noexcept {

@@ -44,8 +44,8 @@ struct ValidRange {
   [[nodiscard]] std::string text() const;
 };
 
-/// Heights above the sea for which the wind profile is made, m: from the height at which it is given, where
-/// waves no longer shape it, up to a blade tip.
+/// Heights above the sea for which the wind profile is made, m: from the height at which it is
+/// given, where waves no longer shape it, up to a blade tip.
 inline constexpr double lowest_wind_m = 1.0;
 inline constexpr double highest_wind_m = 300.0;
 

@@ -7,12 +7,14 @@
 
 namespace slackwater {
 
-/// A shared value that one swaps while many read. Readers never wait: not for a lock, not for a writer that
-/// was put to sleep in the middle of a swap. (`std::atomic<std::shared_ptr>` of GCC 12 spins on a lock bit.)
+/// A shared value that one swaps while many read. Readers never wait: not for a lock, not for a
+/// writer that was put to sleep in the middle of a swap. (`std::atomic<std::shared_ptr>` of GCC 12
+/// spins on a lock bit.)
 ///
-/// Two copies of the pointer, readers counted apart on either side; a writer changes the copy that nobody
-/// reads, sends new readers there, waits for the last of the others, and changes theirs (Ramalhete and
-/// Correia 2015, "Left-Right: a concurrency control technique with wait-free population oblivious reads").
+/// Two copies of the pointer, readers counted apart on either side; a writer changes the copy that
+/// nobody reads, sends new readers there, waits for the last of the others, and changes theirs
+/// (Ramalhete and Correia 2015, "Left-Right: a concurrency control technique with wait-free
+/// population oblivious reads").
 template <typename T>
 class Published {
  public:

@@ -22,8 +22,8 @@ struct SampleGrid {
 /// How many places have which status.
 using StatusCounts = std::array<std::size_t, 9>;
 
-/// The samples of some consecutive points: status of the central forecast, and the components of one member;
-/// `no_value` where there is none.
+/// The samples of some consecutive points: status of the central forecast, and the components of
+/// one member; `no_value` where there is none.
 struct SampleBlock {
   std::size_t first_point = 0;
   std::size_t member = 0;
@@ -32,8 +32,8 @@ struct SampleBlock {
   std::span<const std::int8_t> status;
 };
 
-/// Samples `members` members of the field, points in blocks of bounded memory, and hands each block on: for every
-/// block the central forecast first. The same numbers on any count of threads.
+/// Samples `members` members of the field, points in blocks of bounded memory, and hands each block
+/// on: for every block the central forecast first. The same numbers on any count of threads.
 StatusCounts sample_points(const Field& field, const SampleGrid& grid, std::size_t members,
                            float no_value, const std::function<void(const SampleBlock&)>& take);
 

@@ -10,8 +10,9 @@ namespace slackwater {
 /// the total at the period of its highest peak, stays below `steepest_height_m` (growth.h).
 ///
 /// Throws Error(invalid_input), with what was found, the limit and what would do, for a sea that is
-/// too steep, a height below 0 or not finite, a period that is not above 0, a gamma outside [1, 10],
-/// an s outside [0, 1000], a direction outside [-360, 360]; `what` names the sea in the message.
+/// too steep, a height below 0 or not finite, a period that is not above 0, a gamma outside [1,
+/// 10], an s outside [0, 1000], a direction outside [-360, 360]; `what` names the sea in the
+/// message.
 [[nodiscard]] PartitionedSea scenario_sea(std::span<const WavePartition> partitions,
                                           const std::string& what);
 

@@ -25,7 +25,8 @@ struct SeaComponents {
 /// Sinusoids for a partitioned sea: each partition has its share by height, at least 8, of the
 /// frequencies (`divide_variance`, 0.4 to 6 omega_p, the sum of a^2/2 brought to Hs^2/16 exactly);
 /// each sinusoid has its own direction (drawn by strata from the spreading) and phase. No two share
-/// a frequency, so that the sea is the same everywhere in the mean (no standing patterns of height).
+/// a frequency, so that the sea is the same everywhere in the mean (no standing patterns of
+/// height).
 ///
 /// Random streams of `run_seed`: fields/wave/frequencies, .../directions, .../phases.
 ///

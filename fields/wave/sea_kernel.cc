@@ -1,4 +1,5 @@
-// Compiled once per instruction set, see cmake/SlackwaterKernels.cmake; SLACKWATER_KERNEL names the namespace.
+// Compiled once per instruction set, see cmake/SlackwaterKernels.cmake; SLACKWATER_KERNEL names the
+// namespace.
 #include "fields/wave/sea_kernel.h"
 
 #include "fields/wave/lane_functions.h"

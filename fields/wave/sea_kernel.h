@@ -45,8 +45,8 @@ inline constexpr std::size_t most_kernel_waves = 1024;
 /// What is asked for: each does all that the one before it does.
 using SeaKernel = void (*)(const SeaKernelWaves&, const SeaKernelPlace&, bool stretched,
                            SeaKernelSums&) noexcept;
-/// All that there is at `count` places in a row, of which the first and the step from one to the next are given (the time
-/// of the step counts for nothing).
+/// All that there is at `count` places in a row, of which the first and the step from one to the
+/// next are given (the time of the step counts for nothing).
 using SeaRowKernel = void (*)(const SeaKernelWaves&, const SeaKernelPlace& first,
                               const SeaKernelPlace& step, std::size_t count, bool stretched,
                               SeaKernelSums*) noexcept;

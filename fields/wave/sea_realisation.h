@@ -19,8 +19,9 @@ enum class Stretching {
 /// A sea of sinusoids over water of one depth and current; immutable, shared by any threads.
 ///
 ///   eta = sum a cos(theta),  theta = k . x - omega t + epsilon
-///   (u, v) = sum a sigma cosh k(z+h)/sinh kh cos(theta) k/|k|,  w = sum a sigma sinh k(z+h)/sinh kh
-///   sin(theta),  p = sum rho g a cosh k(z+h)/cosh kh cos(theta)
+///   (u, v) = sum a sigma cosh k(z+h)/sinh kh cos(theta) k/|k|,
+///   w = sum a sigma sinh k(z+h)/sinh kh sin(theta),
+///   p = sum rho g a cosh k(z+h)/cosh kh cos(theta)
 ///
 /// Source: Airy (1845); Dean & Dalrymple (1991), ch. 3; with a current Peregrine (1976).
 class SeaRealisation {

@@ -45,7 +45,8 @@ struct Evaluated {
   SampleStatus status = SampleStatus::missing;
 };
 
-/// Numbers where there is water; else why there is none, and the elevation of the surface over the place.
+/// Numbers where there is water; else why there is none, and the elevation of the surface over the
+/// place.
 void judge(const SeaKernelWaves& waves, bool stretched, double up_m, Evaluated& result) noexcept {
   const double elevation = result.sums.elevation_m;
   const double top = stretched ? elevation : 0.0;

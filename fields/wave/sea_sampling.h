@@ -53,9 +53,9 @@ struct WaveRow {
 };
 inline constexpr std::size_t most_in_row = 16;
 
-/// The sea along a row, a tenth quicker than place by place: the phases of a place are those of the one before it, turned
-/// on. Their error, 2e-11, grows as much again with each place. `out` has one value for each of at most `most_in_row`
-/// places, else a contract violation.
+/// The sea along a row, a tenth quicker than place by place: the phases of a place are those of the
+/// one before it, turned on. Their error, 2e-11, grows as much again with each place. `out` has one
+/// value for each of at most `most_in_row` places, else a contract violation.
 void sample_row(const SeaRealisation& sea, const WaveRow& row, std::span<WaveSample> out);
 void sample_row_on(KernelPath path, const SeaRealisation& sea, const WaveRow& row,
                    std::span<WaveSample> out);

@@ -28,8 +28,8 @@ double log_gamma(double x) {
 
 double spreading_density(double s, double from_mean_rad) {
   expect_spreading(s);
-  // By the duplication formula the norm is Gamma(s+1)/(2 sqrt(pi) Gamma(s+1/2)); logarithms, because
-  // Gamma leaves the range of a double from s = 170 on.
+  // By the duplication formula the norm is Gamma(s+1)/(2 sqrt(pi) Gamma(s+1/2)); logarithms,
+  // because Gamma leaves the range of a double from s = 170 on.
   const double norm = std::exp(log_gamma(s + 1.0) - log_gamma(s + 0.5)) / (2.0 * std::sqrt(pi));
   return norm * std::pow(std::abs(std::cos(0.5 * from_mean_rad)), 2.0 * s);
 }

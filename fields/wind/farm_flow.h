@@ -70,9 +70,10 @@ class FarmFlow {
   /// What wakes leave of the wind at a point, in [0, 1]: multiply the free wind of that height with
   /// it. 1 outside all wakes. Cost: some ten ns per turbine; no allocation.
   [[nodiscard]] double speed_ratio(Horizontal position_m, double height_m) const noexcept;
-  /// Turbulence at a point: the standard deviation along the wind over the free speed at hub height. That of the free
-  /// wind outside all wakes; in them, sqrt(I0^2 + I+^2) with the wake that adds most there (Crespo & Hernandez 1996 for
-  /// how much, Ishihara & Qian 2018 for where; wake_turbulence.h). Cost: some 100 ns per turbine upwind; no allocation.
+  /// Turbulence at a point: the standard deviation along the wind over the free speed at hub
+  /// height. That of the free wind outside all wakes; in them, sqrt(I0^2 + I+^2) with the wake that
+  /// adds most there (Crespo & Hernandez 1996 for how much, Ishihara & Qian 2018 for where;
+  /// wake_turbulence.h). Cost: some 100 ns per turbine upwind; no allocation.
   [[nodiscard]] double turbulence_intensity(Horizontal position_m, double height_m) const noexcept;
   [[nodiscard]] double free_turbulence_intensity() const noexcept { return free_turbulence_; }
   /// `speed_ratio` at hub height over a map, into columns x rows values; no allocation.

@@ -22,8 +22,8 @@ struct KaimalBands {
 ///   u_k(t) = sum_j sqrt(2 V_kj) cos(2 pi f_kj t + phi_kj),
 ///
 /// one per band of the spectrum, the bands equal in log n. V_kj is the exact variance of the band,
-/// so every realisation carries the variance asked below `highest_hz` (99.3 % of the whole along and
-/// 96.3 % up at 12 m/s and hub height); phases are uniform, and frequencies are drawn
+/// so every realisation carries the variance asked below `highest_hz` (99.3 % of the whole along
+/// and 96.3 % up at 12 m/s and hub height); phases are uniform, and frequencies are drawn
 /// evenly inside their band so that the sum has no period. The three axes are independent, as IEC
 /// 61400-1 has them without its coherence.
 ///

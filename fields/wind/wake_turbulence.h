@@ -5,8 +5,9 @@
 
 namespace slackwater {
 
-/// How the turbulence that a rotor adds is spread over its wake, r off the axis: 1 in the shear behind the tips of the
-/// blades, r = D/2, less inside, and a Gaussian flank with the width of the wake outside,
+/// How the turbulence that a rotor adds is spread over its wake, r off the axis: 1 in the shear
+/// behind the tips of the blades, r = D/2, less inside, and a Gaussian flank with the width of the
+/// wake outside,
 ///
 ///   k1 exp(-(r - D/2)^2/(2 s^2)) + k2 exp(-(r + D/2)^2/(2 s^2)),
 ///   k1 = cos^2(pi/2 (r/D - 1/2)), k2 = cos^2(pi/2 (r/D + 1/2)) for r <= D/2, else 1 and 0.
@@ -29,8 +30,8 @@ namespace slackwater {
          part(quarter * (share + 0.5)) * flank(radius_m + 0.5 * diameter_m);
 }
 
-/// The most that a rotor adds anywhere, 0.362 (1 - sqrt(1 - Ct)): in the near wake, up to some three diameters, where
-/// `added_turbulence` of the far wake would grow without bound.
+/// The most that a rotor adds anywhere, 0.362 (1 - sqrt(1 - Ct)): in the near wake, up to some
+/// three diameters, where `added_turbulence` of the far wake would grow without bound.
 /// Source: Crespo & Hernandez (1996), J. Wind Eng. Ind. Aerodyn. 61, 71.
 [[nodiscard]] inline double near_wake_turbulence(double thrust_coefficient) noexcept {
   if (!(thrust_coefficient > 0)) return 0;

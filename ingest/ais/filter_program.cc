@@ -49,7 +49,8 @@ class Descriptor {
   int number_;
 };
 
-/// A connected pair of sockets: unlike a pipe it can be written to without a SIGPIPE when the reader is gone.
+/// A connected pair of sockets: unlike a pipe it can be written to without a SIGPIPE when the
+/// reader is gone.
 std::pair<Descriptor, Descriptor> make_pair_of_sockets(const FilterProgram& program) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {

@@ -20,11 +20,12 @@ using Produce = std::function<bool(std::string& input)>;
 /// Takes one line of its output, without the line's end.
 using Consume = std::function<void(std::string_view line)>;
 
-/// Runs the program to its end in constant memory: it is fed and read in turn, as it has room and answers. The program
-/// sees our environment with LC_ALL=C; its standard error is dropped. When an exception leaves this function the
-/// program is killed and waited for.
+/// Runs the program to its end in constant memory: it is fed and read in turn, as it has room and
+/// answers. The program sees our environment with LC_ALL=C; its standard error is dropped. When an
+/// exception leaves this function the program is killed and waited for.
 ///
-/// @throws Error(unavailable) where the program is not installed, cannot start, does not answer, stops reading, is
+/// @throws Error(unavailable) where the program is not installed, cannot start, does not answer,
+/// stops reading, is
 ///         killed or fails; whatever `produce` and `consume` throw
 void run_filter(const FilterProgram& program, const Produce& produce, const Consume& consume);
 

@@ -9,8 +9,8 @@
 
 namespace slackwater::ingest {
 
-/// gpsd's decoder of AIS: `gpsdecode -j -s` with `-v`, which repeats each sentence before what it says. It drops times,
-/// so each answer is matched to its message by the sentence that it repeats.
+/// gpsd's decoder of AIS: `gpsdecode -j -s` with `-v`, which repeats each sentence before what it
+/// says. It drops times, so each answer is matched to its message by the sentence that it repeats.
 [[nodiscard]] FilterProgram gpsdecode_program();
 
 /// The next message, or nothing at the end.
@@ -18,8 +18,9 @@ using NextMessage = std::function<std::optional<AisMessage>()>;
 /// A message and the JSON object that gpsdecode made of it.
 using OnDecoded = std::function<void(const AisMessage& message, std::string_view json)>;
 
-/// Decodes the messages in their order. It sees only sentences that we wrote (`AisMessage::sentences`): no byte of a
-/// file reaches it unchecked. Memory: the messages between the two programs, some hundred.
+/// Decodes the messages in their order. It sees only sentences that we wrote
+/// (`AisMessage::sentences`): no byte of a file reaches it unchecked. Memory: the messages between
+/// the two programs, some hundred.
 /// @return how many it could not decode
 /// @throws Error(unavailable) as `run_filter`, and where it loses sentences
 [[nodiscard]] std::size_t decode_messages(const FilterProgram& decoder, const NextMessage& next,

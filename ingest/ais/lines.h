@@ -18,7 +18,8 @@ struct TextLine {
 /// Reads a text file line by line in constant memory, whatever the bytes are.
 class Lines {
  public:
-  /// Longest line kept: a tag block (80 characters) and a sentence (82) by NMEA 0183, and room for loggers.
+  /// Longest line kept: a tag block (80 characters) and a sentence (82) by NMEA 0183, and room for
+  /// loggers.
   static constexpr std::size_t most_characters = 1024;
 
   /// @throws Error(not_found) where the file cannot be opened

@@ -10,13 +10,14 @@
 
 namespace slackwater::ingest {
 
-/// Rows of AIS as MarineCadastre.gov publishes it, one position with the vessel's particulars a row, UTC:
+/// Rows of AIS as MarineCadastre.gov publishes it, one position with the vessel's particulars a
+/// row, UTC:
 ///
-///   MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,VesselName,IMO,CallSign,VesselType,Status,Length,Width,Draft,Cargo,
-///   TransceiverClass
+///   MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,VesselName,IMO,CallSign,VesselType,Status,
+///   Length,Width,Draft,Cargo,TransceiverClass
 ///
-/// Columns are found by name, in any order; the first four are needed. Knots, degrees, metres; `NA` and nothing are
-/// absent, and so are the values by which ITU-R M.1371 says "not available".
+/// Columns are found by name, in any order; the first four are needed. Knots, degrees, metres; `NA`
+/// and nothing are absent, and so are the values by which ITU-R M.1371 says "not available".
 /// Source: marinecadastre.gov/ais, data dictionary.
 class MarineCadastreReader {
  public:

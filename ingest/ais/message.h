@@ -11,7 +11,8 @@
 
 namespace slackwater::ingest {
 
-/// A whole AIS message, still armoured, with the time at which it (its first fragment) was received.
+/// A whole AIS message, still armoured, with the time at which it (its first fragment) was
+/// received.
 struct AisMessage {
   std::string payload;
   int fill_bits = 0;
@@ -35,9 +36,10 @@ struct AisLineCounts {
   bool operator==(const AisLineCounts&) const = default;
 };
 
-/// Joins lines to messages: a tag block gives the time of the sentence behind it, a `$PGHP` line that of the message that
-/// begins next; fragments are joined in their order, also where messages interleave. At most `most_open` messages wait for
-/// their rest, none longer than `reach` sentences, so that a sequence number used again does not join strangers.
+/// Joins lines to messages: a tag block gives the time of the sentence behind it, a `$PGHP` line
+/// that of the message that begins next; fragments are joined in their order, also where messages
+/// interleave. At most `most_open` messages wait for their rest, none longer than `reach`
+/// sentences, so that a sequence number used again does not join strangers.
 class MessageAssembler {
  public:
   static constexpr std::size_t most_open = 64;

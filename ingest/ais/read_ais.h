@@ -24,11 +24,13 @@ struct AisReading {
   [[nodiscard]] std::vector<std::string> warnings() const;
 };
 
-/// Reads a log of AIS in constant memory: NMEA 0183 sentences (VDM, VDO) with the times of `$PGHP` lines or tag
-/// blocks, decoded by `decoder`, or a table as MarineCadastre.gov publishes it. Reports come in the order of the log.
+/// Reads a log of AIS in constant memory: NMEA 0183 sentences (VDM, VDO) with the times of `$PGHP`
+/// lines or tag blocks, decoded by `decoder`, or a table as MarineCadastre.gov publishes it.
+/// Reports come in the order of the log.
 ///
-/// Any bytes are taken: what is no AIS is counted. @throws Error(not_found) for a file that cannot be opened,
-/// Error(invalid_input) for one without any AIS, Error(unavailable) where gpsdecode is missing or dies
+/// Any bytes are taken: what is no AIS is counted. @throws Error(not_found) for a file that cannot
+/// be opened, Error(invalid_input) for one without any AIS, Error(unavailable) where gpsdecode is
+/// missing or dies
 AisReading read_ais(const std::filesystem::path& file,
                     const std::function<void(const AisReport&)>& on_report,
                     const FilterProgram& decoder = gpsdecode_program());
@@ -48,7 +50,8 @@ struct AisTracks {
   AisReading reading;
 };
 
-/// The tracks of all vessels in a log. @throws as `read_ais`, and Error(invalid_input) for more than `most_positions`
+/// The tracks of all vessels in a log. @throws as `read_ais`, and Error(invalid_input) for more
+/// than `most_positions`
 [[nodiscard]] AisTracks read_ais_tracks(const std::filesystem::path& file,
                                         const AisTrackOptions& options = {},
                                         const FilterProgram& decoder = gpsdecode_program());

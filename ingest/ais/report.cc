@@ -49,8 +49,8 @@ std::optional<AisClass> speaker_of(int type) noexcept {
   }
 }
 
-/// Distances from the antenna to the four sides (ITU-R M.1371 figure 41). Bow and port zero with the others given: the
-/// size is known, the place of the antenna is not.
+/// Distances from the antenna to the four sides (ITU-R M.1371 figure 41). Bow and port zero with
+/// the others given: the size is known, the place of the antenna is not.
 void read_dimensions(const Json& object, AisIdentity& identity) {
   const auto bow = whole_of(object, "to_bow", 0, 511);
   const auto stern = whole_of(object, "to_stern", 0, 511);

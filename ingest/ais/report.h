@@ -32,8 +32,9 @@ struct AisIdentity {
   bool operator==(const AisIdentity&) const = default;
 };
 
-/// One decoded message, in SI units, its values checked against ITU-R M.1371: latitude 91, longitude 181, speed
-/// 102.3 kn (and "102.2 kn or more"), course 360 and heading 511 mean "not available" and are absent here.
+/// One decoded message, in SI units, its values checked against ITU-R M.1371: latitude 91,
+/// longitude 181, speed 102.3 kn (and "102.2 kn or more"), course 360 and heading 511 mean "not
+/// available" and are absent here.
 struct AisReport {
   std::uint32_t mmsi = 0;  ///< 1 to 999999999
   int type = 0;            ///< 1 to 5, 18, 19 or 24
@@ -55,11 +56,12 @@ inline constexpr double metres_per_second_of_knot = 1852.0 / 3600.0;
 /// @return nothing where it is no JSON object of one of our types with an MMSI
 [[nodiscard]] std::optional<AisReport> report_from_json(std::string_view json);
 
-/// Text as vessels write it: padding (`@`, blanks) and what is not printable ASCII taken off; absent where nothing
-/// is left or more than 20 characters are.
+/// Text as vessels write it: padding (`@`, blanks) and what is not printable ASCII taken off;
+/// absent where nothing is left or more than 20 characters are.
 [[nodiscard]] std::optional<std::string> clean_ais_text(std::string_view text);
 
-/// Raw values to what they mean: nothing where out of range or "not available". Shared by both kinds of log.
+/// Raw values to what they mean: nothing where out of range or "not available". Shared by both
+/// kinds of log.
 [[nodiscard]] std::optional<GeoPoint> ais_position(double latitude_deg, double longitude_deg);
 [[nodiscard]] std::optional<double> ais_speed_m_s(double speed_kn) noexcept;
 [[nodiscard]] std::optional<Angle> ais_angle(double angle_deg) noexcept;

@@ -49,7 +49,8 @@ std::optional<UtcTime> believable(UtcTime time) {
   return time;
 }
 
-/// Seconds since 1970, or milliseconds where they are too many for seconds (NMEA 0183 4.0 allows both).
+/// Seconds since 1970, or milliseconds where they are too many for seconds (NMEA 0183 4.0 allows
+/// both).
 std::optional<UtcTime> unix_time(std::string_view text) {
   const auto value = number_in(text);
   if (!value || *value > 4'102'444'800'000) return std::nullopt;
@@ -154,7 +155,8 @@ AisLine parse_ais_line(std::string_view line) {
   for (std::string_view suffix = body->rest; !suffix.empty();) {
     sentence.logged_time = unix_time(take_field(suffix, ','));
   }
-  // The group of a tag block names its message; else the talker, the sequence number and the channel do.
+  // The group of a tag block names its message; else the talker, the sequence number and the
+  // channel do.
   sentence.key = std::string(field[1]) + ',';
   if (!tag.group.empty()) {
     sentence.key += "g:" + tag.group;

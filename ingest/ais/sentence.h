@@ -9,12 +9,14 @@
 
 namespace slackwater::ingest {
 
-/// A VDM (received) or VDO (own ship) sentence, one fragment of an AIS message (IEC 61162-1; NMEA 0183 4.0):
+/// A VDM (received) or VDO (own ship) sentence, one fragment of an AIS message (IEC 61162-1; NMEA
+/// 0183 4.0):
 ///
 ///   \s:42809,c:1635731889*6A\!AIVDM,2,1,3,B,55P5TL01VIaAL@7W...,0*1C
 ///     tag block (optional)      |total, number, sequence, channel, payload, fill bits, checksum
 ///
-/// Known to be well formed: the checksum is right, the numbers are in range, the payload holds armoured characters.
+/// Known to be well formed: the checksum is right, the numbers are in range, the payload holds
+/// armoured characters.
 struct AisSentence {
   std::string key;      ///< what the fragments of one message share
   int total = 1;        ///< 1 to 9
@@ -27,8 +29,9 @@ struct AisSentence {
   std::optional<UtcTime> logged_time;  ///< that a logger hung behind: `...*0F,1276256770`
 };
 
-/// `$PGHP,1,2010,6,11,11,46,11,390,...,2B*5B`: when the message that follows was received, by the clock of a GateHouse
-/// logger, to the millisecond; the last field repeats the checksum of a one-sentence message.
+/// `$PGHP,1,2010,6,11,11,46,11,390,...,2B*5B`: when the message that follows was received, by the
+/// clock of a GateHouse logger, to the millisecond; the last field repeats the checksum of a
+/// one-sentence message.
 struct PghpStamp {
   UtcTime time{};
   int checksum = 0;  ///< 0 where the logger gives none

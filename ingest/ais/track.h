@@ -8,13 +8,15 @@
 
 namespace slackwater::ingest {
 
-/// When a position was taken, of a report received at `received`: the newest instant whose second is the report's, at
-/// most `early` after the receipt for clocks that differ. Without a second, the receipt.
+/// When a position was taken, of a report received at `received`: the newest instant whose second
+/// is the report's, at most `early` after the receipt for clocks that differ. Without a second, the
+/// receipt.
 ///
-/// Reports are heard late: in our real logs by 1 s (shore) and 4 s (satellite) in the median, and by up to a minute where
-/// a station relays them, which makes a vessel jump back. On the way along the course between successive reports of
-/// vessels under way, the error against speed times time falls from 26.1 to 7.0 m (root mean square, 864 pairs of the
-/// Danish log) and from 16.2 to 6.6 m (41 pairs of the satellite's). A delay over 58 s cannot be seen.
+/// Reports are heard late: in our real logs by 1 s (shore) and 4 s (satellite) in the median, and
+/// by up to a minute where a station relays them, which makes a vessel jump back. On the way along
+/// the course between successive reports of vessels under way, the error against speed times time
+/// falls from 26.1 to 7.0 m (root mean square, 864 pairs of the Danish log) and from 16.2 to 6.6 m
+/// (41 pairs of the satellite's). A delay over 58 s cannot be seen.
 [[nodiscard]] UtcTime time_of_position(UtcTime received,
                                        const std::optional<int>& utc_second) noexcept;
 
@@ -44,8 +46,8 @@ class AisTrackCollector {
   [[nodiscard]] std::size_t vessels() const noexcept { return tracks_.size(); }
   [[nodiscard]] std::size_t positions() const noexcept { return positions_; }
 
-  /// The tracks by MMSI, positions sorted by time. Of several at one time, as when several stations hear one message,
-  /// the first in the log is kept.
+  /// The tracks by MMSI, positions sorted by time. Of several at one time, as when several stations
+  /// hear one message, the first in the log is kept.
   [[nodiscard]] std::vector<AisTrack> take() &&;
 
  private:

@@ -110,7 +110,8 @@ class CoverageWriter {
     data_.push_back(dimensions.front());
   }
 
-  /// CF's "height" counts from the surface; heights of ours count from the geoid, as "altitude" does.
+  /// CF's "height" counts from the surface; heights of ours count from the geoid, as "altitude"
+  /// does.
   std::string vertical_name() const { return c_.is_depth ? "depth" : "altitude"; }
 
   int define_coordinate(const std::string& name, const std::vector<int>& dimensions,

@@ -43,10 +43,11 @@ struct CoverageFile {
   std::vector<std::pair<std::string, std::string>> global_attributes;
 };
 
-/// Writes netCDF-4 after CF-1.8, discrete sampling geometries (chapter 9): timeSeriesProfile or timeSeries
-/// for stations (a single one without the station dimension, H.18), contiguous ragged arrays for
-/// trajectories (H.14). Stations without times are points or profiles without a time, of which CF knows
-/// no feature type. Broken sizes are ContractViolations; Error(unavailable) where the disk refuses.
+/// Writes netCDF-4 after CF-1.8, discrete sampling geometries (chapter 9): timeSeriesProfile or
+/// timeSeries for stations (a single one without the station dimension, H.18), contiguous ragged
+/// arrays for trajectories (H.14). Stations without times are points or profiles without a time, of
+/// which CF knows no feature type. Broken sizes are ContractViolations; Error(unavailable) where
+/// the disk refuses.
 void write_coverage(const std::filesystem::path& file, const CoverageFile& coverage);
 
 }  // namespace slackwater::ingest

@@ -15,8 +15,8 @@ inline constexpr double wind_member_step_m_s = 1.0 / 1024;
 ///
 /// Exactly one variable per component has the dimensions (time, depth) — (time, depth, column) for
 /// several columns — and the standard name eastward_/northward_sea_water_velocity: member 0.
-/// Quantiles stand beside it as `…_p10/_p50/_p90`, members 1, 2, … as `…_member` over (time, depth[,
-/// column], realization), wind and waves over (time[, column]). A single column is a CF
+/// Quantiles stand beside it as `…_p10/_p50/_p90`, members 1, 2, … as `…_member` over (time,
+/// depth[, column], realization), wind and waves over (time[, column]). A single column is a CF
 /// timeSeriesProfile station. Missing values are _FillValue with a status variable beside them,
 /// never zero. Doubles, so that the round trip is exact, but for the members: floats rounded to
 /// `member_step_m_s`, deflated.

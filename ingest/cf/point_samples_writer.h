@@ -25,11 +25,13 @@ struct PointSamplesHead {
 
 /// Currents at points x times x depths as a CF-1.8 NetCDF-4 file.
 ///
-/// `eastward_` and `northward_sea_water_velocity` over (point, time, depth): the central forecast; members 1, 2, …
-/// as `…_member` over (realization, point, time, depth); `sea_water_velocity_status` says of each place why a
-/// value is, or is not, there. Single precision, as sampled; a value that is not there is _FillValue, never NaN.
+/// `eastward_` and `northward_sea_water_velocity` over (point, time, depth): the central forecast;
+/// members 1, 2, … as `…_member` over (realization, point, time, depth);
+/// `sea_water_velocity_status` says of each place why a value is, or is not, there. Single
+/// precision, as sampled; a value that is not there is _FillValue, never NaN.
 ///
-/// Points are written in blocks, so that memory does not grow with the file. Not fsynced: it can be made again.
+/// Points are written in blocks, so that memory does not grow with the file. Not fsynced: it can be
+/// made again.
 class PointSamplesWriter {
  public:
   /// @throws Error(unavailable) where the file cannot be made

@@ -33,8 +33,10 @@ struct TrajectoryFile {
   [[nodiscard]] const TrajectoryTable* find_table(std::string_view name) const noexcept;
 };
 
-/// Writes netCDF-4; the same content is the same bytes, whenever and wherever it is written. The name of the file is not in it.
-/// @throws Error(unavailable) where it cannot be written; ContractViolation for arrays of another length
+/// Writes netCDF-4; the same content is the same bytes, whenever and wherever it is written. The
+/// name of the file is not in it.
+/// @throws Error(unavailable) where it cannot be written; ContractViolation for arrays of another
+/// length
 void write_trajectories(const TrajectoryFile& tracks, const std::filesystem::path& file);
 
 /// Reads what `write_trajectories` wrote. @throws Error(not_found), Error(invalid_input)

@@ -5,8 +5,9 @@
 
 namespace slackwater::ingest {
 
-/// A list that belongs to a file of tracks and is not of each track and time, such as what happened on the way: columns
-/// over a dimension of its own. In the file column `begin` of table `alarm` is the variable `alarm_begin(alarm)`.
+/// A list that belongs to a file of tracks and is not of each track and time, such as what happened
+/// on the way: columns over a dimension of its own. In the file column `begin` of table `alarm` is
+/// the variable `alarm_begin(alarm)`.
 struct TrajectoryTable {
   struct Column {
     std::string name;

@@ -7,7 +7,8 @@
 
 namespace slackwater::ingest {
 
-/// Writes tables into a file of tracks: the variables when it is made, the numbers once the definitions are over.
+/// Writes tables into a file of tracks: the variables when it is made, the numbers once the
+/// definitions are over.
 class TableWriter {
  public:
   /// @throws ContractViolation for columns of different length
@@ -19,7 +20,8 @@ class TableWriter {
   std::vector<int> ids_;  ///< in the order of the columns, texts behind
 };
 
-/// Whether a variable is a column of a table: over a dimension that is neither of tracks nor of time.
+/// Whether a variable is a column of a table: over a dimension that is neither of tracks nor of
+/// time.
 [[nodiscard]] bool is_of_a_table(const netcdf::Variable& variable) noexcept;
 /// Reads such a variable into its table, a new one where there is none yet.
 void read_into(std::vector<TrajectoryTable>& tables, const netcdf::File& file,

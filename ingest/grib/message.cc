@@ -18,8 +18,8 @@ constexpr double masked = -1.0e100;
 /// ecCodes would print to stderr; its complaints come back as error codes too, and those we report.
 void keep_quiet(const codes_context*, int, const char*) {}
 
-/// ecCodes ends the process where a damaged message breaks an assumption of its own; this throws instead, through
-/// its frames (they carry unwind tables), and what it was building is not freed.
+/// ecCodes ends the process where a damaged message breaks an assumption of its own; this throws
+/// instead, through its frames (they carry unwind tables), and what it was building is not freed.
 [[noreturn]] void refuse_assertion(const char* message) {
   throw Error(ErrorKind::invalid_input, std::string("ecCodes holds it for impossible (") + message +
                                             "); the file is damaged: download it again");

@@ -9,15 +9,17 @@
 namespace slackwater::ingest::netcdf {
 
 LibraryLock::LibraryLock() : guard_(mutex()) {
-  // HDF5 prints what NetCDF merely tries out, for each thread anew; NetCDF silences the first thread alone.
+  // HDF5 prints what NetCDF merely tries out, for each thread anew; NetCDF silences the first
+  // thread alone.
   thread_local const auto silenced = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   static_cast<void>(silenced);
 }
 
 std::recursive_mutex& LibraryLock::mutex() {
   static std::recursive_mutex the_mutex;
-  // HDF5's exit handler crashes where a file could not be written to its end (a full disk). Files are closed by their
-  // owners, so it has nothing else to do; it must be declined before the library is first used.
+  // HDF5's exit handler crashes where a file could not be written to its end (a full disk). Files
+  // are closed by their owners, so it has nothing else to do; it must be declined before the
+  // library is first used.
   [[maybe_unused]] static const int declined = H5dont_atexit();
   return the_mutex;
 }

@@ -81,7 +81,8 @@ int define_fill(int file, int variable, Type type, double value) {
   }
 }
 
-/// With less room than this, a write that failed is told as a full disk: the library does not say why it failed.
+/// With less room than this, a write that failed is told as a full disk: the library does not say
+/// why it failed.
 constexpr std::uintmax_t full_disk_bytes = std::uintmax_t{1} << 20;
 /// Room that the library's caches may still want when a file is given up.
 constexpr std::uintmax_t room_to_abort_bytes = std::uintmax_t{64} << 20;
@@ -130,8 +131,8 @@ Writer Writer::create(const std::filesystem::path& path) {
 Writer::~Writer() {
   if (id_ < 0) return;
   const LibraryLock lock;
-  // To give a file up the library writes it to its end, and crashes where it cannot (HDF5 1.10, NetCDF 4.9): then the
-  // file stays open in the library until the process ends.
+  // To give a file up the library writes it to its end, and crashes where it cannot (HDF5 1.10,
+  // NetCDF 4.9): then the file stays open in the library until the process ends.
   if (!failed_ && room_at(path_) >= room_to_abort_bytes) nc_abort(id_);
   std::error_code ignored;
   std::filesystem::remove(path_, ignored);

@@ -21,7 +21,8 @@ class BadFile : public ::testing::Test {
  protected:
   BadFile() { store_.ingest_days(day, 1); }
 
-  /// The file is refused with exit code 3, the error names it and holds these words, and nothing has changed.
+  /// The file is refused with exit code 3, the error names it and holds these words, and nothing
+  /// has changed.
   void expect_refused(const std::filesystem::path& file, const std::vector<std::string>& words) {
     const std::string listing = store_.listing();
     const auto digests = store_.digests();

@@ -1,4 +1,5 @@
-// Bad site files and bad places: refused with the line and the key, or with the reason why there is no water.
+// Bad site files and bad places: refused with the line and the key, or with the reason why there is
+// no water.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,4 +1,5 @@
-// `slackwater simulate --checkpoint / --restore`: a run that is taken up leaves the bytes of one that never stopped.
+// `slackwater simulate --checkpoint / --restore`: a run that is taken up leaves the bytes of one
+// that never stopped.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -17,7 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Everything a state can hold: tether, gusts, a route under way and one replaced by the published follower, instruments.
+/// Everything a state can hold: tether, gusts, a route under way and one replaced by the published
+/// follower, instruments.
 const std::string scenario = R"(name: stands still half way
 seed: 5
 duration: 3min
@@ -25,26 +27,37 @@ step_s: 0.05
 log_every_s: 0.5
 log: {sensors: true}
 navigation: sensors
-water: {made_up: {depth_m: 40, current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0.1}], wind: {speed_m_s: 5, from_deg: 200}}}
+water: {made_up: {depth_m: 40, current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0.1}],
+                  wind: {speed_m_s: 5, from_deg: 200}}}
 waves: {components: 32, partitions: [{significant_height_m: 0.5, peak_period_s: 5, from_deg: 200}]}
 gusts: dryden
 traffic:
   alarm: {cpa_m: 60, tcpa_min: 1}
   vessels:
-    - {mmsi: 1, name: FERRY, speed_m_s: 6, waypoints: [{north_m: 300, east_m: 20}, {north_m: -900, east_m: 20}]}
-    - {mmsi: 2, name: LAUNCH, speed_m_s: 1.2, waypoints: [{north_m: -90, east_m: 0}, {north_m: -90, east_m: 300}]}
-structures: [{kind: cylinder, north_m: 0, east_m: 30, diameter_m: 6, top_height_m: 20, bottom_depth_m: 40}]
+    - {mmsi: 1, name: FERRY, speed_m_s: 6,
+       waypoints: [{north_m: 300, east_m: 20}, {north_m: -900, east_m: 20}]}
+    - {mmsi: 2, name: LAUNCH, speed_m_s: 1.2,
+       waypoints: [{north_m: -90, east_m: 0}, {north_m: -90, east_m: 300}]}
+structures:
+  - {kind: cylinder, north_m: 0, east_m: 30, diameter_m: 6, top_height_m: 20,
+     bottom_depth_m: 40}
 vehicles:
   - name: rov
     model: bluerov2_heavy
     start: {north_m: 0, east_m: 0, depth_m: 12}
     tether: {top: {north_m: -10, east_m: 0, depth_m: 1}, length_m: 40}
-    tasks: [{do: route, waypoints: [{north_m: 6, east_m: 0, depth_m: 12}, {north_m: 6, east_m: 9, depth_m: 14}]}, {do: hold}]
-  - {name: follower, model: bluerov2_heavy, follow: public, navigation: truth, start: {north_m: 20, east_m: 0, depth_m: 12},
+    tasks:
+      - {do: route, waypoints: [{north_m: 6, east_m: 0, depth_m: 12},
+                               {north_m: 6, east_m: 9, depth_m: 14}]}
+      - {do: hold}
+  - {name: follower, model: bluerov2_heavy, follow: public, navigation: truth,
+     start: {north_m: 20, east_m: 0, depth_m: 12},
      tasks: [{do: route, waypoints: [{north_m: 40, east_m: 0, depth_m: 12}]}]}
-  - {name: auv, model: lrauv_tethys, start: {north_m: -50, east_m: 0, depth_m: 0}, tasks: [{do: hold}]}
+  - {name: auv, model: lrauv_tethys, start: {north_m: -50, east_m: 0, depth_m: 0},
+     tasks: [{do: hold}]}
   - {name: uav, model: x500, start: {north_m: 0, east_m: 0, height_m: 20}, tasks: [{do: hold}]}
-  - {name: usv, model: wamv16, start: {north_m: -90, east_m: 0, depth_m: 0}, tasks: [{do: follow_track, mmsi: 2}]}
+  - {name: usv, model: wamv16, start: {north_m: -90, east_m: 0, depth_m: 0},
+     tasks: [{do: follow_track, mmsi: 2}]}
 )";
 
 class CheckpointFile : public testing::Test {
@@ -86,7 +99,8 @@ TEST_F(CheckpointFile, ARunTakenUpLeavesTheBytesOfOneThatNeverStopped) {
     EXPECT_TRUE(read_bytes(path("b.nc")) == read_bytes(path("run.nc")));
     const json summary = json::parse(rest.out);
     EXPECT_DOUBLE_EQ(summary.at("duration_s").get<double>(), 180);
-    // Some raised before the checkpoint and over after it, by a ferry that is 320 m off when it is made.
+    // Some raised before the checkpoint and over after it, by a ferry that is 320 m off when it is
+    // made.
     const json& alarms = summary.at("traffic").at("alarms");
     EXPECT_TRUE(std::any_of(alarms.begin(), alarms.end(), [](const json& alarm) {
       return alarm.at("begin_s").get<double>() < 60 && alarm.at("end") == "clear" &&

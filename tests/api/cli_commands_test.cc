@@ -294,7 +294,8 @@ TEST_F(Commands, PrintDownloadsGivesExactSubsetLinesAndTouchesNothing) {
   const json document = forecast({"--print-downloads", "--day", "2025-03-08"});
   EXPECT_EQ(store_.digests(), digests);
   expect_keys(document, {"site", "day", "lines"}, "--print-downloads");
-  // The form of the examples in the products reference: dataset, part, variables, box, depths, times, output.
+  // The form of the examples in the products reference: dataset, part, variables, box, depths,
+  // times, output.
   const std::string number = R"(-?\d+(\.\d+)?)";
   const std::string stamp = R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d)";
   const std::regex form("copernicusmarine subset -i \\S+( --dataset-part \\S+)?( -v \\S+)+ -x " +

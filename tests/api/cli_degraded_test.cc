@@ -1,4 +1,5 @@
-// Late or missing inputs degrade, never silence: the forecast is made, says what was missing, and reaches as far.
+// Late or missing inputs degrade, never silence: the forecast is made, says what was missing, and
+// reaches as far.
 #include <gtest/gtest.h>
 
 #include <cmath>

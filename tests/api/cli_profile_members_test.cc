@@ -1,4 +1,5 @@
-// `slackwater profile` of a forecast with an ensemble: one member, all of them, and the same bands beside each.
+// `slackwater profile` of a forecast with an ensemble: one member, all of them, and the same bands
+// beside each.
 #include <gtest/gtest.h>
 
 #include <cmath>

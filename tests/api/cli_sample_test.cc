@@ -1,5 +1,5 @@
-// `slackwater sample`: every number in the file is the sampler's own, a place without one is filled and says why, and a
-// question that cannot be answered leaves no file.
+// `slackwater sample`: every number in the file is the sampler's own, a place without one is filled
+// and says why, and a question that cannot be answered leaves no file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,7 +73,8 @@ class Sample : public ::testing::Test {
   std::shared_ptr<const Snapshot> snapshot_;
 };
 
-/// Every place of a file beside the sampler, to the bit: values, statuses, and what stands where there is no value.
+/// Every place of a file beside the sampler, to the bit: values, statuses, and what stands where
+/// there is no value.
 void expect_the_samplers_own(const File& file, const Field& field, std::size_t member,
                              const std::string& suffix) {
   const auto all = [&](const std::string& name) { return file.read_all(*file.find(name)); };

@@ -1,4 +1,5 @@
-// `slackwater simulate` and `replay`: runs that come out the same to the byte, in made-up water and in an issued forecast.
+// `slackwater simulate` and `replay`: runs that come out the same to the byte, in made-up water and
+// in an issued forecast.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -18,11 +19,13 @@ seed: 5
 duration: 1min
 step_s: 0.05
 log_every_s: 1
-water: {made_up: {depth_m: 40, current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0.1}], wind: {speed_m_s: 5, from_deg: 200}}}
+water: {made_up: {depth_m: 40, current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0.1}],
+                  wind: {speed_m_s: 5, from_deg: 200}}}
 waves: {components: 32, partitions: [{significant_height_m: 0.5, peak_period_s: 5, from_deg: 200}]}
 gusts: dryden
 vehicles:
-  - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, depth_m: 8}, tasks: [{do: hold}]}
+  - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, depth_m: 8},
+     tasks: [{do: hold}]}
   - {name: uav, model: x500, start: {north_m: 0, east_m: 0, height_m: 20}, tasks: [{do: hold}]}
 )";
 

@@ -1,4 +1,5 @@
-// `slackwater simulate` with other vessels around: AIS heard and made up, alarms, a vehicle that follows a track.
+// `slackwater simulate` with other vessels around: AIS heard and made up, alarms, a vehicle that
+// follows a track.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +22,8 @@ using nlohmann::json;
 
 const std::filesystem::path scenarios = source_folder() / "data" / "scenarios";
 
-/// Rows as MarineCadastre has them: north along 8 E from 55 N at 2 m/s, a report every half minute, with the drift of a
-/// minute of latitude (1852 m) in 926 s.
+/// Rows as MarineCadastre has them: north along 8 E from 55 N at 2 m/s, a report every half minute,
+/// with the drift of a minute of latitude (1852 m) in 926 s.
 std::string northbound_log() {
   std::string text =
       "MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,VesselName,Length,TransceiverClass\n";
@@ -143,7 +144,8 @@ TEST_F(SimulateTraffic, ATouchedAlarmOrTrackDoesNotReplay) {
 }
 
 TEST_F(SimulateTraffic, AnAlarmOfAVehicleThatLiesStillIsThatOfTheStraightLine) {
-  // A ferry from 5 km north at 10 m/s passes 300 m to the east: nearer than 600 s from the start on, 500 s to the CPA.
+  // A ferry from 5 km north at 10 m/s passes 300 m to the east: nearer than 600 s from the start
+  // on, 500 s to the CPA.
   const std::string yaml =
       head("2025-06-01T08:00:00Z", 55, 8, "10min") +
       "vehicles: [{name: usv, model: wamv16, start: {north_m: 0, east_m: 0, depth_m: 0}}]\n"
@@ -268,8 +270,9 @@ TEST_F(SimulateTraffic, WithoutGpsdecodeALogOfSentencesIsUnavailable) {
 
 TEST_F(SimulateTraffic, RealSmallCraftAreFollowedAndTheDeviationIsReported) {
   SLACKWATER_NEEDS_SHARED(shared);
-  // MMSI, origin, its start in the log, and what a WAM-V (top speed 2.19 m/s, in 0.2 m/s of current, a sea of 0.3 m and a breeze)
-  // may be off: reports a minute apart of boats that turn as they fish; GISELLE does up to 2.16 m/s. Twice what is measured.
+  // MMSI, origin, its start in the log, and what a WAM-V (top speed 2.19 m/s, in 0.2 m/s of
+  // current, a sea of 0.3 m and a breeze) may be off: reports a minute apart of boats that turn as
+  // they fish; GISELLE does up to 2.16 m/s. Twice what is measured.
   struct Case {
     const char* mmsi;
     double latitude_deg, longitude_deg;
@@ -306,7 +309,8 @@ TEST_F(SimulateTraffic, RealSmallCraftAreFollowedAndTheDeviationIsReported) {
 
 TEST_F(SimulateTraffic, ARealLogOfSentencesPopulatesTheScene) {
   SLACKWATER_NEEDS_SHARED(shared);
-  // Great Belt, 2010: half a minute of what one station heard; ships of more than 10 m/s pass 30 km around.
+  // Great Belt, 2010: half a minute of what one station heard; ships of more than 10 m/s pass 30 km
+  // around.
   const std::string yaml =
       head("2010-06-11T11:46:12Z", 56.0, 10.9, "1min") + "traffic: {ais: [{file: " +
       (shared / "data/ais/danish_shore_station_2010-06-11.nmea").string() +

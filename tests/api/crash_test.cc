@@ -1,4 +1,5 @@
-// Killed at any instant, and written by two at once: the store stays sound and forgets nothing that was reported done.
+// Killed at any instant, and written by two at once: the store stays sound and forgets nothing that
+// was reported done.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -19,7 +20,8 @@ using namespace std::chrono;
 using nlohmann::json;
 
 constexpr UtcDay first_day = sys_days{2025y / March / 1};
-/// A store lives for this many kills; then a fresh one, so that a soak does not measure a growing store.
+/// A store lives for this many kills; then a fresh one, so that a soak does not measure a growing
+/// store.
 constexpr int kills_per_store = 20;
 
 int number_from(const char* variable, int otherwise) {

@@ -1,4 +1,5 @@
-// Full and read-only disks: the program says which folder and what to do, and the store is sound throughout.
+// Full and read-only disks: the program says which folder and what to do, and the store is sound
+// throughout.
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 

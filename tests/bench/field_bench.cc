@@ -1,5 +1,5 @@
-// Sampling a forecast in the library: a vehicle's single sample, a profile, a million places at random, beside
-// what a user would take today, scipy's RegularGridInterpolator on the same numbers.
+// Sampling a forecast in the library: a vehicle's single sample, a profile, a million places at
+// random, beside what a user would take today, scipy's RegularGridInterpolator on the same numbers.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -89,8 +89,8 @@ double seconds_of(int repeats, const Work& work) {
   return median_of(seconds);
 }
 
-/// The same samples asked one by one and in a batch, alone and while a writer swaps the forecast: equal, and
-/// nothing allocated.
+/// The same samples asked one by one and in a batch, alone and while a writer swaps the forecast:
+/// equal, and nothing allocated.
 bool check_library(BenchReport& report, FieldService& service, const std::vector<Place>& places,
                    std::vector<CurrentSample>& out) {
   const std::shared_ptr<const Field> field = service.field();

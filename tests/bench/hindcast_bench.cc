@@ -74,7 +74,8 @@ void fill_store(const api::SyntheticOcean& ocean, const Task& task,
   slackwater_or_throw({"ingest", "--store", (folder / "store").string(), products.string()});
 }
 
-/// Root of the mean square of the vector error of the current on D+1: days, depths and columns pooled.
+/// Root of the mean square of the vector error of the current on D+1: days, depths and columns
+/// pooled.
 double rmse_m_s(const nlohmann::json& skill, const std::string& method) {
   double squares = 0;
   double count = 0;
@@ -112,7 +113,8 @@ void run(BenchReport& report) {
   std::snprintf(text, sizeof text,
                 "%zu columns, %d days, D+1 off by %.3f m/s, persistence by %.3f m/s",
                 columns.size(), task.days, ours, persistence);
-  // At a tidal site a forecast worth the name leaves less than two thirds of what persistence leaves.
+  // At a tidal site a forecast worth the name leaves less than two thirds of what persistence
+  // leaves.
   const bool right = columns.size() == task.columns && ours < persistence * 2 / 3;
   report.answer("hindcast", right, text);
   if (!right) return;

@@ -1,6 +1,7 @@
-// `slackwater serve` under wrk, 16 connections on the cores that serve: a position query of 50 levels at one
-// instant as CoverageJSON, requests per second and the 99th percentile of the latency. Its values are compared
-// with the field of the same forecast first. Another service is measured with
+// `slackwater serve` under wrk, 16 connections on the cores that serve: a position query of 50
+// levels at one instant as CoverageJSON, requests per second and the 99th percentile of the
+// latency. Its values are compared with the field of the same forecast first. Another service is
+// measured with
 //   SLACKWATER_HTTP_URL=http://127.0.0.1:<port>/<path>;
 // SLACKWATER_HTTP_SECONDS is how long (default 5).
 #include <netinet/in.h>

@@ -1,10 +1,12 @@
-// The published closed-loop experiment flown again: 26 dates, four transects of 304 s, a BlueROV2 in the measured profile (the
-// reference), in a Gauss-Markov current fitted to it and in the mixed-layer profile that we fit to it. Before any time: the
-// water is that of the files, the random one has the moments that it was given, and no run depends on the others.
+// The published closed-loop experiment flown again: 26 dates, four transects of 304 s, a BlueROV2
+// in the measured profile (the reference), in a Gauss-Markov current fitted to it and in the
+// mixed-layer profile that we fit to it. Before any time: the water is that of the files, the
+// random one has the moments that it was given, and no run depends on the others.
 //
-// Not stated by the publication and chosen here (reference/lotusim_current_evaluation.md): 0.5 m/s over ground due east, one
-// sinusoid in 150 s, our autopilot without knowledge of the current, 15 W of hotel load; cross-track is the distance from
-// the line in the plane, control effort the root mean square of the thrust of the eight thrusters together.
+// Not stated by the publication and chosen here (reference/lotusim_current_evaluation.md): 0.5 m/s
+// over ground due east, one sinusoid in 150 s, our autopilot without knowledge of the current, 15 W
+// of hotel load; cross-track is the distance from the line in the plane, control effort the root
+// mean square of the thrust of the eight thrusters together.
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -106,7 +108,8 @@ Moments moments_of(const Levels& levels) {
   return moments_of(values);
 }
 
-/// dx = -(x - mean)/tau dt + noise, each component by itself, one value a second, stationary from the start.
+/// dx = -(x - mean)/tau dt + noise, each component by itself, one value a second, stationary from
+/// the start.
 std::vector<Horizontal> gauss_markov(const Moments& m, std::size_t stamps, Rng& rng) {
   constexpr double tau_s = 60;
   const double kept = std::exp(-1 / tau_s), fresh = std::sqrt(1 - kept * kept);
@@ -155,7 +158,8 @@ twin::ScenarioVehicle entry_of(const Transect& transect, const std::string& name
 /// What one run came to, in the order of the metrics.
 using Outcome = std::array<double, metrics>;
 
-/// Runs that may be made together: date by date, within it transect by transect, within it model by model.
+/// Runs that may be made together: date by date, within it transect by transect, within it model by
+/// model.
 class Fleet {
  public:
   explicit Fleet(const std::vector<tests::PublishedProfile>& profiles) {

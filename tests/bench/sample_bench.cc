@@ -1,5 +1,6 @@
-// `slackwater sample` of a stored forecast on a grid of columns beside what a user would take today, `cdo remapbil` of
-// the same numbers: whole process against whole process, a thousand points x 24 hours x 50 levels, both components.
+// `slackwater sample` of a stored forecast on a grid of columns beside what a user would take
+// today, `cdo remapbil` of the same numbers: whole process against whole process, a thousand points
+// x 24 hours x 50 levels, both components.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -37,7 +38,8 @@ double longitude(int i) { return 2.0 + step_deg * i; }
 double latitude(int j) { return 53.0 + step_deg * j; }
 double depth(int k) { return 80.0 * k / (levels - 1); }
 
-/// A turning tide that fades with depth: nothing that interpolation gives exactly. As a product keeps it, in float.
+/// A turning tide that fades with depth: nothing that interpolation gives exactly. As a product
+/// keeps it, in float.
 Horizontal current(int i, int j, int k, int t) {
   const double phase = 0.506 * t + 0.1 * i - 0.07 * j;
   const Horizontal w =
@@ -263,8 +265,8 @@ bool check_answers(BenchReport& report, const Problem& problem, bool with_cdo) {
       }
     }
   }
-  // Single precision of values up to 1 m/s and of weights; a place within a thousandth of a cell of a column is that
-  // column (0.1 rad of phase a cell). cdo interpolates in single precision too.
+  // Single precision of values up to 1 m/s and of weights; a place within a thousandth of a cell of
+  // a column is that column (0.1 rad of phase a cell). cdo interpolates in single precision too.
   const bool right = from_exact < 1e-4 && from_cdo < 2e-4;
   char text[160];
   std::snprintf(text, sizeof text,
@@ -275,7 +277,8 @@ bool check_answers(BenchReport& report, const Problem& problem, bool with_cdo) {
   return right;
 }
 
-/// One run into a file that is not there yet: to replace one costs a flush of the disk, whoever does it.
+/// One run into a file that is not there yet: to replace one costs a flush of the disk, whoever
+/// does it.
 ChildCost fresh(const Problem& problem, const char* out, const std::vector<std::string>& command) {
   std::filesystem::remove(problem.file(out));
   const ChildCost cost = timed_child(command);

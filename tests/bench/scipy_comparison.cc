@@ -59,8 +59,8 @@ struct Ours {
   std::vector<double> ms;
 };
 
-/// The problem set up and solved anew each time. Processor time on both sides: what else the machine does
-/// would decide a ratio of wall times.
+/// The problem set up and solved anew each time. Processor time on both sides: what else the
+/// machine does would decide a ratio of wall times.
 Ours solve_ours(const DayProblem& problem, const std::vector<double>& start, int repeats) {
   Ours ours;
   for (int i = 0; i < repeats; ++i) {

@@ -7,8 +7,8 @@
 
 namespace slackwater::bench {
 
-/// A column-day of the unsteady model with known truth: 24 hourly means x 35 levels over 150 m, 72 h of
-/// wind before it, two tide lines, twenty modes, 17 parameters, noise of 2 cm/s a component.
+/// A column-day of the unsteady model with known truth: 24 hourly means x 35 levels over 150 m, 72
+/// h of wind before it, two tide lines, twenty modes, 17 parameters, noise of 2 cm/s a component.
 struct UnsteadyDay {
   calibration::CalibrationInput input;
   std::vector<double> truth;  ///< in the order of the layout, logarithms where so

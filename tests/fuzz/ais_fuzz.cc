@@ -61,8 +61,8 @@ void check_report(const AisReport& report) {
 
 }  // namespace
 
-/// A log of AIS, line by line: as sentences, as what gpsdecode may answer, and as rows of a table whose header is the
-/// first line.
+/// A log of AIS, line by line: as sentences, as what gpsdecode may answer, and as rows of a table
+/// whose header is the first line.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view log = fuzz::text_of(data, size);
   fuzz::accepts([&] {

@@ -121,7 +121,8 @@ TEST(AdcpWashington, GarbageEnsemblesAreRejectedAndCountedAndTheRestIsForecast) 
   EXPECT_LT(scores.rmse_m_s.at("forecast"), scores.rmse_m_s.at("persistence"));
 }
 
-/// Two months off the Frisian coast: M2 and S2, the slab's answer to a wind that turns, a slow drift.
+/// Two months off the Frisian coast: M2 and S2, the slab's answer to a wind that turns, a slow
+/// drift.
 class NorthSea {
  public:
   static constexpr double latitude = 54.0;

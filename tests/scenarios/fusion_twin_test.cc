@@ -19,9 +19,9 @@
 #include "tests/support/temporary_folder.h"
 
 // An ocean whose truth is known, a product that errs for days on end, and a profiler near the site:
-// does tomorrow's forecast profit? The whole way is walked: files, store, calibration, forecast. The
-// product's error and the difference between two places are drawn anew with every seed, with other
-// memories and shapes in depth than calibration/fuse assumes.
+// does tomorrow's forecast profit? The whole way is walked: files, store, calibration, forecast.
+// The product's error and the difference between two places are drawn anew with every seed, with
+// other memories and shapes in depth than calibration/fuse assumes.
 
 namespace slackwater::tests {
 namespace {

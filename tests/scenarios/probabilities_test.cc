@@ -8,8 +8,9 @@
 #include "api/demo/demo_run.h"
 #include "tests/support/temporary_folder.h"
 
-// Are the bands true? On the synthetic ocean the daily job runs day after day, and its spread is held against what
-// came. Six days in `make test`; 210 of them with SLACKWATER_DAYS=210 (`make soak`), whose figures the README shows.
+// Are the bands true? On the synthetic ocean the daily job runs day after day, and its spread is
+// held against what came. Six days in `make test`; 210 of them with SLACKWATER_DAYS=210 (`make
+// soak`), whose figures the README shows.
 
 namespace slackwater::tests {
 namespace {

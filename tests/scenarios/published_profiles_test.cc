@@ -156,7 +156,8 @@ TEST(PublishedProfiles, EitherFormAloneHalvesThePublishedError) {
 }
 
 TEST(PublishedProfiles, TurnWithDepthAsTheNorthernHemisphereDoes) {
-  // The published form turns with the sense of the south. Nothing but the sign of f is changed here.
+  // The published form turns with the sense of the south. Nothing but the sign of f is changed
+  // here.
   SLACKWATER_NEEDS_PUBLISHED_PROFILES(folder);
   const auto profiles = published_profiles(folder / "profiles", deepest_m);
   ASSERT_FALSE(profiles.empty());

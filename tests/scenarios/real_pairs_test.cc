@@ -11,9 +11,9 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-// The D -> D+1 pairs of reference/baselines.md: our persistence, day-mean and reference-slab must be
-// that page's, to its last digit (tolerance: half of it, plus float storage), so that our skill is
-// measured with the ruler everyone else uses.
+// The D -> D+1 pairs of reference/baselines.md: our persistence, day-mean and reference-slab must
+// be that page's, to its last digit (tolerance: half of it, plus float storage), so that our skill
+// is measured with the ruler everyone else uses.
 
 namespace slackwater::tests {
 namespace {
@@ -51,8 +51,8 @@ void print_set(const char* set, const char* wind,
   std::printf("\n");
 }
 
-/// Under the sanitizers a column-day costs ten times as much: forecasts are made at every twelfth column
-/// then, the baselines at all. `make soak` and the figures of the README take them all.
+/// Under the sanitizers a column-day costs ten times as much: forecasts are made at every twelfth
+/// column then, the baselines at all. `make soak` and the figures of the README take them all.
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::size_t thinned = 12;
 #else

@@ -1,5 +1,6 @@
-// made_up_answers OUT: writes an answer of each domain type, of one domain and of three, with and without
-// levels, in each format, for strangers' tools to open: OUT/<kind>-<domains>.{covjson,geojson,csv,nc}.
+// made_up_answers OUT: writes an answer of each domain type, of one domain and of three, with and
+// without levels, in each format, for strangers' tools to open:
+// OUT/<kind>-<domains>.{covjson,geojson,csv,nc}.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

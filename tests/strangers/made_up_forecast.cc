@@ -1,5 +1,5 @@
-// made_up_forecast OUT COLUMNS [LEVELS [MEMBERS]]: writes a forecast with an ensemble for strangers'
-// tools to open, reads it back, and prints its size and both times.
+// made_up_forecast OUT COLUMNS [LEVELS [MEMBERS]]: writes a forecast with an ensemble for
+// strangers' tools to open, reads it back, and prints its size and both times.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,5 @@
-// made_up_store FOLDER: a store with the made-up forecasts of tests/api/edr, for `slackwater serve`.
+// made_up_store FOLDER: a store with the made-up forecasts of tests/api/edr, for `slackwater
+// serve`.
 #include "tests/api/edr/made_up_store.h"
 
 #include <cstdio>

@@ -3,7 +3,8 @@
 
 namespace slackwater::tests {
 
-/// A pack of 15.2 V whatever its charge, unless told otherwise, of 18 Ah, 28 mOhm and 10 mOhm beside 3000 F.
+/// A pack of 15.2 V whatever its charge, unless told otherwise, of 18 Ah, 28 mOhm and 10 mOhm
+/// beside 3000 F.
 [[nodiscard]] inline twin::Battery made_up_battery(double empty_v = 15.2, double full_v = 15.2) {
   twin::Battery battery;
   battery.state_of_charge = {0, 0.25, 5};

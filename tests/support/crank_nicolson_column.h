@@ -8,7 +8,8 @@
 
 namespace slackwater {
 
-/// An oracle that shares no line with the model: the column of constant viscosity integrated on a grid.
+/// An oracle that shares no line with the model: the column of constant viscosity integrated on a
+/// grid.
 ///
 ///   W_t + i f W = P(t) + (nu W_z)_z,   nu W_z = tau/rho at the surface,   nu W_z = r W at the base
 ///

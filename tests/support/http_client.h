@@ -20,8 +20,8 @@ struct HttpReply {
   }
 };
 
-/// A TCP connection to 127.0.0.1 that sends what it is told to, right or wrong, and reads answers by
-/// their Content-Length. Plain POSIX, so that nothing of the server's library tests itself.
+/// A TCP connection to 127.0.0.1 that sends what it is told to, right or wrong, and reads answers
+/// by their Content-Length. Plain POSIX, so that nothing of the server's library tests itself.
 class HttpClient {
  public:
   /// @param receive_buffer_bytes  0: the system's

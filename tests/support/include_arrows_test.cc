@@ -77,8 +77,8 @@ TEST(IncludeArrows, AForbiddenArrowIsSeen) {
   EXPECT_EQ(forbidden_in("ingest", "#include <vector>"), "");
 }
 
-/// Within api: the other folders of it that a folder may include. The libraries of api/CMakeLists.txt
-/// see the same.
+/// Within api: the other folders of it that a folder may include. The libraries of
+/// api/CMakeLists.txt see the same.
 const Arrows& allowed_arrows_of_api() {
   static const Arrows arrows{
       {"api/program", {}},
@@ -140,7 +140,8 @@ TEST(IncludeArrows, AForbiddenArrowWithinApiIsSeen) {
   EXPECT_EQ(forbidden_in_api("api/edr/write", {"api/edr/sample"}), "");
 }
 
-/// The folders on a way that leads back to where it began, "a -> b -> a"; empty where there is none.
+/// The folders on a way that leads back to where it began, "a -> b -> a"; empty where there is
+/// none.
 std::string cycle_in(Arrows arrows) {
   // What leads nowhere is on no cycle; it goes, and with it the arrows that point to it.
   for (bool is_less = true; is_less;) {

@@ -1,5 +1,6 @@
 #pragma once
-// Eight lanes of the instruction set that the tests are built for, for formulas written over `Real`.
+// Eight lanes of the instruction set that the tests are built for, for formulas written over
+// `Real`.
 #define SLACKWATER_KERNEL lanes_of_tests
 #include "fields/base/lanes.h"
 

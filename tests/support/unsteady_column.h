@@ -7,8 +7,8 @@
 
 namespace slackwater {
 
-/// The unsteady column written plainly, in double precision and mode by mode: what the model with its
-/// derivatives (calibration/residuals/column_rows.h) is held against.
+/// The unsteady column written plainly, in double precision and mode by mode: what the model with
+/// its derivatives (calibration/residuals/column_rows.h) is held against.
 ///
 /// What the unsteady column adds to the steady one: the steady answer to the wind of this instant
 /// has arrived at once, the sea's has not. Per mode n, with m_n the stress memory of lambda_n:
@@ -16,10 +16,11 @@ namespace slackwater {
 ///   W(z, t) = W_interior A(z) + T(t) B(z) + transient,
 ///   transient(z, t) = - sum_n B_n(z) m_n(t),   sum_n B_n(z) = B(z)
 ///
-/// exact for constant viscosity and linear drag on the base of the layer (column_modes.h), with no new
-/// parameter: the water column in finite_depth, the mixed layer in mixed_layer. Under a constant wind
-/// the transient dies and the steady form is left. Modes that forget within five minutes answer at
-/// once. three_layer stays steady: it does not say how deep the layer is that moves.
+/// exact for constant viscosity and linear drag on the base of the layer (column_modes.h), with no
+/// new parameter: the water column in finite_depth, the mixed layer in mixed_layer. Under a
+/// constant wind the transient dies and the steady form is left. Modes that forget within five
+/// minutes answer at once. three_layer stays steady: it does not say how deep the layer is that
+/// moves.
 ///
 /// No rotation, no transient: empty in the equatorial band.
 class UnsteadyColumn {

@@ -18,7 +18,8 @@ using tests::IssuedStore;
 
 constexpr auto never = std::chrono::hours(24);
 
-/// The central current of a field at its first column, surface and time: the mark of `IssuedStore::small`.
+/// The central current of a field at its first column, surface and time: the mark of
+/// `IssuedStore::small`.
 double mark_of(const Field& field) {
   const GeoPoint& p = field.snapshot().columns.front().point;
   const Place place{p.longitude_deg(), p.latitude_deg(), 0, field.range().from};

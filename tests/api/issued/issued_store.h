@@ -10,8 +10,8 @@
 
 namespace slackwater::tests {
 
-/// A store into which made-up forecasts are issued, each commit through a Store of its own, as another process
-/// would.
+/// A store into which made-up forecasts are issued, each commit through a Store of its own, as
+/// another process would.
 class IssuedStore {
  public:
   IssuedStore() { static_cast<void>(open()); }
@@ -24,7 +24,8 @@ class IssuedStore {
     return folder_ / name;
   }
 
-  /// A small forecast issued at 05:00 of the day after `day`; `mark` is its central current everywhere, m/s.
+  /// A small forecast issued at 05:00 of the day after `day`; `mark` is its central current
+  /// everywhere, m/s.
   [[nodiscard]] static Snapshot small(const std::string& site, int days_later, double mark) {
     MadeUpForecast size;
     size.levels = 3;

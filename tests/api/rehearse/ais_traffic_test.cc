@@ -62,7 +62,8 @@ TEST(AisOnSite, NorthIsNorthAndEastIsEastInMetresAndSeconds) {
 }
 
 TEST(AisOnSite, FarAwayTheVelocityIsThatOfThePositions) {
-  // Due north at 10 m/s, 80 km east of the site: in its plane that is not along its own north any more.
+  // Due north at 10 m/s, 80 km east of the site: in its plane that is not along its own north any
+  // more.
   const LocalFrame site(GeoPoint::from_degrees(55, 8));
   constexpr double metres_of_degree = 111'337.0;  // of the meridian at 55 N, WGS 84
   const GeoPoint start = GeoPoint::from_degrees(55, 9.25);
@@ -179,7 +180,8 @@ TEST(AisReferencedTrajectory, ASmallBoatFollowsRealSmallCraftAndTheDeviationIsRe
 
 TEST(AisReferencedTrajectory, ReportsThatAreLeftOutLieNearerToTheSmoothCurveThanToStraightLegs) {
   SLACKWATER_NEEDS_SHARED(shared);
-  // Leaves every second report out and asks the track for it: the error is what interpolation over about two minutes costs.
+  // Leaves every second report out and asks the track for it: the error is what interpolation over
+  // about two minutes costs.
   const ingest::AisTracks read =
       ingest::read_ais_tracks(shared / "data/ais/classB_moving_20220103.csv");
   double smooth_squares = 0, straight_squares = 0;
@@ -214,7 +216,8 @@ TEST(AisReferencedTrajectory, ReportsThatAreLeftOutLieNearerToTheSmoothCurveThan
 
 TEST(AisReferencedTrajectory, RealTrafficRaisesTheAlarmsThatTryingAllMomentsFinds) {
   SLACKWATER_NEEDS_SHARED(shared);
-  // Miami's small craft seen from a vessel at rest in Government Cut; each contact is moved on second by second.
+  // Miami's small craft seen from a vessel at rest in Government Cut; each contact is moved on
+  // second by second.
   const ingest::AisTracks read =
       ingest::read_ais_tracks(shared / "data/ais/classB_moving_20220103.csv");
   const LocalFrame site(GeoPoint::from_degrees(25.77, -80.17));

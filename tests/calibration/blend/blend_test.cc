@@ -187,8 +187,8 @@ TEST(Blend, WhatIsNotAvailableTodayGetsNothing) {
   EXPECT_NEAR(blend.share[0].weight + blend.share[2].weight, 1.0, 1e-14);
 }
 
-/// A baseline that is better than our forecast by the same factor every day, the errors otherwise the
-/// same: all that the blend adds to it is error.
+/// A baseline that is better than our forecast by the same factor every day, the errors otherwise
+/// the same: all that the blend adds to it is error.
 std::vector<PastPair> clearly_better_baseline(int days, std::string_view stream) {
   Rng random(2, stream);
   std::vector<PastPair> past;

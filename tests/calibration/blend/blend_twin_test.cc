@@ -1,5 +1,5 @@
-// Candidates with known error covariances over sixty synthetic days: what the blend does to days that
-// it has not seen.
+// Candidates with known error covariances over sixty synthetic days: what the blend does to days
+// that it has not seen.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -48,8 +48,8 @@ MatrixXd mixing(const Twin& twin) {
   return MatrixXd(covariance.llt().matrixL());
 }
 
-/// One pair: 24 hours x 3 levels, errors that last 6 h and are shared between levels by half; the day
-/// as a whole is quiet or rough (lognormal, 0.4).
+/// One pair: 24 hours x 3 levels, errors that last 6 h and are shared between levels by half; the
+/// day as a whole is quiet or rough (lognormal, 0.4).
 PastPair day_of(const MatrixXd& mixing, Rng& random) {
   constexpr int hours = 24;
   constexpr int levels = 3;

@@ -29,8 +29,8 @@ double with_outliers(Rng& random) {
   return (random.uniform() < 0.05 ? 8.0 : 1.0) * random.normal();
 }
 
-/// A day's normalised errors as verification has them: 200 components of which four parts share most of
-/// their error (hours and levels of one motion), and a severity of the day.
+/// A day's normalised errors as verification has them: 200 components of which four parts share
+/// most of their error (hours and levels of one motion), and a severity of the day.
 std::vector<double> day_of(const Draw& draw, double factor, Rng& random) {
   const double severity = factor * std::exp(0.3 * random.normal());
   std::vector<double> z;
@@ -50,8 +50,8 @@ PastSpread past_of(std::span<const double> z, double age_days) {
   return pair;
 }
 
-/// Mean over seeds of the share of |z| that the scaled band holds in days never seen, for the earned
-/// factor and for sqrt(mean z^2) with the same prior and forgetting.
+/// Mean over seeds of the share of |z| that the scaled band holds in days never seen, for the
+/// earned factor and for sqrt(mean z^2) with the same prior and forgetting.
 struct Coverage {
   double earned = 0;
   double by_moment = 0;

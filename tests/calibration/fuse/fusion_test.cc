@@ -34,7 +34,8 @@ VectorColumn column(const std::vector<double>& depths_m, int hours, double step_
 Horizontal tide(double hour) { return std::polar(0.4, 0.5059 * hour); }
 
 TEST(Fusion, OneObservationIsWeighedAsTheTextbookWeighsIt) {
-  // One level, one time: e^ = w P_s / (P_s + I) d with P_s = P + R, and Var = P - w^2 P_s^2/(P_s + I).
+  // One level, one time: e^ = w P_s / (P_s + I) d with P_s = P + R, and Var = P - w^2 P_s^2/(P_s +
+  // I).
   const VectorColumn product = column({10}, 0, 1, [](double, double) {
     return Horizontal{0.2, 0};
   });

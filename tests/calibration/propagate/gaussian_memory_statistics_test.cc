@@ -125,7 +125,8 @@ TEST(GaussianMemory, DeparturesOfTwoLevelsForgetEachOtherWithTheirDistance) {
   Rng random(15, "depth");
   MemoryKernel kernel;
   kernel.vertical_scale_m = 30;
-  // Not in the order of depth; all feel the same wind, so that nothing but the draw tells them apart.
+  // Not in the order of depth; all feel the same wind, so that nothing but the draw tells them
+  // apart.
   VectorColumn residual = column({-24, -18, -12, -6, 0}, {35, 5, 35.003});
   residual.value = random_vectors(15, 0.1, random);
   const GaussianMemory memory(residual, std::vector<Horizontal>(15, {0.1, 0.1}), end_of_day,

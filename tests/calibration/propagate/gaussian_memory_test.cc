@@ -244,8 +244,8 @@ TEST(GaussianMemory, DailyMeansKnowNothingOfAnInertialMotionOfADay) {
   const GaussianMemory memory(daily_means({0.2, 0.1}), std::vector<Horizontal>(3), end_of_day, 1e-8,
                               period_of_a_day_rad_h, kernel);
   const Forecast ours = forecast(memory, {12}, {Horizontal{}});
-  // Damping leaves 1e-7 of the motion's variance in the mean of a day, which is 400 times the noise's:
-  // values of 0.2 weigh 1e-5.
+  // Damping leaves 1e-7 of the motion's variance in the mean of a day, which is 400 times the
+  // noise's: values of 0.2 weigh 1e-5.
   EXPECT_LT(std::abs(ours.mean[0]), 1e-4);
   const double prior =
       kernel.inertial_m_s * kernel.inertial_m_s + kernel.noise_m_s * kernel.noise_m_s;

@@ -1,5 +1,6 @@
-// A day of tide, turning wind and inertial motion in 35 m of water at 48.9 N, made by integrating the
-// equations on a grid: what the column with memory and tide knows of D+1 that the steady one does not.
+// A day of tide, turning wind and inertial motion in 35 m of water at 48.9 N, made by integrating
+// the equations on a grid: what the column with memory and tide knows of D+1 that the steady one
+// does not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,9 +48,9 @@ Horizontal acceleration(Horizontal mean, double speed_rad_s) {
   return mean * Horizontal(0, turning) / to_horizontal(column.depth_mean().interior);
 }
 
-/// Currents at the levels at every hour 0..48 of D and D+1: five days of spin-up, second-order scheme. The
-/// mean over the column of the M2 ellipse has half axes 0.5 and 0.15 m/s, turning counter-clockwise; a
-/// steady slope drives 0.11 m/s.
+/// Currents at the levels at every hour 0..48 of D and D+1: five days of spin-up, second-order
+/// scheme. The mean over the column of the M2 ellipse has half axes 0.5 and 0.15 m/s, turning
+/// counter-clockwise; a steady slope drives 0.11 m/s.
 std::vector<std::vector<Horizontal>> truth(const VectorColumn& wind) {
   const StressSeries stress(wind, DragLaw::paper_linear);
   const double f = coriolis_parameter_rad_s(latitude);

@@ -4,7 +4,8 @@
 
 #include "tests/calibration/propagate/memory_for_tests.h"
 
-// The textbook's regression, written densely: one level, all terms in one covariance, a plain inverse.
+// The textbook's regression, written densely: one level, all terms in one covariance, a plain
+// inverse.
 
 namespace slackwater::calibration {
 

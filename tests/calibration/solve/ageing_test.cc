@@ -104,8 +104,8 @@ struct ChainScore {
   double single_normalised = 0;
 };
 
-/// Viscosity, friction and factor of the fifth short day, over many seeds; `walk` times the ageing's own
-/// random walk moves the truth from day to day.
+/// Viscosity, friction and factor of the fifth short day, over many seeds; `walk` times the
+/// ageing's own random walk moves the truth from day to day.
 ChainScore chain_score(double walk) {
   ChainScore score;
   double n = 0;

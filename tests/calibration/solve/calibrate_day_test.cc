@@ -209,7 +209,8 @@ TEST(JudgeDetermination, AWeakParameterIsNamedOnce) {
 
 TEST(CalibrateDay, AParameterOnItsBoundIsFlaggedAndWarnedOf) {
   // Water stiffer than the bounds allow, seen with little noise. What such water leaves unexplained
-  // repeats itself and counts as one observation: very stiff water would leave the bound to the prior.
+  // repeats itself and counts as one observation: very stiff water would leave the bound to the
+  // prior.
   SyntheticDay day = usual_day();
   day.truth.eddy_viscosity_m2_s = 3;
   day.noise_m_s = 2e-4;

@@ -1,5 +1,6 @@
-// 10 m/s of turning wind, 35 levels x 24 h, 2 cm/s of noise: how well the truth is found, and how honest
-// the stated uncertainty is, over many twins. 100 of them; SLACKWATER_TWINS=500 for the whole table.
+// 10 m/s of turning wind, 35 levels x 24 h, 2 cm/s of noise: how well the truth is found, and how
+// honest the stated uncertainty is, over many twins. 100 of them; SLACKWATER_TWINS=500 for the
+// whole table.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +19,8 @@ int twins() {
   return wanted != nullptr ? std::max(20, std::atoi(wanted)) : 100;
 }
 
-/// Counts between which a binomial number lies with at least 99 %: half a percent outside either end.
+/// Counts between which a binomial number lies with at least 99 %: half a percent outside either
+/// end.
 std::pair<int, int> binomial_range(int n, double p) {
   std::pair<int, int> range{-1, -1};
   double log_term = n * std::log1p(-p);

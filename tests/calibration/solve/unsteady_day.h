@@ -6,8 +6,8 @@
 
 namespace slackwater::calibration {
 
-/// A synthetic day whose water remembers: the steady form, the transient of its wind, an interior with a
-/// trend and free inertial motion, from the lines of fields/current and none of calibration.
+/// A synthetic day whose water remembers: the steady form, the transient of its wind, an interior
+/// with a trend and free inertial motion, from the lines of fields/current and none of calibration.
 struct UnsteadyDay : SyntheticDay {
   Horizontal trend_m_s_d{};   ///< of the interior, about noon
   Horizontal inertial_m_s{};  ///< of the gravest mode at 00:00

@@ -9,7 +9,8 @@
 namespace slackwater::calibration {
 namespace {
 
-// 40 days of 9 or more parameters: the mean square of normalised errors has a standard error below 0.08.
+// 40 days of 9 or more parameters: the mean square of normalised errors has a standard error below
+// 0.08.
 constexpr std::uint64_t days = 40;
 
 using FitOfSeed = std::function<std::pair<Calibration, UnsteadyDay>(std::uint64_t)>;

@@ -144,7 +144,8 @@ TEST(ColumnLayout, BetweenScatteredColumnsNothingJumps) {
       sum += stencil.weight[c] * value[stencil.column[c]];
     return sum;
   };
-  // A path of 13 km in steps of 13 cm: the value of a metre's disc about a column apart, no step is seen.
+  // A path of 13 km in steps of 13 cm: the value of a metre's disc about a column apart, no step is
+  // seen.
   double last = at_step(0);
   double largest = 0;
   for (int i = 1; i < 100000; ++i) {

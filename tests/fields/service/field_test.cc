@@ -19,7 +19,8 @@ using std::chrono::minutes;
 
 const UtcTime start = parse_utc("2025-03-10T00:00:00Z");
 
-/// Linear in longitude, latitude, depth and time; exact under our interpolation but for single precision.
+/// Linear in longitude, latitude, depth and time; exact under our interpolation but for single
+/// precision.
 Horizontal plane(double longitude, double latitude, double depth, double hour) {
   return {0.3 + 2 * (longitude - 1) - (latitude - 52) - 0.004 * depth + 0.01 * hour,
           -0.2 - (longitude - 1) + 3 * (latitude - 52) + 0.002 * depth - 0.005 * hour};
@@ -72,7 +73,8 @@ TEST(Field, AFieldThatIsLinearComesBackEverywhereToSinglePrecision) {
     const Place& p = places[i];
     const double hour = hours_between(start, p.time);
     ASSERT_EQ(out[i].status, SampleStatus::ok);
-    // A thousandth of a cell (5e-5 degrees, slope 3 per degree) where the place is taken for the centre.
+    // A thousandth of a cell (5e-5 degrees, slope 3 per degree) where the place is taken for the
+    // centre.
     EXPECT_LT(
         std::abs(out[i].velocity_m_s - plane(p.longitude_deg, p.latitude_deg, p.vertical_m, hour)),
         3e-4);

@@ -94,8 +94,8 @@ TEST(SeaRow, IsItsPlacesOneByOne) {
       pushes += wave.amplitude_m * std::pow(wave.intrinsic_rad_s, 2) /
                 std::tanh(30 * std::abs(wave.wavenumber_rad_m));
     }
-    // The same to the rounding of the phase for a first place; then 2e-11 of sin and cos, and twice that of their product,
-    // for each place.
+    // The same to the rounding of the phase for a first place; then 2e-11 of sin and cos, and twice
+    // that of their product, for each place.
     const double off = 1e-10 + most_in_row * 6e-11;
     Rng rng(9, "sea_row");
     for (int round = 0; round < 40; ++round) {

@@ -1,5 +1,6 @@
-// The wake models beside computed flows: the actuator-line wake of a lone NREL 5 MW (velocity across
-// the wake at hub height, 1 to 14 D), and the published powers of a row of three and of sixteen.
+// The wake models beside computed flows: the actuator-line wake of a lone NREL 5 MW (velocity
+// across the wake at hub height, 1 to 14 D), and the published powers of a row of three and of
+// sixteen.
 //
 // That computed wake hardly recovers between 3 and 14 D, though its inflow is said to have 8 % of
 // turbulence: it is another model, not the truth. Models with published constants recover, and are

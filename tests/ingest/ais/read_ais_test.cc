@@ -56,8 +56,8 @@ bool contains(const std::string& text, const std::string& word) {
   return text.find(word) != std::string::npos;
 }
 
-// Messages published with their decode: type 1 in gpsd's AIVDM.txt, the others in gpsd's test/sample.aivdm; the values
-// stand there and were checked with pyais 3.3.1.
+// Messages published with their decode: type 1 in gpsd's AIVDM.txt, the others in gpsd's
+// test/sample.aivdm; the values stand there and were checked with pyais 3.3.1.
 const std::string published = R"(!AIVDM,1,1,,B,177KQJ5000G?tO`K>RA1wUbN0TKH,0*5C
 !AIVDM,1,1,,A,403OviQuMGCqWrRO9>E6fE700@GO,0*4D
 !AIVDM,2,1,1,A,55?MbV02;H;s<HtKR20EHE:0@T4@Dn2222222216L961O5Gf0NSQEp6ClRp8,0*1C
@@ -160,8 +160,8 @@ TEST_F(PublishedMessages, ParticularsInTwoParts) {
 }
 
 TEST(ReadAis, WhatIsNotAvailableIsAbsent) {
-  // Made with pyais 3.3.1 (encode_dict): 91 N, 181 E, 102.3 and 102.2 kn, course 360, heading 511, second 60; the
-  // second one at 50 N, 1 E, course 359.9, heading 359, second 59.
+  // Made with pyais 3.3.1 (encode_dict): 91 N, 181 E, 102.3 and 102.2 kn, course 360, heading 511,
+  // second 60; the second one at 50 N, 1 E, course 359.9, heading 359, second 59.
   const TemporaryFolder folder;
   const auto reports =
       reports_in(write_text(folder / "log", R"(!AIVDO,1,1,,A,11mg=5OP?w<tSF0l4Q@>4?wqP000,0*06
@@ -184,8 +184,8 @@ TEST(ReadAis, WhatIsNotAvailableIsAbsent) {
 }
 
 TEST(ReadAis, EachMessageOfAManyFindsItsOwnTime) {
-  // Every fourth is of two sentences, every fifth none of our types, every seventh one that no one can decode (type 5 of
-  // a few bits): an answer given to its neighbour would show.
+  // Every fourth is of two sentences, every fifth none of our types, every seventh one that no one
+  // can decode (type 5 of a few bits): an answer given to its neighbour would show.
   const TemporaryFolder folder;
   const std::string one = "177KQJ5000G?tO`K>RA1wUbN0TKH";
   const std::string two = "55?MbV02;H;s<HtKR20EHE:0@T4@Dn2222222216L961O5Gf0NSQEp6ClRp8";
@@ -309,10 +309,12 @@ TEST(ReadAis, WhatGpsdecodeMightSayNeverHarms) {
     EXPECT_FALSE(report_from_json(json)) << json;
   }
   const auto odd = report_from_json(
-      R"({"type":1,"mmsi":5,"lat":1e999,"lon":[],"speed":-1,"course":-0.1,"heading":null,"shipname":7,"to_bow":-1})");
+      R"({"type":1,"mmsi":5,"lat":1e999,"lon":[],"speed":-1,"course":-0.1,"heading":null,)"
+      R"("shipname":7,"to_bow":-1})");
   EXPECT_FALSE(odd);  // 1e999 is no number of JSON's
   const auto report = report_from_json(
-      R"({"type":1,"mmsi":5,"lat":"x","lon":[],"speed":-1,"course":-0.1,"heading":{},"shipname":7,"to_bow":-1})");
+      R"({"type":1,"mmsi":5,"lat":"x","lon":[],"speed":-1,"course":-0.1,"heading":{},)"
+      R"("shipname":7,"to_bow":-1})");
   ASSERT_TRUE(report);
   EXPECT_FALSE(report->position || report->speed_over_ground_m_s || report->course_over_ground ||
                report->heading);

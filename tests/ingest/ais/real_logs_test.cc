@@ -1,5 +1,6 @@
-// Logs of strangers. The figures were obtained once with pyais 3.3.1 (PyPI), an independent decoder, from messages joined
-// in the order of the log with the same rules of absence; sums stand for all values.
+// Logs of strangers. The figures were obtained once with pyais 3.3.1 (PyPI), an independent
+// decoder, from messages joined in the order of the log with the same rules of absence; sums stand
+// for all values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -97,8 +98,8 @@ TEST(RealAisLogs, TheSatelliteIsReadAsAnIndependentDecoderReadsIt) {
 
 TEST(RealAisLogs, EveryTimeOfTheDanishLogIsTheStampBeforeItsMessage) {
   SLACKWATER_NEEDS_SHARED(shared);
-  // Of the messages by their place in the log, read with pyais: the first, one in two sentences, one of a vessel in two
-  // parts, and the last.
+  // Of the messages by their place in the log, read with pyais: the first, one in two sentences,
+  // one of a vessel in two parts, and the last.
   std::vector<AisReport> reports;
   (void)read_ais(shared / "data/ais/danish_shore_station_2010-06-11.nmea",
                  [&](const AisReport& report) { reports.push_back(report); });
@@ -125,7 +126,8 @@ TEST(RealAisLogs, EveryTimeOfTheDanishLogIsTheStampBeforeItsMessage) {
   }
 }
 
-/// How far positions lie from where speed and course over ground would have brought the vessel since the one before.
+/// How far positions lie from where speed and course over ground would have brought the vessel
+/// since the one before.
 struct Consistency {
   std::size_t pairs = 0;
   std::size_t backwards = 0;  ///< by more than 5 m

@@ -15,8 +15,8 @@ namespace {
 
 using std::chrono::hours;
 
-/// A forecast with everything but an ensemble (see forecast_members_test.cc) in it: several statuses, a column below the bed, waves without a
-/// period.
+/// A forecast with everything but an ensemble (see forecast_members_test.cc) in it: several
+/// statuses, a column below the bed, waves without a period.
 Snapshot full_snapshot(std::size_t columns) {
   Rng random(11, "tests/forecast_file");
   Snapshot s;

@@ -6,8 +6,8 @@
 #include "tests/ingest/insitu/series_fixture.h"
 #include "tests/support/point_series_for_tests.h"
 
-// CF writes a moored profile in many ways. Whatever the layout, the water that comes out is the water
-// that went in, at its depths.
+// CF writes a moored profile in many ways. Whatever the layout, the water that comes out is the
+// water that went in, at its depths.
 
 namespace slackwater::ingest::tests {
 namespace {

@@ -83,7 +83,8 @@ TEST(BatteryStep, WithoutALoadNothingMovesButThePairRelaxes) {
   EXPECT_EQ(rest_voltage_v(battery, state), 15.2 - state.rc_voltage_v);
 }
 
-/// Over a whole discharge: area under the open-circuit curve = delivered + I^2 R0 + V1^2/R1 + what is left in C1.
+/// Over a whole discharge: area under the open-circuit curve = delivered + I^2 R0 + V1^2/R1 + what
+/// is left in C1.
 TEST(BatteryStep, ChargeAndEnergyBalanceOverAWholeDischarge) {
   Battery battery = made_up_battery(12.0, 16.8);
   battery.open_circuit_v = {12.0, 14.2, 14.9, 15.7, 16.8};

@@ -77,7 +77,8 @@ TEST(BodyDynamics, ASteadyCurrentCarriesTheWholeMotionAlong) {
   EXPECT_LT(distance(a, b), 1e-6);
 }
 
-/// m' v_r' = -d v_r |v_r|: v_r = v_0/(1 + v_0 d t/m'), and the lag behind the water ln(1 + v_0 d t/m') m'/d.
+/// m' v_r' = -d v_r |v_r|: v_r = v_0/(1 + v_0 d t/m'), and the lag behind the water ln(1 + v_0 d
+/// t/m') m'/d.
 TEST(BodyDynamics, ABodyAtRestIsCarriedOffByACurrentAsTheClosedFormSays) {
   MadeUpHull hull;
   hull.quadratic = {46.2, 71.1, 62.3, 0, 0, 0};
@@ -245,11 +246,13 @@ TEST(BodyDynamics, ShearOverAnUprightHullTurnsItAndStationsAddUpWithoutIt) {
   const Spatial<double> c = damping(two, level, {{-0.3, 0, 0}, {}}, {-0.1, 0, 0});
   const double upper = 20 * 0.35 * 0.35, lower = 20 * 0.25 * 0.25;
   EXPECT_NEAR(c.linear.x, -(upper + lower), 1e-12);
-  // Drag here opposes motion: the moment is minus that of forces pushing the upper half harder to the north.
+  // Drag here opposes motion: the moment is minus that of forces pushing the upper half harder to
+  // the north.
   EXPECT_NEAR(c.angular.y, -0.5 * (lower - upper), 1e-12);
 }
 
-/// Slender-body theory: of the Munk moment (Y_v_dot - X_u_dot) u v of a slender hull a stern as full as the rest takes half.
+/// Slender-body theory: of the Munk moment (Y_v_dot - X_u_dot) u v of a slender hull a stern as
+/// full as the rest takes half.
 TEST(BodyDynamics, TheLiftOfAHullTakesHalfOfTheMomentOfItsAddedMass) {
   MadeUpHull hull;
   hull.added = {0, 8, 0, 0, 0, 1};

@@ -192,7 +192,8 @@ TEST(CraftInWaves, RideCrestsAndTroughsOfHighWavesAlike) {
   }
 }
 
-/// Second-order drift by diffraction is not in the model; nor is any other, beside the drift of the water itself.
+/// Second-order drift by diffraction is not in the model; nor is any other, beside the drift of the
+/// water itself.
 TEST(CraftInWaves, DoNotDriftFasterThanTheWater) {
   for (const char* id : both) {
     const Body body = tests::body_of(id);

@@ -103,7 +103,8 @@ double stiffness(const Body& body, const EulerAngles& small) {
                             : -force.angular.y / small.pitch_rad;
 }
 
-/// W GM with GM = KB + I/V - KG, I the second moment of the waterplane: hulls beside each other, and each for itself.
+/// W GM with GM = KB + I/V - KG, I the second moment of the waterplane: hulls beside each other,
+/// and each for itself.
 TEST(FloatingHulls, StandUpByTheirMetacentricHeight) {
   Body body = barge();
   const double weight = body.mass_kg * gravity_m_s2;
@@ -156,7 +157,8 @@ Body twin_hull() {
   return body;
 }
 
-/// What it took to push the hulls of `twin_hull` to where they are, by the closed forms of their section, J.
+/// What it took to push the hulls of `twin_hull` to where they are, by the closed forms of their
+/// section, J.
 double hull_energy_j(const Body& body, const BodyState<double>& state) {
   constexpr double beam = 1, depth = 1.2;
   const double rise = 0.5 * std::tan(50 * pi / 180);
@@ -196,8 +198,8 @@ TEST(FloatingHulls, AreBorneUpByTheGradientOfAnEnergy) {
               hull_energy_j(body, moved(state, rate, -small))) /
              (2 * small);
     };
-    // The area of the table is exact to h^2 B'/8 for its step h of 19 mm, that is 1.5 N a strip, and to more at the chine;
-    // 4 m is the longest lever. What is compared is of 40 kN and 30 kN m.
+    // The area of the table is exact to h^2 B'/8 for its step h of 19 mm, that is 1.5 N a strip,
+    // and to more at the chine; 4 m is the longest lever. What is compared is of 40 kN and 30 kN m.
     EXPECT_NEAR(force.linear.x, -slope({{1, 0, 0}, {}}), 5);
     EXPECT_NEAR(force.linear.y, -slope({{0, 1, 0}, {}}), 5);
     EXPECT_NEAR(force.linear.z, -slope({{0, 0, 1}, {}}), 20);

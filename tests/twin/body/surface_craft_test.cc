@@ -87,8 +87,8 @@ Periods simulated(const Body& body) {
                    [](const BodyState<double>& s) { return euler_angles(s.attitude).pitch_rad; })};
 }
 
-/// 2 pi sqrt((I + A)/C); free to sway or surge, a craft turns about an axis that takes (m z_g)^2/(m + A) off the inertia
-/// about its origin.
+/// 2 pi sqrt((I + A)/C); free to sway or surge, a craft turns about an axis that takes (m z_g)^2/(m
+/// + A) off the inertia about its origin.
 Periods textbook(const Craft& craft, const Body& body) {
   const auto& m = body.rigid_mass.entry;
   const auto& a = body.added_mass.entry;
@@ -166,7 +166,8 @@ TEST(SurfaceCraft, RightThemselvesUntilTheLeeHullCarriesAllAndTheWeightIsOverIt)
       most = std::max(most, lever);
       if (lever < 0) vanishes_deg = deg;
     }
-    // Between half and all of the distance of a hull from the centreline: one hull out of the water, little heel.
+    // Between half and all of the distance of a hull from the centreline: one hull out of the
+    // water, little heel.
     EXPECT_GT(most, 0.5 * craft.form.half_spacing_m) << craft.id;
     EXPECT_LT(most, craft.form.half_spacing_m) << craft.id;
     RecordProperty(std::string(craft.id) + "_vanishes_deg", static_cast<int>(vanishes_deg));
@@ -174,8 +175,8 @@ TEST(SurfaceCraft, RightThemselvesUntilTheLeeHullCarriesAllAndTheWeightIsOverIt)
     EXPECT_LT(vanishes_deg, 95) << craft.id;
     EXPECT_LT(righting_lever_m(body, 120 * pi / 180), 0) << "she stays capsized";
   }
-  // The lee hull of the vessel with 90 t: 3.74 m2 under water, its centre 1.29 m below the centre of gravity, whence
-  // atan(3.3/1.29) = 69 degrees.
+  // The lee hull of the vessel with 90 t: 3.74 m2 under water, its centre 1.29 m below the centre
+  // of gravity, whence atan(3.3/1.29) = 69 degrees.
   const Body body = tests::body_of("ctv24");
   EXPECT_GT(righting_lever_m(body, 66 * pi / 180), 0);
   EXPECT_LT(righting_lever_m(body, 72 * pi / 180), 0);
@@ -194,7 +195,8 @@ TEST(SurfaceCraft, TheWamVMakesThePublishedSpeedAtItsFullThrust) {
   EXPECT_NEAR(speed_under(tests::body_of("wamv16"), 500), 2.30, 0.01);
 }
 
-/// Shaft power of the reference's curve, less 60 kW of idling, reaches the tow rope with 0.52 of itself.
+/// Shaft power of the reference's curve, less 60 kW of idling, reaches the tow rope with 0.52 of
+/// itself.
 TEST(SurfaceCraft, TheCrewTransferVesselNeedsThePowerOfItsCurve) {
   const Body body = tests::body_of("ctv24");
   struct Point {

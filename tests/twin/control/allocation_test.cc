@@ -53,7 +53,8 @@ TEST(ThrustAllocation, OfManyWaysTakesTheOneOfLeastSquare) {
 }
 
 TEST(ThrustAllocation, FullAheadIsTheBollardThrustOfTheDataSheet) {
-  // 129.2 N = cos 45 (2 x 51.44 + 2 x 39.91): only when the forward pair pushes less than the after pair.
+  // 129.2 N = cos 45 (2 x 51.44 + 2 x 39.91): only when the forward pair pushes less than the after
+  // pair.
   const Allocation a = bluerov2();
   const double sheet_n = std::sqrt(0.5) * (2 * 51.44 + 2 * 39.91);
   EXPECT_NEAR(sheet_n, 129.2, 0.05);

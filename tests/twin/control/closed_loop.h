@@ -10,8 +10,9 @@
 
 namespace slackwater::tests {
 
-/// A vehicle of data/vehicles under its autopilot, with thrusters that give what they are asked for behind a lag, and fins
-/// and trim that move as fast as theirs do. Not the simulator: the shortest thing that closes the loop.
+/// A vehicle of data/vehicles under its autopilot, with thrusters that give what they are asked for
+/// behind a lag, and fins and trim that move as fast as theirs do. Not the simulator: the shortest
+/// thing that closes the loop.
 struct ClosedLoop {
   twin::Body body;
   twin::Autopilot autopilot;

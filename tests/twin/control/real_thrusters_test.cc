@@ -7,8 +7,8 @@
 namespace slackwater::twin {
 namespace {
 
-/// A vehicle of data/vehicles as the simulator steps it: its own thrusters, battery, fins and trim, in still water or a
-/// steady current, the autopilot's thrusts turned into commands.
+/// A vehicle of data/vehicles as the simulator steps it: its own thrusters, battery, fins and trim,
+/// in still water or a steady current, the autopilot's thrusts turned into commands.
 struct RealLoop {
   Vehicle vehicle;
   Autopilot autopilot;

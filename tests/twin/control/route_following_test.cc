@@ -96,7 +96,8 @@ TEST(RouteFollowing, HoldsTheLegInACrossCurrent) {
 }
 
 TEST(RouteFollowing, LineOfSightWithoutTheCurrentStaysDownstreamOfTheLegAndWithItDoesNot) {
-  // The existing guidance, as headings for the autopilot of the AUV; oracle: lookahead times tan(asin(U_c/U)).
+  // The existing guidance, as headings for the autopilot of the AUV; oracle: lookahead times
+  // tan(asin(U_c/U)).
   for (const bool compensates : {false, true}) {
     tests::ClosedLoop loop = tests::lrauv();
     loop.fluid_m_s = loop.known_m_s = {0, 0.3, 0};

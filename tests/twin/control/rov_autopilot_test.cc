@@ -105,7 +105,8 @@ TEST(RovAutopilot, CruisesOverGroundAsAskedWhicheverWayTheWaterGoes) {
 }
 
 TEST(RovAutopilot, StaysLevelAtItsBestSpeedThoughItsAddedMassWouldTurnItOver) {
-  // Munk's moment (Z_w_dot - X_u_dot) U^2 sin cos is 26 times the righting moment of 1.3 N m at 1.5 m/s.
+  // Munk's moment (Z_w_dot - X_u_dot) U^2 sin cos is 26 times the righting moment of 1.3 N m at 1.5
+  // m/s.
   tests::ClosedLoop loop = tests::bluerov2();
   Reference reference;
   reference.target = Target::cruise;

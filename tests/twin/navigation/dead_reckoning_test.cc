@@ -91,7 +91,8 @@ TEST(DeadReckoning, AScaleThatIsWrongCarriesAlongByItsShareOfTheWay) {
 }
 
 TEST(DeadReckoning, WhiteNoiseOfTheDvlWalksItByTheRootOfTheTime) {
-  // A pair of beams at slant s gives one axis: n/(sqrt(2) sin s) a ping, so n sqrt(T t)/(sqrt(2) sin s) in each of two axes.
+  // A pair of beams at slant s gives one axis: n/(sqrt(2) sin s) a ping, so n sqrt(T t)/(sqrt(2)
+  // sin s) in each of two axes.
   constexpr double noise_m_s = 0.02, ping_s = 0.2;
   const double axis_m_s = noise_m_s / (std::sqrt(2.0) * std::sin(constants::pi / 6));
   constexpr int seeds = 60;
@@ -117,7 +118,8 @@ TEST(DeadReckoning, WhiteNoiseOfTheDvlWalksItByTheRootOfTheTime) {
 }
 
 TEST(DeadReckoning, ATrackThroughTheWaterDriftsWithTheWater) {
-  // 1000 m of water: the bed is not heard. Held over one place, it takes itself to be going up the stream.
+  // 1000 m of water: the bed is not heard. Held over one place, it takes itself to be going up the
+  // stream.
   Carried it("lrauv_tethys", make_perfect, {0, 0, 10}, 7, 0.3, 1000);
   it.carry({}, 200);
   EXPECT_EQ(it.state().instruments.shown.dvl_is_bottom, 0);

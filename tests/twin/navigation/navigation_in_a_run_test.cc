@@ -96,7 +96,8 @@ TEST(NavigationInARun, AnRovHoldsItsStationByItsDvl) {
   }
   std::printf("twenty minutes of hold: %.2f m off, lost by %.2f m\n", farthest_m,
               tests::lost_m(run.states()[0]));
-  // 7 mm/s a ping and axis walk it by 0.16 m in 20 min; three of these, and the first pull of the current.
+  // 7 mm/s a ping and axis walk it by 0.16 m in 20 min; three of these, and the first pull of the
+  // current.
   EXPECT_LT(farthest_m, 1.5);
   EXPECT_EQ(run.seen(0).halt, Halt::none);
 }

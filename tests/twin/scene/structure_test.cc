@@ -35,7 +35,8 @@ TEST(Structures, AreAsFarAsTheirNearestPoint) {
   EXPECT_NEAR(signed_distance_m(box, {10 - 6 * s, 20 + 6 * c, 5}), 4, 1e-12);
 }
 
-/// |grad d| = 1, and no step inside the distance meets the surface: what makes a distance a distance.
+/// |grad d| = 1, and no step inside the distance meets the surface: what makes a distance a
+/// distance.
 TEST(Structures, TheDistanceGrowsAsOneMoves) {
   Rng random(1, "tests/structure_distance");
   for (const auto& [structure, about] :

@@ -85,7 +85,8 @@ TEST(DopplerLog, OverTheBedTellsTheVelocityWhateverTheAttitude) {
   EXPECT_NEAR(upright->altitude_m.value(), 18, 1e-12);
 }
 
-/// The variance of a least-squares velocity: sd^2 (B^T B)^-1, for four beams 1/(2 sin^2), 1/(2 sin^2), 1/(4 cos^2).
+/// The variance of a least-squares velocity: sd^2 (B^T B)^-1, for four beams 1/(2 sin^2), 1/(2
+/// sin^2), 1/(4 cos^2).
 TEST(DopplerLog, NoiseOfABeamComesOutByTheSlant) {
   Dvl dvl = exact_dvl();
   dvl.scale = 1.01;

@@ -124,8 +124,8 @@ TEST(Cameras, ASlantedLookShowsATrapezium) {
   EXPECT_NEAR(seen.outline_m[3].x, 4 / std::tan(pi / 4 + half), 1e-9);
 }
 
-/// On a cylinder by its own closed form: from D before the axis, at the angle b aside, the wall lies at the angle about the
-/// axis where the sine law puts it.
+/// On a cylinder by its own closed form: from D before the axis, at the angle b aside, the wall
+/// lies at the angle about the axis where the sine law puts it.
 TEST(Cameras, WrapTheirPictureAroundAPile) {
   const Camera camera = square_on();
   const Triple<double> at{14.5, 0, 15};

@@ -118,7 +118,8 @@ TEST(InertialUnit, HasTheAllanVarianceOfItsDensities) {
   for (const std::size_t m :
        {std::size_t{1}, std::size_t{10}, std::size_t{100}, std::size_t{1000}}) {
     const double t = static_cast<double>(m) * dt_s;
-    // An estimate from n/m averages; at m = 1 the walk within a sample is lumped, which is less than 1e-4 of it.
+    // An estimate from n/m averages; at m = 1 the walk within a sample is lumped, which is less
+    // than 1e-4 of it.
     const double error = 5 * std::sqrt(3.0 * static_cast<double>(m) / n);
     const double g = 1e-6 / t + 1e-8 * t / 3, a = 4e-4 / t + 1e-6 * t / 3;
     EXPECT_NEAR(allan_variance(gyro, m, dt_s) / g, 1, error) << t << " s";

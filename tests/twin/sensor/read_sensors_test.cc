@@ -47,18 +47,19 @@ TEST(ReadSensors, GivesWhatIsCarriedAndNothingElse) {
 
 TEST(ReadSensors, ReachesEveryValueOfEverySensor) {
   const Sensors s = read(R"(sensors:
-  gnss: {white_horizontal_sd_m: 1, white_vertical_sd_m: 2, slow_horizontal_sd_m: 3, slow_vertical_sd_m: 4,
-         correlation_time_s: 5, velocity_sd_m_s: 6, reacquisition_s: 7}
-  imu: {gyro_white_rad_s_rthz: 0.01, gyro_walk_rad_s_rts: 0.002, gyro_start_bias_sd_rad_s: 0.03, gyro_range_rad_s: 4,
-        accelerometer_white_m_s2_rthz: 0.05, accelerometer_walk_m_s2_rts: 0.06, accelerometer_start_bias_sd_m_s2: 0.07,
-        accelerometer_range_m_s2: 80}
+  gnss: {white_horizontal_sd_m: 1, white_vertical_sd_m: 2, slow_horizontal_sd_m: 3,
+         slow_vertical_sd_m: 4, correlation_time_s: 5, velocity_sd_m_s: 6, reacquisition_s: 7}
+  imu: {gyro_white_rad_s_rthz: 0.01, gyro_walk_rad_s_rts: 0.002, gyro_start_bias_sd_rad_s: 0.03,
+        gyro_range_rad_s: 4,
+        accelerometer_white_m_s2_rthz: 0.05, accelerometer_walk_m_s2_rts: 0.06,
+        accelerometer_start_bias_sd_m_s2: 0.07, accelerometer_range_m_s2: 80}
   depth: {scale: 1.01, offset_m: 0.2, noise_sd_m: 0.3, resolution_m: 0.4, deepest_m: 50}
   compass: {constant_deg: 1, sine_deg: 2, cosine_deg: 3, double_sine_deg: 4, double_cosine_deg: 5,
             declination_error_deg: 6, noise_sd_deg: 7}
-  adcp: {slant_deg: 25, azimuth_deg: 10, looks_up: false, bin_m: 2, blanking_m: 3, bins: 4, pings: 5, noise_sd_m_s: 0.6,
-         ambiguity_m_s: 7}
-  sonar: {sector_deg: 90, beams: 9, tilt_deg: 10, nearest_m: 1, farthest_m: 20, least_squareness: 0.3, noise_sd_m: 0.4,
-          resolution_m: 0.5}
+  adcp: {slant_deg: 25, azimuth_deg: 10, looks_up: false, bin_m: 2, blanking_m: 3, bins: 4,
+         pings: 5, noise_sd_m_s: 0.6, ambiguity_m_s: 7}
+  sonar: {sector_deg: 90, beams: 9, tilt_deg: 10, nearest_m: 1, farthest_m: 20,
+          least_squareness: 0.3, noise_sd_m: 0.4, resolution_m: 0.5}
 )");
   EXPECT_EQ(s.gnss->slow_vertical_m.sd, 4);
   EXPECT_EQ(s.gnss->slow_vertical_m.correlation_time_s, 5);

@@ -4,7 +4,8 @@ namespace slackwater::twin {
 namespace {
 
 TEST(Checkpoint, AnotherRunGoesOnFromItAsTheFirstWouldHave) {
-  // Taken where AUVs hold, gusts blow, a tether swings and the ROVs' first waypoint lies some steps ahead.
+  // Taken where AUVs hold, gusts blow, a tether swings and the ROVs' first waypoint lies some steps
+  // ahead.
   const ReadyRun ready = tests::mixed_fleet_ready();
   constexpr int before = 15, after = 60;
   for (const bool is_batch : {false, true}) {

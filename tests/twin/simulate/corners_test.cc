@@ -61,7 +61,8 @@ TEST(Corners, AnAuvReachesTheEndOfAnyRouteInCurrentOfHalfItsSpeed) {
 }
 
 TEST(Corners, SurfaceCraftRoundASquareInSeaAndCurrentAndHoldItsEnd) {
-  // Sides of which a vessel has the room to turn; the time is that of the way at cruise, and half as much again.
+  // Sides of which a vessel has the room to turn; the time is that of the way at cruise, and half
+  // as much again.
   struct Craft {
     const char* model;
     double side_m, cruise_m_s, off_m;
@@ -91,7 +92,8 @@ TEST(Corners, SurfaceCraftRoundASquareInSeaAndCurrentAndHoldItsEnd) {
     EXPECT_EQ(state.halt, Halt::none) << craft.model;
     const Triple<double>& at = state.vehicle.body.position_m;
     EXPECT_LT(std::hypot(at.x, at.y), craft.off_m) << craft.model;
-    // It turns once it is abeam of its waypoint and comes round to the next leg from outside: a circle and a half.
+    // It turns once it is abeam of its waypoint and comes round to the next leg from outside: a
+    // circle and a half.
     const double circle_m =
         2 * craft.cruise_m_s / ready.agents[0].autopilot->settings.most_yaw_rate_rad_s;
     EXPECT_LT(across_m, 1.7 * circle_m) << craft.model;

@@ -72,8 +72,9 @@ TEST(Environment, ALongWaveMovesTheWaterAsAiryHasIt) {
   environment.sea =
       std::make_shared<SeaRealisation>(std::vector{*wave}, water, start, Stretching::none);
   const EnvironmentSampler sampler(environment);
-  // Crest over the origin at t = 0: u = a omega cosh k(z+h)/sinh kh = 0.599558 at 5 m (physics.md, section 8),
-  // vertical 0, acceleration 0 along and downwards -(-omega^2...) : a crest pulls down, w' = -0.555721 omega.
+  // Crest over the origin at t = 0: u = a omega cosh k(z+h)/sinh kh = 0.599558 at 5 m (physics.md,
+  // section 8), vertical 0, acceleration 0 along and downwards -(-omega^2...) : a crest pulls down,
+  // w' = -0.555721 omega.
   const WaterSample sample = sampler.water({0, 0, 5}, 0, 0);
   ASSERT_TRUE(has_value(sample.status));
   EXPECT_NEAR(sample.motion.elevation_m, 1, 1e-9);
@@ -105,7 +106,8 @@ TEST(Environment, APileTurnsTheCurrentAside) {
   Environment environment = sheared_water();
   environment.piles.push_back({{6, 1.05}, Horizontal(0, 0)});
   const EnvironmentSampler sampler(environment);
-  // At 10 m the stream is (0.5 east, 0.2 north); beside the pile across it, it runs nearly twice as fast.
+  // At 10 m the stream is (0.5 east, 0.2 north); beside the pile across it, it runs nearly twice as
+  // fast.
   const double stream = std::hypot(0.5, 0.2);
   const WaterSample beside = sampler.water({3.0 * 0.5 / stream, -3.0 * 0.2 / stream, 10}, 0, 0);
   ASSERT_TRUE(has_value(beside.status));

@@ -72,7 +72,8 @@ TEST(FollowTrack, ItStartsOnTheTrackWithItsWayOn) {
 }
 
 TEST(FollowTrack, TheTopSpeedIsThatOfItsPowerNotOfItsThrustAtRest) {
-  // 26 kn at full power (data/vehicles/ctv24.yaml, met there within 13 %), sailed after a track that is faster.
+  // 26 kn at full power (data/vehicles/ctv24.yaml, met there within 13 %), sailed after a track
+  // that is faster.
   const ReadyRun ready =
       ready_of(calm_head(0.1) + follower("ctv24") +
                leader("{north_m: 0, east_m: 0}, {north_m: 0, east_m: 10000}", 16));

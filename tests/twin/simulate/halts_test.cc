@@ -40,7 +40,8 @@ RunLog log_with(bool is_batch, const std::function<void(twin::Run&, int)>& meddl
   return log;
 }
 
-/// The second of the three halts for that reason; the others' bits are those of a run where nothing happens.
+/// The second of the three halts for that reason; the others' bits are those of a run where nothing
+/// happens.
 void expect_halt(const std::function<void(twin::Run&, int)>& meddle, Halt why) {
   const RunLog quiet = log_with(true, [](twin::Run&, int) {});
   for (const bool is_batch : {true, false}) {
@@ -154,7 +155,9 @@ duration: 5min
 step_s: 0.05
 log_every_s: 1
 water: {made_up: {depth_m: 60, current: [{depth_m: 0, east_m_s: 2.5, north_m_s: 0}]}}
-structures: [{kind: cylinder, north_m: 0, east_m: 23, diameter_m: 6, top_height_m: 20, bottom_depth_m: 60}]
+structures:
+  - {kind: cylinder, north_m: 0, east_m: 23, diameter_m: 6, top_height_m: 20,
+     bottom_depth_m: 60}
 vehicles:
   - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, depth_m: 10}}
 )");

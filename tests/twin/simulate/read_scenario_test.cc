@@ -18,14 +18,17 @@ water:
     current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0}, {depth_m: 40, east_m_s: 0.1, north_m_s: 0}]
     wind: {speed_m_s: 8, from_deg: 270}
 waves: {partitions: [{significant_height_m: 1, peak_period_s: 6, from_deg: 270}], components: 64}
-structures: [{kind: cylinder, north_m: 0, east_m: 30, diameter_m: 6, top_height_m: 20, bottom_depth_m: 40}]
+structures:
+  - {kind: cylinder, north_m: 0, east_m: 30, diameter_m: 6, top_height_m: 20,
+     bottom_depth_m: 40}
 vehicles:
   - name: rov
     model: bluerov2_heavy
     start: {north_m: 0, east_m: 0, depth_m: 10, heading_deg: 90}
     tasks:
       - {do: route, waypoints: [{north_m: 10, east_m: 0, depth_m: 12, speed_m_s: 0.5}]}
-      - {do: orbit, centre: {north_m: 0, east_m: 30, depth_m: 12}, radius_m: 8, turns: 2, end_depth_m: 30}
+      - {do: orbit, centre: {north_m: 0, east_m: 30, depth_m: 12}, radius_m: 8, turns: 2,
+         end_depth_m: 30}
       - {do: hold, duration: 2min}
 )";
 

@@ -38,7 +38,8 @@ inline std::string head(double step_s, const std::string& waves = "{from: calm}"
 water:
   made_up:
     depth_m: 60
-    current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0.1}, {depth_m: 40, east_m_s: 0.1, north_m_s: -0.1}]
+    current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0.1},
+              {depth_m: 40, east_m_s: 0.1, north_m_s: -0.1}]
     wind: {speed_m_s: 8, from_deg: 270}
 waves: )" +
          waves + "\ngusts: " + gusts + "\nvehicles:\n";
@@ -50,8 +51,8 @@ inline std::string calm_head(double step_s) {
          "\nwater: {made_up: {depth_m: 60}}\nvehicles:\n";
 }
 
-/// Ten ROVs, more than a block holds, the last at a tether; three AUVs; two multirotors; two WAM-Vs and a crew transfer
-/// vessel. In current, waves and gusts.
+/// Ten ROVs, more than a block holds, the last at a tether; three AUVs; two multirotors; two WAM-Vs
+/// and a crew transfer vessel. In current, waves and gusts.
 inline std::string mixed_fleet() {
   std::string yaml = head(
       0.05,

@@ -82,7 +82,8 @@ TEST_F(SameBits, WhetherTheStatesAreLookedAtOrNot) {
 }
 
 TEST_F(SameBits, WhoeverElseIsThere) {
-  // Each vehicle alone, and all in the opposite order: gusts, blocks and orders of calls change; what a vehicle does, not.
+  // Each vehicle alone, and all in the opposite order: gusts, blocks and orders of calls change;
+  // what a vehicle does, not.
   std::vector<Agent> agents(ready_->agents.rbegin(), ready_->agents.rend());
   std::vector<AgentState> states(ready_->states.rbegin(), ready_->states.rend());
   ReadyRun turned;

@@ -26,7 +26,8 @@ TEST(Scheduler, EachStepHasItsOwnOrderOfAllClients) {
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < 6; ++i) ASSERT_EQ(order[i], i);
   }
-  // 6! = 720 orders; of 6000 draws one in 4000 is missed. Each client comes first in a sixth: 1000 +/- 29.
+  // 6! = 720 orders; of 6000 draws one in 4000 is missed. Each client comes first in a sixth: 1000
+  // +/- 29.
   EXPECT_GT(orders.size(), 710U);
   for (const int count : first) EXPECT_NEAR(count, 1000, 150);
 }

@@ -17,8 +17,10 @@ duration: 10min
 step_s: 0.05
 water: {made_up: {depth_m: 40, wind: {speed_m_s: 5, from_deg: 0}}}
 structures:
-  - {name: K7, kind: cylinder, north_m: 0, east_m: 30, diameter_m: 6, top_height_m: 20, bottom_depth_m: 40}
-  - {name: frame, kind: box, north_m: 50, east_m: 0, north_size_m: 4, east_size_m: 4, top_height_m: -30, bottom_depth_m: 40}
+  - {name: K7, kind: cylinder, north_m: 0, east_m: 30, diameter_m: 6, top_height_m: 20,
+     bottom_depth_m: 40}
+  - {name: frame, kind: box, north_m: 50, east_m: 0, north_size_m: 4, east_size_m: 4,
+     top_height_m: -30, bottom_depth_m: 40}
 vehicles:
   - name: rov
     model: bluerov2_heavy
@@ -111,8 +113,8 @@ TEST(SetUp, RefusesWhatCannotBeRunWithAMessageThatHelps) {
   }
 }
 
-/// The made-up water of the scenario on a grid of four by four columns, with land in its north-west (the four columns
-/// there are missing, as in any product) and a bed at 12 m in its eastern half.
+/// The made-up water of the scenario on a grid of four by four columns, with land in its north-west
+/// (the four columns there are missing, as in any product) and a bed at 12 m in its eastern half.
 Surround coast(const Scenario& scenario) {
   Surround surround = tests::surround_of(scenario);
   auto snapshot = std::make_shared<Snapshot>(surround.field->snapshot());
@@ -163,7 +165,8 @@ TEST(SetUp, AStartOnLandOrInTheBedOfTheForecastIsRefusedBeforeTheFirstStep) {
 }
 
 TEST(SetUp, ATetherHangsAtRestFromTheFirstStep) {
-  // In sheared current: what is felt at the vehicle is there at once and stays, and nothing in the line moves.
+  // In sheared current: what is felt at the vehicle is there at once and stays, and nothing in the
+  // line moves.
   const ReadyRun ready =
       tests::ready_of(tests::head(0.05) +
                       "  - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: 20, "
@@ -198,7 +201,8 @@ TEST(SetUp, ATetherComesToRestWhereverTheVehicleStarts) {
         speed * std::cos(angle), speed * std::sin(angle), north, east, deep,
         top < 0 ? "height_m" : "depth_m", std::abs(top), length);
     const ReadyRun ready = tests::ready_of(yaml);
-    // With its ends held it goes on hanging; slack in still water it may still sink by centimetres a second.
+    // With its ends held it goes on hanging; slack in still water it may still sink by centimetres
+    // a second.
     const Agent& agent = ready.agents[0];
     TetherState<double> tether = ready.states[0].tether;
     const BodyState<double>& body = ready.states[0].vehicle.body;

@@ -34,7 +34,8 @@ void watch_for(TrafficWatch& watch, double from_s, double to_s, double speed_m_s
 }
 
 TEST(TrafficWatch, HeadOnItRingsTenMinutesBeforeAndUntilTheMarginIsLeft) {
-  // Both at 5 m/s on parallel ways 300 m apart, 10 km off: CPA 300 m, at 1000 s. TCPA falls below 600.5 s after 399.5 s.
+  // Both at 5 m/s on parallel ways 300 m apart, 10 km off: CPA 300 m, at 1000 s. TCPA falls below
+  // 600.5 s after 399.5 s.
   TrafficWatch watch({vessel(7, {{10'000, 300, 0}, {-20'000, 300, 0}}, 5)}, limits, {{}});
   watch_for(watch, 0, 1200, 5);
   ASSERT_EQ(watch.records().size(), 1U);
@@ -52,8 +53,9 @@ TEST(TrafficWatch, HeadOnItRingsTenMinutesBeforeAndUntilTheMarginIsLeft) {
 }
 
 TEST(TrafficWatch, CrossingTheCpaIsThatOfStraightLines) {
-  // It comes from the east at 8 m/s, the vehicle goes north at 4 m/s. With p = (2000, 6000), v = (-4, -8): p.v = -56000,
-  // |v|^2 = 80, t = 700 s; |p x v| = |2000 (-8) + 6000 4| = 8000, over sqrt(80): 894.4 m. Clear of 500 m, not of 900 m.
+  // It comes from the east at 8 m/s, the vehicle goes north at 4 m/s. With p = (2000, 6000),
+  // v = (-4, -8): p.v = -56000, |v|^2 = 80, t = 700 s; |p x v| = |2000 (-8) + 6000 4| = 8000, over
+  // sqrt(80): 894.4 m. Clear of 500 m, not of 900 m.
   for (const double cpa_m : {500.0, 900.0}) {
     TrafficWatch watch({vessel(1, {{2000, 6000, 0}, {2000, -20'000, 0}}, 8)}, {cpa_m, 600.5, 1.25},
                        {{}});

@@ -49,7 +49,8 @@ TEST(VehicleStep, TheBlueRov2ReachesItsSpeed) {
   EXPECT_NEAR(state.electrical_w, 2 * 381.3 + 2 * 388.8 + 15, 0.1);
 }
 
-/// Its pack is made for 60 A, less than four thrusters at full command would take: they get what it gives.
+/// Its pack is made for 60 A, less than four thrusters at full command would take: they get what it
+/// gives.
 TEST(VehicleStep, TheBlueRov2sBatteryLimitsItsThrusters) {
   const Vehicle blue = bundled_vehicle("bluerov2_heavy");
   State state = placed(blue, {0, 0, 20}, 0);
@@ -104,7 +105,8 @@ TEST(VehicleStep, TheLrauvLastsTwoHundredHours) {
   EXPECT_NEAR(hours, 200, 20);
 }
 
-/// Hover by a quarter of the weight from each rotor: it stands, takes 220 W and its hotel load, and lasts 18 minutes.
+/// Hover by a quarter of the weight from each rotor: it stands, takes 220 W and its hotel load, and
+/// lasts 18 minutes.
 TEST(VehicleStep, TheX500HoversForEighteenMinutes) {
   const Vehicle x500 = bundled_vehicle("x500");
   State state = placed(x500, {0, 0, -50}, 0.5);
@@ -128,7 +130,8 @@ TEST(VehicleStep, TheX500HoversForEighteenMinutes) {
   EXPECT_NEAR(minutes, 18, 1.8);
 }
 
-/// The rotors that turn clockwise seen from below turn the body clockwise seen from above: to starboard.
+/// The rotors that turn clockwise seen from below turn the body clockwise seen from above: to
+/// starboard.
 TEST(VehicleStep, AMultirotorYawsAgainstItsFasterRotors) {
   const Vehicle x500 = bundled_vehicle("x500");
   State state = placed(x500, {0, 0, -50}, 0);
@@ -143,8 +146,8 @@ TEST(VehicleStep, AMultirotorYawsAgainstItsFasterRotors) {
   EXPECT_GT(state.body.nu.angular.z, 0);
 }
 
-/// 2.30 m/s at 250 N from each outboard; at 2 m/s 784 W of the water's, 784/0.45 W and 150 W of the bus, 3.7 h of 7 kWh,
-/// less what 15 degrees (4 %) and the resistance take.
+/// 2.30 m/s at 250 N from each outboard; at 2 m/s 784 W of the water's, 784/0.45 W and 150 W of the
+/// bus, 3.7 h of 7 kWh, less what 15 degrees (4 %) and the resistance take.
 TEST(VehicleStep, TheWamvReachesItsSpeedAndLastsItsHours) {
   const Vehicle wamv = bundled_vehicle("wamv16");
   const StepPlan plan = plan_step(wamv, 0.05);

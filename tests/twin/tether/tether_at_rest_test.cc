@@ -30,7 +30,8 @@ double catenary_parameter(double length_m, double distance_m) {
   return low;
 }
 
-/// vehicles.md: 50 m of tether across 0.5 m/s cost 29.2 N, and with the vehicle's own 13.6 N 42.8 N within 2 %.
+/// vehicles.md: 50 m of tether across 0.5 m/s cost 29.2 N, and with the vehicle's own 13.6 N 42.8 N
+/// within 2 %.
 TEST(TetherAtRest, TautAcrossTheFlowPassesHalfItsDragToEachEnd) {
   const Tether tether = fathom();
   const double per_m = 0.5 * 1025 * 1.2 * 0.0076 * 0.25;
@@ -41,13 +42,15 @@ TEST(TetherAtRest, TautAcrossTheFlowPassesHalfItsDragToEachEnd) {
   EXPECT_NEAR(line.pull.on_vehicle_n.x + vehicle_n, 42.8, 0.02 * 42.8);
   EXPECT_NEAR(line.pull.on_vehicle_n.x, line.pull.on_top_n.x, 0.01 * line.pull.on_top_n.x);
   EXPECT_EQ(line.pull.taut, 1);
-  // Along itself a line without slack pulls far more. Its bow makes room by stretching, T^3 = EA (q L)^2/24 (parabola).
+  // Along itself a line without slack pulls far more. Its bow makes room by stretching, T^3 = EA (q
+  // L)^2/24 (parabola).
   const double along_n = std::cbrt(5e4 * std::pow(per_m * 50, 2) / 24);
   EXPECT_NEAR(-line.pull.on_vehicle_n.z, along_n, 0.02 * along_n);
 }
 
-/// The drag on a slanting line is that of the flow across it, q cos^2, normal to it: so T is the same everywhere and
-/// T d(theta)/ds = q cos^2(theta) is the equation of a catenary of parameter T/q.
+/// The drag on a slanting line is that of the flow across it, q cos^2, normal to it: so T is the
+/// same everywhere and T d(theta)/ds = q cos^2(theta) is the equation of a catenary of parameter
+/// T/q.
 TEST(TetherAtRest, InUniformFlowANeutralLineIsACatenaryOfOneTension) {
   const Tether tether = stiff_and_neutral();
   for (const double length_m : {50.5, 55.0, 75.0}) {
@@ -56,8 +59,8 @@ TEST(TetherAtRest, InUniformFlowANeutralLineIsACatenaryOfOneTension) {
     const double half_angle = std::atan(std::sinh(25 / a));
     const SettledLine line =
         settled_line(tether, {0, 0, 5}, {0, 0, 55}, length_m, uniform({0.5, 0, 0}));
-    // A polygon of N sides errs by the square of the angle from side to side, and takes up 1/N^2 less slack than the
-    // curve, which tension follows with the power -1/2.
+    // A polygon of N sides errs by the square of the angle from side to side, and takes up 1/N^2
+    // less slack than the curve, which tension follows with the power -1/2.
     const double tolerance =
         std::pow(2 * half_angle / tether_segments, 2) / 3 + 0.5 / std::pow(tether_segments, 2);
     EXPECT_NEAR(line.pull.on_vehicle_n.x, tension_n * std::sin(half_angle), tolerance * tension_n);
@@ -132,8 +135,9 @@ TEST(TetherAtRest, TheEndsTogetherBearAllDragAndAllWeight) {
   }
 }
 
-/// cable_oracle.py beside this file: the continuous equations solved by scipy 1.10.1's solve_bvp to 1e-9. A chain of 16
-/// segments differs by 0.7 % of the greatest tension, one of 32 by 0.2 %, one of 64 by 0.05 % (measured).
+/// cable_oracle.py beside this file: the continuous equations solved by scipy 1.10.1's solve_bvp to
+/// 1e-9. A chain of 16 segments differs by 0.7 % of the greatest tension, one of 32 by 0.2 %, one
+/// of 64 by 0.05 % (measured).
 TEST(TetherAtRest, InShearedWaterPullsAsAnIndependentSolverSays) {
   Tether tether = fathom();
   tether.axial_stiffness_n = 5e6;

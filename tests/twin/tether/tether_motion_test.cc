@@ -57,7 +57,8 @@ TEST(TetherMotion, TheStepDoesNotStandInTheBalance) {
   }
 }
 
-/// A line at rest is met by a current: it is carried to its new shape and settles there, whatever the step.
+/// A line at rest is met by a current: it is carried to its new shape and settles there, whatever
+/// the step.
 TEST(TetherMotion, GoesToTheQuasiStaticShapeAndSoonerInAStrongerCurrent) {
   const Tether tether = fathom();
   const Triple<double> top{0, 0, 2}, vehicle{0, 0, 50};
@@ -102,7 +103,8 @@ TEST(TetherMotion, WaterAtRestTakesTheEnergyOfALineAndGivesNone) {
   EXPECT_LT(energy(), 1e-3 * start);
 }
 
-/// A vehicle that thrusts away from its winch comes to hang in its tether: the pull is its thrust, without a tremble.
+/// A vehicle that thrusts away from its winch comes to hang in its tether: the pull is its thrust,
+/// without a tremble.
 TEST(TetherMotion, AVehicleThatReachesTheEndOfItsLineIsHeld) {
   Tether tether = fathom();
   constexpr double mass_kg = 20, thrust_n = 80;

@@ -15,7 +15,8 @@ pwm_zero_us: 1500
 pwm_most_us: 1900
 measured:
   - {voltage_v: 12, pwm_us: [1100, 1500, 1900], thrust_n: [-28, 0, 36], power_w: [204, 0, 203]}
-  - {voltage_v: 16, pwm_us: [1100, 1500, 1700, 1900], thrust_n: [-40, 0, 18, 51], power_w: [389, 0, 73, 381]}
+  - {voltage_v: 16, pwm_us: [1100, 1500, 1700, 1900], thrust_n: [-40, 0, 18, 51],
+     power_w: [389, 0, 73, 381]}
 )";
 const std::string rotor_yaml = R"(kind: rotor
 propeller_diameter_m: 0.254

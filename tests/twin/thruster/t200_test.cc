@@ -75,8 +75,8 @@ TEST(T200, HasTheFiguresOfItsSheetAtSixteenVolts) {
   EXPECT_GT(run(thruster, 0.08, at_rest(16)).thrust_n, 0.3);
 }
 
-/// Known from 10, 12, 16 and 20 V alone, it is foretold at 14 and 18 V: within 5 % of full scale and, where the thrust
-/// exceeds 10 N or the power 60 W, within 5 % of itself.
+/// Known from 10, 12, 16 and 20 V alone, it is foretold at 14 and 18 V: within 5 % of full scale
+/// and, where the thrust exceeds 10 N or the power 60 W, within 5 % of itself.
 TEST(T200, IsForetoldAtVoltagesItWasNotReadAt) {
   const Thruster thruster = tests::thruster_from(without(without(text_of_t200(), 14), 18));
   double thrust_full = 0, power_full = 0, thrust_each = 0, power_each = 0;

@@ -46,7 +46,8 @@ TEST(ClosestApproach, IsWhatTryingAllTimesFinds) {
     const ClosestApproach formula = closest_approach(a, b);
     const ClosestApproach tried = by_trying(a, b);
     if (formula.time_s > 19'000) continue;
-    // A square has a flat bottom: near the least the distance tells the time to the root of its rounding.
+    // A square has a flat bottom: near the least the distance tells the time to the root of its
+    // rounding.
     EXPECT_NEAR(formula.distance_m, tried.distance_m, 1e-6) << round;
     EXPECT_NEAR(formula.time_s, tried.time_s, 1e-2) << round;
     closing += formula.is_closing ? 1 : 0;
@@ -56,7 +57,8 @@ TEST(ClosestApproach, IsWhatTryingAllTimesFinds) {
 }
 
 TEST(ClosestApproach, ATextbookCrossing) {
-  // Own ship north at 5 m/s, the other 1000 m east of the point 1000 m ahead, west at 5 m/s: both are there after 200 s.
+  // Own ship north at 5 m/s, the other 1000 m east of the point 1000 m ahead, west at 5 m/s: both
+  // are there after 200 s.
   const ClosestApproach approach =
       closest_approach({{0, 0, 0}, {5, 0, 0}}, {{1000, 1000, 0}, {0, -5, 0}});
   EXPECT_NEAR(approach.time_s, 200, 1e-12);

@@ -146,7 +146,8 @@ TEST(Deviation, StopsOnTheWayDoNoHarm) {
   EXPECT_NEAR(deviation.along.most_m, 0, 1e-9);
 }
 
-/// A craft that does at once what it is told, in a current; the distances to the track at each step.
+/// A craft that does at once what it is told, in a current; the distances to the track at each
+/// step.
 std::vector<double> distances_of_pursuit(const Pursuit& pursuit, const Triple<double>& start,
                                          const Triple<double>& current, double dt_s,
                                          double until_s) {
@@ -177,7 +178,8 @@ TEST(Pursuit, TheDistanceDiesAwayExponentiallyAlsoInACurrent) {
 }
 
 TEST(Pursuit, ACurrentThatNobodyTellsOfIsLearned) {
-  // With e = p_track - p: e' = -k e + d - c and d' = -k^2/4 e, from rest on the track: e = -c t exp(-k t/2).
+  // With e = p_track - p: e' = -k e + d - c and d' = -k^2/4 e, from rest on the track: e = -c t
+  // exp(-k t/2).
   const Pursuit pursuit{0.1, 50, 0.05};
   const Triple<double> current{-0.8, 0.5, 0};
   constexpr double dt_s = 0.01;
@@ -201,7 +203,8 @@ TEST(Pursuit, ACurrentThatNobodyTellsOfIsLearned) {
   }
   EXPECT_NEAR(drift.x, current.x, 0.02);
   EXPECT_NEAR(drift.y, current.y, 0.02);
-  // What its speed cannot do teaches it nothing, and nothing teaches it more than half of its speed.
+  // What its speed cannot do teaches it nothing, and nothing teaches it more than half of its
+  // speed.
   Triple<double> none;
   learn_drift({0.1, 2, 0.05}, wanted, position, 1, none);
   EXPECT_EQ(none.x, 0);

@@ -127,7 +127,8 @@ TEST(Track, RefusesPointsThatAreNoTrack) {
 }
 
 TEST(Track, NeverStraysFarFromTheLegWhateverIsReported) {
-  // By the guard |v - c| <= |c| + 0.5, and T 4/27 is the most that each end's term of Hermite's formula weighs.
+  // By the guard |v - c| <= |c| + 0.5, and T 4/27 is the most that each end's
+  // term of Hermite's formula weighs.
   Rng rng(11, "tests/track");
   for (int round = 0; round < 2000; ++round) {
     const double period_s = rng.uniform(2, 360);

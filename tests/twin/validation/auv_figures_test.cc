@@ -7,7 +7,8 @@
 #include "tests/twin/validation/flight.h"
 #include "twin/battery/battery_step.h"
 
-// The Tethys LRAUV against what is published of it and what follows from that: reference/vehicles.md.
+// The Tethys LRAUV against what is published of it and what follows from that:
+// reference/vehicles.md.
 
 namespace slackwater::twin {
 namespace {
@@ -34,7 +35,8 @@ vehicles:
 }
 
 TEST(AuvFigures, ThreeHundredTurnsAMinuteMakeTheSpeedOfItsCoefficients) {
-  // Kt rho D^4 w^2 = 6.98 N against 6.2282 u^2: 1.059 m/s; the model's system test has 1 m/s within 6 %.
+  // Kt rho D^4 w^2 = 6.98 N against 6.2282 u^2: 1.059 m/s; the model's system test has 1 m/s within
+  // 6 %.
   const Scenario scenario = straight_ahead(1.2);
   Flight flight(scenario, Flight::field_of(scenario), [](ReadyRun& ready) {
     tests::change_autopilot(ready.agents[0],
@@ -56,7 +58,8 @@ TEST(AuvFigures, AMetreASecondTakesThePublishedPowerAndLastsTwoHundredHours) {
   const double power = flight.vehicle().electrical_w;
   EXPECT_NEAR(speed, 1.0, 0.001);
   EXPECT_NEAR(power, 28.8, 1);
-  // Power does not depend on the voltage of the bus, so that the whole discharge is that of this load.
+  // Power does not depend on the voltage of the bus, so that the whole discharge is that of this
+  // load.
   const Battery& battery = *flight.craft().battery;
   const BatteryStep minute = battery_step(battery, 60);
   BatteryState<double> state = rested(battery, 1);

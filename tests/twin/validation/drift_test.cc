@@ -5,7 +5,8 @@
 
 #include "tests/twin/validation/flight.h"
 
-// Vehicles whose battery is empty: where the water takes them, by the closed forms of a body with drag.
+// Vehicles whose battery is empty: where the water takes them, by the closed forms of a body with
+// drag.
 
 namespace slackwater::twin {
 namespace {

@@ -12,8 +12,9 @@
 #include "tests/twin/validation/flight.h"
 #include "twin/simulate/vehicle_step.h"
 
-// An AUV on a straight line through a wind-driven column: what the current does to it where it holds its heading, and what
-// it does about it where it follows the line. SLACKWATER_EKMAN_LINE_CSV=FILE writes the table.
+// An AUV on a straight line through a wind-driven column: what the current does to it where it
+// holds its heading, and what it does about it where it follows the line.
+// SLACKWATER_EKMAN_LINE_CSV=FILE writes the table.
 
 namespace slackwater::twin {
 namespace {
@@ -22,8 +23,8 @@ using tests::Flight;
 constexpr std::array depths_m{4.0, 10.0, 20.0, 40.0};
 constexpr double speed_m_s = 1.0;
 
-/// 0.3 Pa to the north-east (some 12 m/s of wind) and 0.02 m2/s of eddy viscosity at 55 N: 0.19 m/s at the surface, a scale
-/// of 18 m.
+/// 0.3 Pa to the north-east (some 12 m/s of wind) and 0.02 m2/s of eddy viscosity at 55 N: 0.19 m/s
+/// at the surface, a scale of 18 m.
 Horizontal ekman_m_s(double depth_m) {
   const double f = coriolis_parameter_rad_s(Angle::from_degrees(55));
   return surface_ekman_velocity(std::polar(0.3, 0.25 * constants::pi), 0.02, f,
@@ -68,7 +69,8 @@ void knows_the_water(ReadyRun& ready) {
     tests::change_autopilot(agent, [](AutopilotSettings& own) { own.current_feed_forward = true; });
 }
 
-/// The vehicle under its autopilot as it holds a heading of east: a reference that no mission gives.
+/// The vehicle under its autopilot as it holds a heading of east: a reference that no mission
+/// gives.
 Triple<double> drift_m_s(const Flight& flight, const EnvironmentSampler& water) {
   const Agent& agent = flight.agent();
   const Vehicle& vehicle = *agent.vehicle;

@@ -78,12 +78,17 @@ name: sweep
 seed: 1
 duration: 2min
 step_s: 0.02
-water: {made_up: {depth_m: 100, current: [{depth_m: 0, east_m_s: 0.3, north_m_s: 0.2}, {depth_m: 50, east_m_s: -0.2, north_m_s: 0}]}}
+water:
+  made_up:
+    depth_m: 100
+    current: [{depth_m: 0, east_m_s: 0.3, north_m_s: 0.2},
+              {depth_m: 50, east_m_s: -0.2, north_m_s: 0}]
 vehicles:
   - name: rov
     model: bluerov2_heavy
     start: {north_m: 0, east_m: 0, depth_m: 15, heading_deg: 90}
-    tasks: [{do: depth_sweep, from: {north_m: 0, east_m: 0, depth_m: 15}, course_deg: 90, length_m: 60, shallow_m: 10, deep_m: 20, wavelength_m: 30}]
+    tasks: [{do: depth_sweep, from: {north_m: 0, east_m: 0, depth_m: 15}, course_deg: 90,
+             length_m: 60, shallow_m: 10, deep_m: 20, wavelength_m: 30}]
 )",
                  40);
 }
@@ -99,7 +104,8 @@ vehicles:
   - name: auv
     model: lrauv_tethys
     start: {north_m: 0, east_m: 0, depth_m: 10, heading_deg: 0}
-    tasks: [{do: route, waypoints: [{north_m: 60, east_m: 0, depth_m: 15}, {north_m: 60, east_m: 90, depth_m: 20}]}]
+    tasks: [{do: route, waypoints: [{north_m: 60, east_m: 0, depth_m: 15},
+                                    {north_m: 60, east_m: 90, depth_m: 20}]}]
 )",
                  120);
 }

@@ -12,13 +12,14 @@
 
 namespace slackwater::tests {
 
-/// The bundled vehicles in made-up water, from the text of a scenario: a run as users make it, taken step by step.
+/// The bundled vehicles in made-up water, from the text of a scenario: a run as users make it,
+/// taken step by step.
 class Flight {
  public:
   explicit Flight(const std::string& yaml) : Flight(twin::parse_scenario(yaml, "flight")) {}
   explicit Flight(const twin::Scenario& scenario) : Flight(scenario, field_of(scenario)) {}
-  /// In other water, or among turbines: `change` may alter what was made ready before anything moves.
-  /// In other water; `change` may alter what was made ready before anything moves.
+  /// In other water, or among turbines: `change` may alter what was made ready before anything
+  /// moves. In other water; `change` may alter what was made ready before anything moves.
   Flight(const twin::Scenario& scenario, std::shared_ptr<const Field> field,
          const std::function<void(twin::ReadyRun&)>& change = {})
       : Flight(scenario, around(scenario, std::move(field)), change) {}

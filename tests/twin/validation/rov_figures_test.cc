@@ -7,7 +7,8 @@
 #include "tests/support/own_autopilot.h"
 #include "tests/twin/validation/flight.h"
 
-// The BlueROV2 Heavy against what is published of it and what follows from that: reference/vehicles.md.
+// The BlueROV2 Heavy against what is published of it and what follows from that:
+// reference/vehicles.md.
 
 namespace slackwater::twin {
 namespace {
@@ -27,9 +28,10 @@ vehicles:
     tasks: [{do: route, waypoints: [{north_m: 5000, east_m: 0, depth_m: 20, speed_m_s: 1.6}]}]
 )";
 
-/// Straight ahead with all that the thrusters have: the autopilot's bound of nine tenths of the speed, which leaves it
-/// something to hold its pitch with, is lifted. For four seconds, thirty times the time in which surge settles
-/// (m'/(2 D u) = 0.14 s): the attitude, which the added mass turns over without that reserve, is still level.
+/// Straight ahead with all that the thrusters have: the autopilot's bound of nine tenths of the
+/// speed, which leaves it something to hold its pitch with, is lifted. For four seconds, thirty
+/// times the time in which surge settles (m'/(2 D u) = 0.14 s): the attitude, which the added mass
+/// turns over without that reserve, is still level.
 Flight full_ahead(double held_voltage_v) {
   Scenario scenario = parse_scenario(away_at_full_speed, "full ahead");
   scenario.vehicles[0].held_voltage_v = held_voltage_v;
@@ -145,8 +147,9 @@ TEST(RovFigures, HoldingHalfAMetreASecondOnATautTetherTakesHalfItsDragAndThatOfT
   EXPECT_LT(std::abs(taut.body().position_m.x), 0.5);
 }
 
-// Along the line the flow has less to hold on to: of each metre between the ends it takes cos^2 of the slope, in the mean
-// 0.83 for a bow that is a tenth longer than its chord (an arc of half-angle 0.75 rad: 1/2 + sin(2a)/(4a)).
+// Along the line the flow has less to hold on to: of each metre between the ends it takes cos^2 of
+// the slope, in the mean 0.83 for a bow that is a tenth longer than its chord (an arc of half-angle
+// 0.75 rad: 1/2 + sin(2a)/(4a)).
 TEST(RovFigures, ATetherWithATenthOfSlackBowsAndPullsLess) {
   Flight slack = held_on_a_tether(50, 55);
   slack.run(60);

@@ -38,8 +38,8 @@ TEST(UavFigures, HoversAtThePublishedTurnsForThePublishedTime) {
     mean_rad_s += flight.vehicle().thruster[i] / static_cast<double>(flight.craft().mounts);
   EXPECT_NEAR(mean_rad_s, 769, 1);
   EXPECT_LT(std::abs(flight.velocity_m_s().z), 0.01);
-  // The power of a thrust does not depend on the voltage; the whole discharge is that of this load. Hotel load and all,
-  // to the cut-off at 3.3 V a cell.
+  // The power of a thrust does not depend on the voltage; the whole discharge is that of this load.
+  // Hotel load and all, to the cut-off at 3.3 V a cell.
   const Battery& battery = *flight.craft().battery;
   const BatteryStep second = battery_step(battery, 1);
   BatteryState<double> state = rested(battery, 1);

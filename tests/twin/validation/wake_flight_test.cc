@@ -7,10 +7,11 @@
 
 #include "tests/twin/validation/flight.h"
 
-// A quadrotor at hub height behind an NREL 5 MW rotor. The published flights (reference/lotusim_current_evaluation.md,
-// "Wake flights") found: the deficit changes mean tilt and power, turbulence the variance of the attitude; 4.9 deg2 inside
-// the wake against 0.6 in clear air; a transit downwind +7.3 deg and +9.3 W. Orders of magnitude: their autopilot, gusts
-// and layout are not ours.
+// A quadrotor at hub height behind an NREL 5 MW rotor. The published flights
+// (reference/lotusim_current_evaluation.md, "Wake flights") found: the deficit changes mean tilt
+// and power, turbulence the variance of the attitude; 4.9 deg2 inside the wake against 0.6 in clear
+// air; a transit downwind +7.3 deg and +9.3 W. Orders of magnitude: their autopilot, gusts and
+// layout are not ours.
 
 namespace slackwater::twin {
 namespace {
@@ -30,8 +31,9 @@ struct Watched {
 constexpr std::array places_m{0.0, 0.5 * d_m, 6 * d_m};
 using AtPlaces = std::array<Watched, places_m.size()>;
 
-/// The wind blows to the east over a rotor at the origin. The flights of one number have the same gusts at all places, but
-/// for what the wake makes of them, so that their difference is not chance.
+/// The wind blows to the east over a rotor at the origin. The flights of one number have the same
+/// gusts at all places, but for what the wake makes of them, so that their difference is not
+/// chance.
 Flight behind_a_rotor(int flights_each, bool transits) {
   Scenario scenario = parse_scenario(R"(
 name: wake
@@ -130,7 +132,8 @@ TEST(WakeFlight, TheDeficitChangesTheMeanTiltAndPowerAndTurbulenceTheVariance) {
   EXPECT_GT(axis.tilt_deg, clear.tilt_deg + 2);
   EXPECT_NE(axis.power_w, clear.power_w);
   for (const Watched& seen : mean) EXPECT_LT(seen.variance_deg2, 0.1);
-  // Gusts hardly change the mean power and make the variance, most where the rotor stirs the air most.
+  // Gusts hardly change the mean power and make the variance, most where the rotor stirs the air
+  // most.
   for (std::size_t k = 0; k < mean.size(); ++k)
     EXPECT_NEAR(gusty[k].power_w, mean[k].power_w, 0.06 * mean[k].power_w);
   EXPECT_GT(gusty[1].variance_deg2, 1.5 * gusty[2].variance_deg2);

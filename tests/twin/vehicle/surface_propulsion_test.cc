@@ -83,7 +83,8 @@ TEST(SurfacePropulsion, TheCrewTransferVesselHasThePowerAndBurnsTheFuelOfItsShee
   struct Point {
     double speed_kn, shaft_kw, within;
   };
-  // The curve, 22 kn by a straight line between 20 and 24; an estimate itself, hence the tolerances.
+  // The curve, 22 kn by a straight line between 20 and 24; an estimate itself, hence the
+  // tolerances.
   for (const Point& at : {Point{0, 60, 0.01}, Point{10, 320, 0.2}, Point{15, 800, 0.1},
                           Point{20, 1350, 0.1}, Point{22, 1600, 0.06}, Point{24, 1850, 0.05}}) {
     const double u = at.speed_kn * knot_m_s;
