@@ -1,8 +1,8 @@
 # slackwater_doors(<room>)
 #
-# The linker as the doorman: a program of the whole room and of nothing but what the room says that it sees. A symbol of
-# any other room is undefined there and ends the build. Static libraries alone do not tell: the last program that is
-# linked has all of them.
+# The linker as the doorman: a program of the whole room and of nothing but what the room says that
+# it sees. A symbol of any other room is undefined there and ends the build. Static libraries alone
+# do not tell: the last program that is linked has all of them.
 #
 # GNU ld and mold alike. The program is never run.
 file(WRITE ${PROJECT_BINARY_DIR}/doors.cc "int main() { return 0; }\n")

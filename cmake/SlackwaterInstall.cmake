@@ -1,6 +1,8 @@
 # What `cmake --install` puts where, in two components.
-#   runtime:      bin/slackwater, share/slackwater (what data_folder() finds beside the program), units, pages
-#   development:  headers of the rooms below include/slackwater with their paths, static libraries, find_package(Slackwater)
+#   runtime:      bin/slackwater, share/slackwater (what data_folder() finds beside the program),
+#                 units, pages
+#   development:  headers of the rooms below include/slackwater with their paths, static
+#                 libraries, find_package(Slackwater)
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -17,7 +19,8 @@ endforeach()
 file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/api/docs/*.md)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${pages}
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT runtime)
 
 # The units name the program by its place, which is known when it is installed.
 install(CODE "
@@ -27,7 +30,8 @@ install(CODE "
     configure_file(\"${PROJECT_SOURCE_DIR}/api/systemd/\${unit}.in\"
                    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/systemd/system/\${unit}\" @ONLY)
   endforeach()" COMPONENT runtime)
-install(FILES ${PROJECT_SOURCE_DIR}/api/systemd/slackwater.conf DESTINATION lib/tmpfiles.d COMPONENT runtime)
+install(FILES ${PROJECT_SOURCE_DIR}/api/systemd/slackwater.conf DESTINATION lib/tmpfiles.d
+        COMPONENT runtime)
 
 # --- for programs of others ---------------------------------------------------------------------
 set(rooms fields ingest calibration twin store)
@@ -39,18 +43,23 @@ get_property(libraries GLOBAL PROPERTY SLACKWATER_LIBRARIES)
 install(TARGETS ${exported} slackwater_options ${libraries} EXPORT SlackwaterTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 foreach(folder fields ingest calibration twin data/store)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slackwater/${folder}
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slackwater/${folder}
           COMPONENT development FILES_MATCHING PATTERN "*.h")
 endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Slackwater)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SlackwaterConfig.cmake.in
-                              ${PROJECT_BINARY_DIR}/SlackwaterConfig.cmake INSTALL_DESTINATION ${package_folder})
+                              ${PROJECT_BINARY_DIR}/SlackwaterConfig.cmake
+                              INSTALL_DESTINATION ${package_folder})
 # Nothing of 0.x promises to fit anything but itself.
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/SlackwaterConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/SlackwaterConfig.cmake ${PROJECT_BINARY_DIR}/SlackwaterConfigVersion.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/SlackwaterConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/SlackwaterConfig.cmake
+        ${PROJECT_BINARY_DIR}/SlackwaterConfigVersion.cmake
         DESTINATION ${package_folder} COMPONENT development)
-install(EXPORT SlackwaterTargets NAMESPACE Slackwater:: DESTINATION ${package_folder} COMPONENT development)
+install(EXPORT SlackwaterTargets NAMESPACE Slackwater:: DESTINATION ${package_folder}
+        COMPONENT development)
 
 # --- the Debian package: the runtime alone ------------------------------------------------------
 set(CPACK_GENERATOR DEB)

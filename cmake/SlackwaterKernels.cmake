@@ -1,9 +1,10 @@
 # slackwater_kernels(<room> <name> <source> [OPTIONS <flags>])
 #
-# A batch kernel: one source, one object library per instruction set, chosen at run time by __builtin_cpu_supports.
-# SLACKWATER_KERNEL names the namespace of each, so that the linker never takes a function from the wrong one. Contraction
-# stays off everywhere, so that all give the same bits; -O3 in every build type, because the loops are written to be
-# vectorised. Sanitizers see the baseline alone: the others are the same source, and ten times as long to instrument.
+# A batch kernel: one source, one object library per instruction set, chosen at run time by
+# __builtin_cpu_supports. SLACKWATER_KERNEL names the namespace of each, so that the linker never
+# takes a function from the wrong one. Contraction stays off everywhere, so that all give the same
+# bits; -O3 in every build type, because the loops are written to be vectorised. Sanitizers see the
+# baseline alone: the others are the same source, and ten times as long to instrument.
 function(slackwater_kernels room name source)
   cmake_parse_arguments(K "" "" "OPTIONS" ${ARGN})
   set(sets baseline)

@@ -1,5 +1,5 @@
-# Third-party libraries, each an interface target that exactly one room links PRIVATE ("one library, one door").
-# Their headers are system headers: their warnings are not ours.
+# Third-party libraries, each an interface target that exactly one room links PRIVATE ("one library,
+# one door"). Their headers are system headers: their warnings are not ours.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)

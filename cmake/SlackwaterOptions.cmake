@@ -9,32 +9,39 @@ target_include_directories(slackwater_options INTERFACE
 target_compile_features(slackwater_options INTERFACE cxx_std_20)
 # Warnings are for our own sources, not for the programs of others that find_package(Slackwater).
 target_compile_options(slackwater_options INTERFACE
-  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow;-Wnon-virtual-dtor>" -ffp-contract=off)
+  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow;-Wnon-virtual-dtor>"
+  -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # GCC 12 warns of overlaps in std::string::insert that cannot be (GCC bug 105651).
-  target_compile_options(slackwater_options INTERFACE "$<BUILD_INTERFACE:-Wno-restrict;-fpch-preprocess>")
+  target_compile_options(slackwater_options
+                         INTERFACE "$<BUILD_INTERFACE:-Wno-restrict;-fpch-preprocess>")
 endif()
 if(SLACKWATER_WERROR)
   target_compile_options(slackwater_options INTERFACE $<BUILD_INTERFACE:-Werror>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # GCC 12's flow warnings follow its optimiser, and see in inlined library code what is not there (GCC bugs 105562,
-    # 105329, 105651): they warn, but do not end a build.
-    foreach(flow maybe-uninitialized stringop-overflow stringop-overread array-bounds null-dereference free-nonheap-object)
+    # GCC 12's flow warnings follow its optimiser, and see in inlined library code what is not there
+    # (GCC bugs 105562, 105329, 105651): they warn, but do not end a build.
+    foreach(flow maybe-uninitialized stringop-overflow stringop-overread array-bounds
+            null-dereference free-nonheap-object)
       target_compile_options(slackwater_options INTERFACE $<BUILD_INTERFACE:-Wno-error=${flow}>)
     endforeach()
   endif()
 endif()
-# Under ASan Eigen would align by hand, unlike the Ceres library of the system: memory that crosses between them must be
-# allocated one way. glibc's malloc is aligned to 16 bytes, which is all that either asks for.
+# Under ASan Eigen would align by hand, unlike the Ceres library of the system: memory that crosses
+# between them must be allocated one way. glibc's malloc is aligned to 16 bytes, which is all that
+# either asks for.
 target_compile_definitions(slackwater_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 if(SLACKWATER_SANITIZE)
-  target_compile_options(slackwater_options INTERFACE -fsanitize=${SLACKWATER_SANITIZE} -fno-omit-frame-pointer
+  target_compile_options(slackwater_options INTERFACE -fsanitize=${SLACKWATER_SANITIZE}
+                         -fno-omit-frame-pointer
                          -fno-sanitize-recover=all)
   target_link_options(slackwater_options INTERFACE -fsanitize=${SLACKWATER_SANITIZE})
   if(SLACKWATER_SANITIZE MATCHES undefined)
-    # What ASan or the machine sees anyway. These checks stand before every dereference and double the time to build.
+    # What ASan or the machine sees anyway. These checks stand before every dereference and double
+    # the time to build.
     target_compile_options(slackwater_options INTERFACE
-      -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow,nonnull-attribute,returns-nonnull-attribute)
+      -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow
+      -fno-sanitize=nonnull-attribute,returns-nonnull-attribute)
   endif()
 endif()
 if(SLACKWATER_COVERAGE)
@@ -44,7 +51,8 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  # Precompiled headers are cached too when ccache may ignore their time stamps; clones in other folders share the cache.
+  # Precompiled headers are cached too when ccache may ignore their time stamps; clones in other
+  # folders share the cache.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
       CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
@@ -56,15 +64,16 @@ if(MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 
-# What nearly every source reads, once per target instead of once per source: a third of the build's time.
-set(SLACKWATER_PRECOMPILED <algorithm> <array> <chrono> <cmath> <complex> <filesystem> <functional> <map> <memory> <optional>
-    <span> <string> <string_view> <vector> <Eigen/Core>)
+# What nearly every source reads, once per target instead of once per source: a third of the build's
+# time.
+set(SLACKWATER_PRECOMPILED <algorithm> <array> <chrono> <cmath> <complex> <filesystem> <functional>
+    <map> <memory> <optional> <span> <string> <string_view> <vector> <Eigen/Core>)
 
 # slackwater_room(<name> [FOLDER <folder>] [LINK <public targets>] [PRIVATE <private targets>]
 #                 [PRECOMPILE <headers> | REUSE <room>])
 #
-# One static library per room, from every .cc below the folder, under the name slackwater::<name>. REUSE takes the
-# precompiled headers of another room instead of making them once more.
+# One static library per room, from every .cc below the folder, under the name slackwater::<name>.
+# REUSE takes the precompiled headers of another room instead of making them once more.
 function(slackwater_room name)
   cmake_parse_arguments(ROOM "" "FOLDER;REUSE" "LINK;PRIVATE;EXCLUDE;PRECOMPILE" ${ARGN})
   set(ROOM_FOLDER ${CMAKE_CURRENT_SOURCE_DIR}/${ROOM_FOLDER})
@@ -74,11 +83,13 @@ function(slackwater_room name)
   endforeach()
   add_library(slackwater_${name} STATIC ${sources})
   add_library(slackwater::${name} ALIAS slackwater_${name})
-  target_link_libraries(slackwater_${name} PUBLIC slackwater_options ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE})
+  target_link_libraries(slackwater_${name} PUBLIC slackwater_options ${ROOM_LINK}
+                        PRIVATE ${ROOM_PRIVATE})
   if(ROOM_REUSE)
     target_precompile_headers(slackwater_${name} REUSE_FROM ${ROOM_REUSE})
   else()
-    target_precompile_headers(slackwater_${name} PRIVATE ${SLACKWATER_PRECOMPILED} ${ROOM_PRECOMPILE})
+    target_precompile_headers(slackwater_${name} PRIVATE ${SLACKWATER_PRECOMPILED}
+                              ${ROOM_PRECOMPILE})
   endif()
   slackwater_doors(${name})
 endfunction()

@@ -1,9 +1,10 @@
 # What the report page carries inside itself: its style, its scripts and Apache ECharts.
 #
-# slackwater_report_assets(<target>) adds to <target> a generated source that holds them (api/report/assets.h).
-# ECharts is fetched by `npm ci` at build time into ${CMAKE_BINARY_DIR}/report-assets, pinned and checked by
-# package-lock.json. A build without npm or without a network succeeds all the same: the page then has tables and
-# a sentence instead of plots, and the build says so.
+# slackwater_report_assets(<target>) adds to <target> a generated source that holds them
+# (api/report/assets.h). ECharts is fetched by `npm ci` at build time into
+# ${CMAKE_BINARY_DIR}/report-assets, pinned and checked by package-lock.json. A build without npm or
+# without a network succeeds all the same: the page then has tables and a sentence instead of plots,
+# and the build says so.
 set(SLACKWATER_REPORT_FOLDER ${CMAKE_CURRENT_LIST_DIR})
 
 function(slackwater_report_assets target)
@@ -29,9 +30,8 @@ function(slackwater_report_assets target)
   set(SLACKWATER_RUN_SCRIPT ${SLACKWATER_REPORT_FOLDER}/page/run.js)
   set(SLACKWATER_REPORT_LIBRARY ${library})
   configure_file(${SLACKWATER_REPORT_FOLDER}/assets.cc.in ${assets}/assets.cc @ONLY)
-  set_source_files_properties(
-    ${assets}/assets.cc PROPERTIES
-    OBJECT_DEPENDS
-    "${SLACKWATER_REPORT_STYLE};${SLACKWATER_REPORT_COMMON_SCRIPT};${SLACKWATER_REPORT_SCRIPT};${SLACKWATER_SKILL_SCRIPT};${SLACKWATER_RUN_SCRIPT};${library}")
+  set(parts ${SLACKWATER_REPORT_STYLE} ${SLACKWATER_REPORT_COMMON_SCRIPT}
+      ${SLACKWATER_REPORT_SCRIPT} ${SLACKWATER_SKILL_SCRIPT} ${SLACKWATER_RUN_SCRIPT} ${library})
+  set_source_files_properties(${assets}/assets.cc PROPERTIES OBJECT_DEPENDS "${parts}")
   target_sources(${target} PRIVATE ${assets}/assets.cc)
 endfunction()

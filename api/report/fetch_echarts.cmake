@@ -6,7 +6,8 @@ set(reason "npm was not found")
 if(NPM)
   execute_process(
     COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
-    WORKING_DIRECTORY ${ASSETS} RESULT_VARIABLE result ERROR_VARIABLE reason OUTPUT_QUIET TIMEOUT 180)
+    WORKING_DIRECTORY ${ASSETS} RESULT_VARIABLE result ERROR_VARIABLE reason
+    OUTPUT_QUIET TIMEOUT 180)
 endif()
 if(NPM AND result EQUAL 0 AND EXISTS ${library})
   configure_file(${library} ${ASSETS}/echarts.min.js COPYONLY)

@@ -1,5 +1,6 @@
-# Included at the end of the configuration, when slackwater_data_tests exists (see data/CMakeLists.txt):
-# the interposed libc, the program that runs under it, and their paths for the tests.
+# Included at the end of the configuration, when slackwater_data_tests exists (see
+# data/CMakeLists.txt): the interposed libc, the program that runs under it, and their paths for the
+# tests.
 if(TARGET slackwater_data_tests)
   set(here ${PROJECT_SOURCE_DIR}/tests/data/store)
   target_sources(slackwater_data_tests PRIVATE ${here}/disk_model.cc ${here}/worker_process.cc)
