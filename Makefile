@@ -1,8 +1,10 @@
-# The two commands of the README are `make demo` and `make test`; each installs what it needs on a bare Debian 12.
+# The two commands of the README are `make demo` and `make test`; each installs what it needs on a
+# bare Debian 12.
 JOBS ?= 2
 CTEST_PARALLEL ?= 2
 
-.PHONY: all demo test package bench soak tsan coverage fuzz tidy format check-format packages test-packages venv clean
+.PHONY: all demo test package bench soak tsan coverage fuzz tidy format check-format packages \
+  test-packages venv clean
 
 all: packages
 	cmake --preset release
@@ -11,7 +13,7 @@ all: packages
 demo: all
 	build/release/api/slackwater demo --out build/demo
 
-test: test-packages venv
+test: test-packages check-format venv
 	cmake --preset dev
 	cmake --build --preset dev -j$(JOBS)
 	ctest --preset dev -j$(CTEST_PARALLEL)
@@ -25,12 +27,14 @@ bench: test-packages
 	cmake --build --preset release -j$(JOBS) --target slackwater slackwater_bench_all
 	tests/bench/run build/release
 
-# Long runs: 200 kills instead of 20, 210 days of bands, 500 twins, ten minutes of serving, half an hour of fuzzing.
+# Long runs: 200 kills instead of 20, 210 days of bands, 500 twins, ten minutes of serving, half an
+# hour of fuzzing.
 soak: test-packages venv
 	cmake --preset release
 	cmake --build --preset release -j$(JOBS)
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
-	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 ctest --preset release -V -R 'Probabilities|TwinTargets|RealPairs|PublishedProfiles'
+	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 ctest --preset release -V \
+	  -R 'Probabilities|TwinTargets|RealPairs|PublishedProfiles'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	$(MAKE) fuzz
@@ -51,14 +55,14 @@ coverage: test-packages
 	cmake --build --preset coverage -j$(JOBS)
 	ctest --preset coverage
 
-SOURCES = $(shell git ls-files '*.h' '*.cc')
-format:
-	clang-format-14 -i $(SOURCES)
-check-format:
-	clang-format-14 --dry-run --Werror $(SOURCES)
+format: test-packages
+	git ls-files '*.h' '*.cc' | xargs clang-format-14 -i
+check-format: test-packages
+	@cmake/check-format
 tidy:
 	cmake --preset release
-	clang-tidy-14 -quiet -p build/release $(shell git ls-files '*.cc' | grep -E '^(fields|ingest|calibration|data|api)/')
+	clang-tidy-14 -quiet -p build/release $(shell git ls-files '*.cc' | \
+	  grep -E '^(fields|ingest|calibration|data|api)/')
 
 packages:
 	@cmake/install-packages cmake/debian-packages.txt
