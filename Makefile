@@ -59,10 +59,11 @@ format: test-packages
 	git ls-files '*.h' '*.cc' | xargs clang-format-14 -i
 check-format: test-packages
 	@cmake/check-format
-tidy:
-	cmake --preset release
-	clang-tidy-14 -quiet -p build/release $(shell git ls-files '*.cc' | \
-	  grep -E '^(fields|ingest|calibration|data|api)/')
+# The first time it looks at every source; afterwards at what has changed.
+tidy: packages
+	@cmake/install-packages cmake/debian-packages-tidy.txt
+	cmake --preset tidy
+	cmake/tidy build/tidy $(JOBS)
 
 packages:
 	@cmake/install-packages cmake/debian-packages.txt
