@@ -219,7 +219,7 @@ SLACKWATER_INLINE std::array<LanesIn<n>, 4> four_entries_of(const double* table,
   std::array<LanesIn<n>, 4> r;
   for (std::size_t i = 0; i < n; ++i) {
     const auto first = [&](std::size_t lane) {
-      return table + 4 * static_cast<std::int32_t>(row.part[i][lane]);
+      return table + static_cast<std::ptrdiff_t>(4 * static_cast<std::int32_t>(row.part[i][lane]));
     };
 #if defined(__AVX2__) && !defined(__AVX512F__)
     // Four rows, turned into four columns.

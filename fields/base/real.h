@@ -21,7 +21,8 @@ namespace slackwater {
 }
 /// The four numbers of a row of a table with rows of four.
 [[nodiscard]] inline std::array<double, 4> four_entries_of(const double* table, double row) {
-  const double* const first = table + 4 * static_cast<std::int32_t>(row);
+  const double* const first =
+      table + static_cast<std::ptrdiff_t>(4 * static_cast<std::int32_t>(row));
   return {first[0], first[1], first[2], first[3]};
 }
 /// The whole number at or below x, |x| < 2^51. The sum with 1.5 2^52 has no room for a fraction.

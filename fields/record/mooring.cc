@@ -74,6 +74,7 @@ std::vector<TimeCell> union_of_times(const std::vector<const VectorPiece*>& part
   for (const VectorPiece* part : parts)
     for (const TimeCell& cell : part->east.grid.time) times.try_emplace(cell.centre(), cell);
   std::vector<TimeCell> cells;
+  cells.reserve(times.size());
   for (const auto& [centre, cell] : times) cells.push_back(cell);
   return cells;
 }
