@@ -11,7 +11,7 @@ namespace {
 
 using std::chrono::days;
 
-VectorColumn without_tide(VectorColumn column, const ColumnTide& tide) {
+VectorColumn without_tide(VectorColumn column, const FittedTide& tide) {
   for (std::size_t t = 0; t < column.times(); ++t) {
     for (std::size_t k = 0; k < column.levels(); ++k)
       column.value[column.offset(t, k)] -= tide.at(k, column.time[t]);
@@ -32,8 +32,8 @@ bool has_any(const VectorColumn& column) {
 
 }  // namespace
 
-ColumnTide fit_column_tide(const VectorColumn& known, Angle latitude) {
-  ColumnTide tide;
+FittedTide fit_column_tide(const VectorColumn& known, Angle latitude) {
+  FittedTide tide;
   bool any = false;
   std::vector<Horizontal> value(known.times());
   std::vector<SampleStatus> status(known.times());

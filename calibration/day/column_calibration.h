@@ -12,7 +12,7 @@ namespace slackwater::calibration {
 
 /// The tide of every level, fitted on the whole known record; empty where the record is too short
 /// for any.
-struct ColumnTide {
+struct FittedTide {
   std::vector<TideFit> levels;
   std::vector<std::string> notes;
 
@@ -21,11 +21,11 @@ struct ColumnTide {
     return levels.empty() ? Horizontal{} : tidal_oscillation(levels[level], cell);
   }
 };
-[[nodiscard]] ColumnTide fit_column_tide(const VectorColumn& known, Angle latitude);
+[[nodiscard]] FittedTide fit_column_tide(const VectorColumn& known, Angle latitude);
 
 /// Day D at one column under every form that may hold there.
 struct ColumnCalibration {
-  ColumnTide tide;
+  FittedTide tide;
   std::vector<Calibration> forms;  ///< empty where nothing could be fitted
   std::string problem;             ///< why
   /// Index of the form of greatest probability.

@@ -78,7 +78,7 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   ColumnCalibration fitted =
       calibrate_column(known.column, plan.day, data.point.latitude, data.water_depth.depth_m,
                        wind.series, layer_of_days(data, plan));
-  const ColumnTide& tide = fitted.tide;
+  const FittedTide& tide = fitted.tide;
   result.notes = tide.notes;
   if (fitted.forms.empty()) {
     result.calibration_problem = fitted.problem;
