@@ -196,7 +196,7 @@ void share_autopilot(Autopilots& autopilots, const ScenarioVehicle& entry, Agent
 
 std::filesystem::path vehicle_file(const std::string& model,
                                    const std::filesystem::path& data_folder) {
-  const std::filesystem::path named = data_folder / "vehicles" / (model + ".yaml");
+  std::filesystem::path named = data_folder / "vehicles" / (model + ".yaml");
   if (model.find('/') == std::string::npos && std::filesystem::exists(named)) return named;
   if (std::filesystem::exists(model)) return model;
   std::vector<std::string> ids;

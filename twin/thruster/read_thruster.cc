@@ -130,6 +130,7 @@ std::vector<double> spread(const ThrustTable& table, const std::vector<Measured>
   std::vector<double> values(table.voltage_v.count * columns);
   for (std::size_t j = 0; j < columns; ++j) {
     std::vector<double> down;
+    down.reserve(rows.size());
     for (const auto& row : rows) down.push_back(row[j]);
     const std::vector<double> column = on_axis(table.voltage_v, volts, down);
     for (std::size_t i = 0; i < column.size(); ++i) values[i * columns + j] = column[i];
