@@ -88,7 +88,7 @@ ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
   plan.dataset = choice.dataset;
   if (choice.usable) plan.depth_m = wet_levels(data, plan.dataset);
   // A plan of more than some weeks of lead is no forecast.
-  if (plan.stamps.size() > 24 * longest_lead_days) {
+  if (plan.stamps.size() > std::size_t{24} * longest_lead_days) {
     throw Error(ErrorKind::not_found, "the newest usable day of currents is " +
                                           format_day(plan.day) + ", more than 30 days before " +
                                           format_day(choice.wanted) + "; ingest newer currents");

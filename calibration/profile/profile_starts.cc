@@ -121,6 +121,7 @@ std::vector<ProfileStart> profile_starts(ProfileForm form, Angle latitude,
   LinearProblem problem(form, latitude, levels, sigma_m_s);
   std::vector<ProfileStart> along;
   const double step = std::log(deepest_base_m / shallowest_base_m) / (base_depth_steps - 1);
+  along.reserve(base_depth_steps);
   for (int i = 0; i < base_depth_steps; ++i)
     along.push_back(best_at(shallowest_base_m * std::exp(step * i), form, problem));
   std::vector<ProfileStart> starts;

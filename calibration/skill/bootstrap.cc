@@ -50,6 +50,7 @@ std::optional<Interval95> bootstrap_rmse(std::span<const double> squared_error,
     sum.weight += 1.0;
   }
   std::vector<BlockSum> blocks;
+  blocks.reserve(by_id.size());
   for (const auto& [id, sum] : by_id) blocks.push_back(sum);
   return bootstrap_rms(blocks, random, draws);
 }

@@ -85,6 +85,7 @@ std::vector<std::string> judge_determination(const std::vector<double>& estimate
       continue;
     }
     std::vector<std::string> names;
+    names.reserve(members.size());
     for (const Parameter* p : members) names.push_back(p->name);
     if (names.size() == 1) {
       unsaid.push_back(names.front());

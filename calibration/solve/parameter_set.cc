@@ -131,6 +131,7 @@ double estimated(const Parameter& parameter, double value) {
 
 std::vector<double> estimates_of(const std::vector<Parameter>& parameters) {
   std::vector<double> estimate;
+  estimate.reserve(parameters.size());
   for (const Parameter& p : parameters) estimate.push_back(estimated(p, p.value));
   return estimate;
 }
