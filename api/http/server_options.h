@@ -16,11 +16,11 @@ class Metrics;
 
 /// What a client may ask of the server before it is refused with a reason, or cut off.
 struct Limits {
-  std::size_t url_bytes = 16 * 1024;     ///< longer: 414
-  std::size_t header_fields = 100;       ///< more: 431
-  std::size_t header_bytes = 64 * 1024;  ///< all fields together; more: 431
-  std::size_t body_bytes = 1 << 20;      ///< longer: 413
-  std::size_t connections = 256;         ///< at once; beyond: see `patience`
+  std::size_t url_bytes = std::size_t{16} * 1024;     ///< longer: 414
+  std::size_t header_fields = 100;                    ///< more: 431
+  std::size_t header_bytes = std::size_t{64} * 1024;  ///< all fields together; more: 431
+  std::size_t body_bytes = 1 << 20;                   ///< longer: 413
+  std::size_t connections = 256;                      ///< at once; beyond: see `patience`
   /// From the first byte of a request (or the connection) to its last; longer: 408.
   std::chrono::milliseconds read_time{10'000};
   /// From the last byte of a request to its answer; longer: 503, and the answer is thrown away.

@@ -8,7 +8,7 @@
 
 namespace slackwater::api::edr {
 
-constexpr std::size_t max_query_bytes = 256 * 1024;
+constexpr std::size_t max_query_bytes = std::size_t{256} * 1024;
 constexpr std::size_t max_query_parameters = 64;
 
 /// The parameters of a query, decoded, in the order in which they came; no key stands twice.

@@ -7,7 +7,7 @@
 
 namespace slackwater::api::edr {
 
-constexpr std::size_t max_wkt_bytes = 64 * 1024;
+constexpr std::size_t max_wkt_bytes = std::size_t{64} * 1024;
 constexpr std::size_t max_wkt_vertices = 10'000;
 /// Metres above or below mean sea level that a Z may have.
 constexpr double max_vertical_m = 20'000;
