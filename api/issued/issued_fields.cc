@@ -123,7 +123,8 @@ void IssuedFields::refresh() {
     const Mark now = mark();
     if (settled_mark_ == now && is_whole()) return;
     read_store();
-    // A clock of files ticks in milliseconds: what was written within one tick shows at the second look.
+    // A clock of files ticks in milliseconds: what was written within one tick shows at the second
+    // look.
     settled_mark_ = last_mark_ == now ? last_mark_ : std::nullopt;
     last_mark_ = now;
     forget("");
@@ -132,7 +133,8 @@ void IssuedFields::refresh() {
   }
 }
 
-/// The catalogue is opened anew each time: what was opened once would not see that the store was replaced.
+/// The catalogue is opened anew each time: what was opened once would not see that the store was
+/// replaced.
 void IssuedFields::read_store() {
   store::Store store = store::Store::open(folder_, store::OpenMode::read_only);
   std::vector<IssuedForecast> instances = named(store.list_forecasts());
@@ -186,7 +188,8 @@ ForecastCatalogue IssuedFields::next_catalogue(std::vector<IssuedForecast> insta
   return next;
 }
 
-/// The field of a forecast, from what is in force now or from its file; null, and noted, where it cannot be read.
+/// The field of a forecast, from what is in force now or from its file; null, and noted, where it
+/// cannot be read.
 std::shared_ptr<const Field> IssuedFields::in_force(const ForecastCatalogue& now,
                                                     const IssuedForecast& forecast) {
   for (const auto& before : now.sites) {

@@ -20,9 +20,9 @@ namespace slackwater::api {
 
 /// One issued forecast as services name it.
 struct IssuedForecast {
-  std::string
-      instance;  ///< "SITE_20250310T050000Z"; the row's number is added to all but the first stored of
-  ///< those that were issued at once, so that a name never passes to another forecast
+  /// "SITE_20250310T050000Z"; the row's number is added to all but the first stored of those that
+  /// were issued at once, so that a name never passes to another forecast.
+  std::string instance;
   store::ForecastRow row;  ///< without its summary and inputs
 };
 
@@ -41,13 +41,15 @@ struct ForecastCatalogue {
   [[nodiscard]] const SiteForecast* site_at(double longitude_deg, double latitude_deg) const;
 };
 
-/// Issued forecasts of a store, laid out for sampling: the one in force of each site always at hand, older ones
-/// read when they are asked for and the last few kept. Follows the store: a forecast that another process
-/// issues is in force here within `every`. Readers of the catalogue never wait.
+/// Issued forecasts of a store, laid out for sampling: the one in force of each site always at
+/// hand, older ones read when they are asked for and the last few kept. Follows the store: a
+/// forecast that another process issues is in force here within `every`. Readers of the catalogue
+/// never wait.
 ///
-/// What cannot be read degrades and never ends the service: a store that is gone or locked leaves the catalogue as
-/// it was, a forecast in force that cannot be read leaves its site with the newest one that can, and `trouble`
-/// says so until it is mended. A store that was replaced by another (restored from a copy) is followed too.
+/// What cannot be read degrades and never ends the service: a store that is gone or locked leaves
+/// the catalogue as it was, a forecast in force that cannot be read leaves its site with the newest
+/// one that can, and `trouble` says so until it is mended. A store that was replaced by another
+/// (restored from a copy) is followed too.
 class IssuedFields {
  public:
   /// @param folder  of the store, which must exist
@@ -59,13 +61,13 @@ class IssuedFields {
   [[nodiscard]] std::shared_ptr<const ForecastCatalogue> catalogue() const noexcept {
     return published_.load();
   }
-  /// The field of any instance. @throws Error(not_found) for a name that is not on offer, or no longer;
-  /// Error(unavailable), without the store's paths, for one that cannot be read
+  /// The field of any instance. @throws Error(not_found) for a name that is not on offer, or no
+  /// longer; Error(unavailable), without the store's paths, for one that cannot be read
   [[nodiscard]] std::shared_ptr<const Field> field(const std::string& instance);
   /// Reads the store now, if it has changed.
   void refresh();
-  /// What keeps the service from being whole, without the store's paths; empty where nothing does. Never waits for
-  /// a file or the catalogue.
+  /// What keeps the service from being whole, without the store's paths; empty where nothing does.
+  /// Never waits for a file or the catalogue.
   [[nodiscard]] std::string trouble() const;
   /// Whether the store itself could be read last time; false: new forecasts go unnoticed.
   [[nodiscard]] bool is_following() const;

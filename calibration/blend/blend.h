@@ -21,10 +21,10 @@ struct Candidate {
 /// The methods in use with the prior that is documented: `forecast` and `provider` share equally, all
 /// else is a baseline that has to earn its weight.
 ///
-/// Two forecasts of different origin and like skill are best averaged, and weights fitted to a short
-/// past do worse than equal ones: Hagedorn, Doblas-Reyes & Palmer (2005), Tellus 57A, 219; Clemen
-/// (1989), Int. J. Forecasting 5, 559. With a longer past fitted weights win: Krishnamurti et al.
-/// (1999), Science 285, 1548; (2000), J. Climate 13, 4196.
+/// Two forecasts of different origin and like skill are best averaged, and weights fitted to a
+/// short past do worse than equal ones: Hagedorn, Doblas-Reyes & Palmer (2005), Tellus 57A, 219;
+/// Clemen (1989), Int. J. Forecasting 5, 559. With a longer past fitted weights win: Krishnamurti
+/// et al. (1999), Science 285, 1548; (2000), J. Climate 13, 4196.
 [[nodiscard]] std::vector<Candidate> standard_candidates();
 
 struct BlendSettings {
@@ -71,14 +71,15 @@ struct Blend {
 ///
 ///   min over w >= 0, sum w = 1 of   sum_i g_i w^T G_i w + n_0 sum_c d_c (w_c - p_c)^2
 ///
-/// G_i: second moments of the errors of past pair i; g_i = exp(-age/forgetting), lowered for a pair in
-/// which the candidates erred by more than twice as much as they usually do (weighted median) to what a
-/// pair of twice the usual error would say: one storm, or one garbled forecast, does not decide. p: the prior weights
-/// of those available now (where none has any: the first available baseline of `standard_candidates`
-/// alone, else the first available). n_0 = `prior_pairs`. d_c: mean square of what candidate c says
-/// differently from the prior blend e_p, at most its own mean square error: the penalty is what n_0
-/// further pairs would add if that difference were noise. It scales with the errors, so that units do
-/// not matter, and it is what shares the weight of candidates that are nearly identical.
+/// G_i: second moments of the errors of past pair i; g_i = exp(-age/forgetting), lowered for a pair
+/// in which the candidates erred by more than twice as much as they usually do (weighted median) to
+/// what a pair of twice the usual error would say: one storm, or one garbled forecast, does not
+/// decide. p: the prior weights of those available now (where none has any: the first available
+/// baseline of `standard_candidates` alone, else the first available). n_0 = `prior_pairs`. d_c:
+/// mean square of what candidate c says differently from the prior blend e_p, at most its own mean
+/// square error: the penalty is what n_0 further pairs would add if that difference were noise. It
+/// scales with the errors, so that units do not matter, and it is what shares the weight of
+/// candidates that are nearly identical.
 ///
 /// - A candidate absent in a pair has the error of the prior blend there: no evidence for it or
 ///   against it. Pairs without any candidate of the prior say nothing and are left out.
@@ -91,9 +92,9 @@ struct Blend {
 ///
 ///   n >= 8,   mean(x) >= 2.5 standard errors,   1 - sqrt(1 - k mean(x)/mean(blend^2)) >= 2 %
 ///
-/// n = (sum g)^2 / sum g^2 (1 - r)/(1 + r), r >= 0 the correlation of x from pair to pair: the number
-/// of independent pairs; k = n/(n + 4) the shrinkage. One lucky day, however lucky, has a mean of
-/// one standard error: it never decides.
+/// n = (sum g)^2 / sum g^2 (1 - r)/(1 + r), r >= 0 the correlation of x from pair to pair: the
+/// number of independent pairs; k = n/(n + 4) the shrinkage. One lucky day, however lucky, has a
+/// mean of one standard error: it never decides.
 ///
 /// @param past  any order; candidates in the same order; older than six forgetting times is ignored
 /// Throws ContractViolation where no candidate is available, a prior weight is not a number >= 0, or a

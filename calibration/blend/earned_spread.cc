@@ -42,7 +42,8 @@ double total(const Histogram& histogram) {
   return sum;
 }
 
-/// The |z| below which a share lies, linear within bins; the end of the last bin where it is beyond.
+/// The |z| below which a share lies, linear within bins; the end of the last bin where it is
+/// beyond.
 double quantile(const Histogram& histogram, double share) {
   const double target = share * total(histogram);
   double below = 0;

@@ -34,8 +34,9 @@ struct PastSpread {
 struct SpreadSettings {
   /// A band needs more pairs than a weight: a tail is seen less often than a mean.
   double forgetting_days = 30.0;
-  /// Pairs' worth of belief that sigma is right as forecast. 1 to 3 do alike for errors in keeping with
-  /// it; with 5 a spread that is wrong by half is still at 73 % after ten pairs, with 2 at 76 %.
+  /// Pairs' worth of belief that sigma is right as forecast. 1 to 3 do alike for errors in keeping
+  /// with it; with 5 a spread that is wrong by half is still at 73 % after ten pairs, with 2 at
+  /// 76 %.
   double prior_pairs = 2.0;
   /// A factor beyond these is a fault of the forecast, not of its spread.
   double least = 0.5;
@@ -54,15 +55,16 @@ struct EarnedSpread {
 ///   scale = q / 1.2816,   q: the 80 % quantile of |z| in  sum_i g_i h_i + n_0 h_normal
 ///
 /// h_i: histogram of pair i with sum 1 (pairs weigh the same, whatever their number of values),
-/// g_i = exp(-age/forgetting), n_0 = `prior_pairs`, h_normal that of a standard normal; linear within a
-/// bin. Bounded to [least, most].
+/// g_i = exp(-age/forgetting), n_0 = `prior_pairs`, h_normal that of a standard normal; linear
+/// within a bin. Bounded to [least, most].
 ///
-/// Why not sqrt(mean z^2): after thirty pairs of which each has but four independent parts it covers 81 %
-/// of errors that are normal, 85 % of those like Student's t of 3 degrees, 90 % where one in twenty is eight
-/// times too large; this one 80, 79 and 79 % (tests/calibration/blend/earned_spread_test.cc).
+/// Why not sqrt(mean z^2): after thirty pairs of which each has but four independent parts it
+/// covers 81 % of errors that are normal, 85 % of those like Student's t of 3 degrees, 90 % where
+/// one in twenty is eight times too large; this one 80, 79 and 79 %
+/// (tests/calibration/blend/earned_spread_test.cc).
 ///
-/// @param past  z must be taken with the sigma as it was before any such factor, or the factor would
-///              chase itself. Pairs without a count are ignored.
+/// @param past  z must be taken with the sigma as it was before any such factor, or the factor
+///              would chase itself. Pairs without a count are ignored.
 /// Throws ContractViolation for a negative age. Thread-safe.
 [[nodiscard]] EarnedSpread earned_spread(std::span<const PastSpread> past,
                                          const SpreadSettings& settings = {});

@@ -35,8 +35,8 @@ struct PastPair {
 
 /// The pair with every candidate absent whose moments cannot be used: its row not finite (of two
 /// that are not finite together the one with more such moments goes, the later of equals), its mean
-/// square negative or beyond (1000 m/s)^2, or no values at all. What is left is taken for second moments,
-/// that is positive semi-definite, as those of `pair_of_errors` are.
+/// square negative or beyond (1000 m/s)^2, or no values at all. What is left is taken for second
+/// moments, that is positive semi-definite, as those of `pair_of_errors` are.
 /// Throws ContractViolation where sizes do not agree, the age is negative or not finite.
 [[nodiscard]] PastPair without_unusable(PastPair pair);
 

@@ -26,7 +26,8 @@ VectorXd minimum_of_free(const MatrixXd& a, const VectorXd& b, const std::vector
   return without + (1.0 - without.sum()) / per_unit.sum() * per_unit;
 }
 
-/// The bound that is met first on the way from `from` to `to`: its place among the free, and how far.
+/// The bound that is met first on the way from `from` to `to`: its place among the free, and how
+/// far.
 struct Bound {
   std::size_t place = 0;
   double step = 1.0;

@@ -32,16 +32,17 @@ struct ColumnCalibration {
   [[nodiscard]] std::size_t best() const;
 };
 
-/// The forms that may hold in this water: the whole column and a mixed layer where surface and bed layer
-/// can meet, the mixed layer in deeper water. (The layered steady column has no memory and loses against
-/// both on every real day of inertial motion.)
+/// The forms that may hold in this water: the whole column and a mixed layer where surface and bed
+/// layer can meet, the mixed layer in deeper water. (The layered steady column has no memory and
+/// loses against both on every real day of inertial motion.)
 [[nodiscard]] std::vector<SteadyForm> forms_in(double water_depth_m, Angle latitude);
 
 /// Per day.
 using LayerOfDays = std::map<UtcDay, LayerFigure>;
 
-/// Removes the tide from the record and calibrates the day, each form with what the `chain_days` days
-/// before have taught (calibration/solve/ageing.h): the first of them starts from the general priors.
+/// Removes the tide from the record and calibrates the day, each form with what the `chain_days`
+/// days before have taught (calibration/solve/ageing.h): the first of them starts from the general
+/// priors.
 ///
 /// @param known  currents up to the end of D, one dataset
 /// @param wind   around the chain of days; nothing where none is stored

@@ -3,9 +3,9 @@
 
 namespace slackwater::calibration {
 
-/// Turns our own forecast of each column into the one that is issued: the blend of the candidates that
-/// past verification earned, its spread scaled by what past bands earned. Members keep their departures
-/// from the centre. A value that a candidate lacks is blended from the others.
+/// Turns our own forecast of each column into the one that is issued: the blend of the candidates
+/// that past verification earned, its spread scaled by what past bands earned. Members keep their
+/// departures from the centre. A value that a candidate lacks is blended from the others.
 ///
 /// The weights come from the first day of lead and hold for the whole horizon.
 void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastPlan& plan,

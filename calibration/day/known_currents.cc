@@ -92,8 +92,8 @@ std::optional<Partner> partner_of(const ColumnData& column, const ForecastPlan& 
   return Partner{station->origin->dataset, station->origin->station, station->distance_m, false};
 }
 
-/// The product brought to the cells and depths of a series, fused there, and the series itself where
-/// the product has nothing.
+/// The product brought to the cells and depths of a series, fused there, and the series itself
+/// where the product has nothing.
 VectorColumn fused_on_series(const VectorColumn& series, const VectorColumn& product,
                              double distance_m) {
   const VectorColumn background =

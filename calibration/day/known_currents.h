@@ -28,9 +28,9 @@ namespace slackwater::calibration {
 [[nodiscard]] Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset,
                                           UtcTime end_of_day, UtcTime until);
 
-/// What was known up to the end of D on the levels of a truth: the record that baselines start from.
-/// The truth's own dataset, unfused; where that has nothing on D, the plan's record brought to the
-/// truth's depths.
+/// What was known up to the end of D on the levels of a truth: the record that baselines start
+/// from. The truth's own dataset, unfused; where that has nothing on D, the plan's record brought
+/// to the truth's depths.
 [[nodiscard]] Chosen<Horizontal> known_beside(const Chosen<Horizontal>& truth,
                                               const ColumnData& column, const ForecastPlan& plan);
 

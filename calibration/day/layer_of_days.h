@@ -5,8 +5,8 @@
 
 namespace slackwater::calibration {
 
-/// What the stored products say of the mixed layer on D and on the days of the chain before it, as known
-/// at the end of D: `mlotst` where it is stored, else from the temperature profile.
+/// What the stored products say of the mixed layer on D and on the days of the chain before it, as
+/// known at the end of D: `mlotst` where it is stored, else from the temperature profile.
 [[nodiscard]] LayerOfDays layer_of_days(const ColumnData& column, const ForecastPlan& plan);
 
 }  // namespace slackwater::calibration

@@ -18,8 +18,8 @@ struct MethodForecast {
 };
 
 /// The forecast as issued, every baseline that the column's record allows and the provider's own
-/// forecast; those without any value are left out. `known` is the record up to the end of D that baselines
-/// start from, on the truth's levels. Each baseline is made once. Pure.
+/// forecast; those without any value are left out. `known` is the record up to the end of D that
+/// baselines start from, on the truth's levels. Each baseline is made once. Pure.
 [[nodiscard]] std::vector<MethodForecast> current_methods(
     const ColumnData& column, const ForecastPlan& plan, const Snapshot& snapshot,
     std::size_t column_index, const Chosen<Horizontal>& truth, const Chosen<Horizontal>& known);

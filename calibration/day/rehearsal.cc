@@ -40,8 +40,8 @@ std::vector<std::size_t> columns_to_rehearse(const SiteData& data, std::size_t m
   return chosen;
 }
 
-/// The record's own next day, as known when the plan is made: what a rehearsed forecast is held against,
-/// fused where the record is.
+/// The record's own next day, as known when the plan is made: what a rehearsed forecast is held
+/// against, fused where the record is.
 Chosen<Horizontal> day_after(const Chosen<Horizontal>& known, UtcTime end_of_day) {
   VectorColumn next = slice(known.column, end_of_day, end_of_day + days(1));
   // The instant at 24:00 of D belongs to D.

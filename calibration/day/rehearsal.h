@@ -23,10 +23,10 @@ struct Earned {
   EarnedSpread spread;
 };
 
-/// Rehearses past days of the data at a few columns and remembers them, so that a hindcast rehearses each
-/// day once. A day D' is forecast from what was known at its own end (plus the latency of the run) and
-/// held against the currents of D'+1, which end by the D that is forecast from: nothing later is seen.
-/// Thread-safe.
+/// Rehearses past days of the data at a few columns and remembers them, so that a hindcast
+/// rehearses each day once. A day D' is forecast from what was known at its own end (plus the
+/// latency of the run) and held against the currents of D'+1, which end by the D that is forecast
+/// from: nothing later is seen. Thread-safe.
 class Rehearsals {
  public:
   explicit Rehearsals(const SiteData& data) : data_(data) {}

@@ -34,8 +34,8 @@ struct FusedColumn {
 ///
 /// @param product   levels are depths (at least one); missing values stay missing
 /// @param observed  levels are depths; instants or means; any times
-/// @param distance_m  between the two places, >= 0; beyond `farthest_m` the product is returned as
-///     is
+/// @param distance_m  between the two places, >= 0; beyond `farthest_m` the product is returned
+///                    as is
 [[nodiscard]] FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed,
                                double distance_m, const FusionSettings& settings = {});
 

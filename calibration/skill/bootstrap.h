@@ -14,7 +14,8 @@ struct Interval95 {
 };
 
 /// One block of a block bootstrap: the sum over its values and their number (or weight). Values
-/// within a block are not independent, so blocks are drawn whole; their sums are all that is needed.
+/// within a block are not independent, so blocks are drawn whole; their sums are all that is
+/// needed.
 struct BlockSum {
   double sum = 0;
   double weight = 0;

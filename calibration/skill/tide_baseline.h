@@ -11,8 +11,8 @@
 namespace slackwater::calibration {
 
 /// The tide of the recipes: mean + M2 S2 K1 O1 M4, both senses of rotation, by least squares over
-/// the last 15 days before the end of D, at every level of a column; a level whose record is shorter
-/// than 15 days, or holds fewer than the 11 values that its unknowns need, has none.
+/// the last 15 days before the end of D, at every level of a column; a level whose record is
+/// shorter than 15 days, or holds fewer than the 11 values that its unknowns need, has none.
 ///
 /// Values that are means are fitted as means. Where the sampling cannot tell constituents apart
 /// (S2 in 6-hourly values) the solution of smallest norm is taken. Levels with the same times share

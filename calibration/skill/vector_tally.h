@@ -28,8 +28,9 @@ struct PairContribution {
 [[nodiscard]] PairContribution contribution_of(Horizontal forecast, Horizontal truth,
                                                double sigma_m_s);
 
-/// Sums from which every score of a vector forecast follows, so that scores by hour, band and column
-/// are added up, never recomputed from the values. Adding and merging neither allocate nor fail.
+/// Sums from which every score of a vector forecast follows, so that scores by hour, band and
+/// column are added up, never recomputed from the values. Adding and merging neither allocate nor
+/// fail.
 class VectorTally {
  public:
   void add(const PairContribution& pair) noexcept;

@@ -7,7 +7,8 @@
 
 namespace slackwater::calibration {
 
-/// The tallies of one method by depth band and hour of lead; every score asked for is a sum of them.
+/// The tallies of one method by depth band and hour of lead; every score asked for is a sum of
+/// them.
 class HourlyTallies {
  public:
   HourlyTallies(std::size_t bands, std::size_t hours) : hours_(hours), tally_(bands * hours) {}
