@@ -19,7 +19,8 @@ struct Samples {
   StatusCounts counts{};
 };
 
-/// Samples and writes, block by block, and counts; `quiet`: no progress bar. Throws Error(unavailable).
+/// Samples and writes, block by block, and counts; `quiet`: no progress bar. Throws
+/// Error(unavailable).
 void write_netcdf(const std::filesystem::path& file, Samples& samples, bool quiet);
 void write_csv(const std::filesystem::path& file, Samples& samples, bool quiet);
 

@@ -37,7 +37,8 @@ struct ForecastCatalogue {
   std::vector<SiteForecast> sites;        ///< by site id
 
   [[nodiscard]] const IssuedForecast* find(const std::string& instance) const noexcept;
-  /// The forecast in force for the site nearest to the place, of those that reach it; null where none does.
+  /// The forecast in force for the site nearest to the place, of those that reach it; null where
+  /// none does.
   [[nodiscard]] const SiteForecast* site_at(double longitude_deg, double latitude_deg) const;
 };
 

@@ -18,8 +18,8 @@ struct Candidate {
   bool baseline = true;       ///< it may be issued in place of the blend
 };
 
-/// The methods in use with the prior that is documented: `forecast` and `provider` share equally, all
-/// else is a baseline that has to earn its weight.
+/// The methods in use with the prior that is documented: `forecast` and `provider` share equally,
+/// all else is a baseline that has to earn its weight.
 ///
 /// Two forecasts of different origin and like skill are best averaged, and weights fitted to a
 /// short past do worse than equal ones: Hagedorn, Doblas-Reyes & Palmer (2005), Tellus 57A, 219;
@@ -97,9 +97,9 @@ struct Blend {
 /// mean of one standard error: it never decides.
 ///
 /// @param past  any order; candidates in the same order; older than six forgetting times is ignored
-/// Throws ContractViolation where no candidate is available, a prior weight is not a number >= 0, or a
-/// pair has another number of candidates.  Cost: about 1 ms for 8 candidates and 60
-/// pairs. Thread-safe, deterministic.
+/// Throws ContractViolation where no candidate is available, a prior weight is not a number >= 0,
+/// or a pair has another number of candidates.  Cost: about 1 ms for 8 candidates and 60 pairs.
+/// Thread-safe, deterministic.
 [[nodiscard]] Blend blend_of(std::span<const Candidate> candidates, std::span<const PastPair> past,
                              const BlendSettings& settings = {});
 

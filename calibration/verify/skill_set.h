@@ -28,7 +28,8 @@ struct SkillSets {
 [[nodiscard]] bool is_hour(const LeadBin& lead) noexcept;
 
 /// The entries that speak for the whole current under a wind policy: pooled over columns, over the
-/// widest depth band (the shallower of equals) under which it was scored, all leads but single hours.
+/// widest depth band (the shallower of equals) under which it was scored, all leads but single
+/// hours.
 [[nodiscard]] std::vector<SkillEntry> whole_current(const std::vector<SkillEntry>& entries,
                                                     WindPolicy wind);
 

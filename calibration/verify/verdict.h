@@ -40,7 +40,8 @@ struct Verdict {
 };
 
 /// One verdict for each wind policy under which our forecast was scored, in the order of the
-/// policies. Pure; the order of the entries does not matter, except that intervals draw pairs in it.
+/// policies. Pure; the order of the entries does not matter, except that intervals draw pairs in
+/// it.
 [[nodiscard]] std::vector<Verdict> verdicts_of(const std::vector<SkillEntry>& entries);
 
 /// The verdict on one wind policy; nothing where no forecast was scored under it.

@@ -1,5 +1,5 @@
-// One water: the command line, the HTTP service, the C++ library and the twin are asked for the same
-// places and times, and say the same.
+// One water: the command line, the HTTP service, the C++ library and the twin are asked for the
+// same places and times, and say the same.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -26,8 +26,9 @@ store::ForecastRow row_of(ForecastOrigin origin, int day, int hour, std::int64_t
 
 TEST(InForce, AForecastBeforeHindsightThenDayThenIssueThenNumber) {
   const std::vector<store::ForecastRow> in_order{
-      row_of(ForecastOrigin::forecast, 2, 6, 4), row_of(ForecastOrigin::forecast, 2, 6, 3), row_of(ForecastOrigin::forecast, 2, 5, 9),
-      row_of(ForecastOrigin::forecast, 1, 9, 8), row_of(ForecastOrigin::hindcast, 5, 0, 7), row_of(ForecastOrigin::hindcast, 4, 0, 6)};
+      row_of(ForecastOrigin::forecast, 2, 6, 4), row_of(ForecastOrigin::forecast, 2, 6, 3),
+      row_of(ForecastOrigin::forecast, 2, 5, 9), row_of(ForecastOrigin::forecast, 1, 9, 8),
+      row_of(ForecastOrigin::hindcast, 5, 0, 7), row_of(ForecastOrigin::hindcast, 4, 0, 6)};
   for (std::size_t a = 0; a < in_order.size(); ++a) {
     for (std::size_t b = 0; b < in_order.size(); ++b)
       EXPECT_EQ(has_more_force(in_order[a], in_order[b]), a < b) << a << " against " << b;
