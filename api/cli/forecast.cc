@@ -164,7 +164,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   }
   store::Store store = context.open(store::OpenMode::create_or_write);
   const UtcDay last = options.day.value_or(day_of(options.issued));
-  const SiteData data = load_site_data(store, site, UtcTime(last) - calibration::history_read,
+  const SiteData data = load_site_data(store, site, UtcTime(last) - calibration::history_wanted,
                                        UtcTime(last) + days(1) + options.horizon);
   const DailyJob job = daily_job(data, options);
   const calibration::DailyForecast& forecast = job.forecast;

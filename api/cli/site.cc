@@ -37,7 +37,7 @@ void run_site_check(const std::string& name, const Context& context) {
     const UtcTime now = context.now();
     try {
       const SiteData data =
-          load_site_data(store, site, now - calibration::history_read, now + days(15));
+          load_site_data(store, site, now - calibration::history_wanted, now + days(15));
       const auto day = calibration::newest_whole_day(data, now);
       const ColumnData& column = data.columns.front();
       out["store"] = {{"columns", data.columns.size()},

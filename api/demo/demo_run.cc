@@ -147,7 +147,7 @@ DemoResult run_demo(const DemoOptions& options,
     options_of_day.issued = UtcTime(day) + days(1) + hours(5);
     options_of_day.threads = 2;
     const SiteData data = load_site_data(
-        store, result.site, UtcTime(day) - calibration::history_read, UtcTime(day) + days(4));
+        store, result.site, UtcTime(day) - calibration::history_wanted, UtcTime(day) + days(4));
     const DailyJob job = daily_job(data, options_of_day);
     static_cast<void>(publish(store, job, ForecastOrigin::forecast));
     result.days.push_back(score_against_truth(ocean, data, job.forecast));

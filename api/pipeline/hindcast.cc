@@ -29,7 +29,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
   }
   const UtcTime first(options.from);
   const UtcTime last = UtcTime(options.to) + days(1) + options.horizon;
-  const SiteData data = load_site_data(store, site, first - calibration::history_read, last);
+  const SiteData data = load_site_data(store, site, first - calibration::history_wanted, last);
   HindcastReport report;
   calibration::Rehearsals rehearsals(data);
   std::vector<DailyJob> jobs;

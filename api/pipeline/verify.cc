@@ -75,7 +75,7 @@ calibration::Verification verify(store::Store& store, const Site& site,
   UtcTime to = UtcTime::min();
   for (const store::ForecastRow& row : rows) to = std::max(to, row.valid_to);
   const SiteData data =
-      load_site_data(store, site, UtcTime(rows.front().day) - calibration::history_read, to);
+      load_site_data(store, site, UtcTime(rows.front().day) - calibration::history_wanted, to);
   return score_all(store, rows, data, options);
 }
 

@@ -83,7 +83,10 @@ ColumnCalibration calibrate_column(const VectorColumn& known, UtcDay day, Angle 
       const UtcDay today = day - days(before);
       input.current =
           without_tide(slice(known, UtcTime(today), UtcTime(today) + days(1)), result.tide);
-      if (!has_any(input.current)) continue;
+      if (!has_any(input.current)) {
+        if (before == 0) result.problem = "no current of " + format_day(day) + " has a value";
+        continue;
+      }
       input.known = with_layer(learnt, figure_of(layer, taught), figure_of(layer, today));
       try {
         Calibration fitted = calibrate_day(input);

@@ -27,7 +27,7 @@ struct FittedTide {
 struct ColumnCalibration {
   FittedTide tide;
   std::vector<Calibration> forms;  ///< empty where nothing could be fitted
-  std::string problem;             ///< why
+  std::string problem;             ///< why, in words, where there are no forms
   /// Index of the form of greatest probability.
   [[nodiscard]] std::size_t best() const;
 };

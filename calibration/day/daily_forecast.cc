@@ -16,7 +16,7 @@ namespace {
 using std::chrono::days;
 using std::chrono::hours;
 
-/// A forecast reaches this far beyond the day it was fitted on, at most.
+/// A forecast reaches this far beyond the end of the day it was fitted on, at most.
 constexpr int longest_lead_days = 40;
 
 /// Levels of the dataset that are wet at any column.
@@ -87,11 +87,12 @@ ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
   plan.stamps = hourly(plan.end_of_day(), UtcTime(choice.wanted) + days(1) + options.horizon);
   plan.dataset = choice.dataset;
   if (choice.usable) plan.depth_m = wet_levels(data, plan.dataset);
-  // A plan of more than some weeks of lead is no forecast.
   if (plan.stamps.size() > std::size_t{24} * longest_lead_days) {
-    throw Error(ErrorKind::not_found, "the newest usable day of currents is " +
-                                          format_day(plan.day) + ", more than 30 days before " +
-                                          format_day(choice.wanted) + "; ingest newer currents");
+    throw Error(ErrorKind::not_found,
+                "the newest usable day of currents is " + format_day(plan.day) +
+                    "; a forecast from it for " + format_day(choice.wanted) +
+                    " would have a lead of more than " + std::to_string(longest_lead_days) +
+                    " days; ingest newer currents");
   }
   return plan;
 }

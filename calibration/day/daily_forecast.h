@@ -33,8 +33,9 @@ struct DailyForecast {
   std::optional<Earned> earned;  ///< weights and spread; nothing where no current is forecast
 };
 
-/// How much history a forecast looks at for the tide: two spring-neap cycles and a month beyond.
-inline constexpr Duration history_read = std::chrono::days(60);
+/// How much of the record before D a forecast wants from its caller: for the tide, two spring-neap
+/// cycles and a month beyond.
+inline constexpr Duration history_wanted = std::chrono::days(60);
 
 /// The forecast of a site from its data alone: calibrate on D, propagate to the horizon, wind and
 /// waves beside it, blended as the rehearsed past has earned. Pure: no store, no clock; the same

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "calibration/propagate/wind_error.h"
 #include "fields/interpolate/temporal.h"
 #include "fields/record/choose.h"
 #include "fields/record/slice.h"
@@ -18,9 +19,6 @@ using std::chrono::hours;
 constexpr Duration widest_wind_gap = hours(12);
 /// Waves change more slowly than wind and come 1- to 6-hourly.
 constexpr Duration widest_wave_gap = hours(12);
-/// Persisted wind relaxes to the mean of the known record with this e-folding time: mid-latitude 10
-/// m wind keeps a correlation of about 1/e over two to three days.
-constexpr double wind_memory_h = 24.0;
 
 Knowledge knowledge_of(WindPolicy policy, UtcTime end_of_day) {
   switch (policy) {
@@ -53,7 +51,7 @@ Chosen<T> choose_input(const Record<T>& record, WindPolicy policy, UtcTime end_o
   return chosen;
 }
 
-/// The status of the stored value nearest to a time.
+/// Where the stored value nearest to a time stands.
 template <typename T>
 std::size_t nearest_index(const Column<T>& column, UtcTime time) {
   std::size_t best = 0;
@@ -153,6 +151,7 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
       result.source.push_back(column.source[nearest_index(column, stamp)]);
       continue;
     }
+    // Persisted wind relaxes to the mean of the known record.
     const double age_h = std::max(0.0, hours_between(last_time, stamp));
     const double weight = std::exp(-age_h / wind_memory_h);
     result.wind_m_s.push_back(weight * *last + (1 - weight) * mean);

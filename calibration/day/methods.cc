@@ -10,8 +10,8 @@
 namespace slackwater::calibration {
 namespace {
 
-/// Neighbouring snapshot levels of a truth level; nothing outside them by more than a hand's
-/// breadth.
+/// Neighbouring snapshot levels of a truth level; nothing above the first of them or below the last
+/// by more than a millimetre.
 struct LevelPlace {
   std::size_t low = 0;
   std::size_t high = 0;

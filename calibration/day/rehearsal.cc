@@ -16,7 +16,8 @@ namespace {
 using std::chrono::days;
 using std::chrono::hours;
 
-/// The plan of a past day as it would have been run then, without members, for one day of lead.
+/// The plan of a past day as it would have been run then, for one day of lead, with few members:
+/// they are not looked at.
 ForecastPlan plan_of(const ForecastPlan& plan, UtcDay day) {
   ForecastPlan past = plan;
   past.day = day;

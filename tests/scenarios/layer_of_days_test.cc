@@ -46,7 +46,7 @@ TEST(LayerOfDays, TheTemperaturesOfAnAugustAreReadWhereNoDepthIsStated) {
                                                file.read_all(*file.find("lon"))[i]);
   const Site site = tests::site_of("otranto", {cell});
   const UtcDay day = parse_day("2023-08-17");
-  const SiteData data = load_site_data(store, site, UtcTime(day) - calibration::history_read,
+  const SiteData data = load_site_data(store, site, UtcTime(day) - calibration::history_wanted,
                                        UtcTime(day) + std::chrono::days(2));
   calibration::ForecastPlan plan;
   plan.day = day;

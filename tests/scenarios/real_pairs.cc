@@ -64,7 +64,7 @@ std::vector<calibration::SkillEntry> baseline_skill(store::Store& store, const S
                                                     const api::HindcastOptions& options) {
   const UtcTime last = UtcTime(options.to) + std::chrono::days(1) + options.horizon;
   const SiteData data =
-      api::load_site_data(store, site, UtcTime(options.from) - calibration::history_read, last);
+      api::load_site_data(store, site, UtcTime(options.from) - calibration::history_wanted, last);
   std::vector<calibration::SkillEntry> skill;
   for (UtcDay day = options.from; day <= options.to; day += std::chrono::days(1)) {
     Snapshot empty;

@@ -181,7 +181,7 @@ TEST(RealPairs, WavesAreScoredAgainstTheBuoyOfHollandseKustNoord) {
   options.issued = parse_utc("2017-10-29T05:00:00Z");
   options.horizon = std::chrono::hours(24);
   const auto data =
-      api::load_site_data(store, site, UtcTime(*options.day) - calibration::history_read,
+      api::load_site_data(store, site, UtcTime(*options.day) - calibration::history_wanted,
                           UtcTime(*options.day) + std::chrono::days(2));
   const api::DailyJob job = api::daily_job(data, options);
   const calibration::DailyForecast& forecast = job.forecast;

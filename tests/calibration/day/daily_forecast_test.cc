@@ -257,7 +257,26 @@ TEST(MakeForecast, ACurrentOfLongAgoIsNotFound) {
     EXPECT_EQ(error.kind(), ErrorKind::not_found);
     EXPECT_NE(error.message().find("2024-04-27"), std::string::npos) << "names the day it has";
     EXPECT_NE(error.message().find("2024-06-11"), std::string::npos) << "and the day it wants";
+    EXPECT_NE(error.message().find("more than 40 days"), std::string::npos) << error.message();
   }
+}
+
+TEST(MakeForecast, AColumnOfNothingButHolesOnTheDayIsSaidToBeThat) {
+  KnownSeriesForTests whole = sea_until(end_of_day);
+  add_wind_and_waves(whole);
+  KnownSeriesForTests holes = sea_until(end_of_day);
+  VectorColumn& column = holes.data.current.pieces[0].column;
+  for (std::size_t t = 0; t < column.times(); ++t) {
+    if (column.time[t].centre() < midnight) continue;
+    for (std::size_t k = 0; k < column.levels(); ++k)
+      column.status[column.offset(t, k)] = SampleStatus::missing;
+  }
+  const Snapshot snapshot = make_forecast(site_of({whole.data, holes.data}), at_five()).snapshot;
+  EXPECT_TRUE(snapshot.degraded);
+  EXPECT_TRUE(says(snapshot,
+                   "1 of 2 columns are not calibrated: no current of 2024-06-11 has a "
+                   "value"))
+      << snapshot.headline;
 }
 
 void expect_same(const DailyForecast& a, const DailyForecast& b) {
