@@ -189,6 +189,7 @@ std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCa
       candidates.begin(), candidates.end(),
       [](const Candidate& a, const Candidate& b) { return preference(a) < preference(b); });
   std::vector<Located> all;
+  all.reserve(candidates.size());
   for (const Candidate& candidate : candidates)
     all.push_back(locate(file, candidate, product, options, warnings));
 

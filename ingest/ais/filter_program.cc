@@ -16,8 +16,6 @@
 
 #include "fields/base/error.h"
 
-extern char** environ;  // POSIX
-
 namespace slackwater::ingest {
 namespace {
 

@@ -34,7 +34,7 @@ void MessageAssembler::malformed(const std::string& reason) {
   }
 }
 
-void MessageAssembler::lose(std::deque<Open>::iterator open) {
+void MessageAssembler::lose(const std::deque<Open>::iterator& open) {
   counts_.lost_fragments += static_cast<std::size_t>(open->next - 1);
   open_.erase(open);
 }

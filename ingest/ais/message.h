@@ -59,7 +59,7 @@ class MessageAssembler {
     AisMessage message;
   };
   void malformed(const std::string& reason);
-  void lose(std::deque<Open>::iterator open);
+  void lose(const std::deque<Open>::iterator& open);
   [[nodiscard]] std::optional<AisMessage> take_fragment(const AisSentence& sentence,
                                                         std::optional<UtcTime> time);
 

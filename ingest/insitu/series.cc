@@ -74,7 +74,7 @@ std::string attribution_of(const netcdf::File& file, const Product& product) {
   constexpr std::size_t longest = 1000;
   if (product.id != "cf") return product.attribution;
   for (const char* attribute : {"acknowledgement", "acknowledgment", "citation"}) {
-    const std::string text = file.text(attribute).value_or("");
+    std::string text = file.text(attribute).value_or("");
     if (text.find_first_not_of(' ') != std::string::npos && text.size() <= longest) return text;
   }
   const std::string institution =

@@ -218,7 +218,7 @@ std::string station_name_of(const netcdf::File& file, const StationAxes& axes,
   for (const netcdf::Variable& variable : file.variables()) {
     if (variable.text("cf_role") != "timeseries_id" || variable.type != netcdf::Type::character)
       continue;
-    const std::string all = file.read_text(variable);
+    std::string all = file.read_text(variable);
     if (axes.stations == 1) return all;
     const std::size_t width = variable.shape.empty() ? 0 : variable.shape.back();
     if (width > 0 && station * width < variable.size() && all.size() > station * width) {

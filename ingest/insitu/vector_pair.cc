@@ -67,10 +67,8 @@ Components components_of(const VectorPair& pair, const SeriesValues& speed,
     if (magnitude == 0.0 && has_value(speed.status[i])) {
       status = speed.status[i];
       vector = {0.0, 0.0};
-    } else if (!std::isnan(magnitude) && !std::isnan(degrees) &&
-               (degrees < 0.0 || degrees > 360.0)) {
-      status = SampleStatus::suspect;
-    } else if (magnitude < 0.0) {
+    } else if (magnitude < 0.0 || (!std::isnan(magnitude) && !std::isnan(degrees) &&
+                                   (degrees < 0.0 || degrees > 360.0))) {
       status = SampleStatus::suspect;
     } else {
       vector = pair.from ? vector_from_direction(magnitude, degrees)

@@ -60,7 +60,7 @@ std::vector<double> frequencies_of(const netcdf::File& file, std::vector<std::st
            " dimensions and " + std::to_string(variable.size()) +
            " values; expected one dimension of 2 to 1000 bands");
   }
-  const std::vector<double> hz = values_of(file, variable, "Hz", warnings);
+  std::vector<double> hz = values_of(file, variable, "Hz", warnings);
   double last = 0;
   for (const double f : hz) {
     if (!(f > last && f <= highest_hz)) {

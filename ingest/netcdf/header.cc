@@ -53,11 +53,14 @@ Type type_of(nc_type type) noexcept {
   }
 }
 
+/// What the library wrote into a buffer that was made for the longest name.
+std::string before_null(const std::string& buffer) { return buffer.substr(0, buffer.find('\0')); }
+
 Attribute read_attribute(int file, int variable, int number, const std::filesystem::path& path) {
   Attribute attribute;
   std::string name(NC_MAX_NAME + 1, '\0');
   check(nc_inq_attname(file, variable, number, name.data()), path, "reading an attribute name");
-  attribute.name = name.c_str();
+  attribute.name = before_null(name);
   nc_type type = NC_NAT;
   std::size_t length = 0;
   const std::string doing = "reading attribute '" + attribute.name + "'";
@@ -147,7 +150,7 @@ std::vector<Dimension> read_dimensions(int file, const std::filesystem::path& pa
     dimension.id = id;
     std::string name(NC_MAX_NAME + 1, '\0');
     check(nc_inq_dim(file, id, name.data(), &dimension.length), path, "reading a dimension");
-    dimension.name = name.c_str();
+    dimension.name = before_null(name);
     dimension.unlimited = std::find(unlimited.begin(), unlimited.end(), id) != unlimited.end();
     dimensions.push_back(std::move(dimension));
   }
@@ -163,7 +166,7 @@ Variable read_variable(int file, int id, const std::filesystem::path& path) {
   int attribute_count = 0;
   check(nc_inq_var(file, id, name.data(), &type, &rank, nullptr, &attribute_count), path,
         "reading a variable");
-  variable.name = name.c_str();
+  variable.name = before_null(name);
   variable.type = type_of(type);
   variable.dimension_ids.resize(static_cast<std::size_t>(rank));
   const std::string doing = "reading variable '" + variable.name + "'";
