@@ -145,7 +145,7 @@ std::vector<GeoPoint> read_points(const std::filesystem::path& file) {
 
 std::vector<double> parse_depths(const std::string& text) {
   const std::vector<std::string_view> by_slash = cells_of(text, '/');
-  const std::vector<double> depths =
+  std::vector<double> depths =
       by_slash.size() == 3 ? evenly(by_slash) : listed(cells_of(text, ','));
   const bool ascend = std::adjacent_find(depths.begin(), depths.end(), [](double a, double b) {
                         return !(a < b);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "api/rehearse/traffic_tables.h"
 
@@ -43,7 +44,7 @@ json alarm_json(const ScenarioResult& result, const AlarmRecord& alarm) {
 
 json followed_json(const TrackFollowing& f) {
   const bool is_known = f.deviation.samples > 0;
-  const auto or_null = [&](json value) { return is_known ? value : json(nullptr); };
+  const auto or_null = [&](json value) { return is_known ? std::move(value) : json(nullptr); };
   return {{"vehicle", f.vehicle_name},
           {"task", f.task},
           {"mmsi", f.mmsi},

@@ -17,7 +17,7 @@ using beast::http::field;
 using ErrorCode = boost::system::error_code;
 using Parser = beast::http::request_parser<beast::http::string_body>;
 
-constexpr std::size_t read_bytes = 16 * 1024;
+constexpr std::size_t read_bytes = std::size_t{16} * 1024;
 
 std::string text_of(boost::string_view text) { return {text.data(), text.size()}; }
 

@@ -34,7 +34,7 @@ constexpr std::size_t refusals_at_once = 64;
 
 asio::ip::address address_of(const ServerOptions& options) {
   ErrorCode problem;
-  const auto address = asio::ip::make_address(options.address, problem);
+  auto address = asio::ip::make_address(options.address, problem);
   if (problem) {
     throw Error(ErrorKind::usage, "the address to listen on is '" + options.address +
                                       "'; a numeric one is expected, e.g. 127.0.0.1 or ::1");

@@ -17,9 +17,9 @@ namespace asio = boost::asio;
 using ErrorCode = boost::system::error_code;
 
 /// What a client must take in within `Limits::write_time`.
-constexpr std::size_t write_stride_bytes = 256 * 1024;
+constexpr std::size_t write_stride_bytes = std::size_t{256} * 1024;
 /// Answers so small are not refused for the memory that others hold.
-constexpr std::size_t small_answer_bytes = 64 * 1024;
+constexpr std::size_t small_answer_bytes = std::size_t{64} * 1024;
 constexpr std::chrono::milliseconds linger_time{1000};
 /// The same while the server is stopping.
 constexpr std::chrono::milliseconds short_linger_time{100};

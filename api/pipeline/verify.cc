@@ -38,6 +38,7 @@ std::vector<store::ForecastRow> forecasts_to_score(store::Store& store, const Si
     if (!is_new && has_more_force(row, found->second)) found->second = std::move(row);
   }
   std::vector<store::ForecastRow> rows;
+  rows.reserve(in_force.size());
   for (auto& [key, row] : in_force) rows.push_back(std::move(row));
   return rows;
 }

@@ -1,8 +1,9 @@
 #include <unistd.h>
 
+#include <bit>
 #include <chrono>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 
@@ -41,7 +42,9 @@ std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 /// The first column of a list beside the tracks that is another one.
 std::string difference_of_tables(const TrajectoryFile& was, const TrajectoryFile& is) {
@@ -88,7 +91,7 @@ std::string difference_of(const TrajectoryFile& was, const TrajectoryFile& is) {
       }
     }
   }
-  if (const std::string parts = difference_of_tables(was, is); !parts.empty()) return parts;
+  if (std::string parts = difference_of_tables(was, is); !parts.empty()) return parts;
   if (was.attribute("source") != is.attribute("source"))
     return "all numbers are the same; the log is of " + was.attribute("source") + ", this is " +
            is.attribute("source");

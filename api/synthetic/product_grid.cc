@@ -8,10 +8,11 @@ namespace slackwater::api {
 namespace {
 
 std::vector<double> centred_axis(double centre_deg, double step_deg, std::size_t size) {
+  const std::size_t middle = size / 2;
   std::vector<double> axis;
+  axis.reserve(size);
   for (std::size_t i = 0; i < size; ++i) {
-    axis.push_back(centre_deg +
-                   (static_cast<double>(i) - static_cast<double>(size / 2)) * step_deg);
+    axis.push_back(centre_deg + (static_cast<double>(i) - static_cast<double>(middle)) * step_deg);
   }
   return axis;
 }

@@ -18,7 +18,7 @@ std::vector<double> covering_axis(double low_deg, double high_deg) {
   const auto first = std::lround(std::floor(low_deg / step_deg));
   const auto last = std::lround(std::ceil(high_deg / step_deg));
   for (auto i = first; i <= last; ++i)
-    axis.push_back(static_cast<double>(i) / std::lround(1 / step_deg));
+    axis.push_back(static_cast<double>(i) / static_cast<double>(std::lround(1 / step_deg)));
   return axis;
 }
 

@@ -11,7 +11,7 @@
 namespace slackwater::api::edr {
 namespace {
 
-constexpr std::size_t max_z_bytes = 32 * 1024;
+constexpr std::size_t max_z_bytes = std::size_t{32} * 1024;
 constexpr std::string_view forms =
     "a level (10), a list (0,5,10), a range (0/50) or a sequence (R20/100/50: 20 levels from 100, "
     "50 "

@@ -108,7 +108,7 @@ class Reader {
     std::string axes = name.substr(name_of(*type).size());
     if (axes.empty()) axes = word();
     if (axes == "EMPTY") refuse("coordinates, not EMPTY,");
-    if (axes != "" && axes != "Z" && axes != "M" && axes != "ZM") {
+    if (!axes.empty() && axes != "Z" && axes != "M" && axes != "ZM") {
       rest_ = start;
       refuse(std::string(name_of(*type)) + " with nothing, Z, M or ZM after it");
     }

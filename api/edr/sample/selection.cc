@@ -30,6 +30,7 @@ Selection select(const Collection& collection, const IssuedForecast& forecast,
   const std::vector<Parameter> all = parameters_of(collection, snapshot.members);
   if (const auto wanted = query.find("parameter-name")) {
     std::vector<std::string> names;
+    names.reserve(all.size());
     for (const Parameter& parameter : all) names.push_back(parameter.name);
     s.parameters = parse_parameter_names(*wanted, names);
   } else {

@@ -119,6 +119,7 @@ void append_value(std::string& out, double value) {
   std::size_t decimals = 0;
   while (size * static_cast<double>(powers[decimals]) < 1e5) ++decimals;
   const double scaled = size * static_cast<double>(powers[decimals]);
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): exact below 2^52, and no call.
   append_decimal(out, value < 0, static_cast<std::uint64_t>(scaled + 0.5), decimals);
 }
 

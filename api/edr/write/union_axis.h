@@ -21,6 +21,7 @@ class UnionAxis {
   std::vector<std::size_t> places(const std::vector<Value>& part) const {
     if (part.empty()) return {0};
     std::vector<std::size_t> found;
+    found.reserve(part.size());
     for (const Value& value : part) {
       found.push_back(
           static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), value) - all.begin()));
