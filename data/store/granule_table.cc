@@ -1,8 +1,8 @@
 #include "data/store/granule_table.h"
 
-#include "data/store/coverage.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/geo/coverage.h"
 
 namespace slackwater::store {
 namespace {

@@ -1,4 +1,4 @@
-#include "data/store/coverage.h"
+#include "fields/geo/coverage.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::store {
+namespace slackwater {
 namespace {
 
 TEST(BoxesOverlap, WhateverTheConventionOfTheirLongitudes) {
@@ -74,4 +74,4 @@ TEST(WidenedBox, GoesRoundTheEarthAtAPole) {
 }
 
 }  // namespace
-}  // namespace slackwater::store
+}  // namespace slackwater

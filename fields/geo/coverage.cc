@@ -1,11 +1,11 @@
-#include "data/store/coverage.h"
+#include "fields/geo/coverage.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "fields/base/constants.h"
 
-namespace slackwater::store {
+namespace slackwater {
 namespace {
 
 constexpr double radians_per_degree = constants::pi / 180.0;
@@ -66,4 +66,4 @@ BoundingBox box_of(const GeoPoint& point) noexcept {
   return {point.longitude_deg(), point.latitude_deg(), point.longitude_deg(), point.latitude_deg()};
 }
 
-}  // namespace slackwater::store
+}  // namespace slackwater

@@ -1,7 +1,7 @@
 #pragma once
 #include "fields/geo/geo_point.h"
 
-namespace slackwater::store {
+namespace slackwater {
 
 /// Whether two boxes share a point. Longitudes in any convention (0..360, ±180, across the
 /// antimeridian).
@@ -15,4 +15,4 @@ namespace slackwater::store {
 /// The box without extent.
 [[nodiscard]] BoundingBox box_of(const GeoPoint& point) noexcept;
 
-}  // namespace slackwater::store
+}  // namespace slackwater
