@@ -1,0 +1,223 @@
+#include "ingest/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "fields/base/error.h"
+#include "fields/record/mooring.h"
+#include "ingest/cf/granule_file.h"
+
+namespace slackwater::ingest {
+namespace {
+
+/// Cells up to this far from a column take part in its interpolation: more than the coarsest wind
+/// grid's step.
+constexpr double margin_deg = 0.3;
+
+struct IndexRange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+/// The indices of an axis inside [low, high] with one more on either side, so that a point at the
+/// edge of the box still has its neighbours.
+IndexRange around(const std::vector<double>& axis, double low, double high) {
+  const auto begin = std::lower_bound(axis.begin(), axis.end(), low);
+  const auto end = std::upper_bound(axis.begin(), axis.end(), high);
+  auto first = static_cast<std::size_t>(begin - axis.begin());
+  auto last = static_cast<std::size_t>(end - axis.begin());
+  first = first > 0 ? first - 1 : 0;
+  last = std::min(axis.size(), last + 1);
+  return {first, last > first ? last - first : 0};
+}
+
+IndexRange columns_around(const Grid& grid, const BoundingBox& box) {
+  const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
+  const double middle = 0.5 * (grid.longitude_deg.front() + grid.longitude_deg.back());
+  const double turn = 360.0 * std::round((middle - 0.5 * (box.west_deg + east)) / 360.0);
+  return around(grid.longitude_deg, box.west_deg + turn, east + turn);
+}
+
+IndexRange times_within(const Grid& grid, const Window& window) {
+  if (grid.time.empty()) return {0, 1};
+  std::size_t first = 0;
+  std::size_t last = grid.time.size();
+  if (window.from) {
+    while (first < last && grid.time[first].end < *window.from) ++first;
+  }
+  if (window.to) {
+    while (last > first && grid.time[last - 1].start > *window.to) --last;
+  }
+  return {first, last - first};
+}
+
+std::string dataset_of(const Granule& granule) {
+  std::ostringstream text;
+  if (granule.is_point_series) {  // its levels may differ from file to file, and are joined
+    text << granule.product_id << "/in-situ/" << granule.station
+         << (!granule.grid.time.empty() && granule.grid.time.front().is_mean() ? "/mean"
+                                                                               : "/instant");
+    return text.str();
+  }
+  text << granule.product_id << '/' << granule.dataset_id << '/' << granule.station << '/'
+       << granule.grid.levels_m.size();
+  if (!granule.grid.levels_m.empty())
+    text << '@' << granule.grid.levels_m.front() << '-' << granule.grid.levels_m.back();
+  if (!granule.grid.time.empty())
+    text << (granule.grid.time.front().is_mean() ? "/mean" : "/instant");
+  return text.str();
+}
+
+struct Loaded {
+  GranuleEntry entry;
+  Granule granule;
+  GriddedField field;
+};
+
+Origin origin_of(const Loaded& loaded) {
+  const Granule& granule = loaded.granule;
+  Origin origin;
+  origin.granules = {loaded.entry.number};
+  origin.status = granule.status;
+  origin.reference_time = granule.reference_time;
+  origin.dataset = dataset_of(granule);
+  origin.ensemble_member = granule.ensemble_member.value_or(0);
+  origin.product_id = granule.product_id;
+  origin.attribution = granule.attribution;
+  origin.sources = {loaded.entry.source_sha256};
+  origin.station = granule.station;
+  origin.is_point_series = granule.is_point_series;
+  origin.water_depth_m = granule.water_depth_m;
+  for (const GranuleVariable& variable : granule.variables) {
+    if (variable.standard_name == loaded.field.standard_name)
+      origin.contains_stokes = variable.contains_stokes;
+  }
+  return origin;
+}
+
+std::string reading(const std::string& name, const GranuleEntry& entry) {
+  return "reading " + name + " of " + entry.product_id;
+}
+
+/// One granule, opened once for all that is read from it.
+class OpenGranule {
+ public:
+  explicit OpenGranule(const GranuleEntry& entry)
+      : entry_(entry), file_(GranuleFile::open(entry.content_file)) {}
+
+  /// The window's part of one variable; nothing where the window holds no cell of it.
+  [[nodiscard]] std::optional<Loaded> read(const std::string& name, const Window& window) const {
+    const Grid& grid = file_.granule().grid;
+    const IndexRange rows = around(grid.latitude_deg, window.box.south_deg, window.box.north_deg);
+    const IndexRange columns = columns_around(grid, window.box);
+    const IndexRange times = times_within(grid, window);
+    if (rows.count == 0 || columns.count == 0 || times.count == 0) return std::nullopt;
+    Loaded loaded{entry_, file_.granule(), {}};
+    loaded.field = file_.read(name, times.first, times.count, rows.first, rows.count, columns.first,
+                              columns.count);
+    return loaded;
+  }
+
+ private:
+  GranuleEntry entry_;
+  GranuleFile file_;
+};
+
+bool names(const GranuleEntry& entry, const std::string& name) {
+  return std::find(entry.standard_names.begin(), entry.standard_names.end(), name) !=
+         entry.standard_names.end();
+}
+
+/// Whether two granules, one with U and one with V, belong together.
+bool pair_up(const Loaded& u, const Loaded& v) {
+  return u.granule.product_id == v.granule.product_id && u.granule.status == v.granule.status &&
+         u.granule.reference_time == v.granule.reference_time &&
+         u.granule.ensemble_member == v.granule.ensemble_member &&
+         u.granule.station == v.granule.station && u.field.grid == v.field.grid;
+}
+
+std::vector<VectorPiece> vector_pieces(const FindGranules& find, const std::string& east_name,
+                                       const std::string& north_name, const Window& window) {
+  std::vector<VectorPiece> pieces;
+  std::vector<Loaded> lone_north;
+  for (const GranuleEntry& entry : find({north_name}, window)) {
+    if (names(entry, east_name)) continue;
+    with_context(reading(north_name, entry), [&] {
+      if (auto loaded = OpenGranule(entry).read(north_name, window))
+        lone_north.push_back(std::move(*loaded));
+    });
+  }
+  for (const GranuleEntry& entry : find({east_name}, window)) {
+    with_context(reading(east_name, entry), [&] {
+      const OpenGranule granule(entry);
+      auto east = granule.read(east_name, window);
+      if (!east) return;
+      Origin origin = origin_of(*east);
+      if (names(entry, north_name)) {
+        auto north = granule.read(north_name, window);
+        pieces.push_back({std::move(origin), std::move(east->field), std::move(north->field)});
+        return;
+      }
+      // The newest V that fits.
+      const auto match = std::find_if(lone_north.rbegin(), lone_north.rend(),
+                                      [&](const Loaded& north) { return pair_up(*east, north); });
+      if (match == lone_north.rend()) return;
+      origin.granules.push_back(match->entry.number);
+      origin.sources.push_back(match->entry.source_sha256);
+      pieces.push_back({std::move(origin), std::move(east->field), match->field});
+    });
+  }
+  return pieces;
+}
+
+/// Pieces per name, each granule opened once for all of them.
+std::vector<std::vector<ScalarPiece>> scalar_pieces(const FindGranules& find,
+                                                    const std::vector<std::string>& wanted,
+                                                    const Window& window) {
+  std::vector<std::vector<ScalarPiece>> pieces(wanted.size());
+  for (const GranuleEntry& entry : find(wanted, window)) {
+    std::optional<OpenGranule> granule;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (!names(entry, wanted[i])) continue;
+      with_context(reading(wanted[i], entry), [&] {
+        if (!granule) granule.emplace(entry);
+        if (auto loaded = granule->read(wanted[i], window)) {
+          Origin origin = origin_of(*loaded);
+          pieces[i].push_back({std::move(origin), std::move(loaded->field)});
+        }
+      });
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to, const FindGranules& find) {
+  SitePieces pieces;
+  const Window window{from, to, site.box(margin_deg)};
+  pieces.current =
+      vector_pieces(find, "eastward_sea_water_velocity", "northward_sea_water_velocity", window);
+  join_moorings(pieces.current);
+  pieces.wind = vector_pieces(find, "eastward_wind", "northward_wind", window);
+  const auto scalar = [&](const char* name) {
+    return std::move(scalar_pieces(find, {name}, window).front());
+  };
+  pieces.mixed_layer_depth = scalar("ocean_mixed_layer_thickness_defined_by_sigma_theta");
+  if (pieces.mixed_layer_depth.empty())
+    pieces.temperature = scalar("sea_water_potential_temperature");
+  auto waves = scalar_pieces(find,
+                             {"sea_surface_wave_significant_height",
+                              "sea_surface_wave_period_at_variance_spectral_density_maximum",
+                              "sea_surface_wave_from_direction"},
+                             window);
+  pieces.significant_height = std::move(waves[0]);
+  pieces.peak_period = std::move(waves[1]);
+  pieces.wave_direction = std::move(waves[2]);
+  pieces.water_depth = std::move(scalar_pieces(find, {"sea_floor_depth_below_geoid"},
+                                               {std::nullopt, std::nullopt, window.box})[0]);
+  return pieces;
+}
+
+}  // namespace slackwater::ingest

@@ -1,0 +1,52 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fields/base/time.h"
+#include "fields/geo/geo_point.h"
+#include "fields/record/site_data.h"
+#include "fields/site/site.h"
+
+namespace slackwater::ingest {
+
+/// The window of time and space that is read.
+struct Window {
+  std::optional<UtcTime> from;  ///< absent for static fields
+  std::optional<UtcTime> to;
+  BoundingBox box;
+};
+
+/// A decoded granule as a list of granules names it, before its content file is opened.
+struct GranuleEntry {
+  std::int64_t number = 0;                  ///< of two granules the later ingested has the larger
+  std::string source_sha256;                ///< of the product file
+  std::string product_id;                   ///< for messages
+  std::vector<std::string> standard_names;  ///< CF, that it holds
+  std::filesystem::path content_file;       ///< ingest/cf/granule_file.h
+};
+
+/// Granules that come nearer than this to the window's box are looked at.
+inline constexpr double granule_margin_km = 10;
+
+/// The granules that hold any of these standard names, do not end before the window or begin after
+/// it (static fields always count) and come within `granule_margin_km` of its box; in catalogue
+/// order: by first time (static fields first), then name of the status, reference time, ensemble
+/// member (absent before present), number.
+using FindGranules = std::function<std::vector<GranuleEntry>(
+    const std::vector<std::string>& standard_names, const Window& window)>;
+
+/// The data around a site over a window of time, by quantity: what a forecast is made from
+/// (`site_data_of`). The one way from granules to pieces, whoever keeps the granules.
+///
+/// Granules are cut to the cells around the site's columns; U and V of one product in two files are
+/// paired by their times and grid, with the last V found that fits; current series of one mooring
+/// come as one piece (fields/record/mooring.h). Temperatures are read where no mixed-layer depth is
+/// there. An Error names the quantity and the product.
+[[nodiscard]] SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to,
+                                   const FindGranules& find);
+
+}  // namespace slackwater::ingest
