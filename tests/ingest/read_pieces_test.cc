@@ -1,0 +1,131 @@
+#include "ingest/read_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include "fields/base/error.h"
+#include "fields/record/choose.h"
+#include "tests/support/product_files_for_tests.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/temporary_folder.h"
+
+namespace slackwater::ingest {
+namespace {
+
+using slackwater::tests::ProductCell;
+using slackwater::tests::ProductForTests;
+using slackwater::tests::WaterForTests;
+using std::chrono::days;
+
+const UtcDay day = parse_day("2025-03-10");
+
+Site site_at(double longitude_deg) {
+  Site site;
+  site.id = "test_site";
+  site.point = GeoPoint::from_degrees(WaterForTests::site_latitude_deg, longitude_deg);
+  return site;
+}
+
+/// Product files in a folder, read in the order in which they were added.
+class ReadPiecesTest : public ::testing::Test {
+ protected:
+  void add(const ProductForTests& product, const IngestOptions& options = {}) {
+    const auto path = folder_ / ("product-" + std::to_string(files_.size()) + ".nc");
+    files_.push_back({tests::write_product(path, product), options});
+  }
+  [[nodiscard]] SitePieces read(
+      const Site& site = site_at(WaterForTests::site_longitude_deg)) const {
+    const auto products = ProductCatalogue::load(tests::source_folder() / "data" / "products");
+    return read_pieces(files_, products, site, UtcTime(day), UtcTime(day) + days(1)).pieces;
+  }
+  tests::TemporaryFolder folder_;
+  std::vector<FileToRead> files_;
+};
+
+/// The first value at the site's cell.
+float first_value(const GriddedField& field) {
+  const Grid& grid = field.grid;
+  return field.values[grid.offset(0, 0, grid.rows() / 2, grid.columns() / 2)];
+}
+
+TEST_F(ReadPiecesTest, CurrentsWindWavesAndBedComeEachToItsPlace) {
+  add(tests::current_product(day));
+  add(tests::wind_product(day));
+  add(tests::wave_product(day));
+  add(tests::bathymetry_product());
+  const SitePieces pieces = read();
+  ASSERT_EQ(pieces.current.size(), 1U);
+  EXPECT_EQ(pieces.current[0].east.grid.times(), 24U);
+  EXPECT_EQ(pieces.current[0].north.grid, pieces.current[0].east.grid);
+  EXPECT_EQ(pieces.wind.size(), 1U);
+  EXPECT_EQ(pieces.significant_height.size(), 1U);
+  EXPECT_EQ(pieces.peak_period.size(), 1U);
+  EXPECT_EQ(pieces.wave_direction.size(), 1U);
+  EXPECT_EQ(pieces.water_depth.size(), 1U);
+  EXPECT_TRUE(pieces.mixed_layer_depth.empty());
+}
+
+TEST_F(ReadPiecesTest, TheLaterFileHasTheLargerNumberAndWins) {
+  add(tests::current_product(day));
+  ProductForTests later = tests::current_product(day);
+  later.quantity("uo").value = [](const ProductCell&) { return 0.25; };
+  add(later);
+  const SiteData data = site_data_of(site_at(WaterForTests::site_longitude_deg), read());
+  const auto chosen = choose(data.columns[0].current, {}, {});
+  ASSERT_EQ(chosen.column.times(), 24U);
+  for (const Horizontal& current : chosen.column.value)
+    EXPECT_NEAR(current.real(), 0.25, 1e-6);  // a float
+}
+
+TEST_F(ReadPiecesTest, AFileGivenTwiceCountsOnceUnlessItIsReadOtherwise) {
+  add(tests::current_product(day));
+  files_.push_back(files_.front());
+  EXPECT_EQ(read().current.size(), 1U);
+  files_.push_back(files_.front());
+  files_.back().options.as = DataStatus::forecast;
+  files_.back().options.issued = UtcTime(day) - days(1);
+  const SitePieces pieces = read();
+  ASSERT_EQ(pieces.current.size(), 2U);
+  // Of equal first times the analysis stands first: "analysis" < "forecast".
+  EXPECT_EQ(pieces.current[0].origin.status, DataStatus::analysis);
+  EXPECT_EQ(pieces.current[1].origin.status, DataStatus::forecast);
+  EXPECT_EQ(pieces.current[0].origin.sources, pieces.current[1].origin.sources);
+}
+
+TEST_F(ReadPiecesTest, EastAndNorthOfTwoFilesArePaired) {
+  ProductForTests east = tests::current_product(day);
+  ProductForTests north = east;
+  std::erase_if(east.quantities, [](const auto& quantity) { return quantity.name == "vo"; });
+  std::erase_if(north.quantities, [](const auto& quantity) { return quantity.name == "uo"; });
+  add(north);
+  add(east);
+  const SitePieces pieces = read();
+  ASSERT_EQ(pieces.current.size(), 1U);
+  EXPECT_EQ(pieces.current[0].origin.granules, (std::vector<std::int64_t>{2, 1}));
+  EXPECT_EQ(pieces.current[0].origin.sources.size(), 2U);
+  const ProductCell cell{UtcTime(day), 0, WaterForTests::site_latitude_deg,
+                         WaterForTests::site_longitude_deg};
+  EXPECT_NEAR(first_value(pieces.current[0].east), WaterForTests::eastward_m_s(cell), 1e-6);
+  EXPECT_NEAR(first_value(pieces.current[0].north), WaterForTests::northward_m_s(cell), 1e-6);
+}
+
+TEST_F(ReadPiecesTest, WhatIsFarOffInSpaceOrTimeIsLeftOut) {
+  add(tests::current_product(day - days(3)));
+  EXPECT_TRUE(read().current.empty());
+  add(tests::current_product(day));
+  EXPECT_EQ(read().current.size(), 1U);
+  EXPECT_TRUE(read(site_at(-30)).current.empty());
+}
+
+TEST_F(ReadPiecesTest, AFileThatIsNotThereIsNamed) {
+  files_.push_back({folder_ / "nowhere.nc", {}});
+  try {
+    (void)read();
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::not_found);
+    EXPECT_NE(error.message().find("nowhere.nc"), std::string::npos) << error.message();
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::ingest
