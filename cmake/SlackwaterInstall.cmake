@@ -49,9 +49,11 @@ foreach(folder fields ingest calibration twin data/store)
 endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Slackwater)
+set(SLACKWATER_DATA_FOLDER ${CMAKE_INSTALL_DATADIR}/slackwater)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SlackwaterConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/SlackwaterConfig.cmake
-                              INSTALL_DESTINATION ${package_folder})
+                              INSTALL_DESTINATION ${package_folder}
+                              PATH_VARS SLACKWATER_DATA_FOLDER)
 # Nothing of 0.x promises to fit anything but itself.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/SlackwaterConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
