@@ -49,11 +49,6 @@ std::vector<UtcTime> hourly(UtcTime from, UtcTime to) {
   return stamps;
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
 /// Which day is forecast from, and which should have been.
 struct DayChoice {
   UtcDay wanted{};

@@ -30,8 +30,8 @@ struct ColumnForecast {
 };
 
 /// Calibrates the column on day D and propagates it over the plan's stamps: tide (where the record
-/// allows) + Ekman model + memory of D (calibration/propagate), with wind and waves beside it. Pure; safe to run for
-/// many columns at once.
+/// allows) + Ekman model + memory of D (calibration/propagate), with wind and waves beside it.
+/// Pure; safe to run for many columns at once.
 [[nodiscard]] ColumnForecast forecast_column(const ColumnData& column, const Site& site,
                                              const ForecastPlan& plan);
 

@@ -1,9 +1,10 @@
 // forecast [--as-analysis] LATITUDE LONGITUDE DAY TIME FILE…: a forecast without a store. Reads the
 // product files, fits DAY and forecasts the day after it as of the end of DAY; prints what it is
 // made of, the current over depth at TIME and, where the files hold the day after, how well it did.
+#include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "calibration/day/daily_forecast.h"
@@ -16,6 +17,13 @@ namespace {
 
 using namespace slackwater;
 constexpr std::chrono::hours horizon{24};
+
+double degrees(std::string_view text) {
+  double value = 0;
+  const auto [stop, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem == std::errc{} && stop == text.data() + text.size()) return value;
+  throw Error(ErrorKind::usage, "found '" + std::string(text) + "', expected degrees, e.g. 48.85");
+}
 
 SiteData read(const Site& site, UtcDay day, std::span<const ingest::FileToRead> files) {
   const UtcTime end = UtcTime(day) + std::chrono::days(1);
@@ -30,7 +38,8 @@ SiteData read(const Site& site, UtcDay day, std::span<const ingest::FileToRead> 
 void print_weights(const calibration::Earned& earned) {
   std::printf("Issued:");
   for (const calibration::CandidateShare& share : earned.blend.share)
-    if (share.weight > 0) std::printf(" %s %.0f%%", share.name.c_str(), 100 * share.weight);
+    if (share.weight > 0)
+      std::printf(" %s %.0f%%", name_of(share.method).data(), 100 * share.weight);
   std::printf(". %s\nSpread times %.2f. %s\n", earned.blend.provenance.c_str(), earned.spread.scale,
               earned.spread.provenance.c_str());
 }
@@ -61,8 +70,9 @@ void print_score(const SiteData& data, const calibration::DailyForecast& forecas
       calibration::score_forecast(data, forecast.snapshot, forecast.plan.dataset, options);
   for (const calibration::SkillEntry& entry : skill.entries) {
     if (entry.variable == "sea_water_velocity" &&
-        (entry.method == "forecast" || entry.method == "persistence"))
-      std::printf("%s is off by %.4f m/s\n", entry.method.c_str(), entry.vector.rmse_m_s);
+        (entry.method == calibration::Method::forecast ||
+         entry.method == calibration::Method::persistence))
+      std::printf("%s is off by %.4f m/s\n", name_of(entry.method).data(), entry.vector.rmse_m_s);
   }
 }
 
@@ -80,7 +90,7 @@ int main(int argc, char** argv) try {
   }
   Site site;
   site.id = site.name = "here";
-  site.point = GeoPoint::from_degrees(std::atof(argv[1]), std::atof(argv[2]));
+  site.point = GeoPoint::from_degrees(degrees(argv[1]), degrees(argv[2]));
   calibration::ForecastOptions job;
   job.day = parse_day(argv[3]);
   job.issued = UtcTime(*job.day) + std::chrono::days(1);
