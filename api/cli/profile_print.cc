@@ -6,6 +6,7 @@
 #include <string>
 
 #include "api/cli/command.h"
+#include "ingest/cf/provenance_json.h"
 
 namespace slackwater::api {
 namespace {
@@ -65,7 +66,7 @@ json to_json(const ProfileAnswer& a) {
            {{"velocity", "m s-1"}, {"direction", "degree, towards, clockwise from true north"}}},
           {"levels", levels},
           {"attributions", snapshot.attributions},
-          {"provenance", json::parse(snapshot.provenance_json, nullptr, false)}};
+          {"provenance", json::parse(ingest::provenance_json(snapshot.provenance))}};
 }
 
 /// "21 members" beside the central forecast, or which of them the table shows.

@@ -7,6 +7,7 @@
 #include "api/cli/progress.h"
 #include "fields/base/error.h"
 #include "ingest/cf/point_samples_writer.h"
+#include "ingest/cf/provenance_json.h"
 
 namespace slackwater::api {
 namespace {
@@ -42,7 +43,7 @@ ingest::PointSamplesHead head_of(const Samples& s) {
            {"slackwater_degraded", f.degraded ? "true" : "false"},
            {"slackwater_contains_stokes", f.contains_stokes ? "true" : "false"},
            {"slackwater_attributions", credit},
-           {"slackwater_provenance", f.provenance_json}}};
+           {"slackwater_provenance", ingest::provenance_json(f.provenance)}}};
 }
 
 /// Shows how far the work is, block by block.

@@ -8,9 +8,10 @@ namespace slackwater::api {
 
 DailyJob daily_job(const SiteData& data, const calibration::ForecastOptions& options) {
   DailyJob job;
-  job.forecast = calibration::make_forecast(data, options);
-  job.summary_json = job_summary(data, options, job.forecast);
-  job.forecast.snapshot.provenance_json = job_provenance(data, options, job.forecast);
+  calibration::ForecastOptions ours = options;
+  ours.code_version = code_version();
+  job.forecast = calibration::make_forecast(data, ours);
+  job.summary_json = job_summary(data, ours, job.forecast);
   return job;
 }
 

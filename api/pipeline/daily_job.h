@@ -15,8 +15,8 @@ struct DailyJob {
   std::string summary_json;  ///< calibration report, inputs, effective configuration
 };
 
-/// The daily job without the store: the forecast (calibration/day/daily_forecast.h), its summary
-/// and its provenance.
+/// The daily job without the store: the forecast (calibration/day/daily_forecast.h), made by this
+/// version of the program, and its summary.
 [[nodiscard]] DailyJob daily_job(const SiteData& data, const calibration::ForecastOptions& options);
 
 /// Writes the forecast's file and stores it as issued; returns its id.

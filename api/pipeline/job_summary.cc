@@ -1,10 +1,6 @@
 #include "api/pipeline/job_summary.h"
 
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
-
-#include "api/program/version.h"
 
 namespace slackwater::api {
 namespace {
@@ -15,16 +11,9 @@ using calibration::ForecastOptions;
 using nlohmann::json;
 
 json inputs_of(const DailyForecast& forecast) {
-  std::map<std::string, std::set<std::string>> products;
-  for (const ColumnForecast& column : forecast.columns) {
-    for (const Origin* origin : column.origins) {
-      products[origin->product_id].insert(origin->sources.begin(), origin->sources.end());
-    }
-  }
   json list = json::array();
-  for (const auto& [product, files] : products) {
-    list.push_back({{"product", product}, {"sha256", files}});
-  }
+  for (const ProductFiles& files : forecast.snapshot.provenance.inputs)
+    list.push_back({{"product", files.product}, {"sha256", files.sha256}});
   return list;
 }
 
@@ -129,26 +118,8 @@ std::string job_summary(const SiteData& data, const ForecastOptions& options,
       {"dry_columns", data.dry_columns},
       {"columns", columns},
       {"blend", blend_json(forecast)},
-      {"code_version", code_version()}};
+      {"code_version", options.code_version}};
   return summary.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-std::string job_provenance(const SiteData& data, const ForecastOptions& options,
-                           const DailyForecast& forecast) {
-  json provenance = {{"site", data.site.id},
-                     {"issued", format_utc(options.issued)},
-                     {"inputs", inputs_of(forecast)},
-                     {"code_version", code_version()}};
-  if (!forecast.columns.empty() && forecast.columns.front().calibration() != nullptr) {
-    const auto& c = *forecast.columns.front().calibration();
-    json parameters;
-    for (const auto& p : c.parameters) parameters[p.name] = p.value;
-    provenance["calibration"] = {{"form", std::string(name_of(c.form))},
-                                 {"rms_m_s", c.rms_m_s},
-                                 {"termination", c.termination},
-                                 {"parameters", parameters}};
-  }
-  return provenance.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace slackwater::api

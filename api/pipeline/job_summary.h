@@ -11,10 +11,4 @@ namespace slackwater::api {
                                       const calibration::ForecastOptions& options,
                                       const calibration::DailyForecast& forecast);
 
-/// What a number served from the forecast can name: inputs by sha256 and product, code version,
-/// water depth.
-[[nodiscard]] std::string job_provenance(const SiteData& data,
-                                         const calibration::ForecastOptions& options,
-                                         const calibration::DailyForecast& forecast);
-
 }  // namespace slackwater::api

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 
 #include "calibration/day/issued_blend.h"
@@ -192,6 +193,30 @@ Snapshot snapshot_of(const SiteData& data, const ForecastPlan& plan,
   return snapshot;
 }
 
+Provenance provenance_of(const SiteData& data, const ForecastOptions& options,
+                         const std::vector<ColumnForecast>& columns) {
+  Provenance provenance;
+  provenance.site = data.site.id;
+  provenance.issued = options.issued;
+  provenance.code_version = options.code_version;
+  std::map<std::string, std::set<std::string>> products;
+  for (const ColumnForecast& column : columns) {
+    for (const Origin* origin : column.origins)
+      products[origin->product_id].insert(origin->sources.begin(), origin->sources.end());
+  }
+  for (const auto& [product, files] : products)
+    provenance.inputs.push_back({product, {files.begin(), files.end()}});
+  const Calibration* const fitted = columns.empty() ? nullptr : columns.front().calibration();
+  if (fitted == nullptr) return provenance;
+  CalibrationSummary& summary = provenance.calibration.emplace();
+  summary.form = name_of(fitted->form);
+  summary.rms_m_s = fitted->rms_m_s;
+  summary.termination = fitted->termination;
+  for (const Parameter& parameter : fitted->parameters)
+    summary.parameters[parameter.name] = parameter.value;
+  return provenance;
+}
+
 std::vector<std::int64_t> granules_of(const std::vector<ColumnForecast>& columns) {
   std::set<std::int64_t> granules;
   for (const ColumnForecast& column : columns) {
@@ -222,6 +247,7 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   result.snapshot = snapshot_of(data, result.plan, result.columns);
   result.snapshot.degraded = !troubles.empty();
   result.snapshot.headline = headline_of(result.plan, troubles);
+  result.snapshot.provenance = provenance_of(data, options, result.columns);
   result.input_granules = granules_of(result.columns);
   return result;
 }

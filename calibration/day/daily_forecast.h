@@ -18,7 +18,8 @@ struct ForecastOptions {
   Duration horizon = std::chrono::hours(72);  ///< beyond the end of D
   WindPolicy wind = WindPolicy::best;
   int threads = 1;
-  std::uint64_t seed = 1;  ///< of the members
+  std::uint64_t seed = 1;    ///< of the members
+  std::string code_version;  ///< of the program that makes the forecast, for its provenance
   /// Rehearsed days to share between forecasts of the same data; null: the forecast's own.
   Rehearsals* rehearsals = nullptr;
 };

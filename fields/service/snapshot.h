@@ -9,6 +9,7 @@
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
 #include "fields/grid/status.h"
+#include "fields/service/provenance.h"
 #include "fields/service/wind_policy.h"
 
 namespace slackwater {
@@ -58,7 +59,7 @@ struct Snapshot {
   bool contains_stokes = false;  ///< the currents it was fitted to still hold Stokes drift
   std::string headline;          ///< one sentence a coordinator reads first
   std::vector<std::string> attributions;
-  std::string provenance_json;  ///< inputs (sha256), calibration, code version
+  Provenance provenance;
 };
 
 /// The current of a member over time x depth, a view; empty where the column does not hold it.

@@ -12,6 +12,7 @@
 #include "ingest/cf/forecast_file.h"
 #include "ingest/cf/forecast_members.h"
 #include "ingest/cf/forecast_names.h"
+#include "ingest/cf/provenance_json.h"
 #include "ingest/netcdf/file.h"
 
 namespace slackwater::ingest {
@@ -56,7 +57,7 @@ class ForecastReader {
     s.contains_stokes = text("slackwater_contains_stokes") == "true";
     s.headline = text("slackwater_headline");
     s.attributions = lines_of(text("slackwater_attributions"));
-    s.provenance_json = text("slackwater_provenance");
+    s.provenance = provenance();
     for (const double seconds : values("time")) {
       if (!(std::abs(seconds) < 1e12)) refuse("a time that is none");
       s.time.push_back(UtcTime(Duration(static_cast<Duration::rep>(std::llround(seconds * 1000)))));
@@ -99,6 +100,11 @@ class ForecastReader {
     const std::string name = text("slackwater_wind_policy");
     return with_context(in_.path().string() + ": slackwater_wind_policy",
                         [&] { return wind_policy_from(name); });
+  }
+  Provenance provenance() const {
+    const std::string found = text("slackwater_provenance");
+    return with_context(in_.path().string() + ": slackwater_provenance",
+                        [&] { return provenance_from(found); });
   }
   std::string text(const char* name) const {
     if (auto found = in_.text(name)) return *found;

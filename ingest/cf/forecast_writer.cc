@@ -11,6 +11,7 @@
 #include "ingest/cf/forecast_file.h"
 #include "ingest/cf/forecast_members.h"
 #include "ingest/cf/forecast_names.h"
+#include "ingest/cf/provenance_json.h"
 #include "ingest/netcdf/file.h"
 
 namespace slackwater::ingest {
@@ -250,7 +251,7 @@ class ForecastWriter {
     global("slackwater_contains_stokes", s_.contains_stokes ? "true" : "false");
     global("slackwater_headline", s_.headline);
     global("slackwater_attributions", credit);
-    global("slackwater_provenance", s_.provenance_json);
+    global("slackwater_provenance", provenance_json(s_.provenance));
     std::string depth_sources;
     for (const ForecastColumn& column : s_.columns) {
       depth_sources += (depth_sources.empty() ? "" : "\n") + column.water_depth_source;

@@ -12,6 +12,7 @@
 #include "data/store/store.h"
 #include "fields/service/field.h"
 #include "ingest/cf/forecast_file.h"
+#include "ingest/cf/provenance_json.h"
 #include "ingest/netcdf/file.h"
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/store_for_tests.h"
@@ -116,7 +117,7 @@ TEST_F(Sample, EveryNumberOfTheFileIsTheSamplersOwnAndNoneIsNaN) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const File file = File::open(out());
   EXPECT_EQ(file.text("featureType"), "timeSeriesProfile");
-  EXPECT_EQ(file.text("slackwater_provenance"), snapshot_->provenance_json);
+  EXPECT_EQ(file.text("slackwater_provenance"), ingest::provenance_json(snapshot_->provenance));
   EXPECT_EQ(file.find("time")->size(), 14U);
   const Field field(snapshot_);
   expect_the_samplers_own(file, field, 0, "");

@@ -55,7 +55,6 @@ Snapshot forecast() {
   s.day = parse_day("2025-03-09");
   s.issued = parse_utc("2025-03-10T05:00:00Z");
   s.wind_policy = WindPolicy::best;
-  s.provenance_json = "{}";
   s.headline = "made up";
   for (int k = 0; k < levels; ++k) s.depth_m.push_back(depth(k));
   for (int t = 0; t < stamps; ++t) s.time.push_back(add_hours(start, t));

@@ -88,7 +88,6 @@ Snapshot made_up_forecast(const MadeUpForecast& size) {
   s.wind_policy = WindPolicy::best;
   s.headline = "A made-up forecast.";
   s.attributions = {"made up for tests"};
-  s.provenance_json = R"({"inputs":[]})";
   s.members = size.members;
   s.seed = size.seed;
   for (std::size_t k = 0; k < size.levels; ++k) s.depth_m.push_back(depth_of(k, size.levels));

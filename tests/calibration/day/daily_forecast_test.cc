@@ -261,6 +261,27 @@ TEST(MakeForecast, ACurrentOfLongAgoIsNotFound) {
   }
 }
 
+TEST(MakeForecast, NamesWhatItRestsOn) {
+  KnownSeriesForTests sea = sea_until(end_of_day);
+  add_wind_and_waves(sea);
+  const SiteData data = site_of({sea.data});
+  ForecastOptions options = at_five();
+  options.code_version = "0.1.0+made-up";
+  const DailyForecast made = make_forecast(data, options);
+  const Provenance& provenance = made.snapshot.provenance;
+  EXPECT_EQ(provenance.site, data.site.id);
+  EXPECT_EQ(provenance.issued, options.issued);
+  EXPECT_EQ(provenance.code_version, "0.1.0+made-up");
+  EXPECT_FALSE(provenance.inputs.empty());
+  EXPECT_TRUE(std::is_sorted(provenance.inputs.begin(), provenance.inputs.end(),
+                             [](const auto& a, const auto& b) { return a.product < b.product; }));
+  ASSERT_TRUE(provenance.calibration);
+  const Calibration& fitted = *made.columns.front().calibration();
+  EXPECT_EQ(provenance.calibration->form, name_of(fitted.form));
+  EXPECT_EQ(provenance.calibration->rms_m_s, fitted.rms_m_s);
+  EXPECT_EQ(provenance.calibration->parameters.size(), fitted.parameters.size());
+}
+
 TEST(MakeForecast, AColumnOfNothingButHolesOnTheDayIsSaidToBeThat) {
   KnownSeriesForTests whole = sea_until(end_of_day);
   add_wind_and_waves(whole);

@@ -30,7 +30,11 @@ Snapshot full_snapshot(std::size_t columns) {
   s.contains_stokes = true;
   s.headline = "No wind is stored: the wind-driven part is left out.";
   s.attributions = {"first sentence", "second sentence"};
-  s.provenance_json = R"({"inputs":[]})";
+  s.provenance.site = "otranto";
+  s.provenance.issued = s.issued;
+  s.provenance.inputs = {{"med_currents", {"0a", "0b"}}, {"wind", {}}};
+  s.provenance.code_version = "0.1.0";
+  s.provenance.calibration = {"finite_depth", 0.1 + 0.2, "converged", {{"viscosity", 1e-3 / 3}}};
   s.depth_m = {0.494025, 5.078224, 29.44473};
   for (int t = 0; t <= 24; ++t) s.time.push_back(UtcTime(s.day) + hours(24 + t));
   s.columns.resize(columns);
@@ -71,7 +75,7 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(a.contains_stokes, b.contains_stokes);
   EXPECT_EQ(a.headline, b.headline);
   EXPECT_EQ(a.attributions, b.attributions);
-  EXPECT_EQ(a.provenance_json, b.provenance_json);
+  EXPECT_EQ(a.provenance, b.provenance);
   ASSERT_EQ(a.columns.size(), b.columns.size());
   for (std::size_t c = 0; c < a.columns.size(); ++c) {
     EXPECT_NEAR(a.columns[c].point.latitude_deg(), b.columns[c].point.latitude_deg(), 1e-13);
