@@ -105,6 +105,7 @@ std::vector<std::size_t> shape_of(int file, int variable) {
   std::vector<int> dimensions(static_cast<std::size_t>(rank));
   if (rank > 0) nc_inq_vardimid(file, variable, dimensions.data());
   std::vector<std::size_t> shape;
+  shape.reserve(dimensions.size());
   for (const int dimension : dimensions) shape.push_back(length_of(file, dimension));
   return shape;
 }
