@@ -29,7 +29,7 @@ struct ReadPieces {
 /// file's wins; a file given twice with the same options counts once.
 ///
 /// @param from, to  the window of time; a forecast of day D looks back over
-///                  `calibration::history_read` and ahead to its horizon
+///                  `calibration::history_wanted` and ahead to its horizon
 ///
 /// Granules pass through a folder of their own below the system's folder for temporary files, gone
 /// when the call ends. Throws what `decode_file` throws, Error(unavailable) where there is no room

@@ -10,6 +10,7 @@
 #include "api/pipeline/verify.h"
 #include "api/program/paths.h"
 #include "api/report/verdict_text.h"
+#include "fields/base/text.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 
@@ -102,10 +103,9 @@ std::string verified_text(const std::optional<calibration::Verdict>& verdict, Wi
     return "Not verified yet: no truth after a stored forecast of this site with wind " +
            std::string(name_of(wind)) + ".";
   }
-  char error[48];
-  std::snprintf(error, sizeof error, ": %.3f m/s", verdict->forecast.score.rmse);
-  std::string text =
-      "Verified over past days, lead " + calibration::lead_text(verdict->forecast.of.lead) + error;
+  std::string text = "Verified over past days, lead " +
+                     calibration::lead_text(verdict->forecast.of.lead) +
+                     formatted(": {:.3f} m/s", verdict->forecast.score.rmse);
   if (verdict->best) text += "; " + baseline_text(*verdict);
   return text + (verdict->is_beaten() ? ": THE FORECAST DOES NOT BEAT IT." : ".");
 }

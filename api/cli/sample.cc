@@ -1,12 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <cstdio>
 
 #include "api/cli/command.h"
 #include "api/cli/point_list.h"
 #include "api/cli/sample_write.h"
 #include "api/issued/in_force.h"
 #include "api/program/paths.h"
+#include "fields/base/text.h"
 #include "fields/site/site.h"
 
 namespace slackwater::api {
@@ -69,13 +69,11 @@ void expect_bounded(const SampleGrid& grid, std::size_t members) {
   const double values = static_cast<double>(grid.points.size()) *
                         static_cast<double>(grid.per_point()) * static_cast<double>(members);
   if (values <= static_cast<double>(most_values)) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%zu points x %zu times x %zu depths x %zu members are %.2g values, expected at "
-                "most %.0e; give them in several runs",
-                grid.points.size(), grid.time.size(), grid.depth_m.size(), members, values,
-                static_cast<double>(most_values));
-  throw Error(ErrorKind::usage, text);
+  throw Error(ErrorKind::usage,
+              formatted("{} points x {} times x {} depths x {} members are {:.2g} values, expected "
+                        "at most {:.0e}; give them in several runs",
+                        grid.points.size(), grid.time.size(), grid.depth_m.size(), members, values,
+                        static_cast<double>(most_values)));
 }
 
 void expect_writable(const std::filesystem::path& out) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 
 #include "api/report/verdict_text.h"
 #include "calibration/verify/skill_set.h"
+#include "fields/base/text.h"
 #include "fields/service/field.h"
 
 namespace slackwater::api {
@@ -19,12 +19,6 @@ using std::chrono::hours;
 using std::chrono::minutes;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::string number(double value, const char* form) {
-  char text[64];
-  std::snprintf(text, sizeof text, form, value);
-  return text;
-}
 
 /// Half-hourly, metre by metre: smooth to look at.
 ReportProfile profile_of(const DemoResult& result) {
@@ -62,7 +56,7 @@ std::vector<ReportSkill> skill_of(const DemoResult& result) {
   for (const calibration::SkillSet& set : sets) {
     ReportSkill row;
     row.method = name_of(set.of.method);
-    row.lead = number(set.of.lead.from_h, "%.0f") + "–" + number(set.of.lead.to_h, "%.0f h");
+    row.lead = formatted("{:.0f}–{:.0f} h", set.of.lead.from_h, set.of.lead.to_h);
     row.rmse_m_s = set.score.rmse;
     rows.push_back(row);
   }
@@ -105,10 +99,11 @@ ReportTable truth_table(const DemoResult& result) {
       "without the noise of its products.";
   table.columns = {"day D", "forecast", "persistence", "day mean", "same hour", "inside 80 % band"};
   for (const DemoDay& day : result.days) {
-    table.rows.push_back(
-        {format_day(day.day), number(day.forecast_rmse_m_s, "%.3f"),
-         number(day.persistence_rmse_m_s, "%.3f"), number(day.day_mean_rmse_m_s, "%.3f"),
-         number(day.same_hour_rmse_m_s, "%.3f"), number(100 * day.coverage_80, "%.0f %%")});
+    table.rows.push_back({format_day(day.day), formatted("{:.3f}", day.forecast_rmse_m_s),
+                          formatted("{:.3f}", day.persistence_rmse_m_s),
+                          formatted("{:.3f}", day.day_mean_rmse_m_s),
+                          formatted("{:.3f}", day.same_hour_rmse_m_s),
+                          formatted("{:.0f} %", 100 * day.coverage_80)});
   }
   return table;
 }
@@ -127,9 +122,9 @@ ReportTable calibration_table(const DemoResult& result) {
     std::string note = p["at_bound"].get<bool>() ? "at its bound" : "";
     if (p["weakly_determined"].get<bool>())
       note += note.empty() ? "weakly determined" : ", weakly determined";
-    table.rows.push_back({p["name"].get<std::string>(), number(p["value"].get<double>(), "%.4g"),
-                          p["unit"].get<std::string>(), number(p["prior"].get<double>(), "%.4g"),
-                          note});
+    table.rows.push_back(
+        {p["name"].get<std::string>(), formatted("{:.4g}", p["value"].get<double>()),
+         p["unit"].get<std::string>(), formatted("{:.4g}", p["prior"].get<double>()), note});
   }
   table.note = calibration["termination"].get<std::string>();
   return table;
@@ -142,9 +137,8 @@ ReportInput demo_page(const DemoResult& result, const std::string& generated) {
   const ForecastColumn& column = s.columns.front();
   ReportInput page;
   page.title = "Current forecast for " + s.site_name;
-  page.site = number(column.point.latitude_deg(), "%.3f N ") +
-              number(column.point.longitude_deg(), "%.3f E, ") +
-              number(column.water_depth_m, "%.0f m of water");
+  page.site = formatted("{:.3f} N {:.3f} E, {:.0f} m of water", column.point.latitude_deg(),
+                        column.point.longitude_deg(), column.water_depth_m);
   page.headline = s.headline;
   page.degraded = s.degraded;
   page.issued = s.issued;

@@ -1,8 +1,8 @@
 #include "api/pipeline/downloads.h"
+#include "fields/base/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
 namespace slackwater::api {
@@ -37,14 +37,11 @@ std::string subset_line(const Download& d, const Site& site, UtcTime from, UtcTi
   std::string line = "copernicusmarine subset -i " + d.dataset_id;
   if (d.part) line += " --dataset-part " + *d.part;
   for (const std::string& variable : d.variables) line += " -v " + variable;
-  char numbers[160];
-  std::snprintf(numbers, sizeof numbers, " -x %.3f -X %.3f -y %.3f -Y %.3f", box.west_deg,
-                box.east_deg, box.south_deg, box.north_deg);
-  line += numbers;
+  line += formatted(" -x {:.3f} -X {:.3f} -y {:.3f} -Y {:.3f}", box.west_deg, box.east_deg,
+                    box.south_deg, box.north_deg);
   if (d.has_depth) {
     const double deepest = site.water_depth_m ? std::ceil(*site.water_depth_m / 10) * 10 + 10 : 200;
-    std::snprintf(numbers, sizeof numbers, " -z 0 -Z %.0f", deepest);
-    line += numbers;
+    line += formatted(" -z 0 -Z {:.0f}", deepest);
   }
   if (d.kind != DownloadKind::bathymetry)
     line += " -t " + compact_time(from) + " -T " + compact_time(to);

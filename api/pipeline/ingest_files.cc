@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <future>
 
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -15,10 +15,8 @@ namespace {
 std::string cut_key(const ingest::IngestOptions& options) {
   std::string key;
   if (options.cut) {
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), "bbox=%.6f,%.6f,%.6f,%.6f;", options.cut->west_deg,
-                  options.cut->south_deg, options.cut->east_deg, options.cut->north_deg);
-    key += text.data();
+    key += formatted("bbox={:.6f},{:.6f},{:.6f},{:.6f};", options.cut->west_deg,
+                     options.cut->south_deg, options.cut->east_deg, options.cut->north_deg);
   }
   if (options.as) key += "as=" + std::string(name_of(*options.as)) + ";";
   if (options.issued) key += "issued=" + format_utc(*options.issued) + ";";

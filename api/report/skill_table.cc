@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <tuple>
 
 #include "api/report/skill_table.h"
 #include "calibration/verify/skill_set.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -15,20 +15,17 @@ constexpr const char* explanation =
     "draws whole\npairs of days. dir: mean absolute angle in degrees where both exceed 0.05 m/s. "
     "corr: complex correlation.\nCRPS and the share inside the 80 % band pool east and north.\n";
 
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
+/// Right in a column.
+std::string dash(std::size_t width) { return std::string(width - 1, ' ') + "-"; }
 
-std::string or_dash(const std::optional<double>& value, const char* format, int width) {
-  return value ? formatted(format, *value) : formatted("%*s", width, "-");
+std::string or_dash(const std::optional<double>& value, FormatOf<double> format,
+                    std::size_t width) {
+  return value ? formatted(format, *value) : dash(width);
 }
 
 std::string interval_text(const std::optional<calibration::Interval95>& interval,
-                          const char* format, int width) {
-  return interval ? formatted(format, interval->low, interval->high) : formatted("%*s", width, "-");
+                          FormatOf<double, double> format, std::size_t width) {
+  return interval ? formatted(format, interval->low, interval->high) : dash(width);
 }
 
 std::string heading(const calibration::SkillEntry& e) {
@@ -36,36 +33,39 @@ std::string heading(const calibration::SkillEntry& e) {
                      calibration::lead_text(e.lead) + ", wind " + std::string(name_of(e.wind)) +
                      ", truth " + e.truth + "\n";
   if (e.scalar)
-    return text + formatted("  %-15s %5s %8s %8s %17s %8s\n", "method", "pairs", "values", "rmse m",
-                            "[95 %]", "bias m");
-  return text + formatted("  %-15s %5s %8s %8s %17s %7s %7s %7s %5s %5s %7s %7s %9s\n", "method",
-                          "pairs", "values", "rmse m/s", "[95 %]", "bias E", "bias N", "speed",
-                          "dir", "corr", "CRPS", "in 80%", "[95 %]");
+    return text + formatted("  {:<15} {:>5} {:>8} {:>8} {:>17} {:>8}\n", "method", "pairs",
+                            "values", "rmse m", "[95 %]", "bias m");
+  return text +
+         formatted(
+             "  {:<15} {:>5} {:>8} {:>8} {:>17} {:>7} {:>7} {:>7} {:>5} {:>5} {:>7} {:>7} {:>9}\n",
+             "method", "pairs", "values", "rmse m/s", "[95 %]", "bias E", "bias N", "speed", "dir",
+             "corr", "CRPS", "in 80%", "[95 %]");
 }
 
 std::string row(const calibration::SkillSet& set) {
   const calibration::SetScore& s = set.score;
-  std::string line = formatted("%s %-15s %5zu %8zu %8.4f ",
+  std::string line = formatted("{} {:<15} {:>5} {:>8} {:>8.4f} ",
                                set.of.method == calibration::Method::forecast ? " >" : "  ",
-                               std::string(name_of(set.of.method)).c_str(), s.pairs, s.n, s.rmse);
-  line += interval_text(s.rmse_interval, "[%7.4f,%7.4f]", 17);
-  if (!s.vector) return line + formatted(" %+7.4f\n", s.bias.value_or(0));
+                               name_of(set.of.method), s.pairs, s.n, s.rmse);
+  line += interval_text(s.rmse_interval, "[{:>7.4f},{:>7.4f}]", 17);
+  if (!s.vector) return line + formatted(" {:>+7.4f}\n", s.bias.value_or(0));
   const calibration::VectorSetScore& v = *s.vector;
-  line += formatted(" %+7.4f %+7.4f %+7.4f ", v.bias_east_m_s, v.bias_north_m_s, v.speed_bias_m_s);
-  line += or_dash(v.direction_mae_deg, "%5.0f", 5) + " ";
-  line += or_dash(v.correlation_abs, "%5.2f", 5);
+  line += formatted(" {:>+7.4f} {:>+7.4f} {:>+7.4f} ", v.bias_east_m_s, v.bias_north_m_s,
+                    v.speed_bias_m_s);
+  line += or_dash(v.direction_mae_deg, "{:>5.0f}", 5) + " ";
+  line += or_dash(v.correlation_abs, "{:>5.2f}", 5);
   if (!v.coverage_80) return line + "\n";
-  line += " " + or_dash(v.crps_m_s, "%7.4f", 7);
-  line += formatted(" %6.0f%% ", 100 * *v.coverage_80);
+  line += " " + or_dash(v.crps_m_s, "{:>7.4f}", 7);
+  line += formatted(" {:>6.0f}% ", 100 * *v.coverage_80);
   std::optional<calibration::Interval95> percent = v.coverage_interval;
   if (percent) percent = {100 * percent->low, 100 * percent->high};
-  return line + interval_text(percent, "[%3.0f,%3.0f]", 9) + "\n";
+  return line + interval_text(percent, "[{:>3.0f},{:>3.0f}]", 9) + "\n";
 }
 
 std::string reliability_line(const calibration::Reliability& reliability) {
   std::string line = "    truth below the quantile";
   for (std::size_t i = 0; i < reliability.below.size(); ++i)
-    line += formatted("  %.0f%%: %.0f%%", 100 * calibration::Reliability::probability[i],
+    line += formatted("  {:.0f}%: {:.0f}%", 100 * calibration::Reliability::probability[i],
                       100 * reliability.below[i]);
   return line + "\n";
 }
@@ -123,15 +123,14 @@ std::string hourly_table(const std::vector<calibration::SkillEntry>& entries) {
   for (const auto& [wind, hours] : by_wind) {
     table +=
         "\nvector RMSE (m/s) by hour of lead, wind " + std::string(name_of(wind)) + "\n  lead h";
-    for (const calibration::Method method : methods)
-      table += formatted(" %14s", std::string(name_of(method)).c_str());
+    for (const calibration::Method method : methods) table += formatted(" {:>14}", name_of(method));
     table += "\n";
     for (const auto& [hour, scores] : hours) {
-      table += formatted("  %6g", hour);
+      table += formatted("  {:>6g}", hour);
       for (const calibration::Method method : methods) {
         const auto found = scores.find(method);
-        table +=
-            found == scores.end() ? formatted(" %14s", "-") : formatted(" %14.4f", found->second);
+        table += found == scores.end() ? formatted(" {:>14}", "-")
+                                       : formatted(" {:>14.4f}", found->second);
       }
       table += "\n";
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
@@ -10,18 +9,12 @@
 #include "api/report/verdict_text.h"
 #include "calibration/verify/skill_set.h"
 #include "calibration/verify/verdict.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 bool is_current(const calibration::SkillSet& set) {
   return set.of.variable == calibration::current_variable && !set.of.column;
@@ -41,6 +34,7 @@ std::vector<SkillLine> lines_of(const std::vector<calibration::SkillSet>& sets, 
     line.high_m_s.push_back(interval ? interval->high : nan);
   }
   std::vector<SkillLine> lines;
+  lines.reserve(by_method.size());
   const auto ours = by_method.find(calibration::Method::forecast);
   if (ours != by_method.end()) lines.push_back(std::move(by_method.extract(ours).mapped()));
   for (auto& [method, line] : by_method) lines.push_back(std::move(line));
@@ -134,12 +128,12 @@ SkillPolicy policy_of(WindPolicy wind, const calibration::Verification& result,
   return policy;
 }
 
-std::string cell(const std::optional<double>& value, const char* format) {
+std::string cell(const std::optional<double>& value, FormatOf<double> format) {
   return value ? formatted(format, *value) : "";
 }
 
-std::string cell(const std::optional<calibration::Interval95>& interval, const char* format,
-                 double factor) {
+std::string cell(const std::optional<calibration::Interval95>& interval,
+                 FormatOf<double, double> format, double factor) {
   return interval ? formatted(format, factor * interval->low, factor * interval->high) : "";
 }
 
@@ -149,17 +143,17 @@ std::vector<std::string> row_of(const calibration::SkillSet& set) {
   return {calibration::band_text(set.of.band),
           calibration::lead_text(set.of.lead),
           std::string(name_of(set.of.method)),
-          formatted("%zu", s.pairs),
-          formatted("%.4f", s.rmse),
-          cell(s.rmse_interval, "%.4f to %.4f", 1),
-          formatted("%+.4f", v.bias_east_m_s),
-          formatted("%+.4f", v.bias_north_m_s),
-          formatted("%+.4f", v.speed_bias_m_s),
-          cell(v.direction_mae_deg, "%.0f"),
-          cell(v.correlation_abs, "%.2f"),
-          cell(v.crps_m_s, "%.4f"),
-          v.coverage_80 ? formatted("%.0f", 100 * *v.coverage_80) : "",
-          cell(v.coverage_interval, "%.0f to %.0f", 100)};
+          formatted("{}", s.pairs),
+          formatted("{:.4f}", s.rmse),
+          cell(s.rmse_interval, "{:.4f} to {:.4f}", 1),
+          formatted("{:+.4f}", v.bias_east_m_s),
+          formatted("{:+.4f}", v.bias_north_m_s),
+          formatted("{:+.4f}", v.speed_bias_m_s),
+          cell(v.direction_mae_deg, "{:.0f}"),
+          cell(v.correlation_abs, "{:.2f}"),
+          cell(v.crps_m_s, "{:.4f}"),
+          v.coverage_80 ? formatted("{:.0f}", 100 * *v.coverage_80) : "",
+          cell(v.coverage_interval, "{:.0f} to {:.0f}", 100)};
 }
 
 ReportTable table_of(WindPolicy wind, const std::vector<calibration::SkillSet>& sets) {
@@ -190,8 +184,8 @@ ReportTable hourly_table_of(const SkillPolicy& policy) {
     for (std::size_t i = 0; i < line.lead_h.size(); ++i) {
       auto& row = rows[line.lead_h[i]];
       row.resize(policy.by_lead.size() + 1);
-      row[0] = formatted("%g", line.lead_h[i]);
-      row[j + 1] = formatted("%.4f", line.rmse_m_s[i]);
+      row[0] = formatted("{:g}", line.lead_h[i]);
+      row[j + 1] = formatted("{:.4f}", line.rmse_m_s[i]);
     }
   }
   for (auto& [lead, row] : rows) table.rows.push_back(std::move(row));
@@ -204,7 +198,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
                       const std::string& generated) {
   SkillPage page;
   page.title = "Skill of issued forecasts for " + site.name;
-  page.site = formatted("%.3f N %.3f E", site.point.latitude_deg(), site.point.longitude_deg());
+  page.site = formatted("{:.3f} N {:.3f} E", site.point.latitude_deg(), site.point.longitude_deg());
   page.generated = generated;
   const std::vector<calibration::SkillSet> sets = calibration::sets_of(result.entries).sets;
   std::set<WindPolicy> winds;
@@ -234,7 +228,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
   for (const std::string& truth : truths) page.facts.emplace_back("Truth", truth);
   if (!result.traces.empty()) {
     const GeoPoint& point = result.traces.front().point;
-    page.place = formatted("%.3f N %.3f E", point.latitude_deg(), point.longitude_deg());
+    page.place = formatted("{:.3f} N {:.3f} E", point.latitude_deg(), point.longitude_deg());
     page.facts.emplace_back("Hodographs at", page.place);
   }
   return page;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "calibration/blend/evidence.h"
 #include "calibration/blend/weighted_mean.h"
 #include "fields/base/check.h"
+#include "fields/base/text.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -16,12 +16,6 @@ using Eigen::VectorXd;
 
 /// Pairs' worth of belief that a baseline gains nothing on the blend.
 constexpr double pairs_of_doubt = 4.0;
-
-std::string fixed(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
 
 void check(std::span<const Candidate> candidates) {
   expects(std::any_of(candidates.begin(), candidates.end(),
@@ -120,7 +114,7 @@ std::string list_of(std::span<const CandidateShare> shares) {
   for (const CandidateShare& share : shares) {
     if (share.weight <= 0) continue;
     list += (list.empty() ? "" : ", ") + std::string(name_of(share.method)) + " " +
-            fixed(share.weight, 2);
+            formatted("{:.2f}", share.weight);
   }
   return list;
 }
@@ -138,12 +132,14 @@ std::string provenance_of(const Blend& blend, const std::optional<Contest>& cont
   if (contest && replaces(*contest, settings)) {
     const double of_baseline = std::max(0.0, contest->of_blend - contest->gain.mean);
     return std::string(name_of(blend.share[contest->baseline].method)) + " alone: over " +
-           pairs_text(blend.pairs) + " it beat the blend, " + fixed(std::sqrt(of_baseline), 4) +
-           " against " + fixed(std::sqrt(contest->of_blend), 4) + " m/s";
+           pairs_text(blend.pairs) + " it beat the blend, " +
+           formatted("{:.4f}", std::sqrt(of_baseline)) + " against " +
+           formatted("{:.4f}", std::sqrt(contest->of_blend)) + " m/s";
   }
   return "weights earned over " + pairs_text(blend.pairs) + " (memory " +
-         fixed(settings.forgetting_days, 0) + " days): " + list_of(blend.share) +
-         "; past error of the blend " + fixed(blend.past_rmse_m_s.value_or(0.0), 4) + " m/s";
+         formatted("{:.0f}", settings.forgetting_days) + " days): " + list_of(blend.share) +
+         "; past error of the blend " + formatted("{:.4f}", blend.past_rmse_m_s.value_or(0.0)) +
+         " m/s";
 }
 
 }  // namespace

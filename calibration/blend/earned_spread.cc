@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "fields/base/check.h"
+#include "fields/base/text.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -66,13 +66,11 @@ double share_below(const Histogram& histogram, double z) {
 
 std::string provenance_of(const EarnedSpread& spread, const SpreadSettings& settings) {
   if (spread.pairs == 0) return "spread as forecast: no past pair has verified it";
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "spread times %.2f: over %zu past pair%s the 80 %% band held %.0f %% (counted with "
-                "%.3g pairs' belief that it is right)",
-                spread.scale, spread.pairs, spread.pairs == 1 ? "" : "s",
-                100.0 * spread.past_coverage_80, settings.prior_pairs);
-  return text;
+  return formatted(
+      "spread times {:.2f}: over {} past pair{} the 80 % band held {:.0f} % (counted with {:.3g} "
+      "pairs' belief that it is right)",
+      spread.scale, spread.pairs, spread.pairs == 1 ? "" : "s", 100.0 * spread.past_coverage_80,
+      settings.prior_pairs);
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "calibration/fuse/fusion.h"
+#include "fields/base/text.h"
 #include "fields/interpolate/column_levels.h"
 #include "fields/record/leading_dataset.h"
 #include "fields/record/slice.h"
@@ -109,11 +109,7 @@ VectorColumn fused_on_series(const VectorColumn& series, const VectorColumn& pro
   return fused;
 }
 
-std::string kilometres(double distance_m) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f km", distance_m / 1000.0);
-  return text;
-}
+std::string kilometres(double distance_m) { return formatted("{:.1f} km", distance_m / 1000.0); }
 
 /// A series that speaks at the depths of the dataset and has values in the span.
 bool can_be_truth(const Piece& series, const ColumnData& column, const Piece* dataset, UtcTime from,

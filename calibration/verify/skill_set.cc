@@ -1,8 +1,8 @@
 #include "calibration/verify/skill_set.h"
+#include "fields/base/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <tuple>
 
@@ -78,21 +78,13 @@ std::vector<SkillEntry> whole_current(const std::vector<SkillEntry>& entries, Wi
 
 std::string band_text(const std::optional<DepthBand>& band) {
   if (!band) return "surface";
-  char text[64];
-  if (band->above_bed) {
-    std::snprintf(text, sizeof text, "%g-%g m above the bed", band->from_m, band->to_m);
-  } else if (band->to_m >= whole_column_m) {
-    std::snprintf(text, sizeof text, band->from_m > 0 ? "below %g m" : "all depths", band->from_m);
-  } else {
-    std::snprintf(text, sizeof text, "%g-%g m", band->from_m, band->to_m);
-  }
-  return text;
+  if (band->above_bed) return formatted("{:g}-{:g} m above the bed", band->from_m, band->to_m);
+  if (band->to_m < whole_column_m) return formatted("{:g}-{:g} m", band->from_m, band->to_m);
+  return band->from_m > 0 ? formatted("below {:g} m", band->from_m) : "all depths";
 }
 
 std::string lead_text(const LeadBin& lead) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%g-%g h", lead.from_h, lead.to_h);
-  return text;
+  return formatted("{:g}-{:g} h", lead.from_h, lead.to_h);
 }
 
 }  // namespace slackwater::calibration

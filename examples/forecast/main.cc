@@ -29,7 +29,7 @@ SiteData read(const Site& site, UtcDay day, std::span<const ingest::FileToRead> 
   const UtcTime end = UtcTime(day) + std::chrono::days(1);
   ingest::ReadPieces read =
       ingest::read_pieces(files, ingest::ProductCatalogue::load(PRODUCTS), site,
-                          UtcTime(day) - calibration::history_read, end + horizon);
+                          UtcTime(day) - calibration::history_wanted, end + horizon);
   for (const std::string& warning : read.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
   return site_data_of(site, std::move(read.pieces));

@@ -49,7 +49,7 @@ void claim_sound(const Site& site) {
   };
   on_earth(site.point);
   for (const GeoPoint& point : site.columns) on_earth(point);
-  for (const api::Turbine& turbine : site.turbines) on_earth(turbine.point);
+  for (const TurbinePlace& turbine : site.turbines) on_earth(turbine.point);
   fuzz::claim(!site.id.empty() && site.id.find('/') == std::string::npos,
               "an id that is no file name");
   fuzz::claim(!site.water_depth_m || (*site.water_depth_m >= 1 && *site.water_depth_m <= 11000),

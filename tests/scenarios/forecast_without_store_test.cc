@@ -25,7 +25,7 @@ struct Task {
   std::vector<std::filesystem::path> files;
   ingest::IngestOptions options;
 
-  [[nodiscard]] UtcTime from() const { return UtcTime(day) - calibration::history_read; }
+  [[nodiscard]] UtcTime from() const { return UtcTime(day) - calibration::history_wanted; }
   [[nodiscard]] UtcTime to() const { return UtcTime(day) + days(4); }
 };
 

@@ -190,12 +190,27 @@ TEST(IncludeArrows, ACircleOfFoldersIsSeen) {
 }
 
 TEST(IncludeArrows, EachLibraryHasOneDoor) {
-  const std::vector<std::pair<std::string, std::string>> doors{
-      {"netcdf.h", "ingest/netcdf"}, {"ceres/", "calibration"},   {"sqlite3.h", "data/store"},
-      {"eccodes.h", "ingest/grib"},  {"udunits2.h", "ingest/cf"}, {"proj.h", "fields/geo"},
-      {"yaml-cpp/", "fields/base"},  {"nlohmann/", "api"},        {"CLI/", "api"},
-      {"openssl/", "fields/base"},   {"boost/", "api/http"},      {"zlib.h", "api/http"},
-      {"spdlog/", "fields/base"},    {"fmt/", "fields/base/text"}};
+  const std::vector<std::pair<std::string, std::string>> doors{{"netcdf.h", "ingest/netcdf"},
+                                                               {"ceres/", "calibration"},
+                                                               {"sqlite3.h", "data/store"},
+                                                               {"eccodes.h", "ingest/grib"},
+                                                               {"udunits2.h", "ingest/cf"},
+                                                               {"proj.h", "fields/geo"},
+                                                               {"yaml-cpp/", "fields/base"},
+                                                               {"nlohmann/", "api"},
+                                                               {"CLI/", "api"},
+                                                               {"openssl/", "fields/base"},
+                                                               {"boost/", "api/http"},
+                                                               {"zlib.h", "api/http"},
+                                                               {"spdlog/", "fields/base"},
+                                                               {"fmt/", "fields/base/text"},
+                                                               // Kept for what is to come.
+                                                               {"embree", "twin/inspection/cast"},
+                                                               {"coin/", "api/plan"},
+                                                               {"fastdds/", "api/dds"},
+                                                               {"fastrtps/", "api/dds"},
+                                                               {"opencv2/", "api/perception"},
+                                                               {"gdal", "api/publish"}};
   for (const std::string& room : rooms) {
     if (room == "tests") continue;
     for_each_line(room, [&](const std::filesystem::path& file, const std::string& line) {
