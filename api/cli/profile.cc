@@ -1,12 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 
 #include "api/cli/command.h"
 #include "api/cli/profile_print.h"
 #include "api/issued/in_force.h"
 #include "api/program/paths.h"
+#include "fields/base/text.h"
 #include "fields/site/site.h"
 
 namespace slackwater::api {
@@ -22,6 +23,14 @@ struct ProfileArguments {
   std::size_t member = 0;
   bool members = false;  ///< list them all
 };
+
+/// The geodesic to the column nearest to a point.
+double nearest_column_m(const Field& field, const GeoPoint& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const ForecastColumn& column : field.snapshot().columns)
+    nearest = std::min(nearest, distance_m(column.point, point));
+  return nearest;
+}
 
 /// Forecasts of different sites may reach a place; the answer is that of the nearest site. Read
 /// without members: most questions do not need them, and they are most of the file.
@@ -39,8 +48,13 @@ void choose_forecast(store::Store& store, const WantedForecast& wanted, ProfileA
   const auto nearest =
       nearest_reaching(fields, answer.point.longitude_deg(), answer.point.latitude_deg());
   if (!nearest) {
-    throw Error(ErrorKind::not_found, "no forecast reaches " + position_text(answer.point) +
-                                          "; the forecasts in force reach" + reach);
+    double away_m = std::numeric_limits<double>::infinity();
+    for (const auto& field : fields)
+      away_m = std::min(away_m, nearest_column_m(*field, answer.point));
+    throw Error(ErrorKind::not_found,
+                "no forecast reaches " + position_text(answer.point) +
+                    formatted("; the nearest column lies {:.1f} km away, and", away_m / 1000) +
+                    " the forecasts in force reach" + reach);
   }
   answer.row = in_force[*nearest];
   answer.field = fields[*nearest];
