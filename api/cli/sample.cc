@@ -28,7 +28,7 @@ struct SampleArguments {
 constexpr std::size_t most_values = 1'000'000'000;
 
 store::ForecastRow find_instance(store::Store& store, const Site& site, const std::string& wanted) {
-  const store::ForecastRow in_force = forecast_in_force(store, {site.id, {}, {}});
+  store::ForecastRow in_force = forecast_in_force(store, {site.id, {}, {}});
   if (wanted == "newest") return in_force;
   std::int64_t id = 0;
   const char* const end = wanted.data() + wanted.size();

@@ -21,10 +21,12 @@ SetScore score_of(const std::vector<const SkillEntry*>& pairs, Rng& random) {
   constexpr int draws = 1000;
   if (!pairs.front()->scalar) {
     std::vector<VectorScore> scores;
+    scores.reserve(pairs.size());
     for (const SkillEntry* pair : pairs) scores.push_back(pair->vector);
     return score_set(scores, random, draws);
   }
   std::vector<ScalarScore> scores;
+  scores.reserve(pairs.size());
   for (const SkillEntry* pair : pairs) scores.push_back(pair->scalar.value());
   return score_set(scores, random, draws);
 }

@@ -68,6 +68,7 @@ void keep_levels(SeriesGroup& group, const std::vector<std::size_t>& order) {
     series = std::move(kept);
   }
   std::vector<double> levels;
+  levels.reserve(order.size());
   for (const std::size_t k : order) levels.push_back(group.levels.levels_m[k]);
   group.levels.levels_m = std::move(levels);
   group.levels.side_lobe.clear();

@@ -114,6 +114,7 @@ std::vector<bool> side_lobes(const netcdf::File& file, const std::vector<double>
       global_number(file, "transmit_pulse_length_cm").value_or(100.0 * bin_m) / 100.0;
   const double clear_m = range_m * std::cos(*angle * constants::pi / 180.0) - (bin_m + pulse_m);
   std::vector<bool> reached;
+  reached.reserve(distances_m.size());
   for (const double distance : distances_m) reached.push_back(distance > clear_m);
   return reached;
 }

@@ -9,7 +9,7 @@
 namespace slackwater::api::edr {
 namespace {
 
-constexpr std::size_t max_bytes = 64 * 1024;
+constexpr std::size_t max_bytes = std::size_t{64} * 1024;
 /// A longer name is not compared with the known ones, which would take its length times theirs.
 constexpr std::size_t max_name_bytes = 128;
 /// So many known names may a message list.
