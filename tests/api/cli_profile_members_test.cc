@@ -6,11 +6,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 
-#include "data/store/store.h"
+#include "data/store/layout.h"
 #include "fields/service/field.h"
-#include "ingest/cf/forecast_file.h"
+#include "tests/api/issued/commit_made_up.h"
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/store_for_tests.h"
 
@@ -28,20 +27,11 @@ class ProfileOfAnEnsemble : public ::testing::Test {
   void publish(const MadeUpForecast& size) {
     store::Store store = store::Store::open(store_.store(), store::OpenMode::create_or_write);
     const Snapshot made = made_up_forecast(size);
-    store::NewForecast row;
-    row.content_file = store.staging_folder() / "made_up.nc";
-    ingest::write_forecast(row.content_file, made);
+    commit_made_up(store, made);
     // Members as rounded.
-    field_.emplace(std::make_shared<const Snapshot>(ingest::read_forecast(row.content_file)));
-    row.row.site_id = made.site_id;
-    row.row.day = made.day;
-    row.row.issued = made.issued;
-    row.row.valid_from = made.time.front();
-    row.row.valid_to = made.time.back();
-    row.row.wind_policy = made.wind_policy.value();
-    row.row.summary_json = "{}";
-    row.row.code_version = "test";
-    store.commit_forecasts(std::span(&row, 1));
+    const std::filesystem::path file =
+        store::content_file(store_.store(), store.list_forecasts().front().content_sha256);
+    field_.emplace(std::make_shared<const Snapshot>(ingest::read_forecast(file)));
   }
   /// At the point of the third column, half past the fifth hour.
   [[nodiscard]] ProgramResult profile(const std::vector<std::string>& more = {}) const {

@@ -1,9 +1,6 @@
 #include "tests/api/edr/made_up_store.h"
 
-#include <span>
-
-#include "data/store/store.h"
-#include "ingest/cf/forecast_file.h"
+#include "tests/api/issued/commit_made_up.h"
 #include "tests/support/made_up_forecast.h"
 
 namespace slackwater::tests {
@@ -50,19 +47,7 @@ Snapshot lone_forecast(int days_later, std::uint64_t seed) {
 
 void commit_made_up_forecast(const std::filesystem::path& folder, const Snapshot& made) {
   store::Store store = store::Store::open(folder, store::OpenMode::create_or_write);
-  store::NewForecast row;
-  row.content_file = store.staging_folder() / "made_up.nc";
-  ingest::write_forecast(row.content_file, made);
-  row.row.site_id = made.site_id;
-  row.row.day = made.day;
-  row.row.issued = made.issued;
-  row.row.valid_from = made.time.front();
-  row.row.valid_to = made.time.back();
-  row.row.wind_policy = made.wind_policy.value();
-  row.row.headline = made.headline;
-  row.row.summary_json = "{}";
-  row.row.code_version = "test";
-  store.commit_forecasts(std::span(&row, 1));
+  commit_made_up(store, made);
 }
 
 void fill_with_made_up_forecasts(const std::filesystem::path& folder) {

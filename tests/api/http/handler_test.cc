@@ -85,6 +85,20 @@ TEST(HandlerWithATagOfItsOwn, KeepsItAndTheCodedBodyHasAnother) {
   EXPECT_EQ(again->status, 304);
 }
 
+/// Four clients ask at once of a server too slow for any of them; each is told so.
+void expect_four_late_answers(const Served& served) {
+  std::vector<HttpClient> clients;
+  for (int i = 0; i < 4; ++i) {
+    clients.push_back(served.client());
+    ASSERT_TRUE(clients.back().send("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"));
+  }
+  for (HttpClient& client : clients) {
+    const auto reply = client.receive();
+    ASSERT_TRUE(reply);
+    EXPECT_EQ(reply->status, 503);
+  }
+}
+
 TEST(HandlerThatDawdles, DoesNotKeepOthersWaiting) {
   const Served served([](const Request& request) {
     if (request.path == "/slow") std::this_thread::sleep_for(1s);
@@ -131,16 +145,7 @@ TEST(HandlerThatDawdles, AllThreadsBusyStillEndsInAnAnswer) {
         return text_response("late");
       },
       options);
-  std::vector<HttpClient> clients;
-  for (int i = 0; i < 4; ++i) {
-    clients.push_back(served.client());
-    ASSERT_TRUE(clients.back().send("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"));
-  }
-  for (HttpClient& client : clients) {
-    const auto reply = client.receive();
-    ASSERT_TRUE(reply);
-    EXPECT_EQ(reply->status, 503);
-  }
+  expect_four_late_answers(served);
   EXPECT_LE(runs, 2) << "what nobody waits for any more is not begun";
 }
 
@@ -218,16 +223,7 @@ TEST(WorkThatTakesLong, IsNotBegunWhenNobodyWaitsForItAnyMore) {
         }};
       },
       options);
-  std::vector<HttpClient> clients;
-  for (int i = 0; i < 4; ++i) {
-    clients.push_back(served.client());
-    ASSERT_TRUE(clients.back().send("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"));
-  }
-  for (HttpClient& client : clients) {
-    const auto reply = client.receive();
-    ASSERT_TRUE(reply);
-    EXPECT_EQ(reply->status, 503);
-  }
+  expect_four_late_answers(served);
   EXPECT_LE(runs, 2);
 }
 

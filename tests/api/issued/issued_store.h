@@ -4,7 +4,7 @@
 
 #include "data/store/layout.h"
 #include "data/store/store.h"
-#include "ingest/cf/forecast_file.h"
+#include "tests/api/issued/commit_made_up.h"
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/temporary_folder.h"
 
@@ -43,20 +43,7 @@ class IssuedStore {
 
   std::int64_t issue(const Snapshot& made, ForecastOrigin origin = ForecastOrigin::forecast) {
     store::Store store = open();
-    store::NewForecast row;
-    row.content_file = store.staging_folder() / "made_up.nc";
-    ingest::write_forecast(row.content_file, made);
-    row.row.site_id = made.site_id;
-    row.row.day = made.day;
-    row.row.issued = made.issued;
-    row.row.valid_from = made.time.front();
-    row.row.valid_to = made.time.back();
-    row.row.wind_policy = made.wind_policy.value();
-    row.row.origin = origin;
-    row.row.headline = made.headline;
-    row.row.summary_json = "{}";
-    row.row.code_version = "test";
-    return store.commit_forecasts(std::span(&row, 1)).front();
+    return commit_made_up(store, made, origin);
   }
 
   /// The content file of a stored forecast.
