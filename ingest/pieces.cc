@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "fields/base/averaging.h"
 #include "fields/base/error.h"
 #include "fields/record/mooring.h"
 #include "ingest/cf/granule_file.h"
@@ -52,20 +53,27 @@ IndexRange times_within(const Grid& grid, const Window& window) {
   return {first, last - first};
 }
 
+/// Hourly and daily means of one product are two datasets, whatever else they share.
+std::string kind_of_times(const std::vector<TimeCell>& time) {
+  if (!time.front().is_mean()) return "/instant";
+  const Duration averaging = averaging_of(time);
+  if (!hides_the_tide(averaging)) return "/mean";
+  return "/mean-" + std::to_string((averaging + std::chrono::minutes(1)) / std::chrono::hours(1)) +
+         "h";
+}
+
 std::string dataset_of(const Granule& granule) {
   std::ostringstream text;
   if (granule.is_point_series) {  // its levels may differ from file to file, and are joined
     text << granule.product_id << "/in-situ/" << granule.station
-         << (!granule.grid.time.empty() && granule.grid.time.front().is_mean() ? "/mean"
-                                                                               : "/instant");
+         << (granule.grid.time.empty() ? "/instant" : kind_of_times(granule.grid.time));
     return text.str();
   }
   text << granule.product_id << '/' << granule.dataset_id << '/' << granule.station << '/'
        << granule.grid.levels_m.size();
   if (!granule.grid.levels_m.empty())
     text << '@' << granule.grid.levels_m.front() << '-' << granule.grid.levels_m.back();
-  if (!granule.grid.time.empty())
-    text << (granule.grid.time.front().is_mean() ? "/mean" : "/instant");
+  if (!granule.grid.time.empty()) text << kind_of_times(granule.grid.time);
   return text.str();
 }
 
@@ -86,6 +94,7 @@ Origin origin_of(const Loaded& loaded) {
   origin.product_id = granule.product_id;
   origin.attribution = granule.attribution;
   origin.sources = {loaded.entry.source_sha256};
+  origin.received = loaded.entry.received;
   origin.station = granule.station;
   origin.is_point_series = granule.is_point_series;
   origin.water_depth_m = granule.water_depth_m;
@@ -165,6 +174,7 @@ std::vector<VectorPiece> vector_pieces(const FindGranules& find, const std::stri
       if (match == lone_north.rend()) return;
       origin.granules.push_back(match->entry.number);
       origin.sources.push_back(match->entry.source_sha256);
+      origin.received = later_of(origin.received, match->entry.received);
       pieces.push_back({std::move(origin), std::move(east->field), match->field});
     });
   }

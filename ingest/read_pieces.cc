@@ -64,10 +64,10 @@ struct ListedGranule {
 };
 
 ListedGranule listed(const DecodedGranule& decoded, std::int64_t number,
-                     const std::string& source_sha256) {
+                     const std::string& source_sha256, const std::optional<UtcTime>& received) {
   const Granule& granule = decoded.granule;
   ListedGranule result;
-  result.entry = {number, source_sha256, granule.product_id, {}, decoded.content_file};
+  result.entry = {number, source_sha256, granule.product_id, {}, decoded.content_file, received};
   for (const GranuleVariable& variable : granule.variables)
     result.entry.standard_names.push_back(variable.standard_name);
   if (!granule.grid.time.empty()) {
@@ -131,7 +131,7 @@ ReadPieces read_pieces(std::span<const FileToRead> files, const ProductCatalogue
         decode_file(file.path, products, file.options, staging.for_file(known.size()));
     for (const DecodedGranule& decoded : ingested.granules) {
       const auto number = static_cast<std::int64_t>(granules.size() + 1);
-      granules.push_back(listed(decoded, number, source.sha256));
+      granules.push_back(listed(decoded, number, source.sha256, file.received));
     }
     for (const std::string& warning : ingested.warnings)
       result.warnings.push_back(file.path.filename().string() + ": " + warning);

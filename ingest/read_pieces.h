@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ namespace slackwater::ingest {
 struct FileToRead {
   std::filesystem::path path;
   IngestOptions options;
+  /// When it came in, where that is known: from then on all that it holds is known, however far
+  /// into the future it runs. Without it values are known once they are valid.
+  std::optional<UtcTime> received{};
 };
 
 /// The data around a site, with the warnings that an operator should read, each behind its file's

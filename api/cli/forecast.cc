@@ -26,6 +26,7 @@ struct ForecastArguments {
   std::string horizon = "72h";
   std::string wind = "best";
   std::string out;
+  bool hindsight = false;
   bool print_downloads = false;
 };
 
@@ -104,8 +105,8 @@ std::string verified_text(const std::optional<calibration::Verdict>& verdict, Wi
            std::string(name_of(wind)) + ".";
   }
   std::string text = "Verified over past days, lead " +
-                     calibration::lead_text(verdict->forecast.of.lead) +
-                     formatted(": {:.3f} m/s", verdict->forecast.score.rmse);
+                     calibration::lead_text(verdict->forecast.of.lead) + ": " +
+                     error_text(*verdict);
   if (verdict->best) text += "; " + baseline_text(*verdict);
   return text + (verdict->is_beaten() ? ": THE FORECAST DOES NOT BEAT IT." : ".");
 }
@@ -113,13 +114,17 @@ std::string verified_text(const std::optional<calibration::Verdict>& verdict, Wi
 json verdict_json(const std::optional<calibration::Verdict>& verdict) {
   if (!verdict) return nullptr;
   const calibration::SkillSet& ours = verdict->forecast;
-  json document = {{"wind", name_of(verdict->wind)},
-                   {"lead_h", {ours.of.lead.from_h, ours.of.lead.to_h}},
-                   {"days", {format_day(ours.first_day), format_day(ours.last_day)}},
-                   {"pairs", ours.score.pairs},
-                   {"rmse_m_s", ours.score.rmse},
-                   {"beaten", verdict->is_beaten()},
-                   {"best_baseline", nullptr}};
+  json document = {
+      {"wind", name_of(verdict->wind)},
+      {"lead_h", {ours.of.lead.from_h, ours.of.lead.to_h}},
+      {"days", {format_day(ours.first_day), format_day(ours.last_day)}},
+      {"pairs", ours.score.pairs},
+      {"rmse_m_s", ours.score.rmse},
+      {"truth_mean_h",
+       std::chrono::duration<double, std::ratio<3600>>(ours.of.truth_averaging).count()},
+      {"hindsight", ours.of.hindsight},
+      {"beaten", verdict->is_beaten()},
+      {"best_baseline", nullptr}};
   if (verdict->best) {
     document["best_baseline"] = {{"method", name_of(verdict->best->method)},
                                  {"pairs", verdict->best->pairs},
@@ -135,6 +140,12 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   options.issued = context.now();
   options.horizon = horizon_from(arguments.horizon);
   options.wind = option_value("--wind", arguments.wind, wind_policy_from);
+  options.hindsight = arguments.hindsight;
+  if (options.hindsight && options.wind != WindPolicy::best) {
+    throw Error(ErrorKind::usage, "found --hindsight with --wind " + arguments.wind +
+                                      ", expected it with --wind best: the others never look "
+                                      "beyond what was known; leave one of the two out");
+  }
   if (!arguments.day.empty()) options.day = option_value("--day", arguments.day, parse_day);
   if (arguments.print_downloads) {
     const auto products = ingest::ProductCatalogue::load(data_folder() / "products");
@@ -176,10 +187,12 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     ingest::write_forecast(partial, snapshot);
     std::filesystem::rename(partial, out);
   }
-  // What can be verified is: forecasts of the last two weeks under the same wind policy, where
-  // their truth has come in.
+  // What can be verified is: earlier forecasts of the last two weeks under the same wind policy,
+  // where their truth had come in when this one is issued.
   calibration::VerifyOptions verify_options;
   verify_options.from = snapshot.day - days(14);
+  verify_options.issued_before = options.issued;
+  verify_options.truth_until = options.issued;
   verify_options.leads = {{0, 24}};
   verify_options.bands = {{0, calibration::whole_column_m}};
   verify_options.by_hour = false;
@@ -224,6 +237,9 @@ void add_forecast(CLI::App& app, Context& context) {
   command->add_option("--horizon", arguments->horizon, "how far beyond the end of D (default 72h)");
   command->add_option("--wind", arguments->wind,
                       "best | forecast | persist: where tomorrow's wind comes from (default best)");
+  command->add_flag("--hindsight", arguments->hindsight,
+                    "with --at in the past and --wind best: also use wind and waves that were not "
+                    "known then; the forecast is marked");
   command->add_option("--out", arguments->out, "also write the forecast as a CF NetCDF file");
   command->add_option("--at", context.at,
                       "issue time, e.g. 2025-03-10T05:00:00Z (default: the clock)");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "api/cli/command.h"
+#include "ingest/cf/averaged_json.h"
 #include "ingest/cf/provenance_json.h"
 
 namespace slackwater::api {
@@ -60,6 +61,8 @@ json to_json(const ProfileAnswer& a) {
           {"seed", snapshot.seed},
           {"degraded", snapshot.degraded},
           {"contains_stokes", snapshot.contains_stokes},
+          {"hindsight", snapshot.hindsight},
+          {"averaged", json::parse(ingest::averaged_json(snapshot.averaged))},
           {"headline", snapshot.headline},
           {"water_depth_m", a.water_depth_m},
           {"units",
@@ -110,7 +113,11 @@ void print_profile_table(const ProfileAnswer& a) {
               snapshot.site_name.c_str(), format_utc(a.time).c_str(), a.point.latitude_deg(),
               a.point.longitude_deg(), a.water_depth_m, format_utc(snapshot.issued).c_str(),
               format_day(snapshot.day).c_str(), members_text(a).c_str());
-  if (snapshot.degraded) std::printf("DEGRADED: %s\n", snapshot.headline.c_str());
+  if (snapshot.degraded) {
+    std::printf("DEGRADED: %s\n", snapshot.headline.c_str());
+  } else if (snapshot.hindsight) {
+    std::printf("%s\n", snapshot.headline.c_str());
+  }
   std::printf("%8s %9s %9s %24s %24s\n", "depth m", "speed m/s", "to deg", "east m/s (p10 to p90)",
               "north m/s (p10 to p90)");
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) {

@@ -6,6 +6,7 @@
 
 #include "api/cli/progress.h"
 #include "fields/base/error.h"
+#include "ingest/cf/averaged_json.h"
 #include "ingest/cf/point_samples_writer.h"
 #include "ingest/cf/provenance_json.h"
 
@@ -42,6 +43,8 @@ ingest::PointSamplesHead head_of(const Samples& s) {
            {"slackwater_day", format_day(f.day)},
            {"slackwater_degraded", f.degraded ? "true" : "false"},
            {"slackwater_contains_stokes", f.contains_stokes ? "true" : "false"},
+           {"slackwater_hindsight", f.hindsight ? "true" : "false"},
+           {"slackwater_averaged_currents", ingest::averaged_json(f.averaged)},
            {"slackwater_attributions", credit},
            {"slackwater_provenance", ingest::provenance_json(f.provenance)}}};
 }
@@ -149,6 +152,8 @@ void print_samples_json(const Samples& s, const std::filesystem::path& out) {
                          {"issued", format_utc(f.issued)},
                          {"day", format_day(f.day)},
                          {"degraded", f.degraded},
+                         {"hindsight", f.hindsight},
+                         {"averaged", json::parse(ingest::averaged_json(f.averaged))},
                          {"headline", f.headline},
                          {"out", out.string()},
                          {"points", s.grid.points.size()},

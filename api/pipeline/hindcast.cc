@@ -40,6 +40,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     job.issued = UtcTime(day) + days(1) + options.latency;
     job.horizon = options.horizon;
     job.wind = options.wind;
+    job.hindsight = options.wind == WindPolicy::best;
     job.threads = options.threads;
     job.rehearsals = &rehearsals;
     if (!calibration::holds_day(data, day, job.issued)) {

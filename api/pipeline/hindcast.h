@@ -25,7 +25,7 @@ struct HindcastReport {
 
 /// The daily job over a past period as if live: each day D is forecast with what was known when it
 /// ended plus the latency, stored as issued (origin hindcast), and scored against what the store
-/// holds now. Days without a whole day of currents are skipped and named; a period without any is
+/// holds now. Best wind is that of hindsight, and the forecasts made with it say so. Days without a whole day of currents are skipped and named; a period without any is
 /// Error(not_found).
 [[nodiscard]] HindcastReport hindcast(store::Store& store, const Site& site,
                                       const HindcastOptions& options,

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ingest/cf/averaged_json.h"
+
 namespace slackwater::api {
 namespace {
 
@@ -112,6 +114,8 @@ std::string job_summary(const SiteData& data, const ForecastOptions& options,
       {"day", format_day(plan.day)},
       {"issued", format_utc(options.issued)},
       {"wind", std::string(name_of(options.wind))},
+      {"hindsight", forecast.snapshot.hindsight},
+      {"averaged", json::parse(ingest::averaged_json(forecast.snapshot.averaged))},
       {"horizon_h", std::chrono::duration<double, std::ratio<3600>>(options.horizon).count()},
       {"dataset", plan.dataset},
       {"inputs", inputs_of(forecast)},

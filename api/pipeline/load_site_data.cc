@@ -19,7 +19,7 @@ std::vector<ingest::GranuleEntry> find_granules(store::Store& store,
   std::vector<ingest::GranuleEntry> found;
   for (const store::GranuleRow& row : store.find_granules(query)) {
     found.push_back({row.id, row.source_sha256, row.product_id, row.standard_names,
-                     store.content_path(row.content_sha256)});
+                     store.content_path(row.content_sha256), row.ingested_at});
   }
   return found;
 }

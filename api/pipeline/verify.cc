@@ -33,7 +33,7 @@ std::vector<store::ForecastRow> forecasts_to_score(store::Store& store, const Si
   query.to_day = options.to;
   std::map<std::pair<UtcDay, WindPolicy>, store::ForecastRow> in_force;
   for (store::ForecastRow& row : store.find_forecasts(query)) {
-    if (!is_wanted(options, row.id)) continue;
+    if (!is_wanted(options, row.id) || row.issued >= options.issued_before) continue;
     const auto [found, is_new] = in_force.try_emplace({row.day, row.wind_policy}, row);
     if (!is_new && has_more_force(row, found->second)) found->second = std::move(row);
   }

@@ -12,6 +12,11 @@ using nlohmann::json;
 /// A tenth of a micrometre a second is beyond every instrument; more digits only fill the disk.
 json number(double value) { return std::round(value * 1e7) / 1e7; }
 
+/// Over how many hours the truth was averaged; 0: instants.
+json mean_hours(const calibration::SkillEntry& e) {
+  return number(std::chrono::duration<double, std::ratio<3600>>(e.truth_averaging).count());
+}
+
 json or_null(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
 
 json interval_json(const std::optional<calibration::Interval95>& interval) {
@@ -62,7 +67,9 @@ json set_json(const calibration::SkillSet& set) {
   json j = {{"pairs", s.pairs},
             {"days", {format_day(set.first_day), format_day(set.last_day)}},
             {"n", s.n},
-            {"interval_95", interval_json(s.rmse_interval)}};
+            {"interval_95", interval_json(s.rmse_interval)},
+            {"truth_mean_h", mean_hours(set.of)},
+            {"hindsight", set.of.hindsight}};
   if (!s.vector) {
     j["rmse"] = number(s.rmse);
     j["bias"] = or_null(s.bias);
@@ -93,7 +100,9 @@ json entry_json(const calibration::SkillEntry& e) {
             {"method", name_of(e.method)},
             {"unit", calibration::unit_of(e.variable)},
             {"interval_95", interval_json(e.interval)},
-            {"truth", e.truth}};
+            {"truth", e.truth},
+            {"truth_mean_h", mean_hours(e)},
+            {"hindsight", e.hindsight}};
   const char* const place = e.band && e.band->above_bed ? "height_above_bed_m" : "depth_m";
   j[place] = e.band ? json::array({e.band->from_m, e.band->to_m}) : json(nullptr);
   if (e.scalar) {

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "api/report/skill_table.h"
+#include "api/report/verdict_text.h"
 #include "calibration/verify/skill_set.h"
 #include "fields/base/text.h"
 
@@ -30,8 +31,8 @@ std::string interval_text(const std::optional<calibration::Interval95>& interval
 
 std::string heading(const calibration::SkillEntry& e) {
   std::string text = "\n" + e.variable + ", " + calibration::band_text(e.band) + ", lead " +
-                     calibration::lead_text(e.lead) + ", wind " + std::string(name_of(e.wind)) +
-                     ", truth " + e.truth + "\n";
+                     calibration::lead_text(e.lead) + ", wind " + wind_text(e) + ", truth " +
+                     truth_text(e) + "\n";
   if (e.scalar)
     return text + formatted("  {:<15} {:>5} {:>8} {:>8} {:>17} {:>8}\n", "method", "pairs",
                             "values", "rmse m", "[95 %]", "bias m");

@@ -1,7 +1,29 @@
 #include "api/report/verdict_text.h"
+#include "fields/base/averaging.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
+
+std::string truth_text(const calibration::SkillEntry& entry) {
+  if (!hides_the_tide(entry.truth_averaging)) return entry.truth;
+  return entry.truth + " (" + averaging_text(entry.truth_averaging) + ", not instants)";
+}
+
+std::string wind_text(const calibration::SkillEntry& entry) {
+  return std::string(name_of(entry.wind)) + (entry.hindsight ? " (in hindsight)" : "");
+}
+
+std::string error_text(const calibration::Verdict& verdict) {
+  const calibration::SkillEntry& of = verdict.forecast.of;
+  std::string text = formatted("{:.3f} m/s", verdict.forecast.score.rmse);
+  if (hides_the_tide(of.truth_averaging)) {
+    text += " against " + averaging_text(of.truth_averaging) +
+            ", not instants: what passes within a mean is not scored";
+  }
+  if (of.hindsight) text += ", made in hindsight: its wind was not known when it was issued";
+  return text;
+}
+
 std::string baseline_text(const calibration::Verdict& verdict) {
   if (!verdict.best) return {};
   const calibration::BestBaseline& best = *verdict.best;
@@ -15,10 +37,11 @@ std::string baseline_text(const calibration::Verdict& verdict) {
 
 std::string verdict_text(const calibration::Verdict& verdict) {
   const calibration::SetScore& s = verdict.forecast.score;
-  std::string text = "Wind " + std::string(name_of(verdict.wind)) + ", lead " +
-                     calibration::lead_text(verdict.forecast.of.lead) +
-                     formatted(", {} {}: forecast {:.3f} m/s", s.pairs,
-                               s.pairs == 1 ? "pair of days" : "pairs of days", s.rmse);
+  std::string text =
+      "Wind " + wind_text(verdict.forecast.of) + ", lead " +
+      calibration::lead_text(verdict.forecast.of.lead) +
+      formatted(", {} {}: forecast ", s.pairs, s.pairs == 1 ? "pair of days" : "pairs of days") +
+      error_text(verdict);
   if (s.rmse_interval)
     text += formatted(" [{:.3f}, {:.3f}]", s.rmse_interval->low, s.rmse_interval->high);
   if (verdict.best) text += ", " + baseline_text(verdict);

@@ -11,6 +11,15 @@ namespace slackwater::api {
 /// reference-slab 0.050 m/s; 81 % of the truth inside the 80 % band [78, 84]."
 [[nodiscard]] std::string verdict_text(const calibration::Verdict& verdict);
 
+/// "0.048 m/s", and what it is not: "0.037 m/s against daily means, not instants: …".
+[[nodiscard]] std::string error_text(const calibration::Verdict& verdict);
+
+/// "NWSHELF_ANALYSISFORECAST_PHY_004_013 (daily means, not instants)": the truth of an entry.
+[[nodiscard]] std::string truth_text(const calibration::SkillEntry& entry);
+
+/// "best", "best (in hindsight)": the wind of an entry.
+[[nodiscard]] std::string wind_text(const calibration::SkillEntry& entry);
+
 /// "best baseline reference-slab 0.050 m/s". Where it has some of the forecast's pairs only:
 /// "best baseline provider 0.050 m/s (over 4 of these pairs, there the forecast has 0.047 m/s)".
 [[nodiscard]] std::string baseline_text(const calibration::Verdict& verdict);

@@ -208,7 +208,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
   for (const calibration::SkillSet& set : sets) {
     if (!is_current(set)) continue;
     winds.insert(set.of.wind);
-    truths.insert(set.of.truth);
+    truths.insert(truth_text(set.of));
     first = first ? std::min(*first, set.first_day) : set.first_day;
     last = last ? std::max(*last, set.last_day) : set.last_day;
   }

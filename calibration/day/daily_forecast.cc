@@ -7,6 +7,7 @@
 
 #include "calibration/day/issued_blend.h"
 #include "calibration/day/known_currents.h"
+#include "calibration/day/unresolved_tide.h"
 #include "calibration/day/whole_day.h"
 #include "fields/base/error.h"
 #include "fields/base/parallel.h"
@@ -79,6 +80,7 @@ ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
   plan.day = choice.usable.value_or(choice.wanted);
   plan.issued = options.issued;
   plan.wind = options.wind;
+  plan.best = {options.issued, options.hindsight};
   plan.seed = options.seed;
   plan.stamps = hourly(plan.end_of_day(), UtcTime(choice.wanted) + days(1) + options.horizon);
   plan.dataset = choice.dataset;
@@ -110,6 +112,31 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, DailyFo
   });
 }
 
+/// Means over hours are no instants: their bands are widened by the tide that they leave out. Of
+/// several columns the widest speaks; one whose tide nobody knows speaks for all.
+std::optional<AveragedCurrents> widen_columns(const SiteData& data, const ForecastOptions& options,
+                                              DailyForecast& result) {
+  std::vector<std::optional<AveragedCurrents>> found(result.columns.size());
+  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
+    if (result.columns[i].forms.empty()) return;
+    ColumnForecast& column = result.columns[i];
+    const auto tide = widen_by_unresolved_tide(column.column, data.columns[i], result.plan);
+    if (!tide) return;
+    found[i] = tide->averaged;
+    column.origins.insert(column.origins.end(), tide->origins.begin(), tide->origins.end());
+  });
+  std::optional<AveragedCurrents> widest;
+  for (const std::optional<AveragedCurrents>& column : found) {
+    if (!column) continue;
+    const bool is_unknown = !column->unresolved_tide_m_s;
+    const bool is_wider =
+        widest && widest->unresolved_tide_m_s &&
+        (is_unknown || *column->unresolved_tide_m_s > *widest->unresolved_tide_m_s);
+    if (!widest || is_wider) widest = column;
+  }
+  return widest;
+}
+
 /// What was late or missing about the day's currents.
 void judge_day(const DayChoice& choice, std::vector<std::string>& troubles) {
   if (!choice.usable) {
@@ -139,23 +166,24 @@ void judge_columns(const std::vector<ColumnForecast>& columns, std::vector<std::
 }
 
 /// Whether the wind beyond D is there.
-void judge_wind(const ForecastColumn& column, WindPolicy policy,
+void judge_wind(const ForecastColumn& column, const ForecastPlan& plan,
                 std::vector<std::string>& troubles) {
   if (column.wind_m_s.empty()) {
     troubles.push_back("no wind is stored: the wind-driven part is left out");
     return;
   }
-  if (policy == WindPolicy::persist) return;
+  if (plan.wind == WindPolicy::persist) return;
   const auto persisted =
       std::count(column.wind_source.begin(), column.wind_source.end(), DataStatus::persisted);
   if (2 * persisted > static_cast<std::ptrdiff_t>(column.wind_source.size())) {
     troubles.push_back("wind is persisted for " + std::to_string(persisted) + " of " +
                        std::to_string(column.wind_source.size()) +
-                       " hours: no wind forecast is stored");
+                       " hours: no wind forecast known at " + format_utc(plan.issued) +
+                       " is stored");
   }
 }
 
-std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>& troubles) {
+std::string plain_headline(const ForecastPlan& plan, const std::vector<std::string>& troubles) {
   if (troubles.empty()) {
     return "Currents calibrated on " + format_day(plan.day) + ", forecast to " +
            format_utc(plan.stamps.back()) + ".";
@@ -164,6 +192,17 @@ std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>
   headline[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(headline[0])));
   for (std::size_t i = 1; i < troubles.size(); ++i) headline += "; " + troubles[i];
   return headline + ".";
+}
+
+constexpr const char* hindsight_note =
+    "made in hindsight: wind or waves were used that were not known at the issue time";
+
+std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>& troubles,
+                        bool hindsight) {
+  const std::string headline = plain_headline(plan, troubles);
+  if (!hindsight) return headline;
+  return headline + " Made in hindsight: wind or waves were used that were not known at " +
+         format_utc(plan.issued) + ".";
 }
 
 /// The columns and what they share, as one forecast.
@@ -185,6 +224,7 @@ Snapshot snapshot_of(const SiteData& data, const ForecastPlan& plan,
       if (!origin->attribution.empty()) attributions.insert(origin->attribution);
     }
     snapshot.contains_stokes = snapshot.contains_stokes || column.contains_stokes;
+    snapshot.hindsight = snapshot.hindsight || column.hindsight;
     snapshot.columns.push_back(column.column);
     if (values > 0)
       snapshot.members = std::max(snapshot.members, 1 + column.column.member_m_s.size() / values);
@@ -237,16 +277,20 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
     result.columns[i] = forecast_column(data.columns[i], data.site, result.plan);
     const std::vector<std::string> notes = notes_on_record(data.columns[i], result.plan);
     result.columns[i].notes.insert(result.columns[i].notes.begin(), notes.begin(), notes.end());
+    if (result.columns[i].hindsight) result.columns[i].notes.emplace_back(hindsight_note);
   });
   blend_columns(data, options, result);
+  const std::optional<AveragedCurrents> averaged = widen_columns(data, options, result);
 
   std::vector<std::string> troubles;  // each makes the forecast degraded
   judge_day(choice, troubles);
   if (choice.usable) judge_columns(result.columns, troubles);
-  judge_wind(result.columns.front().column, options.wind, troubles);
+  if (averaged) troubles.push_back(sentence_of(*averaged));
+  judge_wind(result.columns.front().column, result.plan, troubles);
   result.snapshot = snapshot_of(data, result.plan, result.columns);
   result.snapshot.degraded = !troubles.empty();
-  result.snapshot.headline = headline_of(result.plan, troubles);
+  result.snapshot.averaged = averaged;
+  result.snapshot.headline = headline_of(result.plan, troubles, result.snapshot.hindsight);
   result.snapshot.provenance = provenance_of(data, options, result.columns);
   result.input_granules = granules_of(result.columns);
   return result;

@@ -17,6 +17,9 @@ struct ForecastOptions {
   UtcTime issued{};           ///< when the job runs
   Duration horizon = std::chrono::hours(72);  ///< beyond the end of D
   WindPolicy wind = WindPolicy::best;
+  /// Under `best`: wind and waves that were not known at the issue time are used as well, and the
+  /// forecast says so.
+  bool hindsight = false;
   int threads = 1;
   std::uint64_t seed = 1;    ///< of the members
   std::string code_version;  ///< of the program that makes the forecast, for its provenance

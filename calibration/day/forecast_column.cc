@@ -32,12 +32,14 @@ WindErrorGrowth wind_error_of(const VectorRecord& record, const HorizonWind& win
   };
   if (plan.wind == WindPolicy::persist ||
       2 * count(DataStatus::persisted) > static_cast<std::ptrdiff_t>(wind.source.size())) {
-    const Chosen<Horizontal> known = choose(record, {plan.end_of_day(), plan.issued}, {});
+    // A run issued by then reaches beyond D: the climate is that of the record, which ends with D.
+    const VectorColumn known = slice(choose(record, {plan.end_of_day(), plan.issued}, {}).column,
+                                     UtcTime::min(), plan.end_of_day());
     std::vector<UtcTime> times;
-    for (const TimeCell& cell : known.column.time) times.push_back(cell.centre());
-    const std::size_t levels = known.column.levels();
+    for (const TimeCell& cell : known.time) times.push_back(cell.centre());
+    const std::size_t levels = known.levels();
     std::vector<Horizontal> values;
-    for (std::size_t t = 0; t < times.size(); ++t) values.push_back(known.column.value[t * levels]);
+    for (std::size_t t = 0; t < times.size(); ++t) values.push_back(known.value[t * levels]);
     return persisted_wind_error(climate_sigma_m_s(times, values));
   }
   return count(DataStatus::forecast) > 0 ? forecast_wind_error() : analysed_wind_error();
@@ -56,11 +58,14 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   out.current_sigma_m_s.assign(plan.stamps.size() * levels, 0);
   out.current_status.assign(plan.stamps.size() * levels, SampleStatus::missing);
 
-  const HorizonWind wind = horizon_wind(data.wind, plan.wind, plan.end_of_day(), plan.stamps);
+  const HorizonWind wind =
+      horizon_wind(data.wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
   out.wind_m_s = wind.wind_m_s;
   out.wind_source = wind.source;
   result.origins = wind.origins;
-  HorizonSea sea = horizon_sea(data, site, plan.wind, plan.end_of_day(), plan.stamps, wind);
+  HorizonSea sea =
+      horizon_sea(data, site, plan.wind, plan.end_of_day(), plan.stamps, wind, plan.best);
+  result.hindsight = wind.hindsight || sea.hindsight;
   out.sea = std::move(sea.sea);
   out.sea_source = std::move(sea.source);
   result.origins.insert(result.origins.end(), sea.origins.begin(), sea.origins.end());

@@ -22,6 +22,7 @@ struct ColumnForecast {
   std::vector<std::string> notes;      ///< what an operator should know
   std::vector<const Origin*> origins;  ///< whose values were used
   bool contains_stokes = false;
+  bool hindsight = false;  ///< wind or waves were used that were not known when it was issued
 
   /// Under the form of greatest probability; null where nothing was fitted.
   [[nodiscard]] const Calibration* calibration() const {

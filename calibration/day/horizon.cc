@@ -20,10 +20,12 @@ constexpr Duration widest_wind_gap = hours(12);
 /// Waves change more slowly than wind and come 1- to 6-hourly.
 constexpr Duration widest_wave_gap = hours(12);
 
-Knowledge knowledge_of(WindPolicy policy, UtcTime end_of_day) {
+Knowledge known_by(UtcTime time) { return {time, time, time}; }
+
+Knowledge knowledge_of(WindPolicy policy, UtcTime end_of_day, const BestInputs& best) {
   switch (policy) {
     case WindPolicy::best:
-      return {};
+      return best.hindsight ? Knowledge{} : known_by(best.known_by);
     case WindPolicy::forecast:
     case WindPolicy::persist:
       return {end_of_day, end_of_day};
@@ -31,24 +33,30 @@ Knowledge knowledge_of(WindPolicy policy, UtcTime end_of_day) {
   return {};
 }
 
-template <typename T>
-bool has_grid(const Record<T>& record) {
-  return std::any_of(record.pieces.begin(), record.pieces.end(),
-                     [](const auto& piece) { return !piece.origin->is_point_series; });
-}
-
-/// Products where there are any, else moored instruments; with `persist` nothing that is valid
+/// Products where any are known, else moored instruments; with `persist` nothing that is valid
 /// after D.
 template <typename T>
-Chosen<T> choose_input(const Record<T>& record, WindPolicy policy, UtcTime end_of_day) {
-  Choice choice;
-  choice.only_grids = has_grid(record);
-  Chosen<T> chosen = choose(record, knowledge_of(policy, end_of_day), choice);
+Chosen<T> choose_input(const Record<T>& record, WindPolicy policy, UtcTime end_of_day,
+                       const BestInputs& best) {
+  const Knowledge knowledge = knowledge_of(policy, end_of_day, best);
+  Choice grids;
+  grids.only_grids = true;
+  Chosen<T> chosen = choose(record, knowledge, grids);
+  if (chosen.empty()) chosen = choose(record, knowledge, {});
   if (policy == WindPolicy::persist) {
     chosen.column = slice(chosen.column, UtcTime::min(), end_of_day);
     chosen.origin.resize(chosen.column.times());
   }
   return chosen;
+}
+
+/// Whether any value was not known when `best` says.
+template <typename T>
+bool looks_ahead(const Chosen<T>& chosen, const BestInputs& best) {
+  for (std::size_t t = 0; t < chosen.column.times(); ++t) {
+    if (!is_known(*chosen.origin[t], chosen.column.time[t], known_by(best.known_by))) return true;
+  }
+  return false;
 }
 
 /// Where the stored value nearest to a time stands.
@@ -122,9 +130,10 @@ std::vector<SeaState> grow_sea(const std::vector<SeaState>& before, const Chosen
 }  // namespace
 
 HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day,
-                         std::span<const UtcTime> stamps) {
+                         std::span<const UtcTime> stamps, const BestInputs& best) {
   HorizonWind result;
-  const Chosen<Horizontal> known = choose_input(wind, policy, end_of_day);
+  const Chosen<Horizontal> known = choose_input(wind, policy, end_of_day, best);
+  result.hindsight = looks_ahead(known, best);
   const VectorColumn& column = known.column;
   VectorColumn series;
   series.point = column.point;
@@ -167,12 +176,14 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
 }
 
 HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy policy,
-                       UtcTime end_of_day, std::span<const UtcTime> stamps,
-                       const HorizonWind& wind) {
+                       UtcTime end_of_day, std::span<const UtcTime> stamps, const HorizonWind& wind,
+                       const BestInputs& best) {
   HorizonSea result;
-  const Chosen<double> height = choose_input(column.significant_height, policy, end_of_day);
-  const Chosen<double> period = choose_input(column.peak_period, policy, end_of_day);
-  const Chosen<double> direction = choose_input(column.wave_direction, policy, end_of_day);
+  const Chosen<double> height = choose_input(column.significant_height, policy, end_of_day, best);
+  const Chosen<double> period = choose_input(column.peak_period, policy, end_of_day, best);
+  const Chosen<double> direction = choose_input(column.wave_direction, policy, end_of_day, best);
+  result.hindsight =
+      looks_ahead(height, best) || looks_ahead(period, best) || looks_ahead(direction, best);
   if (height.empty() && wind.wind_m_s.empty()) return result;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto at = [](const Chosen<double>& chosen, UtcTime time) {

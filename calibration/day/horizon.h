@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/day/forecast_plan.h"
 #include "fields/record/site_data.h"
 #include "fields/service/snapshot.h"
 #include "fields/service/wind_policy.h"
@@ -17,9 +18,11 @@ struct HorizonWind {
   std::vector<Horizontal> wind_m_s;    ///< at the stamps; empty where no wind is stored
   std::vector<DataStatus> source;      ///< per stamp
   std::vector<const Origin*> origins;  ///< whose values were used
+  bool hindsight = false;              ///< some of them were not known by `BestInputs::known_by`
 };
 [[nodiscard]] HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy,
-                                       UtcTime end_of_day, std::span<const UtcTime> stamps);
+                                       UtcTime end_of_day, std::span<const UtcTime> stamps,
+                                       const BestInputs& best = {});
 
 /// The sea state of a column over the horizon: stored waves by the same policy, else the growth law
 /// of fields/wave driven by the wind, from the last known state. Empty where there are neither
@@ -28,9 +31,10 @@ struct HorizonSea {
   std::vector<SeaState> sea;
   std::vector<DataStatus> source;
   std::vector<const Origin*> origins;
+  bool hindsight = false;  ///< stored waves were used that were not known; the wind says so itself
 };
 [[nodiscard]] HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy policy,
                                      UtcTime end_of_day, std::span<const UtcTime> stamps,
-                                     const HorizonWind& wind);
+                                     const HorizonWind& wind, const BestInputs& best = {});
 
 }  // namespace slackwater::calibration

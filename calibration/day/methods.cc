@@ -113,7 +113,7 @@ std::vector<MethodForecast> current_methods(const ColumnData& column, const Fore
   if (!known.empty()) {
     // Held wind is that of the end of D, on the line between the stamps around it.
     const WindPolicy policy = plan.wind == WindPolicy::persist ? WindPolicy::best : plan.wind;
-    const HorizonWind wind = horizon_wind(column.nearest_wind, policy, end, {});
+    const HorizonWind wind = horizon_wind(column.nearest_wind, policy, end, {}, plan.best);
     const BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,
                               column.point.latitude, plan.wind == WindPolicy::persist};
     for (const Method baseline : all_baselines) {

@@ -16,12 +16,22 @@ namespace {
 using std::chrono::days;
 using std::chrono::hours;
 
+/// The plan moved to another day, issued as late after it.
+ForecastPlan moved_to(const ForecastPlan& plan, UtcDay day) {
+  ForecastPlan moved = plan;
+  moved.day = day;
+  moved.issued = moved.end_of_day() + (plan.issued - plan.end_of_day());
+  return moved;
+}
+
 /// The plan of a past day as it would have been run then, for one day of lead, with few members:
-/// they are not looked at.
+/// they are not looked at. Best wind and waves are those known when its truth is in: nothing of it
+/// rests on who asks.
 ForecastPlan plan_of(const ForecastPlan& plan, UtcDay day) {
-  ForecastPlan past = plan;
-  past.day = day;
-  past.issued = past.end_of_day() + (plan.issued - plan.end_of_day());
+  ForecastPlan past = moved_to(plan, day);
+  if (plan.best.known_by != UtcTime::max()) {
+    past.best.known_by = past.end_of_day() + days(1) + (plan.best.known_by - plan.end_of_day());
+  }
   past.spread.members = 8;
   past.stamps.clear();
   for (int h = 0; h <= 25; ++h) past.stamps.push_back(past.end_of_day() + hours(h));
@@ -41,7 +51,7 @@ std::vector<std::size_t> columns_to_rehearse(const SiteData& data, std::size_t m
   return chosen;
 }
 
-/// The record's own next day, as known when the plan is made: what a rehearsed forecast is held
+/// The record's own next day, as known when that day has ended: what a rehearsed forecast is held
 /// against, fused where the record is.
 Chosen<Horizontal> day_after(const Chosen<Horizontal>& known, UtcTime end_of_day) {
   VectorColumn next = slice(known.column, end_of_day, end_of_day + days(1));
@@ -63,11 +73,12 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
   const std::vector<Method> candidates = candidate_methods();
   RehearsedDay result;
   const ForecastPlan past = plan_of(plan, day);
+  const ForecastPlan next = moved_to(plan, day + days(1));
   if (!holds_day(data_, day, past.issued)) return result;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::size_t i : columns_to_rehearse(data_, most_columns)) {
     const ColumnData& column = data_.columns[i];
-    const Chosen<Horizontal> truth = day_after(known_currents(column, plan), past.end_of_day());
+    const Chosen<Horizontal> truth = day_after(known_currents(column, next), past.end_of_day());
     if (truth.empty()) continue;
     Snapshot snapshot;
     snapshot.day = day;
@@ -103,7 +114,10 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
 }
 
 std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, UtcDay day) {
-  const std::tuple key{day, plan.wind, plan.dataset};
+  const ForecastPlan past = plan_of(plan, day);
+  const Key key{day,         past.wind,          past.dataset,
+                past.issued, past.best.known_by, past.best.hindsight,
+                past.seed,   past.depth_m};
   {
     const std::lock_guard lock(mutex_);
     const auto found = done_.find(key);

@@ -1,7 +1,9 @@
 #pragma once
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <vector>
 
 #include "calibration/blend/blend.h"
@@ -25,8 +27,9 @@ struct Earned {
 
 /// Rehearses past days of the data at a few columns and remembers them, so that a hindcast
 /// rehearses each day once. A day D' is forecast from what was known at its own end (plus the
-/// latency of the run) and held against the currents of D'+1, which end by the D that is forecast
-/// from: nothing later is seen. Thread-safe.
+/// latency of the run; wind and waves under `best` when D'+1 had ended, plus that) and held against
+/// the currents of D'+1, which end by the D that is forecast from: nothing later is seen.
+/// Thread-safe.
 class Rehearsals {
  public:
   explicit Rehearsals(const SiteData& data) : data_(data) {}
@@ -43,9 +46,14 @@ class Rehearsals {
   [[nodiscard]] std::shared_ptr<const RehearsedDay> day(const ForecastPlan& plan, UtcDay day);
   [[nodiscard]] RehearsedDay rehearse(const ForecastPlan& plan, UtcDay day) const;
 
+  /// All of a plan that a rehearsed day rests on: the day, wind policy, dataset, issue time, by when
+  /// the best wind was known and whether with hindsight, seed, depths.
+  using Key = std::tuple<UtcDay, WindPolicy, std::string, UtcTime, UtcTime, bool, std::uint64_t,
+                         std::vector<double>>;
+
   const SiteData& data_;
   std::mutex mutex_;
-  std::map<std::tuple<UtcDay, WindPolicy, std::string>, std::shared_ptr<const RehearsedDay>> done_;
+  std::map<Key, std::shared_ptr<const RehearsedDay>> done_;
 };
 
 /// The methods of the standard candidates, in order.

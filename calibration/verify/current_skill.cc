@@ -6,6 +6,7 @@
 
 #include "calibration/day/known_currents.h"
 #include "calibration/day/methods.h"
+#include "fields/base/averaging.h"
 #include "fields/base/parallel.h"
 
 namespace slackwater::calibration {
@@ -34,6 +35,7 @@ struct Sum {
   std::vector<SkillEntry> column_entries;
   std::optional<ForecastTrace> trace;
   std::string truth;
+  Duration truth_averaging{0};  ///< the longest of any column
 };
 
 std::vector<std::size_t> bands_of(const Scored& scored, double depth_m, double water_depth_m) {
@@ -111,9 +113,12 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   });
   if (column == columns.end()) return;
   const Chosen<Horizontal> truth =
-      truth_of(*column, scored.plan.dataset, scored.plan.end_of_day(), scored.snapshot.time.back());
+      truth_of(*column, scored.plan.dataset, scored.plan.end_of_day(),
+               std::min(scored.snapshot.time.back(), scored.options.truth_until));
   if (truth.empty()) return;
   sum.truth = truth_name(*truth.origin.back());
+  const Duration averaging = averaging_of(truth.column.time);
+  sum.truth_averaging = std::max(sum.truth_averaging, averaging);
   const std::vector<MethodForecast> methods =
       current_methods(*column, scored.plan, scored.snapshot, index, truth,
                       known_beside(truth, *column, scored.plan));
@@ -128,6 +133,7 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   SkillEntry blank = scored.blank;
   blank.column = index;
   blank.truth = sum.truth;
+  blank.truth_averaging = averaging;
   auto entries = entries_of(own, scored.bands, scored.options, blank, false);
   std::move(entries.begin(), entries.end(), std::back_inserter(sum.column_entries));
   slackwater::calibration::merge(sum.methods, own);
@@ -186,9 +192,11 @@ ForecastSkill score_currents(const SiteData& data, const Snapshot& snapshot,
     std::move(sum.column_entries.begin(), sum.column_entries.end(),
               std::back_inserter(skill.entries));
     if (!sum.truth.empty()) all.truth = sum.truth;
+    all.truth_averaging = std::max(all.truth_averaging, sum.truth_averaging);
   }
   SkillEntry pooled = blank;
   pooled.truth = all.truth;
+  pooled.truth_averaging = all.truth_averaging;
   auto entries = entries_of(all.methods, bands, options, pooled, true);
   std::move(entries.begin(), entries.end(), std::back_inserter(skill.entries));
   if (all.trace) {

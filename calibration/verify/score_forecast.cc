@@ -14,6 +14,7 @@ ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
   blank.day = snapshot.day;
   blank.issued = snapshot.issued;
   blank.wind = *snapshot.wind_policy;
+  blank.hindsight = snapshot.hindsight;
   ForecastSkill skill = score_currents(data, snapshot, dataset, options, blank);
   if (data.columns.empty() || snapshot.columns.empty()) return skill;
   const UtcTime end = UtcTime(snapshot.day) + std::chrono::days(1);

@@ -49,8 +49,10 @@ inline constexpr const char* wave_variable = "sea_surface_wave_significant_heigh
 struct VerifyOptions {
   std::optional<UtcDay> from;  ///< day D, both ends included
   std::optional<UtcDay> to;
-  std::vector<std::int64_t> forecasts;  ///< only these ids of the store; empty: all in the range
-  std::vector<DepthBand> bands;         ///< empty: the whole column and the standard bands
+  std::vector<std::int64_t> forecasts;     ///< only these ids of the store; empty: all in the range
+  UtcTime issued_before = UtcTime::max();  ///< only forecasts of the store issued earlier
+  UtcTime truth_until = UtcTime::max();    ///< truth that ends later is not looked at
+  std::vector<DepthBand> bands;            ///< empty: the whole column and the standard bands
   std::vector<LeadBin> leads{{0, 24}, {24, 48}, {48, 72}};  ///< whole hours
   bool by_hour = true;      ///< also each hour of lead, for the first band
   bool per_column = false;  ///< each column beside the pooled figures
@@ -77,6 +79,8 @@ struct SkillEntry {
   std::optional<ScalarScore> scalar;   ///< for waves
   std::optional<Interval95> interval;  ///< of the RMSE; blocks are six hours of lead
   std::string truth;                   ///< the dataset or station it was held against
+  Duration truth_averaging{0};         ///< of its values (`averaging_of`); 0: instants
+  bool hindsight = false;              ///< the forecast was made so (`Snapshot::hindsight`)
 };
 
 }  // namespace slackwater::calibration

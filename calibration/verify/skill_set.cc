@@ -48,7 +48,11 @@ SkillSets sets_of(const std::vector<SkillEntry>& entries) {
       pairs.emplace_back();
     }
     SkillSet& set = result.sets[found->second];
+    const Duration averaging = std::max(set.of.truth_averaging, entry.truth_averaging);
+    const bool hindsight = set.of.hindsight || entry.hindsight;
     set.of = entry;
+    set.of.truth_averaging = averaging;
+    set.of.hindsight = hindsight;
     set.first_day = std::min(set.first_day, entry.day);
     set.last_day = std::max(set.last_day, entry.day);
     pairs[found->second].push_back(&entry);

@@ -10,7 +10,9 @@ namespace slackwater::calibration {
 /// The pairs of days of one method that belong together: same variable, wind policy, column, band
 /// and lead. Pairs weigh the same; intervals draw whole pairs.
 struct SkillSet {
-  SkillEntry of;  ///< the last pair's entry, for what all share
+  /// The last pair's entry, for what all share; with the longest averaging of any pair's truth, and
+  /// in hindsight where any pair is.
+  SkillEntry of;
   UtcDay first_day{};
   UtcDay last_day{};
   SetScore score;

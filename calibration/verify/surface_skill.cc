@@ -4,6 +4,7 @@
 #include <map>
 
 #include "calibration/verify/current_skill.h"
+#include "fields/base/averaging.h"
 #include "fields/interpolate/temporal.h"
 #include "fields/record/choose.h"
 
@@ -106,6 +107,7 @@ void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   for (std::size_t t = 0; t < truth.column.times(); ++t) {
     const UtcTime time = truth.column.time[t].centre();
     if (time <= end || !truth.column.has(t)) continue;
+    if (truth.column.time[t].end > options.truth_until) continue;
     if (is_its_own_truth(snapshot, column.wind_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, column.wind_m_s, 1, 0, TimeCell::instant(time));
     if (forecast)
@@ -114,6 +116,7 @@ void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   if (methods.empty()) return;
   blank.variable = wind_variable;
   blank.truth = truth_name(*truth.origin.back());
+  blank.truth_averaging = averaging_of(truth.column.time);
   add_entries(methods, options, blank, false, entries);
 }
 
@@ -128,7 +131,7 @@ void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   std::optional<double> last;
   PairsByMethod methods;
   for (std::size_t t = 0; t < truth.column.times(); ++t) {
-    if (!truth.column.has(t)) continue;
+    if (!truth.column.has(t) || truth.column.time[t].end > options.truth_until) continue;
     const UtcTime time = truth.column.time[t].centre();
     const double value = truth.column.value[t];
     if (time <= end) {
@@ -144,6 +147,7 @@ void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   if (methods.empty()) return;
   blank.variable = wave_variable;
   blank.truth = truth_name(*truth.origin.back());
+  blank.truth_averaging = averaging_of(truth.column.time);
   add_entries(methods, options, blank, true, entries);
 }
 

@@ -7,13 +7,6 @@
 namespace slackwater {
 namespace {
 
-bool is_known(const Origin& origin, const TimeCell& cell, const Knowledge& knowledge) {
-  if (origin.status == DataStatus::forecast && origin.reference_time) {
-    return *origin.reference_time <= knowledge.forecasts_issued_by;
-  }
-  return cell.end <= knowledge.values_until;
-}
-
 /// Larger is better.
 auto rank_of(const Origin& origin) {
   const bool known_for_sure = origin.status != DataStatus::forecast;
@@ -86,6 +79,14 @@ Chosen<T> choose_from(const Record<T>& record, const Knowledge& knowledge, const
 }
 
 }  // namespace
+
+bool is_known(const Origin& origin, const TimeCell& cell, const Knowledge& knowledge) {
+  if (origin.status == DataStatus::forecast && origin.reference_time) {
+    return *origin.reference_time <= knowledge.forecasts_issued_by;
+  }
+  return cell.end <= knowledge.values_until ||
+         (origin.received && *origin.received <= knowledge.received_by);
+}
 
 Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge,
                           const Choice& choice) {

@@ -14,7 +14,13 @@ struct Knowledge {
       UtcTime::max();  ///< analysed and observed values that end later are unknown
   UtcTime forecasts_issued_by =
       UtcTime::max();  ///< provider forecasts with a later reference time are unknown
+  /// What a file that had been received by then holds is known, whenever it is valid: products that
+  /// run on into the future without saying where their forecast begins.
+  UtcTime received_by = UtcTime::min();
 };
+
+/// Whether a value of this origin and time is seen through the glass.
+[[nodiscard]] bool is_known(const Origin& origin, const TimeCell& cell, const Knowledge& knowledge);
 
 /// A series chosen from a record: at each valid time the best piece known.
 template <typename T>

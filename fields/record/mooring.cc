@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "fields/base/averaging.h"
+
 namespace slackwater {
 namespace {
 
@@ -20,6 +22,11 @@ bool is_mean(const VectorPiece& piece) {
   return !piece.east.grid.time.empty() && piece.east.grid.time.front().is_mean();
 }
 
+/// A daily mean is no instant of an hourly series.
+bool holds_long_means(const VectorPiece& piece) {
+  return hides_the_tide(averaging_of(piece.east.grid.time));
+}
+
 bool can_join(const VectorPiece& piece) {
   return piece.origin.is_point_series && piece.east.grid.vertical == VerticalKind::depth_m &&
          !piece.east.grid.levels_m.empty();
@@ -27,7 +34,8 @@ bool can_join(const VectorPiece& piece) {
 
 bool same_mooring(const VectorPiece& a, const VectorPiece& b) {
   return a.origin.status == b.origin.status && a.origin.reference_time == b.origin.reference_time &&
-         is_mean(a) == is_mean(b) && distance_m(place_of(a), place_of(b)) <= same_mooring_m;
+         is_mean(a) == is_mean(b) && holds_long_means(a) == holds_long_means(b) &&
+         distance_m(place_of(a), place_of(b)) <= same_mooring_m;
 }
 
 /// How near two levels are the same: a quarter of the finest spacing of any part.
@@ -126,6 +134,7 @@ Origin origin_of(const std::vector<const VectorPiece*>& parts) {
         origin.sources.push_back(sha256);
     }
     others += other.station != origin.station ? 1 : 0;
+    origin.received = later_of(origin.received, other.received);
   }
   if (others > 0) origin.station += " and " + std::to_string(others) + " more";
   return origin;

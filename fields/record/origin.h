@@ -18,12 +18,21 @@ struct Origin {
   std::string product_id;
   std::string attribution;
   std::vector<std::string> sources;  ///< sha256 of the product files
-  int ensemble_member = 0;           ///< of a weather model; 0 is the control
-  std::string station;               ///< platform of a point series
+  /// When the last of those files came in; nothing where nobody wrote it down.
+  std::optional<UtcTime> received;
+  int ensemble_member = 0;  ///< of a weather model; 0 is the control
+  std::string station;      ///< platform of a point series
   bool contains_stokes = false;
   bool is_point_series = false;
   std::optional<double> water_depth_m;  ///< where the file of a point series states it
 };
+
+/// When the later of two files came in; nothing where that of either is not known.
+[[nodiscard]] inline std::optional<UtcTime> later_of(const std::optional<UtcTime>& a,
+                                                     const std::optional<UtcTime>& b) noexcept {
+  if (!a || !b) return std::nullopt;
+  return *a < *b ? *b : *a;
+}
 
 /// Whether a piece was measured at a place: a point series of observations. Model output written as
 /// a point series (`ingest --as analysis`) is a product.

@@ -9,6 +9,7 @@
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
 #include "fields/grid/status.h"
+#include "fields/service/averaged_currents.h"
 #include "fields/service/provenance.h"
 #include "fields/service/wind_policy.h"
 
@@ -57,7 +58,13 @@ struct Snapshot {
   std::uint64_t seed = 0;   ///< of the run: all randomness comes from (seed, stream name)
   bool degraded = false;
   bool contains_stokes = false;  ///< the currents it was fitted to still hold Stokes drift
-  std::string headline;          ///< one sentence a coordinator reads first
+  /// Wind or waves beyond D were not known at the issue time: no forecast that anybody could have
+  /// made then.
+  bool hindsight = false;
+  /// The currents it was fitted to are means over hours; nothing: instants, or means that hold the
+  /// tide.
+  std::optional<AveragedCurrents> averaged;
+  std::string headline;  ///< one sentence a coordinator reads first
   std::vector<std::string> attributions;
   Provenance provenance;
 };

@@ -9,6 +9,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "ingest/cf/averaged_json.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/cf/forecast_members.h"
 #include "ingest/cf/forecast_names.h"
@@ -55,6 +56,8 @@ class ForecastReader {
     s.members = count_members(in_);
     s.degraded = text("slackwater_degraded") == "true";
     s.contains_stokes = text("slackwater_contains_stokes") == "true";
+    s.hindsight = in_.text("slackwater_hindsight").value_or("false") == "true";
+    s.averaged = averaged();
     s.headline = text("slackwater_headline");
     s.attributions = lines_of(text("slackwater_attributions"));
     s.provenance = provenance();
@@ -100,6 +103,12 @@ class ForecastReader {
     const std::string name = text("slackwater_wind_policy");
     return with_context(in_.path().string() + ": slackwater_wind_policy",
                         [&] { return wind_policy_from(name); });
+  }
+  /// Nothing where the file was written before forecasts said so.
+  std::optional<AveragedCurrents> averaged() const {
+    return with_context(in_.path().string() + ": slackwater_averaged_currents", [&] {
+      return averaged_from(in_.text("slackwater_averaged_currents").value_or("null"));
+    });
   }
   Provenance provenance() const {
     const std::string found = text("slackwater_provenance");

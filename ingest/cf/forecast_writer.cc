@@ -8,6 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "ingest/cf/averaged_json.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/cf/forecast_members.h"
 #include "ingest/cf/forecast_names.h"
@@ -249,6 +250,8 @@ class ForecastWriter {
     global("slackwater_seed", std::to_string(s_.seed));
     global("slackwater_degraded", s_.degraded ? "true" : "false");
     global("slackwater_contains_stokes", s_.contains_stokes ? "true" : "false");
+    global("slackwater_hindsight", s_.hindsight ? "true" : "false");
+    global("slackwater_averaged_currents", averaged_json(s_.averaged));
     global("slackwater_headline", s_.headline);
     global("slackwater_attributions", credit);
     global("slackwater_provenance", provenance_json(s_.provenance));

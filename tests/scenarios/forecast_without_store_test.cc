@@ -43,7 +43,7 @@ SiteData through_a_store(const Task& task) {
 
 SiteData without_a_store(const Task& task) {
   std::vector<ingest::FileToRead> files;
-  for (const auto& file : task.files) files.push_back({file, task.options});
+  for (const auto& file : task.files) files.push_back({file, task.options, UtcTime{}});
   return site_data_of(
       task.site, ingest::read_pieces(files, products(), task.site, task.from(), task.to()).pieces);
 }

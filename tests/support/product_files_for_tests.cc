@@ -104,6 +104,28 @@ ProductForTests current_product(UtcDay day, int hours) {
   return product;
 }
 
+ProductForTests mean_current_product(UtcDay day, int days, int averaging_h) {
+  ProductForTests product = current_product(day, 0);
+  product.title = "NWSHELF_ANALYSISFORECAST_PHY_004_013 currents averaged";
+  product.cell_methods = "time: mean";
+  const Duration step = std::chrono::hours(averaging_h);
+  for (UtcTime from(day); from < UtcTime(day) + std::chrono::days(days); from += step)
+    product.time.push_back(from + step / 2);
+  for (ProductQuantity& q : product.quantities) {
+    q.value = [value = q.value, step](ProductCell cell) {
+      const int parts = 48;
+      const UtcTime from = cell.time - step / 2;
+      double sum = 0;
+      for (int i = 0; i < parts; ++i) {
+        cell.time = from + step * (2 * i + 1) / (2 * parts);
+        sum += value(cell);
+      }
+      return sum / parts;
+    };
+  }
+  return product;
+}
+
 ProductForTests wind_product(UtcDay day, int hours) {
   ProductForTests product;
   product.title = "WIND_GLO_PHY_L4_NRT_012_004 hourly wind";
@@ -176,6 +198,8 @@ std::filesystem::path write_product(const std::filesystem::path& file,
                                   {.chunks = {}, .deflate = 0, .fill_value = fill}));
     if (!q.standard_name.empty()) writer.attribute(ids.back(), "standard_name", q.standard_name);
     if (!q.unit.empty()) writer.attribute(ids.back(), "units", q.unit);
+    if (!product.cell_methods.empty())
+      writer.attribute(ids.back(), "cell_methods", product.cell_methods);
   }
   writer.end_definitions();
   if (time_id >= 0) writer.write_all(time_id, seconds_of(product.time));

@@ -35,7 +35,8 @@ struct ProductForTests {
   std::vector<double> latitude_deg{53.8, 53.9, 54.0, 54.1, 54.2};
   std::vector<double> longitude_deg{6.3, 6.4, 6.5, 6.6, 6.7};
   std::optional<UtcTime> reference_time;
-  bool writes_nan = false;  ///< missing values are written as NaN, not as the fill value
+  std::string cell_methods;  ///< of every quantity, "time: mean"; empty: no such attribute
+  bool writes_nan = false;   ///< missing values are written as NaN, not as the fill value
   std::vector<ProductQuantity> quantities;
 
   [[nodiscard]] ProductQuantity& quantity(const std::string& name);
@@ -60,6 +61,9 @@ struct WaterForTests {
 
 /// uo and vo at 0, 5, 10, 20 and 30 m, analysed: no reference time.
 [[nodiscard]] ProductForTests current_product(UtcDay day, int hours = 24);
+/// The same water as means over so many hours (which divide a day), stamped in their middle, from
+/// midnight of the day on.
+[[nodiscard]] ProductForTests mean_current_product(UtcDay day, int days, int averaging_h);
 /// eastward_wind and northward_wind.
 [[nodiscard]] ProductForTests wind_product(UtcDay day, int hours = 24);
 /// VHM0, VTPK and VMDR.

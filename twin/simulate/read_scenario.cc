@@ -161,6 +161,7 @@ ForecastWater read_forecast(const Config& config) {
   water.file = config.optional_text("file").value_or("");
   if (water.site.empty() == water.file.empty())
     config.refuse("site", "give the site of a forecast in the store, or the file of one");
+  water.accept_means = config.optional_flag("accept_means").value_or(false);
   if (const auto day = config.optional_text("day")) {
     try {
       water.day = parse_day(*day);

@@ -19,6 +19,8 @@ struct ForecastWater {
   std::string site;
   std::optional<UtcDay> day;
   std::string file;
+  /// Run even where its currents are means over hours, without most of the tide.
+  bool accept_means = false;
 };
 
 /// The current at a level of made-up water.

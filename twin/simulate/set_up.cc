@@ -211,6 +211,24 @@ GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept {
   return scenario.has_origin ? scenario.origin : site;
 }
 
+namespace {
+
+/// Water without its tide is no water to rehearse in, unless that is asked for.
+void expect_instants(const Scenario& scenario, const Snapshot& forecast,
+                     std::vector<std::string>& warnings) {
+  if (!forecast.averaged) return;
+  const auto* const wanted = std::get_if<ForecastWater>(&scenario.water);
+  const std::string sentence = sentence_of(*forecast.averaged);
+  if (wanted == nullptr || !wanted->accept_means) {
+    refuse("water: " + sentence +
+           "; a vehicle would meet water that never flows so. Take a forecast made from hourly "
+           "currents, or say `accept_means: true` beside the forecast to run in it all the same");
+  }
+  warnings.push_back(sentence);
+}
+
+}  // namespace
+
 ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   const Field& field = *surround.field;
   if (scenario.member >= field.snapshot().members) {
@@ -218,6 +236,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
            std::to_string(field.snapshot().members - 1));
   }
   ReadyRun ready;
+  expect_instants(scenario, field.snapshot(), ready.warnings);
   ready.start = start_of(scenario, field);
   ready.origin = origin_of(scenario, surround.site);
   Environment environment;

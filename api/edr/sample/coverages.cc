@@ -105,6 +105,13 @@ Coverage along(const Selection& s, std::span<const Vertex> vertices, const std::
 Answer answer_of(Selection s, std::vector<Coverage> coverages, const Absences& absences) {
   Answer answer = std::move(s.answer);
   answer.notes = notes_of(absences, *s.field);
+  const Snapshot& snapshot = s.field->snapshot();
+  if (snapshot.averaged && s.collection->vertical == Vertical::depth_down)
+    answer.notes.push_back(sentence_of(*snapshot.averaged));
+  if (snapshot.hindsight) {
+    answer.notes.emplace_back(
+        "made in hindsight: wind or waves were used that were not known at the issue time");
+  }
   answer.coverages = std::move(coverages);
   return answer;
 }

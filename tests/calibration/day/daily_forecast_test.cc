@@ -90,10 +90,13 @@ KnownSeriesForTests sea_until(UtcTime last, int past_days = 5) {
 
 void add_wind_and_waves(KnownSeriesForTests& sea, UtcTime last = end_of_day + days(10)) {
   const auto time = instants(end_of_day - days(12), last);
-  sea.wind(analysis_of("wind", 12), time,
+  Origin wind = analysis_of("wind", 12);
+  Origin waves = analysis_of("waves", 13);
+  wind.received = waves.received = end_of_day - days(12);  // products that run on into the future
+  sea.wind(wind, time,
            [](UtcTime at, double) { return std::polar(8.0, 0.02 * hours_between(midnight, at)); });
   sea.waves(
-      analysis_of("waves", 13), time, [](UtcTime) { return 1.5; }, [](UtcTime) { return 6.0; },
+      waves, time, [](UtcTime) { return 1.5; }, [](UtcTime) { return 6.0; },
       [](UtcTime) { return 280.0; });
 }
 
@@ -327,6 +330,73 @@ TEST(MakeForecast, UnderForecastWindNothingAfterTheDayMatters) {
   options.wind = WindPolicy::forecast;
   expect_same(make_forecast(site_of({spoilt}), options),
               make_forecast(site_of({sea.data}), options));
+}
+
+/// Analysed for two days beyond D, forecast by runs of before and after five o'clock.
+KnownSeriesForTests sea_of_a_replay() {
+  KnownSeriesForTests sea = sea_until(end_of_day + days(2), 8);
+  const auto analysed = instants(end_of_day - days(12), end_of_day + days(2));
+  sea.wind(analysis_of("wind", 12), analysed,
+           [](UtcTime at, double) { return std::polar(8.0, 0.02 * hours_between(midnight, at)); });
+  for (const int issued_h : {-6, 6}) {
+    const UtcTime issued = end_of_day + hours(issued_h);
+    sea.wind(forecast_of("wind", issued, 20 + issued_h), instants(issued, issued + days(4)),
+             steady({double(issued_h), 3}));
+  }
+  sea.waves(
+      analysis_of("waves", 13), analysed, [](UtcTime) { return 1.5; }, [](UtcTime) { return 6.0; },
+      [](UtcTime) { return 280.0; });
+  return sea;
+}
+
+TEST(MakeForecast, NothingThatWasNotKnownAtTheIssueTimeMattersUnderAnyWindPolicy) {
+  const KnownSeriesForTests sea = sea_of_a_replay();
+  ColumnData spoilt = sea.data;
+  spoil_after(spoilt, five_o_clock, five_o_clock);
+  for (const WindPolicy wind : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
+    ForecastOptions options = at_five(day);
+    options.wind = wind;
+    const DailyForecast made = make_forecast(site_of({sea.data}), options);
+    EXPECT_FALSE(made.snapshot.hindsight);
+    expect_same(make_forecast(site_of({spoilt}), options), made);
+  }
+}
+
+TEST(MakeForecast, AProductThatBeginsLaterDoesNotSilenceTheStationOfToday) {
+  KnownSeriesForTests sea = sea_until(end_of_day);
+  sea.wind(station_of("mast", 9), instants(end_of_day - days(12), end_of_day), steady({7, 1}));
+  const DailyForecast today = make_forecast(site_of({sea.data}), at_five(day));
+  sea.wind(analysis_of("wind", 12), instants(five_o_clock + hours(1), end_of_day + days(2)),
+           steady({20, 0}));
+  expect_same(make_forecast(site_of({sea.data}), at_five(day)), today);
+}
+
+TEST(MakeForecast, HindsightUsesWhatCameLaterAndSaysSo) {
+  const KnownSeriesForTests sea = sea_of_a_replay();
+  ForecastOptions options = at_five(day);
+  options.hindsight = true;
+  const DailyForecast made = make_forecast(site_of({sea.data}), options);
+  EXPECT_TRUE(made.snapshot.hindsight);
+  EXPECT_FALSE(made.snapshot.degraded);
+  EXPECT_TRUE(says(made.snapshot, "Made in hindsight")) << made.snapshot.headline;
+  EXPECT_TRUE(says(made.snapshot, "2024-06-12T05:00:00Z")) << made.snapshot.headline;
+  const auto& notes = made.columns.front().notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("hindsight") != std::string::npos;
+  }));
+  const std::vector<DataStatus>& source = made.snapshot.columns[0].wind_source;
+  EXPECT_EQ(source.back(), DataStatus::analysis);
+}
+
+TEST(MakeForecast, HindsightThatFoundNothingLaterIsNone) {
+  KnownSeriesForTests sea = sea_until(end_of_day);
+  add_wind_and_waves(sea);
+  ForecastOptions options = at_five(day);
+  const DailyForecast made = make_forecast(site_of({sea.data}), options);
+  options.hindsight = true;
+  const DailyForecast asked = make_forecast(site_of({sea.data}), options);
+  EXPECT_FALSE(asked.snapshot.hindsight);
+  expect_same(asked, made);
 }
 
 TEST(MakeForecast, DoesNotDependOnTheNumberOfThreads) {

@@ -148,6 +148,10 @@ TEST(ForecastColumn, UnderPersistedWindNothingLaterThanTheDayMatters) {
   const ColumnForecast without_forecasts = forecast_column(spoilt, {}, plan);
   EXPECT_EQ(without_forecasts.column.current_m_s, made.column.current_m_s);
   EXPECT_EQ(without_forecasts.column.wind_m_s, made.column.wind_m_s);
+  EXPECT_EQ(without_forecasts.column.current_sigma_m_s, made.column.current_sigma_m_s)
+      << "the wind's climate is that of the record, which ends with D";
+  EXPECT_EQ(without_forecasts.column.member_m_s, made.column.member_m_s);
+  EXPECT_EQ(without_forecasts.column.wind_member_m_s, made.column.wind_member_m_s);
 }
 
 TEST(ForecastColumn, UnderBestWindLaterCurrentsStillDoNotMatterButLaterWindDoes) {

@@ -149,6 +149,25 @@ TEST(HorizonWind, BestTakesLaterAnalysisAndTheNewestRunAndSaysWhichIsWhich) {
   }
 }
 
+TEST(HorizonWind, BestOfAnIssueTimeIsWhatWasKnownThen) {
+  const KnownSeriesForTests sea = analysed_and_forecast();
+  const UtcTime issued = end_of_day + hours(5);
+  ColumnData spoilt = sea.data;
+  spoil_after(spoilt, issued, issued);
+  const auto made = [&](const ColumnData& data) {
+    return horizon_wind(data.wind, WindPolicy::best, end_of_day, stamps_to(72), {issued, false});
+  };
+  const HorizonWind wind = made(sea.data);
+  EXPECT_FALSE(wind.hindsight);
+  EXPECT_EQ(wind.wind_m_s, made(spoilt).wind_m_s);
+  EXPECT_EQ(wind.series->value, made(spoilt).series->value);
+  EXPECT_EQ(wind.source[5], DataStatus::analysis) << "the hours up to the issue time are known";
+  EXPECT_NE(wind.source[6], DataStatus::analysis);
+  EXPECT_TRUE(
+      horizon_wind(sea.data.wind, WindPolicy::best, end_of_day, stamps_to(72), {issued, true})
+          .hindsight);
+}
+
 TEST(HorizonWind, WhereAForecastEndsItsLastValueIsPersisted) {
   KnownSeriesForTests sea;
   sea.wind(forecast_of("wind", end_of_day - hours(6)), instants(end_of_day, end_of_day + days(1)),

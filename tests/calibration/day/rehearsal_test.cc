@@ -195,6 +195,50 @@ TEST(Rehearsals, AreTheSameWhicheverDayOfAHindcastAsksFirst) {
               Rehearsals(data).earned(plan_of(before), available, 1));
 }
 
+TEST(Rehearsals, TheirTruthIsThatOfTheirDayWhoeverAsks) {
+  // A station that begins later is fused with what is asked for after it began, and with nothing
+  // of the days before: they were over.
+  KnownSeriesForTests sea = sea_of(8);
+  sea.current(
+      station_of("late", 9), instants(end_of_day - days(2), end_of_day), {2, 8},
+      [](UtcTime time, double depth) { return water(time, depth) + 0.2; }, 500);
+  const SiteData data = site_of({sea.data});
+  std::vector<bool> available(candidate_methods().size(), true);
+  available[1] = false;
+  Rehearsals shared(data);
+  (void)shared.earned(plan_of(day), available, 1);
+  const UtcDay before = day - days(3);
+  expect_same(shared.earned(plan_of(before), available, 1), earned(data, plan_of(before)));
+}
+
+TEST(Rehearsals, ARehearsedDayBelongsToAllOfThePlanThatItRestsOn) {
+  const KnownSeriesForTests sea = sea_of(7);
+  const SiteData data = site_of({sea.data});
+  std::vector<bool> available(candidate_methods().size(), true);
+  available[1] = false;
+  Rehearsals shared(data);
+  (void)shared.earned(plan_of(day), available, 1);
+  ForecastPlan shallow = plan_of(day);
+  shallow.depth_m = {2};
+  expect_same(shared.earned(shallow, available, 1), earned(data, shallow));
+  ForecastPlan late = plan_of(day);
+  late.issued += days(1);
+  expect_same(shared.earned(late, available, 1), earned(data, late));
+  ForecastPlan honest = plan_of(day, WindPolicy::best);
+  (void)shared.earned(honest, available, 1);
+  honest.best = {honest.issued, false};
+  expect_same(shared.earned(honest, available, 1), earned(data, honest));
+}
+
+TEST(Rehearsals, UnderBestWindTheySeeNothingThatCameAfterTheIssueTime) {
+  const KnownSeriesForTests sea = sea_of(7);
+  ForecastPlan plan = plan_of(day, WindPolicy::best);
+  plan.best = {plan.issued, false};
+  ColumnData spoilt = sea.data;
+  spoil_all_after(spoilt, plan.issued);
+  expect_same(earned(site_of({spoilt}), plan), earned(site_of({sea.data}), plan));
+}
+
 TEST(Rehearsals, ARehearsedDayBelongsToItsWindPolicy) {
   const KnownSeriesForTests sea = sea_of(7);
   const SiteData data = site_of({sea.data});

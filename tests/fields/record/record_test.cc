@@ -151,6 +151,18 @@ TEST(Choose, AForecastIsKnownFromItsReferenceTimeOnAndReachesBeyondIt) {
   EXPECT_TRUE(choose(record, {next_midnight, issued - Duration(1)}, {}).empty());
 }
 
+TEST(Choose, AFileThatHadComeInIsKnownHoweverFarItRunsOn) {
+  Origin running_on = analysis_of("model");
+  running_on.received = midnight - hours(2);
+  const VectorRecord record{{marked(running_on, 1)}};
+  const UtcTime at = midnight - hours(1);
+  EXPECT_TRUE(choose(record, {at, at}, {}).empty()) << "valid later";
+  EXPECT_EQ(choose(record, {at, at, at}, {}).column.times(), 3u);
+  EXPECT_TRUE(choose(record, {at, at, at - hours(2)}, {}).empty()) << "came in later";
+  running_on.received.reset();
+  EXPECT_TRUE(choose({{marked(running_on, 1)}}, {at, at, at}, {}).empty()) << "nobody knows when";
+}
+
 TEST(Choose, ALaterForecastThatIsUnknownDoesNotHideTheEarlier) {
   const Origin early = forecast_of("model", midnight - hours(24), 1);
   const Origin late = forecast_of("model", midnight - hours(12), 2);

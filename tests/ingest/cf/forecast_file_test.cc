@@ -28,6 +28,8 @@ Snapshot full_snapshot(std::size_t columns) {
   s.seed = 0xfedcba9876543210;  // more than a double holds
   s.degraded = true;
   s.contains_stokes = true;
+  s.hindsight = true;
+  s.averaged = {hours(24), true, 0.1 + 0.2, "med_currents"};
   s.headline = "No wind is stored: the wind-driven part is left out.";
   s.attributions = {"first sentence", "second sentence"};
   s.provenance.site = "otranto";
@@ -73,6 +75,8 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(a.depth_m, b.depth_m);
   EXPECT_EQ(a.degraded, b.degraded);
   EXPECT_EQ(a.contains_stokes, b.contains_stokes);
+  EXPECT_EQ(a.hindsight, b.hindsight);
+  EXPECT_EQ(a.averaged, b.averaged);
   EXPECT_EQ(a.headline, b.headline);
   EXPECT_EQ(a.attributions, b.attributions);
   EXPECT_EQ(a.provenance, b.provenance);
