@@ -77,7 +77,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "proj-data")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "proj-data, tzdata")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gpsd-clients")  # gpsdecode, for AIS alone
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Reads each day's Copernicus Marine and weather products, calibrates an

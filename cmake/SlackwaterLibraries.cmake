@@ -13,6 +13,7 @@ find_package(CLI11 REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(date REQUIRED)  # Howard Hinnant's: time zones, from the system's tzdata
 
 function(slackwater_library name)
   cmake_parse_arguments(LIB "" "" "LINK;PKG" ${ARGN})
@@ -38,6 +39,7 @@ slackwater_library(sqlite LINK SQLite::SQLite3)
 slackwater_library(crypto LINK OpenSSL::Crypto)
 slackwater_library(beast LINK Boost::headers Threads::Threads)
 slackwater_library(zlib LINK ZLIB::ZLIB)
+slackwater_library(date LINK date::date-tz)
 if(SLACKWATER_SANITIZE MATCHES thread AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # TSan does not know the fences that asio puts beside its locks; the locks it knows.
   target_compile_options(slackwater_lib_beast INTERFACE -Wno-tsan)

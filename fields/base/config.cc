@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "fields/base/advice.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -120,7 +121,10 @@ struct Config::Node {
   double number(std::string_view key, const YAML::Node& node, Range range) const {
     double value = 0;
     if (!node.IsScalar() || !YAML::convert<double>::decode(node, value)) {
-      refuse(key, node, "found " + shape(node) + " where a number was expected");
+      const auto meant = node.IsScalar() ? with_decimal_point(node.Scalar()) : std::nullopt;
+      refuse(key, node,
+             "found " + shape(node) + " where a number was expected" +
+                 (meant ? "; decimals stand after a point: write " + *meant : ""));
     }
     if (!(value >= range.low && value <= range.high)) {
       refuse(key, node,
@@ -155,6 +159,10 @@ Config Config::parse(std::string_view yaml, std::string_view name) {
 
 Config Config::load(const std::filesystem::path& file) {
   std::error_code problem;
+  if (std::filesystem::is_directory(file, problem)) {
+    throw Error(ErrorKind::invalid_input, "found the folder " + file.string() +
+                                              " where a YAML file was expected; name a file in it");
+  }
   const auto size = std::filesystem::file_size(file, problem);
   if (problem) {
     throw Error(ErrorKind::not_found,

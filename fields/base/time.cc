@@ -1,5 +1,6 @@
 #include "fields/base/time.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -76,13 +77,53 @@ std::optional<UtcTime> read_time(std::string_view text) {
          std::chrono::seconds(second) + Duration(millisecond);
 }
 
+/// A time as people write it without a zone, "2024-02-29 12:00": the same with T and Z. Nothing for
+/// anything else.
+std::optional<UtcTime> read_time_without_zone(std::string_view text) {
+  std::string with_zone = std::string(text) + "Z";
+  if (with_zone.size() > 10 && with_zone[10] == ' ') with_zone[10] = 'T';
+  return read_time(with_zone);
+}
+
+/// A time with an offset from UTC, "2024-02-29T13:00:00+01:00", "+0100" or "+01".
+std::optional<UtcTime> read_time_with_offset(std::string_view text) {
+  const auto sign = text.find_first_of("+-", std::min<std::size_t>(11, text.size()));
+  if (sign == std::string_view::npos) return std::nullopt;
+  const auto time = read_time_without_zone(text.substr(0, sign));
+  std::size_t position = sign + 1;
+  const auto hours = read_digits(text, position, 2);
+  if (!time || !hours) return std::nullopt;
+  int minutes = 0;
+  if (position != text.size()) {
+    static_cast<void>(read_char(text, position, ':'));
+    const auto read = read_digits(text, position, 2);
+    if (!read || position != text.size()) return std::nullopt;
+    minutes = *read;
+  }
+  const auto offset = std::chrono::hours(*hours) + std::chrono::minutes(minutes);
+  return text[sign] == '+' ? *time - offset : *time + offset;
+}
+
+/// What to write instead of a time that is none.
+std::string advice_on_time(std::string_view text) {
+  if (const auto time = read_time_without_zone(text))
+    return ", but it has no Z, so it may be local time; times are UTC: if this one is, write " +
+           format_utc(*time);
+  if (const auto time = read_time_with_offset(text))
+    return ", but it has an offset; in UTC it is " + format_utc(*time);
+  std::size_t position = 0;
+  if (const auto day = read_day(text, position); day && position == text.size())
+    return ", but it is a day; write the hour too, as " + format_utc(UtcTime(*day));
+  return "; write it as 2024-02-29T12:00:00Z, with the Z";
+}
+
 }  // namespace
 
 UtcTime parse_utc(std::string_view text) {
   if (const auto time = read_time(text)) return *time;
-  throw Error(ErrorKind::invalid_input,
-              "found '" + std::string(text) +
-                  "' where a UTC time was expected; write it as 2024-02-29T12:00:00Z, with the Z");
+  throw Error(
+      ErrorKind::invalid_input,
+      "found '" + std::string(text) + "' where a UTC time was expected" + advice_on_time(text));
 }
 
 UtcDay parse_day(std::string_view text) {

@@ -5,8 +5,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "fields/base/advice.h"
 #include "fields/base/config.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater {
 namespace {
@@ -17,6 +19,16 @@ constexpr Range longitude_range{-180, 360};
 GeoPoint read_point(const Config& config) {
   return GeoPoint::from_degrees(config.number("latitude_deg", latitude_range),
                                 config.number("longitude_deg", longitude_range));
+}
+
+std::optional<TimeZone> read_time_zone(const Config& config) {
+  const auto name = config.optional_text("timezone");
+  if (!name) return std::nullopt;
+  try {
+    return TimeZone::named(*name);
+  } catch (const Error& problem) {
+    config.refuse("timezone", problem.message());
+  }
 }
 
 ColumnBlock read_block(const Config& config) {
@@ -33,6 +45,13 @@ ColumnBlock read_block(const Config& config) {
 }
 
 std::string read_text(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw Error(ErrorKind::invalid_input,
+                "found the folder " + file.string() +
+                    " where a site's YAML file was expected; name a file in "
+                    "it");
+  }
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
@@ -88,6 +107,7 @@ Site parse_site(std::string_view yaml, std::string_view name) {
   site.water_depth_m = config.optional_number("water_depth_m", {1, 11000});
   site.hub_height_m = config.optional_number("hub_height_m", {10, 400});
   site.fetch_km = config.optional_number("fetch_km", {0.1, 5000});
+  site.time_zone = read_time_zone(config);
   site.tasks = config.texts("tasks");
   for (const Config& entry : config.children("turbines")) {
     site.turbines.push_back({entry.text("id"), read_point(entry)});
@@ -121,11 +141,11 @@ Site find_site(const std::string& id_or_path, const std::vector<std::filesystem:
     const auto file = folder / (id_or_path + ".yaml");
     if (std::filesystem::exists(file)) return parse_site(read_text(file), file.string());
   }
-  std::string known;
-  for (const std::string& id : known_sites(folders)) known += " " + id;
-  throw Error(ErrorKind::not_found, "found no site '" + id_or_path +
-                                        "'; known sites are:" + (known.empty() ? " none" : known) +
-                                        "; or give the path of a site's YAML file");
+  const std::vector<std::string> known = known_sites(folders);
+  const std::string list = known.empty() ? "none" : joined(known, " ");
+  throw Error(ErrorKind::not_found,
+              "found no site '" + id_or_path + "'" + did_you_mean(id_or_path, known) +
+                  "; known sites are: " + list + "; or give the path of a site's YAML file");
 }
 
 }  // namespace slackwater

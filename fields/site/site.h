@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fields/base/local_time.h"
 #include "fields/geo/geo_point.h"
 
 namespace slackwater {
@@ -27,7 +28,8 @@ struct Site {
   GeoPoint point;
   std::optional<double> water_depth_m;
   std::optional<double> hub_height_m;
-  std::optional<double> fetch_km;  ///< upwind fetch for the wave fallback
+  std::optional<double> fetch_km;     ///< upwind fetch for the wave fallback
+  std::optional<TimeZone> time_zone;  ///< of its clocks: shown beside UTC
   std::vector<TurbinePlace> turbines;
   std::vector<std::string> tasks;
   std::vector<GeoPoint> columns;  ///< extra columns; empty: the site's own point alone

@@ -204,6 +204,7 @@ TEST(IncludeArrows, EachLibraryHasOneDoor) {
                                                                {"zlib.h", "api/http"},
                                                                {"spdlog/", "fields/base"},
                                                                {"fmt/", "fields/base/text"},
+                                                               {"date/", "fields/base/local_time"},
                                                                // Kept for what is to come.
                                                                {"embree", "twin/inspection/cast"},
                                                                {"coin/", "api/plan"},

@@ -313,6 +313,10 @@ Scenario parse_scenario(std::string_view yaml, std::string_view name) {
 }
 
 Scenario read_scenario(const std::filesystem::path& file) {
+  if (std::error_code ignored; std::filesystem::is_directory(file, ignored)) {
+    throw Error(ErrorKind::invalid_input, "found the folder " + file.string() +
+                                              " where a YAML file was expected; name a file in it");
+  }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     throw Error(ErrorKind::not_found,
