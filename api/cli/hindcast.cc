@@ -6,12 +6,12 @@
 
 #include "api/cli/command.h"
 #include "api/cli/progress.h"
+#include "api/cli/skill_print.h"
 #include "api/pipeline/verify.h"
 #include "api/program/paths.h"
 #include "api/report/skill_json.h"
 #include "api/report/skill_page.h"
 #include "api/report/skill_table.h"
-#include "api/report/verdict_text.h"
 #include "api/report/verify_page.h"
 
 namespace slackwater::api {
@@ -29,6 +29,7 @@ struct HindcastArguments {
   std::string html;
   bool per_column = false;
   bool by_hour = false;
+  bool full = false;
 };
 
 /// The page of what was just issued: the forecasts are scored again, as the store now holds them.
@@ -64,9 +65,9 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   if (context.json) {
     std::printf("%s\n", skill_json(report.skill).c_str());
   } else {
-    std::printf("%s: %zu forecasts issued as of their days\n%s%s", site.name.c_str(),
-                report.forecasts.size(), verdict_lines(report.skill).c_str(),
-                skill_table(report.skill).c_str());
+    std::printf("%s: %zu forecasts issued as of their days\n", site.name.c_str(),
+                report.forecasts.size());
+    print_skill(report.skill, arguments.full);
     if (arguments.by_hour) std::printf("%s", hourly_table(report.skill).c_str());
   }
   for (const std::string& line : report.skipped) std::fprintf(stderr, "skipped %s\n", line.c_str());
@@ -91,6 +92,8 @@ void add_hindcast(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"native"}));
   command->add_option("--html", arguments->html,
                       "write a page of plots: skill by lead, reliability, hodographs, misfit");
+  command->add_flag("--full", arguments->full,
+                    "print every depth band, day of lead, wind policy, wind and waves");
   command->add_flag("--by-hour", arguments->by_hour,
                     "also print the error of each hour of lead (always in --json and --html)");
   command->add_flag("--per-column", arguments->per_column, "also score each column of the site");

@@ -6,11 +6,11 @@
 #include <thread>
 
 #include "api/cli/command.h"
+#include "api/cli/skill_print.h"
 #include "api/program/paths.h"
 #include "api/report/skill_json.h"
 #include "api/report/skill_page.h"
 #include "api/report/skill_table.h"
-#include "api/report/verdict_text.h"
 #include "api/report/verify_page.h"
 
 namespace slackwater::api {
@@ -25,6 +25,7 @@ struct VerifyArguments {
   std::string html;
   bool per_column = false;
   bool by_hour = false;
+  bool full = false;
 };
 
 void run_verify(const VerifyArguments& arguments, const Context& context) {
@@ -46,8 +47,8 @@ void run_verify(const VerifyArguments& arguments, const Context& context) {
     std::printf("%s: the truth of the issued forecasts is not in the store yet\n",
                 site.name.c_str());
   } else {
-    std::printf("%s: skill of issued forecasts\n%s%s", site.name.c_str(),
-                verdict_lines(result.entries).c_str(), skill_table(result.entries).c_str());
+    std::printf("%s: skill of issued forecasts\n", site.name.c_str());
+    print_skill(result.entries, arguments.full);
     if (arguments.by_hour) std::printf("%s", hourly_table(result.entries).c_str());
   }
 }
@@ -67,6 +68,8 @@ void add_verify(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"native"}));
   command->add_option("--html", arguments->html,
                       "write a page of plots: skill by lead, reliability, hodographs, misfit");
+  command->add_flag("--full", arguments->full,
+                    "print every depth band, day of lead, wind policy, wind and waves");
   command->add_flag("--by-hour", arguments->by_hour,
                     "also print the error of each hour of lead (always in --json and --html)");
   command->add_flag("--per-column", arguments->per_column, "also score each column of the site");

@@ -95,6 +95,44 @@ std::string block_text(std::vector<const calibration::SkillSet*> sets) {
 
 }  // namespace
 
+std::string short_skill_table(const std::vector<calibration::SkillEntry>& entries,
+                              WindPolicy wind) {
+  using calibration::Method;
+  std::map<std::pair<double, double>, std::map<Method, const calibration::SkillSet*>> by_lead;
+  const calibration::SkillSets all =
+      calibration::sets_of(calibration::whole_current(entries, wind));
+  for (const calibration::SkillSet& set : all.sets)
+    by_lead[{set.of.lead.from_h, set.of.lead.to_h}][set.of.method] = &set;
+  if (by_lead.empty()) return {};
+  const auto& first = by_lead.begin()->second;
+  std::vector<const calibration::SkillSet*> rows;
+  rows.reserve(first.size());
+  for (const auto& [method, set] : first) rows.push_back(set);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto* a, const auto* b) { return a->score.rmse < b->score.rmse; });
+  std::string table =
+      "\nError of the current, all depths, vector RMSE in m/s by hours after day D:\n";
+  table += formatted("  {:<15} {:>5}", "method", "pairs");
+  for (const auto& [lead, sets] : by_lead)
+    table += formatted(" {:>10}", calibration::lead_text({lead.first, lead.second}));
+  table += formatted(" {:>7}\n", "in 80%");
+  for (const calibration::SkillSet* row : rows) {
+    const Method method = row->of.method;
+    table += formatted("{} {:<15} {:>5}", method == Method::forecast ? " >" : "  ", name_of(method),
+                       row->score.pairs);
+    for (const auto& [lead, sets] : by_lead) {
+      const auto found = sets.find(method);
+      table += found == sets.end() ? formatted(" {:>10}", "-")
+                                   : formatted(" {:>10.3f}", found->second->score.rmse);
+    }
+    const auto& coverage = row->score.vector->coverage_80;
+    table += coverage ? formatted(" {:>6.0f}%\n", 100 * *coverage) : "\n";
+  }
+  if (first.contains(Method::oracle_mean))
+    table += "oracle-mean knows the day itself: a yardstick, not a forecast.\n";
+  return table;
+}
+
 std::string skill_table(const std::vector<calibration::SkillEntry>& entries) {
   const calibration::SkillSets all = calibration::sets_of(entries);
   std::vector<std::vector<const calibration::SkillSet*>> blocks;

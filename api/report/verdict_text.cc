@@ -53,11 +53,27 @@ std::string verdict_text(const calibration::Verdict& verdict) {
   return text + ".";
 }
 
+std::string outcome_text(const calibration::Verdict& verdict) {
+  switch (verdict.outcome) {
+    case calibration::Outcome::alone:
+      return {};
+    case calibration::Outcome::ahead:
+      return "The forecast is better.";
+    case calibration::Outcome::tie:
+      return "A tie: the difference is within noise.";
+    case calibration::Outcome::beaten:
+      return "THE FORECAST DOES NOT BEAT IT.";
+  }
+  return {};
+}
+
 std::string verdict_lines(const std::vector<calibration::SkillEntry>& entries) {
   std::string lines;
   for (const calibration::Verdict& verdict : calibration::verdicts_of(entries)) {
     lines += verdict_text(verdict);
-    lines += verdict.is_beaten() ? " THE FORECAST DOES NOT BEAT IT.\n" : "\n";
+    if (verdict.best) lines += ' ';
+    lines += outcome_text(verdict);
+    lines += "\n";
   }
   return lines;
 }

@@ -24,7 +24,11 @@ namespace slackwater::api {
 /// "best baseline provider 0.050 m/s (over 4 of these pairs, there the forecast has 0.047 m/s)".
 [[nodiscard]] std::string baseline_text(const calibration::Verdict& verdict);
 
-/// The verdict under each wind policy, a line each; a forecast that is beaten is said to be.
+/// Who won, in a sentence: "The forecast is better.", "A tie: the difference is within noise.",
+/// "THE FORECAST DOES NOT BEAT IT."; empty where there is no baseline.
+[[nodiscard]] std::string outcome_text(const calibration::Verdict& verdict);
+
+/// The verdict under each wind policy with its outcome, a line each.
 [[nodiscard]] std::string verdict_lines(const std::vector<calibration::SkillEntry>& entries);
 
 }  // namespace slackwater::api

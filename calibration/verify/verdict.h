@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "calibration/verify/skill_entry.h"
@@ -16,6 +17,17 @@ struct BestBaseline {
   double forecast_rmse_m_s = 0;  ///< of our forecast over them
 };
 
+/// How our forecast stands beside its best baseline.
+enum class Outcome {
+  alone,   ///< no baseline has enough pairs
+  ahead,   ///< the forecast is better
+  tie,     ///< the difference is within noise
+  beaten,  ///< the baseline is better
+};
+
+/// "alone", "ahead", "tie", "beaten".
+[[nodiscard]] std::string_view name_of(Outcome outcome) noexcept;
+
 /// How our forecast of the current did, and whether any baseline did better. Every command, page
 /// and document that says so says it by this rule:
 ///
@@ -27,6 +39,9 @@ struct BestBaseline {
 ///   it could not be made say nothing of it. It needs half of the forecast's pairs: one lucky day
 ///   is no rival.
 /// - The best baseline is the one whose error is the smallest share of ours.
+/// - With five pairs or more it is a tie where the 95 % interval of the mean difference of squared
+///   errors (whole pairs drawn with replacement) holds zero; with fewer, where the errors differ by
+///   less than half a millimetre a second, which no table shows.
 ///
 /// Within a pair, each method is scored on the values it has: a baseline that lacks some levels is
 /// not held against the forecast there alone.
@@ -34,15 +49,18 @@ struct Verdict {
   WindPolicy wind = WindPolicy::best;
   SkillSet forecast;                 ///< our forecast over all its pairs
   std::optional<BestBaseline> best;  ///< nothing: no baseline has enough pairs
-  [[nodiscard]] bool is_beaten() const noexcept {
-    return best && best->rmse_m_s < best->forecast_rmse_m_s;
-  }
+  Outcome outcome = Outcome::alone;
+  [[nodiscard]] bool is_beaten() const noexcept { return outcome == Outcome::beaten; }
 };
 
 /// One verdict for each wind policy under which our forecast was scored, in the order of the
 /// policies. Pure; the order of the entries does not matter, except that intervals draw pairs in
 /// it.
 [[nodiscard]] std::vector<Verdict> verdicts_of(const std::vector<SkillEntry>& entries);
+
+/// The one to say where only one is said: of the wind policy with the most pairs, the first of
+/// equals; nothing where no forecast was scored.
+[[nodiscard]] std::optional<Verdict> main_verdict(const std::vector<SkillEntry>& entries);
 
 /// The verdict on one wind policy; nothing where no forecast was scored under it.
 [[nodiscard]] std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries,

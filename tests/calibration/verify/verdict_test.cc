@@ -41,8 +41,43 @@ TEST(Verdict, AnEqualBaselineDoesNotBeatTheForecast) {
   std::vector<SkillEntry> entries{entry_of(1, Method::forecast, 0.3),
                                   entry_of(1, Method::same_hour, 0.3)};
   EXPECT_FALSE(verdict_of(entries, WindPolicy::best)->is_beaten());
-  entries.back().vector.rmse_m_s = std::nextafter(0.3, 0.0);
+  entries.back().vector.rmse_m_s = 0.299;
   EXPECT_TRUE(verdict_of(entries, WindPolicy::best)->is_beaten());
+}
+
+TEST(Verdict, ADifferenceThatNoTableShowsIsATie) {
+  std::vector<SkillEntry> entries{entry_of(1, Method::forecast, 0.3),
+                                  entry_of(1, Method::same_hour, 0.3)};
+  EXPECT_EQ(verdict_of(entries, WindPolicy::best)->outcome, Outcome::tie);
+  entries.back().vector.rmse_m_s = std::nextafter(0.3, 0.0);
+  EXPECT_EQ(verdict_of(entries, WindPolicy::best)->outcome, Outcome::tie);
+  entries.back().vector.rmse_m_s = 0.3004;
+  EXPECT_EQ(verdict_of(entries, WindPolicy::best)->outcome, Outcome::tie);
+  entries.back().vector.rmse_m_s = 0.301;
+  EXPECT_EQ(verdict_of(entries, WindPolicy::best)->outcome, Outcome::ahead);
+}
+
+TEST(Verdict, OverManyDaysADifferenceWithinNoiseIsATieAndASteadyOneIsNot) {
+  // A day is won, a day is lost, by far more than the mean difference of 1 cm/s.
+  std::vector<SkillEntry> noisy;
+  std::vector<SkillEntry> steady;
+  for (int day = 1; day <= 8; ++day) {
+    noisy.push_back(entry_of(day, Method::forecast, 0.30));
+    noisy.push_back(entry_of(day, Method::day_mean, day % 2 == 0 ? 0.20 : 0.36));
+    steady.push_back(entry_of(day, Method::forecast, 0.30));
+    steady.push_back(entry_of(day, Method::day_mean, 0.29));
+  }
+  EXPECT_EQ(verdict_of(noisy, WindPolicy::best)->outcome, Outcome::tie);
+  EXPECT_EQ(verdict_of(steady, WindPolicy::best)->outcome, Outcome::beaten);
+}
+
+TEST(Verdict, TheOneToSayIsThatOfMostPairs) {
+  std::vector<SkillEntry> entries{entry_of(1, Method::forecast, 0.1, WindPolicy::best),
+                                  entry_of(1, Method::forecast, 0.3, WindPolicy::persist)};
+  EXPECT_EQ(main_verdict(entries)->wind, WindPolicy::best) << "the first of equals";
+  entries.push_back(entry_of(2, Method::forecast, 0.3, WindPolicy::persist));
+  EXPECT_EQ(main_verdict(entries)->wind, WindPolicy::persist);
+  EXPECT_FALSE(main_verdict({}));
 }
 
 TEST(Verdict, TheOracleIsNoRivalAndTheProviderIs) {
@@ -122,7 +157,7 @@ TEST(Verdict, JudgesTheWidestBandAndTheFirstDayOfLeadWhateverStandsFirst) {
   EXPECT_EQ(verdict->forecast.score.rmse, 0.3);
   EXPECT_EQ(verdict->forecast.score.pairs, 1U) << "bands of one width are not pooled";
   EXPECT_FALSE(verdict->best);
-  EXPECT_FALSE(verdict->is_beaten()) << "by nothing";
+  EXPECT_EQ(verdict->outcome, Outcome::alone);
 }
 
 }  // namespace

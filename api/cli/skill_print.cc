@@ -1,0 +1,26 @@
+#include "api/cli/skill_print.h"
+
+#include <cstdio>
+
+#include "api/report/skill_table.h"
+#include "api/report/verdict_text.h"
+
+namespace slackwater::api {
+
+void print_skill(const std::vector<calibration::SkillEntry>& entries, bool full) {
+  if (full) {
+    std::printf("%s%s", verdict_lines(entries).c_str(), skill_table(entries).c_str());
+    return;
+  }
+  const auto verdict = calibration::main_verdict(entries);
+  if (!verdict) {  // scores of wind and waves alone
+    std::printf("%s", skill_table(entries).c_str());
+    return;
+  }
+  std::printf(
+      "%s %s\n%s\n`--full` prints every depth band, lead and wind policy, wind and waves.\n",
+      verdict_text(*verdict).c_str(), outcome_text(*verdict).c_str(),
+      short_skill_table(entries, verdict->wind).c_str());
+}
+
+}  // namespace slackwater::api
