@@ -9,6 +9,8 @@
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
 #include "api/program/paths.h"
+#include "api/program/version.h"
+#include "api/report/forecast_page.h"
 #include "api/report/verdict_text.h"
 #include "fields/base/text.h"
 #include "ingest/cf/forecast_file.h"
@@ -27,6 +29,9 @@ struct ForecastArguments {
   std::string wind = "best";
   std::string out;
   bool hindsight = false;
+  std::string html;
+  std::optional<double> html_depth_m;
+  double slack_below_m_s = 0.5;
   bool print_downloads = false;
 };
 
@@ -70,12 +75,14 @@ void print_blend(const calibration::DailyForecast& forecast) {
               forecast.earned->spread.provenance.c_str());
 }
 
-void print_days(const Snapshot& snapshot) {
+void print_days(const Snapshot& snapshot, const std::optional<TimeZone>& zone) {
   const ForecastColumn& column = snapshot.columns.front();
   const std::size_t levels = snapshot.depth_m.size();
+  if (zone) std::printf("%-22s ", zone->name().c_str());
   std::printf("%-22s %14s %14s %10s %8s %8s\n", "UTC", "surface m/s", "to deg", "wind m/s", "Hs m",
               "Tp s");
   for (std::size_t t = 0; t < snapshot.time.size(); t += 3) {
+    if (zone) std::printf("%-22s ", zone->text(snapshot.time[t]).c_str());
     std::printf("%-22s", format_utc(snapshot.time[t]).c_str());
     if (levels > 0 && has_value(column.current_status[t * levels])) {
       const Horizontal u = column.current_m_s[t * levels];
@@ -107,8 +114,8 @@ std::string verified_text(const std::optional<calibration::Verdict>& verdict, Wi
   std::string text = "Verified over past days, lead " +
                      calibration::lead_text(verdict->forecast.of.lead) + ": " +
                      error_text(*verdict);
-  if (verdict->best) text += "; " + baseline_text(*verdict);
-  return text + (verdict->is_beaten() ? ": THE FORECAST DOES NOT BEAT IT." : ".");
+  if (!verdict->best) return text + ".";
+  return text + "; " + baseline_text(*verdict) + ". " + outcome_text(*verdict);
 }
 
 json verdict_json(const std::optional<calibration::Verdict>& verdict) {
@@ -124,6 +131,7 @@ json verdict_json(const std::optional<calibration::Verdict>& verdict) {
        std::chrono::duration<double, std::ratio<3600>>(ours.of.truth_averaging).count()},
       {"hindsight", ours.of.hindsight},
       {"beaten", verdict->is_beaten()},
+      {"outcome", name_of(verdict->outcome)},
       {"best_baseline", nullptr}};
   if (verdict->best) {
     document["best_baseline"] = {{"method", name_of(verdict->best->method)},
@@ -132,6 +140,44 @@ json verdict_json(const std::optional<calibration::Verdict>& verdict) {
                                  {"forecast_rmse_m_s", verdict->best->forecast_rmse_m_s}};
   }
   return document;
+}
+
+/// A file that an option names can be made: its folder is there, and it is none itself.
+void expect_file_place(const char* option, const std::string& file) {
+  if (file.empty()) return;
+  if (std::filesystem::is_directory(file)) {
+    throw Error(ErrorKind::usage, std::string(option) + ": found the folder " + file +
+                                      " where a file was expected; name a file in it");
+  }
+  const auto folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder)) {
+    throw Error(ErrorKind::usage, "found no folder " + folder.string() + " for " + option +
+                                      "; make it, or name another");
+  }
+}
+
+/// How past forecasts did, for the page.
+struct PastSkill {
+  std::vector<calibration::SkillEntry> entries;
+  std::string verified;
+};
+
+void write_html(const ForecastArguments& arguments, const Context& context, const Site& site,
+                const DailyJob& job, const PastSkill& past) {
+  ForecastPage page;
+  page.forecast = std::make_shared<const Snapshot>(job.forecast.snapshot);
+  page.summary_json = job.summary_json;
+  page.depth_m = arguments.html_depth_m;
+  page.slack_below_m_s = arguments.slack_below_m_s;
+  page.time_zone = site.time_zone;
+  page.verified = past.verified;
+  page.skill = past.entries;
+  page.skill_note =
+      "Root mean square vector error of the forecasts of the last two weeks whose truth is in, all "
+      "levels; lower is better, pairs of days weigh the same. oracle-mean knows the day itself: a "
+      "yardstick, not a forecast.";
+  page.generated = format_utc(context.now()) + " by slackwater " + code_version();
+  write_report(forecast_page(page), arguments.html);
 }
 
 void run_forecast(const ForecastArguments& arguments, const Context& context) {
@@ -166,19 +212,18 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
                                       format_utc(options.issued) +
                                       "; give an earlier --day, or --at");
   }
-  if (!arguments.out.empty()) {
-    const auto out_folder = std::filesystem::absolute(arguments.out).parent_path();
-    if (!std::filesystem::is_directory(out_folder)) {
-      throw Error(ErrorKind::usage, "found no folder " + out_folder.string() +
-                                        " for --out; make it, or name another");
-    }
-  }
+  expect_file_place("--out", arguments.out);
+  expect_file_place("--html", arguments.html);
+  if (arguments.html.empty() && arguments.html_depth_m)
+    throw Error(ErrorKind::usage, "--html-depth wants --html FILE");
   store::Store store = context.open(store::OpenMode::create_or_write);
   const UtcDay last = options.day.value_or(day_of(options.issued));
   const SiteData data = load_site_data(store, site, UtcTime(last) - calibration::history_wanted,
                                        UtcTime(last) + days(1) + options.horizon);
   const DailyJob job = daily_job(data, options);
   const calibration::DailyForecast& forecast = job.forecast;
+  if (!arguments.html.empty())  // before anything is stored
+    static_cast<void>(page_depth_m(forecast.snapshot, arguments.html_depth_m));
   const std::int64_t id = publish(store, job, ForecastOrigin::forecast);
   const Snapshot& snapshot = forecast.snapshot;
   if (!arguments.out.empty()) {
@@ -196,14 +241,16 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   verify_options.leads = {{0, 24}};
   verify_options.bands = {{0, calibration::whole_column_m}};
   verify_options.by_hour = false;
-  const auto verdict =
-      calibration::verdict_of(verify_with(store, site, data, verify_options).entries, options.wind);
+  PastSkill past{verify_with(store, site, data, verify_options).entries, {}};
+  const auto verdict = calibration::verdict_of(past.entries, options.wind);
+  past.verified = verified_text(verdict, options.wind);
+  if (!arguments.html.empty()) write_html(arguments, context, site, job, past);
   if (context.json) {
     json out = json::parse(job.summary_json);
     out["id"] = id;
     out["degraded"] = snapshot.degraded;
     out["headline"] = snapshot.headline;
-    out["verified"] = verified_text(verdict, options.wind);
+    out["verified"] = past.verified;
     out["verdict"] = verdict_json(verdict);
     out["valid_from"] = format_utc(snapshot.time.front());
     out["valid_to"] = format_utc(snapshot.time.back());
@@ -215,12 +262,12 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
               format_utc(snapshot.issued).c_str(), static_cast<long long>(id),
               format_utc(snapshot.time.front()).c_str(), format_utc(snapshot.time.back()).c_str());
   std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(),
-              verified_text(verdict, options.wind).c_str());
+              past.verified.c_str());
   print_calibration(forecast.columns.front());
   print_blend(forecast);
   if (snapshot.columns.size() > 1)
     std::printf("  … and %zu more columns\n", snapshot.columns.size() - 1);
-  print_days(snapshot);
+  print_days(snapshot, site.time_zone);
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }
 
@@ -241,6 +288,15 @@ void add_forecast(CLI::App& app, Context& context) {
                     "with --at in the past and --wind best: also use wind and waves that were not "
                     "known then; the forecast is marked");
   command->add_option("--out", arguments->out, "also write the forecast as a CF NetCDF file");
+  command->add_option("--html", arguments->html,
+                      "also write a page for people: slack times, current, wind and waves with "
+                      "their bands; one file, opens offline");
+  command->add_option("--html-depth", arguments->html_depth_m,
+                      "depth that the page opens with, m below mean sea level (default 10)");
+  command
+      ->add_option("--slack-below", arguments->slack_below_m_s,
+                   "the page calls the current slack below this speed, m/s (default 0.5)")
+      ->check(CLI::Range(0.01, 5.0));
   command->add_option("--at", context.at,
                       "issue time, e.g. 2025-03-10T05:00:00Z (default: the clock)");
   command->add_flag(

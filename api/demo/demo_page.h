@@ -4,8 +4,8 @@
 
 namespace slackwater::api {
 
-/// The demonstration's page: the newest forecast over time and depth with the truth beside it, the
-/// hodograph, the skill by lead and method, wind and waves.
+/// The demonstration's page: that of its newest forecast (api/report/forecast_page.h) with the
+/// truth drawn beside it, and how each day did against the truth.
 [[nodiscard]] ReportInput demo_page(const DemoResult& result, const std::string& generated);
 
 }  // namespace slackwater::api

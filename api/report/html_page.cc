@@ -18,7 +18,7 @@ std::string header_html(const HtmlPage& page) {
            (page.alarm.empty() ? "" : "<strong>" + escaped_html(page.alarm) + "</strong> ") +
            escaped_html(page.headline) + "</p>";
   }
-  out += "<dl class=\"facts\">";
+  out += page.first_html + "<dl class=\"facts\">";
   for (const auto& [label, value] : page.facts) {
     out += "<div><dt>" + escaped_html(label) + "</dt><dd>" + escaped_html(value) + "</dd></div>";
   }
@@ -97,6 +97,10 @@ void write_page(const std::string& html, const std::filesystem::path& file) {
   if (file.has_parent_path()) {
     std::error_code ignored;  // a folder that cannot be made shows itself when the file is opened
     std::filesystem::create_directories(file.parent_path(), ignored);
+  }
+  if (std::error_code unknown; std::filesystem::is_directory(file, unknown)) {
+    throw Error(ErrorKind::usage, "found the folder " + file.string() +
+                                      " where a page was to be written; name a file in it");
   }
   std::filesystem::path part = file;
   part += ".part";

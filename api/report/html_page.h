@@ -27,6 +27,7 @@ struct HtmlPage {
   std::string headline;  ///< the sentence to read first; may be empty
   std::string alarm;     ///< in bold before the headline, which then is coloured; may be empty
   std::vector<std::pair<std::string, std::string>> facts;
+  std::string first_html;   ///< what is read before all else; escaped already
   std::string plots_html;   ///< sections of plots, escaped already
   std::string tables_html;  ///< sections of tables, escaped already
   /// What stands in the tables' place before them where there are no plots, escaped already.

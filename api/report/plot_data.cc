@@ -82,11 +82,45 @@ json series_json(const ReportSeries& series, std::size_t size) {
           {"towards", numbers(series.towards_deg)}};
 }
 
+json speed_json(const ReportSpeed& speed) {
+  expects(speed.first < speed.depths.size(), "the depth that is shown first is one of the depths");
+  json depths = json::array();
+  for (const ReportSpeedAtDepth& at : speed.depths) {
+    const std::size_t size = speed.time.size();
+    expects(at.low_m_s.size() == size && at.likely_m_s.size() == size &&
+                at.high_m_s.size() == size && at.towards_deg.size() == size,
+            "a speed with its band for every time");
+    json slack = json::array();
+    for (const SlackWindow& window : at.slack)
+      slack.push_back(
+          {window.from.time_since_epoch().count(), window.to.time_since_epoch().count()});
+    depths.push_back({{"label", at.label},
+                      {"low", numbers(at.low_m_s)},
+                      {"likely", numbers(at.likely_m_s)},
+                      {"high", numbers(at.high_m_s)},
+                      {"towards", numbers(at.towards_deg)},
+                      {"slack", slack},
+                      {"title", at.slack_table.title},
+                      {"rows", at.slack_table.rows}});
+  }
+  return {{"time", times(speed.time)},
+          {"depths", depths},
+          {"first", speed.first},
+          {"below", number(speed.slack_below_m_s)}};
+}
+
 }  // namespace
 
 std::string plot_data_json(const ReportInput& input) {
   json out = json::object();
   if (input.issued) out["issued"] = input.issued->time_since_epoch().count();
+  if (!input.time_zone.empty()) {
+    json changes = json::array();
+    for (const ClockChange& change : input.clock_changes)
+      changes.push_back({change.at.time_since_epoch().count(), change.offset.count(), change.name});
+    out["local"] = {{"zone", input.time_zone}, {"changes", changes}};
+  }
+  if (input.speed) out["speed"] = speed_json(*input.speed);
   if (input.profile) out["profile"] = profile_json(*input.profile);
   if (!input.skill.empty()) {
     json rows = json::array();

@@ -54,8 +54,59 @@ ReportTable profile_table(const ReportProfile& profile) {
   return table;
 }
 
+/// The answer in words: what a reader who has ten seconds takes along.
+std::string answer_html(const ReportInput& input) {
+  if (input.answer.empty()) return {};
+  std::string out = "<section id=\"answer\"><h2>" + escaped_html(input.answer_title) +
+                    "</h2><dl class=\"answer\">";
+  for (const auto& [label, value] : input.answer)
+    out += "<dt>" + escaped_html(label) + "</dt><dd>" + escaped_html(value) + "</dd>";
+  return out + "</dl></section>\n";
+}
+
+std::string speed_html(const ReportSpeed& speed) {
+  std::string out =
+      "<section class=\"plot\" id=\"speed-section\"><h2>Speed of the current</h2>"
+      "<p class=\"control\"><label for=\"speed-depth\">Depth below mean sea level</label> "
+      "<select id=\"speed-depth\">";
+  for (std::size_t i = 0; i < speed.depths.size(); ++i) {
+    out += "<option value=\"" + std::to_string(i) + "\"" + (i == speed.first ? " selected" : "") +
+           ">" + escaped_html(speed.depths[i].label) + "</option>";
+  }
+  out +=
+      "</select></p><div id=\"speed\" class=\"chart\" role=\"img\" aria-label=\"Speed of the "
+      "current\"></div><p class=\"note\">Line: likely speed (as often too low as too high). Band: "
+      "in "
+      "8 of 10 cases the speed lies in it. Shaded columns: slack, the likely speed stays below " +
+      formatted("{:g} m/s (dashed line)", speed.slack_below_m_s) +
+      ". Arrows: where the current flows to, up is north. Times are UTC.</p></section>\n";
+  return out;
+}
+
+std::string slack_html(const ReportSpeed& speed) {
+  return "<div id=\"slack\">" + table_html(speed.depths.at(speed.first).slack_table) + "</div>\n";
+}
+
+std::string folded_html(const ReportInput& input) {
+  if (input.folded.empty()) return {};
+  std::string out = "<details><summary>" + escaped_html(input.folded_title) + "</summary>\n";
+  for (const ReportTable& table : input.folded) out += table_html(table);
+  return out + "</details>\n";
+}
+
 std::string plots_html(const ReportInput& input) {
   std::string out;
+  if (input.speed) out += speed_html(*input.speed) + slack_html(*input.speed);
+  if (!input.series.empty()) {
+    const std::string note =
+        input.series_note.empty()
+            ? "Lines: central forecast; bands: 10 to 90 %; dashed: truth where it is known."
+            : input.series_note;
+    out += plot_html("series", "Wind and waves",
+                     note +
+                         " Arrows above a panel point where the wind blows to, or the waves run "
+                         "to, up is north. Times are UTC.");
+  }
   if (input.profile) {
     out += plot_html("profile", "Current over time and depth",
                      "Colour: speed (m/s). Arrows: direction the current flows to, up is north, "
@@ -66,13 +117,6 @@ std::string plots_html(const ReportInput& input) {
     out += hodograph_html();
   }
   if (!input.skill.empty()) out += plot_html("skill", "Skill by lead and method", input.skill_note);
-  if (!input.series.empty()) {
-    out += plot_html(
-        "series", "Wind and waves",
-        "Lines: central forecast; bands: 10 to 90 %; dashed: truth where it is known. Arrows above "
-        "a "
-        "panel point where the wind blows to, or the waves run to, up is north. Times are UTC.");
-  }
   return out;
 }
 
@@ -89,12 +133,15 @@ std::string report_html(const ReportInput& input, std::string_view plotting_libr
   page.headline = input.headline;
   if (input.degraded) page.alarm = "Degraded forecast.";
   page.facts = input.facts;
+  page.first_html = answer_html(input);
   page.plots_html = plots_html(input);
   for (const ReportTable& table : input.tables) page.tables_html += table_html(table);
+  page.tables_html += folded_html(input);
   page.attributions = input.attributions;
   page.generated = input.generated;
   page.data_json = plot_data_json(input);  // checks the shapes, with or without plots
-  if (input.profile) page.instead_of_plots_html = table_html(profile_table(*input.profile));
+  if (input.speed) page.instead_of_plots_html = slack_html(*input.speed);
+  if (input.profile) page.instead_of_plots_html += table_html(profile_table(*input.profile));
   page.script = report_script();
   return page_html(page, plotting_library);
 }

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "api/report/html_page.h"
+#include "api/report/slack.h"
 #include "fields/base/frame.h"
+#include "fields/base/local_time.h"
 #include "fields/base/time.h"
 
 namespace slackwater::api {
@@ -49,6 +51,26 @@ struct ReportSeries {
   std::vector<double> towards_deg;  ///< arrows above the panel, clockwise from north; may be empty
 };
 
+/// The speed of the current at one depth, with its band, and when it is slack.
+struct ReportSpeedAtDepth {
+  std::string label;                ///< "10 m"
+  std::vector<double> low_m_s;      ///< 10 %, per time; NaN where none
+  std::vector<double> likely_m_s;   ///< median
+  std::vector<double> high_m_s;     ///< 90 %
+  std::vector<double> towards_deg;  ///< clockwise from north, per time
+  std::vector<SlackWindow> slack;
+  ReportTable slack_table;  ///< the same in words, a row each; the tables of all depths have the
+                            ///< same columns
+};
+
+/// What is read first: the speed at a depth that the reader chooses.
+struct ReportSpeed {
+  std::vector<UtcTime> time;
+  std::vector<ReportSpeedAtDepth> depths;  ///< at least one
+  std::size_t first = 0;                   ///< of `depths`: shown until another is chosen
+  double slack_below_m_s = 0.5;
+};
+
 /// Everything the page shows. Plain data: the page computes nothing but the depth mean of the
 /// hodograph.
 struct ReportInput {
@@ -57,14 +79,22 @@ struct ReportInput {
   std::string headline;  ///< the sentence a coordinator reads first
   bool degraded = false;
   std::vector<std::pair<std::string, std::string>>
-      facts;                      ///< ("Issued", "2025-03-10 05:00 UTC"), ...
+      facts;                               ///< ("Issued", "2025-03-10 05:00 UTC"), ...
+  std::string time_zone;                   ///< its name: local time beside UTC; may be empty
+  std::vector<ClockChange> clock_changes;  ///< of that zone over the page's times
   std::optional<UtcTime> issued;  ///< drawn as a vertical line where it falls into the plots
+  std::string answer_title;       ///< "At 10 m on 2025-03-11 (UTC)"; empty: no answer
+  std::vector<std::pair<std::string, std::string>> answer;  ///< ("Strongest", "0.82 m/s ..."), ...
+  std::optional<ReportSpeed> speed;
   std::optional<ReportProfile> profile;
   std::vector<ReportSkill> skill;
   std::string skill_note;            ///< what was scored against what
   std::vector<UtcTime> series_time;  ///< of all series
   std::vector<ReportSeries> series;
+  std::string series_note;  ///< what lines and bands are; empty: the page's own words
   std::vector<ReportTable> tables;
+  std::string folded_title;         ///< of the part that is folded away
+  std::vector<ReportTable> folded;  ///< its tables; none: no such part
   std::vector<std::string> attributions;
   std::string generated;  ///< "2025-03-10 05:00:12 UTC by slackwater 0.1.0"
 };

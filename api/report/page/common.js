@@ -12,22 +12,30 @@ const slackwaterPage = (() => {
   const theme = () => {
     const night = dark.matches && !printing;
     return night
-      ? {ink: '#e4eaf0', quiet: '#9fb0c0', rule: '#33404d', paper: '#12181f', first: '#56b4e9', truth: '#ffffff'}
-      : {ink: '#16202b', quiet: '#566575', rule: '#d5dce3', paper: '#ffffff', first: '#0072b2', truth: '#000000'};
+      ? {ink: '#e4eaf0', quiet: '#9fb0c0', rule: '#33404d', paper: '#12181f', first: '#56b4e9', truth: '#ffffff', slack: '#2f7d5b'}
+      : {ink: '#16202b', quiet: '#566575', rule: '#d5dce3', paper: '#ffffff', first: '#0072b2', truth: '#000000', slack: '#9fd8b8'};
   };
   const pad = (n) => String(n).padStart(2, '0');
   const months = ['Jan', 'Feb', 'Mar', 'Apr', 'May', 'Jun', 'Jul', 'Aug', 'Sep', 'Oct', 'Nov', 'Dec'];
   const days = ['Sun', 'Mon', 'Tue', 'Wed', 'Thu', 'Fri', 'Sat'];
   const clock = (ms) => { const t = new Date(ms); return `${pad(t.getUTCHours())}:${pad(t.getUTCMinutes())}`; };
   const date = (ms) => { const t = new Date(ms); return `${days[t.getUTCDay()]} ${t.getUTCDate()} ${months[t.getUTCMonth()]}`; };
-  const stamp = (ms) => `${date(ms)} ${clock(ms)} UTC`;
+  /** The time of the site's clocks in brackets, where the page knows them. */
+  const local = (ms) => {
+    if (data.local === undefined) return '';
+    const change = data.local.changes.reduce((last, c) => (c[0] <= ms ? c : last), data.local.changes[0]);
+    const there = ms + change[1] * 6e4;
+    return ` (${date(there) === date(ms) ? '' : `${date(there)} `}${clock(there)} ${change[2]})`;
+  };
+  const stamp = (ms) => `${date(ms)} ${clock(ms)} UTC${local(ms)}`;
   const fixed = (v, digits) => (v === null || v === undefined ? 'no value' : v.toFixed(digits));
   const bearing = (east, north) => (Math.atan2(east, north) * 180 / Math.PI + 360) % 360;
   const bearingText = (east, north) => `${String(Math.round(bearing(east, north)) % 360).padStart(3, '0')}°`;
 
   const timeAxis = (t, times, extra) => {
     const hours = (times[times.length - 1] - times[0]) / 3.6e6;
-    const step = (hours > 60 ? 6 : hours > 30 ? 3 : 2) * (printing ? 2 : 1) * 3.6e6;
+    const slim = window.innerWidth < 600 && !printing;
+    const step = (slim ? (hours > 30 ? 24 : 6) : (hours > 60 ? 6 : hours > 30 ? 3 : 2) * (printing ? 2 : 1)) * 3.6e6;
     return Object.assign({
       type: 'value', min: times[0], max: times[times.length - 1], interval: step,
       axisLabel: {color: t.quiet, hideOverlap: true,

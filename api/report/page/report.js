@@ -8,6 +8,52 @@
     : {silent: true, symbol: 'none', lineStyle: {color: t.ink, type: 'dashed', width: 1.5},
       label: {formatter: 'issued', color: t.ink, position}, data: [{xAxis: data.issued}]});
 
+  const narrow = () => window.innerWidth < 600;
+
+  const speedOption = (t, index) => {
+    const {time, depths, below} = data.speed;
+    const at = depths[index];
+    const points = (values) => time.map((ms, i) => [ms, values[i]]);
+    const known = (values) => points(values).filter((x) => x[1] !== null);
+    const high = known(at.high), low = known(at.low);
+    const every = Math.max(1, Math.round(time.length / (narrow() ? 14 : 30)));
+    const arrows = time.map((ms, i) => [ms, 0, at.towards[i]]).filter((x, i) => x[2] !== null && i % every === Math.floor(every / 2));
+    const top = Math.max(below * 1.2, ...high.map((x) => x[1]));
+    return {
+      animation: false,
+      grid: {left: narrow() ? 52 : 70, right: narrow() ? 10 : 20, top: 34, bottom: 36},
+      tooltip: {trigger: 'axis', axisPointer: {type: 'line'}, formatter: (items) => {
+        const i = items[0].dataIndex;
+        if (at.likely[i] === null) return `${stamp(time[i])}<br>no value`;
+        return `${stamp(time[i])}<br><b>${fixed(at.likely[i], 2)} m/s</b> (${fixed(at.low[i], 2)} to ${fixed(at.high[i], 2)})<br>flowing to ${String(Math.round(at.towards[i]) % 360).padStart(3, '0')}°`;
+      }},
+      xAxis: timeAxis(t, time),
+      yAxis: valueAxis(t, 'speed (m/s)', {min: 0, max: Math.ceil(top * 10) / 10, nameGap: narrow() ? 34 : 46}),
+      series: [
+        {type: 'custom', silent: true, clip: true, z: 1, data: [[time[0], 0]], tooltip: {show: false},
+          renderItem: (_, api) => ({type: 'polygon', silent: true, shape: {points: high.concat(low.slice().reverse()).map((x) => api.coord(x))}, style: {fill: t.first, opacity: 0.25}})},
+        {type: 'line', name: 'likely', data: points(at.likely), showSymbol: false, z: 3, lineStyle: {color: t.first, width: 2.4}, itemStyle: {color: t.first},
+          markLine: issuedLine(t, time, 'insideEndBottom'),
+          markArea: {silent: true, itemStyle: {color: t.slack, opacity: 0.35}, data: at.slack.map(([from, to]) => [{xAxis: from}, {xAxis: to}])}},
+        {type: 'line', silent: true, data: [[time[0], below], [time[time.length - 1], below]], showSymbol: false, tooltip: {show: false}, z: 2, lineStyle: {color: t.quiet, type: 'dashed', width: 1.2}},
+        {type: 'custom', silent: true, clip: false, z: 5, tooltip: {show: false}, encode: {x: 0, y: 1}, data: arrows,
+          renderItem: (params, api) => arrow(api.coord([api.value(0), 0])[0], params.coordSys.y - 14, 17, api.value(2), t.quiet, 1.5)},
+      ],
+    };
+  };
+
+  /** The slack table of the depth that is chosen; its cells come from the program as they stand. */
+  const showSlack = (index) => {
+    const at = data.speed.depths[index];
+    const box = document.getElementById('slack');
+    box.querySelector('h2').textContent = at.title;
+    box.querySelector('tbody').replaceChildren(...at.rows.map((row) => {
+      const line = document.createElement('tr');
+      line.replaceChildren(...row.map((text) => { const cell = document.createElement('td'); cell.textContent = text; return cell; }));
+      return line;
+    }));
+  };
+
   const profileOption = (t) => {
     const p = data.profile;
     const n = p.depth.length;
@@ -24,7 +70,7 @@
       cells.push([ms, d, speed, u, v, i, k]);
     }));
     const nice = Math.max(0.1, Math.ceil(top * 10) / 10);
-    const everyTime = Math.max(1, Math.round(p.time.length / 26));
+    const everyTime = Math.max(1, Math.round(p.time.length / (narrow() ? 12 : 26)));
     const wanted = Math.min(n, 8);
     const rows = new Set(Array.from({length: wanted}, (_, j) => {
       const target = (j + 0.5) / wanted * deepest;
@@ -32,7 +78,7 @@
     }));
     return {
       animation: false,
-      grid: {left: 70, right: 110, top: 18, bottom: 36},
+      grid: {left: narrow() ? 52 : 70, right: narrow() ? 10 : 110, top: narrow() ? 52 : 18, bottom: 36},
       tooltip: {trigger: 'item', formatter: (item) => {
         const [ms, d, speed, u, v, i, k] = item.value;
         const sigma = p.sigma.length ? ` ± ${fixed(p.sigma[i * n + k], 2)} per component` : '';
@@ -40,7 +86,8 @@
       }},
       xAxis: timeAxis(t, p.time),
       yAxis: valueAxis(t, 'depth (m)', {inverse: true, min: 0, max: deepest * 1.06, splitLine: {show: false}, axisLabel: {color: t.quiet, showMaxLabel: false}}),
-      visualMap: {type: 'continuous', min: 0, max: nice, dimension: 2, seriesIndex: 0, calculable: false, right: 8, top: 'middle', itemHeight: 240, itemWidth: 16,
+      visualMap: {type: 'continuous', min: 0, max: nice, dimension: 2, seriesIndex: 0, calculable: false, itemWidth: 16,
+        ...(narrow() ? {orient: 'horizontal', left: 'center', top: 4, itemHeight: 150} : {right: 8, top: 'middle', itemHeight: 240}),
         text: [`${nice.toFixed(1)} m/s`, '0 m/s'], textStyle: {color: t.ink}, inRange: {color: viridis}},
       series: [
         {type: 'custom', data: cells, dimensions: ['time', 'depth', 'speed', 'u', 'v', 'i', 'k'], encode: {x: 0, y: 1}, clip: true, progressive: 0,
@@ -165,9 +212,9 @@
     panels.forEach((panel, j) => {
       const top = 50 + j * (panelHeight + panelGap);
       option.title.push({text: panel.title, left: 66, top: top - 46, textStyle: {color: t.ink, fontSize: 14}});
-      option.grid.push({left: 70, right: 20, top, height: panelHeight});
+      option.grid.push({left: narrow() ? 52 : 70, right: narrow() ? 10 : 20, top, height: panelHeight});
       option.xAxis.push(timeAxis(t, time, {gridIndex: j}));
-      option.yAxis.push(valueAxis(t, panel.axis, {gridIndex: j, min: 0}));
+      option.yAxis.push(valueAxis(t, panel.axis, {gridIndex: j, min: 0, nameGap: narrow() ? 34 : 46}));
       const on = {xAxisIndex: j, yAxisIndex: j};
       panel.lines.forEach((line, l) => {
         const color = line.truth ? t.truth : l === 0 ? t.first : palette[l % palette.length];
@@ -184,7 +231,7 @@
           endLabel: {show: false}, markLine: l === 0 ? issuedLine(t, time) : undefined});
       });
       if (panel.towards.length) {
-        const every = Math.max(1, Math.round(time.length / 30));
+        const every = Math.max(1, Math.round(time.length / (narrow() ? 14 : 30)));
         // The second number only says where the arrow stands; the third is its bearing.
         option.series.push({type: 'custom', ...on, silent: true, clip: false, z: 5, tooltip: {show: false}, encode: {x: 0, y: 1},
           data: time.map((ms, i) => [ms, 0, panel.towards[i]]).filter((x, i) => x[2] !== null && i % every === 0),
@@ -195,6 +242,16 @@
   };
 
   if (data.series) document.getElementById('series').style.height = `${data.series.panels.length * (panelHeight + panelGap) + 10}px`;
+  if (data.speed) {
+    const chart = chartOf('speed');
+    const choice = document.getElementById('speed-depth');
+    choice.value = String(data.speed.first);
+    drawn.push(() => chart.setOption(speedOption(theme(), Number(choice.value)), true));
+    choice.addEventListener('change', () => {
+      chart.setOption(speedOption(theme(), Number(choice.value)), true);
+      showSlack(Number(choice.value));
+    });
+  }
   if (data.profile) {
     const chart = chartOf('profile');
     drawn.push(() => chart.setOption(profileOption(theme()), true));

@@ -1,0 +1,350 @@
+#include "api/report/forecast_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "api/report/forecast_series.h"
+#include "api/report/forecast_speed.h"
+#include "api/report/time_text.h"
+#include "calibration/verify/skill_set.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+#include "fields/service/field.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+using std::chrono::days;
+using std::chrono::hours;
+using std::chrono::minutes;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A stretch of the forecast, and the clock that its times are told by.
+struct Span {
+  UtcTime from{};
+  UtcTime to{};
+  PageClock clock;
+  [[nodiscard]] bool holds(UtcTime time) const { return time >= from && time <= to; }
+};
+
+/// The first whole UTC day after the issue; where the forecast does not hold it, all of it.
+Span answered_span(const Snapshot& s, const PageClock& clock, std::string& title) {
+  const UtcTime midnight = std::chrono::ceil<days>(s.issued);
+  if (midnight >= s.time.front() && midnight + days(1) <= s.time.back()) {
+    title = "on " + date_text(midnight) + ", 00:00 to 24:00 UTC";
+    return {midnight, midnight + days(1), clock};
+  }
+  title = "from " + PageClock().stamp(s.time.front()) + " to " + PageClock().stamp(s.time.back()) +
+          " UTC";
+  return {s.time.front(), s.time.back(), clock};
+}
+
+/// "06:30", with the date where the span is longer than a day.
+std::string moment(const Span& span, UtcTime time) {
+  return span.to - span.from <= days(1) ? span.clock.clock(time) : span.clock.stamp(time);
+}
+
+std::string slack_text(const ReportSpeed& speed, const ReportSpeedAtDepth& at, const Span& span) {
+  std::string text;
+  for (const SlackWindow& window : at.slack) {
+    if (window.to <= span.from || window.from >= span.to) continue;
+    const UtcTime from = std::max(window.from, span.from);
+    const UtcTime to = std::min(window.to, span.to);
+    if (from == span.from && to == span.to)
+      return formatted("the likely speed is below {:g} m/s throughout", speed.slack_below_m_s);
+    text += (text.empty() ? "" : ", ") + moment(span, from) + "–" +
+            (to == span.to && span.to - span.from == days(1) ? "24:00" : moment(span, to));
+  }
+  if (text.empty())
+    return formatted("none: the likely speed never falls below {:g} m/s", speed.slack_below_m_s);
+  return text + formatted(" (likely speed below {:g} m/s)", speed.slack_below_m_s);
+}
+
+void answer_current(const ReportSpeed& speed, const Span& span, ReportInput& page) {
+  const ReportSpeedAtDepth& at = speed.depths[speed.first];
+  std::optional<std::size_t> strongest;
+  for (std::size_t t = 0; t < speed.time.size(); ++t) {
+    if (!span.holds(speed.time[t]) || std::isnan(at.likely_m_s[t])) continue;
+    if (!strongest || at.likely_m_s[t] > at.likely_m_s[*strongest]) strongest = t;
+  }
+  if (!strongest) {
+    page.answer.emplace_back("Current", "no value at this depth");
+    return;
+  }
+  page.answer.emplace_back("Slack", slack_text(speed, at, span));
+  page.answer.emplace_back("Strongest current",
+                           speed_text(at, *strongest) + " at " +
+                               moment(span, speed.time[*strongest]) +
+                               formatted(", towards {:03.0f}°", at.towards_deg[*strongest]));
+  std::string turns;
+  for (const StrongestStream& stream : strongest_streams(speed, at)) {
+    if (!span.holds(speed.time[stream.index])) continue;
+    turns += (turns.empty() ? "" : ", ") + moment(span, speed.time[stream.index]) +
+             formatted(" towards {:03.0f}°", at.towards_deg[stream.index]);
+  }
+  if (!turns.empty()) page.answer.emplace_back("Tidal stream strongest", turns);
+}
+
+/// "up to 12.3 m/s (10.9 to 13.8) at 15:00".
+void answer_highest(const std::string& label, const char* unit, const ReportLine& line,
+                    const std::vector<UtcTime>& time, const Span& span, ReportInput& page) {
+  if (line.values.empty()) {
+    page.answer.emplace_back(label, "not in this forecast");
+    return;
+  }
+  std::optional<std::size_t> highest;
+  for (std::size_t t = 0; t < time.size(); ++t) {
+    if (!span.holds(time[t]) || std::isnan(line.values[t])) continue;
+    if (!highest || line.values[t] > line.values[*highest]) highest = t;
+  }
+  if (!highest) {
+    page.answer.emplace_back(label, "no value");
+    return;
+  }
+  std::string text = formatted("up to {:.1f} {}", line.values[*highest], unit);
+  if (!line.low.empty())
+    text += formatted(" ({:.1f} to {:.1f})", line.low[*highest], line.high[*highest]);
+  page.answer.emplace_back(label, text + " at " + moment(span, time[*highest]));
+}
+
+/// Half-hourly, metre by metre (deeper waters coarser): smooth to look at.
+ReportProfile profile_of(const Field& field, const ForecastTruth& truth) {
+  const Snapshot& s = field.snapshot();
+  const ForecastColumn& column = s.columns.front();
+  ReportProfile profile;
+  profile.water_depth_m = column.water_depth_m;
+  const double step_m = std::max(1.0, std::ceil(column.water_depth_m / 60));
+  for (double depth = 0; depth < column.water_depth_m; depth += step_m)
+    profile.depth_m.push_back(depth);
+  for (UtcTime time = s.time.front(); time <= s.time.back(); time += minutes(30))
+    profile.time.push_back(time);
+  std::vector<CurrentSample> samples(profile.depth_m.size());
+  for (const UtcTime time : profile.time) {
+    field.sample_profile(column.point.longitude_deg(), column.point.latitude_deg(), time,
+                         profile.depth_m, samples);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const bool there = has_value(samples[k].status);
+      profile.current_m_s.push_back(there ? samples[k].velocity_m_s : Horizontal(nan, nan));
+      profile.sigma_m_s.push_back(there ? samples[k].sigma_m_s : nan);
+      if (!truth.current) continue;
+      const auto found = truth.current(profile.depth_m[k], time);
+      profile.truth_m_s.push_back(found.value_or(Horizontal(nan, nan)));
+    }
+  }
+  profile.hodograph_time = s.time.front() + hours(12);
+  return profile;
+}
+
+/// The numbers every three hours, for a reader without plots and for paper.
+ReportTable numbers_table(const ReportInput& page, const SurfaceSeries& surface,
+                          const PageClock& clock) {
+  ReportTable table;
+  const ReportSpeedAtDepth* at = page.speed ? &page.speed->depths[page.speed->first] : nullptr;
+  table.title = "Every three hours";
+  table.note = "After each value: 10 to 90 %. " + clock.note();
+  table.columns = {"UTC"};
+  if (at != nullptr) {
+    table.columns.push_back("Current at " + at->label + ", m/s");
+    table.columns.emplace_back("flowing to");
+  }
+  if (!surface.wind.values.empty()) table.columns.emplace_back("Wind, m/s");
+  if (!surface.waves.values.empty()) table.columns.emplace_back("Hs, m");
+  const auto with_band = [](const ReportLine& line, std::size_t t) {
+    if (std::isnan(line.values[t])) return std::string("no value");
+    std::string text = formatted("{:.1f}", line.values[t]);
+    if (!line.low.empty()) text += formatted(" ({:.1f} to {:.1f})", line.low[t], line.high[t]);
+    return text;
+  };
+  for (std::size_t t = 0; t < page.series_time.size(); t += 3) {
+    std::vector<std::string> row{clock.stamp(page.series_time[t])};
+    if (at != nullptr) {
+      const auto found =
+          std::lower_bound(page.speed->time.begin(), page.speed->time.end(), page.series_time[t]);
+      const auto i = static_cast<std::size_t>(found - page.speed->time.begin());
+      const bool there = i < page.speed->time.size() && !std::isnan(at->likely_m_s[i]);
+      row.push_back(there ? formatted("{:.2f} ({:.2f} to {:.2f})", at->likely_m_s[i],
+                                      at->low_m_s[i], at->high_m_s[i])
+                          : "no value");
+      row.push_back(there ? formatted("{:03.0f}°", at->towards_deg[i]) : "");
+    }
+    if (!surface.wind.values.empty()) row.push_back(with_band(surface.wind, t));
+    if (!surface.waves.values.empty()) row.push_back(with_band(surface.waves, t));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+ReportTable streams_table(const ReportSpeed& speed, const PageClock& clock) {
+  const ReportSpeedAtDepth& at = speed.depths[speed.first];
+  ReportTable table;
+  table.title = "When the stream is strongest at " + at.label;
+  table.note = "After each speed: 10 to 90 %. The tide turns between these times. " + clock.note();
+  table.columns = {"UTC", "Speed", "Flowing to"};
+  for (const StrongestStream& stream : strongest_streams(speed, at)) {
+    table.rows.push_back({clock.stamp(speed.time[stream.index]), speed_text(at, stream.index),
+                          formatted("{:03.0f}°", at.towards_deg[stream.index])});
+  }
+  return table;
+}
+
+std::vector<ReportSkill> skill_of(const std::vector<calibration::SkillEntry>& entries,
+                                  WindPolicy wind) {
+  std::vector<calibration::SkillSet> sets =
+      calibration::sets_of(calibration::whole_current(entries, wind)).sets;
+  std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) {
+    const auto order = [](const calibration::SkillSet& set) {  // ours first in each lead
+      return std::tuple(set.of.lead.from_h, set.of.method != calibration::Method::forecast,
+                        set.of.method);
+    };
+    return order(a) < order(b);
+  });
+  std::vector<ReportSkill> rows;
+  for (const calibration::SkillSet& set : sets) {
+    ReportSkill row;
+    row.method = name_of(set.of.method);
+    row.lead = formatted("{:.0f}–{:.0f} h", set.of.lead.from_h, set.of.lead.to_h);
+    row.rmse_m_s = set.score.rmse;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+ReportTable calibration_table(const json& calibration) {
+  ReportTable table;
+  table.title = "Parameters fitted on day D";
+  table.columns = {"parameter", "value", "unit", "prior", "note"};
+  for (const auto& p : calibration["parameters"]) {
+    std::string note = p["at_bound"].get<bool>() ? "at its bound" : "";
+    if (p["weakly_determined"].get<bool>())
+      note += note.empty() ? "weakly determined" : ", weakly determined";
+    table.rows.push_back(
+        {p["name"].get<std::string>(), formatted("{:.4g}", p["value"].get<double>()),
+         p["unit"].get<std::string>(), formatted("{:.4g}", p["prior"].get<double>()), note});
+  }
+  table.note = formatted("Misfit {:.3f} m/s over {} values. ", calibration["rms_m_s"].get<double>(),
+                         calibration["observations"].get<std::int64_t>()) +
+               calibration["termination"].get<std::string>();
+  return table;
+}
+
+ReportTable blend_table(const json& blend) {
+  ReportTable table;
+  table.title = "What was mixed";
+  table.columns = {"method", "weight"};
+  for (const auto& share : blend["share"]) {
+    if (share["weight"].get<double>() > 0)
+      table.rows.push_back({share["method"].get<std::string>(),
+                            formatted("{:.0f} %", 100 * share["weight"].get<double>())});
+  }
+  table.note = blend["provenance"].get<std::string>() +
+               formatted(" Spread times {:.2f}. ", blend["spread_scale"].get<double>()) +
+               blend["spread_provenance"].get<std::string>();
+  return table;
+}
+
+/// The calibration, from the summary filed beside the forecast.
+void fold_calibration(const std::string& summary_json, ReportInput& page) {
+  const auto summary = json::parse(summary_json, nullptr, false);
+  if (summary.is_discarded() || !summary.contains("columns") || summary["columns"].empty()) return;
+  page.folded_title = "How it was made: calibration, mixture, notes";
+  const auto& column = summary["columns"][0];
+  const auto calibration = column.value("calibration", json());
+  if (calibration.is_object()) {
+    page.folded.push_back(calibration_table(calibration));
+  } else {
+    page.folded.push_back({.title = "Not calibrated",
+                           .note = column.value("calibration_problem", ""),
+                           .columns = {},
+                           .rows = {},
+                           .highlighted_row = {}});
+  }
+  const auto blend = summary.value("blend", json());
+  if (blend.is_object()) page.folded.push_back(blend_table(blend));
+  ReportTable notes{
+      .title = "Notes", .note = "", .columns = {"note"}, .rows = {}, .highlighted_row = {}};
+  for (const auto& note : column.value("notes", json::array()))
+    notes.rows.push_back({note.get<std::string>()});
+  if (!notes.rows.empty()) page.folded.push_back(std::move(notes));
+}
+
+std::string wind_text(WindPolicy wind) {
+  switch (wind) {
+    case WindPolicy::best:
+      return "best: the newest stored wind";
+    case WindPolicy::forecast:
+      return "forecast: as published by then";
+    case WindPolicy::persist:
+      return "persist: the last known wind, fading";
+  }
+  return {};
+}
+
+void add_facts(const Snapshot& s, const PageClock& clock, ReportInput& page) {
+  page.facts = {{"Issued (UTC)", clock.stamp(s.issued)},
+                {"Valid (UTC)", clock.stamp(s.time.front()) + " to " + clock.stamp(s.time.back())},
+                {"Fitted on day D", format_day(s.day)}};
+  if (s.wind_policy) page.facts.emplace_back("Wind", wind_text(*s.wind_policy));
+}
+
+}  // namespace
+
+double page_depth_m(const Snapshot& forecast, std::optional<double> asked_m) {
+  const double water_m = forecast.columns.front().water_depth_m;
+  if (!asked_m) return std::min(10.0, std::floor(water_m / 2));
+  if (*asked_m >= 0 && *asked_m <= water_m) return *asked_m;
+  throw Error(ErrorKind::usage, formatted("--html-depth: found {:g} m, but the water is {:.1f} m "
+                                          "deep there; give a depth from 0 to {:.1f}",
+                                          *asked_m, water_m, water_m));
+}
+
+ReportInput forecast_page(const ForecastPage& what) {
+  const Snapshot& s = *what.forecast;
+  const ForecastColumn& column = s.columns.front();
+  ReportInput page;
+  page.title = "Forecast for " + s.site_name;
+  page.site = position_text(column.point) + formatted(", {:.0f} m of water", column.water_depth_m);
+  if (s.columns.size() > 1) page.site += formatted("; the first of {} columns", s.columns.size());
+  page.headline = s.headline;
+  page.degraded = s.degraded;
+  page.issued = s.issued;
+  const PageClock clock(what.time_zone);
+  add_facts(s, clock, page);
+  if (what.time_zone) {
+    page.time_zone = what.time_zone->name();
+    page.clock_changes = what.time_zone->changes(s.time.front(), s.time.back());
+  }
+  std::string when;
+  const Span span = answered_span(s, clock, when);
+  const Field field(what.forecast);
+  if (has_currents(s)) {
+    page.speed = speed_of(field, page_depth_m(s, what.depth_m), what.slack_below_m_s, clock);
+    page.profile = profile_of(field, what.truth);
+    page.answer_title = "At " + page.speed->depths[page.speed->first].label + " " + when;
+    answer_current(*page.speed, span, page);
+  } else {
+    page.answer_title = "The answer " + when;
+    page.answer.emplace_back("Current", "not in this forecast: see the sentence above");
+  }
+  const SurfaceSeries surface = surface_series(s, what.truth);
+  page.series_time = s.time;
+  page.series = surface.panels;
+  page.series_note = surface.note;
+  answer_highest("Wind at 10 m", "m/s", surface.wind, s.time, span, page);
+  answer_highest("Waves (Hs)", "m", surface.waves, s.time, span, page);
+  if (!what.verified.empty()) page.answer.emplace_back("How good it was", what.verified);
+  if (page.speed) page.tables.push_back(streams_table(*page.speed, clock));
+  page.tables.push_back(numbers_table(page, surface, clock));
+  page.skill = skill_of(what.skill, s.wind_policy.value_or(WindPolicy::best));
+  page.skill_note = what.skill_note;
+  fold_calibration(what.summary_json, page);
+  page.attributions = s.attributions;
+  page.generated = what.generated;
+  return page;
+}
+
+}  // namespace slackwater::api

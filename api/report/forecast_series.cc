@@ -1,0 +1,105 @@
+#include "api/report/forecast_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "api/report/forecast_page.h"
+#include "fields/base/constants.h"
+#include "fields/service/speed_quantiles.h"
+#include "fields/wave/height_error.h"
+
+namespace slackwater::api {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Standard deviation of a component of the wind over the members; NaN without an ensemble.
+double wind_sigma_m_s(const ForecastColumn& column, std::size_t t) {
+  const std::size_t times = column.wind_m_s.size();
+  const std::size_t members = times == 0 ? 0 : column.wind_member_m_s.size() / times;
+  if (members < 2) return nan;
+  double sum = 0;
+  for (std::size_t m = 0; m < members; ++m)
+    sum += std::norm(column.wind_member_m_s[m * times + t] - column.wind_m_s[t]);
+  return std::sqrt(sum / (2 * static_cast<double>(members)));
+}
+
+ReportLine truth_line(const std::vector<UtcTime>& times,
+                      const std::function<std::optional<double>(UtcTime)>& truth) {
+  ReportLine line{"truth", {}, {}, {}, true};
+  for (const UtcTime time : times) line.values.push_back(truth(time).value_or(nan));
+  return line;
+}
+
+ReportSeries wind_panel(const Snapshot& s, const ForecastColumn& column) {
+  ReportSeries panel{"Wind at 10 m", "speed (m/s)", {}, {}};
+  ReportLine line{"forecast", {}, {}, {}, false};
+  bool has_band = true;
+  for (std::size_t t = 0; t < s.time.size(); ++t) {
+    const double speed_m_s = std::abs(column.wind_m_s[t]);
+    line.values.push_back(speed_m_s);
+    panel.towards_deg.push_back(to_direction_deg(column.wind_m_s[t]));
+    const double sigma_m_s = wind_sigma_m_s(column, t);
+    has_band = has_band && std::isfinite(sigma_m_s) && std::isfinite(speed_m_s);
+    if (!has_band) continue;
+    const SpeedQuantiles band = speed_quantiles(speed_m_s, sigma_m_s);
+    // A calm centre lies below what is likely; the band holds the line that it belongs to.
+    line.low.push_back(std::min(band.p10_m_s, speed_m_s));
+    line.high.push_back(band.p90_m_s);
+  }
+  if (!has_band) line.low = line.high = {};
+  panel.lines = {std::move(line)};
+  return panel;
+}
+
+ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column) {
+  ReportSeries panel{"Significant wave height", "height (m)", {}, {}};
+  ReportLine line{"forecast", {}, {}, {}, false};
+  for (std::size_t t = 0; t < s.time.size(); ++t) {
+    const double height_m = column.sea[t].significant_height_m;
+    line.values.push_back(height_m);
+    panel.towards_deg.push_back(std::fmod(column.sea[t].from_direction_deg + 180, 360));
+    const double reach_m = constants::normal_p90 *
+                           wave_height_sigma_m(height_m, hours_between(s.time.front(), s.time[t]));
+    line.low.push_back(std::isnan(height_m) ? nan : std::max(0.0, height_m - reach_m));
+    line.high.push_back(std::isnan(height_m) ? nan : height_m + reach_m);
+  }
+  panel.lines = {std::move(line)};
+  return panel;
+}
+
+}  // namespace
+
+SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth) {
+  SurfaceSeries result;
+  const ForecastColumn& column = forecast.columns.front();
+  result.note = "Lines: central forecast; bands: 10 to 90 %.";
+  if (column.wind_m_s.size() == forecast.time.size()) {
+    ReportSeries panel = wind_panel(forecast, column);
+    result.wind = panel.lines.front();
+    result.note += result.wind.low.empty() ? " The wind has no band: there is no ensemble of it."
+                                           : " The wind's band is the spread of the ensemble.";
+    if (truth.wind_speed_m_s)
+      panel.lines.push_back(truth_line(forecast.time, truth.wind_speed_m_s));
+    result.panels.push_back(std::move(panel));
+  } else {
+    result.note += " This forecast has no wind.";
+  }
+  if (column.sea.size() == forecast.time.size()) {
+    ReportSeries panel = wave_panel(forecast, column);
+    result.waves = panel.lines.front();
+    result.note +=
+        " The waves' band is the usual error of forecast wave heights (a published North Sea "
+        "record), not this day's own.";
+    if (truth.significant_height_m)
+      panel.lines.push_back(truth_line(forecast.time, truth.significant_height_m));
+    result.panels.push_back(std::move(panel));
+  } else {
+    result.note += " This forecast has no waves.";
+  }
+  if (truth.current) result.note += " Dashed: the truth.";
+  return result;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "api/report/report.h"
+#include "fields/service/snapshot.h"
+
+namespace slackwater::api {
+
+struct ForecastTruth;
+
+/// Wind and waves of a forecast's first column as panels over `Snapshot::time`, each with its band
+/// of 10 to 90 %; what the forecast has not is left out.
+struct SurfaceSeries {
+  std::vector<ReportSeries> panels;
+  ReportLine wind;   ///< the central line of the panel; no values: no wind
+  ReportLine waves;  ///< the same
+  std::string note;  ///< what the bands are, or why there is none
+};
+
+/// The band of the wind is that of its speed under the spread of the ensemble's winds (isotropic;
+/// fields/service/speed_quantiles.h); without an ensemble there is none. The band of the waves is
+/// the published error of forecast heights at their lead after the end of D
+/// (fields/wave/height_error.h): products of waves have no spread.
+[[nodiscard]] SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth);
+
+}  // namespace slackwater::api

@@ -1,0 +1,57 @@
+#include "api/report/slack.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace slackwater::api {
+namespace {
+
+using std::chrono::hours;
+using std::chrono::minutes;
+
+std::vector<UtcTime> hourly(std::size_t n) {
+  std::vector<UtcTime> time;
+  for (std::size_t i = 0; i < n; ++i)
+    time.push_back(parse_utc("2025-03-10T00:00:00Z") + hours(static_cast<int>(i)));
+  return time;
+}
+
+TEST(SlackWindows, BeginAndEndWhereTheLineCrossesTheThreshold) {
+  const auto time = hourly(5);
+  const auto windows = slack_windows(time, {1, 0.75, 0.25, 0.25, 1}, {2, 2, 2, 2, 2}, 0.5);
+  ASSERT_EQ(windows.size(), 1U);
+  EXPECT_EQ(windows[0].from, time[1] + minutes(30));
+  EXPECT_EQ(windows[0].to, time[3] + minutes(20));
+  EXPECT_FALSE(windows[0].is_cut_before || windows[0].is_cut_after);
+  EXPECT_FALSE(windows[0].sure_from) << "the upper edge of the band never falls below";
+}
+
+TEST(SlackWindows, AreSureWhereTheUpperEdgeStaysBelowToo) {
+  const auto time = hourly(5);
+  const auto windows = slack_windows(time, {1, 0.25, 0.1, 0.25, 1}, {2, 0.75, 0.25, 0.75, 2}, 0.5);
+  ASSERT_EQ(windows.size(), 1U);
+  EXPECT_EQ(windows[0].sure_from, time[1] + minutes(30));
+  EXPECT_EQ(windows[0].sure_to, time[2] + minutes(30));
+}
+
+TEST(SlackWindows, CutByTheEndsOfTheSeriesSaySo) {
+  const auto windows = slack_windows(hourly(3), {0.1, 0.9, 0.1}, {0.2, 1, 0.2}, 0.5);
+  ASSERT_EQ(windows.size(), 2U);
+  EXPECT_TRUE(windows[0].is_cut_before);
+  EXPECT_TRUE(windows[1].is_cut_after);
+}
+
+TEST(SlackWindows, MissingValuesAreNeverSlack) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto time = hourly(4);
+  EXPECT_TRUE(slack_windows(time, {nan, nan, nan, nan}, {nan, nan, nan, nan}, 0.5).empty());
+  const auto windows = slack_windows(time, {nan, 0.1, nan, 0.9}, {nan, 0.1, nan, 0.9}, 0.5);
+  ASSERT_EQ(windows.size(), 1U);
+  EXPECT_EQ(windows[0].from, time[1]);
+  EXPECT_TRUE(windows[0].is_cut_before && windows[0].is_cut_after);
+}
+
+}  // namespace
+}  // namespace slackwater::api
