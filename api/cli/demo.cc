@@ -7,9 +7,9 @@
 #include "api/cli/progress.h"
 #include "api/demo/demo_page.h"
 #include "api/demo/demo_run.h"
+#include "api/demo/demo_store.h"
 #include "api/program/version.h"
 #include "api/report/skill_json.h"
-#include "api/report/skill_table.h"
 #include "api/report/verdict_text.h"
 
 namespace slackwater::api {
@@ -21,6 +21,7 @@ struct DemoArguments {
   std::string folder = "demo-out";
   int days = 6;
   std::uint64_t seed = 2025;
+  bool force = false;
 };
 
 struct Means {
@@ -40,9 +41,31 @@ Means means_of(const std::vector<DemoDay>& days) {
           std::sqrt(m.same_hour / n)};
 }
 
+/// Ten lines with those that `run` adds: the page has the rest.
+void print_summary(const DemoResult& result, const Means& mean, std::uint64_t seed) {
+  const DemoDay& first = result.days.front();
+  const DemoDay& last = result.days.back();
+  std::printf("A made-up sea whose truth is known (seed %llu): %zu daily forecasts for %s.\n",
+              static_cast<unsigned long long>(seed), result.days.size(), result.site.name.c_str());
+  std::printf("Error of tomorrow's current against the truth, days %s to %s, m/s:\n",
+              format_day(first.day).c_str(), format_day(last.day).c_str());
+  std::printf(
+      "  forecast %.3f   the same hour today %.3f   today's mean %.3f   the last value %.3f\n",
+      mean.forecast, mean.same_hour, mean.day_mean, mean.persistence);
+  if (const auto verdict = calibration::main_verdict(result.skill)) {
+    std::printf("Against the product's own analyses, as `slackwater verify` sees it:\n%s %s\n",
+                verdict_text(*verdict).c_str(), outcome_text(*verdict).c_str());
+  }
+}
+
 void run(const DemoArguments& arguments, const Context& context) {
   const std::filesystem::path folder = arguments.folder;
-  if (std::filesystem::exists(folder / "store")) std::filesystem::remove_all(folder / "store");
+  const StoreInTheWay in_the_way = look_at_demo_store(folder);
+  if (in_the_way.is_store && !in_the_way.not_demos.empty() && arguments.force) {
+    std::fprintf(stderr, "slackwater: deleting %s: %s\n", (folder / "store").c_str(),
+                 in_the_way.holds.c_str());
+  }
+  clear_demo_store(folder, in_the_way, arguments.force);
   DemoOptions options{folder, arguments.seed, arguments.days};
   DemoResult result = [&] {
     ProgressBar bar("demo", context.json);
@@ -72,29 +95,12 @@ void run(const DemoArguments& arguments, const Context& context) {
                             .c_str());
     return;
   }
-  std::printf(
-      "A synthetic coastal ocean with known truth (seed %llu): %zu daily jobs at %s, %.0f m of "
-      "water.\n\n",
-      static_cast<unsigned long long>(arguments.seed), result.days.size(), result.site.name.c_str(),
-      result.last.columns.front().water_depth_m);
-  std::printf(
-      "Against the truth, lead 0-24 h, all levels, root mean square vector error in m/s:\n");
-  std::printf("  %-12s %9s %12s %9s %10s %8s\n", "day D", "forecast", "persistence", "day mean",
-              "same hour", "in 80%");
-  for (const DemoDay& d : result.days) {
-    std::printf("  %-12s %9.3f %12.3f %9.3f %10.3f %7.0f%%\n", format_day(d.day).c_str(),
-                d.forecast_rmse_m_s, d.persistence_rmse_m_s, d.day_mean_rmse_m_s,
-                d.same_hour_rmse_m_s, 100 * d.coverage_80);
-  }
-  std::printf("  %-12s %9.3f %12.3f %9.3f %10.3f\n", "all", mean.forecast, mean.persistence,
-              mean.day_mean, mean.same_hour);
-  std::printf("\nAgainst the analysed products, as `slackwater verify` sees it:\n%s%s",
-              verdict_lines(result.skill).c_str(), skill_table(result.skill).c_str());
-  std::printf(
-      "\nOpen %s in a browser. The store is %s; try\n  slackwater --store %s profile --site %s "
-      "--time %s\n",
-      page.c_str(), (folder / "store").c_str(), (folder / "store").c_str(),
-      (folder / "synthetic.yaml").c_str(), format_utc(result.last.time[12]).c_str());
+  print_summary(result, mean, arguments.seed);
+  const std::string store = (folder / "store").string();
+  std::printf("\nThe page:  %s  (open it in a browser)\n", page.c_str());
+  std::printf("Go on:     slackwater --store %s verify --site %s\n", store.c_str(), demo_site_id);
+  std::printf("           slackwater --store %s profile --site %s --time %s\n", store.c_str(),
+              demo_site_id, format_utc(result.last.time[12]).c_str());
 }
 
 }  // namespace
@@ -108,6 +114,8 @@ void add_demo(CLI::App& app, Context& context) {
   command->add_option("--days", arguments->days, "consecutive daily jobs (default 6)")
       ->check(CLI::Range(1, 400));
   command->add_option("--seed", arguments->seed, "which ocean (default 2025)");
+  command->add_flag("--force", arguments->force,
+                    "delete the store in that folder even if it holds other work; says what goes");
   command->callback([arguments, &context] { run(*arguments, context); });
 }
 

@@ -132,7 +132,8 @@ DemoResult run_demo(const DemoOptions& options,
   const auto products = ingest::ProductCatalogue::load(data_folder() / "products");
   store::Store store =
       store::Store::open(options.folder / "store", store::OpenMode::create_or_write);
-  const std::filesystem::path site_file = write_site_yaml(ocean, options.folder);
+  const std::filesystem::path site_file =
+      write_site_yaml(ocean, options.folder / "store" / "sites");
   result.site = find_site(site_file.string(), {});
   static_cast<void>(ingest_file(store, products, write_bathymetry(ocean, files), {},
                                 UtcTime(settings.first_day), {}));
@@ -144,7 +145,7 @@ DemoResult run_demo(const DemoOptions& options,
     deliver(store, products, ocean, day, is_run, files);
     if (!is_run) continue;
     calibration::ForecastOptions options_of_day;
-    options_of_day.issued = UtcTime(day) + days(1) + hours(5);
+    options_of_day.issued = demo_issue_time(day);
     options_of_day.threads = 2;
     const SiteData data = load_site_data(
         store, result.site, UtcTime(day) - calibration::history_wanted, UtcTime(day) + days(4));

@@ -12,6 +12,15 @@
 
 namespace slackwater::api {
 
+/// The site of the synthetic ocean, and the product that its files say they are of.
+inline constexpr const char* demo_site_id = "synthetic";
+inline constexpr const char* demo_product = "SYNTHETIC_OCEAN";
+
+/// When the demonstration runs the job of day D: at 05:00 after it.
+[[nodiscard]] inline UtcTime demo_issue_time(UtcDay day) {
+  return UtcTime(day) + std::chrono::days(1) + std::chrono::hours(5);
+}
+
 struct DemoOptions {
   std::filesystem::path folder;  ///< product files, store and page go here
   std::uint64_t seed = 2025;
@@ -40,7 +49,8 @@ struct DemoResult {
 
 /// Writes a synthetic ocean as product files day by day, as they would arrive, ingests them and
 /// runs the daily job at 05:00 after each day; scores every forecast against the truth and through
-/// `verify`. `say` is called with a share done and what is being done.
+/// `verify`. The site's file goes into the store's own `sites/`, where `--site synthetic` finds it.
+/// `say` is called with a share done and what is being done.
 [[nodiscard]] DemoResult run_demo(const DemoOptions& options,
                                   const std::function<void(double, const std::string&)>& say);
 
