@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "api/program/version.h"
+#include "fields/base/advice.h"
 
 namespace slackwater::api {
 namespace {
@@ -21,10 +23,60 @@ int report(const Context& context, ErrorKind kind, const std::string& message) {
   return exit_code(kind);
 }
 
+/// The command that the words led to, as far as they are known.
+const CLI::App& deepest(const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  return parsed.empty() ? app : deepest(*parsed.front());
+}
+
+/// The options of a command and of those above it.
+void add_options(const CLI::App* app, std::vector<std::string>& known) {
+  for (; app != nullptr; app = app->get_parent()) {
+    for (const CLI::Option* option : app->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+}
+
+/// The words that could have stood where an unknown one does.
+std::vector<std::string> known_words(const CLI::App& app, const std::string& unknown) {
+  std::vector<std::string> known;
+  const CLI::App& command = deepest(app);
+  if (unknown.starts_with('-')) {
+    add_options(&command, known);
+  } else {
+    for (const CLI::App* below : command.get_subcommands({})) known.push_back(below->get_name());
+  }
+  return known;
+}
+
+/// An unknown word hides behind what it leaves missing.
+std::string unknown_text(const CLI::App& app) {
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (unknown.empty()) return {};
+  const std::string word = unknown.front().substr(0, unknown.front().find('='));
+  return "found '" + unknown.front() + "', which is not known here" +
+         did_you_mean(word, known_words(app, word)) + "; ";
+}
+
+/// "; decimals stand after a point: write 48.85" where a number came with a comma.
+std::string comma_text(const std::string& problem) {
+  std::istringstream words(problem);
+  for (std::string word; words >> word;)
+    if (const auto meant = with_decimal_point(word))
+      return "; decimals stand after a point: write " + *meant;
+  return {};
+}
+
 }  // namespace
 
+UtcTime Context::time_of(std::string_view option, const std::string& text) const {
+  if (text != "now") return option_value(option, text, parse_utc);
+  return std::chrono::time_point_cast<Duration>(
+      std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
+}
+
 UtcTime Context::now() const {
-  if (!at.empty()) return option_value("--at", at, parse_utc);
+  if (!at.empty()) return time_of("--at", at);
   return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
 }
 
@@ -97,12 +149,9 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& problem) {
-    // An unknown word hides behind what it leaves missing.
-    const std::vector<std::string> unknown = app.remaining(true);
-    const std::string found =
-        unknown.empty() ? "" : "found '" + unknown.front() + "', which is not known here; ";
     return report(context, ErrorKind::usage,
-                  found + problem.what() + "; `slackwater --help` shows the commands");
+                  unknown_text(app) + problem.what() + comma_text(problem.what()) +
+                      "; `slackwater --help` shows the commands");
   } catch (const Error& problem) {
     return report(context, problem.kind(), problem.message());
   } catch (const std::bad_alloc&) {

@@ -25,6 +25,8 @@ struct Context {
       false;  ///< the JSON document is printed: trouble after it goes to stderr alone
 
   [[nodiscard]] UtcTime now() const;
+  /// The value of an option that is a UTC time; "now" is the clock's, to the second.
+  [[nodiscard]] UtcTime time_of(std::string_view option, const std::string& text) const;
   [[nodiscard]] store::Store open(store::OpenMode mode) const;
 };
 

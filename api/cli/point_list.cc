@@ -135,6 +135,10 @@ std::vector<double> listed(const std::vector<std::string_view>& parts) {
 
 std::vector<GeoPoint> read_points(const std::filesystem::path& file) {
   return with_context(file.string(), [&] {
+    if (std::filesystem::is_directory(file)) {
+      throw Error(ErrorKind::invalid_input,
+                  "found a folder where a file of points was expected; name a file in it");
+    }
     std::ifstream in(file);
     if (!in || !std::filesystem::is_regular_file(file)) {
       throw Error(ErrorKind::not_found, "found no such file of points, or cannot read it");

@@ -18,6 +18,9 @@ struct ProfileArguments {
   std::optional<double> latitude;
   std::optional<double> longitude;
   std::string time;
+  std::string from;
+  std::string to;
+  std::string step = "1h";
   std::vector<double> depths;
   bool csv = false;
   std::size_t member = 0;
@@ -51,10 +54,14 @@ void choose_forecast(store::Store& store, const WantedForecast& wanted, ProfileA
     double away_m = std::numeric_limits<double>::infinity();
     for (const auto& field : fields)
       away_m = std::min(away_m, nearest_column_m(*field, answer.point));
-    throw Error(ErrorKind::not_found,
-                "no forecast reaches " + position_text(answer.point) +
-                    formatted("; the nearest column lies {:.1f} km away, and", away_m / 1000) +
-                    " the forecasts in force reach" + reach);
+    throw Error(
+        ErrorKind::not_found,
+        "no forecast reaches " + position_text(answer.point) +
+            formatted("; the nearest column lies {:.1f} km away, and", away_m / 1000) +
+            " the forecasts in force reach" + reach +
+            (nearest_reaching(fields, answer.point.latitude_deg(), answer.point.longitude_deg())
+                 ? "; did you swap --lat and --lon?"
+                 : ""));
   }
   answer.row = in_force[*nearest];
   answer.field = fields[*nearest];
@@ -93,13 +100,16 @@ void sample(ProfileAnswer& answer, bool all_members) {
 /// The forecast in force that covers the time, of the site or of the nearest site that reaches the
 /// point; a site without a point is asked at its first column.
 ProfileAnswer find_answer(store::Store& store, const ProfileArguments& arguments,
-                          const Context& context) {
+                          const Context& context, UtcTime time) {
   ProfileAnswer answer;
-  answer.time = option_value("--time", arguments.time, parse_utc);
+  answer.time = time;
   WantedForecast wanted;
   wanted.valid_at = answer.time;
-  if (!arguments.site.empty())
-    wanted.site_id = find_site(arguments.site, site_folders(context.store_folder)).id;
+  if (!arguments.site.empty()) {
+    const Site site = find_site(arguments.site, site_folders(context.store_folder));
+    wanted.site_id = site.id;
+    answer.time_zone = site.time_zone;
+  }
   answer.row = forecast_in_force(store, wanted);
   if (arguments.latitude) {
     answer.point = GeoPoint::from_degrees(*arguments.latitude, *arguments.longitude);
@@ -119,6 +129,43 @@ double bed_of(const ProfileAnswer& answer) {
   return bed.water_depth_m;
 }
 
+/// A range may ask for as many times as an hour a minute; more is a file's work (`sample`).
+constexpr std::size_t most_times = 2000;
+
+/// The times that are asked for: one, or a range with both ends.
+std::vector<UtcTime> times_of(const ProfileArguments& arguments, const Context& context) {
+  if (!arguments.time.empty()) {
+    if (!arguments.from.empty() || !arguments.to.empty())
+      throw Error(ErrorKind::usage, "give --time, or --from and --to, not both");
+    return {context.time_of("--time", arguments.time)};
+  }
+  if (arguments.from.empty() || arguments.to.empty())
+    throw Error(ErrorKind::usage, "give --time T (or --time now), or a range: --from T --to T");
+  const UtcTime from = context.time_of("--from", arguments.from);
+  const UtcTime to = context.time_of("--to", arguments.to);
+  const Duration step = option_value("--step", arguments.step, parse_duration);
+  if (to < from) throw Error(ErrorKind::usage, "--from is later than --to");
+  if (step < std::chrono::minutes(1))
+    throw Error(ErrorKind::usage, "found --step " + arguments.step + ", expected 1min or more");
+  if ((to - from) / step >= static_cast<Duration::rep>(most_times)) {
+    throw Error(
+        ErrorKind::usage,
+        "found more than " + std::to_string(most_times) +
+            " times between --from and --to; give a longer --step, or use `slackwater sample`");
+  }
+  std::vector<UtcTime> times;
+  for (UtcTime time = from; time <= to; time += step) times.push_back(time);
+  return times;
+}
+
+/// One forecast answers the whole range: a table of two forecasts would jump between them.
+void expect_covers(const store::ForecastRow& row, UtcTime last) {
+  if (last <= row.valid_to) return;
+  throw Error(ErrorKind::not_found, "the forecast in force at the beginning is valid from " +
+                                        format_utc(row.valid_from) + " to " +
+                                        format_utc(row.valid_to) + "; give a --to in it");
+}
+
 void run_profile(const ProfileArguments& arguments, const Context& context) {
   if (arguments.site.empty() && !arguments.latitude) {
     throw Error(ErrorKind::usage, "give --site, or --lat and --lon");
@@ -135,8 +182,10 @@ void run_profile(const ProfileArguments& arguments, const Context& context) {
   if (arguments.members && !context.json)
     throw Error(ErrorKind::usage,
                 "--members lists all members in --json only; --member N shows one");
+  const std::vector<UtcTime> times = times_of(arguments, context);
   store::Store store = context.open(store::OpenMode::read_only);
-  ProfileAnswer answer = find_answer(store, arguments, context);
+  ProfileAnswer answer = find_answer(store, arguments, context, times.front());
+  expect_covers(answer.row, times.back());
   add_members(answer, store, arguments);
   answer.water_depth_m = bed_of(answer);
   answer.depth_m = arguments.depths;
@@ -145,13 +194,19 @@ void run_profile(const ProfileArguments& arguments, const Context& context) {
       if (depth <= answer.water_depth_m) answer.depth_m.push_back(depth);
     }
   }
-  sample(answer, arguments.members);
+  std::vector<ProfileAnswer> answers;
+  for (const UtcTime time : times) {
+    answers.push_back(answer);
+    answers.back().time = time;
+    sample(answers.back(), arguments.members);
+  }
+  const bool is_range = arguments.time.empty();
   if (context.json) {
-    print_profile_json(answer);
+    is_range ? print_profiles_json(answers) : print_profile_json(answers.front());
   } else if (arguments.csv) {
-    print_profile_csv(answer);
+    print_profiles_csv(answers);
   } else {
-    print_profile_table(answer);
+    is_range ? print_profiles_table(answers) : print_profile_table(answers.front());
   }
 }
 
@@ -159,14 +214,18 @@ void run_profile(const ProfileArguments& arguments, const Context& context) {
 
 void add_profile(CLI::App& app, Context& context) {
   auto arguments = std::make_shared<ProfileArguments>();
-  CLI::App* command =
-      app.add_subcommand("profile", "The current profile at a place and time, with quantiles");
+  CLI::App* command = app.add_subcommand(
+      "profile",
+      "The current profile at a place and time, or over a range of times, with quantiles");
   command->add_option("--site", arguments->site, "id of data/sites, or path of a site's YAML file");
   command->add_option("--lat", arguments->latitude, "latitude, degrees north")
       ->check(CLI::Range(-90.0, 90.0));
   command->add_option("--lon", arguments->longitude, "longitude, degrees east")
       ->check(CLI::Range(-360.0, 360.0));
-  command->add_option("--time", arguments->time, "e.g. 2025-03-10T06:00:00Z")->required();
+  command->add_option("--time", arguments->time, "e.g. 2025-03-10T06:00:00Z, or now");
+  command->add_option("--from", arguments->from, "a range of times instead: its first");
+  command->add_option("--to", arguments->to, "its last");
+  command->add_option("--step", arguments->step, "between its times (default 1h)");
   command
       ->add_option("--depth", arguments->depths,
                    "depths in metres below mean sea level (default: native levels)")

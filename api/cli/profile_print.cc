@@ -44,10 +44,14 @@ json level_json(const ProfileAnswer& a, std::size_t i) {
   return level;
 }
 
-json to_json(const ProfileAnswer& a) {
-  const Snapshot& snapshot = a.field->snapshot();
+json levels_json(const ProfileAnswer& a) {
   json levels = json::array();
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) levels.push_back(level_json(a, i));
+  return levels;
+}
+
+json to_json(const ProfileAnswer& a) {
+  const Snapshot& snapshot = a.field->snapshot();
   return {{"site", snapshot.site_id},
           {"latitude_deg", a.point.latitude_deg()},
           {"longitude_deg", a.point.longitude_deg()},
@@ -67,7 +71,7 @@ json to_json(const ProfileAnswer& a) {
           {"water_depth_m", a.water_depth_m},
           {"units",
            {{"velocity", "m s-1"}, {"direction", "degree, towards, clockwise from true north"}}},
-          {"levels", levels},
+          {"levels", levels_json(a)},
           {"attributions", snapshot.attributions},
           {"provenance", json::parse(ingest::provenance_json(snapshot.provenance))}};
 }
@@ -81,17 +85,12 @@ std::string members_text(const ProfileAnswer& a) {
   return ", member " + std::to_string(a.member) + " of " + count + " (p10 to p90 of all)";
 }
 
-}  // namespace
-
-void print_profile_json(const ProfileAnswer& answer) {
-  std::printf("%s\n", to_json(answer).dump(2, ' ', false, json::error_handler_t::replace).c_str());
+/// The time in UTC, and by the site's clocks where they are known.
+std::string time_text(const ProfileAnswer& a) {
+  return format_utc(a.time) + (a.time_zone ? " (" + a.time_zone->text(a.time) + ")" : "");
 }
 
-void print_profile_csv(const ProfileAnswer& a) {
-  std::printf(
-      "time,depth_m,east_m_s,east_p10_m_s,east_p90_m_s,north_m_s,north_p10_m_s,north_p90_m_s,speed_"
-      "m_s,"
-      "to_direction_deg,status\n");
+void print_csv_rows(const ProfileAnswer& a) {
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
     const CurrentSample& s = a.samples[i];
     std::printf("%s,%g,", format_utc(a.time).c_str(), a.depth_m[i]);
@@ -107,10 +106,35 @@ void print_profile_csv(const ProfileAnswer& a) {
   }
 }
 
+}  // namespace
+
+void print_profile_json(const ProfileAnswer& answer) {
+  std::printf("%s\n", to_json(answer).dump(2, ' ', false, json::error_handler_t::replace).c_str());
+}
+
+void print_profiles_json(const std::vector<ProfileAnswer>& answers) {
+  json document = to_json(answers.front());
+  document.erase("time");
+  document.erase("levels");
+  json profiles = json::array();
+  for (const ProfileAnswer& a : answers)
+    profiles.push_back({{"time", format_utc(a.time)}, {"levels", levels_json(a)}});
+  document["profiles"] = std::move(profiles);
+  std::printf("%s\n", document.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+}
+
+void print_profiles_csv(const std::vector<ProfileAnswer>& answers) {
+  std::printf(
+      "time,depth_m,east_m_s,east_p10_m_s,east_p90_m_s,north_m_s,north_p10_m_s,north_p90_m_s,speed_"
+      "m_s,"
+      "to_direction_deg,status\n");
+  for (const ProfileAnswer& a : answers) print_csv_rows(a);
+}
+
 void print_profile_table(const ProfileAnswer& a) {
   const Snapshot& snapshot = a.field->snapshot();
   std::printf("%s at %s (%.4f N %.4f E, %.0f m of water), forecast issued %s from day %s%s\n",
-              snapshot.site_name.c_str(), format_utc(a.time).c_str(), a.point.latitude_deg(),
+              snapshot.site_name.c_str(), time_text(a).c_str(), a.point.latitude_deg(),
               a.point.longitude_deg(), a.water_depth_m, format_utc(snapshot.issued).c_str(),
               format_day(snapshot.day).c_str(), members_text(a).c_str());
   if (snapshot.degraded) {
@@ -131,6 +155,33 @@ void print_profile_table(const ProfileAnswer& a) {
                 a.depth_m[i], std::abs(s.velocity_m_s), to_direction_deg(s.velocity_m_s),
                 s.velocity_m_s.real(), q.p10_m_s.real(), q.p90_m_s.real(), s.velocity_m_s.imag(),
                 q.p10_m_s.imag(), q.p90_m_s.imag());
+  }
+  for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
+}
+
+void print_profiles_table(const std::vector<ProfileAnswer>& answers) {
+  const ProfileAnswer& first = answers.front();
+  const Snapshot& snapshot = first.field->snapshot();
+  std::printf("%s (%s, %.0f m of water), forecast issued %s from day %s%s\n",
+              snapshot.site_name.c_str(), position_text(first.point).c_str(), first.water_depth_m,
+              format_utc(snapshot.issued).c_str(), format_day(snapshot.day).c_str(),
+              members_text(first).c_str());
+  if (snapshot.degraded) std::printf("DEGRADED: %s\n", snapshot.headline.c_str());
+  if (first.time_zone) std::printf("%-22s ", first.time_zone->name().c_str());
+  std::printf("%-20s %8s %9s %6s %9s %9s\n", "UTC", "depth m", "speed m/s", "to deg", "east m/s",
+              "north m/s");
+  for (const ProfileAnswer& a : answers) {
+    for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
+      const CurrentSample& s = a.samples[i];
+      if (a.time_zone) std::printf("%-22s ", i == 0 ? a.time_zone->text(a.time).c_str() : "");
+      std::printf("%-20s %8.1f", i == 0 ? format_utc(a.time).c_str() : "", a.depth_m[i]);
+      if (has_value(s.status)) {
+        std::printf(" %9.3f %6.0f %+9.3f %+9.3f\n", std::abs(s.velocity_m_s),
+                    to_direction_deg(s.velocity_m_s), s.velocity_m_s.real(), s.velocity_m_s.imag());
+      } else {
+        std::printf(" %9s\n", std::string(name_of(s.status)).c_str());
+      }
+    }
   }
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/cli/site_init.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/program/paths.h"
 #include "calibration/day/daily_forecast.h"
@@ -63,25 +64,49 @@ void run_site_check(const std::string& name, const Context& context) {
   std::printf("%s\n", context.json ? out.dump(2).c_str() : data_line.c_str());
 }
 
+/// A site's file in the folders, as `find_site` finds it.
+std::filesystem::path file_of(const std::string& id,
+                              const std::vector<std::filesystem::path>& folders) {
+  for (const auto& folder : folders)
+    if (auto file = folder / (id + ".yaml"); std::filesystem::exists(file)) return file;
+  return {};
+}
+
+void run_site_list(const Context& context) {
+  const auto folders = site_folders(context.store_folder);
+  const auto ids = known_sites(folders);
+  if (context.json) {
+    std::printf("%s\n", json(ids).dump(2).c_str());
+    return;
+  }
+  for (const std::string& id : ids) {
+    const std::filesystem::path file = file_of(id, folders);
+    std::string place;
+    try {
+      const Site site = find_site(id, folders);
+      place = position_text(site.point) + "  " + site.name;
+    } catch (const Error& problem) {
+      place = problem.message();
+    }
+    std::printf("%-22s %s  (%s)\n", id.c_str(), place.c_str(), file.c_str());
+  }
+}
+
 }  // namespace
 
 void add_site(CLI::App& app, Context& context) {
   CLI::App* command =
-      app.add_subcommand("site", "Check a site's description, or list the known sites");
+      app.add_subcommand("site", "Write a site's description, check it, or list the known sites");
   command->require_subcommand(1);
+  add_site_init(*command, context);
   auto name = std::make_shared<std::string>();
   CLI::App* check =
       command->add_subcommand("check", "Is the YAML sound, and what does the store hold for it?");
   check->add_option("site", *name, "id, or path of the YAML file")->required();
   check->add_option("--at", context.at, "the present moment (default: the clock)");
   check->callback([name, &context] { run_site_check(*name, context); });
-  command->add_subcommand("list", "Known sites")->callback([&context] {
-    const auto ids = known_sites(site_folders(context.store_folder));
-    if (context.json) {
-      std::printf("%s\n", json(ids).dump(2).c_str());
-    } else {
-      for (const std::string& id : ids) std::printf("%s\n", id.c_str());
-    }
+  command->add_subcommand("list", "Known sites, with their files")->callback([&context] {
+    run_site_list(context);
   });
 }
 

@@ -1,11 +1,15 @@
 #include "data/store/store.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/program/paths.h"
 #include "fields/base/text.h"
+#include "fields/site/site.h"
+#include "ingest/pieces.h"
 
 namespace slackwater::api {
 namespace {
@@ -47,11 +51,44 @@ void run_check(const Context& context, bool quick) {
     throw Error(ErrorKind::invalid_input, "the store is not sound; follow the advice above");
 }
 
-void run_list(const Context& context) {
+struct ListArguments {
+  std::string site;
+  bool forecasts = false;
+};
+
+/// What is listed: all, what lies around one site, or forecasts alone.
+struct Listing {
+  std::vector<store::SourceFile> sources;
+  std::vector<store::GranuleRow> granules;
+  std::vector<store::ForecastRow> forecasts;
+};
+
+Listing listing_of(store::Store& store, const ListArguments& arguments, const Context& context) {
+  store::GranuleQuery near;
+  store::ForecastQuery of_site;
+  if (!arguments.site.empty()) {
+    const Site site = find_site(arguments.site, site_folders(context.store_folder));
+    near.box = site.box(0);
+    near.margin_km = ingest::granule_margin_km;
+    of_site.site_id = site.id;
+  }
+  Listing listing;
+  listing.forecasts = store.find_forecasts(of_site);
+  if (arguments.forecasts) return listing;
+  listing.granules = store.find_granules(near);
+  listing.sources = store.list_sources();
+  if (arguments.site.empty()) return listing;
+  std::erase_if(listing.sources, [&](const store::SourceFile& source) {
+    return std::none_of(listing.granules.begin(), listing.granules.end(), [&](const auto& granule) {
+      return granule.source_sha256 == source.sha256 && granule.cut_key == source.cut_key;
+    });
+  });
+  return listing;
+}
+
+void run_list(const Context& context, const ListArguments& arguments) {
   store::Store store = context.open(store::OpenMode::read_only);
-  const auto sources = store.list_sources();
-  const auto granules = store.find_granules({});
-  const auto forecasts = store.list_forecasts();
+  const auto [sources, granules, forecasts] = listing_of(store, arguments, context);
   if (context.json) {
     json document = {
         {"sources", json::array()}, {"granules", json::array()}, {"forecasts", json::array()}};
@@ -99,7 +136,7 @@ void run_list(const Context& context) {
     std::printf("%s\n", dumped(document).c_str());
     return;
   }
-  std::printf("%zu product files\n", sources.size());
+  if (!arguments.forecasts) std::printf("%zu product files\n", sources.size());
   for (const auto& g : granules) {
     const std::string names = joined(g.standard_names, ", ");
     std::printf("  %-11s %s to %s  %-40s %s\n", std::string(name_of(g.status)).c_str(),
@@ -120,6 +157,7 @@ struct PruneArguments {
   std::string older_than;
   bool forecasts = false;
   bool orphans = false;
+  bool dry_run = false;
 };
 
 void run_prune(const Context& context, const PruneArguments& arguments) {
@@ -128,13 +166,15 @@ void run_prune(const Context& context, const PruneArguments& arguments) {
     options.older_than = UtcTime(option_value("--older-than", arguments.older_than, parse_day));
   options.forecasts = arguments.forecasts;
   options.orphans = arguments.orphans;
+  options.dry_run = arguments.dry_run;
   if (!options.older_than && !options.orphans) {
     throw Error(ErrorKind::usage, "say what to prune: --older-than DAY, --orphans, or both");
   }
   store::Store store = context.open(store::OpenMode::create_or_write);
   const store::PruneReport report = store.prune(options);
   if (context.json) {
-    std::printf("%s\n", dumped({{"sources", report.sources},
+    std::printf("%s\n", dumped({{"dry_run", options.dry_run},
+                                {"sources", report.sources},
                                 {"granules", report.granules},
                                 {"forecasts", report.forecasts},
                                 {"content_files", report.content_files},
@@ -142,8 +182,9 @@ void run_prune(const Context& context, const PruneArguments& arguments) {
                                 {"staging_folders", report.staging_folders}})
                             .c_str());
   } else {
-    std::printf("removed %zu sources, %zu forecasts, %zu files (%.1f MB)\n", report.sources,
-                report.forecasts, report.content_files, static_cast<double>(report.bytes) / 1e6);
+    std::printf("%s %zu sources, %zu forecasts, %zu files (%.1f MB)\n",
+                options.dry_run ? "would remove" : "removed", report.sources, report.forecasts,
+                report.content_files, static_cast<double>(report.bytes) / 1e6);
   }
 }
 
@@ -157,9 +198,11 @@ void add_store(CLI::App& app, Context& context) {
       command->add_subcommand("check", "Is every row and every file whole? With advice where not");
   check->add_flag("--quick", *quick, "sizes only, no checksums");
   check->callback([quick, &context] { run_check(context, *quick); });
-  command->add_subcommand("list", "What the store holds")->callback([&context] {
-    run_list(context);
-  });
+  auto listed = std::make_shared<ListArguments>();
+  CLI::App* list = command->add_subcommand("list", "What the store holds");
+  list->add_option("--site", listed->site, "only what lies around this site, and its forecasts");
+  list->add_flag("--forecasts", listed->forecasts, "only issued forecasts");
+  list->callback([listed, &context] { run_list(context, *listed); });
   auto arguments = std::make_shared<PruneArguments>();
   CLI::App* prune = command->add_subcommand(
       "prune", "Remove old product files; never an issued forecast without --forecasts");
@@ -167,6 +210,7 @@ void add_store(CLI::App& app, Context& context) {
                     "remove what was ingested before this day, e.g. 2025-01-01");
   prune->add_flag("--forecasts", arguments->forecasts, "issued forecasts too");
   prune->add_flag("--orphans", arguments->orphans, "remove files that no row names");
+  prune->add_flag("--dry-run", arguments->dry_run, "say what would go, and remove nothing");
   prune->callback([arguments, &context] { run_prune(context, *arguments); });
 }
 

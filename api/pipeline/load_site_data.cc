@@ -1,5 +1,6 @@
 #include "api/pipeline/load_site_data.h"
 
+#include "api/pipeline/held_data.h"
 #include "fields/base/error.h"
 #include "ingest/pieces.h"
 
@@ -24,20 +25,36 @@ std::vector<ingest::GranuleEntry> find_granules(store::Store& store,
   return found;
 }
 
-}  // namespace
-
-SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, UtcTime to) {
-  SiteData data = site_data_of(
+/// What the store holds for the site in a window of time, perhaps nothing.
+SiteData data_of(store::Store& store, const Site& site, UtcTime from, UtcTime to) {
+  return site_data_of(
       site, ingest::pieces_of(site, from, to, [&](const auto& standard_names, const auto& window) {
         return find_granules(store, standard_names, window);
       }));
+}
+
+}  // namespace
+
+SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, UtcTime to) {
+  SiteData data = data_of(store, site, from, to);
   if (data.is_empty()) {
-    throw Error(ErrorKind::not_found,
-                "the store holds nothing for site " + site.id + " at " + position_text(site.point) +
-                    " from " + format_utc(from) + " to " + format_utc(to) +
-                    "; ingest product files first (`forecast --print-downloads` shows which)");
+    throw Error(ErrorKind::not_found, "the store holds nothing for site " + site.id + " at " +
+                                          position_text(site.point) + " from " + format_utc(from) +
+                                          " to " + format_utc(to) + "; " + held_text(store, site));
   }
   return data;
+}
+
+std::optional<double> bathymetry_at(store::Store& store, const Site& site) {
+  Site point = site;
+  point.water_depth_m.reset();
+  point.columns.clear();
+  point.column_block.reset();
+  const UtcTime before_all{};  // static fields are in every window, all else is in none of this one
+  const SiteData data = data_of(store, point, before_all, before_all);
+  const WaterDepth& depth = data.columns.front().water_depth;
+  if (depth.source != "bathymetry") return std::nullopt;
+  return depth.depth_m;
 }
 
 }  // namespace slackwater::api

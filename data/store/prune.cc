@@ -36,11 +36,35 @@ void delete_rows(Database& database, const PruneOptions& options, PruneReport& r
   report.sources = sources - count(database, "source");
 }
 
-void remove_file(const std::filesystem::path& file, std::uint64_t bytes, PruneReport& report) {
+/// In a dry run, only counted.
+void remove_file(const std::filesystem::path& file, std::uint64_t bytes,
+                 const PruneOptions& options, PruneReport& report) {
+  if (options.dry_run) {
+    if (!std::filesystem::exists(file)) return;
+    ++report.content_files;
+    report.bytes += bytes;
+    return;
+  }
   std::error_code problem;
   if (std::filesystem::remove(file, problem) && !problem) {
     ++report.content_files;
     report.bytes += bytes;
+  }
+}
+
+/// Files that no row names any more.
+void remove_files(const std::map<std::string, std::uint64_t>& before,
+                  const std::map<std::string, std::uint64_t>& named,
+                  const std::filesystem::path& folder, const PruneOptions& options,
+                  PruneReport& report) {
+  for (const auto& [sha256, bytes] : before) {
+    if (!named.contains(sha256)) remove_file(content_file(folder, sha256), bytes, options, report);
+  }
+  if (!options.orphans) return;
+  for (const FoundFile& file : scan_files(folder)) {
+    const bool is_orphan =
+        !file.sha256.empty() && !named.contains(file.sha256) && !before.contains(file.sha256);
+    if (is_orphan) remove_file(file.path, file.bytes, options, report);
   }
 }
 
@@ -50,6 +74,15 @@ PruneReport prune_store(Database& database, const std::filesystem::path& folder,
                         const PruneOptions& options) {
   PruneReport report;
   std::map<std::string, std::uint64_t> before;
+  if (options.dry_run) {
+    const Transaction rolled_back(database, Transaction::Kind::write);
+    if (options.older_than) {
+      before = named_contents(database);
+      delete_rows(database, options, report);
+    }
+    remove_files(before, named_contents(database), folder, options, report);
+    return report;
+  }
   if (options.older_than) {
     Transaction transaction(database, Transaction::Kind::write);
     before = named_contents(database);
@@ -59,16 +92,7 @@ PruneReport prune_store(Database& database, const std::filesystem::path& folder,
   {
     // The write lock keeps a commit elsewhere from naming a file that is just being removed.
     const Transaction lock(database, Transaction::Kind::write);
-    const auto named = named_contents(database);
-    for (const auto& [sha256, bytes] : before) {
-      if (!named.contains(sha256)) remove_file(content_file(folder, sha256), bytes, report);
-    }
-    if (options.orphans) {
-      for (const FoundFile& file : scan_files(folder)) {
-        const bool is_orphan = !file.sha256.empty() && !named.contains(file.sha256);
-        if (is_orphan) remove_file(file.path, file.bytes, report);
-      }
-    }
+    remove_files(before, named_contents(database), folder, options, report);
   }
   report.staging_folders = sweep_staging(folder);
   return report;

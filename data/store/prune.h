@@ -18,6 +18,8 @@ struct PruneOptions {
   bool forecasts = false;
   /// Content files that no row names go, e.g. after a crash.
   bool orphans = false;
+  /// Nothing is removed; the report says what would be.
+  bool dry_run = false;
 };
 
 struct PruneReport {
