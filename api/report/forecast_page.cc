@@ -51,14 +51,15 @@ std::string moment(const Span& span, UtcTime time) {
 
 std::string slack_text(const ReportSpeed& speed, const ReportSpeedAtDepth& at, const Span& span) {
   std::string text;
+  const bool is_day = span.to - span.from == days(1);
   for (const SlackWindow& window : at.slack) {
     if (window.to <= span.from || window.from >= span.to) continue;
     const UtcTime from = std::max(window.from, span.from);
     const UtcTime to = std::min(window.to, span.to);
     if (from == span.from && to == span.to)
       return formatted("the likely speed is below {:g} m/s throughout", speed.slack_below_m_s);
-    text += (text.empty() ? "" : ", ") + moment(span, from) + "–" +
-            (to == span.to && span.to - span.from == days(1) ? "24:00" : moment(span, to));
+    text += (text.empty() ? "" : ", ") +
+            (is_day ? span.clock.clocks(from, to) : moment(span, from) + "–" + moment(span, to));
   }
   if (text.empty())
     return formatted("none: the likely speed never falls below {:g} m/s", speed.slack_below_m_s);

@@ -34,10 +34,27 @@ std::string date_text(UtcTime time) {
 std::string PageClock::local(UtcTime time) const {
   if (!zone_) return {};
   const UtcTime utc = to_minute(time);
+  return " (" + local_clock(utc) + " " + zone_->abbreviation_at(utc) + ")";
+}
+
+/// With the day of the week where it is another than the UTC day's.
+std::string PageClock::local_clock(UtcTime utc) const {
   const UtcTime shown = utc + zone_->offset_at(utc);
   const std::string day =
       day_of(shown) == day_of(utc) ? "" : std::string(weekday_of(day_of(shown))) + " ";
-  return " (" + day + hours_and_minutes(shown) + " " + zone_->abbreviation_at(utc) + ")";
+  return day + hours_and_minutes(shown);
+}
+
+std::string PageClock::clocks(UtcTime from, UtcTime to) const {
+  const UtcTime a = to_minute(from);
+  const UtcTime b = to_minute(to);
+  const bool ends_the_day = b > a && b == UtcTime(day_of(b));
+  std::string text = hours_and_minutes(a) + "–" + (ends_the_day ? "24:00" : hours_and_minutes(b));
+  if (!zone_) return text;
+  std::string name = zone_->abbreviation_at(a);
+  if (zone_->abbreviation_at(b) != name) name += "/" + zone_->abbreviation_at(b);
+  return text + " (" + local_clock(a) + "–" + hours_and_minutes(b + zone_->offset_at(b)) + " " +
+         name + ")";
 }
 
 std::string PageClock::clock(UtcTime time) const {

@@ -20,6 +20,8 @@ class PageClock {
 
   /// "06:30", with a zone "06:30 (07:30 CET)".
   [[nodiscard]] std::string clock(UtcTime time) const;
+  /// "06:30–07:10", with a zone "06:30–07:10 (07:30–08:10 CET)". An end at midnight is "24:00".
+  [[nodiscard]] std::string clocks(UtcTime from, UtcTime to) const;
   /// "Mon 10 Mar 06:30", with a zone "Mon 10 Mar 23:30 (Tue 00:30 CET)".
   [[nodiscard]] std::string stamp(UtcTime time) const;
   /// "Times are UTC.", with a zone "Times are UTC, in brackets local time (Europe/Paris)."
@@ -28,6 +30,7 @@ class PageClock {
 
  private:
   [[nodiscard]] std::string local(UtcTime time) const;
+  [[nodiscard]] std::string local_clock(UtcTime utc) const;
   std::optional<TimeZone> zone_;
 };
 

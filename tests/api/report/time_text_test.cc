@@ -20,5 +20,15 @@ TEST(PageClock, TellsLocalTimeBesideUtcAndItsDayWhereThatIsAnother) {
   EXPECT_EQ(clock.note(), "Times are UTC, in brackets local time (Europe/Paris).");
 }
 
+TEST(PageClock, TellsAStretchOnceInEachClock) {
+  const UtcTime from = parse_utc("2025-03-29T23:10:00Z");
+  EXPECT_EQ(PageClock().clocks(from, from + std::chrono::minutes(50)), "23:10–24:00");
+  const PageClock paris(TimeZone::named("Europe/Paris"));
+  EXPECT_EQ(paris.clocks(parse_utc("2025-03-10T06:30:00Z"), parse_utc("2025-03-10T07:10:00Z")),
+            "06:30–07:10 (07:30–08:10 CET)");
+  EXPECT_EQ(paris.clocks(from, from + std::chrono::hours(2)),
+            "23:10–01:10 (Sun 00:10–03:10 CET/CEST)");
+}
+
 }  // namespace
 }  // namespace slackwater::api
