@@ -1,6 +1,6 @@
 // made_up_downloads FOLDER: what somebody might have downloaded this morning for a site off
-// Saint-Brieuc: seven whole days of currents, waves and wind up to yesterday, the night's forecasts,
-// and the water depth. Of a synthetic ocean.
+// Saint-Brieuc: seven whole days of currents, waves and wind up to yesterday, the night's
+// forecasts, and the water depth. Of a synthetic ocean.
 #include <chrono>
 #include <cstdio>
 #include <exception>
