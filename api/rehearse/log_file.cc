@@ -77,6 +77,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   file.attributes = {
       {"title", scenario.name},
       {"source", "slackwater " + code_version()},
+      {"log_format", std::to_string(twin::log_format)},
       {"vehicles", models},
       {"vehicle_files_sha256", vehicle_checksums(scenario, water.surround.data_folder)},
       {"seed", std::to_string(scenario.seed)},
@@ -93,6 +94,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
     deviations += (deviations.empty() ? "" : "\n") + text_of(followed);
   if (!deviations.empty()) file.attributes.emplace_back("track_deviation", deviations);
   file.tables = traffic_tables(result.vessels, result.alarms);
+  file.tables.push_back(fate_table(result.vehicles));
   return file;
 }
 

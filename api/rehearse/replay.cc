@@ -110,6 +110,14 @@ ReplayResult replay(const std::filesystem::path& log, const std::filesystem::pat
     throw Error(ErrorKind::invalid_input,
                 log.string() + ": holds no scenario; give a log that `slackwater simulate` wrote");
   }
+  if (const std::string format = was.attribute("log_format");
+      format != std::to_string(twin::log_format)) {
+    throw Error(ErrorKind::invalid_input,
+                log.string() + ": is a log of format " + (format.empty() ? "1" : format) +
+                    ", this version writes format " + std::to_string(twin::log_format) +
+                    " with other columns; replay it with the version it is of, " +
+                    was.attribute("source"));
+  }
   const twin::Scenario scenario = twin::parse_scenario(yaml, log.string() + " (scenario)");
   ScenarioWater water =
       water_of_log(scenario, was.attribute("forecast_sha256"), store_folder, forecast);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/rehearse/fate.h"
 #include "api/rehearse/run_page_traffic.h"
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
@@ -118,7 +119,9 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
                 {"seed", log.attribute("seed")},
                 {"member", log.attribute("member")}};
   page.plots_html = plots();
-  page.tables_html = traffic_html(log);
+  page.headline = fates_in(log);
+  if (!page.headline.empty()) page.alarm = "Not a normal run.";
+  page.tables_html = fate_html(log) + traffic_html(log);
   page.data_json =
       script_safe({{"t", seconds}, {"vehicles", vehicles}, {"vessels", vessels_json(log)}});
   if (!log.attribute("attribution").empty()) page.attributions = {log.attribute("attribution")};

@@ -22,22 +22,24 @@ using twin::AgentState;
 using twin::RunLog;
 
 VehicleSummary summary_of(const Agent& agent, const AgentState& state, const RunLog& log,
-                          std::size_t vehicle) {
+                          std::size_t vehicle, UtcTime start) {
   VehicleSummary s;
   s.name = agent.name;
   s.model = agent.vehicle->id;
-  const auto x = log.column(vehicle, "x"), y = log.column(vehicle, "y"),
-             z = log.column(vehicle, "z"), across = log.column(vehicle, "across_track"),
-             voltage = log.column(vehicle, "bus_voltage");
-  double across2 = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    across2 += across[i] * across[i];
-    if (i > 0) s.sailed_m += std::hypot(x[i] - x[i - 1], y[i] - y[i - 1], z[i] - z[i - 1]);
-  }
-  s.rms_across_track_m = std::sqrt(across2 / static_cast<double>(x.size()));
+  const auto voltage = log.column(vehicle, "bus_voltage");
+  const TrackQuality quality = track_quality(log, vehicle);
+  s.sailed_m = quality.sailed_m;
+  s.rms_across_track_m = quality.rms_across_m;
+  s.rms_depth_error_m = quality.rms_depth_error_m;
+  s.largest_depth_error_m = quality.largest_depth_error_m;
+  s.largest_roll_deg = state.milestones.largest_roll_rad() * 180 / constants::pi;
+  s.largest_pitch_deg = state.milestones.largest_pitch_rad() * 180 / constants::pi;
   s.least_voltage_v = *std::min_element(voltage.begin(), voltage.end());
   s.has_battery = agent.vehicle->battery.has_value();
-  s.energy_wh = state.vehicle.battery.delivered_j / 3600;
+  s.burns_fuel = twin::burns_fuel(*agent.vehicle);
+  s.is_electric = s.has_battery || !s.burns_fuel || agent.vehicle->hotel_w > 0;
+  s.floats = agent.vehicle->body.hull.strips > 0;
+  s.energy_wh = state.vehicle.drawn_j / 3600;
   s.fuel_kg = state.vehicle.fuel_kg;
   s.state_of_charge = state.vehicle.battery.charge;
   s.waypoints = state.mission.waypoints_taken;
@@ -45,6 +47,8 @@ VehicleSummary summary_of(const Agent& agent, const AgentState& state, const Run
   s.tasks = agent.mission.tasks.size();
   s.halt = name_of(state.halt);
   s.halted_at_s = state.halted_at_s;
+  s.events = fate_of(agent, state);
+  s.fate = fate_text(s.events, start);
   return s;
 }
 
@@ -152,7 +156,7 @@ void conclude(const WatchedRun& watched) {
   result.duration_s = run.time_s();
   const auto states = run.states();
   for (std::size_t i = 0; i < states.size(); ++i) {
-    result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i));
+    result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i, result.start));
     add_navigation(run.agents()[i], result.sensed, i, result.vehicles[i]);
   }
   result.alarms.assign(watch.records().begin(), watch.records().end());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "api/rehearse/fate.h"
 #include "api/rehearse/track_following.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/simulate/run_log.h"
@@ -40,18 +41,27 @@ struct ScenarioWater {
 struct VehicleSummary {
   std::string name;
   std::string model;
-  double sailed_m = 0;  ///< over ground
-  double energy_wh = 0;
+  double sailed_m = 0;   ///< over ground
+  double energy_wh = 0;  ///< electrical, whatever gave it
   double fuel_kg = 0;
   double state_of_charge = 1;
   double least_voltage_v = 0;
   double rms_across_track_m = 0;
+  double rms_depth_error_m = 0;      ///< off the depth or height of its way
+  double largest_depth_error_m = 0;  ///< of its size
+  double largest_roll_deg = 0;       ///< of its size, over all steps
+  double largest_pitch_deg = 0;
   std::size_t waypoints = 0;
   std::size_t tasks_done = 0;
   std::size_t tasks = 0;
   std::string halt = "none";
   double halted_at_s = 0;
+  std::vector<FateEvent> events;  ///< what befell it, causes first
+  std::string fate;               ///< the same in a sentence; empty for a normal run
   bool has_battery = false;
+  bool is_electric = false;  ///< something on board draws from a bus
+  bool burns_fuel = false;
+  bool floats = false;                ///< it has no depth to keep
   bool by_sensors = false;            ///< else its autopilot was told the truth
   double navigation_error_m = 0;      ///< where it took itself to be from where it was, at the end
   double rms_navigation_error_m = 0;  ///< over the times of the log

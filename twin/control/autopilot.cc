@@ -123,10 +123,26 @@ bool is_sound(const Measured& m, const Reference& reference, double dt_s) noexce
           : 0.0;
   const double far = square_of(m.position_m) + square_of(reference.position_m) + altitude;
   const double fast = square_of(m.nu.linear) + square_of(m.nu.angular) + square_of(m.water_m_s) +
-                      square_of(reference.velocity_m_s);
+                      square_of(reference.velocity_m_s) +
+                      (m.has_log() ? m.log_m_s * m.log_m_s : 0.0);
   const double course = c.north * c.north + c.east * c.east;
   return std::abs(turn - 1) < 0.1 && std::abs(course - 1) < 0.1 && far < 1e14 && fast < 1e8 &&
          dt_s > 0;
+}
+
+/// A way through the water as one over ground, for a surface craft that can push every way: as much
+/// faster as the water ahead is.
+Reference carried(const Autopilot& a, const Measured& measured,
+                  const Reference& reference) noexcept {
+  if (a.kind == VehicleKind::rov || reference.target != Target::path || reference.is_over_ground ||
+      !measured.has_log())
+    return reference;
+  const double speed = std::sqrt(square_of(reference.velocity_m_s));
+  if (!(speed > 1e-6)) return reference;
+  Reference over_ground = reference;
+  const double share = std::max(1 + (measured.nu.linear.x - measured.log_m_s) / speed, 0.0);
+  over_ground.velocity_m_s = share * reference.velocity_m_s;
+  return over_ground;
 }
 
 Effort resting(const Autopilot& a, const ControlState& state) noexcept {
@@ -143,6 +159,11 @@ Course course_of(double bearing_rad) noexcept {
   return {std::cos(bearing_rad), std::sin(bearing_rad)};
 }
 double bearing_rad(const Course& course) noexcept { return std::atan2(course.east, course.north); }
+
+double most_over_ground_m_s(const Autopilot& autopilot, bool is_over_ground) noexcept {
+  const bool is_carried = autopilot.kind != VehicleKind::rov && autopilot.kind != VehicleKind::uav;
+  return (is_over_ground && is_carried ? 2 : 1) * autopilot.settings.most_speed_m_s;
+}
 
 Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind, const Body& body,
                          const Actuators& actuators) {
@@ -182,7 +203,9 @@ Effort effort_of(const Autopilot& a, const Measured& measured, const Reference& 
                              ? measured.altitude_m - reference.altitude_m
                              : reference.position_m.z - measured.position_m.z;
   if (state.is_engaged == 0) {
-    state.wanted_ahead_m_s = measured.nu.linear.x;
+    // Not astern, whatever the water does to a vehicle that is put in it at rest over ground.
+    state.wanted_ahead_m_s =
+        std::max(measured.has_log() ? measured.log_m_s : measured.nu.linear.x, 0.0);
     state.wanted_north_m_s = outset.velocity_m_s.x;
     state.wanted_east_m_s = outset.velocity_m_s.y;
     state.wanted_down_m_s = outset.velocity_m_s.z;
@@ -199,7 +222,7 @@ Effort effort_of(const Autopilot& a, const Measured& measured, const Reference& 
       break;
   }
   if (a.allocation.commands(Axis::sway))
-    return steer_free(a, measured, reference, outset, dt_s, state);
+    return steer_free(a, measured, carried(a, measured, reference), outset, dt_s, state);
   return steer_by_turning(a, measured, reference, outset, dt_s, state);
 }
 

@@ -49,6 +49,10 @@ struct Autopilot {
 [[nodiscard]] Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind,
                                        const Body& body, const Actuators& actuators);
 
+/// The fastest that a way may be asked for: its own most through the water; over ground twice that,
+/// where the water carries it as fast as it goes itself.
+[[nodiscard]] double most_over_ground_m_s(const Autopilot& autopilot, bool is_over_ground) noexcept;
+
 /// What a controller remembers from step to step: numbers only, stored and compared as a block of
 /// them.
 struct ControlState {
@@ -83,9 +87,13 @@ struct Effort {
   double volume_m3 = 0;
 };
 
-/// One step of control, dt_s > 0. Always finite and within the actuators' ranges: what is measured
-/// and is not a number, or as large as none can be, leaves the state as it was and gives no thrust
-/// (a multirotor: its weight). No allocation, no exception.
+/// One step of control, dt_s > 0. Craft that swim by fins or that float go by their speed through
+/// the water: by their log, or, without one, by the thrust that this speed takes in still water.
+/// What can push every way goes by the ground.
+///
+/// Always finite and within the actuators' ranges: what is measured and is not a number, or as
+/// large as none can be, leaves the state as it was and gives no thrust (a multirotor: its weight).
+/// No allocation, no exception.
 [[nodiscard]] Effort effort_of(const Autopilot& autopilot, const Measured& measured,
                                const Reference& reference, double dt_s,
                                ControlState& state) noexcept;

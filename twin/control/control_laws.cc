@@ -61,18 +61,57 @@ Course crabbing(const Course& course, double speed_m_s, const Triple<double>& wa
   return {along * course.north - lead * course.east, along * course.east + lead * course.north};
 }
 
+Course crabbing_over_ground(const Course& course, double speed_m_s,
+                            const Triple<double>& water_m_s) noexcept {
+  const double across = course.north * water_m_s.y - course.east * water_m_s.x;
+  const double ahead = std::max(speed_m_s, 1e-3);
+  const double through = std::sqrt(ahead * ahead + across * across);
+  const double lead = -across / through;
+  const double along = ahead / through;
+  return {along * course.north - lead * course.east, along * course.east + lead * course.north};
+}
+
+AheadLoop ahead_loop(const Autopilot& a, const Measured& measured, const Way& way, double dt_s,
+                     ControlState& state) noexcept {
+  const double most_change = a.settings.most_acceleration_m_s2 * dt_s;
+  state.wanted_ahead_m_s +=
+      std::clamp(way.ahead_m_s - state.wanted_ahead_m_s, -most_change, most_change);
+  const double over_ground = measured.nu.linear.x;
+  if (way.is_over_ground)
+    return {measured.has_log() ? measured.log_m_s : over_ground,
+            state.wanted_ahead_m_s - over_ground};
+  if (!measured.has_log()) return {state.wanted_ahead_m_s, 0};
+  return {measured.log_m_s, state.wanted_ahead_m_s - measured.log_m_s};
+}
+
+double push_ahead_n(const Autopilot& a, const Way& way, double push_m_s2,
+                    const ControlState& state) noexcept {
+  const double wanted =
+      a.mass.entry[0][0] * push_m_s2 + resistance(a, {{state.wanted_ahead_m_s, 0, 0}, {}}).linear.x;
+  if (!way.is_over_ground) return wanted;
+  return std::max(wanted, resistance(a, {{a.settings.least_speed_m_s, 0, 0}, {}}).linear.x);
+}
+
 Way way_along(const Autopilot& a, const Measured& measured, const Reference& reference,
               const Triple<double>& wanted_m_s, const Outset& outset, double dt_s,
               ControlState& state) noexcept {
   const Triple<double>& v = reference.velocity_m_s;
-  const double speed = std::clamp(std::sqrt(v.x * v.x + v.y * v.y), a.settings.least_speed_m_s,
-                                  a.settings.most_speed_m_s);
+  const bool is_over_ground = reference.is_over_ground;
+  const double speed = std::clamp(std::sqrt(v.x * v.x + v.y * v.y),
+                                  is_over_ground ? 0.0 : a.settings.least_speed_m_s,
+                                  most_over_ground_m_s(a, is_over_ground));
   const double size = std::sqrt(wanted_m_s.x * wanted_m_s.x + wanted_m_s.y * wanted_m_s.y);
-  if (!(size > 1e-6)) return {outset.bow, speed, 0};
+  if (!(size > 1e-6)) return {outset.bow, speed, 0, is_over_ground};
   const Course course{wanted_m_s.x / size, wanted_m_s.y / size};
   const Triple<double> drift{measured.water_m_s.x - state.drift_north_m_s,
                              measured.water_m_s.y - state.drift_east_m_s, 0};
-  const Way way{crabbing(course, speed, drift), speed, 0};
+  Way way{crabbing(course, speed, drift), speed, 0};
+  if (is_over_ground) {
+    const Course heading = crabbing_over_ground(course, speed, drift);
+    // What the bow makes of a velocity along the course.
+    const double share = heading.north * course.north + heading.east * course.east;
+    way = {heading, share * speed, 0, true};
+  }
   // On its heading, what goes across the course is drift.
   if (std::abs(turn_rad(outset.bow, way.heading)) < 0.3) {
     const double across =

@@ -18,8 +18,9 @@ double corner_speed_m_s(const Route& route, const Triple<double>& leg, double sp
 }
 
 Reference towards(const Triple<double>& place_m, const Triple<double>& velocity_m_s,
-                  const Measured& measured) {
+                  const Measured& measured, bool is_over_ground = false) {
   Reference reference;
+  reference.is_over_ground = is_over_ground;
   reference.target = Target::path;
   reference.position_m = place_m;
   reference.velocity_m_s = velocity_m_s;
@@ -40,11 +41,12 @@ Reference station_after(const Triple<double>& leg, const Triple<double>& place_m
 
 }  // namespace
 
-Guidance guidance_for(const Autopilot& autopilot, double speed_m_s) {
+Guidance guidance_for(const Autopilot& autopilot, double speed_m_s, bool is_over_ground) {
   expects(speed_m_s > 0, "a route is followed at a speed");
   const AutopilotSettings& s = autopilot.settings;
   Guidance g;
-  g.speed_m_s = std::min(speed_m_s, s.most_speed_m_s);
+  g.is_over_ground = is_over_ground;
+  g.speed_m_s = std::min(speed_m_s, most_over_ground_m_s(autopilot, is_over_ground));
   g.braking_m_s2 = 0.5 * s.most_acceleration_m_s2;
   const double turn_m = g.speed_m_s / s.most_yaw_rate_rad_s;
   switch (autopilot.kind) {
@@ -75,7 +77,9 @@ Reference reference_along(const Guidance& guidance, Route& route, const Measured
   const Waypoint& to = route.to();
   const Triple<double> leg = to.position_m - from;
   if (route.is_done()) return station_after(leg, to.position_m, measured);
-  const double speed = to.speed_m_s > 0 ? to.speed_m_s : guidance.speed_m_s;
+  const bool has_own = to.speed_m_s > 0;
+  const double speed = has_own ? to.speed_m_s : guidance.speed_m_s;
+  const bool is_over_ground = has_own ? to.over_ground > 0 : guidance.is_over_ground;
   const double length2 = dot(leg, leg);
   const double share = length2 > 0 ? dot(here - from, leg) / length2 : 2.0;
   if (share >= 1) {
@@ -85,7 +89,7 @@ Reference reference_along(const Guidance& guidance, Route& route, const Measured
     const double away = std::sqrt(back.x * back.x + back.y * back.y);
     if (!(away > 1e-6)) return station_after(leg, to.position_m, measured);
     return towards({here.x, here.y, to.position_m.z},
-                   {speed / away * back.x, speed / away * back.y, 0}, measured);
+                   {speed / away * back.x, speed / away * back.y, 0}, measured, is_over_ground);
   }
   const double along = std::max(share, 0.0);
   const double length = std::sqrt(length2);
@@ -95,7 +99,7 @@ Reference reference_along(const Guidance& guidance, Route& route, const Measured
     const double left = (1 - along) * length;
     pace = std::min(speed, std::sqrt(corner * corner + 2 * guidance.braking_m_s2 * left) + 0.05);
   }
-  return towards(from + along * leg, (pace / length) * leg, measured);
+  return towards(from + along * leg, (pace / length) * leg, measured, is_over_ground);
 }
 
 }  // namespace slackwater::twin

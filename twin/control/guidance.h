@@ -6,8 +6,9 @@ namespace slackwater::twin {
 
 /// How a route is followed.
 struct Guidance {
-  double speed_m_s = 0;      ///< where a waypoint says none
-  double tolerance_m = 0.5;  ///< a waypoint nearer than this is reached
+  double speed_m_s = 0;         ///< where a waypoint says none
+  bool is_over_ground = false;  ///< that speed; see `Reference`
+  double tolerance_m = 0.5;     ///< a waypoint nearer than this is reached
   double depth_tolerance_m = 0.5;
   /// A waypoint that the vehicle comes past within this is left behind. At least the radius of the
   /// tightest turn at that speed, for craft that cannot stop on it: a waypoint inside their turn
@@ -19,7 +20,8 @@ struct Guidance {
 
 /// As suits a vehicle of its kind and limits.
 /// @throws ContractViolation for a speed that is not positive
-[[nodiscard]] Guidance guidance_for(const Autopilot& autopilot, double speed_m_s);
+[[nodiscard]] Guidance guidance_for(const Autopilot& autopilot, double speed_m_s,
+                                    bool is_over_ground = false);
 
 /// The reference of a step on a route: takes the waypoints that are reached, then gives the place
 /// beside the vehicle on the leg under way, moving along it. From beyond the end of a leg it leads

@@ -1,4 +1,7 @@
 #pragma once
+#include <cmath>
+#include <limits>
+
 #include "twin/body/spatial.h"
 
 namespace slackwater::twin {
@@ -32,6 +35,10 @@ struct Reference {
   Triple<double> velocity_m_s;
   /// Of the bow. Craft that cannot push sideways take their own on station and on a path.
   Course heading;
+  /// Path, of craft that swim or float: the size of `velocity_m_s` is the speed over ground; else
+  /// it is the one through the water, and the velocity only says the way. Others always go by the
+  /// ground.
+  bool is_over_ground = false;
   double altitude_m =
       0;  ///< above the bed, with Vertical::altitude: z of `position_m` then counts for nothing
 };
@@ -43,6 +50,11 @@ struct Measured {
   Spatial<double> nu;        ///< over ground, body axes
   Triple<double> water_m_s;  ///< the current as the vehicle knows it, NED; zero where it does not
   double altitude_m = 0;     ///< above the bed
+  /// Ahead through the water, as its speed log shows it; no number: it has none, or that gave
+  /// nothing.
+  double log_m_s = std::numeric_limits<double>::quiet_NaN();
+
+  [[nodiscard]] bool has_log() const noexcept { return !std::isnan(log_m_s); }
 };
 
 }  // namespace slackwater::twin

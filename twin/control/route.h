@@ -7,10 +7,11 @@
 
 namespace slackwater::twin {
 
-/// Where to go: NED metres from the site's origin, and how fast through the water on the way there.
+/// Where to go: NED metres from the site's origin, and how fast on the way there.
 struct Waypoint {
   Triple<double> position_m;
-  double speed_m_s = 0;  ///< 0: as the vehicle's settings say
+  double speed_m_s = 0;    ///< 0: as the vehicle's settings say
+  double over_ground = 0;  ///< 1: that speed is over ground, whatever the kind of vehicle
 };
 
 /// What is left of a route. Values: a new route may be put in its place at any step.

@@ -90,19 +90,12 @@ Effort steer_by_fins(const Autopilot& a, const Measured& measured, const Referen
   const AutopilotSettings& s = a.settings;
   const Triple<double> wanted = wanted_velocity(a, measured, reference, outset);
   const Way way = way_of(a, measured, reference, wanted, outset, dt_s, state);
-  const double through = measured.nu.linear.x - outset.r.to_body(measured.water_m_s).x;
-  const double steering = std::max(through, s.least_speed_m_s);
+  const AheadLoop ahead = ahead_loop(a, measured, way, dt_s, state);
+  const double steering = std::max(ahead.through_m_s, s.least_speed_m_s);
   const double fin_n_m = a.fin_moment_n_m_s2_m2 * steering * steering;
-
-  const double most_change = s.most_acceleration_m_s2 * dt_s;
-  state.wanted_ahead_m_s +=
-      std::clamp(way.ahead_m_s - state.wanted_ahead_m_s, -most_change, most_change);
-  const double lacking = state.wanted_ahead_m_s - through;
-  const double push = acceleration_of(a.horizontal, lacking, state.surge_m_s2);
-  const Spatial<double> drag = resistance(a, {{state.wanted_ahead_m_s, 0, 0}, {}});
-  const Thrusts thrusts =
-      allocate(a.allocation, {{a.mass.entry[0][0] * push + drag.linear.x, 0, 0}, {}});
-  integrate(a.horizontal, lacking, push, thrusts.share[0], dt_s, state.surge_m_s2);
+  const double push = acceleration_of(a.horizontal, ahead.lacking_m_s, state.surge_m_s2);
+  const Thrusts thrusts = allocate(a.allocation, {{push_ahead_n(a, way, push, state), 0, 0}, {}});
+  integrate(a.horizontal, ahead.lacking_m_s, push, thrusts.share[0], dt_s, state.surge_m_s2);
 
   const double yaw_rate =
       std::clamp(a.heading.outer_per_s * turn_rad(outset.bow, way.heading) + way.yaw_rate_rad_s,
@@ -118,10 +111,12 @@ Effort steer_by_fins(const Autopilot& a, const Measured& measured, const Referen
   effort.rudder_rad = std::clamp(rudder, -a.fins.limit_rad, a.fins.limit_rad);
   integrate(a.heading, yaw_lacking, yaw_push, rudder == effort.rudder_rad ? 1.0 : 0.0, dt_s,
             state.yaw_rad_s2);
-  effort.elevator_rad = pitch_to(a, measured, outset, wanted.z, through, fin_n_m, dt_s, state);
+  effort.elevator_rad =
+      pitch_to(a, measured, outset, wanted.z, ahead.through_m_s, fin_n_m, dt_s, state);
   if (a.trim.moving_mass_kg > 0)  // forward of its middle it puts the bow down
     effort.moving_mass_m = -state.trim_n_m / (a.trim.moving_mass_kg * constants::gravity_m_s2);
-  if (way.ahead_m_s < s.least_speed_m_s) sink_by_volume(a, outset, dt_s, state);
+  if (way.ahead_m_s < s.least_speed_m_s && !way.is_over_ground)
+    sink_by_volume(a, outset, dt_s, state);
   effort.volume_m3 = state.volume_m3;
   return effort;
 }

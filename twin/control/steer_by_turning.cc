@@ -60,21 +60,17 @@ Effort steer_by_turning(const Autopilot& a, const Measured& measured, const Refe
   const double yaw_lacking = yaw_rate - measured.nu.angular.z;
   const double yaw_push = acceleration_of(a.heading, yaw_lacking, state.yaw_rad_s2);
 
-  const double most_change = a.settings.most_acceleration_m_s2 * dt_s;
-  state.wanted_ahead_m_s +=
-      std::clamp(way.ahead_m_s - state.wanted_ahead_m_s, -most_change, most_change);
+  const AheadLoop ahead = ahead_loop(a, measured, way, dt_s, state);
   // On station the drift is the integral, and says the course too: a second one would hold the
   // craft on its station with no course to steer.
-  const double lacking = is_station
-                             ? ahead_of(outset.bow, over_ground.x - outset.velocity_m_s.x,
-                                        over_ground.y - outset.velocity_m_s.y)
-                             : state.wanted_ahead_m_s -
-                                   (measured.nu.linear.x - outset.r.to_body(measured.water_m_s).x);
+  const double lacking = is_station ? ahead_of(outset.bow, over_ground.x - outset.velocity_m_s.x,
+                                               over_ground.y - outset.velocity_m_s.y)
+                                    : ahead.lacking_m_s;
   const double push = acceleration_of(a.horizontal, lacking, is_station ? 0.0 : state.surge_m_s2);
 
-  const Spatial<double> drag = resistance(a, {{state.wanted_ahead_m_s, 0, 0}, {0, 0, yaw_rate}});
-  const Spatial<double> tau{{a.mass.entry[0][0] * push + drag.linear.x, 0, 0},
-                            {0, 0, a.mass.entry[5][5] * yaw_push + drag.angular.z}};
+  const double turning_n_m = resistance(a, {{}, {0, 0, yaw_rate}}).angular.z;
+  const Spatial<double> tau{{push_ahead_n(a, way, push, state), 0, 0},
+                            {0, 0, a.mass.entry[5][5] * yaw_push + turning_n_m}};
   const Thrusts thrusts = allocate(a.allocation, tau);
   integrate(a.heading, yaw_lacking, yaw_push, thrusts.share[5], dt_s, state.yaw_rad_s2);
   if (is_station)

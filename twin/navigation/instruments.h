@@ -34,6 +34,7 @@ struct Shown {
   Triple<double> dvl_velocity_m_s{nothing_shown, nothing_shown, nothing_shown};  ///< body axes
   double dvl_is_bottom = 0;  ///< 1: against the bed, 0: against the water
   double dvl_altitude_m = nothing_shown;
+  double dvl_ahead_m_s = nothing_shown;  ///< through the water
 };
 
 /// All that changes in them; a value, copied for a checkpoint.

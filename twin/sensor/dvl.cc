@@ -53,7 +53,8 @@ std::optional<DvlReading> measured(const Dvl& dvl, NoiseStream& noise, const Sce
   if (heard > 0) reading.altitude_m = along * ranges_m / heard;
   std::optional<JanusVelocity> track = janus_velocity(beams, to_bed);
   reading.bottom = track.has_value();
-  if (!track) track = janus_velocity(beams, to_water);
+  reading.water = janus_velocity(beams, to_water);
+  if (!track) track = reading.water;
   if (!track) return std::nullopt;
   reading.track = *track;
   return reading;

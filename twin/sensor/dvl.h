@@ -37,6 +37,9 @@ using WaterAt = std::function<Triple<double>(const Triple<double>& at_m)>;
 struct DvlReading {
   JanusVelocity track;  ///< against the bed, or against the water
   bool bottom = false;
+  /// Against the layer of water, whether or not the bed is heard; nothing where too little of it
+  /// lies below. One ping stands for the two that instruments send in turn.
+  std::optional<JanusVelocity> water;
   std::optional<double> altitude_m;  ///< mean of the beams, along the instrument's axis
 };
 

@@ -145,6 +145,10 @@ std::string_view name_of(Halt halt) noexcept {
       return "no_data";
     case Halt::struck:
       return "struck";
+    case Halt::capsized:
+      return "capsized";
+    case Halt::no_headway:
+      return "no_headway";
   }
   return "unknown";
 }
@@ -158,6 +162,12 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
   // What somebody put there between two steps.
   if (!is_sound(body, state.vehicle.battery.charge)) {
     halt(state, Halt::diverged, t_s);
+    return false;
+  }
+  note_attitude(state.milestones, r, t_s);
+  // What flies falls on, and strikes something.
+  if (!flies && is_capsized(r)) {
+    halt(state, Halt::capsized, t_s);
     return false;
   }
   if ((flies && body.position_m.z > 0) || is_inside_a_structure(agent, body.position_m)) {
@@ -177,15 +187,27 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
   measured.position_m = body.position_m;
   measured.attitude = body.attitude;
   measured.nu = body.nu;
+  // As a log that means the waves out.
+  if (!flies) measured.log_m_s = body.nu.linear.x - r.to_body(current_m_s).x;
   if (agent.navigation) {
     const SensedWater sensed{*agent.water, around.water.elevation_m, t_s};
     const Measured taken_for = sense(*agent.navigation, sensed, body, state.navigation);
     if (agent.navigation->steers) measured = taken_for;
   }
-  if (agent.autopilot->settings.current_feed_forward)
+  if (agent.autopilot->settings.current_feed_forward) {
     measured.water_m_s = flies ? around.wind_m_s : current_m_s;
+    if (!flies && !measured.has_log())
+      measured.log_m_s = measured.nu.linear.x - r.to_body(current_m_s).x;
+  }
   const Reference reference =
       next_reference(agent.mission, measured, t_s, agent.plan.dt_s, state.mission);
+  const bool has_power = std::isnan(state.milestones.power_lost_s);
+  if (agent.headway && has_power &&
+      has_lost_headway(*agent.headway, reference, state.mission.route, body.position_m, t_s,
+                       state.headway)) {
+    halt(state, Halt::no_headway, t_s);
+    return false;
+  }
   const Effort effort =
       effort_of(*agent.autopilot, measured, reference, agent.plan.dt_s, state.control);
   command_thrusters(agent, effort, state, measured, r, around.height_above_m, input.command);

@@ -7,6 +7,8 @@
 #include "fields/wind/dryden_gust.h"
 #include "twin/control/autopilot.h"
 #include "twin/simulate/environment.h"
+#include "twin/simulate/headway.h"
+#include "twin/simulate/milestones.h"
 #include "twin/simulate/mission.h"
 #include "twin/simulate/sense.h"
 #include "twin/simulate/vehicle_state.h"
@@ -20,9 +22,11 @@ enum class Halt {
   diverged,      ///< its state is no number, or one that no vehicle has
   outside_area,  ///< of the forecast
   outside_time,
-  aground,  ///< the bed, land, or inside a foundation
-  no_data,  ///< the forecast has no value there
-  struck,   ///< a structure; the sea, by one that flies
+  aground,     ///< the bed, land, or inside a foundation
+  no_data,     ///< the forecast has no value there
+  struck,      ///< a structure; the sea, by one that flies
+  capsized,    ///< rolled or pitched beyond a right angle, where it does not fly
+  no_headway,  ///< the water, or the wind, is faster than it
 };
 [[nodiscard]] std::string_view name_of(Halt halt) noexcept;
 
@@ -40,6 +44,7 @@ struct Agent {
   Triple<double> tether_top_m;
   std::optional<Navigation>
       navigation;  ///< nothing: it knows the truth, and no instrument is looked at
+  std::optional<HeadwayWatch> headway;  ///< nothing: it is not watched
 };
 
 /// All that changes of it: a value, copied for a checkpoint.
@@ -51,6 +56,8 @@ struct AgentState {
   Rng gust_rng{0, ""};
   TetherState<double> tether;
   NavigationState navigation;
+  HeadwayState headway;
+  Milestones milestones;
   Halt halt = Halt::none;
   double halted_at_s = 0;
   /// Of the last step, for logs and observers.

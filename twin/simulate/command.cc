@@ -31,8 +31,9 @@ void apply(const PutVehicle& put, const Agent&, AgentState& state) { state.vehic
 void expect_sound(const Command& command) {
   const auto* reroute = std::get_if<Reroute>(&command.what);
   if (reroute == nullptr) return;
-  for (const auto& [to, speed_m_s] : reroute->waypoints)
-    expects(std::isfinite(to.x + to.y + to.z + speed_m_s), "waypoints of a command are finite");
+  for (const auto& [to, speed_m_s, over_ground] : reroute->waypoints)
+    expects(std::isfinite(to.x + to.y + to.z + speed_m_s + over_ground),
+            "waypoints of a command are finite");
 }
 
 void apply(const Command& command, const Agent& agent, AgentState& state) {

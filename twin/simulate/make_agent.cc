@@ -5,8 +5,9 @@
 #include "fields/base/error.h"
 #include "twin/body/frame.h"
 #include "twin/simulate/set_up.h"
-#include "twin/simulate/top_speed.h"
 #include "twin/tether/lay_tether.h"
+#include "twin/vehicle/balance.h"
+#include "twin/vehicle/top_speed.h"
 
 namespace slackwater::twin {
 namespace {
@@ -15,9 +16,11 @@ Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot, const Sce
                    double voltage_v) {
   Mission mission;
   mission.tasks = entry.tasks;
-  mission.guidance = guidance_for(autopilot, entry.speed_m_s.value_or(vehicle.cruise_speed_m_s));
+  mission.guidance = guidance_for(autopilot, entry.speed_m_s.value_or(vehicle.cruise_speed_m_s),
+                                  entry.is_speed_over_ground);
   mission.pursuit.gain_per_s = std::min(mission.pursuit.gain_per_s, autopilot.station_per_s);
-  mission.pursuit.most_speed_m_s = top_speed_m_s(vehicle, autopilot, voltage_v);
+  mission.pursuit.most_speed_m_s =
+      top_speed_m_s(vehicle, autopilot, voltage_v, !(entry.held_voltage_v > 0));
   mission.has_follower =
       entry.follower == FollowerChoice::paper || entry.follower == FollowerChoice::published_code;
   if (mission.has_follower) {
@@ -72,7 +75,11 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
       plan_autopilot(settings, vehicle->kind, vehicle->body,
                      {std::span(vehicle->mount).first(vehicle->mounts), ranges, vehicle->fins,
                       vehicle->trim, vehicle->thruster.rise_time_constant_s}));
+  expect_strength(*vehicle, *agent.autopilot);
   agent.mission = mission_of(*vehicle, *agent.autopilot, entry, voltage_v);
+  // What circles for ever by design, or hangs on a tether, is not what water carries off.
+  if (!agent.mission.has_follower && !entry.tether)
+    agent.headway = headway_watch_of(agent.mission, *agent.autopilot);
   if (entry.tether) {
     if (!vehicle->tether) {
       throw Error(ErrorKind::invalid_input,

@@ -146,7 +146,7 @@ void replace_waypoints(MissionState& state, const Measured& measured,
 
 TrackError track_error(const MissionState& state, const Triple<double>& position_m) noexcept {
   const bool has_leg = state.is_rerouted || (!state.is_done && state.has_begun);
-  if (!has_leg || state.route.is_done()) return {0, 0};
+  if (!has_leg || state.route.is_done()) return {0, position_m.z - state.kept_m.z};
   const Triple<double>& from = state.route.from();
   const Triple<double> to = state.route.to().position_m;
   const LegPlace place = place_on_leg(from, to, position_m);

@@ -55,7 +55,8 @@ void replace_waypoints(MissionState& state, const Measured& measured,
                        std::span<const Waypoint> waypoints);
 
 /// Distance from the leg under way, in the plane (positive: right of it) and in depth (positive:
-/// below it); 0 where there is none.
+/// below it). Without a leg, from the place that is held, in depth alone: craft that cannot stand
+/// still circle it.
 struct TrackError {
   double across_m = 0;
   double below_m = 0;

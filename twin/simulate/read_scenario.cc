@@ -18,7 +18,7 @@ constexpr double degree = constants::pi / 180;
 constexpr double farthest_m = 50e3;
 constexpr Range distance{-farthest_m, farthest_m};
 constexpr Range depth{0, 12000};
-constexpr Range speed{0, 30};
+constexpr Range speed{0.01, 60};
 
 double seconds_of(const Config& config, std::string_view key, double least, double most) {
   const std::string text = config.text(key);
@@ -48,12 +48,33 @@ Triple<double> read_place(const Config& config) {
   return {config.number("north_m", distance), config.number("east_m", distance), read_down(config)};
 }
 
+struct AskedSpeed {
+  double m_s = 0;  ///< 0: none
+  bool is_over_ground = false;
+};
+
+/// `speed_m_s`, through the water for craft that swim or float, or `ground_speed_m_s`.
+AskedSpeed read_speed(const Config& config) {
+  const auto own = config.optional_number("speed_m_s", speed);
+  const auto over_ground = config.optional_number("ground_speed_m_s", speed);
+  if (own && over_ground)
+    config.refuse("ground_speed_m_s",
+                  "found beside speed_m_s, which AUVs and surface craft keep through the water; "
+                  "give the one or the other");
+  return over_ground ? AskedSpeed{*over_ground, true} : AskedSpeed{own.value_or(0), false};
+}
+
+void put_speed(const AskedSpeed& asked, Waypoint& waypoint) {
+  waypoint.speed_m_s = asked.m_s;
+  waypoint.over_ground = asked.is_over_ground ? 1 : 0;
+}
+
 std::vector<Waypoint> read_waypoints(const Config& config) {
   std::vector<Waypoint> out;
   for (const Config& at : config.children("waypoints")) {
     Waypoint waypoint;
     waypoint.position_m = read_place(at);
-    waypoint.speed_m_s = at.optional_number("speed_m_s", speed).value_or(0);
+    put_speed(read_speed(at), waypoint);
     out.push_back(waypoint);
   }
   if (out.empty() || out.size() > 100000)
@@ -64,7 +85,6 @@ std::vector<Waypoint> read_waypoints(const Config& config) {
 
 ScenarioTask read_task(const Config& config) {
   const std::string kind = config.text("do");
-  const double way = config.optional_number("speed_m_s", speed).value_or(0);
   const auto course = [&] { return config.number("course_deg", {-360, 360}) * degree; };
   ScenarioTask task;
   if (kind == "route") {
@@ -77,7 +97,7 @@ ScenarioTask read_task(const Config& config) {
     task.kind = ScenarioTask::Kind::lawn_mower;
     task.waypoints = lawn_mower(
         read_place(config.child("corner")), course(), config.number("length_m", {1, farthest_m}),
-        config.number("spacing_m", {0.1, farthest_m}), config.integer("lines", 1, 1000), way);
+        config.number("spacing_m", {0.1, farthest_m}), config.integer("lines", 1, 1000), 0);
   } else if (kind == "orbit") {
     task.kind = ScenarioTask::Kind::orbit;
     const Config centre = config.child("centre");
@@ -87,14 +107,14 @@ ScenarioTask read_task(const Config& config) {
         orbit(at, radius_m, config.optional_number("from_deg", {-360, 360}).value_or(0) * degree,
               config.number("turns", {0.1, 1000}),
               config.optional_number("end_depth_m", {-1000, 12000}).value_or(at.z),
-              config.optional_number("chord_m", {0.1, 1000}).value_or(0.5 * radius_m), way);
+              config.optional_number("chord_m", {0.1, 1000}).value_or(0.5 * radius_m), 0);
   } else if (kind == "depth_sweep") {
     task.kind = ScenarioTask::Kind::depth_sweep;
     task.waypoints =
         depth_sweep(read_place(config.child("from")), course(),
                     config.number("length_m", {1, farthest_m}), config.number("shallow_m", depth),
                     config.number("deep_m", depth), config.number("wavelength_m", {1, farthest_m}),
-                    config.optional_number("spacing_m", {0.1, 1000}).value_or(2), way);
+                    config.optional_number("spacing_m", {0.1, 1000}).value_or(2), 0);
   } else if (kind == "follow_track") {
     task.kind = ScenarioTask::Kind::follow_track;
     task.follow = read_track_to_follow(config);
@@ -102,6 +122,11 @@ ScenarioTask read_task(const Config& config) {
     config.refuse("do", "found " + kind +
                             ", expected route, hold, lawn_mower, orbit, depth_sweep or "
                             "follow_track");
+  }
+  if (!task.waypoints.empty()) {
+    const AskedSpeed asked = read_speed(config);
+    for (Waypoint& waypoint : task.waypoints)
+      if (!(waypoint.speed_m_s > 0)) put_speed(asked, waypoint);
   }
   return task;
 }
@@ -138,7 +163,10 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
   vehicle.state_of_charge = config.optional_number("state_of_charge", {0, 1}).value_or(1);
   vehicle.held_voltage_v = config.optional_number("hold_bus_v", {1, 1000}).value_or(0);
   vehicle.step_s = config.optional_number("step_s", {1e-4, 1});
-  vehicle.speed_m_s = config.optional_number("speed_m_s", speed);
+  if (const AskedSpeed asked = read_speed(config); asked.m_s > 0) {
+    vehicle.speed_m_s = asked.m_s;
+    vehicle.is_speed_over_ground = asked.is_over_ground;
+  }
   vehicle.follower = read_follower(config);
   if (const auto tether = config.optional_child("tether")) {
     vehicle.tether = {read_place(tether->child("top")), tether->number("length_m", {0.1, 10000})};

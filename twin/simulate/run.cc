@@ -72,10 +72,12 @@ void Run::step_one(std::size_t index, const StepTime& time) {
     if (!prepare(agent, t_s, state, input)) return;
     VehicleState<double> next = state.vehicle;
     twin::step(*agent.vehicle, agent.plan, next, input.command, input.around);
-    if (is_sound(next.body, next.battery.charge) && doubt_of(next) == 0)
+    if (is_sound(next.body, next.battery.charge) && doubt_of(next) == 0) {
       state.vehicle = next;
-    else
+      note_power(state.milestones, next.battery.off, next.battery.charge, t_s + agent.plan.dt_s);
+    } else {
       halt(state, Halt::diverged, t_s + agent.plan.dt_s);
+    }
   }
 }
 
@@ -136,6 +138,9 @@ void Run::step_group(Group& group, const StepTime& time) {
       if (is_sound(body, group.block.battery.charge.lane[lane]) && doubt.lane[lane] == 0) {
         state.vehicle.body = body;
         state.vehicle.bus_voltage_v = group.block.bus_voltage_v.lane[lane];
+        const BatteryState<Eight>& battery = group.block.battery;
+        note_power(state.milestones, battery.off.lane[lane], battery.charge.lane[lane],
+                   t_s + first.plan.dt_s);
       } else {
         halt(state, Halt::diverged, t_s + first.plan.dt_s);
         halt_lane(group, lane, group.before);

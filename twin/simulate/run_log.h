@@ -32,7 +32,13 @@ struct RunLog {
   [[nodiscard]] std::vector<double> column(std::size_t vehicle, std::string_view name) const;
 };
 
-/// The row of a vehicle. @param out  `log_row_size()` numbers
-void write_row(const Agent& agent, const AgentState& state, std::span<double> out);
+/// The format of a log: its columns and what they mean. 2: what is not there is missing where 1
+/// had zeros; `speed_through_water`, `electrical_energy`, depth error in a hold, two more halts.
+inline constexpr int log_format = 2;
+
+/// The row of a vehicle at a time of the run. Water, surface and wind are those at the vehicle
+/// then, of the field and the waves that move it; no number for what it does not meet or nobody
+/// knows. @param out  `log_row_size()` numbers
+void write_row(const Agent& agent, const AgentState& state, double time_s, std::span<double> out);
 
 }  // namespace slackwater::twin

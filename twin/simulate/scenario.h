@@ -83,6 +83,7 @@ struct ScenarioVehicle {
   std::optional<double> step_s;
   FollowerChoice follower = FollowerChoice::line_of_sight;
   std::optional<double> speed_m_s;
+  bool is_speed_over_ground = false;  ///< `ground_speed_m_s` rather than `speed_m_s`
   std::vector<ScenarioTask> tasks;
   struct TetherStart {
     Triple<double> top_m;

@@ -44,6 +44,7 @@ std::optional<DvlReading> ping(const Instruments& instruments, InstrumentState& 
   constexpr Triple<double> none{nothing_shown, nothing_shown, nothing_shown};
   state.shown.dvl_velocity_m_s = heard ? heard->track.velocity_m_s : none;
   state.shown.dvl_is_bottom = heard && heard->bottom ? 1 : 0;
+  state.shown.dvl_ahead_m_s = heard && heard->water ? heard->water->velocity_m_s.x : nothing_shown;
   state.shown.dvl_altitude_m = heard && heard->altitude_m ? *heard->altitude_m : nothing_shown;
   return heard;
 }
@@ -143,6 +144,7 @@ Measured sense(const Navigation& navigation, const SensedWater& water,
   ++looked.steps;
   state.error_m = state.navigator.position_m - body.position_m;
   Measured measured = measured_of(state.navigator);
+  measured.log_m_s = looked.shown.dvl_ahead_m_s;
   if (!std::isnan(looked.shown.dvl_altitude_m)) measured.altitude_m = looked.shown.dvl_altitude_m;
   return measured;
 }

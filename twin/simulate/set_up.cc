@@ -10,6 +10,7 @@
 #include "fields/wave/product_sea.h"
 #include "twin/body/frame.h"
 #include "twin/scene/structure.h"
+#include "twin/simulate/expect_speeds.h"
 #include "twin/simulate/follow_tracks.h"
 
 namespace slackwater::twin {
@@ -261,11 +262,15 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     with_context("vehicle " + listed.name, [&] {
       const std::filesystem::path file = vehicle_file(listed.model, surround.data_folder);
       auto& vehicle = vehicles[file];
-      if (!vehicle)
+      if (!vehicle) {
         vehicle = std::make_shared<const Vehicle>(read_vehicle(file, surround.data_folder));
+        for (const std::string& warning : vehicle->warnings)
+          ready.warnings.push_back(file.filename().string() + ": " + warning);
+      }
       entry = with_tracks(listed, *vehicle, ready.vessels, scenario.duration_s);
       ready.agents.push_back(make_agent(vehicle, water, entry, scenario.step_s));
       share_autopilot(autopilots, entry, ready.agents.back());
+      expect_speeds(entry, ready.agents.back());
     });
     Agent& agent = ready.agents.back();
     expect_places(scenario, entry, agent);

@@ -29,6 +29,10 @@ inline constexpr bool is_numbers<NavigatorState> = true;
 template <>
 inline constexpr bool is_numbers<Shown> = true;
 template <>
+inline constexpr bool is_numbers<HeadwayState> = true;
+template <>
+inline constexpr bool is_numbers<Milestones> = true;
+template <>
 inline constexpr bool is_numbers<Triple<double>> = true;
 template <>
 inline constexpr bool is_numbers<Attitude<double>> = true;
@@ -42,8 +46,8 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
-  auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, halt, halted_at_s,
-         water_m_s, wind_m_s, elevation_m, tether_n] = s;
+  auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, milestones, halt,
+         halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
@@ -51,6 +55,8 @@ void for_each_member(S& s, Visit&& visit) {
   visit("gust_rng", gust_rng);
   visit("tether", tether);
   visit("navigation", navigation);
+  visit("headway", headway);
+  visit("milestones", milestones);
   visit("halt", halt);
   visit("halted_at_s", halted_at_s);
   visit("water_m_s", water_m_s);

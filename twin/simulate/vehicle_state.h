@@ -20,6 +20,7 @@ struct VehicleState {
   Real bus_voltage_v{};
   Real current_a{};
   Real electrical_w{};                       ///< drawn in the last step, hotel load and all
+  Real drawn_j{};                            ///< electrical energy, whatever gave it
   Real fuel_kg{};                            ///< burnt
   std::array<Real, most_mounts> thrust_n{};  ///< in the last step
 };

@@ -151,6 +151,7 @@ void step(const Vehicle& vehicle, const StepPlan& plan, VehicleState<Real>& stat
   const Propulsion<Real> pushed =
       propel(vehicle, plan, state, command, nu_r, around.height_above_m);
   const Real had = feed(vehicle, plan, state, pushed.power_w);
+  state.drawn_j = state.drawn_j + plan.dt_s * state.electrical_w;
   state.fuel_kg = state.fuel_kg + plan.dt_s * pushed.fuel_kg_s;
   forcing.tau = had * pushed.force;
   forcing.tau.linear = forcing.tau.linear + r.to_body(around.pull_n);

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "twin/tether/read_tether.h"
+#include "twin/vehicle/balance.h"
 #include "twin/vehicle/read_body.h"
 #include "twin/vehicle/vehicle.h"
 
@@ -136,6 +137,10 @@ Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::p
     vehicle.tether->water_density_kg_m3 = vehicle.body.fluid_density_kg_m3;
   }
   config.expect_all_read();
+  for (const BalanceFinding& finding : findings_on(vehicle, balance_of(vehicle))) {
+    if (finding.is_error) config.refuse(finding.key, finding.what);
+    vehicle.warnings.push_back(std::string(finding.key) + ": " + finding.what);
+  }
   return vehicle;
 }
 

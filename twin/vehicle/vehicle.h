@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "twin/battery/battery.h"
 #include "twin/body/actuators.h"
@@ -34,11 +35,17 @@ struct Vehicle {
   AutopilotSettings autopilot;
   std::optional<Tether> tether;
   Sensors sensors;
+  std::vector<std::string> warnings;  ///< of how it lies in the water; see balance.h
 };
+
+[[nodiscard]] inline bool burns_fuel(const Vehicle& vehicle) noexcept {
+  return vehicle.thruster.kind == ThrusterKind::drive && vehicle.thruster.drive.fuel_kg_j > 0;
+}
 
 /// Reads a vehicle's file. A sixth vehicle is such a file.
 /// @param data_folder holds thrusters/ and batteries/
-/// Throws Error(invalid_input) with file, line and reason.
+/// Throws Error(invalid_input) with file, line and reason, also for one that capsizes, sinks or
+/// stands on its head at rest (balance.h).
 [[nodiscard]] Vehicle read_vehicle(const std::filesystem::path& file,
                                    const std::filesystem::path& data_folder);
 

@@ -29,7 +29,9 @@ struct ClosedLoop {
   double t_s = 0;
 
   [[nodiscard]] twin::Measured measured() const {
-    return {state.position_m, state.attitude, state.nu, known_m_s, 100 - state.position_m.z};
+    const twin::Rotation<double> r = twin::rotation_of(state.attitude);
+    return {state.position_m, state.attitude,           state.nu,
+            known_m_s,        100 - state.position_m.z, state.nu.linear.x - r.to_body(fluid_m_s).x};
   }
   [[nodiscard]] double yaw_rad() const { return twin::euler_angles(state.attitude).yaw_rad; }
   [[nodiscard]] twin::Triple<double> velocity_m_s() const {

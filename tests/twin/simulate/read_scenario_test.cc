@@ -109,6 +109,11 @@ TEST(ReadScenario, RefusesWhatCannotBe) {
       {"waypoints: [{north_m: 10, east_m: 0, depth_m: 12, speed_m_s: 0.5}]", "waypoints: []",
        "0 waypoints"},
       {"speed_m_s: 0.5", "speed_kn: 1", "speed_kn"},
+      {"speed_m_s: 0.5", "speed_m_s: 0.5, ground_speed_m_s: 0.5", "the one or the other"},
+      {"    model:", "    ground_speed_m_s: 1\n    speed_m_s: 1\n    model:",
+       "the one or the other"},
+      {"speed_m_s: 0.5", "speed_m_s: 0", "0.01"},
+      {"do: route", "do: route, speed_m_s: 1, ground_speed_m_s: 1", "the one or the other"},
       {"north_m: 10", "north_m: 1e9", "1e"},
       {"water:\n", "member: 3\nwater:\n", "members"},
   };
@@ -117,6 +122,31 @@ TEST(ReadScenario, RefusesWhatCannotBe) {
     EXPECT_NE(message.find(bad.says), std::string::npos) << bad.instead << "\n-> " << message;
     EXPECT_NE(message.find("bad.yaml"), std::string::npos) << message;
   }
+}
+
+TEST(ReadScenario, ASpeedMayBeOverGroundForAWaypointATaskOrAVehicle) {
+  const auto with = [](const std::string& line, const std::string& instead) {
+    std::string yaml = whole;
+    yaml.replace(yaml.find(line), line.size(), instead);
+    return parse_scenario(yaml, "speeds.yaml").vehicles[0];
+  };
+  const auto first = [](const ScenarioVehicle& v) { return v.tasks[0].waypoints[0]; };
+  const std::string own = ", speed_m_s: 0.5", line = "do: route";
+  EXPECT_EQ(first(with(own, own)).over_ground, 0);
+  EXPECT_EQ(first(with(own, ", ground_speed_m_s: 0.4")).over_ground, 1);
+  EXPECT_EQ(first(with(own, ", ground_speed_m_s: 0.4")).speed_m_s, 0.4);
+  // Of a task, where a waypoint has none of its own.
+  EXPECT_EQ(first(with(line, "do: route, ground_speed_m_s: 0.3")).speed_m_s, 0.5);
+  EXPECT_EQ(first(with(line, "do: route, ground_speed_m_s: 0.3")).over_ground, 0);
+  std::string yaml = whole;
+  yaml.replace(yaml.find(own), own.size(), "");
+  yaml.replace(yaml.find(line), line.size(), "do: route, ground_speed_m_s: 0.3");
+  const Waypoint of_task = parse_scenario(yaml, "task.yaml").vehicles[0].tasks[0].waypoints[0];
+  EXPECT_EQ(of_task.speed_m_s, 0.3);
+  EXPECT_EQ(of_task.over_ground, 1);
+  const ScenarioVehicle whole_run = with("    model:", "    ground_speed_m_s: 0.2\n    model:");
+  EXPECT_EQ(whole_run.speed_m_s, 0.2);
+  EXPECT_TRUE(whole_run.is_speed_over_ground);
 }
 
 TEST(ReadScenario, TwoVehiclesOfOneNameAreRefused) {

@@ -37,7 +37,7 @@ vehicles:
 TEST(AuvFigures, ThreeHundredTurnsAMinuteMakeTheSpeedOfItsCoefficients) {
   // Kt rho D^4 w^2 = 6.98 N against 6.2282 u^2: 1.059 m/s; the model's system test has 1 m/s within
   // 6 %.
-  const Scenario scenario = straight_ahead(1.2);
+  const Scenario scenario = straight_ahead(1.0);
   Flight flight(scenario, Flight::field_of(scenario), [](ReadyRun& ready) {
     tests::change_autopilot(ready.agents[0],
                             [](AutopilotSettings& own) { own.most_speed_m_s = 1.2; });

@@ -25,7 +25,7 @@ vehicles:
   - name: rov
     model: bluerov2_heavy
     start: {north_m: 0, east_m: 0, depth_m: 20, heading_deg: 0}
-    tasks: [{do: route, waypoints: [{north_m: 5000, east_m: 0, depth_m: 20, speed_m_s: 1.6}]}]
+    tasks: [{do: route, waypoints: [{north_m: 5000, east_m: 0, depth_m: 20}]}]
 )";
 
 /// Straight ahead with all that the thrusters have: the autopilot's bound of nine tenths of the
@@ -38,6 +38,8 @@ Flight full_ahead(double held_voltage_v) {
   return Flight(scenario, Flight::field_of(scenario), [](ReadyRun& ready) {
     tests::change_autopilot(ready.agents[0],
                             [](AutopilotSettings& own) { own.most_speed_m_s = 1.6; });
+    // More than it makes, which no scenario may ask for.
+    ready.agents[0].mission.guidance.speed_m_s = 1.6;
   });
 }
 

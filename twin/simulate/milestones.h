@@ -1,0 +1,54 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/base/constants.h"
+#include "twin/body/attitude.h"
+
+namespace slackwater::twin {
+
+/// What befell a vehicle and when, seconds since the epoch; no number: it did not. Numbers only.
+struct Milestones {
+  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  double power_lost_s = never;
+  double is_empty = 0;  ///< 1: the battery had nothing left; 0: its voltage was too low
+  double capsized_s = never;
+  double largest_pitch_sine = 0;  ///< of its size
+  /// Of the largest roll: sine squared of it up to a right angle, 2 less that beyond: grows with
+  /// it, without a call of atan2.
+  double largest_roll_measure = 0;
+
+  [[nodiscard]] double largest_pitch_rad() const noexcept {
+    return std::asin(std::min(largest_pitch_sine, 1.0));
+  }
+  [[nodiscard]] double largest_roll_rad() const noexcept {
+    const double m = largest_roll_measure;
+    const double acute = std::asin(std::sqrt(std::clamp(m < 1 ? m : 2 - m, 0.0, 1.0)));
+    return m < 1 ? acute : constants::pi - acute;
+  }
+};
+
+/// Rolled or pitched beyond a right angle: what was below is above.
+[[nodiscard]] inline bool is_capsized(const Rotation<double>& r) noexcept { return r.down.z < 0; }
+
+inline void note_attitude(Milestones& m, const Rotation<double>& r, double t_s) noexcept {
+  m.largest_pitch_sine = std::max(m.largest_pitch_sine, std::abs(r.down.x));
+  const double y2 = r.down.y * r.down.y;
+  const double across2 = y2 + r.down.z * r.down.z;
+  // On its nose or tail a body has no roll to speak of.
+  if (across2 > 1e-4) {
+    const double share = y2 / across2;
+    m.largest_roll_measure = std::max(m.largest_roll_measure, r.down.z < 0 ? 2 - share : share);
+  }
+  if (is_capsized(r) && std::isnan(m.capsized_s)) m.capsized_s = t_s;
+}
+
+/// @param off  of the battery: 1 once it gives nothing more
+inline void note_power(Milestones& m, double off, double charge, double t_s) noexcept {
+  if (off < 0.5 || !std::isnan(m.power_lost_s)) return;
+  m.power_lost_s = t_s;
+  m.is_empty = charge < 1e-9 ? 1 : 0;
+}
+
+}  // namespace slackwater::twin
