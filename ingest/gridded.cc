@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fields/base/error.h"
+#include "ingest/cf/attribution.h"
 #include "ingest/cf/granule_file.h"
 #include "ingest/decoded/staged_files.h"
 #include "ingest/gridded_plan.h"
@@ -184,7 +185,7 @@ Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& produc
   Granule common;
   common.product_id = product.id;
   common.dataset_id = stated_dataset_id(file);
-  common.attribution = product.attribution;
+  common.attribution = attribution_of(file, product);
 
   std::size_t all_values = 0;
   for (const PlannedGroup& group : groups) all_values += group.grid.size() * group.variables.size();

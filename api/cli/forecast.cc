@@ -224,7 +224,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   const calibration::DailyForecast& forecast = job.forecast;
   if (!arguments.html.empty())  // before anything is stored
     static_cast<void>(page_depth_m(forecast.snapshot, arguments.html_depth_m));
-  const std::int64_t id = publish(store, job, ForecastOrigin::forecast);
+  const auto [id, is_new] = publish(store, job, ForecastOrigin::forecast);
   const Snapshot& snapshot = forecast.snapshot;
   if (!arguments.out.empty()) {
     const std::filesystem::path out = arguments.out;
@@ -248,6 +248,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   if (context.json) {
     json out = json::parse(job.summary_json);
     out["id"] = id;
+    out["already_issued"] = !is_new;
     out["degraded"] = snapshot.degraded;
     out["headline"] = snapshot.headline;
     out["verified"] = past.verified;
@@ -261,6 +262,10 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   std::printf("%s, issued %s: forecast %lld for %s to %s\n", site.name.c_str(),
               format_utc(snapshot.issued).c_str(), static_cast<long long>(id),
               format_utc(snapshot.time.front()).c_str(), format_utc(snapshot.time.back()).c_str());
+  if (!is_new) {
+    std::printf("already issued as %lld: the same inputs and options at the same time\n",
+                static_cast<long long>(id));
+  }
   std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(),
               past.verified.c_str());
   print_calibration(forecast.columns.front());

@@ -4,7 +4,7 @@
 
 #include "api/cli/command.h"
 #include "api/cli/progress.h"
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest_apart.h"
 #include "api/program/paths.h"
 #include "fields/base/text.h"
 #include "fields/site/site.h"
@@ -63,10 +63,15 @@ ingest::IngestOptions options_of(const IngestArguments& arguments, const Context
 }
 
 json to_json(const IngestReport& report) {
-  return {{"file", report.file.string()}, {"stored", report.stored},
-          {"sha256", report.sha256},      {"product", report.product_id},
-          {"status", report.status},      {"granules", report.granules},
-          {"times", report.times},        {"standard_names", report.standard_names},
+  return {{"file", report.file.string()},
+          {"stored", report.stored},
+          {"repaired", report.repaired},
+          {"sha256", report.sha256},
+          {"product", report.product_id},
+          {"status", report.status},
+          {"granules", report.granules},
+          {"times", report.times},
+          {"standard_names", report.standard_names},
           {"warnings", report.warnings}};
 }
 
@@ -78,24 +83,29 @@ void print(const IngestReport& report) {
   const std::string names = joined(report.standard_names, ", ");
   std::printf("%s: %s, %s, %zu times: %s\n", report.file.c_str(), report.product_id.c_str(),
               report.status.c_str(), report.times, names.c_str());
+  if (report.repaired)
+    std::printf("  repaired: its content in the store was damaged or lost, and is whole again\n");
   for (const std::string& warning : report.warnings)
     std::printf("  warning: %s\n", warning.c_str());
 }
 
-/// All files are tried; the first trouble decides the exit code, each one is told.
+/// All files are tried, each in a process of its own, so that one that crashes the library that
+/// reads it does not keep the others out; the first trouble decides the exit code, each one is told.
 void ingest_all(const IngestArguments& arguments, const Context& context) {
   const ingest::IngestOptions options = options_of(arguments, context);
   const std::vector<std::filesystem::path> files = product_files(arguments.paths);
   const auto products = ingest::ProductCatalogue::load(data_folder() / "products");
-  store::Store store = context.open(store::OpenMode::create_or_write);
+  // Made, or refused, before any file is read; closed again, because each reader is a process of
+  // its own with a connection of its own.
+  static_cast<void>(context.open(store::OpenMode::create_or_write));
   json done = json::array();
   json failed = json::array();
   std::optional<Error> first_problem;
   ProgressBar bar("ingest", context.json);
   for (std::size_t i = 0; i < files.size(); ++i) {
     try {
-      const IngestReport report =
-          ingest_file(store, products, files[i], options, context.now(), [&](double share) {
+      const IngestReport report = ingest_file_apart(
+          context.store_folder, products, files[i], options, context.now(), [&](double share) {
             bar.update((static_cast<double>(i) + share) / static_cast<double>(files.size()));
           });
       if (context.json) {

@@ -35,15 +35,24 @@ double nearest_column_m(const Field& field, const GeoPoint& point) {
   return nearest;
 }
 
-/// Forecasts of different sites may reach a place; the answer is that of the nearest site. Read
+std::string passed_over_text(const std::string& damage) {
+  return damage + "; an older forecast answers in its place";
+}
+
+/// Forecasts of different sites may reach a place; the answer is that of the nearest column. Read
 /// without members: most questions do not need them, and they are most of the file.
 void choose_forecast(store::Store& store, const WantedForecast& wanted, ProfileAnswer& answer) {
   const std::vector<store::ForecastRow> rows = by_force(store, wanted);
   std::vector<store::ForecastRow> in_force;
   std::vector<std::shared_ptr<const Field>> fields;
+  std::vector<std::pair<std::string, std::string>> damaged;  // by site
   std::string reach;
   for (const store::ForecastRow& row : rows) {
     if (!in_force.empty() && in_force.back().site_id == row.site_id) continue;
+    if (auto damage = damage_of(store, row)) {
+      damaged.emplace_back(row.site_id, std::move(*damage));
+      continue;
+    }
     in_force.push_back(row);
     fields.push_back(read_field(store, row, ingest::Members::none));
     reach += " " + row.site_id + " (" + fields.back()->range().text() + ")";
@@ -65,6 +74,12 @@ void choose_forecast(store::Store& store, const WantedForecast& wanted, ProfileA
   }
   answer.row = in_force[*nearest];
   answer.field = fields[*nearest];
+  for (const auto& [site, damage] : damaged) {
+    const bool has_whole_one = std::any_of(in_force.begin(), in_force.end(),
+                                           [&](const auto& row) { return row.site_id == site; });
+    if (site == answer.row.site_id) answer.notes.push_back(passed_over_text(damage));
+    if (!has_whole_one) answer.notes.push_back(damage + "; its site cannot answer");
+  }
 }
 
 /// Reads the forecast again with its members where the question is about them.
@@ -110,11 +125,14 @@ ProfileAnswer find_answer(store::Store& store, const ProfileArguments& arguments
     wanted.site_id = site.id;
     answer.time_zone = site.time_zone;
   }
-  answer.row = forecast_in_force(store, wanted);
+  InForce in_force = forecast_in_force(store, wanted);
+  answer.row = std::move(in_force.row);
   if (arguments.latitude) {
     answer.point = GeoPoint::from_degrees(*arguments.latitude, *arguments.longitude);
     choose_forecast(store, wanted, answer);
   } else {
+    for (const std::string& damage : in_force.passed_over)
+      answer.notes.push_back(passed_over_text(damage));
     answer.field = read_field(store, answer.row, ingest::Members::none);
     answer.point = answer.field->snapshot().columns.front().point;
   }

@@ -68,6 +68,7 @@ json to_json(const ProfileAnswer& a) {
           {"hindsight", snapshot.hindsight},
           {"averaged", json::parse(ingest::averaged_json(snapshot.averaged))},
           {"headline", snapshot.headline},
+          {"notes", a.notes},
           {"water_depth_m", a.water_depth_m},
           {"units",
            {{"velocity", "m s-1"}, {"direction", "degree, towards, clockwise from true north"}}},
@@ -124,6 +125,8 @@ void print_profiles_json(const std::vector<ProfileAnswer>& answers) {
 }
 
 void print_profiles_csv(const std::vector<ProfileAnswer>& answers) {
+  for (const std::string& note : answers.front().notes)
+    std::fprintf(stderr, "slackwater: %s\n", note.c_str());
   std::printf(
       "time,depth_m,east_m_s,east_p10_m_s,east_p90_m_s,north_m_s,north_p10_m_s,north_p90_m_s,speed_"
       "m_s,"
@@ -142,6 +145,7 @@ void print_profile_table(const ProfileAnswer& a) {
   } else if (snapshot.hindsight) {
     std::printf("%s\n", snapshot.headline.c_str());
   }
+  for (const std::string& note : a.notes) std::printf("note: %s\n", note.c_str());
   std::printf("%8s %9s %9s %24s %24s\n", "depth m", "speed m/s", "to deg", "east m/s (p10 to p90)",
               "north m/s (p10 to p90)");
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) {

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "data/store/store.h"
@@ -19,6 +20,7 @@ struct ProfileAnswer {
   UtcTime time;
   std::optional<TimeZone> time_zone;  ///< of the site: local time beside UTC in tables
   std::size_t member = 0;             ///< the one that was asked for
+  std::vector<std::string> notes;     ///< newer forecasts that are damaged and were passed over
   std::vector<double> depth_m;
   std::vector<CurrentSample> central;               ///< one per depth; the quantiles come from here
   std::vector<CurrentSample> samples;               ///< of the member that was asked for

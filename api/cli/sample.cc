@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstdio>
 
 #include "api/cli/command.h"
 #include "api/cli/point_list.h"
@@ -28,8 +29,13 @@ struct SampleArguments {
 constexpr std::size_t most_values = 1'000'000'000;
 
 store::ForecastRow find_instance(store::Store& store, const Site& site, const std::string& wanted) {
-  store::ForecastRow in_force = forecast_in_force(store, {site.id, {}, {}});
-  if (wanted == "newest") return in_force;
+  if (wanted == "newest") {
+    InForce in_force = forecast_in_force(store, {site.id, {}, {}});
+    for (const std::string& damage : in_force.passed_over)
+      std::fprintf(stderr, "slackwater: %s; an older one is sampled in its place\n",
+                   damage.c_str());
+    return std::move(in_force.row);
+  }
   std::int64_t id = 0;
   const char* const end = wanted.data() + wanted.size();
   const auto [stop, problem] = std::from_chars(wanted.data(), end, id);
@@ -38,11 +44,13 @@ store::ForecastRow find_instance(store::Store& store, const Site& site, const st
                                       ", expected newest or the id of an issued forecast "
                                       "(`slackwater store list` shows them)");
   }
-  for (store::ForecastRow& row : by_force(store, {site.id, {}, {}})) {
+  std::vector<store::ForecastRow> rows = by_force(store, {site.id, {}, {}});
+  for (store::ForecastRow& row : rows) {
     if (row.id == id) return std::move(row);
   }
+  if (rows.empty()) static_cast<void>(forecast_in_force(store, {site.id, {}, {}}));
   throw Error(ErrorKind::not_found, "found no forecast " + wanted + " of site " + site.id +
-                                        "; its newest is " + std::to_string(in_force.id) +
+                                        "; its newest is " + std::to_string(rows.front().id) +
                                         " (`slackwater store list` shows all)");
 }
 

@@ -150,7 +150,7 @@ class Service {
     if (!selection) {
       const auto site = std::find_if(catalogue->sites.begin(), catalogue->sites.end(),
                                      [&](const auto& s) { return s.site_id == name->site_id; });
-      selection = in_force(collection, *catalogue, &*site, query);
+      selection = in_force(collection, *catalogue, {&*site, notes_on(*site)}, query);
     }
     return {location_plan(std::move(*selection), query, name->column), format};
   }
@@ -202,12 +202,15 @@ class Service {
   }
 
   Selection in_force(const Collection& collection, const ForecastCatalogue& catalogue,
-                     const ForecastCatalogue::SiteForecast* site, const QueryString& query) const {
-    if (site == nullptr) {
+                     SiteChoice choice, const QueryString& query) const {
+    if (choice.site == nullptr) {
       throw Error(ErrorKind::not_found,
                   "found a place that no forecast reaches; " + reach_of(catalogue));
     }
-    return select(collection, instance(catalogue, site->instance), site->field, query);
+    Selection selection =
+        select(collection, instance(catalogue, choice.site->instance), choice.site->field, query);
+    selection.answer.notes = std::move(choice.notes);
+    return selection;
   }
 
   Selection of_named_instance(const Collection& collection, const ForecastCatalogue& catalogue,

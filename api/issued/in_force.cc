@@ -2,11 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "fields/base/error.h"
 
 namespace slackwater::api {
+namespace {
+
+/// (0.1 m in degrees of latitude) squared: columns of two forecasts of one grid point are as near.
+constexpr double as_near_deg2 = 1e-12;
+
+/// The square of the distance to the nearest column, in degrees of latitude.
+double nearest_column_deg2(const Field& field, double longitude_deg, double latitude_deg) noexcept {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const ForecastColumn& column : field.snapshot().columns) {
+    const double east = std::remainder(longitude_deg - column.point.longitude_deg(), 360.0) *
+                        std::cos(column.point.latitude.radians());
+    const double north = latitude_deg - column.point.latitude_deg();
+    nearest = std::min(nearest, east * east + north * north);
+  }
+  return nearest;
+}
+
+}  // namespace
 
 bool has_more_force(const store::ForecastRow& a, const store::ForecastRow& b) noexcept {
   const auto rank = [](const store::ForecastRow& row) {
@@ -31,9 +50,28 @@ std::vector<store::ForecastRow> by_force(store::Store& store, const WantedForeca
   return rows;
 }
 
-store::ForecastRow forecast_in_force(store::Store& store, const WantedForecast& wanted) {
+std::optional<std::string> damage_of(const store::Store& store, const store::ForecastRow& row) {
+  const auto fault = store.content_fault(row.content_sha256);
+  if (!fault) return std::nullopt;
+  return "forecast " + std::to_string(row.id) + " of site " + row.site_id + ", issued " +
+         format_utc(row.issued) + ", is damaged (its file " +
+         store.content_path(row.content_sha256).string() + " " + *fault +
+         "); run `slackwater store check`";
+}
+
+InForce forecast_in_force(store::Store& store, const WantedForecast& wanted) {
   std::vector<store::ForecastRow> rows = by_force(store, wanted);
-  if (!rows.empty()) return std::move(rows.front());
+  InForce in_force;
+  for (store::ForecastRow& row : rows) {
+    if (auto damage = damage_of(store, row)) {
+      in_force.passed_over.push_back(std::move(*damage));
+      continue;
+    }
+    in_force.row = std::move(row);
+    return in_force;
+  }
+  if (!in_force.passed_over.empty())
+    throw Error(ErrorKind::invalid_input, in_force.passed_over.front());
   const std::string of_site =
       wanted.site_id.empty() ? std::string() : " for site " + wanted.site_id;
   const std::string of_day = wanted.day ? " of day " + format_day(*wanted.day) : std::string();
@@ -54,6 +92,7 @@ store::ForecastRow forecast_in_force(store::Store& store, const WantedForecast& 
 
 std::shared_ptr<const Field> read_field(const store::Store& store, const store::ForecastRow& row,
                                         ingest::Members members) {
+  if (const auto damage = damage_of(store, row)) throw Error(ErrorKind::invalid_input, *damage);
   return std::make_shared<const Field>(std::make_shared<const Snapshot>(
       ingest::read_forecast(store.content_path(row.content_sha256), members)));
 }
@@ -68,12 +107,13 @@ std::optional<std::size_t> nearest_reaching(std::span<const std::shared_ptr<cons
     BedSample bed;
     fields[i]->sample_bed({&place, 1}, {&bed, 1});
     if (bed.status == SampleStatus::outside_area) continue;
-    const GeoPoint& centre = fields[i]->snapshot().columns.front().point;
-    const double east = std::remainder(longitude_deg - centre.longitude_deg(), 360.0) *
-                        std::cos(centre.latitude.radians());
-    const double north = latitude_deg - centre.latitude_deg();
-    const double deg2 = east * east + north * north;
-    if (nearest && deg2 >= nearest_deg2) continue;
+    const double deg2 = nearest_column_deg2(*fields[i], longitude_deg, latitude_deg);
+    const auto columns = [&](std::size_t field) {
+      return fields[field]->snapshot().columns.size();
+    };
+    const bool is_nearer = !nearest || deg2 < nearest_deg2 - as_near_deg2 ||
+                           (deg2 <= nearest_deg2 + as_near_deg2 && columns(i) > columns(*nearest));
+    if (!is_nearer) continue;
     nearest = i;
     nearest_deg2 = deg2;
   }

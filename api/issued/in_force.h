@@ -29,17 +29,33 @@ struct WantedForecast {
 [[nodiscard]] std::vector<store::ForecastRow> by_force(store::Store& store,
                                                        const WantedForecast& wanted);
 
-/// The forecast in force of one site. @throws Error(not_found) where none is wanted or stored
-[[nodiscard]] store::ForecastRow forecast_in_force(store::Store& store,
-                                                   const WantedForecast& wanted);
+/// "forecast 12 of site S, issued 2025-03-10T05:00:00Z, is damaged (its file files/ab/ab….nc is
+/// missing); run `slackwater store check`"; nothing where its file is whole
+/// (data/store/proven_content.h).
+[[nodiscard]] std::optional<std::string> damage_of(const store::Store& store,
+                                                   const store::ForecastRow& row);
+
+/// The forecast that answers, its file found whole, and what was passed over for it.
+struct InForce {
+  store::ForecastRow row;
+  /// The damage of each forecast of more force, to be told beside the answer.
+  std::vector<std::string> passed_over;
+};
+
+/// The forecast in force of one site: of those whose files are whole the first by force.
+/// @throws Error(not_found) where none is wanted or stored, Error(invalid_input) where all that
+/// might answer are damaged
+[[nodiscard]] InForce forecast_in_force(store::Store& store, const WantedForecast& wanted);
 
 /// An issued forecast laid out for sampling.
+/// @throws Error(invalid_input) with `damage_of` it
 [[nodiscard]] std::shared_ptr<const Field> read_field(const store::Store& store,
                                                       const store::ForecastRow& row,
                                                       ingest::Members members);
 
-/// Of the fields that reach a place, the index of the one whose site is nearest; nothing where none
-/// reaches it. Null fields are passed over.
+/// Of the fields that reach a place, the index of the one with the nearest column (of columns that
+/// are equally near the field with more columns, then the first); nothing where none reaches it.
+/// Null fields are passed over.
 [[nodiscard]] std::optional<std::size_t> nearest_reaching(
     std::span<const std::shared_ptr<const Field>> fields, double longitude_deg,
     double latitude_deg) noexcept;

@@ -9,6 +9,7 @@
 
 #include "api/issued/in_force.h"
 #include "data/store/layout.h"
+#include "data/store/proven_content.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
 #include "ingest/cf/forecast_file.h"
@@ -174,13 +175,14 @@ ForecastCatalogue IssuedFields::next_catalogue(std::vector<IssuedForecast> insta
     names.insert(forecast.instance);
   }
   for (const std::string& site : sites) {
-    std::size_t tries = 0;
+    std::vector<std::string> passed_over;
     for (const IssuedForecast* forecast : of_site_by_force(next.instances, site)) {
-      if (tries++ == most_tries) break;
+      if (passed_over.size() == most_tries) break;
       if (std::shared_ptr<const Field> field = in_force(*now, *forecast)) {
-        next.sites.push_back({site, forecast->instance, std::move(field)});
+        next.sites.push_back({site, forecast->instance, std::move(field), std::move(passed_over)});
         break;
       }
+      passed_over.push_back(forecast->instance);
     }
   }
   const std::lock_guard lock(telling_);
@@ -220,7 +222,7 @@ void IssuedFields::follow(Duration every) {
 
 std::shared_ptr<const Field> IssuedFields::read(const IssuedForecast& forecast) const {
   return std::make_shared<const Field>(std::make_shared<const Snapshot>(
-      ingest::read_forecast(store::content_file(folder_, forecast.row.content_sha256))));
+      ingest::read_forecast(store::proven_content(folder_, forecast.row.content_sha256))));
 }
 
 std::shared_ptr<const Field> IssuedFields::kept_or_read(const IssuedForecast& forecast) {

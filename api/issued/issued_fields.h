@@ -32,6 +32,8 @@ struct ForecastCatalogue {
     std::string site_id;
     std::string instance;
     std::shared_ptr<const Field> field;  ///< in force: never null
+    /// Instances of more force that cannot be read: the answer is to say so.
+    std::vector<std::string> passed_over;
   };
   std::vector<IssuedForecast> instances;  ///< newest first
   std::vector<SiteForecast> sites;        ///< by site id

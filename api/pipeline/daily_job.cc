@@ -15,12 +15,12 @@ DailyJob daily_job(const SiteData& data, const calibration::ForecastOptions& opt
   return job;
 }
 
-std::int64_t publish(store::Store& store, const DailyJob& job, ForecastOrigin origin) {
+store::FiledForecast publish(store::Store& store, const DailyJob& job, ForecastOrigin origin) {
   return publish(store, std::span(&job, 1), origin).front();
 }
 
-std::vector<std::int64_t> publish(store::Store& store, std::span<const DailyJob> jobs,
-                                  ForecastOrigin origin) {
+std::vector<store::FiledForecast> publish(store::Store& store, std::span<const DailyJob> jobs,
+                                          ForecastOrigin origin) {
   std::vector<store::NewForecast> rows;
   for (const DailyJob& job : jobs) {
     const Snapshot& snapshot = job.forecast.snapshot;

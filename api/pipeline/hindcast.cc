@@ -57,7 +57,8 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
                                           format_day(options.to) +
                                           "; ingest current products of these days");
   }
-  report.forecasts = publish(store, jobs, ForecastOrigin::hindcast);
+  for (const store::FiledForecast& filed : publish(store, jobs, ForecastOrigin::hindcast))
+    report.forecasts.push_back(filed.id);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const calibration::DailyForecast& forecast = jobs[i].forecast;
     const auto scored =

@@ -110,7 +110,9 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   source.attribution = first.attribution;
   source.warnings = ingested.warnings;
   report.status = name_of(first.status);
+  const bool was_there = store.names_source(source.sha256, source.cut_key);
   report.stored = store.commit_ingest(source, granules);
+  report.repaired = report.stored && was_there;
   report.sha256 = source.sha256;
   report.product_id = source.product_id;
   report.granules = granules.size();

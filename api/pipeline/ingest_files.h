@@ -13,7 +13,8 @@ namespace slackwater::api {
 /// What became of one file.
 struct IngestReport {
   std::filesystem::path file;
-  bool stored = false;  ///< false: it was in the store already
+  bool stored = false;    ///< false: it was in the store already
+  bool repaired = false;  ///< it was, but its content there was damaged or lost, and is whole again
   std::string sha256;
   std::string product_id;
   std::size_t granules = 0;
@@ -24,7 +25,8 @@ struct IngestReport {
 };
 
 /// Reads one product file into the store: hashed and decoded side by side, committed wholly or not
-/// at all. A file that is there already, with the same cut, is a no-op.
+/// at all. A file that is there already, with the same cut, is a no-op; where its content files in
+/// the store are lost or damaged (their checksums tell) they are replaced.
 [[nodiscard]] IngestReport ingest_file(store::Store& store,
                                        const ingest::ProductCatalogue& products,
                                        const std::filesystem::path& file,

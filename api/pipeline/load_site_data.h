@@ -7,7 +7,10 @@
 namespace slackwater::api {
 
 /// Reads what the store holds for the site from `from` to `to` and looks at it from each column
-/// (fields/record/site_data.h). A site with no data of any kind is Error(not_found).
+/// (fields/record/site_data.h). Every content file is proven before it is opened
+/// (data/store/proven_content.h); a damaged or lost one is left out, logged, and named in
+/// `SiteData::damage`, which makes a forecast degraded. A site with no data of any kind is
+/// Error(not_found), one with nothing but damaged files Error(invalid_input).
 [[nodiscard]] SiteData load_site_data(store::Store& store, const Site& site, UtcTime from,
                                       UtcTime to);
 

@@ -8,6 +8,7 @@
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/daily_forecast.h"
 #include "fields/base/error.h"
+#include "fields/base/log.h"
 #include "ingest/cf/forecast_file.h"
 
 namespace slackwater::api {
@@ -24,23 +25,37 @@ bool is_wanted(const calibration::VerifyOptions& options, std::int64_t id) {
                                                 id) != options.forecasts.end();
 }
 
-/// The one in force of each day and wind policy, in order of day.
-std::vector<store::ForecastRow> forecasts_to_score(store::Store& store, const Site& site,
-                                                   const calibration::VerifyOptions& options) {
+struct Chosen {
+  std::vector<store::ForecastRow> rows;
+  std::vector<std::string> damaged;  ///< what was passed over, in words
+};
+
+/// Of each day and wind policy the one of most force whose file is whole, in order of day.
+Chosen forecasts_to_score(store::Store& store, const Site& site,
+                          const calibration::VerifyOptions& options) {
   store::ForecastQuery query;
   query.site_id = site.id;
   query.from_day = options.from;
   query.to_day = options.to;
-  std::map<std::pair<UtcDay, WindPolicy>, store::ForecastRow> in_force;
+  std::map<std::pair<UtcDay, WindPolicy>, std::vector<store::ForecastRow>> all;
   for (store::ForecastRow& row : store.find_forecasts(query)) {
-    if (!is_wanted(options, row.id) || row.issued >= options.issued_before) continue;
-    const auto [found, is_new] = in_force.try_emplace({row.day, row.wind_policy}, row);
-    if (!is_new && has_more_force(row, found->second)) found->second = std::move(row);
+    if (is_wanted(options, row.id) && row.issued < options.issued_before)
+      all[{row.day, row.wind_policy}].push_back(std::move(row));
   }
-  std::vector<store::ForecastRow> rows;
-  rows.reserve(in_force.size());
-  for (auto& [key, row] : in_force) rows.push_back(std::move(row));
-  return rows;
+  Chosen chosen;
+  for (auto& [key, rows] : all) {
+    std::sort(rows.begin(), rows.end(), has_more_force);
+    for (store::ForecastRow& row : rows) {
+      const auto damage = damage_of(store, row);
+      if (!damage) {
+        chosen.rows.push_back(std::move(row));
+        break;
+      }
+      log_event(LogLevel::warning, "forecast not verified", {{"problem", *damage}});
+      chosen.damaged.push_back(*damage);
+    }
+  }
+  return chosen;
 }
 
 calibration::Verification score_all(const store::Store& store,
@@ -49,7 +64,7 @@ calibration::Verification score_all(const store::Store& store,
                                     const calibration::VerifyOptions& options) {
   calibration::Verification result;
   for (const store::ForecastRow& row : rows) {
-    const Snapshot snapshot = ingest::read_forecast(store.content_path(row.content_sha256));
+    const Snapshot snapshot = ingest::read_forecast(store.proven_content(row.content_sha256));
     calibration::ForecastSkill skill =
         calibration::score_forecast(data, snapshot, dataset_of_summary(row.summary_json), options);
     std::move(skill.entries.begin(), skill.entries.end(), std::back_inserter(result.entries));
@@ -62,12 +77,13 @@ calibration::Verification score_all(const store::Store& store,
 
 calibration::Verification verify_with(store::Store& store, const Site& site, const SiteData& data,
                                       const calibration::VerifyOptions& options) {
-  return score_all(store, forecasts_to_score(store, site, options), data, options);
+  return score_all(store, forecasts_to_score(store, site, options).rows, data, options);
 }
 
 calibration::Verification verify(store::Store& store, const Site& site,
                                  const calibration::VerifyOptions& options) {
-  const std::vector<store::ForecastRow> rows = forecasts_to_score(store, site, options);
+  const auto [rows, damaged] = forecasts_to_score(store, site, options);
+  if (rows.empty() && !damaged.empty()) throw Error(ErrorKind::invalid_input, damaged.front());
   if (rows.empty()) {
     throw Error(ErrorKind::not_found,
                 "found no issued forecast for site " + site.id +

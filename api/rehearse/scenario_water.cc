@@ -5,6 +5,7 @@
 #include "api/rehearse/scenario_run.h"
 #include "data/store/store.h"
 #include "fields/base/error.h"
+#include "fields/base/log.h"
 #include "fields/base/sha256.h"
 #include "fields/geo/local_frame.h"
 #include "fields/site/site.h"
@@ -69,9 +70,10 @@ ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& st
     } else {
       store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
       const Site site = find_site(wanted.site, site_folders(store_folder));
-      const store::ForecastRow row =
-          forecast_in_force(store, {site.id, wanted.day, scenario.start});
-      water = of_file(store.content_path(row.content_sha256));
+      const InForce in_force = forecast_in_force(store, {site.id, wanted.day, scenario.start});
+      for (const std::string& damage : in_force.passed_over)
+        log_event(LogLevel::warning, "forecast passed over", {{"problem", damage}});
+      water = of_file(store.proven_content(in_force.row.content_sha256));
       add_turbines(scenario, site, water);
     }
   }
@@ -100,7 +102,7 @@ ScenarioWater water_of_log(const Scenario& scenario, const std::string& forecast
                       ") is not in the store " + store_folder.string() +
                       "; give the store with --store, or the file with --forecast");
     }
-    water = of_file(content);
+    water = of_file(store.proven_content(forecast_sha256));
   }
   if (const auto* wanted = std::get_if<ForecastWater>(&scenario.water);
       wanted != nullptr && !wanted->site.empty())

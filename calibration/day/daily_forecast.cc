@@ -287,6 +287,7 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   if (choice.usable) judge_columns(result.columns, troubles);
   if (averaged) troubles.push_back(sentence_of(*averaged));
   judge_wind(result.columns.front().column, result.plan, troubles);
+  if (!data.damage.empty()) troubles.push_back(data.damage);
   result.snapshot = snapshot_of(data, result.plan, result.columns);
   result.snapshot.degraded = !troubles.empty();
   result.snapshot.averaged = averaged;

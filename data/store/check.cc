@@ -72,8 +72,8 @@ std::optional<std::string> repair_advice(Database& database, const std::string& 
   source.bind(1, sha256);
   if (!source.step()) return std::nullopt;
   const std::string cut = source.text(2);
-  return "delete it if it is there and ingest " + source.text(0) + " again (sha256 " +
-         source.text(1) + (cut.empty() ? "" : ", cut " + cut) + "): that puts it back";
+  return "ingest " + source.text(0) + " again (sha256 " + source.text(1) +
+         (cut.empty() ? "" : ", cut " + cut) + "): that puts it back";
 }
 
 void check_content(Database& database, const std::filesystem::path& folder, bool deep,

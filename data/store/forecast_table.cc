@@ -33,7 +33,33 @@ ForecastRow forecast_from(const Statement& row) {
   return forecast;
 }
 
+std::vector<std::int64_t> inputs_of(Database& database, std::int64_t forecast) {
+  Statement query = database.prepare(
+      "SELECT granule_id FROM forecast_input WHERE forecast_id = ? ORDER BY position");
+  query.bind(1, forecast);
+  std::vector<std::int64_t> inputs;
+  while (query.step()) inputs.push_back(query.integer(0));
+  return inputs;
+}
+
 }  // namespace
+
+std::optional<std::int64_t> same_forecast(Database& database, const ForecastRow& row,
+                                          const std::string& content_sha256) {
+  Statement query = database.prepare(
+      "SELECT id FROM forecast WHERE site_id = ? AND day = ? AND issued_ms = ? AND "
+      "content_sha256 = ? AND valid_from_ms = ? AND valid_to_ms = ? AND wind_policy = ? AND "
+      "origin = ? AND degraded = ? AND headline = ? AND summary_json = ? AND code_version = ? "
+      "ORDER BY id");
+  query.bind_all(row.site_id, format_day(row.day), row.issued, content_sha256, row.valid_from,
+                 row.valid_to, name_of(row.wind_policy), name_of(row.origin),
+                 std::int64_t{row.degraded}, row.headline, row.summary_json, row.code_version);
+  while (query.step()) {
+    const std::int64_t id = query.integer(0);
+    if (inputs_of(database, id) == row.input_granules) return id;
+  }
+  return std::nullopt;
+}
 
 std::int64_t insert_forecast(Database& database, const ForecastRow& row,
                              const SealedFile& content) {

@@ -104,6 +104,12 @@ struct NewForecast {
   std::filesystem::path content_file;
 };
 
+/// A forecast that is in the store now.
+struct FiledForecast {
+  std::int64_t id = 0;
+  bool is_new = true;  ///< false: it was issued before, to the byte
+};
+
 /// Which forecasts are wanted; what is not set does not restrict.
 struct ForecastQuery {
   std::string site_id;             ///< empty: all sites

@@ -8,6 +8,7 @@
 #include "data/store/granule_table.h"
 #include "data/store/layout.h"
 #include "data/store/open_catalogue.h"
+#include "data/store/proven_content.h"
 #include "data/store/staging.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
@@ -43,7 +44,7 @@ void discard(std::span<const NewGranule> granules) {
 bool has_all_content(Database& database, const std::filesystem::path& folder, std::int64_t source) {
   return std::ranges::all_of(contents_of_source(database, source),
                              [&](const NamedContent& content) {
-                               return is_present(folder, content.sha256, content.bytes);
+                               return is_intact(folder, content.sha256, content.bytes);
                              });
 }
 
@@ -87,6 +88,19 @@ std::filesystem::path Store::content_path(const std::string& content_sha256) con
   return content_file(state_->folder, content_sha256);
 }
 
+std::filesystem::path Store::proven_content(const std::string& content_sha256) const {
+  return store::proven_content(state_->folder, content_sha256);
+}
+
+std::optional<std::string> Store::content_fault(const std::string& content_sha256) const {
+  return store::content_fault(state_->folder, content_sha256);
+}
+
+bool Store::names_source(const std::string& sha256, const std::string& cut_key) {
+  const Transaction transaction(state_->database, Transaction::Kind::read);
+  return source_id(state_->database, sha256, cut_key).has_value();
+}
+
 std::optional<SourceFile> Store::find_source(const std::string& sha256,
                                              const std::string& cut_key) {
   const Transaction transaction(state_->database, Transaction::Kind::read);
@@ -109,15 +123,15 @@ bool Store::commit_ingest(const SourceFile& source, std::span<const NewGranule> 
       discard(granules);
       return false;
     }
-    // Content was lost. The same bytes mend it in place; other bytes (a newer decoder) make it a
+    // Content was lost or damaged. The same bytes mend it in place; other bytes (a newer decoder) make it a
     // new source.
     insert = !replaces_content(database, *id, sealed);
     if (insert && is_input_of_a_forecast(database, *id)) {
       throw Error(
           ErrorKind::unavailable,
           source.name +
-              ": content of this source is lost, and this program decodes it to other bytes "
-              "than those an issued forecast was made from; restore the lost files from a copy "
+              ": content of this source is lost or damaged, and this program decodes it to other "
+              "bytes than those an issued forecast was made from; restore the files from a copy "
               "(`slackwater store check` names them), or prune those forecasts first");
     }
     if (insert) delete_source(database, *id);
@@ -147,26 +161,31 @@ std::vector<SourceFile> Store::list_sources() {
   return read_sources(state_->database);
 }
 
-std::int64_t Store::commit_forecast(const ForecastRow& row,
-                                    const std::filesystem::path& content_file) {
+FiledForecast Store::commit_forecast(const ForecastRow& row,
+                                     const std::filesystem::path& content_file) {
   const NewForecast forecast{row, content_file};
   return commit_forecasts(std::span(&forecast, 1)).front();
 }
 
-std::vector<std::int64_t> Store::commit_forecasts(std::span<const NewForecast> forecasts) {
+std::vector<FiledForecast> Store::commit_forecasts(std::span<const NewForecast> forecasts) {
   state_->expect_writable();
   const std::vector<SealedFile> sealed = seal_all(forecasts);
   Transaction transaction(state_->database, Transaction::Kind::write);
   Adoption adoption(state_->folder);
   for (const SealedFile& file : sealed) adoption.place(file);
   adoption.sync();
-  std::vector<std::int64_t> ids;
+  std::vector<FiledForecast> filed;
   for (std::size_t i = 0; i < forecasts.size(); ++i) {
-    ids.push_back(insert_forecast(state_->database, forecasts[i].row, sealed[i]));
+    const ForecastRow& row = forecasts[i].row;
+    if (const auto known = same_forecast(state_->database, row, sealed[i].sha256)) {
+      filed.push_back({*known, false});
+    } else {
+      filed.push_back({insert_forecast(state_->database, row, sealed[i]), true});
+    }
   }
   adoption.keep();
   transaction.commit();
-  return ids;
+  return filed;
 }
 
 std::vector<ForecastRow> Store::find_forecasts(const ForecastQuery& query) {

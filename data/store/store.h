@@ -44,12 +44,20 @@ class Store {
   [[nodiscard]] const std::filesystem::path& folder() const noexcept;
   /// This process's folder for content files being written, made on first use; gone with the Store.
   [[nodiscard]] std::filesystem::path staging_folder();
+  /// Where a content file lies, whatever became of it: `proven_content` and `content_fault` say
+  /// whether it may be opened.
   [[nodiscard]] std::filesystem::path content_path(const std::string& content_sha256) const;
+  /// data/store/proven_content.h
+  [[nodiscard]] std::filesystem::path proven_content(const std::string& content_sha256) const;
+  [[nodiscard]] std::optional<std::string> content_fault(const std::string& content_sha256) const;
 
-  /// The source, if it is stored and its content files are there; a source with a lost file counts
-  /// as absent, so that ingesting it again repairs the store.
+  /// The source, if it is stored and its content files are whole (their checksums: reads them); a
+  /// source with a lost or damaged file counts as absent, so that ingesting it again repairs the
+  /// store.
   [[nodiscard]] std::optional<SourceFile> find_source(const std::string& sha256,
                                                       const std::string& cut_key);
+  /// Whether the catalogue names the source, whatever became of its content files.
+  [[nodiscard]] bool names_source(const std::string& sha256, const std::string& cut_key);
   /// Takes over the content files and stores the source with all its granules. False: it was there
   /// already (perhaps another process was faster); then the staged files are removed and nothing
   /// changes. After an Error the content files may be gone: decode again before another try.
@@ -60,9 +68,10 @@ class Store {
   [[nodiscard]] GranuleRow granule(std::int64_t id);
   [[nodiscard]] std::vector<SourceFile> list_sources();  ///< in order of ingestion
 
-  std::int64_t commit_forecast(const ForecastRow& row, const std::filesystem::path& content_file);
-  /// All or none; the ids in the order given.
-  std::vector<std::int64_t> commit_forecasts(std::span<const NewForecast> forecasts);
+  FiledForecast commit_forecast(const ForecastRow& row, const std::filesystem::path& content_file);
+  /// All or none; in the order given. A forecast that is stored already, the same row with the same
+  /// content, keeps its id and adds nothing (its content file is mended where it was damaged).
+  std::vector<FiledForecast> commit_forecasts(std::span<const NewForecast> forecasts);
   /// In order of (day, issued, id).
   [[nodiscard]] std::vector<ForecastRow> find_forecasts(const ForecastQuery& query);
   [[nodiscard]] std::vector<ForecastRow> list_forecasts() { return find_forecasts({}); }

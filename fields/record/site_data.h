@@ -49,6 +49,9 @@ struct SiteData {
   std::vector<ColumnData> columns;
   /// Columns asked for that lie on land or outside every current product.
   std::size_t dry_columns = 0;
+  /// What of the store's files is damaged and was left out, as a clause; empty: nothing. Makes a
+  /// forecast degraded.
+  std::string damage;
 
   [[nodiscard]] bool has_currents() const;
   /// Whether there are neither currents nor wind nor waves at any column.

@@ -11,6 +11,9 @@ MatchRule read_match(const Config& config) {
   MatchRule rule;
   rule.attribute = config.optional_text("attribute").value_or("");
   rule.contains = config.optional_text("contains").value_or("");
+  if (const auto also = config.optional_child("also")) {
+    for (const std::string& name : also->keys()) rule.also[name] = also->text(name);
+  }
   rule.variables = config.texts("variables");
   if (rule.attribute.empty() && rule.variables.empty()) {
     config.refuse("attribute", "a match rule needs an attribute or variables");
@@ -90,7 +93,7 @@ Product Product::load(const std::filesystem::path& file) {
   product.id = config.text("id");
   product.title = config.text("title");
   product.doi = config.optional_text("doi").value_or("");
-  product.attribution = config.text("attribution");
+  product.attribution = config.optional_text("attribution").value_or("");
   product.match_order = config.optional_integer("match_order", 0, 1000).value_or(50);
   for (const Config& rule : config.children("match")) product.match.push_back(read_match(rule));
   for (const Config& entry : config.children("settles"))
@@ -111,11 +114,16 @@ Product Product::load(const std::filesystem::path& file) {
 }
 
 bool Product::matches(const netcdf::File& file) const {
+  const auto says = [&](const std::string& attribute, const std::string& words) {
+    const auto text = file.text(attribute);
+    return text && contains_ignoring_case(*text, words);
+  };
   return std::any_of(match.begin(), match.end(), [&](const MatchRule& rule) {
-    if (!rule.attribute.empty()) {
-      const auto text = file.text(rule.attribute);
-      if (!text || !contains_ignoring_case(*text, rule.contains)) return false;
-    }
+    if (!rule.attribute.empty() && !says(rule.attribute, rule.contains)) return false;
+    const bool says_all = std::all_of(rule.also.begin(), rule.also.end(), [&](const auto& other) {
+      return says(other.first, other.second);
+    });
+    if (!says_all) return false;
     return std::all_of(rule.variables.begin(), rule.variables.end(),
                        [&](const std::string& name) { return file.find(name) != nullptr; });
   });

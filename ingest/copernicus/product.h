@@ -12,11 +12,14 @@
 
 namespace slackwater::ingest {
 
-/// One way to recognise a product: all conditions of a rule hold, or the rule does not match.
+/// One way to recognise a product: all conditions of a rule hold, or the rule does not match. Where
+/// the product has an attribution, its rules must prove who made the file: who is credited is what
+/// the file says, never what its layout or the tool that wrote it resembles.
 struct MatchRule {
-  std::string attribute;               ///< global attribute; empty: no such condition
-  std::string contains;                ///< its text holds this, letter case ignored
-  std::vector<std::string> variables;  ///< the file has all of these
+  std::string attribute;                    ///< global attribute; empty: no such condition
+  std::string contains;                     ///< its text holds this, letter case ignored
+  std::map<std::string, std::string> also;  ///< other global attributes, and what each must hold
+  std::vector<std::string> variables;       ///< the file has all of these
 };
 
 /// Attributes that a product's files forget. They fill gaps, they never overrule what a file says.
@@ -65,7 +68,7 @@ struct Product {
   std::string id;
   std::string title;
   std::string doi;
-  std::string attribution;
+  std::string attribution;       ///< empty: as the file says (ingest/cf/attribution.h)
   int match_order = 50;          ///< descriptors are tried in this order
   std::vector<MatchRule> match;  ///< any of these
   std::vector<SettledAttributes> settles;

@@ -6,6 +6,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "ingest/cf/attribution.h"
 #include "ingest/cf/granule_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "ingest/decoded/staged_files.h"
@@ -67,20 +68,6 @@ bool is_gridded(const netcdf::File& file) {
         };
         return has(rows) && has(columns);
       });
-}
-
-/// The sentence to print: the product's, else what the file asks for.
-std::string attribution_of(const netcdf::File& file, const Product& product) {
-  constexpr std::size_t longest = 1000;
-  if (product.id != "cf") return product.attribution;
-  for (const char* attribute : {"acknowledgement", "acknowledgment", "citation"}) {
-    std::string text = file.text(attribute).value_or("");
-    if (text.find_first_not_of(' ') != std::string::npos && text.size() <= longest) return text;
-  }
-  const std::string institution =
-      file.text("institution").value_or(file.text("agency").value_or(""));
-  return institution.find_first_not_of(' ') == std::string::npos ? product.attribution
-                                                                 : "Observations by " + institution;
 }
 
 void apply_status(Granule& granule, const IngestOptions& options) {
@@ -163,7 +150,7 @@ class SeriesDecoder {
     granule.water_depth_m = water_depth_m_;
     granule.product_id = product_.id;
     granule.dataset_id = file_.text("id").value_or("");
-    granule.attribution = attribution_of(file_, product_);
+    granule.attribution = attribution_of(file_, product_, "Observations by");
     apply_status(granule, options_);
     for (const SeriesValues& series : group.series) {
       granule.variables.push_back(

@@ -199,7 +199,7 @@ TEST_F(Commands, AForecastAsIssuedIsNeverOverwritten) {
   const json first = json::parse(store_.listing())["forecasts"][0];
   const std::string bytes = read_bytes(content_of(first));
   const json again = forecast();
-  EXPECT_NE(again["id"], first["id"]);
+  EXPECT_EQ(again["id"], first["id"]) << "the same inputs at the same time: nothing is added";
   // The provider rewrites a day: a new forecast follows, the old one stands.
   ProductForTests rewritten = current_product(day + days(2));
   rewritten.quantity("uo").value = [](const ProductCell& cell) {
@@ -208,10 +208,10 @@ TEST_F(Commands, AForecastAsIssuedIsNeverOverwritten) {
   store_.ingest(write_product(store_.file("rewritten.nc"), rewritten));
   static_cast<void>(forecast());
   const json list = json::parse(store_.listing())["forecasts"];
-  ASSERT_EQ(list.size(), 3U);
+  ASSERT_EQ(list.size(), 2U);
   EXPECT_EQ(list[0], first);
   EXPECT_EQ(read_bytes(content_of(list[0])), bytes);
-  EXPECT_NE(list[2]["content_sha256"], first["content_sha256"]);
+  EXPECT_NE(list[1]["content_sha256"], first["content_sha256"]);
 }
 
 TEST_F(Commands, ProfileSaysTheSameInEveryFormAndAsTheFile) {
@@ -322,6 +322,36 @@ TEST_F(Commands, PrintDownloadsGivesExactSubsetLinesAndTouchesNothing) {
       << commands;
   EXPECT_TRUE(contains(commands, "T00:00:00 -T 2025-03-12T00:00:00"))
       << "to the end of the horizon: " << commands;
+}
+
+TEST_F(Commands, TheSameInputsAtTheSameTimeAreTheSameForecastAndOthersGetTheirOwn) {
+  const std::string site = store_.site();
+  const auto issued = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"forecast", "--site", site, "--at", "2025-03-09T05:00:00Z",
+                                       "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult result = store_.run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json::parse(result.out);
+  };
+  const auto rows = [&] { return json::parse(store_.listing())["forecasts"].size(); };
+  const json first = issued({});
+  EXPECT_FALSE(first["already_issued"].get<bool>());
+  const std::size_t before = rows();
+  for (int turn = 0; turn < 2; ++turn) {
+    const json again = issued({});
+    EXPECT_EQ(again["id"], first["id"]);
+    EXPECT_TRUE(again["already_issued"].get<bool>());
+  }
+  const ProgramResult told =
+      store_.run({"forecast", "--site", site, "--at", "2025-03-09T05:00:00Z"});
+  EXPECT_TRUE(contains(told.out, "already issued as " + first["id"].dump())) << told.out;
+  EXPECT_EQ(rows(), before);
+  const ProgramResult check = store_.run({"store", "check"});
+  EXPECT_EQ(check.exit_code, 0) << check.out;
+  EXPECT_NE(issued({"--horizon", "48h"})["id"], first["id"]);
+  EXPECT_NE(issued({"--wind", "persist"})["id"], first["id"]);
+  EXPECT_EQ(rows(), before + 2);
 }
 
 TEST_F(Commands, HindcastGivesTheNumbersOfTheForecastIssuedAtTheEndOfTheDay) {

@@ -154,6 +154,49 @@ TEST_F(Degraded, AWeekOldStoreStillAnswersAndATooOldOneSaysSo) {
   }
 }
 
+TEST_F(Degraded, ADamagedStoredFileIsLeftOutNamedAndMendedByIngestingItAgain) {
+  ingest_currents(2);
+  ingest_wind_and_waves(2);
+  const auto content_of = [&](const std::string& product_file) {
+    const json list = json::parse(store_.listing());
+    for (const json& source : list["sources"]) {
+      if (source["name"] != product_file) continue;
+      for (const json& granule : list["granules"]) {
+        if (granule["source_sha256"] != source["sha256"]) continue;
+        const auto sha256 = granule["content_sha256"].get<std::string>();
+        return store_.store() / "files" / sha256.substr(0, 2) / (sha256 + ".nc");
+      }
+    }
+    return std::filesystem::path();
+  };
+  const json whole = forecast("2025-03-08T05:00:00Z");
+  int minute = 1;
+  for (const char* name : {"waves1.nc", "wind1.nc", "currents0.nc"}) {
+    const auto content = content_of(name);
+    std::string bytes = read_bytes(content);
+    bytes.insert(bytes.begin() + 700, 'x');  // some such bytes crash the library that reads them
+    write_bytes(content, bytes);
+    expect_degraded(forecast("2025-03-08T05:0" + std::to_string(minute++) + ":00Z"),
+                    {name, "is damaged and left out", "slackwater store check"});
+    const ProgramResult again = store_.run({"ingest", store_.file(name).string(), "--json"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(json::parse(again.out)["files"][0]["repaired"].get<bool>()) << again.out;
+    const json mended = forecast("2025-03-08T05:0" + std::to_string(minute++) + ":00Z");
+    EXPECT_EQ(mended["headline"], whole["headline"]);
+    EXPECT_EQ(mended["degraded"], whole["degraded"]);
+  }
+}
+
+TEST_F(Degraded, NothingButDamagedFilesIsAnErrorThatNamesThem) {
+  ingest_currents(1);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(store_.store() / "files"))
+    if (entry.is_regular_file()) write_bytes(entry.path(), "no NetCDF");
+  const ProgramResult result =
+      store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-07T05:00:00Z"});
+  EXPECT_EQ(result.exit_code, 3) << result.out;
+  EXPECT_TRUE(contains(result.err, "currents0.nc")) << result.err;
+}
+
 TEST_F(Degraded, AnEmptyStoreIsAnErrorThatSaysWhatToFetch) {
   ingest("bathymetry.nc", bathymetry_product());
   const ProgramResult result =

@@ -95,7 +95,7 @@ class OneAnswer : public ::testing::Test {
 
 Horizontal from_library(const std::filesystem::path& folder, const Asked& asked) {
   store::Store store = store::Store::open(folder, store::OpenMode::read_only);
-  const auto row = api::forecast_in_force(store, {});
+  const auto row = api::forecast_in_force(store, {}).row;
   const CurrentSample sample =
       api::read_field(store, row, ingest::Members::none)
           ->current({asked.longitude_deg, asked.latitude_deg, asked.depth_m, asked.time});

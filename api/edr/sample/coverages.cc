@@ -104,7 +104,8 @@ Coverage along(const Selection& s, std::span<const Vertex> vertices, const std::
 
 Answer answer_of(Selection s, std::vector<Coverage> coverages, const Absences& absences) {
   Answer answer = std::move(s.answer);
-  answer.notes = notes_of(absences, *s.field);
+  const std::vector<std::string> why_missing = notes_of(absences, *s.field);
+  answer.notes.insert(answer.notes.end(), why_missing.begin(), why_missing.end());
   const Snapshot& snapshot = s.field->snapshot();
   if (snapshot.averaged && s.collection->vertical == Vertical::depth_down)
     answer.notes.push_back(sentence_of(*snapshot.averaged));

@@ -8,7 +8,7 @@
 #include "api/edr/read/vertical.h"
 #include "api/edr/read/wkt.h"
 #include "api/edr/sample/queries.h"
-#include "fields/base/constants.h"
+#include "api/edr/sample/shape.h"
 #include "fields/base/error.h"
 
 // Area, radius and cube: the forecast's own columns within a shape, or an even grid over it where a
@@ -25,12 +25,6 @@ std::vector<double> even_axis(double low, double high, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     axis[i] = low + (high - low) * static_cast<double>(i) / static_cast<double>(count - 1);
   return axis;
-}
-
-/// The longitude as the box counts it.
-double in_box(double longitude_deg, const Box& box) {
-  const double middle = 0.5 * (box.west_deg + box.east_deg);
-  return longitude_deg + 360.0 * std::round((middle - longitude_deg) / 360.0);
 }
 
 /// The columns of the forecast within the shape, as axes of a grid.
@@ -73,22 +67,6 @@ Axes some_place_in(const Box& box, const Inside& is_inside) {
   return {{x}, {y}};
 }
 
-/// What two boxes share, with the second moved by whole turns to where they share most;
-/// west > east for nothing.
-Box shared(const Box& asked, const Box& area) {
-  if (asked.east_deg - asked.west_deg >= 360)
-    return {area.west_deg, std::max(asked.south_deg, area.south_deg), area.east_deg,
-            std::min(asked.north_deg, area.north_deg)};
-  Box best{1, 0, 0, 0};
-  for (const double turn : {-720.0, -360.0, 0.0, 360.0, 720.0}) {
-    const Box cut{
-        std::max(asked.west_deg, area.west_deg + turn), std::max(asked.south_deg, area.south_deg),
-        std::min(asked.east_deg, area.east_deg + turn), std::min(asked.north_deg, area.north_deg)};
-    if (cut.east_deg - cut.west_deg > best.east_deg - best.west_deg) best = cut;
-  }
-  return best;
-}
-
 Box reached(const Selection& s, const Box& box, std::string_view parameter) {
   const slackwater::BoundingBox& area = s.field->range().box;
   const double east_deg = area.east_deg < area.west_deg ? area.east_deg + 360 : area.east_deg;
@@ -107,16 +85,10 @@ std::optional<std::size_t> resolution(const QueryString& query, std::string_view
   return text ? parse_resolution(key, *text) : std::nullopt;
 }
 
-std::size_t vertices_of(const Geometry& shape) {
-  std::size_t vertices = 0;
-  for (const Part& part : shape.parts)
-    for (const Path& path : part) vertices += path.size();
-  return vertices;
-}
-
-Plan over(Selection s, const QueryString& query, const Box& asked, std::string_view parameter,
-          Inside is_inside, const std::vector<double>* levels = nullptr, std::size_t vertices = 1) {
-  const Box box = reached(s, asked, parameter);
+Plan over(Selection s, const QueryString& query, Shape shape, std::string_view parameter,
+          const std::vector<double>* levels = nullptr) {
+  const Box box = reached(s, shape.box, parameter);
+  Inside is_inside = std::move(shape.is_inside);
   const auto x_count = resolution(query, "resolution-x");
   const auto y_count = resolution(query, "resolution-y");
   Axes axes = columns_within(s, box, is_inside);
@@ -128,7 +100,7 @@ Plan over(Selection s, const QueryString& query, const Box& asked, std::string_v
       levels != nullptr ? *levels : verticals_of(s, query, s.field->range().deepest_m);
   const std::size_t cells = axes.longitude_deg.size() * axes.latitude_deg.size();
   Work work = moderate_work(s, cells * times.size() * verticals.size());
-  work.comparisons = moderate_comparisons(cells, vertices);
+  work.comparisons = moderate_comparisons(cells, shape.vertices);
   return {work, [s = std::move(s), axes = std::move(axes), times = std::move(times),
                  verticals = std::move(verticals), is_inside = std::move(is_inside)]() mutable {
             Absences absences{};
@@ -144,12 +116,7 @@ Plan over(Selection s, const QueryString& query, const Box& asked, std::string_v
 Plan area_plan(Selection s, const QueryString& query) {
   Geometry shape = parse_wkt("coords", query.find("coords").value_or(""),
                              {GeometryType::polygon, GeometryType::multi_polygon});
-  const Box box = bounding_box(shape);
-  const std::size_t vertices = vertices_of(shape);
-  const auto is_inside = [shape = std::move(shape)](double x, double y) {
-    return contains(shape, x, y);
-  };
-  return over(std::move(s), query, box, "coords", is_inside, nullptr, vertices);
+  return over(std::move(s), query, shape_of(std::move(shape)), "coords");
 }
 
 Plan radius_plan(Selection s, const QueryString& query) {
@@ -158,16 +125,8 @@ Plan radius_plan(Selection s, const QueryString& query) {
   const double radius_m = parse_distance_m("within", query.find("within").value_or(""),
                                            "within-units", query.find("within-units").value_or(""));
   const Vertex& middle = centre.parts.front().front().front();
-  constexpr double radians = constants::pi / 180;
-  const double north_deg = radius_m / (constants::earth_radius_m * radians);
-  const double cosine = std::max(0.01, std::cos(middle.latitude_deg * radians));
-  const double east_deg = std::min(180.0, north_deg / cosine);
-  const Box box{middle.longitude_deg - east_deg, std::max(-90.0, middle.latitude_deg - north_deg),
-                middle.longitude_deg + east_deg, std::min(90.0, middle.latitude_deg + north_deg)};
-  const GeoPoint from = GeoPoint::from_degrees(middle.latitude_deg, middle.longitude_deg);
-  return over(std::move(s), query, box, "coords", [from, radius_m](double x, double y) {
-    return distance_m(from, GeoPoint::from_degrees(y, x)) <= radius_m;
-  });
+  return over(std::move(s), query, circle(middle.longitude_deg, middle.latitude_deg, radius_m),
+              "coords");
 }
 
 Plan cube_plan(Selection s, const QueryString& query) {
@@ -194,8 +153,7 @@ Plan cube_plan(Selection s, const QueryString& query) {
   }
   if (const auto count = resolution(query, "resolution-z"); count && levels.size() > 1)
     levels = even_axis(levels.front(), levels.back(), *count);
-  return over(
-      std::move(s), query, cube.box, "bbox", [](double, double) { return true; }, &levels);
+  return over(std::move(s), query, shape_of(cube.box), "bbox", &levels);
 }
 
 }  // namespace slackwater::api::edr

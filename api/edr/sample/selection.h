@@ -16,7 +16,7 @@ struct Selection {
   const Collection* collection = nullptr;
   std::shared_ptr<const Field> field;
   std::vector<std::size_t> parameters;  ///< indices into parameters_of
-  Answer answer;                        ///< with all but its coverages and notes
+  Answer answer;                        ///< with all but its coverages and the notes about them
 };
 
 /// @throws Error(usage) for a parameter name that the collection does not have

@@ -16,14 +16,14 @@ inline std::int64_t commit_made_up(store::Store& store, const Snapshot& made,
   row.row.site_id = made.site_id;
   row.row.day = made.day;
   row.row.issued = made.issued;
-  row.row.valid_from = made.time.front();
+  row.row.valid_from = made.time.front().id;
   row.row.valid_to = made.time.back();
   row.row.wind_policy = made.wind_policy.value();
   row.row.origin = origin;
   row.row.headline = made.headline;
   row.row.summary_json = "{}";
   row.row.code_version = "test";
-  return store.commit_forecasts(std::span(&row, 1)).front();
+  return store.commit_forecasts(std::span(&row, 1)).front().id;
 }
 
 }  // namespace slackwater::tests

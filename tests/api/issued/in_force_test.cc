@@ -53,7 +53,7 @@ class InForceOfAStore : public ::testing::Test {
 
 TEST_F(InForceOfAStore, EachSitesOwnComesFirst) {
   store::Store store = open();
-  EXPECT_EQ(forecast_in_force(store, {"lone", {}, {}}).id, later_);
+  EXPECT_EQ(forecast_in_force(store, {"lone", {}, {}}).row.id, later_);
   const auto rows = by_force(store, {});
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0].id, later_);
@@ -65,8 +65,8 @@ TEST_F(InForceOfAStore, ADayOrATimeThatOnlyHindsightCoversIsAnsweredByIt) {
   store::Store store = open();
   const UtcDay day = parse_day("2025-03-09");
   store::ForecastRow newest = by_force(store, {"lone", {}, {}}).back();
-  EXPECT_EQ(forecast_in_force(store, {"lone", newest.day, {}}).id, hindcast_);
-  EXPECT_EQ(forecast_in_force(store, {"lone", {}, newest.valid_to}).id, hindcast_);
+  EXPECT_EQ(forecast_in_force(store, {"lone", newest.day, {}}).row.id, hindcast_);
+  EXPECT_EQ(forecast_in_force(store, {"lone", {}, newest.valid_to}).row.id, hindcast_);
   EXPECT_LT(day, newest.day);
 }
 

@@ -105,6 +105,35 @@ TEST_F(DamagedStore, AMissingContentFileIsNamedAndIngestingAgainPutsItBack) {
   EXPECT_TRUE(store.check(true).findings.empty());
 }
 
+TEST_F(DamagedStore, ADamagedContentFileOfTheSameSizeIsNamedAndIngestingAgainMendsIt) {
+  Store store = open();
+  const std::string sha256 = content_.stem().string();
+  EXPECT_EQ(store.content_fault(sha256), std::nullopt);
+  EXPECT_EQ(store.proven_content(sha256), content_);
+  std::fstream stream(content_, std::ios::binary | std::ios::in | std::ios::out);
+  stream.seekg(3);
+  const auto byte = static_cast<char>(stream.get());
+  stream.seekp(3);
+  stream.put(static_cast<char>(byte ^ 1));
+  stream.close();
+  ASSERT_TRUE(store.content_fault(sha256)) << "though it was found whole before";
+  EXPECT_NE(store.content_fault(sha256)->find("sha256 differs"), std::string::npos);
+  try {
+    static_cast<void>(store.proven_content(sha256));
+    FAIL() << "a damaged file was taken for whole";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::invalid_input);
+    EXPECT_NE(error.message().find(content_.string()), std::string::npos) << error.message();
+    EXPECT_NE(error.message().find("store check"), std::string::npos) << error.message();
+  }
+  EXPECT_FALSE(store.find_source(samples::source(2).sha256, "")) << "as if it were not there";
+  EXPECT_TRUE(store.names_source(samples::source(2).sha256, ""));
+  EXPECT_TRUE(samples::ingest(store, 2));
+  EXPECT_EQ(store.content_fault(sha256), std::nullopt);
+  EXPECT_FALSE(samples::ingest(store, 2)) << "whole again: nothing to do";
+  EXPECT_TRUE(store.check(true).findings.empty());
+}
+
 TEST_F(DamagedStore, ALostFileThatIsNowDecodedToOtherBytesBecomesANewSource) {
   std::filesystem::remove(content_);
   Store store = open();

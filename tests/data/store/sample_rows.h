@@ -100,7 +100,7 @@ inline ForecastRow forecast_row(int number, std::vector<std::int64_t> inputs = {
 inline std::int64_t issue(Store& store, int number, std::vector<std::int64_t> inputs = {}) {
   const auto file = store.staging_folder() / ("forecast-" + std::to_string(number) + ".nc");
   write_file(file, forecast_content(number));
-  return store.commit_forecast(forecast_row(number, std::move(inputs)), file);
+  return store.commit_forecast(forecast_row(number, std::move(inputs)), file).id;
 }
 
 }  // namespace slackwater::store::samples

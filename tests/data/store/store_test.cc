@@ -205,10 +205,13 @@ TEST_F(StoreTest, FindsForecastsBySiteDayOriginAndPolicy) {
   forecasts[0].row.origin = ForecastOrigin::hindcast;
   forecasts[1].row.wind_policy = WindPolicy::persist;
   forecasts[3].row.site_id = "elba";
-  const auto ids = store_.commit_forecasts(forecasts);
+  std::vector<std::int64_t> ids;
+  for (const FiledForecast& filed : store_.commit_forecasts(forecasts)) ids.push_back(filed.id);
   ASSERT_EQ(ids.size(), 4U);
-  const std::int64_t again =
-      samples::issue(store_, 3);  // the same day once more: never overwritten
+  // The same day once more, made otherwise: never overwritten.
+  const auto other = store_.staging_folder() / "other";
+  samples::write_file(other, samples::forecast_content(5));
+  const std::int64_t again = store_.commit_forecast(samples::forecast_row(3), other).id;
 
   const auto found = [&](const ForecastQuery& query) {
     std::vector<std::int64_t> result;
@@ -228,6 +231,38 @@ TEST_F(StoreTest, FindsForecastsBySiteDayOriginAndPolicy) {
   query.wind_policy = WindPolicy::persist;
   EXPECT_EQ(found(query), std::vector{ids[1]});
   EXPECT_EQ(store_.list_forecasts().size(), 5U);
+}
+
+TEST_F(StoreTest, AForecastIssuedAgainToTheByteKeepsItsNumberAndAnyDifferenceGetsItsOwn) {
+  samples::ingest(store_, 1);
+  std::vector<std::int64_t> inputs;
+  for (const GranuleRow& granule : store_.find_granules({})) inputs.push_back(granule.id);
+  const std::int64_t first = samples::issue(store_, 1, inputs);
+  const auto filed = [&](const ForecastRow& row, int content) {
+    const auto file = store_.staging_folder() / "again";
+    samples::write_file(file, samples::forecast_content(content));
+    return store_.commit_forecast(row, file);
+  };
+  const FiledForecast again = filed(samples::forecast_row(1, inputs), 1);
+  EXPECT_EQ(again.id, first);
+  EXPECT_FALSE(again.is_new);
+  EXPECT_EQ(store_.list_forecasts().size(), 1U);
+
+  std::vector<ForecastRow> others(7, samples::forecast_row(1, inputs));
+  others[0].site_id = "elba";
+  others[1].issued += std::chrono::seconds(1);
+  others[2].wind_policy = WindPolicy::persist;
+  others[3].origin = ForecastOrigin::hindcast;
+  others[4].summary_json = "{}";
+  others[5].code_version = "0.2.0";
+  others[6].input_granules.pop_back();
+  std::size_t rows = 1;
+  for (const ForecastRow& other : others) {
+    EXPECT_TRUE(filed(other, 1).is_new) << rows;
+    EXPECT_EQ(store_.list_forecasts().size(), ++rows);
+  }
+  EXPECT_TRUE(filed(samples::forecast_row(1, inputs), 2).is_new) << "other content";
+  EXPECT_TRUE(store_.check(true).findings.empty());
 }
 
 TEST_F(StoreTest, RefusesAForecastWhoseWindPolicyIsUnknown) {

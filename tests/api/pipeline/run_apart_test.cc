@@ -1,0 +1,162 @@
+// Work that may die, in a process of its own: whatever it does to itself, we live and are told.
+#include "api/pipeline/run_apart.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "tests/support/temporary_folder.h"
+
+namespace slackwater::api {
+namespace {
+
+using std::chrono::seconds;
+
+Apart run(const std::function<std::string(const TellShare&)>& work,
+          const Allowance& allowance = {}) {
+  return run_apart(allowance, work, {});
+}
+
+TEST(RunApart, AnswersAndSharesComeBackWhole) {
+  const std::string long_answer(3 << 20, 'x');
+  std::vector<double> shares;
+  const Apart apart = run_apart(
+      {},
+      [&](const TellShare& tell) {
+        for (int i = 0; i <= 1000; ++i) tell(0.001 * i);
+        return long_answer;
+      },
+      [&](double share) { shares.push_back(share); });
+  EXPECT_EQ(apart.end, Apart::End::answered);
+  EXPECT_EQ(apart.answer, long_answer);
+  ASSERT_GE(shares.size(), 900U);
+  EXPECT_NEAR(shares.back(), 1, 1e-3);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+}
+
+TEST(RunApart, AnEmptyAnswerIsAnAnswer) {
+  const Apart apart = run([](const TellShare&) { return std::string(); });
+  EXPECT_EQ(apart.end, Apart::End::answered);
+  EXPECT_EQ(apart.answer, "");
+}
+
+TEST(RunApart, WhatItChangesInMemoryStaysThere) {
+  int count = 1;
+  EXPECT_EQ(run([&](const TellShare&) { return std::to_string(++count); }).answer, "2");
+  EXPECT_EQ(count, 1);
+}
+
+TEST(RunApart, ACrashIsToldWithItsSignal) {
+  for (const int signal : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS}) {
+    const Apart apart = run([=](const TellShare& tell) {
+      tell(0.5);
+      std::signal(signal, SIG_DFL);  // a sanitizer's own handler apart
+      ::raise(signal);
+      return std::string("never");
+    });
+    EXPECT_EQ(apart.end, Apart::End::crashed) << signal;
+    EXPECT_EQ(apart.signal, signal);
+    EXPECT_EQ(apart.answer, "");
+  }
+}
+
+TEST(RunApart, AnEndWithoutAnAnswerIsACrash) {
+  const Apart left = run([](const TellShare&) -> std::string { ::_exit(0); });
+  EXPECT_EQ(left.end, Apart::End::crashed);
+  EXPECT_EQ(left.signal, 0);
+  const Apart thrown = run([](const TellShare&) -> std::string { throw std::runtime_error("no"); });
+  EXPECT_EQ(thrown.end, Apart::End::crashed);
+}
+
+TEST(RunApart, AnEndFromOutsideIsNoCrash) {
+  const Apart apart = run([](const TellShare&) {
+    ::raise(SIGKILL);
+    return std::string();
+  });
+  EXPECT_EQ(apart.end, Apart::End::killed);
+  EXPECT_EQ(apart.signal, SIGKILL);
+}
+
+TEST(RunApart, WhatNeverEndsIsEndedWhenItsProcessorTimeIsUsedUp) {
+  Allowance allowance;
+  allowance.processor = seconds(1);
+  const Apart apart = run(
+      [](const TellShare&) {
+        volatile bool goes_on = true;
+        while (goes_on) {
+        }
+        return std::string();
+      },
+      allowance);
+  EXPECT_EQ(apart.end, Apart::End::out_of_time);
+}
+
+/// Whether a process is gone, or dead and not yet buried.
+bool is_dead(pid_t process) {
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  std::string number;
+  std::string name;
+  std::string state;
+  return !(stat >> number >> name >> state) || state == "Z" || state == "X";
+}
+
+TEST(RunApart, TheChildGoesWithItsParent) {
+  for (const int signal : {SIGINT, SIGKILL}) {
+    const tests::TemporaryFolder folder;
+    const pid_t parent = ::fork();
+    if (parent == 0) {
+      static_cast<void>(run([&](const TellShare&) {
+        std::ofstream(folder / "child") << ::getpid() << std::endl;
+        ::sleep(60);
+        return std::string();
+      }));
+      ::_exit(0);
+    }
+    pid_t child = 0;
+    for (int turn = 0; turn < 1000 && child == 0; ++turn) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      std::ifstream(folder / "child") >> child;
+    }
+    ASSERT_GT(child, 0);
+    EXPECT_FALSE(is_dead(child));
+    ::kill(parent, signal);
+    ::waitpid(parent, nullptr, 0);
+    for (int turn = 0; turn < 500 && !is_dead(child); ++turn)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(is_dead(child)) << signal;
+  }
+}
+
+TEST(RunApart, MemoryBeyondTheAllowanceIsRefusedInTheChildAlone) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer's shadow knows no bound";
+#endif
+  Allowance allowance;
+  allowance.memory_bytes = std::uint64_t{2} << 30U;
+  const Apart apart = run(
+      [](const TellShare&) -> std::string {
+        try {
+          const std::vector<char> all(std::size_t{3} << 30U);
+          return "had " + std::to_string(all.size());
+        } catch (const std::bad_alloc&) {
+          return "refused";
+        }
+      },
+      allowance);
+  EXPECT_EQ(apart.answer, "refused");
+  struct rlimit ours {};
+  ASSERT_EQ(::getrlimit(RLIMIT_AS, &ours), 0);
+  EXPECT_GT(ours.rlim_cur, allowance.memory_bytes);
+}
+
+}  // namespace
+}  // namespace slackwater::api
