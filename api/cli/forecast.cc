@@ -12,7 +12,9 @@
 #include "api/program/version.h"
 #include "api/report/forecast_page.h"
 #include "api/report/verdict_text.h"
+#include "fields/base/attempt.h"
 #include "fields/base/text.h"
+#include "fields/service/wave_source.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 
@@ -75,12 +77,22 @@ void print_blend(const calibration::DailyForecast& forecast) {
               forecast.earned->spread.provenance.c_str());
 }
 
+/// Where the waves come from, with what the headline does not say yet.
+void print_waves(const calibration::DailyForecast& forecast, WindPolicy wind) {
+  std::string text = wave_sources_text(forecast.snapshot);
+  if (text.empty()) return;
+  const auto& computed = forecast.computed_waves;
+  if (computed && !calibration::is_degradation(*computed, wind))
+    text += ": " + calibration::text_of(*computed);
+  std::printf("Waves: %s.\n", text.c_str());
+}
+
 void print_days(const Snapshot& snapshot, const std::optional<TimeZone>& zone) {
   const ForecastColumn& column = snapshot.columns.front();
   const std::size_t levels = snapshot.depth_m.size();
   if (zone) std::printf("%-22s ", zone->name().c_str());
-  std::printf("%-22s %14s %14s %10s %8s %8s\n", "UTC", "surface m/s", "to deg", "wind m/s", "Hs m",
-              "Tp s");
+  std::printf("%-22s %14s %14s %10s %8s %8s  %s\n", "UTC", "surface m/s", "to deg", "wind m/s",
+              "Hs m", "Tp s", "waves");
   for (std::size_t t = 0; t < snapshot.time.size(); t += 3) {
     if (zone) std::printf("%-22s ", zone->text(snapshot.time[t]).c_str());
     std::printf("%-22s", format_utc(snapshot.time[t]).c_str());
@@ -97,8 +109,14 @@ void print_days(const Snapshot& snapshot, const std::optional<TimeZone>& zone) {
       std::printf(" %10s", "-");
     }
     if (t < column.sea.size() && !std::isnan(column.sea[t].significant_height_m)) {
-      std::printf(" %8.2f %8.1f\n", column.sea[t].significant_height_m,
-                  column.sea[t].peak_period_s);
+      const SeaState& sea = column.sea[t];
+      std::printf(" %8.2f", sea.significant_height_m);
+      if (sea.peak_period_s > 0) {
+        std::printf(" %8.1f", sea.peak_period_s);
+      } else {
+        std::printf(" %8s", "-");  // calm water, or a height without a period
+      }
+      std::printf("  %s\n", std::string(wave_source_words(column.sea_source[t])).c_str());
     } else {
       std::printf(" %8s %8s\n", "-", "-");
     }
@@ -241,9 +259,19 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   verify_options.leads = {{0, 24}};
   verify_options.bands = {{0, calibration::whole_column_m}};
   verify_options.by_hour = false;
-  PastSkill past{verify_with(store, site, data, verify_options).entries, {}};
-  const auto verdict = calibration::verdict_of(past.entries, options.wind);
-  past.verified = verified_text(verdict, options.wind);
+  // The forecast is stored: what fails from here on is told, and takes nothing from it.
+  PastSkill past;
+  std::optional<calibration::Verdict> verdict;
+  std::vector<std::string> unscored;
+  const auto failure = attempt([&] {
+    calibration::Verification verification = verify_with(store, site, data, verify_options);
+    unscored = std::move(verification.unscored);
+    past.entries = std::move(verification.entries);
+    verdict = calibration::verdict_of(past.entries, options.wind);
+  });
+  past.verified = failure ? "Not verified, the verification failed: " + failure->why
+                          : verified_text(verdict, options.wind);
+  for (const std::string& line : unscored) std::fprintf(stderr, "not scored: %s\n", line.c_str());
   if (!arguments.html.empty()) write_html(arguments, context, site, job, past);
   if (context.json) {
     json out = json::parse(job.summary_json);
@@ -272,6 +300,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   print_blend(forecast);
   if (snapshot.columns.size() > 1)
     std::printf("  … and %zu more columns\n", snapshot.columns.size() - 1);
+  print_waves(forecast, options.wind);
   print_days(snapshot, site.time_zone);
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }

@@ -71,6 +71,8 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
     if (arguments.by_hour) std::printf("%s", hourly_table(report.skill).c_str());
   }
   for (const std::string& line : report.skipped) std::fprintf(stderr, "skipped %s\n", line.c_str());
+  for (const std::string& line : report.unscored)
+    std::fprintf(stderr, "not scored: %s\n", line.c_str());
 }
 
 }  // namespace

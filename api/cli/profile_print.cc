@@ -3,9 +3,11 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "api/cli/command.h"
+#include "fields/service/wave_source.h"
 #include "ingest/cf/averaged_json.h"
 #include "ingest/cf/provenance_json.h"
 
@@ -44,6 +46,31 @@ json level_json(const ProfileAnswer& a, std::size_t i) {
   return level;
 }
 
+/// The waves there and then.
+struct WavesThen {
+  SeaState sea;
+  std::string_view source;
+};
+
+std::optional<WavesThen> waves_of(const ProfileAnswer& a) {
+  const Place place{a.point.longitude_deg(), a.point.latitude_deg(), 0, a.time};
+  SeaSample sample;
+  a.field->sample_sea({&place, 1}, {&sample, 1});
+  const auto source = wave_source_at(a.field->snapshot(), a.time);
+  if (!has_value(sample.status) || !source) return std::nullopt;
+  return WavesThen{sample.sea, wave_source_words(*source)};
+}
+
+json waves_json(const ProfileAnswer& a) {
+  const auto waves = waves_of(a);
+  if (!waves) return nullptr;
+  return {
+      {"sea_surface_wave_significant_height", waves->sea.significant_height_m},
+      {"sea_surface_wave_period_at_variance_spectral_density_maximum", waves->sea.peak_period_s},
+      {"sea_surface_wave_from_direction", waves->sea.from_direction_deg},
+      {"source", waves->source}};
+}
+
 json levels_json(const ProfileAnswer& a) {
   json levels = json::array();
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) levels.push_back(level_json(a, i));
@@ -73,6 +100,7 @@ json to_json(const ProfileAnswer& a) {
           {"units",
            {{"velocity", "m s-1"}, {"direction", "degree, towards, clockwise from true north"}}},
           {"levels", levels_json(a)},
+          {"waves", waves_json(a)},
           {"attributions", snapshot.attributions},
           {"provenance", json::parse(ingest::provenance_json(snapshot.provenance))}};
 }
@@ -117,9 +145,11 @@ void print_profiles_json(const std::vector<ProfileAnswer>& answers) {
   json document = to_json(answers.front());
   document.erase("time");
   document.erase("levels");
+  document.erase("waves");
   json profiles = json::array();
   for (const ProfileAnswer& a : answers)
-    profiles.push_back({{"time", format_utc(a.time)}, {"levels", levels_json(a)}});
+    profiles.push_back(
+        {{"time", format_utc(a.time)}, {"levels", levels_json(a)}, {"waves", waves_json(a)}});
   document["profiles"] = std::move(profiles);
   std::printf("%s\n", document.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
@@ -159,6 +189,11 @@ void print_profile_table(const ProfileAnswer& a) {
                 a.depth_m[i], std::abs(s.velocity_m_s), to_direction_deg(s.velocity_m_s),
                 s.velocity_m_s.real(), q.p10_m_s.real(), q.p90_m_s.real(), s.velocity_m_s.imag(),
                 q.p10_m_s.imag(), q.p90_m_s.imag());
+  }
+  if (const auto waves = waves_of(a)) {
+    std::printf("Waves: %.2f m, %.1f s, from %.0f deg (%s)\n", waves->sea.significant_height_m,
+                waves->sea.peak_period_s, waves->sea.from_direction_deg,
+                std::string(waves->source).c_str());
   }
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }

@@ -39,6 +39,8 @@ void run_verify(const VerifyArguments& arguments, const Context& context) {
   options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   store::Store store = context.open(store::OpenMode::read_only);
   const calibration::Verification result = verify(store, site, options);
+  for (const std::string& line : result.unscored)
+    std::fprintf(stderr, "not scored: %s\n", line.c_str());
   if (!arguments.html.empty())
     write_skill_page(verify_page(site, result, format_utc(context.now())), arguments.html);
   if (context.json) {

@@ -2,6 +2,7 @@
 
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/whole_day.h"
+#include "fields/base/attempt.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api {
@@ -31,8 +32,9 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
   const UtcTime last = UtcTime(options.to) + days(1) + options.horizon;
   const SiteData data = load_site_data(store, site, first - calibration::history_wanted, last);
   HindcastReport report;
-  calibration::Rehearsals rehearsals(data);
+  calibration::Rehearsals rehearsals(data, options.parts.of_column);
   std::vector<DailyJob> jobs;
+  std::optional<Failure> first_failure;
   const double count = static_cast<double>((options.to - options.from).count() + 1);
   for (UtcDay day = options.from; day <= options.to; day += days(1)) {
     calibration::ForecastOptions job;
@@ -43,13 +45,26 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     job.hindsight = options.wind == WindPolicy::best;
     job.threads = options.threads;
     job.rehearsals = &rehearsals;
-    if (!calibration::holds_day(data, day, job.issued)) {
-      report.skipped.push_back(format_day(day) + ": no whole day of currents");
-    } else {
-      jobs.push_back(daily_job(data, job));
-      drop_members(jobs.back().forecast.snapshot);
+    job.parts = options.parts;
+    const auto failure = attempt([&] {
+      if (!calibration::holds_day(data, day, job.issued)) {
+        report.skipped.push_back(format_day(day) + ": no whole day of currents");
+        return;
+      }
+      DailyJob made = daily_job(data, job);
+      drop_members(made.forecast.snapshot);
+      jobs.push_back(std::move(made));
+    });
+    if (failure) {
+      report.skipped.push_back(format_day(day) + ": " + failure->why);
+      if (!first_failure) first_failure = failure;
     }
     if (progress) progress(0.8 * static_cast<double>((day - options.from).count() + 1) / count);
+  }
+  if (jobs.empty() && first_failure) {
+    throw Error(first_failure->kind, "no day from " + format_day(options.from) + " to " +
+                                         format_day(options.to) + " could be forecast; " +
+                                         report.skipped.back());
   }
   if (jobs.empty()) {
     throw Error(ErrorKind::not_found, "the store holds no whole day of currents for site " +
@@ -61,9 +76,13 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     report.forecasts.push_back(filed.id);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const calibration::DailyForecast& forecast = jobs[i].forecast;
-    const auto scored =
-        calibration::score_forecast(data, forecast.snapshot, forecast.plan.dataset, options.verify)
-            .entries;
+    std::vector<calibration::SkillEntry> scored;
+    const auto failure = attempt([&] {
+      scored = calibration::score_forecast(data, forecast.snapshot, forecast.plan.dataset,
+                                           options.verify)
+                   .entries;
+    });
+    if (failure) report.unscored.push_back(format_day(forecast.plan.day) + ": " + failure->why);
     report.skill.insert(report.skill.end(), scored.begin(), scored.end());
     if (progress)
       progress(0.8 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(jobs.size()));

@@ -15,18 +15,21 @@ struct HindcastOptions {
   Duration horizon = std::chrono::hours(72);
   int threads = 2;
   calibration::VerifyOptions verify;
+  calibration::DayParts parts;  ///< what does the work of a day
 };
 
 struct HindcastReport {
   std::vector<calibration::SkillEntry> skill;
   std::vector<std::int64_t> forecasts;  ///< ids in the store
   std::vector<std::string> skipped;     ///< "2024-01-03: no whole day of currents"
+  std::vector<std::string> unscored;    ///< issued, but their scoring failed: "2024-01-03: why"
 };
 
 /// The daily job over a past period as if live: each day D is forecast with what was known when it
 /// ended plus the latency, stored as issued (origin hindcast), and scored against what the store
-/// holds now. Best wind is that of hindsight, and the forecasts made with it say so. Days without a whole day of currents are skipped and named; a period without any is
-/// Error(not_found).
+/// holds now. Best wind is that of hindsight, and the forecasts made with it say so. Days without a
+/// whole day of currents, and days whose forecast fails, are skipped and named and do not stop the
+/// others; a period without any forecast is an Error.
 [[nodiscard]] HindcastReport hindcast(store::Store& store, const Site& site,
                                       const HindcastOptions& options,
                                       const std::function<void(double)>& progress);

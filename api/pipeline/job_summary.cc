@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fields/service/wave_source.h"
 #include "ingest/cf/averaged_json.h"
 
 namespace slackwater::api {
@@ -55,6 +56,48 @@ json calibration_json(const calibration::Calibration& c) {
           {"iterations", c.iterations},
           {"termination", c.termination},
           {"warnings", c.warnings}};
+}
+
+/// Where the waves come from; what those that were computed rest on.
+json waves_json(const DailyForecast& forecast) {
+  const std::string sources = wave_sources_text(forecast.snapshot);
+  if (sources.empty()) return nullptr;
+  json waves = {{"source", sources}, {"computed", nullptr}};
+  if (!forecast.computed_waves) return waves;
+  const calibration::ComputedWaves& computed = *forecast.computed_waves;
+  const auto or_null = [](const std::optional<double>& value) {
+    return value ? json(*value) : json(nullptr);
+  };
+  waves["computed"] = {
+      {"hours", computed.hours},
+      {"of_hours", computed.of_hours},
+      {"of_wind_alone", computed.of_wind_alone},
+      {"fetch_km", {computed.fetch.shortest_m() / 1000, computed.fetch.longest_m() / 1000}},
+      {"fetch_assumed", computed.is_fetch_assumed},
+      {"highest_m", computed.highest_m},
+      {"highest_half_fetch_m", or_null(computed.highest_half_fetch_m)},
+      {"highest_twice_fetch_m", or_null(computed.highest_twice_fetch_m)},
+      {"text", calibration::text_of(computed)}};
+  return waves;
+}
+
+json failure_json(const calibration::PartFailure& failed, const json& column) {
+  return {{"part", name_of(failed.part)},
+          {"column", column},
+          {"kind", name_of(failed.failure.kind)},
+          {"why", failed.failure.why}};
+}
+
+/// The parts that failed, those of a column with its index.
+json failures_json(const DailyForecast& forecast) {
+  json list = json::array();
+  for (const calibration::PartFailure& failed : forecast.failures)
+    list.push_back(failure_json(failed, nullptr));
+  for (std::size_t i = 0; i < forecast.columns.size(); ++i) {
+    for (const calibration::PartFailure& failed : forecast.columns[i].failures)
+      list.push_back(failure_json(failed, i));
+  }
+  return list;
 }
 
 /// Weights of the candidates and the factor on the spread, with where they come from.
@@ -122,6 +165,8 @@ std::string job_summary(const SiteData& data, const ForecastOptions& options,
       {"dry_columns", data.dry_columns},
       {"columns", columns},
       {"blend", blend_json(forecast)},
+      {"waves", waves_json(forecast)},
+      {"failed", failures_json(forecast)},
       {"code_version", options.code_version}};
   return summary.dump(-1, ' ', false, json::error_handler_t::replace);
 }

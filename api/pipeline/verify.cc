@@ -7,6 +7,7 @@
 #include "api/issued/in_force.h"
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/daily_forecast.h"
+#include "fields/base/attempt.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
 #include "ingest/cf/forecast_file.h"
@@ -63,13 +64,25 @@ calibration::Verification score_all(const store::Store& store,
                                     const SiteData& data,
                                     const calibration::VerifyOptions& options) {
   calibration::Verification result;
+  std::optional<Failure> last_failure;
   for (const store::ForecastRow& row : rows) {
-    const Snapshot snapshot = ingest::read_forecast(store.proven_content(row.content_sha256));
-    calibration::ForecastSkill skill =
-        calibration::score_forecast(data, snapshot, dataset_of_summary(row.summary_json), options);
+    calibration::ForecastSkill skill;
+    const auto failure = attempt([&] {
+      const Snapshot snapshot = ingest::read_forecast(store.proven_content(row.content_sha256));
+      skill = calibration::score_forecast(data, snapshot, dataset_of_summary(row.summary_json),
+                                          options);
+    });
+    if (failure) {
+      result.unscored.push_back("forecast " + std::to_string(row.id) + " of day " +
+                                format_day(row.day) + ": " + failure->why);
+      last_failure = failure;
+      continue;
+    }
     std::move(skill.entries.begin(), skill.entries.end(), std::back_inserter(result.entries));
     if (skill.trace) result.traces.push_back(std::move(*skill.trace));
   }
+  if (last_failure && result.unscored.size() == rows.size())
+    throw Error(last_failure->kind, "no forecast could be scored; " + result.unscored.back());
   return result;
 }
 

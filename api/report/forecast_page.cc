@@ -13,6 +13,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/service/field.h"
+#include "fields/service/wave_source.h"
 
 namespace slackwater::api {
 namespace {
@@ -290,6 +291,8 @@ void add_facts(const Snapshot& s, const PageClock& clock, ReportInput& page) {
                 {"Valid (UTC)", clock.stamp(s.time.front()) + " to " + clock.stamp(s.time.back())},
                 {"Fitted on day D", format_day(s.day)}};
   if (s.wind_policy) page.facts.emplace_back("Wind", wind_text(*s.wind_policy));
+  if (const std::string waves = wave_sources_text(s); !waves.empty())
+    page.facts.emplace_back("Waves", waves);
 }
 
 }  // namespace

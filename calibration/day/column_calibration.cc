@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "calibration/solve/ageing.h"
-#include "fields/base/error.h"
+#include "fields/base/attempt.h"
 #include "fields/record/slice.h"
 
 namespace slackwater::calibration {
@@ -65,11 +65,11 @@ std::vector<SteadyForm> forms_in(double water_depth_m, Angle latitude) {
   return {SteadyForm::mixed_layer};
 }
 
-ColumnCalibration calibrate_column(const VectorColumn& known, UtcDay day, Angle latitude,
-                                   double water_depth_m, const std::optional<VectorColumn>& wind,
+ColumnCalibration calibrate_column(const VectorColumn& known, const FittedTide& tide, UtcDay day,
+                                   Angle latitude, double water_depth_m,
+                                   const std::optional<VectorColumn>& wind,
                                    const LayerOfDays& layer) {
   ColumnCalibration result;
-  result.tide = fit_column_tide(known, latitude);
   CalibrationInput input;
   input.latitude = latitude;
   input.water_depth_m = water_depth_m;
@@ -81,21 +81,20 @@ ColumnCalibration calibrate_column(const VectorColumn& known, UtcDay day, Angle 
     UtcDay taught{};
     for (int before = chain_days; before >= 0; --before) {
       const UtcDay today = day - days(before);
-      input.current =
-          without_tide(slice(known, UtcTime(today), UtcTime(today) + days(1)), result.tide);
+      input.current = without_tide(slice(known, UtcTime(today), UtcTime(today) + days(1)), tide);
       if (!has_any(input.current)) {
         if (before == 0) result.problem = "no current of " + format_day(day) + " has a value";
         continue;
       }
       input.known = with_layer(learnt, figure_of(layer, taught), figure_of(layer, today));
-      try {
+      // One form that fails, on one day, does not stop the others.
+      const auto failure = attempt([&] {
         Calibration fitted = calibrate_day(input);
         learnt = aged(fitted, 1.0);
         taught = today;
         if (before == 0) result.forms.push_back(std::move(fitted));
-      } catch (const Error& problem) {
-        if (before == 0) result.problem = problem.message();
-      }
+      });
+      if (failure && before == 0) result.problem = failure->why;
     }
   }
   return result;

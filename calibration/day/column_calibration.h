@@ -25,7 +25,6 @@ struct FittedTide {
 
 /// Day D at one column under every form that may hold there.
 struct ColumnCalibration {
-  FittedTide tide;
   std::vector<Calibration> forms;  ///< empty where nothing could be fitted
   std::string problem;             ///< why, in words, where there are no forms
   /// Index of the form of greatest probability.
@@ -40,15 +39,15 @@ struct ColumnCalibration {
 /// Per day.
 using LayerOfDays = std::map<UtcDay, LayerFigure>;
 
-/// Removes the tide from the record and calibrates the day, each form with what the `chain_days`
+/// Removes this tide from the record and calibrates the day, each form with what the `chain_days`
 /// days before have taught (calibration/solve/ageing.h): the first of them starts from the general
 /// priors.
 ///
 /// @param known  currents up to the end of D, one dataset
 /// @param wind   around the chain of days; nothing where none is stored
 /// @param layer  what a product says of the mixed layer on those days, where it says anything
-[[nodiscard]] ColumnCalibration calibrate_column(const VectorColumn& known, UtcDay day,
-                                                 Angle latitude, double water_depth_m,
+[[nodiscard]] ColumnCalibration calibrate_column(const VectorColumn& known, const FittedTide& tide,
+                                                 UtcDay day, Angle latitude, double water_depth_m,
                                                  const std::optional<VectorColumn>& wind,
                                                  const LayerOfDays& layer = {});
 

@@ -6,11 +6,13 @@
 #include <set>
 
 #include "calibration/day/issued_blend.h"
+#include "calibration/day/judge_parts.h"
 #include "calibration/day/known_currents.h"
 #include "calibration/day/unresolved_tide.h"
 #include "calibration/day/whole_day.h"
 #include "fields/base/error.h"
 #include "fields/base/parallel.h"
+#include "fields/base/text.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -58,19 +60,21 @@ struct DayChoice {
   std::string dataset;           ///< of the usable day's currents
 };
 
-DayChoice choose_day(const SiteData& data, const ForecastOptions& options) {
+DayChoice choose_day(const SiteData& data, const ForecastOptions& options,
+                     std::vector<PartFailure>& failures) {
   DayChoice choice;
-  if (options.day && holds_day(data, *options.day, options.issued)) {
-    choice.usable = options.day;
-  } else {
-    choice.usable = newest_whole_day(data, options.issued, options.day);
-  }
+  attempt_part(Part::day, failures, [&] {
+    std::optional<UtcDay> usable = options.day;
+    if (!usable || !holds_day(data, *usable, options.issued))
+      usable = options.parts.day(data, options.issued, options.day);
+    if (usable) choice.dataset = currents_of_day(data, *usable, options.issued).dataset;
+    choice.usable = usable;
+  });
   // Providers deliver a day late; more than that is late, and the forecast still has to reach as
   // far.
   const UtcDay newest_possible = day_of(options.issued) - days(1);
   choice.wanted = options.day.value_or(
       std::max(choice.usable.value_or(newest_possible), newest_possible - days(1)));
-  if (choice.usable) choice.dataset = currents_of_day(data, *choice.usable, options.issued).dataset;
   return choice;
 }
 
@@ -95,20 +99,55 @@ ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
   return plan;
 }
 
-/// Issues the blend that the rehearsed past has earned.
+constexpr const char* hindsight_note =
+    "made in hindsight: wind or waves were used that were not known at the issue time";
+
+/// Every column by itself: one that fails does not stop the others.
+void forecast_columns(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
+  const ForecastPlan& plan = result.plan;
+  result.columns.resize(data.columns.size());
+  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
+    ColumnForecast& made = result.columns[i];
+    made = empty_forecast(data.columns[i], plan);
+    std::vector<PartFailure> failures;
+    attempt_part(Part::column, failures, [&] {
+      made = options.parts.column(data.columns[i], data.site, plan, options.parts.of_column);
+    });
+    if (!failures.empty()) {
+      made.calibration_problem = failures.front().failure.why;
+      made.failures.push_back(std::move(failures.front()));
+    }
+    std::vector<std::string> notes;
+    if (const auto failure = attempt([&] { notes = notes_on_record(data.columns[i], plan); }))
+      notes = {"no notes on the record: " + failure->why};
+    made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
+    if (made.hindsight) made.notes.emplace_back(hindsight_note);
+  });
+}
+
+/// Issues the blend that the rehearsed past has earned; where that fails our own forecast stands.
 void blend_columns(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
   const ForecastPlan& plan = result.plan;
   const auto first = std::find_if(result.columns.begin(), result.columns.end(),
                                   [](const ColumnForecast& c) { return !c.forms.empty(); });
   if (first == result.columns.end()) return;
   const auto index = static_cast<std::size_t>(first - result.columns.begin());
-  Rehearsals own(data);
+  Rehearsals own(data, options.parts.of_column);
   Rehearsals& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
-  result.earned = rehearsals.earned(
-      plan, available_candidates(first->column, data.columns[index], plan), options.threads);
+  const bool is_rehearsed = attempt_part(Part::rehearsal, result.failures, [&] {
+    result.earned = options.parts.rehearsal(
+        rehearsals, plan, available_candidates(first->column, data.columns[index], plan),
+        options.threads);
+  });
+  if (!is_rehearsed) return;
   for_all(data.columns.size(), options.threads, [&](std::size_t i) {
-    if (result.columns[i].forms.empty()) return;
-    issue_blend(result.columns[i].column, data.columns[i], plan, *result.earned);
+    ColumnForecast& made = result.columns[i];
+    if (made.forms.empty()) return;
+    attempt_part(Part::blend, made.failures, [&] {
+      ForecastColumn blended = made.column;
+      options.parts.blend(blended, data.columns[i], plan, *result.earned);
+      made.column = std::move(blended);
+    });
   });
 }
 
@@ -120,10 +159,14 @@ std::optional<AveragedCurrents> widen_columns(const SiteData& data, const Foreca
   for_all(data.columns.size(), options.threads, [&](std::size_t i) {
     if (result.columns[i].forms.empty()) return;
     ColumnForecast& column = result.columns[i];
-    const auto tide = widen_by_unresolved_tide(column.column, data.columns[i], result.plan);
-    if (!tide) return;
-    found[i] = tide->averaged;
-    column.origins.insert(column.origins.end(), tide->origins.begin(), tide->origins.end());
+    attempt_part(Part::unresolved_tide, column.failures, [&] {
+      ForecastColumn widened = column.column;
+      const auto tide = options.parts.unresolved_tide(widened, data.columns[i], result.plan);
+      if (!tide) return;
+      found[i] = tide->averaged;
+      column.column = std::move(widened);
+      column.origins.insert(column.origins.end(), tide->origins.begin(), tide->origins.end());
+    });
   });
   std::optional<AveragedCurrents> widest;
   for (const std::optional<AveragedCurrents>& column : found) {
@@ -138,26 +181,31 @@ std::optional<AveragedCurrents> widen_columns(const SiteData& data, const Foreca
 }
 
 /// What was late or missing about the day's currents.
-void judge_day(const DayChoice& choice, std::vector<std::string>& troubles) {
-  if (!choice.usable) {
+void judge_day(const DayChoice& choice, bool is_failed, std::vector<std::string>& troubles) {
+  if (!choice.usable && !is_failed) {
     troubles.push_back("no whole day of currents is stored: wind and waves alone");
-  } else if (*choice.usable != choice.wanted) {
+  } else if (choice.usable && *choice.usable != choice.wanted) {
     troubles.push_back("currents of " + format_day(choice.wanted) +
                        " are missing or not whole, the last good day " +
                        format_day(*choice.usable) + " is used");
   }
 }
 
-/// Which columns could not be calibrated.
+bool has_failed(const ColumnForecast& column, Part part) {
+  return std::any_of(column.failures.begin(), column.failures.end(),
+                     [&](const PartFailure& failed) { return failed.part == part; });
+}
+
+/// Which columns could not be calibrated; those that failed as a whole are named with the parts.
 void judge_columns(const std::vector<ColumnForecast>& columns, std::vector<std::string>& troubles) {
   std::size_t uncalibrated = 0;
   std::string first_problem;
   for (const ColumnForecast& column : columns) {
-    if (!column.forms.empty()) continue;
+    if (!column.forms.empty() || has_failed(column, Part::column)) continue;
     ++uncalibrated;
     if (first_problem.empty()) first_problem = column.calibration_problem;
   }
-  if (uncalibrated == columns.size()) {
+  if (uncalibrated > 0 && uncalibrated == columns.size()) {
     troubles.push_back("calibration failed: " + first_problem);
   } else if (uncalibrated > 0) {
     troubles.push_back(std::to_string(uncalibrated) + " of " + std::to_string(columns.size()) +
@@ -166,8 +214,10 @@ void judge_columns(const std::vector<ColumnForecast>& columns, std::vector<std::
 }
 
 /// Whether the wind beyond D is there.
-void judge_wind(const ForecastColumn& column, const ForecastPlan& plan,
+void judge_wind(const ColumnForecast& made, const ForecastPlan& plan,
                 std::vector<std::string>& troubles) {
+  const ForecastColumn& column = made.column;
+  if (has_failed(made, Part::wind) || has_failed(made, Part::column)) return;  // said of the parts
   if (column.wind_m_s.empty()) {
     troubles.push_back("no wind is stored: the wind-driven part is left out");
     return;
@@ -183,6 +233,19 @@ void judge_wind(const ForecastColumn& column, const ForecastPlan& plan,
   }
 }
 
+/// Waves that no product gave, at the first column that has any.
+void judge_waves(const SiteData& data, const ForecastOptions& options, DailyForecast& result,
+                 std::vector<std::string>& troubles) {
+  for (std::size_t i = 0; i < result.columns.size(); ++i) {
+    if (result.columns[i].column.sea.empty()) continue;
+    result.computed_waves = computed_waves(result.columns[i], data.columns[i], data.site,
+                                           result.plan, options.parts.of_column);
+    break;
+  }
+  if (result.computed_waves && is_degradation(*result.computed_waves, options.wind))
+    troubles.push_back(text_of(*result.computed_waves));
+}
+
 std::string plain_headline(const ForecastPlan& plan, const std::vector<std::string>& troubles) {
   if (troubles.empty()) {
     return "Currents calibrated on " + format_day(plan.day) + ", forecast to " +
@@ -193,9 +256,6 @@ std::string plain_headline(const ForecastPlan& plan, const std::vector<std::stri
   for (std::size_t i = 1; i < troubles.size(); ++i) headline += "; " + troubles[i];
   return headline + ".";
 }
-
-constexpr const char* hindsight_note =
-    "made in hindsight: wind or waves were used that were not known at the issue time";
 
 std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>& troubles,
                         bool hindsight) {
@@ -269,25 +329,23 @@ std::vector<std::int64_t> granules_of(const std::vector<ColumnForecast>& columns
 }  // namespace
 
 DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options) {
-  const DayChoice choice = choose_day(data, options);
   DailyForecast result;
+  const DayChoice choice = choose_day(data, options, result.failures);
+  const bool day_failed = !result.failures.empty();
   result.plan = plan_of(data, options, choice);
-  result.columns.resize(data.columns.size());
-  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
-    result.columns[i] = forecast_column(data.columns[i], data.site, result.plan);
-    const std::vector<std::string> notes = notes_on_record(data.columns[i], result.plan);
-    result.columns[i].notes.insert(result.columns[i].notes.begin(), notes.begin(), notes.end());
-    if (result.columns[i].hindsight) result.columns[i].notes.emplace_back(hindsight_note);
-  });
+  forecast_columns(data, options, result);
   blend_columns(data, options, result);
   const std::optional<AveragedCurrents> averaged = widen_columns(data, options, result);
 
   std::vector<std::string> troubles;  // each makes the forecast degraded
-  judge_day(choice, troubles);
+  judge_day(choice, day_failed, troubles);
   if (choice.usable) judge_columns(result.columns, troubles);
   if (averaged) troubles.push_back(sentence_of(*averaged));
-  judge_wind(result.columns.front().column, result.plan, troubles);
+  judge_wind(result.columns.front(), result.plan, troubles);
+  judge_waves(data, options, result, troubles);
   if (!data.damage.empty()) troubles.push_back(data.damage);
+  judge_parts(result, troubles);
+  expect_any_value(result, troubles);
   result.snapshot = snapshot_of(data, result.plan, result.columns);
   result.snapshot.degraded = !troubles.empty();
   result.snapshot.averaged = averaged;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "calibration/day/computed_waves.h"
+#include "calibration/day/day_parts.h"
 #include "calibration/day/forecast_column.h"
 #include "calibration/day/forecast_plan.h"
 #include "calibration/day/rehearsal.h"
@@ -25,6 +27,7 @@ struct ForecastOptions {
   std::string code_version;  ///< of the program that makes the forecast, for its provenance
   /// Rehearsed days to share between forecasts of the same data; null: the forecast's own.
   Rehearsals* rehearsals = nullptr;
+  DayParts parts;  ///< what does the work
 };
 
 /// A forecast with all that it rests on.
@@ -35,6 +38,8 @@ struct DailyForecast {
   std::vector<ColumnForecast> columns;
   std::vector<std::int64_t> input_granules;
   std::optional<Earned> earned;  ///< weights and spread; nothing where no current is forecast
+  std::optional<ComputedWaves> computed_waves;  ///< of the first column with waves, where they are
+  std::vector<PartFailure> failures;            ///< of parts that are made once for all columns
 };
 
 /// How much of the record before D a forecast wants from its caller: for the tide, two spring-neap
@@ -47,7 +52,9 @@ inline constexpr Duration history_wanted = std::chrono::days(60);
 ///
 /// Where D lacks currents it falls back on the last good day before it (longer lead, wider bands,
 /// `degraded`, a headline that says so); without any currents the forecast carries wind and waves
-/// alone. Error(not_found) where the last good day is too long ago to forecast from.
+/// alone. A part that fails (DayParts) is left out, `degraded` and named in the headline;
+/// everything else is what it would be without that part. Error(not_found) where the last good day
+/// is too long ago to forecast from; an Error too where not one value could be forecast.
 [[nodiscard]] DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options);
 
 }  // namespace slackwater::calibration

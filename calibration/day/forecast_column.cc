@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/day/column_calibration.h"
-#include "calibration/day/known_currents.h"
-#include "calibration/day/layer_of_days.h"
-#include "calibration/propagate/propagate.h"
 #include "fields/record/choose.h"
 #include "fields/record/slice.h"
 
@@ -45,54 +41,10 @@ WindErrorGrowth wind_error_of(const VectorRecord& record, const HorizonWind& win
   return count(DataStatus::forecast) > 0 ? forecast_wind_error() : analysed_wind_error();
 }
 
-}  // namespace
-
-ColumnForecast forecast_column(const ColumnData& data, const Site& site, const ForecastPlan& plan) {
-  ColumnForecast result;
-  ForecastColumn& out = result.column;
-  out.point = data.point;
-  out.water_depth_m = data.water_depth.depth_m;
-  out.water_depth_source = data.water_depth.source;
+/// The current at the plan's stamps and levels: the propagated day and its tide.
+void set_current(ForecastColumn& out, const Propagated& propagated, const FittedTide& tide,
+                 const VectorColumn& known, std::size_t known_levels, const ForecastPlan& plan) {
   const std::size_t levels = plan.depth_m.size();
-  out.current_m_s.assign(plan.stamps.size() * levels, {});
-  out.current_sigma_m_s.assign(plan.stamps.size() * levels, 0);
-  out.current_status.assign(plan.stamps.size() * levels, SampleStatus::missing);
-
-  const HorizonWind wind =
-      horizon_wind(data.wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
-  out.wind_m_s = wind.wind_m_s;
-  out.wind_source = wind.source;
-  result.origins = wind.origins;
-  HorizonSea sea =
-      horizon_sea(data, site, plan.wind, plan.end_of_day(), plan.stamps, wind, plan.best);
-  result.hindsight = wind.hindsight || sea.hindsight;
-  out.sea = std::move(sea.sea);
-  out.sea_source = std::move(sea.source);
-  result.origins.insert(result.origins.end(), sea.origins.begin(), sea.origins.end());
-
-  const Chosen<Horizontal> known = known_currents(data, plan);
-  const VectorColumn day = slice(known.column, UtcTime(plan.day), plan.end_of_day());
-  if (day.time.empty()) {
-    result.calibration_problem = "no currents of " + format_day(plan.day) + " at this column";
-    return result;
-  }
-  for (const Origin* origin : known.origin) {
-    result.contains_stokes = result.contains_stokes || origin->contains_stokes;
-  }
-  result.origins.insert(result.origins.end(), known.origin.begin(), known.origin.end());
-  ColumnCalibration fitted =
-      calibrate_column(known.column, plan.day, data.point.latitude, data.water_depth.depth_m,
-                       wind.series, layer_of_days(data, plan));
-  const FittedTide& tide = fitted.tide;
-  result.notes = tide.notes;
-  if (fitted.forms.empty()) {
-    result.calibration_problem = fitted.problem;
-    return result;
-  }
-  const std::size_t fitted_best = fitted.best();
-  const Propagated propagated =
-      propagate(fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
-                wind_error_of(data.wind, wind, plan), plan.spread, plan.seed);
   const std::size_t members = propagated.mean_m_s.empty()
                                   ? 0
                                   : propagated.departure_m_s.size() / propagated.mean_m_s.size();
@@ -100,13 +52,12 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   // Levels of the plan are those of the dataset; a column whose product has fewer levels keeps them
   // in order.
   for (std::size_t k = 0; k < levels; ++k) {
-    const SampleStatus status =
-        k < day.levels() ? level_status(known.column, k) : SampleStatus::below_bed;
+    const SampleStatus status = k < known_levels ? level_status(known, k) : SampleStatus::below_bed;
     for (std::size_t t = 0; t < plan.stamps.size(); ++t) {
       const std::size_t o = t * levels + k;
       out.current_status[o] = status;
       if (!has_value(status)) continue;
-      const std::size_t own = t * day.levels() + k;
+      const std::size_t own = t * known_levels + k;
       out.current_m_s[o] = propagated.mean_m_s[own] + tide.at(k, TimeCell::instant(plan.stamps[t]));
       out.current_sigma_m_s[o] = propagated.sigma_m_s[own];
       for (std::size_t m = 0; m < members; ++m) {
@@ -115,19 +66,104 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
       }
     }
   }
-  if (propagated.wind_missing > 0) {
-    result.notes.push_back("no wind at " + std::to_string(propagated.wind_missing) +
-                           " of the forecast's times: the wind-driven part is left out there");
+  if (out.wind_m_s.empty()) return;
+  for (std::size_t i = 0; i < propagated.wind_departure_m_s.size(); ++i) {
+    out.wind_member_m_s.push_back(out.wind_m_s[i % plan.stamps.size()] +
+                                  propagated.wind_departure_m_s[i]);
   }
-  if (!out.wind_m_s.empty()) {
-    for (std::size_t i = 0; i < propagated.wind_departure_m_s.size(); ++i) {
-      out.wind_member_m_s.push_back(out.wind_m_s[i % plan.stamps.size()] +
-                                    propagated.wind_departure_m_s[i]);
+}
+
+/// The current of the column from its record, or `calibration_problem`.
+void forecast_current(const ColumnData& data, const ForecastPlan& plan, const ColumnParts& parts,
+                      const HorizonWind& wind, ColumnForecast& result) {
+  const auto attempt_this = [&](Part part, const std::function<void()>& work) {
+    const bool is_done = attempt_part(part, result.failures, work);
+    if (!is_done && loses_the_current(part)) {
+      const std::string where = part == Part::calibration ? "" : std::string(name_of(part)) + ": ";
+      result.calibration_problem = where + result.failures.back().failure.why;
     }
+    return is_done;
+  };
+  Chosen<Horizontal> known;
+  if (!attempt_this(Part::record, [&] { known = parts.record(data, plan); })) return;
+  const VectorColumn day = slice(known.column, UtcTime(plan.day), plan.end_of_day());
+  if (day.time.empty()) {
+    result.calibration_problem = "no currents of " + format_day(plan.day) + " at this column";
+    return;
   }
-  result.form_weight = propagated.form_weight;
-  result.forms = std::move(fitted.forms);
-  result.best_form = fitted_best;
+  for (const Origin* origin : known.origin) {
+    result.contains_stokes = result.contains_stokes || origin->contains_stokes;
+  }
+  result.origins.insert(result.origins.end(), known.origin.begin(), known.origin.end());
+  LayerOfDays layer;
+  attempt_this(Part::mixed_layer, [&] { layer = parts.mixed_layer(data, plan); });
+  FittedTide tide;
+  attempt_this(Part::tide, [&] { tide = parts.tide(known.column, data.point.latitude); });
+  result.notes = tide.notes;
+  ColumnCalibration fitted;
+  const bool is_fitted = attempt_this(Part::calibration, [&] {
+    fitted = parts.calibration(known.column, tide, plan.day, data.point.latitude,
+                               data.water_depth.depth_m, wind.series, layer);
+  });
+  if (!is_fitted) return;
+  if (fitted.forms.empty()) {
+    result.calibration_problem = fitted.problem;
+    return;
+  }
+  if (!fitted.problem.empty())
+    result.notes.push_back("a form of the model could not be fitted: " + fitted.problem);
+  attempt_this(Part::propagation, [&] {
+    const Propagated propagated =
+        parts.propagation(fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
+                          wind_error_of(data.wind, wind, plan), plan.spread, plan.seed);
+    ForecastColumn carried = result.column;
+    set_current(carried, propagated, tide, known.column, day.levels(), plan);
+    result.best_form = fitted.best();
+    if (propagated.wind_missing > 0) {
+      result.notes.push_back("no wind at " + std::to_string(propagated.wind_missing) +
+                             " of the forecast's times: the wind-driven part is left out there");
+    }
+    result.form_weight = propagated.form_weight;
+    result.forms = std::move(fitted.forms);
+    result.column = std::move(carried);
+  });
+}
+
+}  // namespace
+
+ColumnForecast empty_forecast(const ColumnData& data, const ForecastPlan& plan) {
+  ColumnForecast result;
+  ForecastColumn& out = result.column;
+  out.point = data.point;
+  out.water_depth_m = data.water_depth.depth_m;
+  out.water_depth_source = data.water_depth.source;
+  const std::size_t values = plan.stamps.size() * plan.depth_m.size();
+  out.current_m_s.assign(values, {});
+  out.current_sigma_m_s.assign(values, 0);
+  out.current_status.assign(values, SampleStatus::missing);
+  return result;
+}
+
+ColumnForecast forecast_column(const ColumnData& data, const Site& site, const ForecastPlan& plan,
+                               const ColumnParts& parts) {
+  ColumnForecast result = empty_forecast(data, plan);
+  HorizonWind wind;
+  attempt_part(Part::wind, result.failures, [&] {
+    wind = parts.wind(data.wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
+  });
+  HorizonSea sea;
+  attempt_part(Part::waves, result.failures, [&] {
+    sea = parts.waves(data, site, plan.wind, plan.end_of_day(), plan.stamps, wind, plan.best);
+  });
+  result.column.wind_m_s = wind.wind_m_s;
+  result.column.wind_source = wind.source;
+  result.column.sea = std::move(sea.sea);
+  result.column.sea_source = std::move(sea.source);
+  result.hindsight = wind.hindsight || sea.hindsight;
+  result.waves_of_wind_alone = !result.column.sea.empty() && sea.origins.empty();
+  result.origins = wind.origins;
+  result.origins.insert(result.origins.end(), sea.origins.begin(), sea.origins.end());
+  forecast_current(data, plan, parts, wind, result);
   return result;
 }
 

@@ -1,11 +1,17 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "calibration/day/column_calibration.h"
 #include "calibration/day/forecast_plan.h"
 #include "calibration/day/horizon.h"
+#include "calibration/day/known_currents.h"
+#include "calibration/day/layer_of_days.h"
+#include "calibration/day/part_failure.h"
+#include "calibration/propagate/propagate.h"
 #include "calibration/solve/calibration.h"
 #include "fields/record/site_data.h"
 #include "fields/service/snapshot.h"
@@ -23,6 +29,9 @@ struct ColumnForecast {
   std::vector<const Origin*> origins;  ///< whose values were used
   bool contains_stokes = false;
   bool hindsight = false;  ///< wind or waves were used that were not known when it was issued
+  std::vector<PartFailure> failures;  ///< parts that it had to do without
+  /// No wave product speaks for any hour, nor shortly before: the waves are of the wind alone.
+  bool waves_of_wind_alone = false;
 
   /// Under the form of greatest probability; null where nothing was fitted.
   [[nodiscard]] const Calibration* calibration() const {
@@ -30,10 +39,27 @@ struct ColumnForecast {
   }
 };
 
+/// The work on a column by its parts. Those that stand here do the work; tests put others in their
+/// place to see one fail.
+struct ColumnParts {
+  std::function<decltype(horizon_wind)> wind = horizon_wind;
+  std::function<decltype(horizon_sea)> waves = horizon_sea;
+  std::function<decltype(known_currents)> record = known_currents;
+  std::function<decltype(layer_of_days)> mixed_layer = layer_of_days;
+  std::function<decltype(fit_column_tide)> tide = fit_column_tide;
+  std::function<decltype(calibrate_column)> calibration = calibrate_column;
+  std::function<decltype(propagate)> propagation = propagate;
+};
+
+/// The column where nothing could be made: its place and depth, and no value that is not missing.
+[[nodiscard]] ColumnForecast empty_forecast(const ColumnData& column, const ForecastPlan& plan);
+
 /// Calibrates the column on day D and propagates it over the plan's stamps: tide (where the record
 /// allows) + Ekman model + memory of D (calibration/propagate), with wind and waves beside it.
-/// Pure; safe to run for many columns at once.
+/// A part that fails is left out and named in `failures`; all else is what it would be without that
+/// part. Pure; safe to run for many columns at once.
 [[nodiscard]] ColumnForecast forecast_column(const ColumnData& column, const Site& site,
-                                             const ForecastPlan& plan);
+                                             const ForecastPlan& plan,
+                                             const ColumnParts& parts = {});
 
 }  // namespace slackwater::calibration

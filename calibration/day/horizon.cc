@@ -90,40 +90,63 @@ std::optional<UtcTime> last_known(const Chosen<double>& height, UtcTime stamp) {
   return std::nullopt;
 }
 
-/// The sea at stamps [first, stamps.size()) from the state before them: the stamp before, else the
-/// last one stored before the horizon, else a sea that the first wind has raised for half a day.
-template <typename StoredAt>
-std::vector<SeaState> grow_sea(const std::vector<SeaState>& before, const Chosen<double>& height,
-                               const StoredAt& stored_at, std::span<const UtcTime> stamps,
+/// How far back the wind is followed where no sea is known: what it raised before is swell by then.
+constexpr Duration longest_spin_up = hours(48);
+constexpr SeaState unknown_sea{std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::quiet_NaN()};
+
+/// A sea and the time it is of.
+struct SeaAt {
+  UtcTime time;
+  SeaState sea;
+};
+
+/// Since when the wind before a stamp is known, in whole hours and at most `longest_spin_up`; the
+/// stamp itself where it is not.
+UtcTime spin_up_from(const HorizonWind& wind, UtcTime stamp) {
+  UtcTime from = stamp;
+  while (stamp - from < longest_spin_up && wind.series->time.front().centre() <= from - hours(1)) {
+    from -= hours(1);
+  }
+  return from;
+}
+
+/// A sea that the wind has raised for half a day where none was.
+SeaState raised_sea(Horizontal wind, const WaveSetting& setting) {
+  constexpr double half_day_s = 43200;
+  const double from_deg = from_direction_deg(wind);
+  const WindSea sea = limited_wind_sea(std::abs(wind), setting.fetch.at_m(from_deg), half_day_s,
+                                       setting.water_depth_m);
+  return {sea.significant_height_m, sea.peak_period_s, from_deg};
+}
+
+/// The sea at stamps [first, stamps.size()), carried on by the wind from the one known before them;
+/// where none is known, from what the wind raised on calm water since two days before, or since the
+/// wind is known.
+std::vector<SeaState> grow_sea(const std::optional<SeaAt>& known, std::span<const UtcTime> stamps,
                                std::size_t first, const HorizonWind& wind,
                                const WaveSetting& setting) {
-  std::optional<SeaState> start;
+  if (wind.wind_m_s.empty())
+    return std::vector<SeaState>(stamps.size() - first, known ? known->sea : unknown_sea);
   std::vector<Horizontal> blown;
-  if (first > 0) {
-    start = before.back();
-    if (!wind.wind_m_s.empty()) blown.push_back(wind.wind_m_s[first - 1]);
-  } else if (const auto then = last_known(height, stamps[first])) {
-    start = stored_at(*then);
-    // The hours between that state and the horizon blow as the series says.
-    for (UtcTime time = *then; wind.series && time < stamps[first]; time += hours(1)) {
-      blown.push_back(
-          value_at(*wind.series, time, widest_wind_gap).value_or(wind.wind_m_s.front()));
+  const auto wind_at = [&](UtcTime time) {
+    if (time < stamps.front()) {
+      const Horizontal last = blown.empty() ? wind.wind_m_s.front() : blown.back();
+      return value_at(*wind.series, time, widest_wind_gap).value_or(last);
     }
-  }
-  if (wind.wind_m_s.empty()) {
-    return std::vector<SeaState>(
-        stamps.size() - first, start.value_or(SeaState{std::nan(""), std::nan(""), std::nan("")}));
-  }
-  if (!start) {
-    constexpr double half_day_s = 43200;
-    const Horizontal now = wind.wind_m_s[first];
-    const WindSea sea =
-        limited_wind_sea(std::abs(now), setting.fetch_m, half_day_s, setting.water_depth_m);
-    start = SeaState{sea.significant_height_m, sea.peak_period_s, from_direction_deg(now)};
+    const auto after = std::upper_bound(stamps.begin(), stamps.end(), time);
+    return wind.wind_m_s[static_cast<std::size_t>(after - stamps.begin()) - 1];
+  };
+  for (UtcTime time = known ? known->time : spin_up_from(wind, stamps[first]); time < stamps[first];
+       time += hours(1)) {
+    blown.push_back(wind_at(time));
   }
   const std::size_t skipped = blown.size();
-  for (std::size_t t = first; t < stamps.size(); ++t) blown.push_back(wind.wind_m_s[t]);
-  const std::vector<SeaState> sea = propagate_sea_state(*start, blown, setting);
+  blown.insert(blown.end(), wind.wind_m_s.begin() + static_cast<std::ptrdiff_t>(first),
+               wind.wind_m_s.begin() + static_cast<std::ptrdiff_t>(stamps.size()));
+  const SeaState start = known ? known->sea : raised_sea(blown.front(), setting);
+  const std::vector<SeaState> sea = propagate_sea_state(start, blown, setting);
   return {sea.begin() + static_cast<std::ptrdiff_t>(skipped), sea.end()};
 }
 
@@ -205,7 +228,7 @@ HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy po
                     toward ? to_direction_deg(*toward) : unknown};
   };
   WaveSetting setting;
-  if (site.fetch_km) setting.fetch_m = *site.fetch_km * 1000;
+  if (site.fetch) setting.fetch = *site.fetch;
   setting.water_depth_m = std::max(1.0, column.water_depth.depth_m);
 
   std::size_t t = 0;
@@ -221,11 +244,14 @@ HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy po
     // A run of stamps without stored waves: grow them from the state before it.
     std::size_t end = t;
     while (end < stamps.size() && !stored_at(stamps[end])) ++end;
-    const std::vector<SeaState> grown =
-        grow_sea(result.sea, height, stored_at, stamps.subspan(0, end), t, wind, setting);
-    if (t == 0 && !height.empty() && last_known(height, stamps[0])) {
+    std::optional<SeaAt> known;
+    if (t > 0) {
+      known = {stamps[t - 1], result.sea.back()};
+    } else if (const auto then = last_known(height, stamps[0])) {
+      if (const auto sea = stored_at(*then)) known = {*then, *sea};
       result.origins.push_back(height.origin[nearest_index(height.column, stamps[0])]);
     }
+    const std::vector<SeaState> grown = grow_sea(known, stamps.subspan(0, end), t, wind, setting);
     for (const SeaState& state : grown) {
       result.sea.push_back(state);
       result.source.push_back(wind.wind_m_s.empty() ? DataStatus::persisted : DataStatus::modelled);

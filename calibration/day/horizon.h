@@ -25,12 +25,13 @@ struct HorizonWind {
                                        const BestInputs& best = {});
 
 /// The sea state of a column over the horizon: stored waves by the same policy, else the growth law
-/// of fields/wave driven by the wind, from the last known state. Empty where there are neither
-/// waves nor wind.
+/// of fields/wave driven by the wind over the site's fetch, from the last known state. Where none
+/// is known, from what the known wind of the two days before has raised on calm water: of swell
+/// from elsewhere it knows nothing. Empty where there are neither waves nor wind.
 struct HorizonSea {
   std::vector<SeaState> sea;
   std::vector<DataStatus> source;
-  std::vector<const Origin*> origins;
+  std::vector<const Origin*> origins;  ///< of stored waves; empty: the wind alone
   bool hindsight = false;  ///< stored waves were used that were not known; the wind says so itself
 };
 [[nodiscard]] HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy policy,

@@ -69,6 +69,11 @@ std::vector<Method> candidate_methods() {
   return methods;
 }
 
+Rehearsals::Rehearsals(const SiteData& data, ColumnParts parts)
+    : data_(data), parts_(std::move(parts)) {
+  parts_.waves = [](auto&&...) { return HorizonSea{}; };
+}
+
 RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
   const std::vector<Method> candidates = candidate_methods();
   RehearsedDay result;
@@ -84,7 +89,13 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
     snapshot.day = day;
     snapshot.time = past.stamps;
     snapshot.depth_m = past.depth_m;
-    snapshot.columns.push_back(forecast_column(column, data_.site, past).column);
+    ColumnForecast made = forecast_column(column, data_.site, past, parts_);
+    // What cannot be fitted on a past day is no forecast of it; a bug is for the reader to know.
+    for (const PartFailure& failed : made.failures) {
+      if (loses_the_current(failed.part) && failed.failure.kind == ErrorKind::internal)
+        result.failure = failed.failure;
+    }
+    snapshot.columns.push_back(std::move(made.column));
     const std::vector<MethodForecast> methods =
         current_methods(column, past, snapshot, 0, truth, known_currents(column, past));
     const std::size_t size = truth.column.value.size();
@@ -123,9 +134,12 @@ std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, Ut
     const auto found = done_.find(key);
     if (found != done_.end()) return found->second;
   }
-  auto made = std::make_shared<const RehearsedDay>(rehearse(plan, day));
+  RehearsedDay made;
+  if (auto failure = attempt([&] { made = rehearse(plan, day); }))
+    made.failure = std::move(failure);
+  auto kept = std::make_shared<const RehearsedDay>(std::move(made));
   const std::lock_guard lock(mutex_);
-  return done_.emplace(key, std::move(made)).first->second;
+  return done_.emplace(key, std::move(kept)).first->second;
 }
 
 Earned Rehearsals::earned(const ForecastPlan& plan, const std::vector<bool>& available,
@@ -137,14 +151,18 @@ Earned Rehearsals::earned(const ForecastPlan& plan, const std::vector<bool>& ava
   std::vector<PastPair> pairs;
   std::vector<std::shared_ptr<const RehearsedDay>> rehearsed;
   std::vector<double> age_days;
+  Earned earned;
   for (int before = longest_days; before >= 1; --before) {
     auto past = day(plan, plan.day - days(before));
+    if (past->failure) {
+      ++earned.failed_days;
+      if (!earned.first_failure) earned.first_failure = past->failure;
+    }
     if (past->errors.empty() || past->errors.front().empty()) continue;
     age_days.push_back(before - 1);
     pairs.push_back(pair_of_errors(past->errors, age_days.back()));
     rehearsed.push_back(std::move(past));
   }
-  Earned earned;
   earned.blend = blend_of(candidates, pairs);
   std::vector<PastSpread> spreads;
   for (std::size_t p = 0; p < rehearsed.size(); ++p) {

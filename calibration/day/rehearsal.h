@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -17,22 +18,26 @@ namespace slackwater::calibration {
 struct RehearsedDay {
   std::vector<std::vector<Horizontal>> errors;  ///< per standard candidate; empty: absent
   std::vector<double> sigma_m_s;                ///< of our forecast, per value; unscaled
+  std::optional<Failure> failure;               ///< a bug that cost a forecast, or all of the day
 };
 
 /// What the past of a site has earned: the weights of the candidates, and the factor on the spread.
 struct Earned {
   Blend blend;
   EarnedSpread spread;
+  std::size_t failed_days = 0;           ///< that could not be rehearsed as they should
+  std::optional<Failure> first_failure;  ///< of them
 };
 
 /// Rehearses past days of the data at a few columns and remembers them, so that a hindcast
 /// rehearses each day once. A day D' is forecast from what was known at its own end (plus the
 /// latency of the run; wind and waves under `best` when D'+1 had ended, plus that) and held against
-/// the currents of D'+1, which end by the D that is forecast from: nothing later is seen.
-/// Thread-safe.
+/// the currents of D'+1, which end by the D that is forecast from: nothing later is seen. A day that
+/// fails is passed over and counted. Thread-safe.
 class Rehearsals {
  public:
-  explicit Rehearsals(const SiteData& data) : data_(data) {}
+  /// @param parts  of a column's forecast; waves are not rehearsed
+  explicit Rehearsals(const SiteData& data, ColumnParts parts = {});
 
   /// What the pairs up to the plan's D have earned.
   /// @param available  whether each standard candidate can be made for D
@@ -52,6 +57,7 @@ class Rehearsals {
                          std::vector<double>>;
 
   const SiteData& data_;
+  ColumnParts parts_;
   std::mutex mutex_;
   std::map<Key, std::shared_ptr<const RehearsedDay>> done_;
 };

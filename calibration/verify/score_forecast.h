@@ -20,6 +20,7 @@ namespace slackwater::calibration {
 struct Verification {
   std::vector<SkillEntry> entries;
   std::vector<ForecastTrace> traces;  ///< in the order of the forecasts
+  std::vector<std::string> unscored;  ///< "forecast 12 of day 2024-01-03: why"
 };
 
 }  // namespace slackwater::calibration

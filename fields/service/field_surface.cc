@@ -27,6 +27,7 @@ class MeanSea {
   void add(double weight, const SeaState& s) noexcept {
     sum_.significant_height_m += weight * s.significant_height_m;
     sum_.peak_period_s += weight * s.peak_period_s;
+    if (s.peak_period_s == 0) without_period_ += weight;
     const double energy = s.significant_height_m * s.significant_height_m + calm_m2;
     from_ += weight * energy * std::polar(1.0, radians * s.from_direction_deg);
   }
@@ -34,6 +35,9 @@ class MeanSea {
   [[nodiscard]] SeaSample sample() const noexcept {
     if (!std::isfinite(sum_.significant_height_m + sum_.peak_period_s + from_.real())) return {};
     SeaSample sample{sum_, SampleStatus::ok};
+    // Calm water has no period: beside a sea it must not make that sea's look short and steep.
+    if (without_period_ > 0 && without_period_ < 1)
+      sample.sea.peak_period_s = sum_.peak_period_s / (1 - without_period_);
     const double degrees = std::arg(from_) / radians;
     sample.sea.from_direction_deg = degrees < 0 ? degrees + 360 : degrees;
     return sample;
@@ -41,6 +45,7 @@ class MeanSea {
 
  private:
   SeaState sum_;
+  double without_period_ = 0;
   Horizontal from_{};
 };
 

@@ -44,6 +44,30 @@ ColumnBlock read_block(const Config& config) {
   return block;
 }
 
+/// One number for all winds, or a list of sectors.
+std::optional<Fetch> read_fetch(const Config& config) {
+  constexpr Range fetch_range_km{0.1, 5000};
+  if (!config.is_list("fetch_km")) {
+    const auto fetch_km = config.optional_number("fetch_km", fetch_range_km);
+    return fetch_km ? std::optional(Fetch(*fetch_km * 1000)) : std::nullopt;
+  }
+  std::vector<FetchSector> sectors;
+  for (const Config& entry : config.children("fetch_km")) {
+    const std::vector<double> from = entry.numbers("wind_from_deg", {0, 360});
+    if (from.size() != 2) {
+      entry.refuse("wind_from_deg",
+                   "expected two directions that the wind comes from, clockwise: "
+                   "[200, 320]");
+    }
+    sectors.push_back({from[0], from[1], 1000 * entry.number("fetch_km", fetch_range_km)});
+  }
+  try {
+    return Fetch(std::move(sectors));
+  } catch (const Error& problem) {
+    config.refuse("fetch_km", problem.message());
+  }
+}
+
 std::string read_text(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
@@ -106,7 +130,7 @@ Site parse_site(std::string_view yaml, std::string_view name) {
   site.point = read_point(config);
   site.water_depth_m = config.optional_number("water_depth_m", {1, 11000});
   site.hub_height_m = config.optional_number("hub_height_m", {10, 400});
-  site.fetch_km = config.optional_number("fetch_km", {0.1, 5000});
+  site.fetch = read_fetch(config);
   site.time_zone = read_time_zone(config);
   site.tasks = config.texts("tasks");
   for (const Config& entry : config.children("turbines")) {

@@ -6,6 +6,7 @@
 
 #include "fields/base/local_time.h"
 #include "fields/geo/geo_point.h"
+#include "fields/wave/fetch.h"
 
 namespace slackwater {
 
@@ -28,7 +29,8 @@ struct Site {
   GeoPoint point;
   std::optional<double> water_depth_m;
   std::optional<double> hub_height_m;
-  std::optional<double> fetch_km;     ///< upwind fetch for the wave fallback
+  /// How far the wind blows over water, for waves that are computed from the wind.
+  std::optional<Fetch> fetch;
   std::optional<TimeZone> time_zone;  ///< of its clocks: shown beside UTC
   std::vector<TurbinePlace> turbines;
   std::vector<std::string> tasks;

@@ -77,7 +77,8 @@ Parts divided(const SeaState& last, Horizontal wind, const WaveSetting& setting)
       !(degrees_between(last.from_direction_deg, parts.wind_sea_from_deg) > widest_turn_deg);
   const bool young = !(gravity_m_s2 * last.peak_period_s / (2.0 * pi) > oldest_wave_age * speed);
   if (!along || !young) return parts;
-  const WindSea most = fetch_limited_sea(speed, setting.fetch_m, setting.water_depth_m);
+  const double fetch_m = setting.fetch.at_m(parts.wind_sea_from_deg);
+  const WindSea most = fetch_limited_sea(speed, fetch_m, setting.water_depth_m);
   parts.wind_sea.significant_height_m =
       std::min(last.significant_height_m, most.significant_height_m);
   parts.swell.significant_height_m = std::sqrt(std::max(
@@ -101,7 +102,8 @@ void advance_an_hour(Parts& parts, Horizontal wind, const WaveSetting& setting) 
     parts.wind_sea = {};
   }
   if (speed < calm_m_s) return;
-  const WindSea most = fetch_limited_sea(speed, setting.fetch_m, setting.water_depth_m);
+  const double fetch_m = setting.fetch.at_m(from_deg);
+  const WindSea most = fetch_limited_sea(speed, fetch_m, setting.water_depth_m);
   if (parts.wind_sea.significant_height_m > most.significant_height_m) {
     WindSea excess = parts.wind_sea;
     excess.significant_height_m =
@@ -109,10 +111,10 @@ void advance_an_hour(Parts& parts, Horizontal wind, const WaveSetting& setting) 
     parts.swell = merged(parts.swell, as_state(excess, parts.wind_sea_from_deg));
     parts.wind_sea = most;
   } else {
-    const double fetch = fetch_of_height(speed, parts.wind_sea.significant_height_m,
-                                         setting.fetch_m, setting.water_depth_m);
+    const double reached_m =
+        fetch_of_height(speed, parts.wind_sea.significant_height_m, fetch_m, setting.water_depth_m);
     const double further =
-        std::min(fetch_after(speed, fetch, 3600.0, setting.water_depth_m), setting.fetch_m);
+        std::min(fetch_after(speed, reached_m, 3600.0, setting.water_depth_m), fetch_m);
     parts.wind_sea = fetch_limited_sea(speed, further, setting.water_depth_m);
   }
   parts.wind_sea_from_deg = from_deg;
@@ -158,6 +160,7 @@ double fetch_after(double wind_speed_m_s, double start_fetch_m, double duration_
 
 WindSea limited_wind_sea(double wind_speed_m_s, double fetch_m, double duration_s,
                          double water_depth_m) {
+  if (wind_speed_m_s >= 0 && wind_speed_m_s < calm_m_s) return {};  // nothing travels, no fetch
   const double reached_m = fetch_after(wind_speed_m_s, 0.0, duration_s, water_depth_m);
   return fetch_limited_sea(wind_speed_m_s, std::min(fetch_m, reached_m), water_depth_m);
 }
@@ -170,8 +173,8 @@ double steepest_height_m(double peak_period_s) noexcept {
 
 std::vector<SeaState> propagate_sea_state(const SeaState& last, std::span<const Horizontal> wind,
                                           const WaveSetting& setting) {
-  expects(setting.fetch_m > 0 && setting.water_depth_m > 0 && setting.swell_decay_h > 0,
-          "waves need a fetch, a depth and a decay time above zero");
+  expects(setting.water_depth_m > 0 && setting.swell_decay_h > 0,
+          "waves need a depth and a decay time above zero");
   std::vector<SeaState> sea(wind.size(), SeaState{missing, missing, missing});
   if (wind.empty() || !std::isfinite(last.significant_height_m)) return sea;
   sea[0] = last;

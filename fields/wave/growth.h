@@ -4,6 +4,7 @@
 
 #include "fields/base/frame.h"
 #include "fields/service/snapshot.h"
+#include "fields/wave/fetch.h"
 
 namespace slackwater {
 
@@ -37,7 +38,7 @@ struct WindSea {
 [[nodiscard]] double fetch_after(double wind_speed_m_s, double start_fetch_m, double duration_s,
                                  double water_depth_m);
 
-/// Wind sea limited by fetch, duration and depth.
+/// Wind sea limited by fetch, duration and depth; none below 0.5 m/s.
 [[nodiscard]] WindSea limited_wind_sea(double wind_speed_m_s, double fetch_m, double duration_s,
                                        double water_depth_m);
 
@@ -45,10 +46,13 @@ struct WindSea {
 /// linear between (DNV-RP-C205, 3.5.5).
 [[nodiscard]] double steepest_height_m(double peak_period_s) noexcept;
 
+/// Where nobody says how far the wind blows over water: open shelf seas offer a few hundred
+/// kilometres. An assumption to be stated with every wave that rests on it.
+[[nodiscard]] inline Fetch assumed_fetch() { return Fetch(200.0e3); }
+
 /// What surrounds a site, as far as waves need it.
 struct WaveSetting {
-  double fetch_m =
-      200.0e3;  ///< over which the wind blows; open shelf seas offer a few hundred kilometres
+  Fetch fetch = assumed_fetch();
   double water_depth_m = 0;  ///< > 0
   /// E-folding time of the energy of waves that the wind no longer feeds. 24 h is the median at
   /// alpha ventus, 2002-2014: 23, 24 and 25 h over the next 6, 12 and 24 h, where the wind stayed
@@ -63,7 +67,8 @@ struct WaveSetting {
 /// grows along its equivalent fetch; what the new wind cannot carry, or all of it where the wind
 /// has turned by more than 60 degrees, joins the swell, which decays exponentially. Energies add:
 /// Hs^2 = Hs_wind^2 + Hs_swell^2. Period and direction are those of the part with the higher
-/// spectral peak (Hs^2 Tp). Hs stays below `steepest_height_m`.
+/// spectral peak (Hs^2 Tp). Hs stays below `steepest_height_m`. Calm water has the height 0 and the
+/// period 0.
 ///
 /// @param last    sea at the first stamp; a NaN height gives NaN throughout, a NaN period or
 /// direction stays with

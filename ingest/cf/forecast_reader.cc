@@ -195,6 +195,9 @@ class ForecastReader {
     const auto source = data("wave_source", s.time.size());
     if (height.empty() || period.empty() || direction.empty() || source.empty()) return;
     for (std::size_t c = 0; c < columns_; ++c) {
+      bool any = false;
+      for (std::size_t i = c; i < height.size(); i += columns_) any = any || !std::isnan(height[i]);
+      if (!any) continue;  // this column has none, others have
       for (std::size_t i = c; i < height.size(); i += columns_) {
         s.columns[c].sea.push_back({height[i], period[i], direction[i]});
       }

@@ -8,6 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "fields/service/wave_source.h"
 #include "ingest/cf/averaged_json.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/cf/forecast_members.h"
@@ -196,8 +197,15 @@ class ForecastWriter {
     }
   }
 
-  bool has_wind() const { return !s_.columns.front().wind_m_s.empty(); }
-  bool has_sea() const { return !s_.columns.front().sea.empty(); }
+  /// At any column: one may lack what the others have.
+  bool has_wind() const {
+    return std::any_of(s_.columns.begin(), s_.columns.end(),
+                       [](const ForecastColumn& c) { return !c.wind_m_s.empty(); });
+  }
+  bool has_sea() const {
+    return std::any_of(s_.columns.begin(), s_.columns.end(),
+                       [](const ForecastColumn& c) { return !c.sea.empty(); });
+  }
 
   int define_source(const std::string& name, const std::string& long_name) {
     const int id = define(name, Type::int8, surface_dims(), "", long_name, "", false);
@@ -227,6 +235,9 @@ class ForecastWriter {
                forecast_names::wave_direction,
                "direction that waves come from, clockwise from true north", "degree", false),
         define_source("wave_source", "where the sea state comes from")};
+    const std::string sources = wave_sources_text(s_);
+    if (sources.empty()) return;
+    for (const int id : sea_ids_) out_.attribute(id, "comment", sources);
   }
 
   void describe() {

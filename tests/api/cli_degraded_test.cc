@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/product_files_for_tests.h"
@@ -82,6 +83,74 @@ TEST_F(Degraded, NoWindForecastIsNamed) {
   ingest_currents(2);
   ingest_wind_and_waves(2);
   expect_degraded(forecast("2025-03-08T05:00:00Z"), {"ind is persisted"});
+}
+
+/// The wind product with all of it times a factor.
+ProductForTests wind_times(UtcDay first, int hours, double factor) {
+  ProductForTests product = wind_product(first, hours);
+  for (ProductQuantity& q : product.quantities)
+    q.value = [value = q.value, factor](const ProductCell& cell) { return factor * value(cell); };
+  return product;
+}
+
+TEST_F(Degraded, ACalmWithoutAnyWaveProductIsCalmWaterAndSaysWhereThatComesFrom) {
+  ingest_currents(3);
+  ingest("calm.nc", wind_times(day, 24 * 7, 0.01));
+  const json made = forecast("2025-03-09T05:00:00Z");
+  expect_degraded(made, {"computed from the wind alone", "fetch of 200 km is assumed"});
+  EXPECT_EQ(made["waves"]["source"], "computed from the wind");
+  EXPECT_EQ(made["waves"]["computed"]["highest_m"], 0.0);
+  EXPECT_EQ(made["failed"], json::array());
+  EXPECT_FALSE(made["columns"][0]["calibration"].is_null()) << "the current is forecast";
+  const ProgramResult profile =
+      store_.run({"profile", "--site", store_.site(), "--time", "2025-03-10T12:00:00Z", "--json"});
+  ASSERT_EQ(profile.exit_code, 0) << profile.err;
+  const json waves = json::parse(profile.out)["waves"];
+  EXPECT_EQ(waves["sea_surface_wave_significant_height"], 0.0);
+  EXPECT_EQ(waves["source"], "computed from the wind");
+  const ProgramResult hindcast = store_.run(
+      {"hindcast", "--site", store_.site(), "--from", "2025-03-07", "--to", "2025-03-08"});
+  EXPECT_EQ(hindcast.exit_code, 0) << hindcast.err;
+}
+
+TEST_F(Degraded, WavesOfTheWindAreToldInTableProfileAndFile) {
+  ingest_currents(2);
+  for (int i = 0; i < 6; ++i)
+    ingest("wind" + std::to_string(i) + ".nc", wind_product(day + days(i)));
+  const ProgramResult table =
+      store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-08T05:00:00Z"});
+  ASSERT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_TRUE(contains(table.out, "DEGRADED: No wave product is stored")) << table.out;
+  EXPECT_TRUE(contains(table.out, "Waves: computed from the wind.")) << table.out;
+  EXPECT_TRUE(contains(table.out, "  computed from the wind\n"))
+      << "and in each row: " << table.out;
+  const ProgramResult profile =
+      store_.run({"profile", "--site", store_.site(), "--time", "2025-03-08T12:00:00Z"});
+  EXPECT_TRUE(contains(profile.out, "(computed from the wind)")) << profile.out;
+}
+
+TEST_F(Degraded, AVerificationThatFailsTakesNothingFromTheForecastThatIsStored) {
+  ingest_currents(3);
+  ingest_wind_and_waves(3);
+  forecast("2025-03-07T05:00:00Z");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(store_.store())) {
+    // The only forecast there is; product files keep what they are.
+    if (!entry.is_regular_file()) continue;
+    const std::string bytes = read_bytes(entry.path());
+    if (!contains(bytes, "slackwater_headline")) continue;
+    std::filesystem::permissions(entry.path(), std::filesystem::perms::owner_write,
+                                 std::filesystem::perm_options::add);
+    write_bytes(entry.path(), "not a forecast any more");
+  }
+  const ProgramResult result =
+      store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-09T05:00:00Z", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json made = json::parse(result.out);
+  EXPECT_TRUE(contains(made["verified"], "the verification failed")) << made["verified"];
+  EXPECT_TRUE(made["verdict"].is_null());
+  const json listed = json::parse(store_.listing())["forecasts"];
+  ASSERT_EQ(listed.size(), 2u);
+  EXPECT_EQ(listed.back()["id"], made["id"]);
 }
 
 TEST_F(Degraded, AMissingDayFallsBackToTheLastGoodOneAndStillReachesAsFar) {

@@ -55,6 +55,8 @@ void claim_sound(const Site& site) {
   fuzz::claim(!site.water_depth_m || (*site.water_depth_m >= 1 && *site.water_depth_m <= 11000),
               "a depth out of range");
   fuzz::claim(!site.column_block || site.column_block->every >= 1, "a block that never ends");
+  for (int from_deg = 0; site.fetch && from_deg <= 360; ++from_deg)
+    fuzz::claim(site.fetch->at_m(from_deg) > 0, "a wind without a fetch");
   static_cast<void>(site.box(0.5));
 }
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <variant>
+
+#include "fields/service/wave_source.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -112,6 +115,10 @@ Answer answer_of(Selection s, std::vector<Coverage> coverages, const Absences& a
   if (snapshot.hindsight) {
     answer.notes.emplace_back(
         "made in hindsight: wind or waves were used that were not known at the issue time");
+  }
+  if (std::holds_alternative<Quantities<SeaSample>>(s.collection->quantities) &&
+      !has_given_waves_only(snapshot)) {
+    answer.notes.push_back("source of the waves: " + wave_sources_text(snapshot));
   }
   answer.coverages = std::move(coverages);
   return answer;

@@ -255,7 +255,7 @@ void add_waves(KnownSeriesForTests& sea, const Origin& origin, const std::vector
 HorizonSea sea_of(const ColumnData& data, WindPolicy policy, const std::vector<UtcTime>& stamps,
                   std::optional<double> fetch_km = std::nullopt) {
   Site site;
-  site.fetch_km = fetch_km;
+  if (fetch_km) site.fetch = Fetch(*fetch_km * 1000);
   return horizon_sea(data, site, policy, end_of_day, stamps,
                      horizon_wind(data.wind, policy, end_of_day, stamps));
 }
@@ -327,7 +327,7 @@ TEST(HorizonSea, BeyondTheStoredWavesTheWindCarriesTheLastOfThemOn) {
   std::vector<Horizontal> wind;
   for (std::size_t h = 10; h <= 48; ++h) wind.push_back(rising(stamps[h], 0));
   WaveSetting setting;
-  setting.fetch_m = 80000;
+  setting.fetch = Fetch(80000);
   setting.water_depth_m = known.data.water_depth.depth_m;
   const std::vector<SeaState> grown = propagate_sea_state(sea.sea[10], wind, setting);
   for (std::size_t h = 11; h <= 48; ++h) {
@@ -370,6 +370,68 @@ TEST(HorizonSea, WithoutAnyWavesTheWindRaisesASeaUpToItsFetch) {
     }
     shorter = sea.sea.back().significant_height_m;
   }
+}
+
+TEST(HorizonSea, ACalmWindRaisesCalmWaterAndSaysThatItIsComputed) {
+  for (const double speed : {0.0, 0.1, 0.49}) {
+    for (const int history_h : {0, 1, 100}) {
+      KnownSeriesForTests known;
+      known.wind(analysis_of("wind"), instants(end_of_day - hours(history_h), end_of_day + days(3)),
+                 steady({speed, 0}));
+      const HorizonSea sea = sea_of(known.data, WindPolicy::best, stamps_to(72));
+      ASSERT_EQ(sea.sea.size(), 73u);
+      for (const SeaState& state : sea.sea) {
+        EXPECT_EQ(state.significant_height_m, 0.0);
+        EXPECT_TRUE(std::isfinite(state.peak_period_s) && std::isfinite(state.from_direction_deg))
+            << "a sea without a number would be served as missing";
+      }
+      EXPECT_EQ(count(sea.source, DataStatus::modelled), 73u);
+      EXPECT_TRUE(sea.origins.empty()) << "no product gave them";
+    }
+  }
+}
+
+TEST(HorizonSea, ACalmFirstHourIsNoTroubleWhereTheWindComesLater) {
+  KnownSeriesForTests known;
+  known.wind(analysis_of("wind"), instants(end_of_day, end_of_day + days(3)),
+             [](UtcTime time, double) {
+               return hours_between(end_of_day, time) < 3 ? Horizontal(0.2, 0) : Horizontal(10, 0);
+             });
+  const HorizonSea sea = sea_of(known.data, WindPolicy::best, stamps_to(48));
+  EXPECT_EQ(sea.sea[0].significant_height_m, 0.0);
+  EXPECT_NEAR(sea.sea[48].significant_height_m,
+              fetch_limited_sea(10, 200e3, 30).significant_height_m, 0.02);
+}
+
+TEST(HorizonSea, ALullAtTheFirstHourDoesNotWipeOutTheSeaOfTheGaleBefore) {
+  // Ten hours of calm after a day of 15 m/s: swell whose energy falls by e in 24 h.
+  KnownSeriesForTests known;
+  known.wind(analysis_of("wind"), instants(end_of_day - days(2), end_of_day + days(1)),
+             [](UtcTime time, double) {
+               return hours_between(end_of_day, time) < -10 ? Horizontal(15, 0)
+                                                            : Horizontal(0.1, 0);
+             });
+  const HorizonSea sea = sea_of(known.data, WindPolicy::best, stamps_to(24));
+  const double gale_m = fetch_limited_sea(15, 200e3, 30).significant_height_m;
+  EXPECT_NEAR(sea.sea[0].significant_height_m, gale_m * std::exp(-10.0 / 48), 0.05 * gale_m);
+}
+
+TEST(HorizonSea, TheSameWindFromTheLandAndFromTheSeaRaisesWavesOfTheirFetch) {
+  Site site;
+  site.fetch = Fetch({{200, 320, 400e3}, {320, 200, 5e3}});
+  const auto last = [&](double from_deg) {
+    KnownSeriesForTests known;
+    known.wind(analysis_of("wind"), instants(end_of_day - days(2), end_of_day + days(3)),
+               steady(vector_from_direction(13, from_deg)));
+    const HorizonWind wind =
+        horizon_wind(known.data.wind, WindPolicy::best, end_of_day, stamps_to(72));
+    return horizon_sea(known.data, site, WindPolicy::best, end_of_day, stamps_to(72), wind)
+        .sea.back()
+        .significant_height_m;
+  };
+  EXPECT_NEAR(last(270), fetch_limited_sea(13, 400e3, 30).significant_height_m, 0.02);
+  EXPECT_NEAR(last(90), fetch_limited_sea(13, 5e3, 30).significant_height_m, 0.005);
+  EXPECT_GT(last(270), 3 * last(90));
 }
 
 TEST(HorizonSea, WithoutWindTheLastKnownSeaStaysAndIsCalledPersisted) {

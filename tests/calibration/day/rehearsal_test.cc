@@ -174,14 +174,47 @@ TEST(Rehearsals, WhatNeverErredEarnsTheWeight) {
 
 TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
   const KnownSeriesForTests sea = sea_of(4);
-  SiteData data = site_of({sea.data});
-  Rehearsals rehearsals(data);
+  const SiteData data = site_of({sea.data});
+  int calibrated = 0;
+  ColumnParts parts;
+  parts.calibration = [&](auto&&... arguments) {
+    ++calibrated;
+    return calibrate_column(arguments...);
+  };
+  Rehearsals rehearsals(data, parts);
   const std::vector<bool> available(candidate_methods().size(), true);
   const Earned first = rehearsals.earned(plan_of(day), available, 1);
-  // From here on whoever rehearses a day stumbles.
-  data.site.fetch_km = -1;
-  EXPECT_THROW((void)earned(data, plan_of(day)), ContractViolation);
+  EXPECT_EQ(calibrated, 3);
   expect_same(rehearsals.earned(plan_of(day), available, 1), first);
+  EXPECT_EQ(calibrated, 3);
+}
+
+TEST(Rehearsals, ADayThatFailsIsCountedAndTheOthersDecideAsIfItWereNotThere) {
+  const KnownSeriesForTests sea = sea_of(8);
+  const SiteData data = site_of({sea.data});
+  const UtcDay bad = day - days(3);
+  const std::vector<bool> available(candidate_methods().size(), true);
+  ColumnParts parts;
+  parts.record = [&](const ColumnData& column, const ForecastPlan& plan) {
+    expects(plan.day != bad, "a broken part");
+    return known_currents(column, plan);
+  };
+  const Earned made = Rehearsals(data, parts).earned(plan_of(day), available, 2);
+  EXPECT_EQ(made.failed_days, 1u);
+  ASSERT_TRUE(made.first_failure);
+  EXPECT_NE(made.first_failure->why.find("a broken part"), std::string::npos);
+  const Earned whole = Rehearsals(data).earned(plan_of(day), available, 2);
+  EXPECT_EQ(made.blend.pairs, whole.blend.pairs - 1);
+  EXPECT_EQ(whole.failed_days, 0u);
+}
+
+TEST(Rehearsals, DoNotAskForWaves) {
+  const KnownSeriesForTests sea = sea_of(4);
+  const SiteData data = site_of({sea.data});
+  ColumnParts parts;
+  parts.waves = [](auto&&...) -> HorizonSea { throw Error(ErrorKind::internal, "asked"); };
+  const std::vector<bool> available(candidate_methods().size(), true);
+  EXPECT_EQ(Rehearsals(data, parts).earned(plan_of(day), available, 1).failed_days, 0u);
 }
 
 TEST(Rehearsals, AreTheSameWhicheverDayOfAHindcastAsksFirst) {

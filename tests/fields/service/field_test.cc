@@ -342,6 +342,23 @@ TEST(Field, ACalmSeaKeepsTheDirectionThatTheForecastGivesIt) {
   EXPECT_NEAR(sea[0].sea.from_direction_deg, 240, 1e-9) << "and not north";
 }
 
+TEST(Field, BetweenCalmAndASeaThePeriodIsThatOfTheSea) {
+  Snapshot s = made();
+  for (ForecastColumn& c : s.columns) {
+    for (std::size_t t = 0; t < c.sea.size(); ++t)
+      c.sea[t] = t < 7 ? SeaState{0, 0, 240} : SeaState{1, 4, 240};
+  }
+  const Field field = field_of(s);
+  const std::array here{place(1.02, 52.03, 0, 3), place(1.02, 52.03, 0, 6.5)};
+  std::array<SeaSample, 2> sea;
+  field.sample_sea(here, sea);
+  ASSERT_EQ(sea[0].status, SampleStatus::ok) << "calm is a value";
+  EXPECT_EQ(sea[0].sea.significant_height_m, 0);
+  EXPECT_EQ(sea[0].sea.peak_period_s, 0);
+  EXPECT_NEAR(sea[1].sea.significant_height_m, 0.5, 1e-12);
+  EXPECT_NEAR(sea[1].sea.peak_period_s, 4, 1e-12) << "at half of it waves would stand too steep";
+}
+
 TEST(Field, ASnapshotWhoseArraysDoNotFitIsABugAndNotAMemoryError) {
   Snapshot s = made();
   s.columns[3].current_sigma_m_s.pop_back();

@@ -102,6 +102,17 @@ TEST(LimitedWindSea, LongDurationIsTheFetchLimit) {
             0.6 * fetch_limited_sea(12, 100e3, 40).significant_height_m);
 }
 
+TEST(LimitedWindSea, CalmRaisesNothingHoweverLongItLasts) {
+  for (const double speed : {0.0, 0.2, 0.49})
+    for (const double duration_s : {0.0, 3600.0, 43200.0}) {
+      const WindSea sea = limited_wind_sea(speed, 200e3, duration_s, 30);
+      EXPECT_EQ(sea.significant_height_m, 0.0) << speed << " m/s, " << duration_s << " s";
+      EXPECT_EQ(sea.peak_period_s, 0.0);
+    }
+  EXPECT_THROW((void)limited_wind_sea(std::nan(""), 200e3, 3600, 30), ContractViolation)
+      << "unknown is not calm";
+}
+
 TEST(SteepestHeight, IsOneFifteenthShortAndOneTwentyFifthLong) {
   const auto steepness = [](double t) {
     return 2 * constants::pi * steepest_height_m(t) / (g * t * t);
@@ -129,7 +140,7 @@ TEST(PropagateSeaState, WithoutWindTheEnergyDecaysExponentially) {
 }
 
 TEST(PropagateSeaState, SteadyWindOnCalmWaterGrowsToTheFetchLimit) {
-  const WaveSetting setting{.fetch_m = 100e3, .water_depth_m = 30};
+  const WaveSetting setting{.fetch = Fetch(100e3), .water_depth_m = 30};
   const Horizontal wind = vector_from_direction(14.0, 230.0);
   const auto sea = propagate_sea_state({0.0, 0.0, 0.0}, steady(wind, 30), setting);
   for (std::size_t i = 2; i < sea.size(); ++i)
@@ -144,7 +155,7 @@ TEST(PropagateSeaState, SteadyWindOnCalmWaterGrowsToTheFetchLimit) {
 }
 
 TEST(PropagateSeaState, ASeaInBalanceWithItsWindStays) {
-  const WaveSetting setting{.fetch_m = 150e3, .water_depth_m = 40};
+  const WaveSetting setting{.fetch = Fetch(150e3), .water_depth_m = 40};
   const WindSea limit = fetch_limited_sea(12.0, 150e3, 40);
   const auto sea = propagate_sea_state({limit.significant_height_m, limit.peak_period_s, 300.0},
                                        steady(vector_from_direction(12.0, 300.0), 24), setting);
@@ -153,7 +164,7 @@ TEST(PropagateSeaState, ASeaInBalanceWithItsWindStays) {
 }
 
 TEST(PropagateSeaState, EnergiesOfSwellAndWindSeaAdd) {
-  const WaveSetting setting{.fetch_m = 100e3, .water_depth_m = 50, .swell_decay_h = 24};
+  const WaveSetting setting{.fetch = Fetch(100e3), .water_depth_m = 50, .swell_decay_h = 24};
   const auto sea = propagate_sea_state({2.0, 13.0, 270.0},
                                        steady(vector_from_direction(10.0, 90.0), 6), setting);
   const double wind_sea = limited_wind_sea(10.0, 100e3, 6 * 3600.0, 50).significant_height_m;
@@ -163,7 +174,7 @@ TEST(PropagateSeaState, EnergiesOfSwellAndWindSeaAdd) {
 }
 
 TEST(PropagateSeaState, WhenTheWindDropsItsSeaBecomesSwellAndNoEnergyIsLost) {
-  const WaveSetting setting{.fetch_m = 100e3, .water_depth_m = 50, .swell_decay_h = 1e9};
+  const WaveSetting setting{.fetch = Fetch(100e3), .water_depth_m = 50, .swell_decay_h = 1e9};
   std::vector<Horizontal> wind = steady(vector_from_direction(15.0, 200.0), 20);
   wind.resize(30, vector_from_direction(5.0, 200.0));
   const auto sea = propagate_sea_state({0.5, 4.0, 200.0}, wind, setting);
@@ -173,7 +184,7 @@ TEST(PropagateSeaState, WhenTheWindDropsItsSeaBecomesSwellAndNoEnergyIsLost) {
 
 TEST(PropagateSeaState, NeverSteeperThanWavesCanBe) {
   Rng random(8, "wave/steepness");
-  const WaveSetting setting{.fetch_m = 50e3, .water_depth_m = 20};
+  const WaveSetting setting{.fetch = Fetch(50e3), .water_depth_m = 20};
   for (int i = 0; i < 50; ++i) {
     std::vector<Horizontal> wind;
     for (int h = 0; h < 48; ++h)
@@ -186,6 +197,31 @@ TEST(PropagateSeaState, NeverSteeperThanWavesCanBe) {
       EXPECT_LE(sea.significant_height_m, steepest_height_m(sea.peak_period_s) * (1 + 1e-12));
     }
   }
+}
+
+TEST(PropagateSeaState, TheSameWindRaisesMoreFromTheSeaThanFromTheLand) {
+  const WaveSetting setting{.fetch = Fetch({{200, 320, 400e3}, {320, 200, 5e3}}),
+                            .water_depth_m = 30};
+  const auto after = [&](double from_deg) {
+    const Horizontal wind = vector_from_direction(14.0, from_deg);
+    return propagate_sea_state({0.0, 0.0, 0.0}, steady(wind, 60), setting).back();
+  };
+  EXPECT_NEAR(after(270).significant_height_m,
+              fetch_limited_sea(14, 400e3, 30).significant_height_m, 1e-6);
+  EXPECT_NEAR(after(90).significant_height_m, fetch_limited_sea(14, 5e3, 30).significant_height_m,
+              1e-9);
+}
+
+TEST(PropagateSeaState, AWindThatTurnsOffTheLandStartsAgainAndTheOldSeaIsSwell) {
+  const WaveSetting setting{.fetch = Fetch({{180, 360, 300e3}, {0, 180, 2e3}}),
+                            .water_depth_m = 30};
+  std::vector<Horizontal> wind = steady(vector_from_direction(12, 270), 30);
+  wind.resize(54, vector_from_direction(12, 90));
+  const auto sea = propagate_sea_state({0.0, 0.0, 0.0}, wind, setting);
+  for (std::size_t i = 32; i < sea.size(); ++i)
+    EXPECT_LT(sea[i].significant_height_m, sea[i - 1].significant_height_m);
+  EXPECT_GT(sea[31].significant_height_m, 0.95 * sea[30].significant_height_m)
+      << "waves do not stop with their wind";
 }
 
 TEST(PropagateSeaState, WhatIsUnknownStaysUnknown) {

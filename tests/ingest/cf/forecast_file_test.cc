@@ -127,6 +127,36 @@ TEST(ForecastFile, WithoutWindWavesOrCurrentsStaysWithout) {
   expect_same(written, read_forecast(folder / "f.nc"));
 }
 
+TEST(ForecastFile, AColumnWithoutWindAndWavesDoesNotCostTheOthersTheirs) {
+  const tests::TemporaryFolder folder;
+  Snapshot written = full_snapshot(3);
+  for (const std::size_t poor : {std::size_t{0}, std::size_t{2}}) {
+    written.columns[poor].wind_m_s.clear();
+    written.columns[poor].wind_source.clear();
+    written.columns[poor].wind_member_m_s.clear();
+    written.columns[poor].sea.clear();
+    written.columns[poor].sea_source.clear();
+  }
+  write_forecast(folder / "f.nc", written);
+  const Snapshot read = read_forecast(folder / "f.nc");
+  expect_same(written, read);
+  EXPECT_FALSE(read.columns[1].wind_m_s.empty());
+  EXPECT_FALSE(read.columns[1].sea.empty());
+  EXPECT_TRUE(read.columns[0].sea.empty()) << "no waves, not waves that were analysed";
+}
+
+TEST(ForecastFile, SaysOfItsWavesWhereTheyComeFrom) {
+  const tests::TemporaryFolder folder;
+  Snapshot written = full_snapshot(1);
+  ForecastColumn& column = written.columns[0];
+  column.sea_source.assign(column.sea.size(), DataStatus::modelled);
+  write_forecast(folder / "f.nc", written);
+  const auto file = netcdf::File::open(folder / "f.nc");
+  const netcdf::Variable* height = file.find("sea_surface_wave_significant_height");
+  ASSERT_NE(height, nullptr);
+  EXPECT_EQ(height->text("comment"), "computed from the wind");
+}
+
 TEST(ForecastFile, HasOneVariablePerComponentWithTheStandardName) {
   const tests::TemporaryFolder folder;
   write_forecast(folder / "f.nc", full_snapshot(3));

@@ -1,0 +1,175 @@
+// The daily job and the hindcast with a part or a day that fails: what can be issued is issued.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "api/pipeline/daily_job.h"
+#include "api/pipeline/hindcast.h"
+#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/load_site_data.h"
+#include "api/pipeline/verify.h"
+#include "fields/base/check.h"
+#include "fields/base/error.h"
+#include "ingest/cf/forecast_file.h"
+#include "ingest/copernicus/product_catalogue.h"
+#include "tests/support/product_files_for_tests.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/store_for_tests.h"
+#include "tests/support/temporary_folder.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+using std::chrono::days;
+using std::chrono::hours;
+using tests::WaterForTests;
+
+const UtcDay first_day = parse_day("2025-03-06");
+constexpr int days_stored = 5;
+
+bool says(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+/// Five days of currents and wind, no waves.
+class FiveDays : public ::testing::Test {
+ protected:
+  FiveDays() {
+    site_.id = site_.name = "test_site";
+    site_.point =
+        GeoPoint::from_degrees(WaterForTests::site_latitude_deg, WaterForTests::site_longitude_deg);
+    site_.water_depth_m = WaterForTests::depth_m;
+    const auto products = ingest::ProductCatalogue::load(tests::source_folder() / "data/products");
+    for (int i = 0; i < days_stored; ++i) {
+      for (const tests::ProductForTests& product : {tests::current_product(first_day + days(i)),
+                                                    tests::wind_product(first_day + days(i))}) {
+        const auto file = folder_ / ("product-" + std::to_string(++files_) + ".nc");
+        static_cast<void>(ingest_file(store_, products, tests::write_product(file, product), {},
+                                      UtcTime(first_day) + days(9), {}));
+      }
+    }
+  }
+
+  DailyJob job_of(UtcDay day, const calibration::DayParts& parts = {}) {
+    const SiteData data = load_site_data(store_, site_, UtcTime(first_day),
+                                         UtcTime(first_day) + days(days_stored + 4));
+    calibration::ForecastOptions options;
+    options.day = day;
+    options.issued = UtcTime(day) + days(1) + hours(5);
+    options.parts = parts;
+    return daily_job(data, options);
+  }
+
+  HindcastReport hindcast_with(const calibration::DayParts& parts) {
+    HindcastOptions options;
+    options.from = first_day + days(1);
+    options.to = first_day + days(3);
+    options.horizon = hours(24);
+    options.parts = parts;
+    return hindcast(store_, site_, options, {});
+  }
+
+  tests::TemporaryFolder folder_;
+  store::Store store_ = store::Store::open(folder_ / "store", store::OpenMode::create_or_write);
+  Site site_;
+  int files_ = 0;
+};
+
+TEST_F(FiveDays, APartThatFailsIsInTheStoredHeadlineAndInTheSummary) {
+  calibration::DayParts parts;
+  parts.of_column.tide = [](auto&&...) -> calibration::FittedTide {
+    expects(false, "broken for the test");
+    return {};
+  };
+  const DailyJob job = job_of(first_day + days(2), parts);
+  const std::int64_t id = publish(store_, job, ForecastOrigin::forecast);
+  const auto rows = store_.find_forecasts({});
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].id, id);
+  EXPECT_TRUE(rows[0].degraded);
+  EXPECT_TRUE(says(rows[0].headline, "he tide failed")) << rows[0].headline;
+  const json summary = json::parse(job.summary_json);
+  ASSERT_EQ(summary.at("failed").size(), 1u);
+  EXPECT_EQ(summary["failed"][0]["part"], "tide");
+  EXPECT_EQ(summary["failed"][0]["column"], 0);
+  EXPECT_EQ(summary["failed"][0]["kind"], "internal");
+  EXPECT_TRUE(says(summary["failed"][0]["why"], "broken for the test"));
+  const Snapshot read = ingest::read_forecast(store_.content_path(rows[0].content_sha256));
+  EXPECT_EQ(read.headline, rows[0].headline);
+  EXPECT_EQ(read.columns[0].current_status[0], SampleStatus::ok);
+}
+
+TEST_F(FiveDays, WavesOfTheWindAreSaidToBeThatInTheSummary) {
+  const json waves = json::parse(job_of(first_day + days(2)).summary_json).at("waves");
+  EXPECT_EQ(waves.at("source"), "computed from the wind");
+  const json& computed = waves.at("computed");
+  EXPECT_EQ(computed.at("of_wind_alone"), true);
+  EXPECT_EQ(computed.at("fetch_assumed"), true);
+  EXPECT_EQ(computed.at("fetch_km"), json({200.0, 200.0}));
+  EXPECT_LT(computed.at("highest_half_fetch_m"), computed.at("highest_m"));
+  EXPECT_GT(computed.at("highest_twice_fetch_m"), computed.at("highest_m"));
+}
+
+TEST_F(FiveDays, ADayOfAHindcastThatFailsIsNamedAndTheOthersAreThoseOfAHindcastWithout) {
+  const UtcDay bad = first_day + days(2);
+  calibration::DayParts parts;
+  parts.column = [&](const ColumnData& column, const Site& site,
+                     const calibration::ForecastPlan& plan, const calibration::ColumnParts& ours) {
+    expects(plan.day != bad, "broken for the test");
+    return calibration::forecast_column(column, site, plan, ours);
+  };
+  const HindcastReport report = hindcast_with(parts);
+  ASSERT_EQ(report.skipped.size(), 1u);
+  EXPECT_TRUE(says(report.skipped[0], format_day(bad) + ": nothing can be forecast"))
+      << report.skipped[0];
+  EXPECT_TRUE(says(report.skipped[0], "broken for the test")) << report.skipped[0];
+  EXPECT_EQ(report.forecasts.size(), 2u);
+  const HindcastReport whole = hindcast_with({});
+  EXPECT_EQ(whole.forecasts.size(), 3u);
+  std::size_t others = 0;
+  for (const auto& entry : whole.skill) others += entry.day == bad ? 0 : 1;
+  EXPECT_GT(others, 0u);
+  EXPECT_EQ(report.skill.size(), others);
+}
+
+TEST_F(FiveDays, AHindcastWhoseDaysAllFailIsAnErrorThatSaysWhy) {
+  calibration::DayParts parts;
+  parts.column = [](auto&&...) -> calibration::ColumnForecast {
+    expects(false, "broken for the test");
+    return {};
+  };
+  try {
+    (void)hindcast_with(parts);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::internal);
+    EXPECT_TRUE(says(error.message(), "no day from 2025-03-07 to 2025-03-09 could be forecast"));
+    EXPECT_TRUE(says(error.message(), "broken for the test")) << error.message();
+  }
+  EXPECT_TRUE(store_.find_forecasts({}).empty());
+}
+
+TEST_F(FiveDays, AForecastThatCannotBeReadIsNamedAndTheOthersAreScored) {
+  std::vector<std::int64_t> ids;
+  for (const int i : {1, 2}) {
+    const DailyJob job = job_of(first_day + days(i));
+    ids.push_back(publish(store_, job, ForecastOrigin::forecast));
+  }
+  const auto rows = store_.find_forecasts({});
+  ASSERT_EQ(rows.size(), 2u);
+  const std::filesystem::path damaged = store_.content_path(rows[0].content_sha256);
+  std::filesystem::permissions(damaged, std::filesystem::perms::owner_write,
+                               std::filesystem::perm_options::add);
+  tests::write_bytes(damaged, "not a forecast any more");
+  const calibration::Verification result = verify(store_, site_, {});
+  ASSERT_EQ(result.unscored.size(), 1u);
+  EXPECT_TRUE(says(result.unscored[0],
+                   "forecast " + std::to_string(rows[0].id) + " of day " + format_day(rows[0].day)))
+      << result.unscored[0];
+  EXPECT_FALSE(result.entries.empty());
+  for (const auto& entry : result.entries) EXPECT_EQ(entry.day, rows[1].day);
+}
+
+}  // namespace
+}  // namespace slackwater::api

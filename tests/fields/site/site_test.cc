@@ -1,0 +1,57 @@
+#include "fields/site/site.h"
+
+#include <gtest/gtest.h>
+
+#include "fields/base/error.h"
+
+namespace slackwater {
+namespace {
+
+Site site_with(const std::string& more) {
+  return parse_site("id: here\nlatitude_deg: 54\nlongitude_deg: 6.5\n" + more, "here.yaml");
+}
+
+std::string refusal(const std::string& more) {
+  try {
+    (void)site_with(more);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::invalid_input);
+    return error.message();
+  }
+  return "accepted";
+}
+
+bool says(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST(SiteFetch, IsUnknownWhereTheFileSaysNothing) { EXPECT_FALSE(site_with("").fetch); }
+
+TEST(SiteFetch, IsOneNumberOrAListOfSectors) {
+  EXPECT_EQ(site_with("fetch_km: 80\n").fetch, Fetch(80e3));
+  const Site site = site_with(
+      "fetch_km:\n"
+      "  - {wind_from_deg: [200, 320], fetch_km: 400}\n"
+      "  - {wind_from_deg: [320, 200], fetch_km: 5}\n");
+  EXPECT_EQ(site.fetch, Fetch({{200, 320, 400e3}, {320, 200, 5e3}}));
+}
+
+TEST(SiteFetch, WhatIsWrongWithItIsSaidWithFileAndLine) {
+  EXPECT_TRUE(says(refusal("fetch_km: 0\n"), "here.yaml:4: fetch_km")) << refusal("fetch_km: 0\n");
+  EXPECT_TRUE(says(refusal("fetch_km: far\n"), "fetch_km"));
+  const std::string gap = refusal("fetch_km: [{wind_from_deg: [200, 320], fetch_km: 400}]\n");
+  EXPECT_TRUE(says(gap, "here.yaml:4: fetch_km")) << gap;
+  EXPECT_TRUE(says(gap, "found no fetch for wind from 320 to 200 degrees")) << gap;
+  EXPECT_TRUE(says(refusal("fetch_km: [{wind_from_deg: 200, fetch_km: 400}]\n"),
+                   "expected two directions"));
+  EXPECT_TRUE(says(refusal("fetch_km: [{fetch_km: 400}]\n"), "expected two directions"));
+  EXPECT_TRUE(says(refusal("fetch_km: [{wind_from_deg: [0, 360]}]\n"), "fetch_km"));
+  EXPECT_TRUE(says(refusal("fetch_km: [{wind_from_deg: [0, 361], fetch_km: 4}]\n"), "361"));
+  EXPECT_TRUE(says(refusal("fetch_km: [{wind_from_deg: [0, 360], fetch_km: 9000}]\n"), "9000"));
+  EXPECT_TRUE(says(refusal("fetch_km: [{wind_from: [0, 360], fetch_km: 4}]\n"), "wind_from_deg"));
+  EXPECT_NE(refusal("fetch_km: []\n"), "accepted");
+  EXPECT_NE(refusal("fetch_km: {wind_from_deg: [0, 360]}\n"), "accepted");
+}
+
+}  // namespace
+}  // namespace slackwater
