@@ -1,6 +1,7 @@
 #include <string>
 
 #include "fields/base/error.h"
+#include "ingest/cf/settle.h"
 #include "ingest/grib/grib_file.h"
 #include "ingest/gridded.h"
 #include "ingest/ingest.h"
@@ -13,7 +14,8 @@ namespace {
 Ingested decode_netcdf(const std::filesystem::path& path, const ProductCatalogue& products,
                        const IngestOptions& options, const std::filesystem::path& staging_folder,
                        const Progress& progress) {
-  const netcdf::File file = netcdf::File::open(path);
+  netcdf::File file = netcdf::File::open(path);
+  settle(file, product_for(file, products, options), products.vocabulary());
   if (is_point_series(file)) return decode_point_series(file, products, options, staging_folder);
   return decode_gridded(file, products, options, staging_folder, progress);
 }

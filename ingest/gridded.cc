@@ -5,6 +5,7 @@
 #include "fields/base/error.h"
 #include "ingest/cf/attribution.h"
 #include "ingest/cf/granule_file.h"
+#include "ingest/cf/settle.h"
 #include "ingest/decoded/staged_files.h"
 #include "ingest/gridded_plan.h"
 #include "ingest/provenance.h"
@@ -178,7 +179,7 @@ Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& produc
   }
   Ingested ingested;
   StagedFiles staged(ingested);
-  const Product& product = products.product_of(file);
+  const Product& product = product_for(file, products, options);
   std::vector<PlannedGroup> groups =
       plan_gridded(file, products, product, options, ingested.warnings);
   const auto stated = stated_reference_time(file, product);

@@ -5,6 +5,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/cf/axes.h"
+#include "ingest/cf/settle.h"
 #include "ingest/cf/time_cells.h"
 #include "ingest/cf/units.h"
 
@@ -135,7 +136,7 @@ Packing packing_of(const Located& located, const Product& product,
     throw Error(ErrorKind::invalid_input,
                 "variable '" + variable.name + "' (" + quantity.standard_name +
                     ") has no units, and product '" + product.id +
-                    "' does not settle them; expected '" + quantity.unit + "'");
+                    "' does not settle them; expected '" + quantity.unit + "'" + say_so);
   }
   if (unit)
     packing.convert(unit_conversion(*unit, quantity.unit, "variable '" + variable.name + "'"));

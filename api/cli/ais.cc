@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/cli/output_file.h"
+#include "fields/base/csv.h"
 #include "fields/base/text.h"
 #include "ingest/ais/read_ais.h"
 
@@ -106,8 +108,31 @@ json reading_json(const std::string& file, const ingest::AisReading& reading) {
           {"warnings", reading.warnings()}};
 }
 
+constexpr const char* csv_head =
+    "file,mmsi,name,class,ship_type,length_m,beam_m,reports,positions,first,last,mean_speed_m_s,"
+    "west_deg,south_deg,east_deg,north_deg\n";
+
+/// A vessel as a row, the numbers of `vessel_json`; what it never said is an empty cell.
+std::string vessel_csv(const std::string& file, const AisTrack& track) {
+  const json vessel = vessel_json(track);
+  std::string line = csv_cell(file);
+  const auto add = [&](const json& value) {
+    line += ",";
+    if (value.is_string()) line += csv_cell(value.get<std::string>());
+    if (value.is_number()) line += value.dump();
+  };
+  for (const char* key : {"mmsi", "name", "class", "ship_type", "length_m", "beam_m", "reports",
+                          "positions", "first", "last", "mean_speed_m_s"})
+    add(vessel.at(key));
+  for (std::size_t i = 0; i < 4; ++i)
+    add(vessel.at("bbox").is_array() ? vessel.at("bbox").at(i) : json());
+  return line + "\n";
+}
+
 void run_ais(const std::vector<std::string>& files, const ingest::AisTrackOptions& options,
-             const Context& context) {
+             const std::filesystem::path& csv, const Context& context) {
+  expect_output("--csv", csv, {".csv"});
+  std::string rows = csv_head;
   json out = {{"files", json::array()}};
   if (!context.json) {
     std::printf("%9s  %-20s  %-12s %7s  %-20s  %-20s  %6s  %s\n", "MMSI", "name", "class",
@@ -118,6 +143,7 @@ void run_ais(const std::vector<std::string>& files, const ingest::AisTrackOption
     json of_file = reading_json(file, read.reading);
     of_file["vessels"] = json::array();
     for (const AisTrack& track : read.tracks) {
+      if (!csv.empty()) rows += vessel_csv(file, track);
       if (context.json) {
         of_file["vessels"].push_back(vessel_json(track));
       } else {
@@ -133,6 +159,7 @@ void run_ais(const std::vector<std::string>& files, const ingest::AisTrackOption
     }
     out["files"].push_back(std::move(of_file));
   }
+  if (!csv.empty()) write_text(csv, rows);
   if (context.json) {
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
   }
@@ -147,6 +174,7 @@ void add_ais(CLI::App& app, Context& context) {
     std::string from;
     std::string to;
     std::uint32_t mmsi = 0;
+    std::filesystem::path csv;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("ais", "The vessels in logs of AIS");
@@ -160,6 +188,7 @@ void add_ais(CLI::App& app, Context& context) {
   command->add_option("--from", arguments->from, "positions from this time on");
   command->add_option("--to", arguments->to, "and up to this time");
   command->add_option("--mmsi", arguments->mmsi, "one vessel");
+  command->add_option("--csv", arguments->csv, "the list as FILE.csv, a row a vessel");
   command->callback([arguments, &context] {
     ingest::AisTrackOptions options;
     if (!arguments->box.empty()) {
@@ -175,7 +204,7 @@ void add_ais(CLI::App& app, Context& context) {
                   "found --from " + arguments->from + " after --to " + arguments->to);
     }
     if (arguments->mmsi != 0) options.mmsi = arguments->mmsi;
-    run_ais(arguments->files, options, context);
+    run_ais(arguments->files, options, arguments->csv, context);
   });
 }
 

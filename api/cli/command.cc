@@ -115,8 +115,8 @@ int run_command_line(int argc, const char* const* argv) {
   const char* folder = std::getenv("SLACKWATER_STORE");
   context.store_folder = folder != nullptr ? folder : "slackwater-store";
   CLI::App app{
-      "Slackwater: tomorrow's current, wind and waves at an offshore site, with the skill it has "
-      "earned."};
+      "Slackwater: tomorrow's current, wind and waves at an offshore site, and how good these "
+      "forecasts have been."};
   app.name("slackwater");
   app.set_version_flag("--version", code_version());
   app.require_subcommand(1);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/cli/output_file.h"
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/downloads.h"
 #include "api/pipeline/load_site_data.h"
@@ -123,7 +124,7 @@ void print_days(const Snapshot& snapshot, const std::optional<TimeZone>& zone) {
   }
 }
 
-/// The forecast's own face: does it beat the plainest alternatives where the truth is in?
+/// How good it has been: does it beat the plainest alternatives where the truth is in?
 std::string verified_text(const std::optional<calibration::Verdict>& verdict, WindPolicy wind) {
   if (!verdict) {
     return "Not verified yet: no truth after a stored forecast of this site with wind " +
@@ -158,20 +159,6 @@ json verdict_json(const std::optional<calibration::Verdict>& verdict) {
                                  {"forecast_rmse_m_s", verdict->best->forecast_rmse_m_s}};
   }
   return document;
-}
-
-/// A file that an option names can be made: its folder is there, and it is none itself.
-void expect_file_place(const char* option, const std::string& file) {
-  if (file.empty()) return;
-  if (std::filesystem::is_directory(file)) {
-    throw Error(ErrorKind::usage, std::string(option) + ": found the folder " + file +
-                                      " where a file was expected; name a file in it");
-  }
-  const auto folder = std::filesystem::absolute(file).parent_path();
-  if (!std::filesystem::is_directory(folder)) {
-    throw Error(ErrorKind::usage, "found no folder " + folder.string() + " for " + option +
-                                      "; make it, or name another");
-  }
 }
 
 /// How past forecasts did, for the page.
@@ -212,7 +199,8 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   }
   if (!arguments.day.empty()) options.day = option_value("--day", arguments.day, parse_day);
   if (arguments.print_downloads) {
-    const auto products = ingest::ProductCatalogue::load(data_folder() / "products");
+    const auto products =
+        ingest::ProductCatalogue::load(data_folder() / "products", own_product_folders());
     const UtcDay day = options.day.value_or(day_of(options.issued) - days(1));
     const auto lines = download_lines(products, site, day, options.horizon);
     if (context.json) {
@@ -230,8 +218,8 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
                                       format_utc(options.issued) +
                                       "; give an earlier --day, or --at");
   }
-  expect_file_place("--out", arguments.out);
-  expect_file_place("--html", arguments.html);
+  expect_output("--out", arguments.out, {".nc"});
+  expect_output("--html", arguments.html, {".html"});
   if (arguments.html.empty() && arguments.html_depth_m)
     throw Error(ErrorKind::usage, "--html-depth wants --html FILE");
   store::Store store = context.open(store::OpenMode::create_or_write);
@@ -245,10 +233,9 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   const auto [id, is_new] = publish(store, job, ForecastOrigin::forecast);
   const Snapshot& snapshot = forecast.snapshot;
   if (!arguments.out.empty()) {
-    const std::filesystem::path out = arguments.out;
-    const std::filesystem::path partial = arguments.out + ".partial";
-    ingest::write_forecast(partial, snapshot);
-    std::filesystem::rename(partial, out);
+    write_beside(arguments.out, [&](const std::filesystem::path& partial) {
+      ingest::write_forecast(partial, snapshot);
+    });
   }
   // What can be verified is: earlier forecasts of the last two weeks under the same wind policy,
   // where their truth had come in when this one is issued.
@@ -321,7 +308,7 @@ void add_forecast(CLI::App& app, Context& context) {
   command->add_flag("--hindsight", arguments->hindsight,
                     "with --at in the past and --wind best: also use wind and waves that were not "
                     "known then; the forecast is marked");
-  command->add_option("--out", arguments->out, "also write the forecast as a CF NetCDF file");
+  command->add_option("--out", arguments->out, "also write the forecast as FILE.nc (CF NetCDF)");
   command->add_option("--html", arguments->html,
                       "also write a page for people: slack times, current, wind and waves with "
                       "their bands; one file, opens offline");

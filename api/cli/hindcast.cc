@@ -5,10 +5,12 @@
 #include <thread>
 
 #include "api/cli/command.h"
+#include "api/cli/output_file.h"
 #include "api/cli/progress.h"
 #include "api/cli/skill_print.h"
 #include "api/pipeline/verify.h"
 #include "api/program/paths.h"
+#include "api/report/skill_csv.h"
 #include "api/report/skill_json.h"
 #include "api/report/skill_page.h"
 #include "api/report/skill_table.h"
@@ -27,6 +29,7 @@ struct HindcastArguments {
   std::string bands;
   std::string levels = "native";
   std::string html;
+  std::string csv;
   bool per_column = false;
   bool by_hour = false;
   bool full = false;
@@ -44,6 +47,8 @@ void write_page(store::Store& store, const Site& site, const HindcastOptions& op
 }
 
 void run_hindcast(const HindcastArguments& arguments, const Context& context) {
+  expect_output("--html", arguments.html, {".html"});
+  expect_output("--csv", arguments.csv, {".csv"});
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   HindcastOptions options;
   options.from = option_value("--from", arguments.from, parse_day);
@@ -62,6 +67,7 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
     report = hindcast(store, site, options, [&](double share) { bar.update(share); });
   }
   if (!arguments.html.empty()) write_page(store, site, options, report, arguments, context);
+  if (!arguments.csv.empty()) write_text(arguments.csv, skill_csv(report.skill));
   if (context.json) {
     std::printf("%s\n", skill_json(report.skill).c_str());
   } else {
@@ -94,6 +100,7 @@ void add_hindcast(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"native"}));
   command->add_option("--html", arguments->html,
                       "write a page of plots: skill by lead, reliability, hodographs, misfit");
+  command->add_option("--csv", arguments->csv, "the scores as FILE.csv, a row each");
   command->add_flag("--full", arguments->full,
                     "print every depth band, day of lead, wind policy, wind and waves");
   command->add_flag("--by-hour", arguments->by_hour,

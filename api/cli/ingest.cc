@@ -21,6 +21,7 @@ struct IngestArguments {
   std::string issued;
   std::vector<double> box;
   std::string site;
+  std::filesystem::path product;
 };
 
 /// Cells this far around a site are kept: more than two cells of the coarsest wind product.
@@ -92,9 +93,12 @@ void print(const IngestReport& report) {
 /// All files are tried, each in a process of its own, so that one that crashes the library that
 /// reads it does not keep the others out; the first trouble decides the exit code, each one is told.
 void ingest_all(const IngestArguments& arguments, const Context& context) {
-  const ingest::IngestOptions options = options_of(arguments, context);
+  ingest::IngestOptions options = options_of(arguments, context);
   const std::vector<std::filesystem::path> files = product_files(arguments.paths);
-  const auto products = ingest::ProductCatalogue::load(data_folder() / "products");
+  const auto products =
+      ingest::ProductCatalogue::load(data_folder() / "products", own_product_folders());
+  if (!arguments.product.empty())
+    options.product = std::make_shared<const ingest::Product>(products.describe(arguments.product));
   // Made, or refused, before any file is read; closed again, because each reader is a process of
   // its own with a connection of its own.
   static_cast<void>(context.open(store::OpenMode::create_or_write));
@@ -150,6 +154,9 @@ void add_ingest(CLI::App& app, Context& context) {
                       "analysis | forecast: what the files are, whatever they say");
   command->add_option("--issued", arguments->issued,
                       "reference time of a forecast, e.g. 2025-03-10T00:00:00Z");
+  command->add_option("--product", arguments->product,
+                      "FILE.yaml that says what the files are: name, credit, and what they forget "
+                      "to say (api/docs/adding_a_product.md)");
   command->add_option("--bbox", arguments->box, "keep only W,S,E,N (degrees), with one cell around")
       ->delimiter(',')
       ->expected(4);

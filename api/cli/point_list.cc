@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "fields/base/csv.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api {
@@ -47,18 +48,32 @@ std::string shown(std::string_view text) {
   return "'" + std::string(text.substr(0, enough)) + (text.size() > enough ? "…'" : "'");
 }
 
-std::size_t column_of(const std::vector<std::string_view>& head,
+std::vector<std::string> cells_in(std::string_view line) {
+  std::optional<std::vector<std::string>> cells = csv_cells(line);
+  if (cells) return std::move(*cells);
+  throw Error(ErrorKind::invalid_input,
+              "found a quote that is not closed in " + shown(line) + "; expected \" in pairs");
+}
+
+/// The column under the first of the names that the head has.
+std::optional<std::size_t> find_column(const std::vector<std::string>& head,
+                                       const std::vector<std::string_view>& names) {
+  for (const std::string_view name : names) {
+    const auto found = std::find(head.begin(), head.end(), name);
+    if (found != head.end()) return static_cast<std::size_t>(found - head.begin());
+  }
+  return std::nullopt;
+}
+
+std::size_t column_of(const std::vector<std::string>& head,
                       const std::vector<std::string_view>& names) {
-  const auto found = std::find_if(head.begin(), head.end(), [&](std::string_view cell) {
-    return std::find(names.begin(), names.end(), cell) != names.end();
-  });
-  if (found != head.end()) return static_cast<std::size_t>(found - head.begin());
+  if (const auto found = find_column(head, names)) return *found;
   throw Error(ErrorKind::invalid_input,
               "line 1: found no column " + std::string(names.front()) +
                   "; expected the columns' names, e.g. latitude_deg,longitude_deg");
 }
 
-double cell_number(const std::vector<std::string_view>& cells, std::size_t column,
+double cell_number(const std::vector<std::string>& cells, std::size_t column,
                    std::string_view what) {
   if (column >= cells.size()) {
     throw Error(ErrorKind::invalid_input, "found " + std::to_string(cells.size()) +
@@ -71,36 +86,38 @@ double cell_number(const std::vector<std::string_view>& cells, std::size_t colum
                                             std::string(what) + " in degrees");
 }
 
-std::vector<GeoPoint> points_in(std::istream& in) {
+PointList points_in(std::istream& in) {
   std::string line;
   std::getline(in, line);
   std::string_view first = line;
   if (first.starts_with("\xEF\xBB\xBF")) first.remove_prefix(3);  // what spreadsheets put there
-  const std::vector<std::string_view> head = cells_of(first, ',');
+  const std::vector<std::string> head = with_context("line 1", [&] { return cells_in(first); });
   const std::size_t latitude = column_of(head, {"latitude_deg", "latitude", "lat"});
   const std::size_t longitude = column_of(head, {"longitude_deg", "longitude", "lon"});
-  std::vector<GeoPoint> points;
+  const auto named = find_column(head, {"name", "id", "station", "label"});
+  PointList list;
   for (std::size_t number = 2; std::getline(in, line); ++number) {
     if (trimmed(line).empty()) continue;
     with_context("line " + std::to_string(number), [&] {
-      const std::vector<std::string_view> cells = cells_of(line, ',');
+      const std::vector<std::string> cells = cells_in(line);
       const double north = cell_number(cells, latitude, "latitude");
       const double east = cell_number(cells, longitude, "longitude");
       if (std::abs(east) > 360) {
         throw Error(ErrorKind::invalid_input,
                     "found longitude " + shown(cells[longitude]) + ", expected -360 to 360");
       }
-      if (points.size() == most_points) {
+      if (list.points.size() == most_points) {
         throw Error(ErrorKind::invalid_input, "found more than " + std::to_string(most_points) +
                                                   " points; give them in several files");
       }
-      points.push_back(GeoPoint::from_degrees(north, east));
+      list.points.push_back(GeoPoint::from_degrees(north, east));
+      if (named) list.names.push_back(*named < cells.size() ? cells[*named] : std::string());
     });
   }
-  if (points.empty()) {
+  if (list.points.empty()) {
     throw Error(ErrorKind::invalid_input, "found no points below the line of names");
   }
-  return points;
+  return list;
 }
 
 std::vector<double> evenly(const std::vector<std::string_view>& parts) {
@@ -133,7 +150,7 @@ std::vector<double> listed(const std::vector<std::string_view>& parts) {
 
 }  // namespace
 
-std::vector<GeoPoint> read_points(const std::filesystem::path& file) {
+PointList read_points(const std::filesystem::path& file) {
   return with_context(file.string(), [&] {
     if (std::filesystem::is_directory(file)) {
       throw Error(ErrorKind::invalid_input,
@@ -155,10 +172,11 @@ std::vector<double> parse_depths(const std::string& text) {
                         return !(a < b);
                       }) == depths.end();
   if (depths.empty() || !ascend || depths.front() < 0) {
-    throw Error(ErrorKind::invalid_input,
-                "found " + shown(text) +
-                    ", expected metres below mean sea level that grow, as a list (0,5,12.5) or as "
-                    "from/to/count (0/80/50)");
+    throw Error(
+        ErrorKind::invalid_input,
+        "found " + shown(text) +
+            ", expected metres below mean sea level in rising order, as a list (0,5,12.5) or as "
+            "from/to/count (0/80/50)");
   }
   return depths;
 }

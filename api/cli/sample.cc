@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "api/cli/command.h"
+#include "api/cli/output_file.h"
 #include "api/cli/point_list.h"
 #include "api/cli/sample_write.h"
 #include "api/issued/in_force.h"
@@ -84,22 +85,20 @@ void expect_bounded(const SampleGrid& grid, std::size_t members) {
                         static_cast<double>(most_values)));
 }
 
-void expect_writable(const std::filesystem::path& out) {
-  if (out.extension() != ".nc" && out.extension() != ".csv") {
-    throw Error(ErrorKind::usage,
-                "found --out " + out.string() + ", expected a file name that ends in .nc or .csv");
-  }
-  const auto folder = std::filesystem::absolute(out).parent_path();
-  if (!std::filesystem::is_directory(folder)) {
-    throw Error(ErrorKind::usage,
-                "found no folder " + folder.string() + " for --out; make it, or name another");
-  }
+void expect_writable(const SampleArguments& arguments) {
+  expect_output("--out", arguments.out, {".nc", ".csv"});
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(arguments.out, arguments.points, ignored)) return;
+  throw Error(ErrorKind::usage, "found --out " + arguments.out.string() +
+                                    ", which is the file of points; expected another name");
 }
 
 void run_sample(const SampleArguments& arguments, const Context& context) {
-  expect_writable(arguments.out);
+  expect_writable(arguments);
   Samples s;
-  s.grid.points = read_points(arguments.points);
+  PointList list = read_points(arguments.points);
+  s.grid.points = std::move(list.points);
+  s.names = std::move(list.names);
   store::Store store = context.open(store::OpenMode::read_only);
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   s.row = find_instance(store, site, arguments.instance);
@@ -145,8 +144,9 @@ void add_sample(CLI::App& app, Context& context) {
   command->add_option("--instance", arguments->instance,
                       "id of an issued forecast, or newest (default newest)");
   command
-      ->add_option("--points", arguments->points,
-                   "CSV file whose first line names latitude_deg and longitude_deg")
+      ->add_option(
+          "--points", arguments->points,
+          "CSV file whose first line names latitude_deg and longitude_deg, and perhaps name")
       ->required();
   command->add_option("--from", arguments->from, "first time (default: the forecast's)");
   command->add_option("--to", arguments->to, "last time (default: the forecast's)");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/progress.h"
+#include "fields/base/csv.h"
 #include "fields/base/error.h"
 #include "ingest/cf/averaged_json.h"
 #include "ingest/cf/point_samples_writer.h"
@@ -46,7 +47,8 @@ ingest::PointSamplesHead head_of(const Samples& s) {
            {"slackwater_hindsight", f.hindsight ? "true" : "false"},
            {"slackwater_averaged_currents", ingest::averaged_json(f.averaged)},
            {"slackwater_attributions", credit},
-           {"slackwater_provenance", ingest::provenance_json(f.provenance)}}};
+           {"slackwater_provenance", ingest::provenance_json(f.provenance)}},
+          s.names};
 }
 
 /// Shows how far the work is, block by block.
@@ -82,7 +84,8 @@ void write_netcdf(const std::filesystem::path& file, Samples& s, bool quiet) {
 
 namespace {
 
-void write_rows(std::ostream& out, const SampleBlock& block, const SampleGrid& grid) {
+void write_rows(std::ostream& out, const SampleBlock& block, const Samples& s) {
+  const SampleGrid& grid = s.grid;
   std::vector<std::string> stamp;
   for (const UtcTime time : grid.time) stamp.push_back(format_utc(time));
   char text[200];
@@ -97,12 +100,14 @@ void write_rows(std::ostream& out, const SampleBlock& block, const SampleGrid& g
                     static_cast<double>(block.north_m_s[i]));
     }
     std::snprintf(
-        text, sizeof text, "%zu,%.6f,%.6f,%s,%g,%zu,%s,%s\n", point + 1,
+        text, sizeof text, "%zu,%.6f,%.6f,%s,%g,%zu,%s,%s", point + 1,
         grid.points[point].longitude_deg(), grid.points[point].latitude_deg(), stamp[time].c_str(),
         grid.depth_m[i % grid.depth_m.size()], block.member, values,
         std::string(name_of(has_value(status) && !is_there ? SampleStatus::missing : status))
             .c_str());
     out << text;
+    if (!s.names.empty()) out << ',' << csv_cell(s.names[point]);
+    out << '\n';
   }
 }
 
@@ -110,11 +115,12 @@ void write_rows(std::ostream& out, const SampleBlock& block, const SampleGrid& g
 
 void write_csv(const std::filesystem::path& file, Samples& s, bool quiet) {
   std::ofstream out(file);
-  out << "point,longitude_deg,latitude_deg,time,depth_m,member,east_m_s,north_m_s,status\n";
+  out << "point,longitude_deg,latitude_deg,time,depth_m,member,east_m_s,north_m_s,status"
+      << (s.names.empty() ? "\n" : ",name\n");
   Progress progress(s, quiet);
   s.counts = sample_points(*s.field, s.grid, s.members, PointSamplesWriter::fill,
                            [&](const SampleBlock& block) {
-                             if (out) write_rows(out, block, s.grid);
+                             if (out) write_rows(out, block, s);
                              progress.took(block);
                            });
   out.close();

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "data/store/rows.h"
 #include "fields/service/field.h"
@@ -14,7 +15,8 @@ struct Samples {
   store::ForecastRow row;
   std::shared_ptr<const Field> field;
   SampleGrid grid;
-  std::size_t members = 1;  ///< the central one among them
+  std::vector<std::string> names;  ///< of the points; empty where their file has none
+  std::size_t members = 1;         ///< the central one among them
   ValidRange range;
   StatusCounts counts{};
 };

@@ -5,9 +5,8 @@
 #include <fstream>
 
 #include "api/cli/command.h"
+#include "api/cli/serve_health.h"
 #include "api/edr/service.h"
-#include "api/http/health.h"
-#include "api/http/metrics.h"
 #include "api/http/server.h"
 #include "api/issued/issued_fields.h"
 #include "api/program/version.h"
@@ -22,6 +21,7 @@ struct ServeArguments {
   int threads = 2;
   std::string token_file;
   std::string base_url;
+  std::string stale_after;
 };
 
 std::optional<std::string> token_of(const std::string& file) {
@@ -36,22 +36,15 @@ std::optional<std::string> token_of(const std::string& file) {
   return token;
 }
 
-http::HealthFacts facts_of(const IssuedFields& forecasts) {
-  http::HealthFacts facts;
-  const std::shared_ptr<const ForecastCatalogue> catalogue = forecasts.catalogue();
-  const std::string trouble = forecasts.trouble();
-  // A damaged forecast that a client asks for must not take the whole
-  // service out of a proxy's hands.
-  facts.is_healthy = forecasts.is_following();
-  facts.is_degraded = !trouble.empty();
-  if (!trouble.empty()) facts.facts.emplace_back("store", trouble);
-  facts.facts.emplace_back("forecasts", std::to_string(catalogue->instances.size()));
-  if (!catalogue->instances.empty()) {
-    const IssuedForecast& newest = catalogue->instances.front();
-    facts.facts.emplace_back("newest_forecast", newest.instance);
-    facts.facts.emplace_back("newest_issued", format_utc(newest.row.issued));
+Freshness freshness_from(const std::string& text) {
+  Freshness freshness;
+  if (text.empty()) return freshness;
+  freshness.stale_after = option_value("--stale-after", text, parse_duration);
+  if (freshness.stale_after <= Duration(0)) {
+    throw Error(ErrorKind::usage, "found --stale-after " + text +
+                                      ", expected more than no time at all, e.g. 36h or 2d");
   }
-  return facts;
+  return freshness;
 }
 
 /// As links begin with it: a scheme and no slash at its end.
@@ -89,6 +82,7 @@ class StopSignals {
 
 void run_serve(const ServeArguments& arguments, const Context& context) {
   const std::string base_url = checked_base(arguments.base_url);
+  const Freshness freshness = freshness_from(arguments.stale_after);
   const StopSignals stop;
   http::ServerOptions options;
   options.address = arguments.address;
@@ -102,14 +96,17 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   };
   const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
   http::Router router;
-  edr::add_routes(router, forecasts, base_url);
+  edr::add_routes(router, forecasts, base_url, freshness);
   std::vector<std::string> labels = router.labels();
-  labels.insert(labels.end(), {"/health", "/metrics"});
+  labels.insert(labels.end(), {"/health", "/health/fresh", "/metrics"});
   options.metrics = std::make_shared<http::Metrics>(labels);
-  router.add("GET", "/health", http::health_handler(code_version(), options.metrics, [forecasts] {
-               return facts_of(*forecasts);
+  const auto health = [forecasts, freshness] { return health_of(*forecasts, freshness); };
+  router.add("GET", "/health", http::health_handler(code_version(), options.metrics, health));
+  router.add("GET", "/health/fresh",
+             http::health_handler(code_version(), options.metrics, health, http::Asker::monitor));
+  router.add("GET", "/metrics", http::metrics_handler(options.metrics, [forecasts, freshness] {
+               return forecast_gauges(*forecasts->catalogue(), freshness);
              }));
-  router.add("GET", "/metrics", http::metrics_handler(options.metrics));
   http::Server server(options, router);
   server.start();
   const std::string url =
@@ -148,6 +145,9 @@ void add_serve(CLI::App& app, Context& context) {
                       "file with the token that whoever writes from afar must show");
   command->add_option("--base-url", arguments->base_url,
                       "address as clients see it, e.g. behind a proxy (default: the Host header)");
+  command->add_option("--stale-after", arguments->stale_after,
+                      "a forecast older than this is called stale by /, /health and /metrics "
+                      "(default 36h)");
   command->callback([arguments, &context] { run_serve(*arguments, context); });
 }
 

@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/cli/output_file.h"
 #include "api/cli/progress.h"
 #include "api/cli/traffic_print.h"
 #include "api/rehearse/heard_traffic.h"
+#include "api/rehearse/log_csv.h"
 #include "api/rehearse/run_page.h"
 #include "api/rehearse/scenario_run.h"
 #include "fields/base/text.h"
@@ -22,6 +24,7 @@ struct SimulateArguments {
   std::filesystem::path scenario;
   std::filesystem::path out;
   std::filesystem::path html;
+  std::filesystem::path csv;
   double real_time = 0;
   std::size_t threads = 1;
   bool one_by_one = false;
@@ -122,27 +125,11 @@ void print_summary(const ScenarioResult& result, const std::filesystem::path& ou
               out.empty() ? "" : "; log ", out.c_str());
 }
 
-void expect_folder(const char* option, const std::filesystem::path& file) {
-  if (file.empty()) return;
-  const auto folder = std::filesystem::absolute(file).parent_path();
-  if (!std::filesystem::is_directory(folder)) {
-    throw Error(ErrorKind::usage, "found no folder " + folder.string() + " for " + option +
-                                      "; make it, or name another");
-  }
-}
-
-/// Whole or not at all: what stood there before stays until the new one is written.
-template <typename Write>
-void write_beside(const std::filesystem::path& file, Write write) {
-  const std::filesystem::path partial = file.string() + ".partial";
-  write(partial);
-  std::filesystem::rename(partial, file);
-}
-
 void run_simulate(const SimulateArguments& arguments, const Context& context) {
-  expect_folder("--out", arguments.out);
-  expect_folder("--html", arguments.html);
-  expect_folder("--checkpoint", arguments.checkpoint);
+  expect_output("--out", arguments.out, {".nc"});
+  expect_output("--html", arguments.html, {".html"});
+  expect_output("--csv", arguments.csv, {".csv"});
+  expect_output("--checkpoint", arguments.checkpoint, {});
   const RunChoice choice = choice_of(arguments);
   const twin::Scenario scenario = twin::read_scenario(arguments.scenario);
   const auto folder = std::filesystem::absolute(arguments.scenario).parent_path();
@@ -162,6 +149,7 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
       write_run_page(result.file, partial);
     });
   }
+  if (!arguments.csv.empty()) write_log_csv(result.file, arguments.csv);
   for (const std::string& warning : result.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   if (!context.json) {
@@ -188,11 +176,15 @@ struct ReplayArguments {
   std::filesystem::path log;
   std::filesystem::path forecast;
   std::filesystem::path html;
+  std::filesystem::path csv;
   std::size_t threads = 1;
 };
 
 void run_replay(const ReplayArguments& arguments, const Context& context) {
-  expect_folder("--html", arguments.html);
+  expect_output("--html", arguments.html, {".html"});
+  expect_output("--csv", arguments.csv, {".csv"});
+  if (!arguments.csv.empty())
+    write_log_csv(ingest::read_trajectories(arguments.log), arguments.csv);
   if (!arguments.html.empty()) {
     write_beside(arguments.html, [&](const std::filesystem::path& partial) {
       write_run_page(ingest::read_trajectories(arguments.log), partial);
@@ -230,7 +222,9 @@ void add_simulate(CLI::App& app, Context& context) {
       "Run the vehicles of a scenario in a forecast, to the last bit the same each time");
   command->add_option("scenario", arguments->scenario, "YAML file")->required();
   command->add_option("--out", arguments->out, "log as FILE.nc (CF trajectories)");
-  command->add_option("--html", arguments->html, "page of plots");
+  command->add_option("--html", arguments->html, "page of plots as FILE.html");
+  command->add_option("--csv", arguments->csv,
+                      "log as FILE.csv, a row a vehicle and time; its lists as FILE-NAME.csv");
   command
       ->add_option("--real-time", arguments->real_time,
                    "times as fast as the clock (default: as fast as the machine can)")
@@ -254,7 +248,9 @@ void add_replay(CLI::App& app, Context& context) {
   command->add_option("log", arguments->log, "FILE.nc of `slackwater simulate`")->required();
   command->add_option("--forecast", arguments->forecast,
                       "file of the forecast it ran in (default: found in the store)");
-  command->add_option("--html", arguments->html, "page of plots of the log");
+  command->add_option("--html", arguments->html, "page of plots of the log as FILE.html");
+  command->add_option("--csv", arguments->csv,
+                      "the log as FILE.csv, a row a vehicle and time; its lists as FILE-NAME.csv");
   command->add_option("--threads", arguments->threads, "1 to 64 (default 1)")
       ->check(CLI::Range(1, 64));
   command->callback([arguments, &context] { run_replay(*arguments, context); });

@@ -6,8 +6,10 @@
 #include <thread>
 
 #include "api/cli/command.h"
+#include "api/cli/output_file.h"
 #include "api/cli/skill_print.h"
 #include "api/program/paths.h"
+#include "api/report/skill_csv.h"
 #include "api/report/skill_json.h"
 #include "api/report/skill_page.h"
 #include "api/report/skill_table.h"
@@ -23,12 +25,15 @@ struct VerifyArguments {
   std::string bands;
   std::string levels = "native";
   std::string html;
+  std::string csv;
   bool per_column = false;
   bool by_hour = false;
   bool full = false;
 };
 
 void run_verify(const VerifyArguments& arguments, const Context& context) {
+  expect_output("--html", arguments.html, {".html"});
+  expect_output("--csv", arguments.csv, {".csv"});
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   calibration::VerifyOptions options;
   if (!arguments.from.empty()) options.from = option_value("--from", arguments.from, parse_day);
@@ -43,6 +48,7 @@ void run_verify(const VerifyArguments& arguments, const Context& context) {
     std::fprintf(stderr, "not scored: %s\n", line.c_str());
   if (!arguments.html.empty())
     write_skill_page(verify_page(site, result, format_utc(context.now())), arguments.html);
+  if (!arguments.csv.empty()) write_text(arguments.csv, skill_csv(result.entries));
   if (context.json) {
     std::printf("%s\n", skill_json(result.entries).c_str());
   } else if (result.entries.empty()) {
@@ -70,6 +76,7 @@ void add_verify(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"native"}));
   command->add_option("--html", arguments->html,
                       "write a page of plots: skill by lead, reliability, hodographs, misfit");
+  command->add_option("--csv", arguments->csv, "the scores as FILE.csv, a row each");
   command->add_flag("--full", arguments->full,
                     "print every depth band, day of lead, wind policy, wind and waves");
   command->add_flag("--by-hour", arguments->by_hour,

@@ -85,7 +85,8 @@ class Service {
     expect_known(query, known);
     const Format format = format_of(request, query, formats);
     const nlohmann::json made = make(base(request), *forecasts_->catalogue(), query);
-    if (format == Format::html) return page_response(html_page("Slackwater " + request.path, made));
+    if (format == Format::html)
+      return page_response(html_page("Slackwater " + request.path, base(request), made));
     return {200, std::string(media_type_of(format)), text_of(made), {varies}, metadata_max_age_s};
   }
 
@@ -97,7 +98,7 @@ class Service {
     expect_known(query, known);
     const Format format = format_of(request, query, document_formats);
     const nlohmann::json made = openapi_document(base(request), *forecasts_->catalogue());
-    if (format == Format::html) return page_response(html_of_interface(made));
+    if (format == Format::html) return page_response(html_of_interface(base(request), made));
     const bool is_plain = query.find("f") || request.accept.starts_with("application/json");
     return {200,
             is_plain ? "application/json" : openapi_type,
@@ -237,7 +238,7 @@ class Service {
 std::vector<std::string> own_header_fields() { return provenance_fields(); }
 
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
-                const std::string& base_url) {
+                const std::string& base_url, const Freshness& freshness) {
   const auto service = std::make_shared<const Service>(std::move(forecasts), base_url);
   using Catalogue = ForecastCatalogue;
   const auto add = [&](const std::string& pattern, std::span<const Format> formats,
@@ -267,8 +268,8 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
   const std::string collection = "/collections/{collectionId}";
   const std::string instance = collection + "/instances/{instanceId}";
 
-  document("/", [](const std::string& base, const Catalogue&, const auto&, const auto&) {
-    return landing_page(base);
+  document("/", [=](const std::string& base, const Catalogue& catalogue, const auto&, const auto&) {
+    return landing_page(base, catalogue, freshness);
   });
   document("/conformance", [](const std::string&, const Catalogue&, const auto&, const auto&) {
     return conformance();

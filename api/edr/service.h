@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "api/http/router.h"
-#include "api/issued/issued_fields.h"
+#include "api/issued/site_state.h"
 
 namespace slackwater::api::edr {
 
@@ -12,8 +12,9 @@ namespace slackwater::api::edr {
 /// they hold no physics and take no lock but to read an older forecast for the first time.
 /// @param base_url  as clients see the service, without a slash at its end;
 /// empty: from the Host header
+/// @param freshness  when the list of sites calls a forecast old
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
-                const std::string& base_url = {});
+                const std::string& base_url = {}, const Freshness& freshness = {});
 
 /// Header fields that answers carry beside those of HTTP, for
 /// `http::ServerOptions::exposed_fields`.

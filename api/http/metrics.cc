@@ -165,11 +165,26 @@ std::string Metrics::exposition() const {
   return text;
 }
 
-Handler metrics_handler(std::shared_ptr<const Metrics> metrics) {
-  return [metrics = std::move(metrics)](const Request&) {
+std::string exposition(const std::vector<Gauge>& gauges) {
+  std::string text;
+  for (const Gauge& gauge : gauges) {
+    if (gauge.values.empty()) continue;
+    append_header(text, gauge.name, "gauge", gauge.help);
+    for (const auto& [label, value] : gauge.values) {
+      text.append(gauge.name).append("{").append(gauge.label).append("=");
+      text.append(in_quotes(label)).append("} ").append(number(value)).append("\n");
+    }
+  }
+  return text;
+}
+
+Handler metrics_handler(std::shared_ptr<const Metrics> metrics,
+                        std::function<std::vector<Gauge>()> gauges) {
+  return [metrics = std::move(metrics), gauges = std::move(gauges)](const Request&) {
     Response response;
     response.media_type = "text/plain; version=0.0.4; charset=utf-8";
     response.body = metrics->exposition();
+    if (gauges) response.body += exposition(gauges());
     return response;
   };
 }

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cstdint>
 #include <ctime>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "api/http/message.h"
@@ -60,7 +62,20 @@ class Metrics {
   std::time_t start_time_ = std::time(nullptr);
 };
 
-/// `/metrics`.
-[[nodiscard]] Handler metrics_handler(std::shared_ptr<const Metrics> metrics);
+/// A gauge that is told apart by one label.
+struct Gauge {
+  std::string name;
+  std::string help;
+  std::string label;
+  std::vector<std::pair<std::string, double>> values;  ///< by value of the label
+};
+
+/// Gauges as Prometheus text; one without values is left out.
+[[nodiscard]] std::string exposition(const std::vector<Gauge>& gauges);
+
+/// `/metrics`: the counters, and what else is known.
+/// @param gauges  asked at every call, from any thread; may be empty
+[[nodiscard]] Handler metrics_handler(std::shared_ptr<const Metrics> metrics,
+                                      std::function<std::vector<Gauge>()> gauges = {});
 
 }  // namespace slackwater::api::http

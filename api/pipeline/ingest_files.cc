@@ -7,6 +7,7 @@
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
+#include "ingest/copernicus/product.h"
 
 namespace slackwater::api {
 namespace {
@@ -20,6 +21,8 @@ std::string cut_key(const ingest::IngestOptions& options) {
   }
   if (options.as) key += "as=" + std::string(name_of(*options.as)) + ";";
   if (options.issued) key += "issued=" + format_utc(*options.issued) + ";";
+  if (options.product)
+    key += "product=" + options.product->id + "@" + options.product->sha256.substr(0, 12) + ";";
   return key;
 }
 

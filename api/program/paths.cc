@@ -24,6 +24,23 @@ std::filesystem::path data_folder() {
               "found no data folder with product descriptors; set SLACKWATER_DATA to it");
 }
 
+std::vector<std::filesystem::path> own_product_folders() {
+  // A relative path is to be taken for none (XDG Base Directory Specification).
+  std::filesystem::path config;
+  const char* named = std::getenv("XDG_CONFIG_HOME");
+  const char* home = std::getenv("HOME");
+  if (named != nullptr && std::filesystem::path(named).is_absolute()) {
+    config = named;
+  } else if (home != nullptr && std::filesystem::path(home).is_absolute()) {
+    config = std::filesystem::path(home) / ".config";
+  }
+  if (config.empty()) return {};
+  const std::filesystem::path folder = config / "slackwater" / "products";
+  std::error_code unreadable;
+  if (!std::filesystem::is_directory(folder, unreadable)) return {};
+  return {folder};
+}
+
 std::vector<std::filesystem::path> site_folders(const std::filesystem::path& store) {
   return {store / "sites", data_folder() / "sites"};
 }

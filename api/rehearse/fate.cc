@@ -128,13 +128,19 @@ ingest::TrajectoryTable fate_table(const std::vector<VehicleSummary>& vehicles) 
   return table;
 }
 
-std::string fates_in(const ingest::TrajectoryFile& log) {
+std::string fate_in(const ingest::TrajectoryFile& log, std::size_t vehicle) {
   const ingest::TrajectoryTable* fate = log.find_table("fate");
   const std::vector<std::string>* events = fate == nullptr ? nullptr : fate->text("events");
+  if (events == nullptr || vehicle >= events->size() || (*events)[vehicle] == "-") return {};
+  return (*events)[vehicle];
+}
+
+std::string fates_in(const ingest::TrajectoryFile& log) {
   std::string text;
-  for (std::size_t i = 0; events != nullptr && i < events->size() && i < log.names.size(); ++i)
-    if ((*events)[i] != "-")
-      text += (text.empty() ? "" : "; ") + log.names[i] + ": " + (*events)[i];
+  for (std::size_t i = 0; i < log.names.size(); ++i) {
+    if (const std::string fate = fate_in(log, i); !fate.empty())
+      text += (text.empty() ? "" : "; ") + log.names[i] + ": " + fate;
+  }
   return text;
 }
 

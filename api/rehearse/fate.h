@@ -34,6 +34,9 @@ struct VehicleSummary;
 
 /// How the vehicles fared as a table of the log, `fate`, a row each.
 [[nodiscard]] ingest::TrajectoryTable fate_table(const std::vector<VehicleSummary>& vehicles);
+/// "battery empty at ...": of one vehicle of a log; empty where its run was a normal one, or where
+/// the log tells no fates.
+[[nodiscard]] std::string fate_in(const ingest::TrajectoryFile& log, std::size_t vehicle);
 /// "uav: battery empty at ...; auv: ...": of the vehicles of a log whose run was not a normal one.
 [[nodiscard]] std::string fates_in(const ingest::TrajectoryFile& log);
 /// The table for people; empty where the log has none.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/rehearse/fate.h"
+#include "api/rehearse/run_outcome.h"
 #include "api/rehearse/run_page_traffic.h"
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
@@ -76,6 +77,78 @@ json vehicle_json(const TrajectoryFile& log, const Rows& rows, std::size_t i) {
           {"wind", {line("wind_velocity", 0), line("wind_velocity", 1)}}};
 }
 
+/// What of the scenario a map shows: where each vehicle was to go, tops of tethers, structures.
+/// East and north of the origin.
+json plan_json(const TrajectoryFile& log, const twin::Scenario& scenario) {
+  json plans = json::array();
+  for (const std::string& name : log.names) {
+    json plan = {{"x", json::array()}, {"y", json::array()}, {"tether", nullptr}};
+    for (const twin::ScenarioVehicle& vehicle : scenario.vehicles) {
+      if (vehicle.name != name) continue;
+      const auto add = [&](const twin::Triple<double>& place_m) {
+        plan["x"].push_back(number(place_m.y));
+        plan["y"].push_back(number(place_m.x));
+      };
+      if (!vehicle.starts_on_track) add(vehicle.start_m);
+      for (const twin::ScenarioTask& task : vehicle.tasks)
+        for (const twin::Waypoint& waypoint : task.waypoints) add(waypoint.position_m);
+      if (vehicle.tether)
+        plan["tether"] = {number(vehicle.tether->top_m.y), number(vehicle.tether->top_m.x)};
+    }
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+json structures_json(const twin::Scenario& scenario) {
+  json structures = json::array();
+  for (const twin::ScenarioStructure& s : scenario.structures) {
+    const bool is_round = s.kind == twin::ScenarioStructure::Kind::cylinder;
+    structures.push_back({{"name", s.name},
+                          {"x", number(s.centre_m.y)},
+                          {"y", number(s.centre_m.x)},
+                          {"round", is_round},
+                          {"width", number(is_round ? s.diameter_m : s.size_m.y)},
+                          {"length", number(is_round ? s.diameter_m : s.size_m.x)}});
+  }
+  return structures;
+}
+
+std::string outcome_html(const TrajectoryFile& log, const twin::Scenario* scenario) {
+  std::string html = "<section class=\"outcome\"><h2>How it came out</h2><div class=\"cards\">";
+  for (const VehicleOutcome& outcome : outcomes_of(log, scenario)) {
+    html += std::string("<div class=\"card") + (outcome.is_stopped ? " stopped" : "") + "\"><h3>" +
+            escaped_html(outcome.name) + "</h3><p><strong>" + escaped_html(outcome.verdict) +
+            "</strong></p><dl>";
+    for (const auto& [what, how_much] : outcome.margins)
+      html += "<dt>" + escaped_html(what) + "</dt><dd>" + escaped_html(how_much) + "</dd>";
+    html += "</dl></div>";
+  }
+  html += "</div><p class=\"note\">Extremes of the logged times";
+  return html + (scenario == nullptr ? "; the log holds no scenario that this version reads, so no "
+                                       "plan and no structures are shown.</p></section>\n"
+                                     : ".</p></section>\n");
+}
+
+std::string events_html(const TrajectoryFile& log, const std::vector<RunEvent>& events) {
+  if (events.empty()) return {};
+  ReportTable table;
+  table.title = "Events";
+  table.columns = {"UTC", "Vehicle", "What"};
+  for (const RunEvent& event : events) {
+    const auto whole = Duration(static_cast<Duration::rep>(std::floor(event.t_s)) * 1000);
+    table.rows.push_back({format_utc(log.epoch + whole), log.names[event.vehicle], event.what});
+  }
+  return table_html(table);
+}
+
+json events_json(const std::vector<RunEvent>& events) {
+  json list = json::array();
+  for (const RunEvent& event : events)
+    list.push_back({{"t", number(event.t_s)}, {"vehicle", event.vehicle}, {"what", event.what}});
+  return list;
+}
+
 std::string choice_html() {
   return "<p class=\"control\"><label for=\"vehicle\">Vehicle</label> <select "
          "id=\"vehicle\"></select></p>";
@@ -84,8 +157,9 @@ std::string choice_html() {
 std::string plots() {
   return plot_html(
              "tracks", "Tracks from above",
-             "East and north of the origin (m); the ring is the start. Thin grey lines are other "
-             "vessels.") +
+             "East and north of the origin (m), a metre as long one way as the other. Solid: the "
+             "way taken, the ring is its start; dashed: the way planned; triangle: the top of a "
+             "tether; grey shapes: structures; thin grey lines: other vessels.") +
          choice_html() +
          plot_html(
              "height", "Height and distance from the track",
@@ -109,21 +183,32 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
   for (const std::size_t t : rows.drawn()) seconds.push_back(number(log.t_s[t]));
   json vehicles = json::array();
   for (std::size_t i = 0; i < log.names.size(); ++i) vehicles.push_back(vehicle_json(log, rows, i));
+  const std::optional<twin::Scenario> read = scenario_of(log);
+  const twin::Scenario* scenario = read ? &*read : nullptr;
+  const std::vector<RunEvent> events = events_of(log, scenario);
   HtmlPage page;
   page.title = log.attribute("title");
   page.site = log.attribute("forecast");
-  page.facts = {{"start", format_utc(log.epoch)},
+  page.facts = {{"start (UTC)", format_utc(log.epoch)},
                 {"length", std::to_string(static_cast<long>(log.t_s.back())) + " s"},
                 {"vehicles", log.attribute("vehicles")},
                 {"origin", log.attribute("origin")},
                 {"seed", log.attribute("seed")},
                 {"member", log.attribute("member")}};
-  page.plots_html = plots();
   page.headline = fates_in(log);
   if (!page.headline.empty()) page.alarm = "Not a normal run.";
-  page.tables_html = fate_html(log) + traffic_html(log);
-  page.data_json =
-      script_safe({{"t", seconds}, {"vehicles", vehicles}, {"vessels", vessels_json(log)}});
+  page.plots_html = outcome_html(log, scenario) + plots();
+  page.instead_of_plots_html = outcome_html(log, scenario);
+  page.tables_html = events_html(log, events) + fate_html(log) + traffic_html(log);
+  page.data_json = script_safe(
+      {{"t", seconds},
+       {"epoch", std::chrono::duration_cast<std::chrono::milliseconds>(log.epoch.time_since_epoch())
+                     .count()},
+       {"vehicles", vehicles},
+       {"plan", scenario == nullptr ? json::array() : plan_json(log, *scenario)},
+       {"structures", scenario == nullptr ? json::array() : structures_json(*scenario)},
+       {"events", events_json(events)},
+       {"vessels", vessels_json(log)}});
   if (!log.attribute("attribution").empty()) page.attributions = {log.attribute("attribution")};
   page.generated = log.attribute("source");
   page.script = run_script();

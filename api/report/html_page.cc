@@ -1,5 +1,6 @@
 #include "api/report/html_page.h"
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -46,7 +47,10 @@ std::string table_html(const ReportTable& table) {
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     expects(table.rows[row].size() == table.columns.size(),
             "a table's row has a cell for every column");
-    out += table.highlighted_row == row ? "<tr class=\"highlighted\">" : "<tr>";
+    const bool is_marked = table.highlighted_row == row ||
+                           std::find(table.marked_rows.begin(), table.marked_rows.end(), row) !=
+                               table.marked_rows.end();
+    out += is_marked ? "<tr class=\"highlighted\">" : "<tr>";
     for (const std::string& cell : table.rows[row]) out += "<td>" + escaped_html(cell) + "</td>";
     out += "</tr>\n";
   }

@@ -17,6 +17,7 @@ struct ReportTable {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
   std::optional<std::size_t> highlighted_row;
+  std::vector<std::size_t> marked_rows = {};  ///< highlighted too
 };
 
 /// The parts of a page that opens with no network: styles, data, scripts and the plotting library

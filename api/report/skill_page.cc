@@ -32,6 +32,7 @@ json track_json(const SkillTrack& track) {
   return {{"label", track.label},
           {"time", times(track.time)},
           {"depth", numbers(track.depth_m)},
+          {"bed", number(track.water_depth_m)},
           {"misfit", numbers(track.misfit_m_s)},
           {"drawn", numbers(track.drawn_depth_m)},
           {"forecast", vectors(track.forecast_m_s)},
@@ -55,6 +56,7 @@ json policy_json(const SkillPolicy& policy) {
           {"pooled",
            {{"lead", numbers(policy.pooled_lead_h)},
             {"depth", numbers(policy.pooled_depth_m)},
+            {"bed", number(policy.water_depth_m)},
             {"misfit", numbers(policy.pooled_misfit_m_s)}}},
           {"tracks", tracks}};
 }
@@ -90,11 +92,12 @@ std::string plots_html(const SkillPage& page) {
                 "by hours after the end of day D; lower is better. Shaded: 95 % interval of the "
                 "forecast, whole pairs of days drawn with replacement. oracle-mean knows the "
                 "forecast day itself: a yardstick, not a forecast.");
-  out += squares_html("Reliability of the spread", {"reliability", "pit"},
-                      "Left: how often the truth fell below the forecast's quantiles, east and "
-                      "north pooled; an honest spread lies on the diagonal. Right: share of truths "
-                      "in each tenth of the forecast distribution; honest is flat at 10 %, a hump "
-                      "is too wide, horns are too narrow.");
+  out +=
+      squares_html("Reliability of the spread", {"reliability", "pit"},
+                   "Left: how often the truth fell below the forecast's quantiles, east and "
+                   "north pooled; a spread of the right size lies on the diagonal. Right: share of "
+                   "truths in each tenth of the forecast distribution; ideal is flat at 10 %. High "
+                   "in the middle: the spread is too wide; high at both ends: too narrow.");
   out += choice_html("track", "Forecast of day D");
   out += squares_html("Hodographs: forecast against truth",
                       {"hodograph-0", "hodograph-1", "hodograph-2", "hodograph-3"},
@@ -105,7 +108,8 @@ std::string plots_html(const SkillPage& page) {
                           "first hour.");
   out += plot_html("misfit", "Misfit over time and depth",
                    "Colour: root mean square vector error of the chosen forecast over columns "
-                   "(m/s). Depth is counted from mean sea level; valid times are UTC.");
+                   "(m/s). Depth is counted from mean sea level down to the bed; valid times are "
+                   "UTC.");
   out += plot_html("pooled-misfit", "Misfit by lead and depth, all forecasts",
                    "Colour: root mean square vector error over columns and forecasts (m/s).");
   return out;

@@ -25,6 +25,7 @@ struct SkillTrack {
   std::string label;            ///< "2024-01-17, issued 2024-01-18 05:00 UTC"
   std::vector<UtcTime> time;    ///< valid times
   std::vector<double> depth_m;  ///< levels of the misfit
+  double water_depth_m = 0;     ///< the bed, to which the misfit is drawn; 0: not known
   /// Root mean square vector error over columns, time x depth, depth fastest; NaN where none.
   std::vector<double> misfit_m_s;
   std::vector<double> drawn_depth_m;     ///< the depths of the hodographs, at most four
@@ -42,6 +43,7 @@ struct SkillPolicy {
   std::vector<double> pooled_lead_h;   ///< hours of the pooled misfit
   std::vector<double> pooled_depth_m;  ///< its levels
   std::vector<double> pooled_misfit_m_s;  ///< hour x depth; NaN where none
+  double water_depth_m = 0;               ///< the deepest bed of the tracks
   std::vector<SkillTrack> tracks;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "api/report/verdict_text.h"
 #include "calibration/verify/skill_set.h"
@@ -61,13 +62,17 @@ SkillTrack track_of(const calibration::ForecastTrace& trace) {
   SkillTrack track;
   track.label = format_day(trace.day) + ", issued " + format_utc(trace.issued);
   track.time = trace.time;
-  track.depth_m = trace.depth_m;
+  track.water_depth_m = trace.water_depth_m;
   const std::size_t levels = trace.depth_m.size();
   const std::vector<std::size_t> drawn = drawn_levels(trace);
+  // A product's levels go on below the bed; there is nothing to draw of those.
+  std::set<double> scored;
+  for (const auto& [place, sum] : trace.misfit) scored.insert(place.second);
+  track.depth_m.assign(scored.begin(), scored.end());
   for (const std::size_t k : drawn) track.drawn_depth_m.push_back(trace.depth_m[k]);
   for (std::size_t t = 0; t < trace.time.size(); ++t) {
-    for (std::size_t k = 0; k < levels; ++k) {
-      const auto cell = trace.misfit.find({trace.time[t], trace.depth_m[k]});
+    for (const double depth : track.depth_m) {
+      const auto cell = trace.misfit.find({trace.time[t], depth});
       track.misfit_m_s.push_back(
           cell == trace.misfit.end() ? nan : std::sqrt(cell->second.sum / cell->second.weight));
     }
@@ -87,6 +92,7 @@ void pool_misfit(const std::vector<calibration::ForecastTrace>& traces, WindPoli
   std::set<double> depths;
   for (const calibration::ForecastTrace& trace : traces) {
     if (trace.wind != wind) continue;
+    policy.water_depth_m = std::max(policy.water_depth_m, trace.water_depth_m);
     const UtcTime end = UtcTime(trace.day) + std::chrono::days(1);
     for (const auto& [place, sum] : trace.misfit) {
       const auto hour = calibration::hour_of_lead(end, place.first);
@@ -137,40 +143,85 @@ std::string cell(const std::optional<calibration::Interval95>& interval,
   return interval ? formatted(format, factor * interval->low, factor * interval->high) : "";
 }
 
-std::vector<std::string> row_of(const calibration::SkillSet& set) {
-  const calibration::SetScore& s = set.score;
-  const calibration::VectorSetScore& v = s.vector.value();
-  return {calibration::band_text(set.of.band),
-          calibration::lead_text(set.of.lead),
-          std::string(name_of(set.of.method)),
-          formatted("{}", s.pairs),
-          formatted("{:.4f}", s.rmse),
-          cell(s.rmse_interval, "{:.4f} to {:.4f}", 1),
-          formatted("{:+.4f}", v.bias_east_m_s),
-          formatted("{:+.4f}", v.bias_north_m_s),
-          formatted("{:+.4f}", v.speed_bias_m_s),
-          cell(v.direction_mae_deg, "{:.0f}"),
-          cell(v.correlation_abs, "{:.2f}"),
-          cell(v.crps_m_s, "{:.4f}"),
-          v.coverage_80 ? formatted("{:.0f}", 100 * *v.coverage_80) : "",
-          cell(v.coverage_interval, "{:.0f} to {:.0f}", 100)};
+/// Tables go down: the whole column first, then the bands by depth, the one near the bed last; by
+/// day of lead; and by error, the yardstick that is no forecast last.
+bool stands_before(const calibration::SkillSet& a, const calibration::SkillSet& b) {
+  const auto key = [](const calibration::SkillSet& set) {
+    const calibration::DepthBand band = set.of.band.value_or(calibration::DepthBand{});
+    const bool is_whole = band.from_m <= 0 && band.to_m >= calibration::whole_column_m;
+    return std::tuple(!is_whole, band.above_bed, band.from_m, band.to_m, set.of.lead.from_h,
+                      set.of.method == calibration::Method::oracle_mean, set.score.rmse,
+                      set.of.method);
+  };
+  return key(a) < key(b);
 }
 
-ReportTable table_of(WindPolicy wind, const std::vector<calibration::SkillSet>& sets) {
-  ReportTable table;
-  table.title = "Scores by depth band, lead and method, wind " + std::string(name_of(wind));
-  table.note =
-      "Pairs of days weigh the same. RMSE of the vector, biases east, north and of the speed "
-      "(forecast minus truth), m/s. Direction: mean absolute angle where both exceed 0.05 m/s. "
-      "Correlation: modulus of the complex correlation. CRPS (m/s) and the share inside the 80 % "
-      "band pool east and north. 95 % intervals: block bootstrap, a block is a pair of days.";
-  table.columns = {"Depth",       "Lead",         "Method",       "Pairs",       "RMSE (m/s)",
-                   "95 %",        "Bias E (m/s)", "Bias N (m/s)", "Speed (m/s)", "Direction (deg)",
-                   "Correlation", "CRPS (m/s)",   "In band (%)",  "95 %"};
+std::vector<const calibration::SkillSet*> sorted_sets(
+    WindPolicy wind, const std::vector<calibration::SkillSet>& sets) {
+  std::vector<const calibration::SkillSet*> sorted;
   for (const calibration::SkillSet& set : sets)
-    if (is_current(set) && !is_hour(set.of.lead) && set.of.wind == wind)
-      table.rows.push_back(row_of(set));
+    if (is_current(set) && !is_hour(set.of.lead) && set.of.wind == wind) sorted.push_back(&set);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const auto* a, const auto* b) { return stands_before(*a, *b); });
+  return sorted;
+}
+
+/// A table of these columns behind those that say what a row is of; our forecast's rows are marked.
+template <typename CellsOf>
+ReportTable table_of(std::string title, std::string note, std::vector<std::string> columns,
+                     const std::vector<const calibration::SkillSet*>& sets,
+                     const CellsOf& cells_of) {
+  ReportTable table;
+  table.title = std::move(title);
+  table.note = std::move(note);
+  table.columns = {"Depth", "Lead", "Method"};
+  table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+  for (const calibration::SkillSet* set : sets) {
+    if (set->of.method == calibration::Method::forecast)
+      table.marked_rows.push_back(table.rows.size());
+    std::vector<std::string> row{calibration::band_text(set->of.band),
+                                 calibration::lead_text(set->of.lead),
+                                 std::string(name_of(set->of.method))};
+    for (std::string& text : cells_of(set->score)) row.push_back(std::move(text));
+    table.rows.push_back(std::move(row));
+  }
   return table;
+}
+
+/// Two tables, each as wide as a page.
+void add_tables(WindPolicy wind, const std::vector<calibration::SkillSet>& sets,
+                std::vector<ReportTable>& tables) {
+  const std::vector<const calibration::SkillSet*> sorted = sorted_sets(wind, sets);
+  const std::string of_wind = ", wind " + std::string(name_of(wind));
+  tables.push_back(table_of(
+      "Errors by depth, lead and method" + of_wind,
+      "The smallest error first. Pairs of days weigh the same. RMSE of the vector; CRPS and the "
+      "share inside the 80 % band pool east and north. 95 % intervals: block bootstrap, a block is "
+      "a pair of days. oracle-mean knows the day itself: a yardstick, not a forecast.",
+      {"Pairs", "RMSE (m/s)", "95 %", "CRPS (m/s)", "In band (%)", "95 %"}, sorted,
+      [](const calibration::SetScore& s) {
+        const calibration::VectorSetScore& v = s.vector.value();
+        return std::vector<std::string>{
+            formatted("{}", s.pairs),
+            formatted("{:.4f}", s.rmse),
+            cell(s.rmse_interval, "{:.4f} to {:.4f}", 1),
+            cell(v.crps_m_s, "{:.4f}"),
+            v.coverage_80 ? formatted("{:.0f}", 100 * *v.coverage_80) : "",
+            cell(v.coverage_interval, "{:.0f} to {:.0f}", 100)};
+      }));
+  tables.push_back(table_of(
+      "Biases, direction and correlation" + of_wind,
+      "In the order of the errors above. Biases east, north and of the speed are forecast minus "
+      "truth. Direction: mean absolute angle where both exceed 0.05 m/s. Correlation: modulus of "
+      "the complex correlation.",
+      {"Bias E (m/s)", "Bias N (m/s)", "Speed (m/s)", "Direction (deg)", "Correlation"}, sorted,
+      [](const calibration::SetScore& s) {
+        const calibration::VectorSetScore& v = s.vector.value();
+        return std::vector<std::string>{
+            formatted("{:+.4f}", v.bias_east_m_s), formatted("{:+.4f}", v.bias_north_m_s),
+            formatted("{:+.4f}", v.speed_bias_m_s), cell(v.direction_mae_deg, "{:.0f}"),
+            cell(v.correlation_abs, "{:.2f}")};
+      }));
 }
 
 ReportTable hourly_table_of(const SkillPolicy& policy) {
@@ -198,7 +249,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
                       const std::string& generated) {
   SkillPage page;
   page.title = "Skill of issued forecasts for " + site.name;
-  page.site = formatted("{:.3f} N {:.3f} E", site.point.latitude_deg(), site.point.longitude_deg());
+  page.site = position_text(site.point);
   page.generated = generated;
   const std::vector<calibration::SkillSet> sets = calibration::sets_of(result.entries).sets;
   std::set<WindPolicy> winds;
@@ -219,7 +270,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
       page.beaten = page.beaten || verdict->is_beaten();
     }
     page.policies.push_back(policy_of(wind, result, sets, verdict));
-    page.tables.push_back(table_of(wind, sets));
+    add_tables(wind, sets, page.tables);
     page.tables.push_back(hourly_table_of(page.policies.back()));
   }
   if (page.policies.empty()) page.headline = "The truth of the issued forecasts is not in yet.";
@@ -228,7 +279,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
   for (const std::string& truth : truths) page.facts.emplace_back("Truth", truth);
   if (!result.traces.empty()) {
     const GeoPoint& point = result.traces.front().point;
-    page.place = formatted("{:.3f} N {:.3f} E", point.latitude_deg(), point.longitude_deg());
+    page.place = position_text(point);
     page.facts.emplace_back("Hodographs at", page.place);
   }
   return page;

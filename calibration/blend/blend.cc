@@ -127,7 +127,8 @@ std::string provenance_of(const Blend& blend, const std::optional<Contest>& cont
                           const BlendSettings& settings) {
   if (!blend.earned) {
     return "prior weights (" + list_of(blend.share) + "): " + pairs_text(blend.pairs) +
-           " verified, " + std::to_string(settings.fewest_pairs) + " needed to earn others";
+           " verified so far, " + std::to_string(settings.fewest_pairs) +
+           " are needed for other weights";
   }
   if (contest && replaces(*contest, settings)) {
     const double of_baseline = std::max(0.0, contest->of_blend - contest->gain.mean);
@@ -136,7 +137,7 @@ std::string provenance_of(const Blend& blend, const std::optional<Contest>& cont
            formatted("{:.4f}", std::sqrt(of_baseline)) + " against " +
            formatted("{:.4f}", std::sqrt(contest->of_blend)) + " m/s";
   }
-  return "weights earned over " + pairs_text(blend.pairs) + " (memory " +
+  return "weights by the errors of " + pairs_text(blend.pairs) + " (memory " +
          formatted("{:.0f}", settings.forgetting_days) + " days): " + list_of(blend.share) +
          "; past error of the blend " + formatted("{:.4f}", blend.past_rmse_m_s.value_or(0.0)) +
          " m/s";

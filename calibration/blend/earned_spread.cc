@@ -67,8 +67,8 @@ double share_below(const Histogram& histogram, double z) {
 std::string provenance_of(const EarnedSpread& spread, const SpreadSettings& settings) {
   if (spread.pairs == 0) return "spread as forecast: no past pair has verified it";
   return formatted(
-      "spread times {:.2f}: over {} past pair{} the 80 % band held {:.0f} % (counted with {:.3g} "
-      "pairs' belief that it is right)",
+      "spread times {:.2f}: over {} past pair{} the 80 % band held {:.0f} % of the truth (averaged "
+      "with {:.3g} pairs in which it would hold 80 %)",
       spread.scale, spread.pairs, spread.pairs == 1 ? "" : "s", 100.0 * spread.past_coverage_80,
       settings.prior_pairs);
 }

@@ -66,7 +66,7 @@ void tally(const Scored& scored, const MethodForecast& method, const VectorColum
 }
 
 /// Adds a column's misfit to a trace; the first column is also drawn.
-void trace_column(const VectorColumn& truth, const MethodForecast& forecast,
+void trace_column(const VectorColumn& truth, const MethodForecast& forecast, double water_depth_m,
                   std::optional<ForecastTrace>& trace) {
   const bool first = !trace;
   if (first) {
@@ -74,6 +74,7 @@ void trace_column(const VectorColumn& truth, const MethodForecast& forecast,
     trace->point = truth.point;
     trace->depth_m = truth.levels_m;
   }
+  trace->water_depth_m = std::max(trace->water_depth_m, water_depth_m);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t t = 0; t < truth.times(); ++t) {
     const UtcTime time = truth.time[t].centre();
@@ -99,6 +100,7 @@ void merge(std::optional<ForecastTrace>& all, std::optional<ForecastTrace>&& mor
     all = std::move(more);
     return;
   }
+  all->water_depth_m = std::max(all->water_depth_m, more->water_depth_m);
   for (const auto& [place, sum] : more->misfit) {
     all->misfit[place].sum += sum.sum;
     all->misfit[place].weight += sum.weight;
@@ -127,7 +129,7 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   for (const MethodForecast& method : methods) {
     tally(scored, method, truth.column, issued.water_depth_m, apart ? own : sum.methods);
     if (scored.options.traces && method.method == Method::forecast)
-      trace_column(truth.column, method, sum.trace);
+      trace_column(truth.column, method, issued.water_depth_m, sum.trace);
   }
   if (!apart) return;
   SkillEntry blank = scored.blank;

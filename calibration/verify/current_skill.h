@@ -18,6 +18,7 @@ struct ForecastTrace {
   WindPolicy wind = WindPolicy::best;
   std::string truth;
   GeoPoint point;               ///< of the column that is drawn
+  double water_depth_m = 0;     ///< the deepest of its columns
   std::vector<UtcTime> time;    ///< centres of the truth's cells after D
   std::vector<double> depth_m;  ///< the truth's levels
   /// Of that column, time x depth, depth fastest, m/s; NaN where there is no value.

@@ -56,7 +56,10 @@ bool BoundingBox::contains(const GeoPoint& point) const noexcept {
 }
 
 std::string position_text(const GeoPoint& point) {
-  return formatted("{:.4f} N {:.4f} E", point.latitude_deg(), point.longitude_deg());
+  const double latitude = point.latitude_deg();
+  const double longitude = point.longitude_deg();
+  return formatted("{:.4f} {} {:.4f} {}", std::abs(latitude), latitude < 0 ? "S" : "N",
+                   std::abs(longitude), longitude < 0 ? "W" : "E");
 }
 
 }  // namespace slackwater

@@ -7,6 +7,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/cf/packing.h"
+#include "ingest/cf/settle.h"
 #include "ingest/cf/units.h"
 
 namespace slackwater::ingest {
@@ -265,7 +266,8 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
       refuse(data, std::string("has no ") + (air ? "height" : "depth") +
                        ", neither an axis nor a scalar coordinate, and product '" + product.id +
                        "' does not settle it; expected metres below the surface; download it with "
-                       "its depth");
+                       "its depth" +
+                       say_so);
     }
     axis.order = level_axis({*assumed});
     return axis;
@@ -281,7 +283,9 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
                     name.starts_with("height") || name == "elevation";
     if (!down && !up) {
       refuse(coordinate,
-             "says neither 'positive' nor a standard name; expected positive: up or down");
+             std::string("says neither 'positive' nor a standard name; expected positive: up or "
+                         "down") +
+                 say_so);
     }
     positive = up ? "up" : "down";
     if (down && std::all_of(metres.begin(), metres.end(), [](double z) { return z <= 0; }) &&
@@ -318,7 +322,8 @@ std::vector<double> coordinate_values(const netcdf::File& file, const netcdf::Va
     const auto found = product.attribute(coordinate, "units");
     if (!found) {
       refuse(coordinate, "has no units, and product '" + product.id +
-                             "' does not settle them; expected '" + std::string(unit) + "'");
+                             "' does not settle them; expected '" + std::string(unit) + "'" +
+                             say_so);
     }
     const std::string what = "axis '" + coordinate.name + "'";
     const bool geographic =

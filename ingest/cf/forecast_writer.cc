@@ -160,7 +160,7 @@ class ForecastWriter {
     period_id_ = define_axis("forecast_period", time_);
     out_.attribute(period_id_, "standard_name", "forecast_period");
     out_.attribute(period_id_, "long_name", "lead since the end of the last calibrated day");
-    out_.attribute(period_id_, "units", "h");
+    out_.attribute(period_id_, "units", "hours");  // cdo does not know "h"
     bed_id_ = out_.variable("sea_floor_depth", Type::float64, place);
     out_.attribute(bed_id_, "standard_name", "sea_floor_depth_below_geoid");
     out_.attribute(bed_id_, "long_name", "water depth used");

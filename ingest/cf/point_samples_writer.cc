@@ -1,5 +1,6 @@
 #include "ingest/cf/point_samples_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -24,6 +25,7 @@ PointSamplesWriter::PointSamplesWriter(const std::filesystem::path& file,
       members_(head.members) {
   expects(!head.points.empty() && times_ > 0 && depths_ > 0 && members_ > 0,
           "samples are of points, times, depths and a member");
+  expects(head.names.empty() || head.names.size() == head.points.size(), "a name for each point");
   // CF wants an added dimension before those of time and place.
   if (members_ > 1) realization_ = out_.dimension("realization", members_ - 1);
   point_ = out_.dimension("point", head.points.size());
@@ -32,6 +34,12 @@ PointSamplesWriter::PointSamplesWriter(const std::filesystem::path& file,
   point_id_ = out_.variable("point", Type::int32, {point_});
   out_.attribute(point_id_, "long_name", "number of the point as asked, from 1");
   out_.attribute(point_id_, "cf_role", "timeseries_id");
+  for (const std::string& name : head.names) letters_ = std::max(letters_, name.size());
+  if (letters_ > 0) {
+    const int letters = out_.dimension("name_length", letters_);
+    name_id_ = out_.variable("point_name", Type::character, {point_, letters});
+    out_.attribute(name_id_, "long_name", "name of the point as asked");
+  }
   latitude_id_ =
       define_axis("latitude", point_, {{"standard_name", "latitude"}, {"units", "degrees_north"}});
   longitude_id_ =
@@ -56,7 +64,7 @@ PointSamplesWriter::PointSamplesWriter(const std::filesystem::path& file,
   period_id_ = define_axis("forecast_period", time_,
                            {{"standard_name", "forecast_period"},
                             {"long_name", "lead since the end of the last calibrated day"},
-                            {"units", "h"}});
+                            {"units", "hours"}});
   define_currents();
   out_.attribute(Writer::global, "Conventions", "CF-1.8");
   out_.attribute(Writer::global, "featureType", "timeSeriesProfile");
@@ -80,7 +88,9 @@ int PointSamplesWriter::define(const std::string& name, Type type,
   if (type == Type::float32) layout.fill_value = static_cast<double>(fill);
   const int id = out_.variable(name, type, dimensions, layout);
   out_.attribute(id, "long_name", long_name);
-  out_.attribute(id, "coordinates", "time depth latitude longitude point");
+  out_.attribute(id, "coordinates",
+                 letters_ > 0 ? "time depth latitude longitude point point_name"
+                              : "time depth latitude longitude point");
   if (type == Type::float32) out_.attribute(id, "units", "m s-1");
   return id;
 }
@@ -125,6 +135,12 @@ void PointSamplesWriter::write_axes(const PointSamplesHead& head) {
   std::vector<double> number(head.points.size());
   std::iota(number.begin(), number.end(), 1.0);
   out_.write_all(point_id_, number);
+  std::string letters;
+  for (std::string name : head.names) {
+    name.resize(letters_, '\0');
+    letters += name;
+  }
+  if (letters_ > 0) out_.write_text(name_id_, letters);
   out_.write_all(latitude_id_, latitude);
   out_.write_all(longitude_id_, longitude);
   std::vector<double> time;

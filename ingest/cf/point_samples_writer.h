@@ -21,12 +21,14 @@ struct PointSamplesHead {
   UtcTime reference;            ///< from which lead counts: the end of day D
   std::size_t members = 1;      ///< the central one among them
   std::vector<std::pair<std::string, std::string>> attributes;  ///< global, beside ours
+  std::vector<std::string> names;  ///< of the points, as asked; empty: they have none
 };
 
 /// Currents at points x times x depths as a CF-1.8 NetCDF-4 file.
 ///
 /// `eastward_` and `northward_sea_water_velocity` over (point, time, depth): the central forecast;
 /// members 1, 2, … as `…_member` over (realization, point, time, depth);
+/// `point_name` holds the names of the points where they have any;
 /// `sea_water_velocity_status` says of each place why a value is, or is not, there. Single
 /// precision, as sampled; a value that is not there is _FillValue, never NaN.
 ///
@@ -60,10 +62,11 @@ class PointSamplesWriter {
   std::size_t times_ = 0;
   std::size_t depths_ = 0;
   std::size_t members_ = 1;
+  std::size_t letters_ = 0;  ///< of the longest name
   int point_ = 0, time_ = 0, depth_ = 0, realization_ = 0;
   int latitude_id_ = 0, longitude_id_ = 0, point_id_ = 0, time_id_ = 0, depth_id_ = 0,
       reference_id_ = 0, period_id_ = 0, realization_id_ = 0, east_id_ = 0, north_id_ = 0,
-      east_member_id_ = 0, north_member_id_ = 0, status_id_ = 0;
+      east_member_id_ = 0, north_member_id_ = 0, status_id_ = 0, name_id_ = 0;
 };
 
 }  // namespace slackwater::ingest

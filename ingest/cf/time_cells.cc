@@ -5,6 +5,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/cf/axes.h"
+#include "ingest/cf/settle.h"
 #include "ingest/cf/time_code.h"
 
 namespace slackwater::ingest {
@@ -94,7 +95,8 @@ std::vector<TimeCell> time_cells(const netcdf::File& file, const netcdf::Variabl
                                  const netcdf::Variable& data, const Product& product,
                                  std::vector<std::string>& warnings) {
   const auto units = product.attribute(time, "units");
-  if (!units) refuse(time, "has no units; expected e.g. 'hours since 1950-01-01'");
+  if (!units)
+    refuse(time, std::string("has no units; expected e.g. 'hours since 1950-01-01'") + say_so);
   const TimeCode code = with_context("time axis '" + time.name + "'", [&] {
     return TimeCode::parse(*units, time.text("calendar").value_or(""), warnings);
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fields/base/sha256.h"
 #include "fields/base/text.h"
 
 namespace slackwater::ingest {
@@ -90,6 +91,7 @@ const std::optional<std::string>& settled(const SettledAttributes& entry, std::s
 Product Product::load(const std::filesystem::path& file) {
   const Config config = Config::load(file);
   Product product;
+  product.sha256 = sha256_of_file(file);
   product.id = config.text("id");
   product.title = config.text("title");
   product.doi = config.optional_text("doi").value_or("");

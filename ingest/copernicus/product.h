@@ -22,7 +22,8 @@ struct MatchRule {
   std::vector<std::string> variables;       ///< the file has all of these
 };
 
-/// Attributes that a product's files forget. They fill gaps, they never overrule what a file says.
+/// Attributes that a product's files forget. They fill gaps; a file that says otherwise is refused
+/// (ingest/cf/settle.h).
 struct SettledAttributes {
   std::string variable;
   std::optional<std::string> units;
@@ -79,6 +80,7 @@ struct Product {
       variables;                          ///< short name -> standard name, beyond the vocabulary
   std::optional<double> current_depth_m;  ///< of currents that come without a depth axis
   std::vector<Download> downloads;
+  std::string sha256;  ///< of the descriptor's file
 
   [[nodiscard]] static Product load(const std::filesystem::path& file);
   [[nodiscard]] bool matches(const netcdf::File& file) const;

@@ -33,24 +33,44 @@ std::vector<std::filesystem::path> descriptor_files(const std::filesystem::path&
 
 }  // namespace
 
-ProductCatalogue ProductCatalogue::load(const std::filesystem::path& products_folder) {
+Product ProductCatalogue::describe(const std::filesystem::path& file) const {
+  Product product = Product::load(file);
+  for (const auto& [name, standard_name] : product.variables) {
+    if (vocabulary_.by_standard_name(standard_name) == nullptr) {
+      throw Error(ErrorKind::invalid_input, file.string() + ": variables: " + name + ": '" +
+                                                standard_name + "' is not in variables.yaml");
+    }
+  }
+  return product;
+}
+
+ProductCatalogue ProductCatalogue::load(const std::filesystem::path& products_folder,
+                                        std::span<const std::filesystem::path> more) {
   ProductCatalogue catalogue;
-  const auto files = descriptor_files(products_folder);
+  std::vector<std::filesystem::path> files = descriptor_files(products_folder);
   catalogue.vocabulary_ = Vocabulary::load(products_folder / "variables.yaml");
+  const std::size_t shipped = files.size();
+  for (const auto& folder : more) {
+    if (std::filesystem::exists(folder / "variables.yaml")) {
+      throw Error(ErrorKind::invalid_input,
+                  (folder / "variables.yaml").string() + ": the list of quantities is that of " +
+                      products_folder.string() +
+                      "; put descriptors of products here, and name short names under `variables`");
+    }
+    const auto further = descriptor_files(folder);
+    files.insert(files.end(), further.begin(), further.end());
+  }
   for (const auto& file : files) {
-    Product product = Product::load(file);
+    Product product = catalogue.describe(file);
     if (catalogue.find(product.id) != nullptr) {
       throw Error(ErrorKind::invalid_input, file.string() + ": product '" + product.id +
                                                 "' is described twice; keep one descriptor");
     }
-    for (const auto& [name, standard_name] : product.variables) {
-      if (catalogue.vocabulary_.by_standard_name(standard_name) == nullptr) {
-        throw Error(ErrorKind::invalid_input, file.string() + ": variables: " + name + ": '" +
-                                                  standard_name + "' is not in variables.yaml");
-      }
-    }
     catalogue.products_.push_back(std::move(product));
   }
+  std::rotate(catalogue.products_.begin(),
+              catalogue.products_.begin() + static_cast<std::ptrdiff_t>(shipped),
+              catalogue.products_.end());
   std::stable_sort(
       catalogue.products_.begin(), catalogue.products_.end(),
       [](const Product& a, const Product& b) { return a.match_order < b.match_order; });

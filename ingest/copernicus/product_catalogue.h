@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +15,12 @@ class ProductCatalogue {
   /// Reads `variables.yaml` and every other `*.yaml` of the folder. Throws Error(not_found) without
   /// the folder, Error(invalid_input) for an unknown key, a value out of range, a product named
   /// twice.
-  [[nodiscard]] static ProductCatalogue load(const std::filesystem::path& products_folder);
+  /// @param more  folders of further descriptors, e.g. the user's; among descriptors of one
+  ///              `match_order` theirs are tried first
+  [[nodiscard]] static ProductCatalogue load(const std::filesystem::path& products_folder,
+                                             std::span<const std::filesystem::path> more = {});
+  /// Reads one descriptor that is not in the catalogue, under the same rules.
+  [[nodiscard]] Product describe(const std::filesystem::path& file) const;
 
   [[nodiscard]] const Vocabulary& vocabulary() const noexcept { return vocabulary_; }
   /// The descriptors in the order they are tried; the last one is "cf", which matches any file.

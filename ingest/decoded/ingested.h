@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +11,16 @@
 namespace slackwater::ingest {
 
 class ProductCatalogue;  // ingest/copernicus/product_catalogue.h: the descriptors of data/products
+struct Product;          // ingest/copernicus/product.h: one of them
 
 /// What the operator said about a file; what the file says itself yields to it.
 struct IngestOptions {
   std::optional<BoundingBox> cut;  ///< keep only cells inside, and one cell around
   std::optional<DataStatus> as;    ///< `--as analysis|forecast`
   std::optional<UtcTime> issued;   ///< `--issued T`
+  /// `--product FILE`: what the files are; null: the catalogue's choice. What a file says itself
+  /// must not contradict it.
+  std::shared_ptr<const Product> product{};
 };
 
 /// A granule decoded to its content file, which lies in the staging folder, written and fsynced.

@@ -13,6 +13,7 @@
 
 #include "fields/base/error.h"
 #include "ingest/cf/granule_file.h"
+#include "ingest/copernicus/product.h"
 #include "ingest/decoded/staged_files.h"
 #include "ingest/grib/inventory.h"
 
@@ -95,6 +96,10 @@ Plan plan_granule(const GranuleKey& key, const std::vector<const FieldEntry*>& e
       key.centre == "ecmf"
           ? "Contains data of the European Centre for Medium-Range Weather Forecasts (ECMWF)"
           : "Contains weather model data of the centre '" + key.centre + "'";
+  if (options.product) {
+    granule.product_id = options.product->id;
+    granule.attribution = options.product->attribution;
+  }
   apply_status(granule, key, options);
 
   std::vector<TimeCell> times;

@@ -8,6 +8,7 @@
 #include "fields/base/text.h"
 #include "ingest/cf/attribution.h"
 #include "ingest/cf/granule_file.h"
+#include "ingest/cf/settle.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "ingest/decoded/staged_files.h"
 #include "ingest/insitu/series_checks.h"
@@ -216,7 +217,7 @@ Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& p
           "write one file for "
           "each station)");
     }
-    const Product& product = products.product_of(file);
+    const Product& product = product_for(file, products, options);
     Ingested ingested;
     StagedFiles staged(ingested);
     SeriesDecoder decoder(file, products, product, options, staging_folder, ingested);

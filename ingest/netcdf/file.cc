@@ -164,6 +164,15 @@ std::optional<std::string> File::text(std::string_view global_attribute) const {
   return std::nullopt;
 }
 
+void File::settle(const Variable& variable, std::string_view attribute, std::string_view text) {
+  const auto found =
+      std::find_if(variables_.begin(), variables_.end(),
+                   [&](const Variable& candidate) { return candidate.id == variable.id; });
+  expects(found != variables_.end(), "a variable of this file");
+  std::erase_if(found->attributes, [&](const Attribute& a) { return a.name == attribute; });
+  found->attributes.push_back({std::string(attribute), Type::character, std::string(text)});
+}
+
 void File::read(const Variable& variable, std::span<const std::size_t> start,
                 std::span<const std::size_t> count, std::span<double> out) const {
   expect_hyperslab(variable, start, count, out.size());

@@ -82,6 +82,10 @@ class File {
   [[nodiscard]] const Variable* find(std::string_view name) const noexcept;
   [[nodiscard]] std::optional<std::string> text(std::string_view global_attribute) const;
 
+  /// States a text attribute that the file forgets, as if the file said it; nothing is written.
+  /// @param variable  of this file
+  void settle(const Variable& variable, std::string_view attribute, std::string_view text);
+
   /// Reads a hyperslab, raw (unscaled), converted by the library to the buffer's type.
   /// `start` and `count` have one entry per dimension; the buffer holds product(count) values.
   void read(const Variable& variable, std::span<const std::size_t> start,

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "data/store/store.h"
+#include "fields/base/csv.h"
 #include "fields/service/field.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/cf/provenance_json.h"
@@ -163,19 +164,61 @@ TEST_F(Sample, CsvSaysTheSameInRows) {
   std::ifstream in(out("out.csv"));
   std::string line;
   std::getline(in, line);
-  EXPECT_EQ(line, "point,longitude_deg,latitude_deg,time,depth_m,member,east_m_s,north_m_s,status");
+  EXPECT_EQ(line,
+            "point,longitude_deg,latitude_deg,time,depth_m,member,east_m_s,north_m_s,status,name");
   std::size_t rows = 0;
   for (; std::getline(in, line); ++rows) {
     std::vector<std::string> cells;
     std::istringstream words(line);
     for (std::string cell; std::getline(words, cell, ',');) cells.push_back(cell);
-    ASSERT_EQ(cells.size(), 9U) << line;
+    ASSERT_EQ(cells.size(), 10U) << line;
+    EXPECT_EQ(cells[9], std::string(1, "abc"[std::stoul(cells[0]) - 1])) << line;
     EXPECT_EQ(cells[6].empty(), cells[8] != "ok") << line;
     if (cells[8] == "ok") {
       EXPECT_NEAR(std::stod(cells[6]), east[rows], 0.51e-4) << line;
     }
   }
   EXPECT_EQ(rows, east.size());
+}
+
+/// The points file says "WTG 7"; both outputs forgot it and said "2".
+TEST_F(Sample, ThePointsKeepTheirNamesInBothKindsOfFile) {
+  write_bytes(points(),
+              "station,lat,lon,name\r\n9,48.851,-2.55,\"cable, north\"\r\n8,48.868,-2.549,WTG 7\r\n"
+              "7,48.85,-2.55\r\n");
+  ASSERT_EQ(sample().exit_code, 0);
+  const File file = File::open(out());
+  const auto* variable = file.find("point_name");
+  ASSERT_NE(variable, nullptr);
+  ASSERT_EQ(variable->shape, (std::vector<std::size_t>{3, 12}));
+  EXPECT_EQ(file.read_text(*variable).substr(0, 12), "cable, north");
+  EXPECT_EQ(file.read_text(*variable).substr(12, 5), "WTG 7");
+  EXPECT_TRUE(
+      file.find("eastward_sea_water_velocity")->text("coordinates")->ends_with("point_name"));
+
+  ASSERT_EQ(sample({"--out", out("out.csv").string()}).exit_code, 0);
+  std::ifstream in(out("out.csv"));
+  std::set<std::string> ends;
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    const auto cells = csv_cells(line);
+    ASSERT_TRUE(cells && cells->size() == 10U) << line;
+    ends.insert(cells->front() + " " + cells->back());
+  }
+  EXPECT_EQ(ends, (std::set<std::string>{"1 cable, north", "2 WTG 7", "3 "}));
+}
+
+TEST_F(Sample, WithoutNamesThereAreNoNames) {
+  write_bytes(points(), "lat,lon\n48.851,-2.55\n");
+  ASSERT_EQ(sample().exit_code, 0);
+  EXPECT_EQ(File::open(out()).find("point_name"), nullptr);
+}
+
+TEST_F(Sample, TheFileOfPointsIsNotWrittenOver) {
+  const ProgramResult result = sample({"--out", points().string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("which is the file of points"), std::string::npos) << result.err;
 }
 
 TEST_F(Sample, AnInstanceIsTheForecastOfThatIdAndNewestTheLastIssued) {
@@ -212,8 +255,8 @@ TEST_F(Sample, WhatCannotBeAnsweredSaysWhyAndLeavesNoFile) {
        2,
        "values, expected at most"},
       {{"--depths", "deep"}, 2, "from/to/count"},
-      {{"--depths", "5,5"}, 2, "grow"},
-      {{"--depths", "-1,5"}, 2, "grow"},
+      {{"--depths", "5,5"}, 2, "rising order"},
+      {{"--depths", "-1,5"}, 2, "rising order"},
       {{"--depths", "0/80/1"}, 2, "from/to/count"},
       {{"--depths", "0/80/1e9"}, 2, "from/to/count"},
       {{"--depths", "nan"}, 2, "--depths"},
@@ -230,6 +273,9 @@ TEST_F(Sample, WhatCannotBeAnsweredSaysWhyAndLeavesNoFile) {
       {{"--points", file("word.csv", "lat,lon\n48.85,-2.55\n48.85,west\n")},
        3,
        "line 3: found 'west'"},
+      {{"--points", file("quote.csv", "lat,lon,name\n48,2,\"a\n")},
+       3,
+       "a quote that is not closed"},
       {{"--points", file("short.csv", "lat,lon\n48.85\n")}, 3, "line 2"},
       {{"--points", file("nan.csv", "lat,lon\nnan,2\n")}, 3, "line 2"},
       {{"--points", file("pole.csv", "lat,lon\n97,2\n")}, 3, "line 2"},

@@ -2,9 +2,11 @@
 // in an issued forecast.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "fields/base/csv.h"
 #include "ingest/cf/trajectory_file.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
@@ -70,6 +72,40 @@ TEST_F(SimulateCommand, RunsToALogThatReplaysToTheByteHoweverItIsStepped) {
                 .exit_code,
             0);
   EXPECT_EQ(read_bytes(path("other.nc")), read_bytes(path("run.nc")));
+}
+
+TEST_F(SimulateCommand, TheLogAsATableHasTheNumbersOfTheLog) {
+  ASSERT_EQ(
+      made_.run({"simulate", path("run.yaml"), "--out", path("run.nc"), "--csv", path("run.csv")})
+          .exit_code,
+      0);
+  const ingest::TrajectoryFile log = ingest::read_trajectories(path("run.nc"));
+  std::ifstream in(path("run.csv"));
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> head = csv_cells(line).value();
+  const auto column = [&](const std::string& name) {
+    const auto found = std::find(head.begin(), head.end(), name);
+    EXPECT_NE(found, head.end()) << name << " of " << line;
+    return static_cast<std::size_t>(found - head.begin());
+  };
+  EXPECT_EQ(std::vector<std::string>(head.begin(), head.begin() + 3),
+            (std::vector<std::string>{"vehicle", "time", "t_s"}));
+  const std::size_t x = column("x_m");
+  const std::size_t down = column("velocity_body_2_m_s");
+  std::size_t row = 0;
+  for (; std::getline(in, line); ++row) {
+    const std::vector<std::string> cells = csv_cells(line).value();
+    ASSERT_EQ(cells.size(), head.size()) << line;
+    const std::size_t times = log.t_s.size();
+    EXPECT_EQ(cells[0], log.names[row / times]);
+    EXPECT_EQ(std::stod(cells[2]), log.t_s[row % times]);
+    EXPECT_EQ(std::stod(cells[x]), log.find("x")->values[row]);
+    EXPECT_EQ(std::stod(cells[down]), log.find("velocity_body")->values[3 * row + 2]);
+  }
+  EXPECT_EQ(row, 2 * log.t_s.size());
+  ASSERT_EQ(made_.run({"replay", path("run.nc"), "--csv", path("again.csv")}).exit_code, 0);
+  EXPECT_EQ(read_bytes(path("again.csv")), read_bytes(path("run.csv")));
 }
 
 TEST_F(SimulateCommand, ALogThatWasTouchedDoesNotReplayAndSaysWhere) {

@@ -42,6 +42,8 @@ std::vector<UsageCase> usage_cases(const std::string& site, const std::string& f
       {{"serve", "--base-url", "example.org"}, "--base-url"},
       {{"serve", "--base-url", "https://example.org/\"onload="}, "--base-url"},
       {{"serve", "--base-url", "https://example.org/?a"}, "--base-url"},
+      {{"serve", "--stale-after", "soon"}, "--stale-after"},
+      {{"serve", "--stale-after", "0h"}, "--stale-after"},
       {{"forecast", "--site", site, "--at", time, "--day", "2025-03-08"}, "2025-03-08"},
       {{"forecast", "--site", site, "--day", "2999-01-01"}, "2999-01-01"},
       {{"ingest"}, "paths"},
@@ -110,6 +112,53 @@ TEST(Usage, NonsenseIsToldInOneLineWithExitCodeTwoAndChangesNothing) {
   EXPECT_EQ(store.digests(), digests);
 }
 
+/// Before, only `sample --out` looked at the name: a forecast went into `today.csv` as NetCDF, a
+/// page into `run.nc`.
+TEST(Usage, AnOutputFileOfTheWrongKindIsRefusedByEveryCommandInTheSameWords) {
+  const StoreForTests store;
+  const UtcDay day = std::chrono::sys_days{std::chrono::year{2025} / 3 / 6};
+  store.ingest_days(day, 1);
+  const std::string folder = store.file("").string();
+  const std::string points = store.file("points.csv").string();
+  write_bytes(points, "lat,lon\n48.85,-2.55\n");
+  const std::vector<std::pair<Arguments, std::string>> outputs{
+      {{"forecast", "--site", store.site(), "--at", "2025-03-08T05:00:00Z", "--out"}, ".nc"},
+      {{"sample", "--site", store.site(), "--points", points, "--out"}, ".nc or .csv"},
+      {{"verify", "--site", store.site(), "--html"}, ".html"},
+      {{"verify", "--site", store.site(), "--csv"}, ".csv"},
+      {{"hindcast", "--site", store.site(), "--from", "2025-03-06", "--to", "2025-03-06", "--html"},
+       ".html"},
+      {{"hindcast", "--site", store.site(), "--from", "2025-03-06", "--to", "2025-03-06", "--csv"},
+       ".csv"},
+      {{"simulate", "none.yaml", "--out"}, ".nc"},
+      {{"simulate", "none.yaml", "--html"}, ".html"},
+      {{"simulate", "none.yaml", "--csv"}, ".csv"},
+      {{"replay", "none.nc", "--html"}, ".html"},
+      {{"replay", "none.nc", "--csv"}, ".csv"},
+      {{"ais", "none.log", "--csv"}, ".csv"}};
+  const auto digests = store.digests();
+  for (const auto& [command, endings] : outputs) {
+    const std::string& option = command.back();
+    const std::string ending = endings.substr(0, endings.find(' '));
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {folder + "/out.txt", "expected a file name that ends in " + endings},
+        {folder + "/out", "expected a file name that ends in " + endings},
+        {folder + "/" + ending, "expected a file name that ends in " + endings},
+        {folder + "/no/such/out" + ending, "found no folder"}};
+    for (const auto& [file, words] : wrong) {
+      Arguments arguments = command;
+      arguments.push_back(file);
+      const ProgramResult result = store.run(arguments);
+      SCOPED_TRACE(joined(arguments) + "\n" + result.err);
+      EXPECT_EQ(result.exit_code, 2);
+      EXPECT_TRUE(contains(result.err, words));
+      EXPECT_TRUE(contains(result.err, option));
+      EXPECT_FALSE(std::filesystem::exists(file));
+    }
+  }
+  EXPECT_EQ(store.digests(), digests);
+}
+
 TEST(Usage, WithJsonTheErrorIsOneDocumentThatSaysTheSameAsStandardError) {
   const StoreForTests store;
   for (const auto& [arguments, kind] : std::vector<std::pair<Arguments, std::string>>{
@@ -132,7 +181,9 @@ TEST(Help, OfEveryCommandExitsWithZeroAndNamesItsOptions) {
        {"ingest", "forecast", "hindcast", "profile", "verify", "store", "site", "demo", "--store",
         "--json", "Exit codes"}},
       {{"ingest"}, {"--as", "--issued", "--bbox", "--site"}},
-      {{"ais"}, {"--bbox", "--from", "--to", "--mmsi"}},
+      {{"ais"}, {"--bbox", "--from", "--to", "--mmsi", "--csv"}},
+      {{"serve"}, {"--port", "--stale-after"}},
+      {{"simulate"}, {"--out", "--html", "--csv"}},
       {{"forecast"},
        {"--site", "--day", "--horizon", "--wind", "--out", "--html", "--html-depth",
         "--slack-below", "--at", "--print-downloads"}},

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/edr/write/example_query.h"
 #include "api/edr/write/feature_page.h"
 #include "fields/base/percent.h"
 
@@ -21,12 +22,17 @@ json names_of(const Collection& collection, std::size_t members) {
   return names;
 }
 
-/// To itself, to its other renditions, and to where its values are had.
+/// To itself, to its other renditions, to where its values are had and to what it holds.
 json feature_links(const std::string& href, const std::string& data) {
-  return {{{"href", href}, {"rel", "self"}, {"type", "application/geo+json"}},
-          {{"href", href + "?f=json"}, {"rel", "alternate"}, {"type", "application/json"}},
-          {{"href", href + "?f=html"}, {"rel", "alternate"}, {"type", "text/html"}},
-          {{"href", data}, {"rel", "data"}, {"type", "application/prs.coverage+json"}}};
+  return {
+      {{"href", href}, {"rel", "self"}, {"type", "application/geo+json"}},
+      {{"href", href + "?f=json"}, {"rel", "alternate"}, {"type", "application/json"}},
+      {{"href", href + "?f=html"}, {"rel", "alternate"}, {"type", "text/html"}},
+      {{"href", data + "/position"}, {"rel", "data"}, {"type", "application/prs.coverage+json"}},
+      {{"href", data},
+       {"rel", "describedby"},
+       {"type", "application/json"},
+       {"title", "What this forecast holds"}}};
 }
 
 slackwater::BoundingBox box_of(const ForecastCatalogue& catalogue, const std::string& site_id) {
@@ -58,6 +64,7 @@ json locations_document(const std::string& at, const Collection& collection,
     const UtcTime from = snapshot.time.front();
     const UtcTime to = snapshot.time.back();
     const json names = names_of(collection, snapshot.members);
+    const bool is_held = example_of(collection, *field).has_value();
     for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {
       const ForecastColumn& column = snapshot.columns[c];
       const double x = column.point.longitude_deg();
@@ -66,14 +73,22 @@ json locations_document(const std::string& at, const Collection& collection,
       const std::string id = name_of_column(snapshot.site_id, c);
       const std::string label =
           c == 0 ? snapshot.site_name : snapshot.site_name + ", column " + std::to_string(c);
+      const std::string endpoint = at + "/locations/" + percent_encoded(id);
+      json links = json::array();
+      if (is_held)
+        links.push_back({{"href", endpoint + "?f=csv"},
+                         {"rel", "data"},
+                         {"type", "text/csv"},
+                         {"title", collection.title + " as CSV"}});
       features.push_back({{"type", "Feature"},
                           {"id", id},
+                          {"links", links},
                           {"geometry", {{"type", "Point"}, {"coordinates", {x, y}}}},
                           {"properties",
                            {{"datetime", format_utc(from) + "/" + format_utc(to)},
                             {"parameter-name", names},
                             {"label", label},
-                            {"edrqueryendpoint", at + "/locations/" + percent_encoded(id)},
+                            {"edrqueryendpoint", endpoint},
                             {"water_depth_m", column.water_depth_m}}}});
     }
   }
@@ -91,8 +106,7 @@ json item_document(const std::string& base, const Collection& collection,
       {"type", "Feature"},
       {"id", forecast.instance},
       {"geometry", footprint(box_of(catalogue, forecast.row.site_id))},
-      {"links",
-       feature_links(at + "/items/" + percent_encoded(forecast.instance), data + "/position")},
+      {"links", feature_links(at + "/items/" + percent_encoded(forecast.instance), data)},
       {"properties",
        {{"datetime", format_utc(forecast.row.valid_from) + "/" + format_utc(forecast.row.valid_to)},
         {"parameter-name", names_of(collection, members)},

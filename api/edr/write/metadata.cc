@@ -9,7 +9,9 @@
 #include "api/edr/sample/queries.h"
 #include "api/edr/write/body.h"
 #include "api/edr/write/content.h"
+#include "api/edr/write/example_query.h"
 #include "api/program/version.h"
+#include "fields/base/percent.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -93,11 +95,23 @@ json query_link(const std::string& at, std::string_view name, std::string_view t
             {"variables", variables}}}};
 }
 
-json data_queries(const std::string& at, Detail detail) {
+using Fields = std::vector<std::shared_ptr<const Field>>;
+
+/// @param answering  the fields of which one answers: then each query has an example that works
+json data_queries(const std::string& at, const Collection& collection, const Fields& answering,
+                  Detail detail) {
   json queries = json::object();
-  for (const QueryType& type : query_types())
-    queries[std::string(type.name)] =
-        query_link(at, type.name, type.title, type.description, detail);
+  std::optional<Example> example;
+  for (std::size_t i = 0; i < answering.size() && !example && detail == Detail::whole; ++i)
+    example = example_of(collection, *answering[i]);
+  for (const QueryType& type : query_types()) {
+    const std::string name(type.name);
+    queries[name] = query_link(at, name, type.title, type.description, detail);
+    if (example) {
+      queries[name]["link"]["slackwater:example"] =
+          at + "/" + name + "?" + example_query(type, collection, *example);
+    }
+  }
   queries["locations"] =
       query_link(at, "locations", "Locations", "The columns of each site by name", detail);
   return queries;
@@ -119,7 +133,7 @@ json self_links(const std::string& href, const std::string& title) {
 }
 
 json described(const std::string& at, const Collection& collection, std::size_t members,
-               const std::vector<std::shared_ptr<const Field>>& fields, Detail detail) {
+               const Fields& fields, const Fields& answering, Detail detail) {
   json links = self_links(at, collection.title);
   links.push_back(link(at + "/position", "data", "application/prs.coverage+json", "Position"));
   links.push_back(link(at + "/locations", "data", "application/geo+json", "Locations"));
@@ -129,7 +143,7 @@ json described(const std::string& at, const Collection& collection, std::size_t 
           {"keywords", collection.keywords},
           {"links", links},
           {"extent", extent_of(collection, fields)},
-          {"data_queries", data_queries(at, detail)},
+          {"data_queries", data_queries(at, collection, answering, detail)},
           {"crs", crs_names()},
           {"output_formats", formats()},
           {"parameter_names", parameter_names(collection, members)}};
@@ -171,21 +185,61 @@ std::string place_of(const std::string& base, const Collection& collection) {
 
 }  // namespace
 
-json landing_page(const std::string& base) {
+namespace {
+
+/// A site as the landing page lists it: how its forecast stands, and where its values are.
+json described_site(const std::string& base, const SiteState& state,
+                    const ForecastCatalogue& catalogue, const Freshness& freshness) {
+  json links = json::array();
+  for (const auto& site : catalogue.sites) {
+    if (site.site_id != state.site_id) continue;
+    for (const Collection& collection : collections()) {
+      if (collection.is_of_members || !example_of(collection, *site.field)) continue;
+      links.push_back(link(
+          place_of(base, collection) + "/locations/" + percent_encoded(state.site_id) + "?f=csv",
+          "data", "text/csv", collection.title + " as CSV"));
+    }
+  }
+  links.push_back(link(place_of(base, collections().front()) + "/instances/" +
+                           percent_encoded(state.forecast.instance),
+                       "item", "application/json", "This forecast"));
+  const store::ForecastRow& row = state.forecast.row;
+  return {{"id", state.site_id},
+          {"title", state.site_name},
+          {"status", name_of(state.condition)},
+          {"description", in_words(state, freshness)},
+          {"forecast", state.forecast.instance},
+          {"issued", format_utc(row.issued)},
+          {"age_s", std::chrono::duration_cast<std::chrono::seconds>(state.age).count()},
+          {"day", format_day(row.day)},
+          {"valid_to", format_utc(row.valid_to)},
+          {"degraded", row.degraded},
+          {"headline", row.headline},
+          {"links", links}};
+}
+
+}  // namespace
+
+json landing_page(const std::string& base, const ForecastCatalogue& catalogue,
+                  const Freshness& freshness) {
+  json sites = json::array();
+  for (const SiteState& state : site_states(catalogue, freshness))
+    sites.push_back(described_site(base, state, catalogue, freshness));
   return {{"title", "Slackwater"},
           {"description",
            "Calibrated, depth-resolved forecasts of current, wind and waves for offshore sites, as "
            "issued"},
           {"keywords", {"current", "wind", "waves", "forecast", "offshore wind"}},
+          {"slackwater:sites", sites},
           {"links",
            {link(base + "/", "self", "application/json", "This page"),
             link(base + "/?f=html", "alternate", "text/html", "This page"),
+            link(base + "/collections", "data", "application/json", "Collections"),
             link(base + "/api", "service-desc", "application/vnd.oai.openapi+json;version=3.0",
                  "The interface as OpenAPI 3.0"),
             link(base + "/api?f=html", "service-doc", "text/html", "The interface for people"),
             link(base + "/conformance", "conformance", "application/json",
-                 "Conformance classes of OGC API-EDR 1.1"),
-            link(base + "/collections", "data", "application/json", "Collections")}},
+                 "Conformance classes of OGC API-EDR 1.1")}},
           {"version", code_version()}};
 }
 
@@ -246,7 +300,7 @@ json collection_document(const std::string& base, const Collection& collection,
                          const ForecastCatalogue& catalogue) {
   const auto fields = fields_of(catalogue);
   const std::string at = place_of(base, collection);
-  json document = described(at, collection, most_members(fields), fields, Detail::whole);
+  json document = described(at, collection, most_members(fields), fields, fields, Detail::whole);
   document["data_queries"]["items"] = items_query(at);
   document["links"].push_back(link(at + "/items", "items", "application/geo+json", "Items"));
   document["links"].push_back(
@@ -269,11 +323,13 @@ json described_instance(const std::string& base, const Collection& collection,
                         const ForecastCatalogue& catalogue, const IssuedForecast& forecast,
                         Detail detail) {
   std::vector<std::shared_ptr<const Field>> of_site;
+  Fields own;
   for (const auto& site : catalogue.sites) {
     if (site.site_id == forecast.row.site_id) of_site.push_back(site.field);
+    if (site.instance == forecast.instance) own.push_back(site.field);
   }
   const std::string at = place_of(base, collection) + "/instances/" + forecast.instance;
-  json document = described(at, collection, most_members(of_site), of_site, detail);
+  json document = described(at, collection, most_members(of_site), of_site, own, detail);
   document["id"] = forecast.instance;
   document["title"] = collection.title + ", " + forecast.row.site_id + ", issued " +
                       format_utc(forecast.row.issued);

@@ -4,14 +4,17 @@
 #include <string>
 
 #include "api/edr/sample/collection.h"
-#include "api/issued/issued_fields.h"
+#include "api/issued/site_state.h"
 
 // What the service says of itself: landing page, conformance, collections, instances (OGC API-EDR
 // 1.1, clauses 7 and 8). `base` is the address of the service without a slash at its end.
 
 namespace slackwater::api::edr {
 
-[[nodiscard]] nlohmann::json landing_page(const std::string& base);
+/// With the sites, how old and how whole the forecast of each is.
+[[nodiscard]] nlohmann::json landing_page(const std::string& base,
+                                          const ForecastCatalogue& catalogue,
+                                          const Freshness& freshness);
 /// The classes whose requirements tests/api/edr covers, and no others.
 [[nodiscard]] nlohmann::json conformance();
 

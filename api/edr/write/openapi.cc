@@ -4,6 +4,7 @@
 
 #include "api/edr/read/feature_filter.h"
 #include "api/edr/sample/queries.h"
+#include "api/edr/write/example_query.h"
 #include "api/edr/write/openapi_parts.h"
 #include "api/program/version.h"
 
@@ -29,33 +30,22 @@ json operation(const std::string& id, const std::string& summary, const char* ta
             {"responses", openapi_responses_of(answer)}}}};
 }
 
-/// What a position query needs differs from what others may take: the example is of its own shape.
-json fitted(json needed, const std::string& name, std::string_view query) {
+/// What a query needs; the example of coordinates is of the query's own shape.
+json fitted(json needed, const std::string& name, std::string_view query, const Example& example) {
   needed["required"] = true;
-  if (name != "coords" || query == "position" || query == "radius") return needed;
-  const std::string point = needed.at("example").get<std::string>();
-  const std::string place = point.substr(6, point.size() - 7);
-  const std::size_t blank = place.find(' ');
-  const double x = std::stod(place.substr(0, blank));
-  const double y = std::stod(place.substr(blank + 1));
-  const auto at = [&](double east, double north) {
-    return json(x + east).dump() + " " + json(y + north).dump();
-  };
-  needed["example"] = query == "area" ? "POLYGON((" + at(-0.02, -0.02) + "," + at(0.02, -0.02) +
-                                            "," + at(0.02, 0.02) + "," + at(-0.02, -0.02) + "))"
-                                      : "LINESTRING(" + at(0, 0) + "," + at(0.01, 0.01) + ")";
+  if (name == "coords") needed["example"] = example_coords(query, example);
   return needed;
 }
 
-void add_queries(json& paths, const json& all, const std::string& at, const json& fixed,
-                 const std::string& of, const char* tag) {
+void add_queries(json& paths, const json& all, const Example& example, const std::string& at,
+                 const json& fixed, const std::string& of, const char* tag) {
   for (const QueryType& type : query_types()) {
     json list = fixed;
     for (std::size_t i = 0; i < type.parameters.size(); ++i) {
       const std::string name(type.parameters[i]);
       // A collection without a vertical has no use for the z of a cube.
       const bool is_needed = i < type.needed && name != "z";
-      list.push_back(is_needed ? fitted(all.at(name), name, type.name) : parameter(name));
+      list.push_back(is_needed ? fitted(all.at(name), name, type.name, example) : parameter(name));
     }
     paths[at + "/" + std::string(type.name)] =
         operation("get_" + of + std::string(type.name), std::string(type.description), tag,
@@ -71,7 +61,7 @@ void add_queries(json& paths, const json& all, const std::string& at, const json
       operation("get_" + of + "location", "Series and profiles at a location", tag, list, "Data");
 }
 
-json paths_of(const json& all) {
+json paths_of(const json& all, const Example& example) {
   const json none = json::array();
   const json collection = with(none, {"collectionId"});
   const json instance = with(collection, {"instanceId"});
@@ -86,12 +76,14 @@ json paths_of(const json& all) {
       {"/api", operation("get_api", "This document", capabilities, f, "Interface")},
       {"/health",
        operation("get_health", "Whether the service is well", "Service", none, "Health")},
+      {"/health/fresh", operation("get_health_fresh", "Whether the forecasts are new as well",
+                                  "Service", none, "Health")},
       {"/metrics", operation("get_metrics", "Counters for Prometheus", "Service", none, "Text")},
       {"/collections",
        operation("get_collections", "Collections", "Collection metadata", f, "Collections")}};
   paths[at] = operation("get_collection", "A collection over the forecasts in force",
                         "Collection metadata", with(collection, {"document-f"}), "Collection");
-  add_queries(paths, all, at, collection, "", queries);
+  add_queries(paths, all, example, at, collection, "", queries);
   paths[at + "/items"] = operation(
       "get_items", "Issued forecasts as features", queries,
       with(collection, {"bbox", "datetime", "limit", "offset", "features-f"}), "FeatureCollection");
@@ -103,7 +95,7 @@ json paths_of(const json& all) {
   paths[at + "/instances/{instanceId}"] =
       operation("get_instance", "One issued forecast", "Instance metadata",
                 with(instance, {"document-f"}), "Collection");
-  add_queries(paths, all, at + "/instances/{instanceId}", instance, "instance_",
+  add_queries(paths, all, example, at + "/instances/{instanceId}", instance, "instance_",
               "Instance data queries");
   return paths;
 }
@@ -111,7 +103,8 @@ json paths_of(const json& all) {
 }  // namespace
 
 json openapi_document(const std::string& base, const ForecastCatalogue& catalogue) {
-  const json all = openapi_parameters(catalogue);
+  const Example example = example_of(catalogue);
+  const json all = openapi_parameters(example);
   json tags = json::array();
   for (const char* tag : {"Capabilities", "Collection metadata", "Instance metadata",
                           "Collection data queries", "Instance data queries", "Service"})
@@ -127,7 +120,7 @@ json openapi_document(const std::string& base, const ForecastCatalogue& catalogu
         {"license", {{"name", "See the repository"}}}}},
       {"servers", json::array({{{"url", base.empty() ? "/" : base}}})},
       {"tags", tags},
-      {"paths", paths_of(all)},
+      {"paths", paths_of(all, example)},
       {"components",
        {{"parameters", all}, {"responses", openapi_responses()}, {"schemas", openapi_schemas()}}}};
 }

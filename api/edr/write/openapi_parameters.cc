@@ -13,25 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Where and when the examples ask.
-struct Example {
-  std::string site = "site";
-  std::string instance = "site_20250310T050000Z";
-  double longitude_deg = -2.55;
-  double latitude_deg = 48.85;
-  UtcTime time = parse_utc("2025-03-10T06:00:00Z");
-};
-
-Example example_of(const ForecastCatalogue& catalogue) {
-  Example example;
-  if (catalogue.sites.empty()) return example;
-  const auto& site = catalogue.sites.front();
-  const Snapshot& snapshot = site.field->snapshot();
-  const GeoPoint& point = snapshot.columns.front().point;
-  return {site.site_id, site.instance, point.longitude_deg(), point.latitude_deg(),
-          snapshot.time[snapshot.time.size() / 2]};
-}
-
 json query_parameter(const std::string& name, const std::string& description, json schema,
                      json example) {
   return {{"name", name},
@@ -120,22 +101,21 @@ json openapi_reference(const std::string& kind, const std::string& name) {
   return {{"$ref", "#/components/" + kind + "/" + name}};
 }
 
-json openapi_parameters(const ForecastCatalogue& catalogue) {
-  const Example example = example_of(catalogue);
+json openapi_parameters(const Example& example) {
   const double x = example.longitude_deg;
   const double y = example.latitude_deg;
   std::vector<std::string> ids;
   for (const Collection& collection : collections()) ids.push_back(collection.id);
   json all = {
       {"coords", query_parameter("coords", "Well Known Text, longitude before latitude", text(),
-                                 "POINT(" + json(x).dump() + " " + json(y).dump() + ")")},
+                                 example_coords("position", example))},
       {"bbox", query_parameter("bbox", "west,south,east,north in degrees",
                                {{"oneOf", json::array({numbers(4), numbers(6)})}},
                                json::array({x - 0.1, y - 0.1, x + 0.1, y + 0.1}))},
       {"z", query_parameter("z",
                             "Depth below (currents) or height above (wind) mean sea level, m: "
                             "10, 0,5,10, 0/50 or R5/0/10",
-                            text(), "10")},
+                            text(), json(example.depth_m).dump())},
       {"datetime",
        query_parameter("datetime", "An instant or an interval, RFC 3339: T, A/B, ../B, A/..",
                        text(), format_utc(example.time))},

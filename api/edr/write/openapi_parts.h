@@ -2,7 +2,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "api/issued/issued_fields.h"
+#include "api/edr/write/example_query.h"
 
 // The components of the OpenAPI document: openapi.cc makes paths of them.
 
@@ -11,9 +11,8 @@ namespace slackwater::api::edr {
 /// {"$ref": "#/components/KIND/NAME"}
 [[nodiscard]] nlohmann::json openapi_reference(const std::string& kind, const std::string& name);
 
-/// Parameters by name, in path and query. Examples are true of the first site of the catalogue, so
-/// that they can be tried as they stand.
-[[nodiscard]] nlohmann::json openapi_parameters(const ForecastCatalogue& catalogue);
+/// Parameters by name, in path and query, with examples that can be tried as they stand.
+[[nodiscard]] nlohmann::json openapi_parameters(const Example& example);
 
 /// Schemas of all that is answered in JSON: what we promise of it.
 [[nodiscard]] nlohmann::json openapi_schemas();

@@ -1,46 +1,91 @@
 'use strict';
 // Draws the plots of `simulate --html`.
 (() => {
-  const {data, palette, theme, fixed, valueAxis, chartOf, drawn, start} = slackwaterPage;
+  const {data, palette, theme, fixed, stamp, valueAxis, chartOf, drawn, start} = slackwaterPage;
   if (!data.vehicles.length) return;
   const choice = document.getElementById('vehicle');
   choice.replaceChildren(...data.vehicles.map((v, i) => new Option(v.name, i)));
-  const vehicle = () => data.vehicles[Number(choice.value)];
-  const pairs = (values) => data.t.map((t, i) => [t, values[i]]);
+  const chosen = () => Number(choice.value);
+  const vehicle = () => data.vehicles[chosen()];
+  const at = (seconds) => data.epoch + 1000 * seconds;
+  const pairs = (values) => data.t.map((t, i) => [at(t), values[i]]);
   const speed = (parts) => parts[0].map((east, i) => (east === null ? null : Math.hypot(east, parts[1][i])));
+  const color = (j) => palette[j % palette.length];
+  const points = (line) => line.x.map((x, i) => [x, line.y[i]]).filter((p) => p[0] !== null && p[1] !== null);
+  const tethers = data.plan.map((plan, j) => ({top: plan.tether, j})).filter((x) => x.top);
 
-  const tracksOption = (t) => {
-    const all = data.vehicles.flatMap((v) => v.x.map((x, i) => [x, v.y[i]])).filter((p) => p[0] !== null);
+  const margins = {left: 70, right: 20, top: 44, bottom: 50};
+  /** Ranges about all that belongs to the run, a metre as long along both axes of this chart. */
+  const mapRange = (chart) => {
+    const all = [...data.vehicles.flatMap(points), ...data.plan.flatMap(points), ...tethers.map((x) => x.top),
+      ...data.structures.flatMap((s) => [-1, 1].map((side) => [s.x + side * s.width / 2, s.y + side * s.length / 2]))];
     const low = [0, 1].map((k) => Math.min(...all.map((p) => p[k])));
     const high = [0, 1].map((k) => Math.max(...all.map((p) => p[k])));
-    // A metre is as long along both axes: the wider one says how wide. Charts here are about two and a half times as wide as high.
-    const half = 0.55 * Math.max((high[0] - low[0]) / 2.5, high[1] - low[1], 1);
-    const middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
+    const wide = Math.max(50, chart.getWidth() - margins.left - margins.right);
+    const tall = Math.max(50, chart.getHeight() - margins.top - margins.bottom);
+    const metresPerPixel = 1.1 * Math.max((high[0] - low[0]) / wide, (high[1] - low[1]) / tall, 2 / tall);
+    return [wide, tall].map((pixels, k) => [(low[k] + high[k] - pixels * metresPerPixel) / 2, (low[k] + high[k] + pixels * metresPerPixel) / 2]);
+  };
+
+  const structureSeries = (t) => ({name: 'structures', type: 'custom', z: 1, data: data.structures.map((s, i) => [s.x, s.y, i]), itemStyle: {color: t.quiet},
+    renderItem: (_, api) => {
+      const s = data.structures[api.value(2)];
+      const [x, y] = api.coord([s.x, s.y]);
+      const [width, height] = api.size([s.width, s.length]);
+      const style = {fill: t.quiet, opacity: 0.45, stroke: t.ink, lineWidth: 1};
+      return s.round ? {type: 'circle', shape: {cx: x, cy: y, r: Math.max(3, width / 2)}, style}
+        : {type: 'rect', shape: {x: x - width / 2, y: y - height / 2, width, height}, style};
+    }});
+
+  const tracksOption = (t, chart) => {
+    const [east, north] = mapRange(chart);
+    const whole = {color: t.quiet, hideOverlap: true, showMinLabel: false, showMaxLabel: false, formatter: (v) => (+v.toFixed(1)).toString()};
+    const bare = {axisLine: {show: false, onZero: false}, axisTick: {show: false}};
+    const planned = data.plan.map((plan, j) => ({name: 'planned', type: 'line', z: 2, symbol: 'diamond', symbolSize: 6, data: points(plan),
+      itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 1.2, type: 'dashed', opacity: 0.8}}));
+    const tops = tethers.map(({top, j}) => ({name: 'tether top', type: 'scatter', z: 4, symbol: 'triangle', symbolSize: 12, data: [top], itemStyle: {color: color(j), borderColor: t.ink}}));
     return {
       animation: false,
-      grid: {left: 70, right: 20, top: 40, bottom: 50},
-      legend: {top: 0, textStyle: {color: t.ink}, data: data.vehicles.map((v) => v.name)},
-      tooltip: {trigger: 'item', formatter: (x) => `${echarts.format.encodeHTML(x.seriesName)}<br>east ${fixed(x.value[0], 1)} m, north ${fixed(x.value[1], 1)} m`},
-      xAxis: valueAxis(t, 'east (m)', {min: middle[0] - 2.5 * half, max: middle[0] + 2.5 * half, nameGap: 30, axisLabel: {color: t.quiet, formatter: (v) => v.toFixed(0)}}),
-      yAxis: valueAxis(t, 'north (m)', {min: middle[1] - half, max: middle[1] + half, axisLabel: {color: t.quiet, formatter: (v) => v.toFixed(0)}}),
-      series: [...data.vessels.map((v) => ({name: v.name, type: 'line', showSymbol: true, symbolSize: 3, data: v.x.map((x, i) => [x, v.y[i]]),
-        itemStyle: {color: t.quiet}, lineStyle: {color: t.quiet, width: 0.8}})), ...data.vehicles.map((v, j) => ({name: v.name, type: 'line', showSymbol: true, symbol: 'emptyCircle',
-        symbolSize: (_, p) => (p.dataIndex === 0 ? 12 : 0), data: v.x.map((x, i) => [x, v.y[i]]),
-        itemStyle: {color: palette[j % palette.length]}, lineStyle: {color: palette[j % palette.length], width: 2}}))],
+      grid: margins,
+      legend: {type: 'scroll', top: 0, textStyle: {color: t.ink}, data: [...data.vehicles.map((v) => v.name), ...(planned.length ? ['planned'] : []),
+        ...(tops.length ? ['tether top'] : []), ...(data.structures.length ? ['structures'] : [])]},
+      tooltip: {trigger: 'item', formatter: (x) => {
+        const name = x.seriesName === 'structures' ? data.structures[x.dataIndex].name : x.seriesName;
+        return `${echarts.format.encodeHTML(name)}<br>east ${fixed(x.value[0], 1)} m, north ${fixed(x.value[1], 1)} m`;
+      }},
+      xAxis: valueAxis(t, 'east (m)', {min: east[0], max: east[1], nameGap: 30, axisLabel: whole, ...bare}),
+      yAxis: valueAxis(t, 'north (m)', {min: north[0], max: north[1], axisLabel: whole, ...bare}),
+      series: [...(data.structures.length ? [structureSeries(t)] : []),
+        ...data.vessels.map((v) => ({name: v.name, type: 'line', showSymbol: true, symbolSize: 3, data: points(v),
+          itemStyle: {color: t.quiet}, lineStyle: {color: t.quiet, width: 0.8}})),
+        ...planned, ...tops,
+        ...data.vehicles.map((v, j) => ({name: v.name, type: 'line', z: 3, showSymbol: true, symbol: 'emptyCircle',
+          symbolSize: (_, p) => (p.dataIndex === 0 ? 12 : 0), data: points(v), itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 2}}))],
     };
+  };
+
+  /** Marks of what happened to the vehicle that is shown. */
+  const marks = (t) => {
+    const own = data.events.filter((e) => e.vehicle === chosen());
+    return {silent: false, symbol: 'none', animation: false, lineStyle: {color: t.quiet, type: 'dotted', width: 1.4},
+      label: {show: true, formatter: (x) => x.data.name, color: t.ink, fontSize: 11, rotate: 90, position: 'insideEndTop', distance: 4},
+      data: own.map((e) => ({name: e.what, xAxis: at(e.t)}))};
   };
 
   /** Lines over time; those of the second axis carry `right`. */
   const overTime = (t, lines, left, right) => ({
     animation: false,
-    grid: {left: 70, right: right ? 70 : 20, top: 40, bottom: 50},
-    legend: {top: 0, textStyle: {color: t.ink}, data: lines.map((line) => line.name)},
-    tooltip: {trigger: 'axis', formatter: (items) => [`${fixed(items[0].value[0], 1)} s`,
+    useUTC: true,
+    grid: {left: 70, right: right ? 70 : 20, top: 44, bottom: 50},
+    legend: {type: 'scroll', top: 0, textStyle: {color: t.ink}, data: lines.map((line) => line.name)},
+    tooltip: {trigger: 'axis', formatter: (items) => [`${stamp(items[0].value[0]).replace(' UTC', '')}:${String(new Date(items[0].value[0]).getUTCSeconds()).padStart(2, '0')} UTC`,
       ...items.map((x) => `${x.marker}${x.seriesName} <b>${fixed(x.value[1], 2)}</b>`)].join('<br>')},
-    xAxis: valueAxis(t, 'time since the start (s)', {min: data.t[0], max: data.t[data.t.length - 1], nameGap: 30}),
+    xAxis: {type: 'time', name: 'UTC', nameLocation: 'middle', nameGap: 30, nameTextStyle: {color: t.ink, fontSize: 13}, min: at(data.t[0]), max: at(data.t[data.t.length - 1]),
+      axisLabel: {color: t.quiet, hideOverlap: true, formatter: {year: '{d} {MMM}', month: '{d} {MMM}', day: '{d} {MMM}', hour: '{HH}:{mm}', minute: '{HH}:{mm}', second: '{HH}:{mm}:{ss}', millisecond: '{HH}:{mm}:{ss}'}},
+      axisLine: {lineStyle: {color: t.rule}, onZero: false}, splitLine: {show: false}},
     yAxis: [valueAxis(t, left, {scale: true}), ...(right ? [valueAxis(t, right, {scale: true, splitLine: {show: false}})] : [])],
     series: lines.map((line, j) => ({name: line.name, type: 'line', showSymbol: false, yAxisIndex: line.right ? 1 : 0, data: pairs(line.values),
-      itemStyle: {color: palette[j % palette.length]}, lineStyle: {color: palette[j % palette.length], width: 1.6, type: line.right ? 'dashed' : 'solid'}})),
+      itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 1.6, type: line.right ? 'dashed' : 'solid'}, ...(j === 0 ? {markLine: marks(t)} : {})})),
   });
 
   const plots = {
@@ -54,7 +99,8 @@
   };
 
   const tracks = chartOf('tracks');
-  drawn.push(() => tracks.setOption(tracksOption(theme()), true));
+  const drawTracks = () => tracks.setOption(tracksOption(theme(), tracks), true);
+  drawn.push(drawTracks);
   for (const [id, option] of Object.entries(plots)) {
     const chart = chartOf(id);
     const draw = () => chart.setOption(option(theme()), true);
@@ -62,4 +108,6 @@
     choice.addEventListener('change', draw);
   }
   start();
+  // After the chart has its new size: another shape shows another range.
+  window.addEventListener('resize', drawTracks);
 })();

@@ -68,7 +68,7 @@
         nameTextStyle: {color: t.ink, fontSize: 13}, axisLabel: {color: t.quiet, fontSize: 10}, axisLine: {lineStyle: {color: t.rule}}, axisTick: {show: false}},
       yAxis: valueAxis(t, 'share of truths (%)', {min: 0, nameGap: 44}),
       series: [{type: 'bar', barWidth: '92%', itemStyle: {color: t.first}, data: pit.map((x) => 100 * x),
-        markLine: {silent: true, symbol: 'none', label: {formatter: 'honest', color: t.ink, position: 'insideEndTop'}, lineStyle: {color: t.ink, type: 'dashed'}, data: [{yAxis: width}]}}],
+        markLine: {silent: true, symbol: 'none', label: {formatter: 'ideal', color: t.ink, position: 'insideEndTop'}, lineStyle: {color: t.ink, type: 'dashed'}, data: [{yAxis: width}]}}],
     };
   };
 
@@ -102,9 +102,9 @@
   };
 
   /** Cells of time (or lead) x depth coloured by their error. */
-  const misfitOption = (t, x, across, depth, misfit, xAxis, name) => {
+  const misfitOption = (t, x, across, depth, bed, misfit, xAxis, name) => {
     const n = depth.length;
-    const deepest = n ? depth[n - 1] + (n > 1 ? (depth[n - 1] - depth[n - 2]) / 2 : 1) : 1;
+    const deepest = Math.max(bed, n ? depth[n - 1] : 1);
     const down = edges(depth, 0, deepest);
     const cells = [];
     x.forEach((at, i) => depth.forEach((d, k) => { if (misfit[i * n + k] !== null) cells.push([at, d, misfit[i * n + k], i, k]); }));
@@ -114,7 +114,7 @@
       grid: {left: 70, right: 110, top: 18, bottom: 50},
       tooltip: {trigger: 'item', formatter: (item) => `${name(item.value[0])}<br>${item.value[1]} m below mean sea level<br><b>${item.value[2].toFixed(3)} m/s</b> off`},
       xAxis,
-      yAxis: valueAxis(t, 'depth (m)', {inverse: true, min: 0, max: deepest, splitLine: {show: false}, axisLabel: {color: t.quiet, showMaxLabel: false}}),
+      yAxis: valueAxis(t, bed > 0 ? `depth (m), bed at ${+bed.toFixed(1)}` : 'depth (m)', {inverse: true, min: 0, max: deepest, splitLine: {show: false}, axisLabel: {color: t.quiet, showMaxLabel: false}}),
       visualMap: {type: 'continuous', min: 0, max: top, dimension: 2, calculable: false, right: 8, top: 'middle', itemHeight: 240, itemWidth: 16,
         text: [`${top.toFixed(2)} m/s`, '0 m/s'], textStyle: {color: t.ink}, inRange: {color: viridis}},
       series: [{type: 'custom', data: cells, dimensions: ['x', 'depth', 'misfit', 'i', 'k'], encode: {x: 0, y: 1}, clip: true, progressive: 0,
@@ -132,13 +132,13 @@
     const half = stepOf(p.time) / 2, hour = 3.6e6;
     const across = edges(p.time, p.time[0] - half, p.time[p.time.length - 1] + half);
     const whole = [Math.floor(across[0][0] / hour) * hour, Math.ceil(across[across.length - 1][1] / hour) * hour];
-    return misfitOption(t, p.time, across, p.depth, p.misfit, timeAxis(t, whole), (ms) => `valid ${stamp(ms)}`);
+    return misfitOption(t, p.time, across, p.depth, p.bed, p.misfit, timeAxis(t, whole), (ms) => `valid ${stamp(ms)}`);
   };
   /** An hour of lead stands for the hour that it ends. */
   const leadMisfitOption = (t, p) => {
     const step = stepOf(p.lead);
     const axis = valueAxis(t, 'lead (hours after the end of day D)', {min: 0, max: Math.max(1, ...p.lead), interval: 6, nameGap: 30, splitLine: {show: false}});
-    return misfitOption(t, p.lead, p.lead.map((h) => [Math.max(0, h - step), h]), p.depth, p.misfit, axis, (h) => `lead ${h} h`);
+    return misfitOption(t, p.lead, p.lead.map((h) => [Math.max(0, h - step), h]), p.depth, p.bed, p.misfit, axis, (h) => `lead ${h} h`);
   };
 
   const show = (id, shown) => { document.getElementById(id).style.display = shown ? '' : 'none'; };

@@ -92,24 +92,47 @@ TEST(Metrics, AreServedAndCountTheServer) {
   EXPECT_LT(resident, 1e11);
 }
 
-TEST(Health, IsOkOrDegradedWithWhatTheRootKnows) {
+TEST(Metrics, GaugesAreToldApartByTheirLabel) {
+  const std::string text =
+      exposition({{"slackwater_age_seconds", "Since then.", "site", {{"a", 12.5}, {"b\"", 3}}},
+                  {"slackwater_nothing", "Without values.", "site", {}}});
+  EXPECT_TRUE(has_line(text, "# TYPE slackwater_age_seconds gauge")) << text;
+  EXPECT_TRUE(has_line(text, R"(slackwater_age_seconds{site="a"} 12.5)"));
+  EXPECT_TRUE(has_line(text, R"(slackwater_age_seconds{site="b\""} 3)"));
+  EXPECT_EQ(text.find("nothing"), std::string::npos);
+}
+
+TEST(Health, SaysTheWordAndWhatTheRootKnows) {
   auto metrics = std::make_shared<Metrics>(std::vector<std::string>{});
-  HealthFacts facts{true, {{"newest_forecast", "2025-03-10T00:00:00Z"}}};
-  const Handler health = health_handler("1.2.3", metrics, [&] { return facts; });
-  const Response good = completed(health({}));
+  HealthFacts facts;
+  facts.facts = {{"newest_forecast", "2025-03-10T00:00:00Z"}};
+  facts.details = R"({"sites": [{"site": "a"}]})";
+  const Response good = completed(health_handler("1.2.3", metrics, [&] { return facts; })({}));
   EXPECT_EQ(good.status, 200);
   const auto document = nlohmann::json::parse(good.body);
   EXPECT_EQ(document.at("status"), "ok");
   EXPECT_GE(document.at("uptime_s").get<int>(), 0);
   EXPECT_EQ(document.at("version"), "1.2.3");
   EXPECT_EQ(document.at("newest_forecast"), "2025-03-10T00:00:00Z");
-  facts.is_degraded = true;
-  EXPECT_EQ(completed(health({})).status, 200) << "said, but served";
-  EXPECT_NE(completed(health({})).body.find("degraded"), std::string::npos);
-  facts.is_healthy = false;
-  const Response bad = completed(health({}));
-  EXPECT_EQ(bad.status, 503);
-  EXPECT_EQ(nlohmann::json::parse(bad.body).at("status"), "degraded");
+  EXPECT_EQ(document.at("sites").at(0).at("site"), "a");
+}
+
+TEST(Health, OldNewsIsAFailureForMonitorsAndNoneForBalancers) {
+  auto metrics = std::make_shared<Metrics>(std::vector<std::string>{});
+  HealthFacts facts;
+  facts.status = "stale";
+  facts.is_current = false;
+  const auto status = [&](Asker asker) {
+    return completed(health_handler(
+                         "1", metrics, [&] { return facts; }, asker)({}))
+        .status;
+  };
+  EXPECT_EQ(status(Asker::balancer), 200);
+  EXPECT_EQ(status(Asker::monitor), 503);
+  facts.can_serve = false;
+  EXPECT_EQ(status(Asker::balancer), 503);
+  facts = {};
+  EXPECT_EQ(status(Asker::monitor), 200);
 }
 
 }  // namespace

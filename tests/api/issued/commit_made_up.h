@@ -21,6 +21,7 @@ inline std::int64_t commit_made_up(store::Store& store, const Snapshot& made,
   row.row.wind_policy = made.wind_policy.value();
   row.row.origin = origin;
   row.row.headline = made.headline;
+  row.row.degraded = made.degraded;
   row.row.summary_json = "{}";
   row.row.code_version = "test";
   return store.commit_forecasts(std::span(&row, 1)).front().id;

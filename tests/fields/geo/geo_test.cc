@@ -71,5 +71,10 @@ TEST(GeodesicDistance, MatchesAMeridianAndAParallel) {
               111319.49, 0.01);
 }
 
+TEST(PositionText, NamesTheHemispheres) {
+  EXPECT_EQ(position_text(GeoPoint::from_degrees(48.85, -2.55)), "48.8500 N 2.5500 W");
+  EXPECT_EQ(position_text(GeoPoint::from_degrees(-17, 179.99)), "17.0000 S 179.9900 E");
+}
+
 }  // namespace
 }  // namespace slackwater

@@ -1,0 +1,63 @@
+#include "api/cli/output_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "fields/base/error.h"
+
+namespace slackwater::api {
+
+void expect_output(std::string_view option, const std::filesystem::path& file,
+                   std::initializer_list<std::string_view> endings) {
+  if (file.empty()) return;
+  const std::string found = "found " + std::string(option) + " " + file.string();
+  const bool is_named = endings.size() == 0 ||
+                        (file.has_stem() && std::find(endings.begin(), endings.end(),
+                                                      file.extension().string()) != endings.end());
+  if (!is_named) {
+    std::string wanted;
+    for (const std::string_view ending : endings)
+      wanted += (wanted.empty() ? "" : " or ") + std::string(ending);
+    throw Error(ErrorKind::usage, found + ", expected a file name that ends in " + wanted);
+  }
+  if (std::filesystem::is_directory(file) || !file.has_filename()) {
+    throw Error(ErrorKind::usage, found + ", which is a folder; expected the name of a file");
+  }
+  const auto folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder)) {
+    throw Error(ErrorKind::usage, "found no folder " + folder.string() + " for " +
+                                      std::string(option) + "; make it, or name another");
+  }
+}
+
+void write_beside(const std::filesystem::path& file,
+                  const std::function<void(const std::filesystem::path& partial)>& write) {
+  const std::filesystem::path partial = file.string() + ".partial";
+  std::error_code problem;
+  try {
+    write(partial);
+    std::filesystem::rename(partial, file, problem);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+    throw;
+  }
+  if (!problem) return;
+  std::filesystem::remove(partial, problem);
+  throw Error(ErrorKind::unavailable,
+              "cannot write " + file.string() + "; check free space and permissions");
+}
+
+void write_text(const std::filesystem::path& file, std::string_view text) {
+  write_beside(file, [&](const std::filesystem::path& partial) {
+    std::ofstream out(partial, std::ios::binary);
+    out << text;
+    out.close();
+    if (out) return;
+    throw Error(ErrorKind::unavailable,
+                "cannot write " + file.string() + "; check free space and permissions");
+  });
+}
+
+}  // namespace slackwater::api
