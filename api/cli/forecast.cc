@@ -161,11 +161,41 @@ json verdict_json(const std::optional<calibration::Verdict>& verdict) {
   return document;
 }
 
-/// How past forecasts did, for the page.
+/// How past forecasts did.
 struct PastSkill {
   std::vector<calibration::SkillEntry> entries;
+  std::optional<calibration::Verdict> verdict;
   std::string verified;
 };
+
+/// What can be verified is: earlier forecasts of the last two weeks under the same wind policy,
+/// where their truth had come in when this one is issued. The new forecast is stored by now: what
+/// fails here is told, and takes nothing from it.
+PastSkill verify_past(store::Store& store, const Site& site, const SiteData& data,
+                      const Snapshot& snapshot, WindPolicy wind) {
+  calibration::VerifyOptions options;
+  options.from = snapshot.day - days(14);
+  options.issued_before = snapshot.issued;
+  options.truth_until = snapshot.issued;
+  options.leads = {{0, 24}};
+  options.bands = {{0, calibration::whole_column_m}};
+  options.by_hour = false;
+  PastSkill past;
+  std::vector<std::string> unscored;
+  const auto failure = attempt([&] {
+    calibration::Verification verification = verify_with(store, site, data, options);
+    unscored = std::move(verification.unscored);
+    past.entries = std::move(verification.entries);
+    past.verdict = calibration::verdict_of(past.entries, wind);
+  });
+  past.verified = failure ? "Not verified, the verification failed: " + failure->why
+                          : verified_text(past.verdict, wind);
+  if (!unscored.empty()) {
+    past.verified += formatted(" {} of the past forecasts could not be scored: ", unscored.size()) +
+                     unscored.front();
+  }
+  return past;
+}
 
 void write_html(const ForecastArguments& arguments, const Context& context, const Site& site,
                 const DailyJob& job, const PastSkill& past) {
@@ -237,28 +267,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
       ingest::write_forecast(partial, snapshot);
     });
   }
-  // What can be verified is: earlier forecasts of the last two weeks under the same wind policy,
-  // where their truth had come in when this one is issued.
-  calibration::VerifyOptions verify_options;
-  verify_options.from = snapshot.day - days(14);
-  verify_options.issued_before = options.issued;
-  verify_options.truth_until = options.issued;
-  verify_options.leads = {{0, 24}};
-  verify_options.bands = {{0, calibration::whole_column_m}};
-  verify_options.by_hour = false;
-  // The forecast is stored: what fails from here on is told, and takes nothing from it.
-  PastSkill past;
-  std::optional<calibration::Verdict> verdict;
-  std::vector<std::string> unscored;
-  const auto failure = attempt([&] {
-    calibration::Verification verification = verify_with(store, site, data, verify_options);
-    unscored = std::move(verification.unscored);
-    past.entries = std::move(verification.entries);
-    verdict = calibration::verdict_of(past.entries, options.wind);
-  });
-  past.verified = failure ? "Not verified, the verification failed: " + failure->why
-                          : verified_text(verdict, options.wind);
-  for (const std::string& line : unscored) std::fprintf(stderr, "not scored: %s\n", line.c_str());
+  const PastSkill past = verify_past(store, site, data, snapshot, options.wind);
   if (!arguments.html.empty()) write_html(arguments, context, site, job, past);
   if (context.json) {
     json out = json::parse(job.summary_json);
@@ -267,7 +276,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     out["degraded"] = snapshot.degraded;
     out["headline"] = snapshot.headline;
     out["verified"] = past.verified;
-    out["verdict"] = verdict_json(verdict);
+    out["verdict"] = verdict_json(past.verdict);
     out["valid_from"] = format_utc(snapshot.time.front());
     out["valid_to"] = format_utc(snapshot.time.back());
     out["attributions"] = snapshot.attributions;

@@ -90,8 +90,28 @@ void print(const IngestReport& report) {
     std::printf("  warning: %s\n", warning.c_str());
 }
 
+/// Opens the store when all files are read, and closes it: what their readers left in SQLite's log
+/// is then in the catalogue. Where that fails the log stays, and harms nothing.
+class LogBroughtIn {
+ public:
+  explicit LogBroughtIn(const Context& context) : context_(context) {}
+  ~LogBroughtIn() {
+    try {
+      static_cast<void>(context_.open(store::OpenMode::create_or_write));
+    } catch (const std::exception&) {
+      return;  // the next command does it
+    }
+  }
+  LogBroughtIn(const LogBroughtIn&) = delete;
+  LogBroughtIn& operator=(const LogBroughtIn&) = delete;
+
+ private:
+  const Context& context_;
+};
+
 /// All files are tried, each in a process of its own, so that one that crashes the library that
-/// reads it does not keep the others out; the first trouble decides the exit code, each one is told.
+/// reads it does not keep the others out; the first trouble decides the exit code, each one is
+/// told.
 void ingest_all(const IngestArguments& arguments, const Context& context) {
   ingest::IngestOptions options = options_of(arguments, context);
   const std::vector<std::filesystem::path> files = product_files(arguments.paths);
@@ -102,6 +122,7 @@ void ingest_all(const IngestArguments& arguments, const Context& context) {
   // Made, or refused, before any file is read; closed again, because each reader is a process of
   // its own with a connection of its own.
   static_cast<void>(context.open(store::OpenMode::create_or_write));
+  const LogBroughtIn when_all_is_read(context);
   json done = json::array();
   json failed = json::array();
   std::optional<Error> first_problem;

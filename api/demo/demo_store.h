@@ -12,10 +12,10 @@ struct StoreInTheWay {
   std::string not_demos;  ///< what no demonstration put there; empty: nothing
 };
 
-/// Looks at FOLDER/store by its content, not by a mark that could outlive it: a demonstration's store
-/// holds files of the synthetic ocean or files that stand to the byte in FOLDER/products, forecasts
-/// of its site that were issued at 05:00 after their day D, and its site's file; whatever else is
-/// found is somebody's work.
+/// Looks at FOLDER/store by its content, not by a mark that could outlive it. A demonstration's
+/// store holds files of the synthetic ocean or files that stand to the byte in FOLDER/products,
+/// forecasts of its site that were issued at 05:00 after their day D, and its site's file; whatever
+/// else is found is somebody's work.
 [[nodiscard]] StoreInTheWay look_at_demo_store(const std::filesystem::path& folder);
 
 /// Removes what stands there. Only a demonstration's own store goes unasked; with `force` any store

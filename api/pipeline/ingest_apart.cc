@@ -100,6 +100,7 @@ IngestReport ingest_file_apart(const std::filesystem::path& store_folder,
     json answer;
     try {
       store::Store store = store::Store::open(store_folder, store::OpenMode::create_or_write);
+      store.leave_log();
       answer = to_json(ingest_file(store, products, file, options, now, tell));
     } catch (const Error& error) {
       answer = problem(error.kind(), error.message());

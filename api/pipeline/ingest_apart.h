@@ -10,7 +10,8 @@ namespace slackwater::api {
 /// `ingest_file` in a process of its own, with a connection of its own to the store: a file that
 /// crashes the library that reads it, or reads for ever, or wants all memory, is one
 /// Error(invalid_input) that names it, and this process reads on. A process that dies leaves the
-/// store as sound as a killed command does.
+/// store as sound as a killed command does. SQLite's log is left for the caller to bring in: open
+/// and close the store once all files are read.
 ///
 /// No connection to any store may be open here, and no thread alive, when this is called (SQLite's
 /// handles do not cross a fork).

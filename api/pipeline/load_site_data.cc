@@ -85,7 +85,7 @@ std::string text_of(const std::vector<Damaged>& damaged) {
   return text + ", see `slackwater store check`";
 }
 
-/// What the store holds for the site in a window of time, perhaps nothing; what is damaged is logged.
+/// What the store holds for the site in a window of time, perhaps nothing; damage is logged.
 SiteData data_of(store::Store& store, const Site& site, UtcTime from, UtcTime to) {
   WholeGranules granules(store);
   SitePieces pieces =

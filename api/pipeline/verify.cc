@@ -59,13 +59,14 @@ Chosen forecasts_to_score(store::Store& store, const Site& site,
   return chosen;
 }
 
-calibration::Verification score_all(const store::Store& store,
-                                    const std::vector<store::ForecastRow>& rows,
+calibration::Verification score_all(const store::Store& store, const Chosen& chosen,
                                     const SiteData& data,
                                     const calibration::VerifyOptions& options) {
   calibration::Verification result;
+  result.unscored = chosen.damaged;
   std::optional<Failure> last_failure;
-  for (const store::ForecastRow& row : rows) {
+  std::size_t scored = 0;
+  for (const store::ForecastRow& row : chosen.rows) {
     calibration::ForecastSkill skill;
     const auto failure = attempt([&] {
       const Snapshot snapshot = ingest::read_forecast(store.proven_content(row.content_sha256));
@@ -78,10 +79,11 @@ calibration::Verification score_all(const store::Store& store,
       last_failure = failure;
       continue;
     }
+    ++scored;
     std::move(skill.entries.begin(), skill.entries.end(), std::back_inserter(result.entries));
     if (skill.trace) result.traces.push_back(std::move(*skill.trace));
   }
-  if (last_failure && result.unscored.size() == rows.size())
+  if (last_failure && scored == 0)
     throw Error(last_failure->kind, "no forecast could be scored; " + result.unscored.back());
   return result;
 }
@@ -90,23 +92,24 @@ calibration::Verification score_all(const store::Store& store,
 
 calibration::Verification verify_with(store::Store& store, const Site& site, const SiteData& data,
                                       const calibration::VerifyOptions& options) {
-  return score_all(store, forecasts_to_score(store, site, options).rows, data, options);
+  return score_all(store, forecasts_to_score(store, site, options), data, options);
 }
 
 calibration::Verification verify(store::Store& store, const Site& site,
                                  const calibration::VerifyOptions& options) {
-  const auto [rows, damaged] = forecasts_to_score(store, site, options);
-  if (rows.empty() && !damaged.empty()) throw Error(ErrorKind::invalid_input, damaged.front());
-  if (rows.empty()) {
+  const Chosen chosen = forecasts_to_score(store, site, options);
+  if (chosen.rows.empty() && !chosen.damaged.empty())
+    throw Error(ErrorKind::invalid_input, chosen.damaged.front());
+  if (chosen.rows.empty()) {
     throw Error(ErrorKind::not_found,
                 "found no issued forecast for site " + site.id +
                     " in this range; run `slackwater forecast` or `slackwater hindcast` first");
   }
   UtcTime to = UtcTime::min();
-  for (const store::ForecastRow& row : rows) to = std::max(to, row.valid_to);
-  const SiteData data =
-      load_site_data(store, site, UtcTime(rows.front().day) - calibration::history_wanted, to);
-  return score_all(store, rows, data, options);
+  for (const store::ForecastRow& row : chosen.rows) to = std::max(to, row.valid_to);
+  const SiteData data = load_site_data(
+      store, site, UtcTime(chosen.rows.front().day) - calibration::history_wanted, to);
+  return score_all(store, chosen, data, options);
 }
 
 }  // namespace slackwater::api

@@ -53,6 +53,13 @@ ReportSeries wind_panel(const Snapshot& s, const ForecastColumn& column) {
   return panel;
 }
 
+/// Whether some of the waves come from no wave product of their own time.
+bool is_reckoned(const ForecastColumn& column) {
+  return std::any_of(column.sea_source.begin(), column.sea_source.end(), [](DataStatus source) {
+    return source == DataStatus::modelled || source == DataStatus::persisted;
+  });
+}
+
 ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column) {
   ReportSeries panel{"Significant wave height", "height (m)", {}, {}};
   ReportLine line{"forecast", {}, {}, {}, false};
@@ -92,6 +99,10 @@ SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& trut
     result.note +=
         " The waves' band is the usual error of forecast wave heights (a published North Sea "
         "record), not this day's own.";
+    if (is_reckoned(column))
+      result.note +=
+          " Where no wave forecast is stored the waves are reckoned from the wind, or the "
+          "last ones held: less sure than the band says.";
     if (truth.significant_height_m)
       panel.lines.push_back(truth_line(forecast.time, truth.significant_height_m));
     result.panels.push_back(std::move(panel));

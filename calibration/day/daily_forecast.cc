@@ -10,6 +10,7 @@
 #include "calibration/day/known_currents.h"
 #include "calibration/day/unresolved_tide.h"
 #include "calibration/day/whole_day.h"
+#include "fields/base/averaging.h"
 #include "fields/base/error.h"
 #include "fields/base/parallel.h"
 #include "fields/base/text.h"
@@ -58,6 +59,7 @@ struct DayChoice {
   UtcDay wanted{};
   std::optional<UtcDay> usable;  ///< nothing: no whole day of currents is known
   std::string dataset;           ///< of the usable day's currents
+  Duration averaging{0};         ///< of them
 };
 
 DayChoice choose_day(const SiteData& data, const ForecastOptions& options,
@@ -75,6 +77,14 @@ DayChoice choose_day(const SiteData& data, const ForecastOptions& options,
   const UtcDay newest_possible = day_of(options.issued) - days(1);
   choice.wanted = options.day.value_or(
       std::max(choice.usable.value_or(newest_possible), newest_possible - days(1)));
+<<<<<<< ours
+=======
+  if (choice.usable) {
+    DayCurrents found = currents_of_day(data, *choice.usable, options.issued);
+    choice.dataset = std::move(found.dataset);
+    choice.averaging = averaging_of(found.currents.time);
+  }
+>>>>>>> theirs
   return choice;
 }
 
@@ -99,6 +109,7 @@ ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
   return plan;
 }
 
+<<<<<<< ours
 constexpr const char* hindsight_note =
     "made in hindsight: wind or waves were used that were not known at the issue time";
 
@@ -127,6 +138,22 @@ void forecast_columns(const SiteData& data, const ForecastOptions& options, Dail
 
 /// Issues the blend that the rehearsed past has earned; where that fails our own forecast stands.
 void blend_columns(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
+=======
+/// What means over hours have earned was earned against means: baselines made of them are no
+/// instants, and errors of means say nothing of a band too wide for hours.
+void keep_to_our_own(Earned& earned) {
+  for (CandidateShare& share : earned.blend.share)
+    share.weight = share.method == Method::forecast ? 1 : 0;
+  earned.blend.earned = false;
+  earned.blend.fell_back_to.reset();
+  earned.blend.provenance = "Our own alone: the currents are means, and so are the baselines.";
+  earned.spread.scale = std::max(1.0, earned.spread.scale);
+}
+
+/// Issues the blend that the rehearsed past has earned.
+void blend_columns(const SiteData& data, const ForecastOptions& options, const DayChoice& choice,
+                   DailyForecast& result) {
+>>>>>>> theirs
   const ForecastPlan& plan = result.plan;
   const auto first = std::find_if(result.columns.begin(), result.columns.end(),
                                   [](const ColumnForecast& c) { return !c.forms.empty(); });
@@ -134,12 +161,18 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, DailyFo
   const auto index = static_cast<std::size_t>(first - result.columns.begin());
   Rehearsals own(data, options.parts.of_column);
   Rehearsals& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
+<<<<<<< ours
   const bool is_rehearsed = attempt_part(Part::rehearsal, result.failures, [&] {
     result.earned = options.parts.rehearsal(
         rehearsals, plan, available_candidates(first->column, data.columns[index], plan),
         options.threads);
   });
   if (!is_rehearsed) return;
+=======
+  result.earned = rehearsals.earned(
+      plan, available_candidates(first->column, data.columns[index], plan), options.threads);
+  if (hides_the_tide(choice.averaging)) keep_to_our_own(*result.earned);
+>>>>>>> theirs
   for_all(data.columns.size(), options.threads, [&](std::size_t i) {
     ColumnForecast& made = result.columns[i];
     if (made.forms.empty()) return;
@@ -154,7 +187,8 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, DailyFo
 /// Means over hours are no instants: their bands are widened by the tide that they leave out. Of
 /// several columns the widest speaks; one whose tide nobody knows speaks for all.
 std::optional<AveragedCurrents> widen_columns(const SiteData& data, const ForecastOptions& options,
-                                              DailyForecast& result) {
+                                              const DayChoice& choice, DailyForecast& result) {
+  if (!hides_the_tide(choice.averaging)) return std::nullopt;
   std::vector<std::optional<AveragedCurrents>> found(result.columns.size());
   for_all(data.columns.size(), options.threads, [&](std::size_t i) {
     if (result.columns[i].forms.empty()) return;
@@ -333,9 +367,21 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   const DayChoice choice = choose_day(data, options, result.failures);
   const bool day_failed = !result.failures.empty();
   result.plan = plan_of(data, options, choice);
+<<<<<<< ours
   forecast_columns(data, options, result);
   blend_columns(data, options, result);
   const std::optional<AveragedCurrents> averaged = widen_columns(data, options, result);
+=======
+  result.columns.resize(data.columns.size());
+  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
+    result.columns[i] = forecast_column(data.columns[i], data.site, result.plan);
+    const std::vector<std::string> notes = notes_on_record(data.columns[i], result.plan);
+    result.columns[i].notes.insert(result.columns[i].notes.begin(), notes.begin(), notes.end());
+    if (result.columns[i].hindsight) result.columns[i].notes.emplace_back(hindsight_note);
+  });
+  blend_columns(data, options, choice, result);
+  const std::optional<AveragedCurrents> averaged = widen_columns(data, options, choice, result);
+>>>>>>> theirs
 
   std::vector<std::string> troubles;  // each makes the forecast degraded
   judge_day(choice, day_failed, troubles);

@@ -32,8 +32,8 @@ struct Earned {
 /// Rehearses past days of the data at a few columns and remembers them, so that a hindcast
 /// rehearses each day once. A day D' is forecast from what was known at its own end (plus the
 /// latency of the run; wind and waves under `best` when D'+1 had ended, plus that) and held against
-/// the currents of D'+1, which end by the D that is forecast from: nothing later is seen. A day that
-/// fails is passed over and counted. Thread-safe.
+/// the currents of D'+1, which end by the D that is forecast from: nothing later is seen. A day
+/// that fails is passed over and counted. Thread-safe.
 class Rehearsals {
  public:
   /// @param parts  of a column's forecast; waves are not rehearsed

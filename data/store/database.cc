@@ -191,6 +191,11 @@ Database Database::open_copy(const std::filesystem::path& file, std::string_view
   return database;
 }
 
+void Database::leave_log() noexcept {
+  // Where it cannot be had, closing takes longer and does no harm.
+  sqlite3_db_config(connection_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+}
+
 Statement Database::prepare(std::string_view sql) {
   sqlite3_stmt* statement = nullptr;
   const int code = sqlite3_prepare_v2(connection_.get(), sql.data(), static_cast<int>(sql.size()),

@@ -82,6 +82,8 @@ class Database {
   /// Runs one or several statements that return nothing of interest.
   void execute(const std::string& sql);
   [[nodiscard]] std::int64_t last_inserted_id() const;
+  /// Closing this connection leaves the write-ahead log where it is.
+  void leave_log() noexcept;
   [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
   /// Throws the `Error` that belongs to a result code of SQLite.
   [[noreturn]] void fail(int code) const;

@@ -72,6 +72,8 @@ Store Store::open(const std::filesystem::path& folder, OpenMode mode) {
   return Store(std::make_unique<State>(State{folder, std::move(database), mode, std::nullopt}));
 }
 
+void Store::leave_log() noexcept { state_->database.leave_log(); }
+
 const std::filesystem::path& Store::folder() const noexcept { return state_->folder; }
 
 std::filesystem::path Store::staging_folder() {
@@ -123,8 +125,8 @@ bool Store::commit_ingest(const SourceFile& source, std::span<const NewGranule> 
       discard(granules);
       return false;
     }
-    // Content was lost or damaged. The same bytes mend it in place; other bytes (a newer decoder) make it a
-    // new source.
+    // Content was lost or damaged. The same bytes mend it in place; other bytes (a newer decoder)
+    // make it a new source.
     insert = !replaces_content(database, *id, sealed);
     if (insert && is_input_of_a_forecast(database, *id)) {
       throw Error(

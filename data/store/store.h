@@ -41,6 +41,11 @@ class Store {
   Store& operator=(Store&&) noexcept;
   ~Store();
 
+  /// For one of many short-lived writers, one after the other: closing leaves SQLite's log beside
+  /// the catalogue, as a killed process does, instead of bringing it in with four fsyncs. What was
+  /// committed is as durable; the last to close without this brings it in.
+  void leave_log() noexcept;
+
   [[nodiscard]] const std::filesystem::path& folder() const noexcept;
   /// This process's folder for content files being written, made on first use; gone with the Store.
   [[nodiscard]] std::filesystem::path staging_folder();

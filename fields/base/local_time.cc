@@ -15,7 +15,8 @@ const date::time_zone& zone_of(const void* zone) {
   return *static_cast<const date::time_zone*>(zone);
 }
 
-/// What holds at an instant, as if it had just begun. Offsets of the distant past have seconds; none of ours do.
+/// What holds at an instant, as if it had just begun. Offsets of the distant past have seconds,
+/// those of our times have none.
 ClockChange clock_at(const void* zone, UtcTime time) {
   const date::sys_info info =
       zone_of(zone).get_info(std::chrono::floor<std::chrono::seconds>(time));

@@ -6,8 +6,8 @@ namespace slackwater {
 
 /// Winds from one range of directions, and how far they have blown over water.
 struct FetchSector {
-  /// Directions the wind comes from, clockwise from `from_deg` to `to_deg` (not included), clockwise
-  /// from true north. 0 to 360 is the whole circle.
+  /// Directions the wind comes from, clockwise from true north: from `from_deg` clockwise to
+  /// `to_deg`, which is not included. 0 to 360 is the whole circle.
   double from_deg = 0;
   double to_deg = 360;
   double fetch_m = 0;  ///< > 0

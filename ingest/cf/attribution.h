@@ -7,8 +7,8 @@
 
 namespace slackwater::ingest {
 
-/// The sentence to print where a file's data are shown: that of its product, which was recognised by
-/// what the file says of itself; else what the file asks for (`acknowledgement`, `citation`,
+/// The sentence to print where a file's data are shown: that of its product, which was recognised
+/// by what the file says of itself; else what the file asks for (`acknowledgement`, `citation`,
 /// `credit`); else its maker ("Data of INSTITUTE"), or its title or source alone; else "Source
 /// not named in the file". Nobody is credited whom the file does not name.
 /// @param made_by  the words before the institution

@@ -240,6 +240,7 @@ TEST_F(DamagedStore, ADamagedForecastInForceGivesWayToAnOlderWholeOneAndIsNamed)
   sample.insert(sample.end(), {"--instance", "2"});
   EXPECT_EQ(store_.run(sample).exit_code, 3) << "asked for by its number it is an error";
 
+  store_.ingest_days(day + days(2), 1);  // the truth of what was issued
   for (const std::vector<std::string>& command :
        {std::vector<std::string>{"verify", "--site", site},
         {"forecast", "--site", site, "--at", "2025-03-09T05:00:00Z"}}) {

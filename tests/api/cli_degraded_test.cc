@@ -129,7 +129,7 @@ TEST_F(Degraded, WavesOfTheWindAreToldInTableProfileAndFile) {
   EXPECT_TRUE(contains(profile.out, "(computed from the wind)")) << profile.out;
 }
 
-TEST_F(Degraded, AVerificationThatFailsTakesNothingFromTheForecastThatIsStored) {
+TEST_F(Degraded, APastForecastThatCannotBeReadTakesNothingFromTheNewOneAndIsNamed) {
   ingest_currents(3);
   ingest_wind_and_waves(3);
   forecast("2025-03-07T05:00:00Z");
@@ -146,7 +146,8 @@ TEST_F(Degraded, AVerificationThatFailsTakesNothingFromTheForecastThatIsStored) 
       store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-09T05:00:00Z", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const json made = json::parse(result.out);
-  EXPECT_TRUE(contains(made["verified"], "the verification failed")) << made["verified"];
+  EXPECT_TRUE(contains(made["verified"], "could not be scored: forecast 1 of day 2025-03-06"))
+      << made["verified"];
   EXPECT_TRUE(made["verdict"].is_null());
   const json listed = json::parse(store_.listing())["forecasts"];
   ASSERT_EQ(listed.size(), 2u);

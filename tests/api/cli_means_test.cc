@@ -1,6 +1,7 @@
 // Currents that are means over hours never pass as instants: every door says what they are.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 

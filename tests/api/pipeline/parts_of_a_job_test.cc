@@ -158,10 +158,12 @@ TEST_F(FiveDays, AForecastThatCannotBeReadIsNamedAndTheOthersAreScored) {
   }
   const auto rows = store_.find_forecasts({});
   ASSERT_EQ(rows.size(), 2u);
-  const std::filesystem::path damaged = store_.content_path(rows[0].content_sha256);
-  std::filesystem::permissions(damaged, std::filesystem::perms::owner_write,
-                               std::filesystem::perm_options::add);
-  tests::write_bytes(damaged, "not a forecast any more");
+  const auto damage = [](const std::filesystem::path& file) {
+    std::filesystem::permissions(file, std::filesystem::perms::owner_write,
+                                 std::filesystem::perm_options::add);
+    tests::write_bytes(file, "not a forecast any more");
+  };
+  damage(store_.content_path(rows[0].content_sha256));
   const calibration::Verification result = verify(store_, site_, {});
   ASSERT_EQ(result.unscored.size(), 1u);
   EXPECT_TRUE(says(result.unscored[0],
@@ -169,6 +171,8 @@ TEST_F(FiveDays, AForecastThatCannotBeReadIsNamedAndTheOthersAreScored) {
       << result.unscored[0];
   EXPECT_FALSE(result.entries.empty());
   for (const auto& entry : result.entries) EXPECT_EQ(entry.day, rows[1].day);
+  damage(store_.content_path(rows[1].content_sha256));
+  EXPECT_THROW((void)verify(store_, site_, {}), Error) << "none is left to score";
 }
 
 }  // namespace

@@ -65,6 +65,13 @@ TEST(ForecastPage, WindWithoutAnEnsembleHasNoBandAndSaysSo) {
   EXPECT_TRUE(contains(page.series_note, "The wind has no band"));
 }
 
+TEST(ForecastPage, WavesReckonedFromTheWindAreSaidToBeLessSure) {
+  Snapshot s = made_up();  // its waves are modelled
+  EXPECT_TRUE(contains(forecast_page(page_of(s)).series_note, "reckoned from the wind"));
+  for (DataStatus& source : s.columns.front().sea_source) source = DataStatus::forecast;
+  EXPECT_FALSE(contains(forecast_page(page_of(s)).series_note, "reckoned from the wind"));
+}
+
 TEST(ForecastPage, BandOfTheWindIsTheSpreadOfItsMembers) {
   // Members of the made-up wind stand one m/s a component from a wind of about 8.5 m/s.
   const ReportInput page = forecast_page(page_of(tests::made_up_forecast({.members = 401})));

@@ -1,5 +1,5 @@
-// One part of a day that fails never stops the others: each is made to fail in turn, by a bug and by
-// an error, and everything else is what it would be without that part.
+// One part of a day that fails never stops the others: each is made to fail in turn, by a bug and
+// by an error, and everything else is what it would be without that part.
 #include "calibration/day/day_parts.h"
 
 #include <gtest/gtest.h>

@@ -156,7 +156,7 @@ TEST_F(DamagedStore, UnlessAForecastWasMadeFromIt) {
     store.commit_ingest(samples::source(2), granules);
     FAIL() << "an input of an issued forecast was replaced";
   } catch (const Error& error) {
-    EXPECT_NE(error.message().find("restore the lost files"), std::string::npos) << error.message();
+    EXPECT_NE(error.message().find("restore the files"), std::string::npos) << error.message();
   }
 }
 

@@ -79,5 +79,25 @@ TEST_F(Prune, KeepsContentThatAnotherSourceStillNames) {
   EXPECT_TRUE(store_.check(true).findings.empty());
 }
 
+TEST_F(Prune, ADryRunCountsWhatTheRealOneRemovesAndRemovesNothing) {
+  for (int number = 1; number <= 3; ++number) samples::ingest(store_, number);
+  samples::issue(store_, 1, granules_of(1));
+  for (const bool forecasts : {false, true}) {
+    const PruneOptions dry{after_everything, forecasts, true, true};
+    const PruneReport first = store_.prune(dry);
+    EXPECT_GT(first.sources, 0U);
+    EXPECT_EQ(store_.list_sources().size(), 3U) << "nothing has gone";
+    EXPECT_EQ(store_.list_forecasts().size(), 1U);
+    EXPECT_TRUE(store_.check(true).findings.empty());
+    if (!forecasts) continue;
+    const PruneReport real = store_.prune({after_everything, forecasts, true});
+    EXPECT_EQ(real.sources, first.sources);
+    EXPECT_EQ(real.granules, first.granules);
+    EXPECT_EQ(real.forecasts, first.forecasts);
+    EXPECT_EQ(real.content_files, first.content_files);
+    EXPECT_EQ(real.bytes, first.bytes);
+  }
+}
+
 }  // namespace
 }  // namespace slackwater::store::tests

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/random.h"

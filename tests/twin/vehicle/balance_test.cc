@@ -30,7 +30,7 @@ TEST(Balance, TheBundledVehiclesLieWellAndSayNothing) {
 }
 
 TEST(Balance, TheMetacentricHeightIsTheSlopeOfTheRightingMomentThatTheStepUses) {
-  // GM = dK/d(heel)/W: the strips' own force at a small angle is the oracle.
+  // GM = dK/d(heel)/W, within what a step of the section table makes of its slope: the strips' own force at a small angle is the oracle.
   for (const char* id : {"wamv16", "ctv24"}) {
     const Vehicle vehicle = bundled_vehicle(id);
     const Body& body = vehicle.body;
@@ -45,10 +45,10 @@ TEST(Balance, TheMetacentricHeightIsTheSlopeOfTheRightingMomentThatTheStepUses) 
     };
     const Balance balance = balance_of(vehicle);
     EXPECT_NEAR(balance.stability_m, -moment(angle, 0).x / (weight_n * angle),
-                0.01 * balance.stability_m)
+                0.02 * balance.stability_m)
         << id;
     EXPECT_NEAR(balance.stability_long_m, -moment(0, angle).y / (weight_n * angle),
-                0.01 * balance.stability_long_m)
+                0.02 * balance.stability_long_m)
         << id;
   }
 }

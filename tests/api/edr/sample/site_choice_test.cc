@@ -29,8 +29,8 @@ ForecastCatalogue::SiteForecast site(const std::string& id, double west_deg, dou
       id, id + "_now", std::make_shared<const Field>(std::make_shared<const Snapshot>(made)), {}};
 }
 
-/// "wide" is 38 columns over 0.36 by 0.02 degrees; "lone" one column amid them, whose name and place
-/// come first wherever places are compared by a site's first column.
+/// "wide" is 38 columns over 0.36 by 0.02 degrees; "lone" one column amid them, whose name and
+/// place come first wherever places are compared by a site's first column.
 ForecastCatalogue two_sites() {
   ForecastCatalogue catalogue;
   catalogue.sites = {site("lone", 2.16, 57.01, 1, 1, 0.02), site("wide", 2.0, 57.0, 2, 19, 0.02)};
