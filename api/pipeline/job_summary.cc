@@ -103,7 +103,8 @@ json failures_json(const DailyForecast& forecast) {
 /// Weights of the candidates and the factor on the spread, with where they come from.
 json blend_json(const DailyForecast& forecast) {
   if (!forecast.earned) return nullptr;
-  const auto& [blend, spread] = *forecast.earned;
+  const auto& blend = forecast.earned->blend;
+  const auto& spread = forecast.earned->spread;
   json share = json::array();
   for (const calibration::CandidateShare& s : blend.share) {
     share.push_back({{"method", name_of(s.method)},

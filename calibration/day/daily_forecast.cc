@@ -1,15 +1,14 @@
 #include "calibration/day/daily_forecast.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
+#include "calibration/day/day_choice.h"
 #include "calibration/day/issued_blend.h"
-#include "calibration/day/judge_parts.h"
 #include "calibration/day/known_currents.h"
+#include "calibration/day/troubles.h"
 #include "calibration/day/unresolved_tide.h"
-#include "calibration/day/whole_day.h"
 #include "fields/base/averaging.h"
 #include "fields/base/error.h"
 #include "fields/base/parallel.h"
@@ -54,40 +53,6 @@ std::vector<UtcTime> hourly(UtcTime from, UtcTime to) {
   return stamps;
 }
 
-/// Which day is forecast from, and which should have been.
-struct DayChoice {
-  UtcDay wanted{};
-  std::optional<UtcDay> usable;  ///< nothing: no whole day of currents is known
-  std::string dataset;           ///< of the usable day's currents
-  Duration averaging{0};         ///< of them
-};
-
-DayChoice choose_day(const SiteData& data, const ForecastOptions& options,
-                     std::vector<PartFailure>& failures) {
-  DayChoice choice;
-  attempt_part(Part::day, failures, [&] {
-    std::optional<UtcDay> usable = options.day;
-    if (!usable || !holds_day(data, *usable, options.issued))
-      usable = options.parts.day(data, options.issued, options.day);
-    if (usable) choice.dataset = currents_of_day(data, *usable, options.issued).dataset;
-    choice.usable = usable;
-  });
-  // Providers deliver a day late; more than that is late, and the forecast still has to reach as
-  // far.
-  const UtcDay newest_possible = day_of(options.issued) - days(1);
-  choice.wanted = options.day.value_or(
-      std::max(choice.usable.value_or(newest_possible), newest_possible - days(1)));
-<<<<<<< ours
-=======
-  if (choice.usable) {
-    DayCurrents found = currents_of_day(data, *choice.usable, options.issued);
-    choice.dataset = std::move(found.dataset);
-    choice.averaging = averaging_of(found.currents.time);
-  }
->>>>>>> theirs
-  return choice;
-}
-
 ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
                      const DayChoice& choice) {
   ForecastPlan plan;
@@ -109,7 +74,6 @@ ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
   return plan;
 }
 
-<<<<<<< ours
 constexpr const char* hindsight_note =
     "made in hindsight: wind or waves were used that were not known at the issue time";
 
@@ -136,9 +100,6 @@ void forecast_columns(const SiteData& data, const ForecastOptions& options, Dail
   });
 }
 
-/// Issues the blend that the rehearsed past has earned; where that fails our own forecast stands.
-void blend_columns(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
-=======
 /// What means over hours have earned was earned against means: baselines made of them are no
 /// instants, and errors of means say nothing of a band too wide for hours.
 void keep_to_our_own(Earned& earned) {
@@ -150,10 +111,9 @@ void keep_to_our_own(Earned& earned) {
   earned.spread.scale = std::max(1.0, earned.spread.scale);
 }
 
-/// Issues the blend that the rehearsed past has earned.
+/// Issues the blend that the rehearsed past has earned; where that fails our own forecast stands.
 void blend_columns(const SiteData& data, const ForecastOptions& options, const DayChoice& choice,
                    DailyForecast& result) {
->>>>>>> theirs
   const ForecastPlan& plan = result.plan;
   const auto first = std::find_if(result.columns.begin(), result.columns.end(),
                                   [](const ColumnForecast& c) { return !c.forms.empty(); });
@@ -161,18 +121,13 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
   const auto index = static_cast<std::size_t>(first - result.columns.begin());
   Rehearsals own(data, options.parts.of_column);
   Rehearsals& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
-<<<<<<< ours
   const bool is_rehearsed = attempt_part(Part::rehearsal, result.failures, [&] {
     result.earned = options.parts.rehearsal(
         rehearsals, plan, available_candidates(first->column, data.columns[index], plan),
         options.threads);
   });
   if (!is_rehearsed) return;
-=======
-  result.earned = rehearsals.earned(
-      plan, available_candidates(first->column, data.columns[index], plan), options.threads);
   if (hides_the_tide(choice.averaging)) keep_to_our_own(*result.earned);
->>>>>>> theirs
   for_all(data.columns.size(), options.threads, [&](std::size_t i) {
     ColumnForecast& made = result.columns[i];
     if (made.forms.empty()) return;
@@ -193,11 +148,12 @@ std::optional<AveragedCurrents> widen_columns(const SiteData& data, const Foreca
   for_all(data.columns.size(), options.threads, [&](std::size_t i) {
     if (result.columns[i].forms.empty()) return;
     ColumnForecast& column = result.columns[i];
+    found[i].emplace().averaging = choice.averaging;
     attempt_part(Part::unresolved_tide, column.failures, [&] {
       ForecastColumn widened = column.column;
       const auto tide = options.parts.unresolved_tide(widened, data.columns[i], result.plan);
+      found[i] = tide ? std::optional(tide->averaged) : std::nullopt;
       if (!tide) return;
-      found[i] = tide->averaged;
       column.column = std::move(widened);
       column.origins.insert(column.origins.end(), tide->origins.begin(), tide->origins.end());
     });
@@ -214,89 +170,15 @@ std::optional<AveragedCurrents> widen_columns(const SiteData& data, const Foreca
   return widest;
 }
 
-/// What was late or missing about the day's currents.
-void judge_day(const DayChoice& choice, bool is_failed, std::vector<std::string>& troubles) {
-  if (!choice.usable && !is_failed) {
-    troubles.push_back("no whole day of currents is stored: wind and waves alone");
-  } else if (choice.usable && *choice.usable != choice.wanted) {
-    troubles.push_back("currents of " + format_day(choice.wanted) +
-                       " are missing or not whole, the last good day " +
-                       format_day(*choice.usable) + " is used");
-  }
-}
-
-bool has_failed(const ColumnForecast& column, Part part) {
-  return std::any_of(column.failures.begin(), column.failures.end(),
-                     [&](const PartFailure& failed) { return failed.part == part; });
-}
-
-/// Which columns could not be calibrated; those that failed as a whole are named with the parts.
-void judge_columns(const std::vector<ColumnForecast>& columns, std::vector<std::string>& troubles) {
-  std::size_t uncalibrated = 0;
-  std::string first_problem;
-  for (const ColumnForecast& column : columns) {
-    if (!column.forms.empty() || has_failed(column, Part::column)) continue;
-    ++uncalibrated;
-    if (first_problem.empty()) first_problem = column.calibration_problem;
-  }
-  if (uncalibrated > 0 && uncalibrated == columns.size()) {
-    troubles.push_back("calibration failed: " + first_problem);
-  } else if (uncalibrated > 0) {
-    troubles.push_back(std::to_string(uncalibrated) + " of " + std::to_string(columns.size()) +
-                       " columns are not calibrated: " + first_problem);
-  }
-}
-
-/// Whether the wind beyond D is there.
-void judge_wind(const ColumnForecast& made, const ForecastPlan& plan,
-                std::vector<std::string>& troubles) {
-  const ForecastColumn& column = made.column;
-  if (has_failed(made, Part::wind) || has_failed(made, Part::column)) return;  // said of the parts
-  if (column.wind_m_s.empty()) {
-    troubles.push_back("no wind is stored: the wind-driven part is left out");
-    return;
-  }
-  if (plan.wind == WindPolicy::persist) return;
-  const auto persisted =
-      std::count(column.wind_source.begin(), column.wind_source.end(), DataStatus::persisted);
-  if (2 * persisted > static_cast<std::ptrdiff_t>(column.wind_source.size())) {
-    troubles.push_back("wind is persisted for " + std::to_string(persisted) + " of " +
-                       std::to_string(column.wind_source.size()) +
-                       " hours: no wind forecast known at " + format_utc(plan.issued) +
-                       " is stored");
-  }
-}
-
-/// Waves that no product gave, at the first column that has any.
-void judge_waves(const SiteData& data, const ForecastOptions& options, DailyForecast& result,
-                 std::vector<std::string>& troubles) {
+/// Of the waves that no product gave, at the first column that has any.
+std::optional<ComputedWaves> waves_of(const SiteData& data, const ForecastOptions& options,
+                                      const DailyForecast& result) {
   for (std::size_t i = 0; i < result.columns.size(); ++i) {
     if (result.columns[i].column.sea.empty()) continue;
-    result.computed_waves = computed_waves(result.columns[i], data.columns[i], data.site,
-                                           result.plan, options.parts.of_column);
-    break;
+    return computed_waves(result.columns[i], data.columns[i], data.site, result.plan,
+                          options.parts.of_column);
   }
-  if (result.computed_waves && is_degradation(*result.computed_waves, options.wind))
-    troubles.push_back(text_of(*result.computed_waves));
-}
-
-std::string plain_headline(const ForecastPlan& plan, const std::vector<std::string>& troubles) {
-  if (troubles.empty()) {
-    return "Currents calibrated on " + format_day(plan.day) + ", forecast to " +
-           format_utc(plan.stamps.back()) + ".";
-  }
-  std::string headline = troubles.front();
-  headline[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(headline[0])));
-  for (std::size_t i = 1; i < troubles.size(); ++i) headline += "; " + troubles[i];
-  return headline + ".";
-}
-
-std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>& troubles,
-                        bool hindsight) {
-  const std::string headline = plain_headline(plan, troubles);
-  if (!hindsight) return headline;
-  return headline + " Made in hindsight: wind or waves were used that were not known at " +
-         format_utc(plan.issued) + ".";
+  return std::nullopt;
 }
 
 /// The columns and what they share, as one forecast.
@@ -365,32 +247,12 @@ std::vector<std::int64_t> granules_of(const std::vector<ColumnForecast>& columns
 DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options) {
   DailyForecast result;
   const DayChoice choice = choose_day(data, options, result.failures);
-  const bool day_failed = !result.failures.empty();
   result.plan = plan_of(data, options, choice);
-<<<<<<< ours
   forecast_columns(data, options, result);
-  blend_columns(data, options, result);
-  const std::optional<AveragedCurrents> averaged = widen_columns(data, options, result);
-=======
-  result.columns.resize(data.columns.size());
-  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
-    result.columns[i] = forecast_column(data.columns[i], data.site, result.plan);
-    const std::vector<std::string> notes = notes_on_record(data.columns[i], result.plan);
-    result.columns[i].notes.insert(result.columns[i].notes.begin(), notes.begin(), notes.end());
-    if (result.columns[i].hindsight) result.columns[i].notes.emplace_back(hindsight_note);
-  });
   blend_columns(data, options, choice, result);
   const std::optional<AveragedCurrents> averaged = widen_columns(data, options, choice, result);
->>>>>>> theirs
-
-  std::vector<std::string> troubles;  // each makes the forecast degraded
-  judge_day(choice, day_failed, troubles);
-  if (choice.usable) judge_columns(result.columns, troubles);
-  if (averaged) troubles.push_back(sentence_of(*averaged));
-  judge_wind(result.columns.front(), result.plan, troubles);
-  judge_waves(data, options, result, troubles);
-  if (!data.damage.empty()) troubles.push_back(data.damage);
-  judge_parts(result, troubles);
+  result.computed_waves = waves_of(data, options, result);
+  const std::vector<std::string> troubles = troubles_of(data, choice, averaged, result);
   expect_any_value(result, troubles);
   result.snapshot = snapshot_of(data, result.plan, result.columns);
   result.snapshot.degraded = !troubles.empty();

@@ -51,8 +51,8 @@ class Rehearsals {
   [[nodiscard]] std::shared_ptr<const RehearsedDay> day(const ForecastPlan& plan, UtcDay day);
   [[nodiscard]] RehearsedDay rehearse(const ForecastPlan& plan, UtcDay day) const;
 
-  /// All of a plan that a rehearsed day rests on: the day, wind policy, dataset, issue time, by when
-  /// the best wind was known and whether with hindsight, seed, depths.
+  /// All of a plan that a rehearsed day rests on: the day, wind policy, dataset, issue time, by
+  /// when the best wind was known and whether with hindsight, seed, depths.
   using Key = std::tuple<UtcDay, WindPolicy, std::string, UtcTime, UtcTime, bool, std::uint64_t,
                          std::vector<double>>;
 

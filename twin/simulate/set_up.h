@@ -32,7 +32,8 @@ struct ReadyRun {
 
 /// Throws Error(invalid_input) before the first step for what cannot be run: a time or place
 /// outside the forecast, currents that are means over hours (unless the scenario accepts them), a
-/// start on land, below the bed or in a structure, a way through a structure, an unphysical vehicle.
+/// start on land, below the bed or in a structure, a way through a structure, an unphysical
+/// vehicle.
 [[nodiscard]] ReadyRun set_up(const Scenario& scenario, const Surround& surround);
 
 /// The file of a vehicle: data_folder/vehicles/MODEL.yaml, or the path that `model` is.

@@ -151,11 +151,7 @@ TEST_F(FiveDays, AHindcastWhoseDaysAllFailIsAnErrorThatSaysWhy) {
 }
 
 TEST_F(FiveDays, AForecastThatCannotBeReadIsNamedAndTheOthersAreScored) {
-  std::vector<std::int64_t> ids;
-  for (const int i : {1, 2}) {
-    const DailyJob job = job_of(first_day + days(i));
-    ids.push_back(publish(store_, job, ForecastOrigin::forecast));
-  }
+  for (const int i : {1, 2}) publish(store_, job_of(first_day + days(i)), ForecastOrigin::forecast);
   const auto rows = store_.find_forecasts({});
   ASSERT_EQ(rows.size(), 2u);
   const auto damage = [](const std::filesystem::path& file) {

@@ -30,7 +30,8 @@ TEST(Balance, TheBundledVehiclesLieWellAndSayNothing) {
 }
 
 TEST(Balance, TheMetacentricHeightIsTheSlopeOfTheRightingMomentThatTheStepUses) {
-  // GM = dK/d(heel)/W, within what a step of the section table makes of its slope: the strips' own force at a small angle is the oracle.
+  // GM = dK/d(heel)/W, within what a step of the section table makes of its slope: the strips' own
+  // force at a small angle is the oracle.
   for (const char* id : {"wamv16", "ctv24"}) {
     const Vehicle vehicle = bundled_vehicle(id);
     const Body& body = vehicle.body;

@@ -1,0 +1,150 @@
+#include "calibration/day/troubles.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+
+namespace slackwater::calibration {
+namespace {
+
+/// What was late or missing about the day's currents.
+void judge_day(const DayChoice& choice, bool is_failed, std::vector<std::string>& troubles) {
+  if (!choice.usable && !is_failed) {
+    troubles.push_back("no whole day of currents is stored: wind and waves alone");
+  } else if (choice.usable && *choice.usable != choice.wanted) {
+    troubles.push_back("currents of " + format_day(choice.wanted) +
+                       " are missing or not whole, the last good day " +
+                       format_day(*choice.usable) + " is used");
+  }
+}
+
+bool has_failed(const ColumnForecast& column, Part part) {
+  return std::any_of(column.failures.begin(), column.failures.end(),
+                     [&](const PartFailure& failed) { return failed.part == part; });
+}
+
+/// Which columns could not be calibrated; those that failed as a whole are named with the parts.
+void judge_columns(const std::vector<ColumnForecast>& columns, std::vector<std::string>& troubles) {
+  std::size_t uncalibrated = 0;
+  std::string first_problem;
+  for (const ColumnForecast& column : columns) {
+    if (!column.forms.empty() || has_failed(column, Part::column)) continue;
+    ++uncalibrated;
+    if (first_problem.empty()) first_problem = column.calibration_problem;
+  }
+  if (uncalibrated > 0 && uncalibrated == columns.size()) {
+    troubles.push_back("calibration failed: " + first_problem);
+  } else if (uncalibrated > 0) {
+    troubles.push_back(std::to_string(uncalibrated) + " of " + std::to_string(columns.size()) +
+                       " columns are not calibrated: " + first_problem);
+  }
+}
+
+/// Whether the wind beyond D is there.
+void judge_wind(const ColumnForecast& made, const ForecastPlan& plan,
+                std::vector<std::string>& troubles) {
+  const ForecastColumn& column = made.column;
+  if (has_failed(made, Part::wind) || has_failed(made, Part::column)) return;  // said of the parts
+  if (column.wind_m_s.empty()) {
+    troubles.push_back("no wind is stored: the wind-driven part is left out");
+    return;
+  }
+  if (plan.wind == WindPolicy::persist) return;
+  const auto persisted =
+      std::count(column.wind_source.begin(), column.wind_source.end(), DataStatus::persisted);
+  if (2 * persisted > static_cast<std::ptrdiff_t>(column.wind_source.size())) {
+    troubles.push_back("wind is persisted for " + std::to_string(persisted) + " of " +
+                       std::to_string(column.wind_source.size()) +
+                       " hours: no wind forecast known at " + format_utc(plan.issued) +
+                       " is stored");
+  }
+}
+
+/// Which parts had to be left out, each once.
+void judge_parts(const DailyForecast& result, std::vector<std::string>& troubles) {
+  const std::size_t all = result.columns.size();
+  for (const PartFailure& failed : result.failures)
+    troubles.push_back(failure_text(failed, all, all));
+  std::map<Part, std::vector<const PartFailure*>> by_part;
+  for (const ColumnForecast& column : result.columns) {
+    for (const PartFailure& failed : column.failures) by_part[failed.part].push_back(&failed);
+  }
+  for (const auto& [part, failed] : by_part) {
+    // A column without a current alone is named by `judge_columns`.
+    const bool is_named = loses_the_current(part) && part != Part::column;
+    if (!is_named) troubles.push_back(failure_text(*failed.front(), failed.size(), all));
+  }
+  if (result.earned && result.earned->first_failure) {
+    troubles.push_back(
+        "the rehearsal of " + std::to_string(result.earned->failed_days) +
+        (result.earned->failed_days == 1 ? " past day" : " past days") +
+        " failed, the blend rests on the others: " + result.earned->first_failure->why);
+  }
+}
+
+std::string plain_headline(const ForecastPlan& plan, const std::vector<std::string>& troubles) {
+  if (troubles.empty()) {
+    return "Currents calibrated on " + format_day(plan.day) + ", forecast to " +
+           format_utc(plan.stamps.back()) + ".";
+  }
+  std::string headline = troubles.front();
+  headline[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(headline[0])));
+  for (std::size_t i = 1; i < troubles.size(); ++i) headline += "; " + troubles[i];
+  return headline + ".";
+}
+
+bool has_any_value(const DailyForecast& result) {
+  return std::any_of(result.columns.begin(), result.columns.end(), [](const ColumnForecast& made) {
+    const ForecastColumn& column = made.column;
+    return !column.wind_m_s.empty() ||
+           std::any_of(column.sea.begin(), column.sea.end(),
+                       [](const SeaState& s) { return std::isfinite(s.significant_height_m); }) ||
+           std::any_of(column.current_status.begin(), column.current_status.end(), has_value);
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> troubles_of(const SiteData& data, const DayChoice& choice,
+                                     const std::optional<AveragedCurrents>& averaged,
+                                     const DailyForecast& made) {
+  std::vector<std::string> troubles;
+  const bool is_choice_failed =
+      std::any_of(made.failures.begin(), made.failures.end(),
+                  [](const PartFailure& failed) { return failed.part == Part::day; });
+  judge_day(choice, is_choice_failed, troubles);
+  if (choice.usable) judge_columns(made.columns, troubles);
+  if (averaged) troubles.push_back(sentence_of(*averaged));
+  judge_wind(made.columns.front(), made.plan, troubles);
+  if (made.computed_waves && is_degradation(*made.computed_waves, made.plan.wind))
+    troubles.push_back(text_of(*made.computed_waves));
+  if (!data.damage.empty()) troubles.push_back(data.damage);
+  judge_parts(made, troubles);
+  return troubles;
+}
+
+std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>& troubles,
+                        bool hindsight) {
+  const std::string headline = plain_headline(plan, troubles);
+  if (!hindsight) return headline;
+  return headline + " Made in hindsight: wind or waves were used that were not known at " +
+         format_utc(plan.issued) + ".";
+}
+
+void expect_any_value(const DailyForecast& result, const std::vector<std::string>& troubles) {
+  if (has_any_value(result)) return;
+  ErrorKind kind = ErrorKind::not_found;
+  const auto look_at = [&](const std::vector<PartFailure>& failures) {
+    for (const PartFailure& failed : failures) kind = failed.failure.kind;
+  };
+  for (const ColumnForecast& column : result.columns) look_at(column.failures);
+  look_at(result.failures);
+  throw Error(kind, "nothing can be forecast for " + format_day(result.plan.day) + ": " +
+                        joined(troubles, "; "));
+}
+
+}  // namespace slackwater::calibration
