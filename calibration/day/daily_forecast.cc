@@ -123,7 +123,8 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
   Rehearsals& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
   const bool is_rehearsed = attempt_part(Part::rehearsal, result.failures, [&] {
     result.earned = options.parts.rehearsal(
-        rehearsals, plan, available_candidates(first->column, data.columns[index], plan),
+        rehearsals, plan,
+        available_candidates(first->column, data.columns[index], first->known, plan),
         options.threads);
   });
   if (!is_rehearsed) return;
@@ -133,7 +134,7 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
     if (made.forms.empty()) return;
     attempt_part(Part::blend, made.failures, [&] {
       ForecastColumn blended = made.column;
-      options.parts.blend(blended, data.columns[i], plan, *result.earned);
+      options.parts.blend(blended, data.columns[i], made.known, plan, *result.earned);
       made.column = std::move(blended);
     });
   });
@@ -151,7 +152,8 @@ std::optional<AveragedCurrents> widen_columns(const SiteData& data, const Foreca
     found[i].emplace().averaging = choice.averaging;
     attempt_part(Part::unresolved_tide, column.failures, [&] {
       ForecastColumn widened = column.column;
-      const auto tide = options.parts.unresolved_tide(widened, data.columns[i], result.plan);
+      const auto tide =
+          options.parts.unresolved_tide(widened, data.columns[i], column.known.column, result.plan);
       found[i] = tide ? std::optional(tide->averaged) : std::nullopt;
       if (!tide) return;
       column.column = std::move(widened);
@@ -251,6 +253,7 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   forecast_columns(data, options, result);
   blend_columns(data, options, choice, result);
   const std::optional<AveragedCurrents> averaged = widen_columns(data, options, choice, result);
+  for (ColumnForecast& column : result.columns) column.known = {};
   result.computed_waves = waves_of(data, options, result);
   const std::vector<std::string> troubles = troubles_of(data, choice, averaged, result);
   expect_any_value(result, troubles);

@@ -84,8 +84,8 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
     }
     return is_done;
   };
-  Chosen<Horizontal> known;
-  if (!attempt_this(Part::record, [&] { known = parts.record(data, plan); })) return;
+  if (!attempt_this(Part::record, [&] { result.known = parts.record(data, plan); })) return;
+  const Chosen<Horizontal>& known = result.known;
   const VectorColumn day = slice(known.column, UtcTime(plan.day), plan.end_of_day());
   if (day.time.empty()) {
     result.calibration_problem = "no currents of " + format_day(plan.day) + " at this column";

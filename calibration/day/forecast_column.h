@@ -25,6 +25,9 @@ struct ColumnForecast {
   std::vector<double> form_weight;  ///< probability of each
   std::size_t best_form = 0;
   std::string calibration_problem;     ///< why there is none
+  /// The currents up to the end of D that it rests on, for the steps that follow; a whole forecast
+  /// does not keep them.
+  Chosen<Horizontal> known;
   std::vector<std::string> notes;      ///< what an operator should know
   std::vector<const Origin*> origins;  ///< whose values were used
   bool contains_stokes = false;

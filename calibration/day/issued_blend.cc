@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "calibration/day/known_currents.h"
 #include "calibration/day/methods.h"
 
 namespace slackwater::calibration {
@@ -45,8 +44,7 @@ const MethodForecast* find_method(const std::vector<MethodForecast>& methods, Me
 }  // namespace
 
 std::vector<bool> available_candidates(const ForecastColumn& column, const ColumnData& data,
-                                       const ForecastPlan& plan) {
-  const Chosen<Horizontal> known = known_currents(data, plan);
+                                       const Chosen<Horizontal>& known, const ForecastPlan& plan) {
   const auto methods = methods_at(column, data, plan, places_of(column, plan, known), known);
   std::vector<bool> available;
   for (const Method candidate : candidate_methods())
@@ -54,8 +52,8 @@ std::vector<bool> available_candidates(const ForecastColumn& column, const Colum
   return available;
 }
 
-void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastPlan& plan,
-                 const Earned& earned) {
+void issue_blend(ForecastColumn& column, const ColumnData& data, const Chosen<Horizontal>& known,
+                 const ForecastPlan& plan, const Earned& earned) {
   for (double& sigma : column.current_sigma_m_s) sigma *= earned.spread.scale;
   const std::size_t size = column.current_m_s.size();
   const std::vector<Horizontal> own = column.current_m_s;
@@ -64,7 +62,6 @@ void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastP
     return s.method == Method::forecast || s.weight <= 0;
   });
   if (!is_own_alone) {
-    const Chosen<Horizontal> known = known_currents(data, plan);
     const Chosen<Horizontal> places = places_of(column, plan, known);
     const auto methods = methods_at(column, data, plan, places, known);
     const std::size_t levels = plan.depth_m.size();

@@ -8,12 +8,14 @@ namespace slackwater::calibration {
 /// departures from the centre. A value that a candidate lacks is blended from the others.
 ///
 /// The weights come from the first day of lead and hold for the whole horizon.
-void issue_blend(ForecastColumn& column, const ColumnData& data, const ForecastPlan& plan,
-                 const Earned& earned);
+/// @param known  the currents up to the end of D, from which baselines start
+void issue_blend(ForecastColumn& column, const ColumnData& data, const Chosen<Horizontal>& known,
+                 const ForecastPlan& plan, const Earned& earned);
 
 /// Which of the standard candidates can be made for this day at this column.
 [[nodiscard]] std::vector<bool> available_candidates(const ForecastColumn& column,
                                                      const ColumnData& data,
+                                                     const Chosen<Horizontal>& known,
                                                      const ForecastPlan& plan);
 
 }  // namespace slackwater::calibration

@@ -97,7 +97,7 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
     }
     snapshot.columns.push_back(std::move(made.column));
     const std::vector<MethodForecast> methods =
-        current_methods(column, past, snapshot, 0, truth, known_currents(column, past));
+        current_methods(column, past, snapshot, 0, truth, made.known);
     const std::size_t size = truth.column.value.size();
     if (result.errors.empty()) result.errors.resize(candidates.size());
     const std::size_t before = result.sigma_m_s.size();

@@ -118,8 +118,8 @@ std::vector<std::size_t> phases_of(std::size_t members, std::uint64_t seed) {
 
 std::optional<UnresolvedTide> widen_by_unresolved_tide(ForecastColumn& column,
                                                        const ColumnData& data,
+                                                       const VectorColumn& known,
                                                        const ForecastPlan& plan) {
-  const VectorColumn known = known_currents(data, plan).column;
   UnresolvedTide found;
   AveragedCurrents& averaged = found.averaged;
   averaged.averaging = averaging_of(slice(known, UtcTime(plan.day), plan.end_of_day()).time);

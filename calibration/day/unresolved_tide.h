@@ -30,6 +30,7 @@ struct UnresolvedTide {
 /// and each member runs with e at a phase of its own. The central forecast stays as it is: a mean.
 [[nodiscard]] std::optional<UnresolvedTide> widen_by_unresolved_tide(ForecastColumn& column,
                                                                      const ColumnData& data,
+                                                                     const VectorColumn& known,
                                                                      const ForecastPlan& plan);
 
 }  // namespace slackwater::calibration

@@ -260,16 +260,18 @@ TEST(DayParts, ABrokenRehearsalLeavesOurOwnForecast) {
 
 TEST(DayParts, ABlendThatBreaksHalfWayLeavesTheColumnAsItWas) {
   DayParts unblended;
-  unblended.blend = [](ForecastColumn& column, const ColumnData& data, const ForecastPlan& plan,
+  unblended.blend = [](ForecastColumn& column, const ColumnData& data,
+                       const Chosen<Horizontal>& known, const ForecastPlan& plan,
                        const Earned& earned) {
-    if (!is_first(data)) issue_blend(column, data, plan, earned);
+    if (!is_first(data)) issue_blend(column, data, known, plan, earned);
   };
   const DailyForecast expected = forecast_with(unblended);
   for (const auto& how : breaks) {
     DayParts parts;
-    parts.blend = [&](ForecastColumn& column, const ColumnData& data, const ForecastPlan& plan,
+    parts.blend = [&](ForecastColumn& column, const ColumnData& data,
+                      const Chosen<Horizontal>& known, const ForecastPlan& plan,
                       const Earned& earned) {
-      issue_blend(column, data, plan, earned);
+      issue_blend(column, data, known, plan, earned);
       if (is_first(data)) how();
     };
     const DailyForecast made = forecast_with(parts);

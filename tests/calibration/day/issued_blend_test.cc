@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "calibration/day/known_currents.h"
 #include "tests/support/known_series_for_tests.h"
 #include "tests/support/reference_profile.h"
 
@@ -77,7 +78,7 @@ ForecastColumn issued(const ColumnData& data, const std::map<Method, double>& we
                       double scale = 1, int lead_h = 24) {
   const ForecastPlan plan = plan_to(lead_h);
   ForecastColumn column = own_forecast(plan);
-  issue_blend(column, data, plan, earned(weight, scale));
+  issue_blend(column, data, known_currents(data, plan), plan, earned(weight, scale));
   return column;
 }
 
@@ -126,7 +127,7 @@ TEST(IssueBlend, IdenticalCandidatesBlendToThemselves) {
   const ForecastPlan plan = plan_to(24);
   ForecastColumn column = own_forecast(plan);
   std::fill(column.current_m_s.begin(), column.current_m_s.end(), everywhere);
-  issue_blend(column, sea.data, plan,
+  issue_blend(column, sea.data, known_currents(sea.data, plan), plan,
               earned({{Method::forecast, 0.37},
                       {Method::persistence, 0.21},
                       {Method::day_mean, 0.13},
@@ -214,7 +215,8 @@ TEST(IssueBlend, WhatHasNoValueIsGivenNone) {
     column.current_m_s[t * levels + 1] = {};
   }
   const std::vector<SampleStatus> status = column.current_status;
-  issue_blend(column, sea.data, plan, earned({{Method::persistence, 1.0}}));
+  issue_blend(column, sea.data, known_currents(sea.data, plan), plan,
+              earned({{Method::persistence, 1.0}}));
   EXPECT_EQ(column.current_status, status);
   for (std::size_t t = 0; t < plan.stamps.size(); ++t)
     EXPECT_EQ(column.current_m_s[t * levels + 1], Horizontal{});
@@ -235,7 +237,8 @@ TEST(IssueBlend, NothingAfterTheDayMatters) {
 
 std::vector<Method> available(const ColumnData& data) {
   const ForecastPlan plan = plan_to(24);
-  const std::vector<bool> found = available_candidates(own_forecast(plan), data, plan);
+  const std::vector<bool> found =
+      available_candidates(own_forecast(plan), data, known_currents(data, plan), plan);
   const std::vector<Method> methods = candidate_methods();
   EXPECT_EQ(found.size(), methods.size());
   std::vector<Method> result;
