@@ -54,14 +54,14 @@ std::vector<FateEvent> fate_of(const twin::Agent& agent, const twin::AgentState&
   if (lost_power)
     events.push_back({m.is_empty > 0 ? "battery empty" : "battery cut off at its least voltage",
                       m.power_lost_s});
-  // One that falls tumbles, which is told by its falling.
-  if (flies && !std::isnan(m.capsized_s) && !(lost_power && m.capsized_s >= m.power_lost_s))
+  // One that falls tumbles, which is told by its falling; of one that floats its halt tells.
+  const bool fell_first = flies && lost_power && m.capsized_s >= m.power_lost_s;
+  if (!std::isnan(m.capsized_s) && state.halt != Halt::capsized && !fell_first)
     events.push_back({"turned over", m.capsized_s});
-  if (flies && !events.empty() && (lost_power || state.halt == Halt::struck)) {
-    std::stable_sort(events.begin(), events.end(),
-                     [](const FateEvent& a, const FateEvent& b) { return a.at_s < b.at_s; });
+  std::stable_sort(events.begin(), events.end(),
+                   [](const FateEvent& a, const FateEvent& b) { return a.at_s < b.at_s; });
+  if (flies && !events.empty() && (lost_power || state.halt == Halt::struck))
     events.push_back({"fell", Milestones::never});
-  }
   if (const std::string what = halt_text(agent, state); !what.empty())
     events.push_back({what, state.halted_at_s});
   return events;

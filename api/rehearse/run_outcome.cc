@@ -20,6 +20,11 @@ using twin::ScenarioStructure;
 
 constexpr double degrees = 57.29577951308232;
 
+struct Extreme {
+  double value = 0;
+  double t_s = 0;
+};
+
 /// The rows of one vehicle's variables, up to the one at which it stopped.
 class VehicleLog {
  public:
@@ -37,17 +42,13 @@ class VehicleLog {
   }
   [[nodiscard]] double last(std::string_view name) const { return at(name, rows_ - 1); }
 
-  struct Extreme {
-    double value = 0;
-    double t_s = 0;
-  };
   /// The value of the largest size; nothing where there is no number.
   [[nodiscard]] std::optional<Extreme> largest(std::string_view name) const {
     std::optional<Extreme> found;
     for (std::size_t t = 0; t < rows_; ++t) {
       const double value = at(name, t);
       if (std::isfinite(value) && (!found || std::abs(value) > std::abs(found->value)))
-        found = {value, log_->t_s[t]};
+        found = Extreme{value, log_->t_s[t]};
     }
     return found;
   }
@@ -135,7 +136,7 @@ Approach nearest_structure(const TrajectoryFile& log, const VehicleLog& vehicle,
     for (std::size_t t = 0; t < vehicle.rows(); ++t) {
       const double distance =
           twin::least_distance_m(shape, vehicle.place_m(t == 0 ? 0 : t - 1), vehicle.place_m(t));
-      if (distance < nearest.distance_m) nearest = {distance, log.t_s[t], structure.name};
+      if (distance < nearest.distance_m) nearest = Approach{distance, log.t_s[t], structure.name};
     }
   }
   return nearest;
@@ -150,7 +151,7 @@ Approach nearest_vehicle(const TrajectoryFile& log, const std::vector<VehicleLog
     for (std::size_t t = 0; t < rows; ++t) {
       const auto apart = vehicles[i].place_m(t) - vehicles[j].place_m(t);
       const double distance = std::sqrt(dot(apart, apart));
-      if (distance < nearest.distance_m) nearest = {distance, log.t_s[t], log.names[j]};
+      if (distance < nearest.distance_m) nearest = Approach{distance, log.t_s[t], log.names[j]};
     }
   }
   return nearest;

@@ -10,6 +10,7 @@
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
+#include "fields/base/error.h"
 
 namespace slackwater::api {
 namespace {
@@ -176,6 +177,10 @@ std::string plots() {
 }  // namespace
 
 std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_library) {
+  if (log.t_s.empty() || log.names.empty()) {
+    throw Error(ErrorKind::invalid_input,
+                "the log holds no vehicle or no time; give one that `slackwater simulate` wrote");
+  }
   Rows rows;
   rows.times = log.t_s.size();
   rows.every = std::max<std::size_t>(1, rows.times / most_points);

@@ -24,7 +24,7 @@ struct ColumnForecast {
   std::vector<Calibration> forms;   ///< empty where the column has no current on D
   std::vector<double> form_weight;  ///< probability of each
   std::size_t best_form = 0;
-  std::string calibration_problem;     ///< why there is none
+  std::string calibration_problem;  ///< why there is none
   /// The currents up to the end of D that it rests on, for the steps that follow; a whole forecast
   /// does not keep them.
   Chosen<Horizontal> known;

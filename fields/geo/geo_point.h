@@ -36,7 +36,7 @@ struct BoundingBox {
   bool operator==(const BoundingBox&) const = default;
 };
 
-/// "48.8500 N -2.5500 E": a place for people.
+/// "48.8500 N 2.5500 W": a place for people.
 [[nodiscard]] std::string position_text(const GeoPoint& point);
 
 /// Geodesic distance on WGS 84, metres (PROJ).

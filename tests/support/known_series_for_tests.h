@@ -20,6 +20,11 @@ using LevelForTests = std::function<double(UtcTime)>;
 [[nodiscard]] Origin analysis_of(const std::string& dataset, std::int64_t granule = 1);
 [[nodiscard]] Origin forecast_of(const std::string& dataset, UtcTime issued,
                                  std::int64_t granule = 2);
+/// The same of a file that came in then, and so was known however far it runs on.
+[[nodiscard]] inline Origin received(Origin origin, UtcTime then) {
+  origin.received = then;
+  return origin;
+}
 [[nodiscard]] Origin station_of(const std::string& name, std::int64_t granule = 3);
 
 /// Instants from the first to the last, both included, or means between them.

@@ -165,8 +165,8 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
     return false;
   }
   note_attitude(state.milestones, r, t_s);
-  // What flies falls on, and strikes something.
-  if (!flies && is_capsized(r)) {
+  // What swims rights itself, what flies falls on: both go on to what they meet.
+  if (vehicle.body.hull.strips > 0 && is_capsized(r)) {
     halt(state, Halt::capsized, t_s);
     return false;
   }

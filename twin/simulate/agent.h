@@ -25,7 +25,7 @@ enum class Halt {
   aground,     ///< the bed, land, or inside a foundation
   no_data,     ///< the forecast has no value there
   struck,      ///< a structure; the sea, by one that flies
-  capsized,    ///< rolled or pitched beyond a right angle, where it does not fly
+  capsized,    ///< rolled or pitched beyond a right angle, afloat
   no_headway,  ///< the water, or the wind, is faster than it
 };
 [[nodiscard]] std::string_view name_of(Halt halt) noexcept;

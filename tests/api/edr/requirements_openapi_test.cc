@@ -34,8 +34,8 @@ std::string filled(std::string path) {
 TEST(EdrOpenApi, TheDefinitionDescribesEveryPathThatIsServed) {
   const json paths = service().document("/api").at("paths");
   for (const auto& [path, operations] : paths.items()) {
-    if (path.starts_with("/health") || path == "/metrics")
-      continue;  // the server's, not these routes'
+    // The server's, not these routes'.
+    if (path.starts_with("/health") || path == "/metrics") continue;
     const int status = service().get(filled(path)).status;
     EXPECT_TRUE(status == 200 || status == 400) << path << " " << status;
   }

@@ -16,7 +16,7 @@ inline std::int64_t commit_made_up(store::Store& store, const Snapshot& made,
   row.row.site_id = made.site_id;
   row.row.day = made.day;
   row.row.issued = made.issued;
-  row.row.valid_from = made.time.front().id;
+  row.row.valid_from = made.time.front();
   row.row.valid_to = made.time.back();
   row.row.wind_policy = made.wind_policy.value();
   row.row.origin = origin;

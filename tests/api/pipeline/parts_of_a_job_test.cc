@@ -83,7 +83,7 @@ TEST_F(FiveDays, APartThatFailsIsInTheStoredHeadlineAndInTheSummary) {
     return {};
   };
   const DailyJob job = job_of(first_day + days(2), parts);
-  const std::int64_t id = publish(store_, job, ForecastOrigin::forecast);
+  const std::int64_t id = publish(store_, job, ForecastOrigin::forecast).id;
   const auto rows = store_.find_forecasts({});
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].id, id);

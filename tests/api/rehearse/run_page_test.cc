@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/rehearse/run_outcome.h"
+#include "fields/base/error.h"
 
 namespace slackwater::tests {
 namespace {
@@ -125,6 +126,12 @@ TEST(RunPage, HoldsThePlanTheStructuresTheTetherAndTheEvents) {
   EXPECT_EQ(html.find("past <a>"), std::string::npos);
   EXPECT_NE(html.find("Closest to a structure"), std::string::npos);
   EXPECT_NE(html.find("2025-03-10T06:00:40Z"), std::string::npos) << "the table of events";
+}
+
+TEST(RunPage, ALogWithoutTimesIsAnErrorAndNoCrash) {
+  ingest::TrajectoryFile log = log_of();
+  log.t_s.clear();
+  EXPECT_THROW((void)run_page_html(log, ""), Error);
 }
 
 TEST(RunPage, WithoutAScenarioOrThePlotsItStillSaysHowItCameOut) {

@@ -21,15 +21,16 @@ KnownSeriesForTests windy_sea() {
   KnownSeriesForTests sea;
   sea.current(analysis_of("model", 11), instants(end_of_day - days(2), end_of_day), {2, 8},
               steady({0.2, 0.1}));
-  sea.wind(analysis_of("wind", 12), instants(end_of_day - days(3), end_of_day + days(4)),
+  sea.wind(received(analysis_of("wind", 12), end_of_day),
+           instants(end_of_day - days(3), end_of_day + days(4)),
            steady(vector_from_direction(13, 270)));
   return sea;
 }
 
 void add_waves(KnownSeriesForTests& sea, UtcTime from, UtcTime to) {
   sea.waves(
-      analysis_of("waves", 13), instants(from, to), [](UtcTime) { return 1.5; },
-      [](UtcTime) { return 6.0; }, [](UtcTime) { return 280.0; });
+      received(analysis_of("waves", 13), end_of_day), instants(from, to),
+      [](UtcTime) { return 1.5; }, [](UtcTime) { return 6.0; }, [](UtcTime) { return 280.0; });
 }
 
 DailyForecast forecast_of_sea(const KnownSeriesForTests& sea, std::optional<Fetch> fetch = {},

@@ -35,12 +35,12 @@ struct TwoColumns {
                           std::polar(0.1, 0.02 * hour));
                 });
     const auto time = instants(end_of_day - days(12), end_of_day + days(4));
-    sea.wind(analysis_of("wind", 12), time, [](UtcTime at, double) {
+    sea.wind(received(analysis_of("wind", 12), end_of_day), time, [](UtcTime at, double) {
       return std::polar(8.0, 0.02 * hours_between(end_of_day, at));
     });
     sea.waves(
-        analysis_of("waves", 13), time, [](UtcTime) { return 1.5; }, [](UtcTime) { return 6.0; },
-        [](UtcTime) { return 280.0; });
+        received(analysis_of("waves", 13), end_of_day), time, [](UtcTime) { return 1.5; },
+        [](UtcTime) { return 6.0; }, [](UtcTime) { return 280.0; });
     return sea;
   }
 };

@@ -32,7 +32,8 @@ TEST(UtcTimeText, RefusesWhatIsNotAUtcTime) {
       FAIL() << text;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::invalid_input);
-      EXPECT_NE(error.message().find("2024-02-29T12:00:00Z"), std::string::npos) << error.message();
+      // An example, or what this time would be in UTC.
+      EXPECT_NE(error.message().find(":00Z"), std::string::npos) << error.message();
     }
   }
 }

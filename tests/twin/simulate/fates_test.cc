@@ -35,7 +35,7 @@ TEST(Fates, AMultirotorWithAnEmptyBatteryLosesPowerFallsAndStrikesTheSea) {
   }
 }
 
-TEST(Fates, ACraftThatIsTurnedOverHaltsAsCapsizedInABlockAndAlone) {
+TEST(Fates, ACraftThatIsTurnedOverHaltsAsCapsizedWhereItFloatsAndIsToldOfWhereItSwims) {
   for (const char* model : {"wamv16", "lrauv_tethys", "bluerov2_heavy"}) {
     for (const bool is_batch : {true, false}) {
       std::string yaml = tests::calm_head(0.05);
@@ -53,9 +53,10 @@ TEST(Fates, ACraftThatIsTurnedOverHaltsAsCapsizedInABlockAndAlone) {
       run_for(run, 5);
       EXPECT_EQ(run.states()[0].halt, Halt::none) << model;
       EXPECT_TRUE(std::isnan(run.states()[0].milestones.capsized_s)) << model;
-      EXPECT_EQ(run.states()[1].halt, Halt::capsized) << model;
+      const bool floats = std::string(model) == "wamv16";
+      EXPECT_EQ(run.states()[1].halt, floats ? Halt::capsized : Halt::none) << model;
       EXPECT_NEAR(run.states()[1].milestones.capsized_s, 2, 0.06) << model;
-      EXPECT_NEAR(run.states()[1].milestones.largest_roll_rad(), 2.0, 1e-9) << model;
+      EXPECT_GE(run.states()[1].milestones.largest_roll_rad(), 2.0 - 1e-9) << model;
     }
   }
 }
@@ -82,7 +83,9 @@ TEST(Fates, AVehicleWithoutABatteryOrOnAHeldBusTellsItsEnergyAllTheSame) {
     run_for(run, 20);
     const VehicleState<double>& v = run.states()[0].vehicle;
     EXPECT_GT(v.drawn_j, 20 * 15.0) << more;  // the hotel load alone
-    if (std::string(more).empty()) EXPECT_NEAR(v.drawn_j, v.battery.delivered_j, 1e-6 * v.drawn_j);
+    if (std::string(more).empty()) {
+      EXPECT_NEAR(v.drawn_j, v.battery.delivered_j, 1e-6 * v.drawn_j);
+    }
   }
 }
 
@@ -126,7 +129,7 @@ TEST(Logs, AFloatingCraftLogsTheSeaThatMovesIt) {
 }
 
 TEST(Logs, WhatIsNotThereIsMissingAndNotZero) {
-  for (const std::string waves :
+  for (const std::string& waves :
        {std::string("{from: calm}"),
         std::string("{partitions: [{significant_height_m: 1, "
                     "peak_period_s: 6, from_deg: 270}], components: 16}")}) {
@@ -144,8 +147,12 @@ TEST(Logs, WhatIsNotThereIsMissingAndNotZero) {
         EXPECT_EQ(std::isnan(wind[3 * i]), vehicle == 1) << vehicle << " " << i;
         EXPECT_EQ(eta[i] == 0, is_calm) << vehicle << " " << i;
       }
-      if (vehicle < 2) EXPECT_GT(water[0], 0.05) << vehicle;
-      if (vehicle != 1) EXPECT_GT(wind[0], 3) << vehicle;
+      if (vehicle < 2) {
+        EXPECT_GT(water[0], 0.05) << vehicle;
+      }
+      if (vehicle != 1) {
+        EXPECT_GT(wind[0], 3) << vehicle;
+      }
     }
   }
 }

@@ -38,6 +38,7 @@ struct Steady {
   double over_ground_m_s = 0;
   double through_m_s = 0;
   double power_w = 0;
+  double fuel_g_m = 0;
   double least_thrust_n = 1e9;
   double off_track_m = 0;
   double off_depth_m = 0;
@@ -51,7 +52,7 @@ Steady settled(const Scenario& scenario, double after_s = 300) {
     s.least_thrust_n = std::min(s.least_thrust_n, flight.thrust_n().x);
   }
   const double from_s = flight.time_s(), from_m = flight.body().position_m.x,
-               from_j = flight.vehicle().drawn_j;
+               from_j = flight.vehicle().drawn_j, from_kg = flight.vehicle().fuel_kg;
   const Triple<double> current = flight.agent().water->current({0, 0, 20}, 0, 0).current_m_s;
   constexpr int steps = 1200;
   for (int i = 0; i < steps; ++i) {
@@ -65,6 +66,7 @@ Steady settled(const Scenario& scenario, double after_s = 300) {
   }
   const double passed_s = flight.time_s() - from_s;
   s.over_ground_m_s = (flight.body().position_m.x - from_m) / passed_s;
+  s.fuel_g_m = 1000 * (flight.vehicle().fuel_kg - from_kg) / (s.over_ground_m_s * passed_s);
   s.power_w = (flight.vehicle().drawn_j - from_j) / passed_s;
   return s;
 }
@@ -75,7 +77,7 @@ TEST(SpeedThroughTheWater, TheWaterCarriesAVehicleForTheSamePower) {
     double speed_m_s;
     double depth_m;
   };
-  std::printf("model, through the water, current, over ground m/s, W, J/m\n");
+  std::printf("model, through the water, current, over ground m/s, W, J/m, g/m of fuel\n");
   for (const Craft& craft :
        {Craft{"lrauv_tethys", 1.0, 20}, Craft{"wamv16", 1.5, 0}, Craft{"ctv24", 8, 0}}) {
     const std::string speed = "speed_m_s: " + std::to_string(craft.speed_m_s);
@@ -83,8 +85,11 @@ TEST(SpeedThroughTheWater, TheWaterCarriesAVehicleForTheSamePower) {
     for (const double along : {-0.5, 0.0, 0.5, 1.2}) {
       if (along > 1 && craft.depth_m == 0) continue;
       const Steady s = settled(northward(craft.model, speed, 0, along, craft.depth_m));
-      std::printf("%s, %g, %+g, %.3f, %.1f, %.1f\n", craft.model, craft.speed_m_s, along,
-                  s.over_ground_m_s, s.power_w, s.per_metre_j());
+      std::printf("%s, %g, %+g, %.3f, %.1f, %.1f, %.3f\n", craft.model, craft.speed_m_s, along,
+                  s.over_ground_m_s, s.power_w, s.per_metre_j(), s.fuel_g_m);
+      EXPECT_NEAR(s.fuel_g_m * s.over_ground_m_s, still.fuel_g_m * still.over_ground_m_s,
+                  0.01 * still.fuel_g_m * still.over_ground_m_s + 1e-9)
+          << along;
       EXPECT_NEAR(s.through_m_s, craft.speed_m_s, 0.005 * craft.speed_m_s) << along;
       EXPECT_NEAR(s.over_ground_m_s, craft.speed_m_s + along, 0.005 * craft.speed_m_s) << along;
       EXPECT_NEAR(s.power_w, still.power_w, 0.01 * still.power_w + 0.01) << along;

@@ -21,7 +21,9 @@ TEST(Balance, TheBundledVehiclesLieWellAndSayNothing) {
     const Balance balance = balance_of(vehicle);
     EXPECT_NEAR(balance.heel_rad, 0, 1e-12) << id;
     EXPECT_NEAR(balance.trim_rad, 0, 1e-12) << id;
-    if (vehicle.kind != VehicleKind::uav) EXPECT_GT(balance.stability_m, 0) << id;
+    if (vehicle.kind != VehicleKind::uav) {
+      EXPECT_GT(balance.stability_m, 0) << id;
+    }
   }
   // vehicles.md: BG of 0.01 m and 0.235 kg of buoyancy.
   const Balance rov = balance_of(bundled_vehicle("bluerov2_heavy"));
@@ -30,8 +32,8 @@ TEST(Balance, TheBundledVehiclesLieWellAndSayNothing) {
 }
 
 TEST(Balance, TheMetacentricHeightIsTheSlopeOfTheRightingMomentThatTheStepUses) {
-  // GM = dK/d(heel)/W, within what a step of the section table makes of its slope: the strips' own
-  // force at a small angle is the oracle.
+  // GM = dK/d(heel)/W: the strips' own force at a small angle is the oracle, within what a step of
+  // the table of sections makes of its slope.
   for (const char* id : {"wamv16", "ctv24"}) {
     const Vehicle vehicle = bundled_vehicle(id);
     const Body& body = vehicle.body;
