@@ -101,6 +101,7 @@ std::optional<UtcDay> newest_day(store::Store& store, const Site& site, const Re
     query.margin_km = ingest::granule_margin_km;
     std::vector<ingest::GranuleEntry> found;
     for (const store::GranuleRow& row : store.find_granules(query)) {
+      if (store.content_fault(row.content_sha256)) continue;
       found.push_back({row.id, row.source_sha256, row.product_id, row.standard_names,
                        store.content_path(row.content_sha256)});
     }
@@ -130,9 +131,10 @@ std::string held_text(store::Store& store, const Site& site) {
   if (text.empty()) return area_text(store, site);
   text = "it holds " + text;
   const auto day = currents ? newest_day(store, site, *currents) : std::nullopt;
-  if (!day) return text + "; there is no whole day of currents in it";
+  if (!day) return text + "; there is no whole day of currents in it: ingest more product files";
   return text + "; `--day " + format_day(*day) + "` would work, or `--at " +
-         format_utc(UtcTime(*day) + days(1) + hours(5)) + "` for the forecast of that time";
+         format_utc(UtcTime(*day) + days(1) + hours(5)) +
+         "` for the forecast of that time, or ingest newer product files";
 }
 
 }  // namespace slackwater::api

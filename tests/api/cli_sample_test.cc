@@ -266,7 +266,7 @@ TEST_F(Sample, WhatCannotBeAnsweredSaysWhyAndLeavesNoFile) {
       {{"--instance", "99"}, 4, "its newest is 1"},
       {{"--site", "nowhere"}, 4, "nowhere"},
       {{"--points", store_.file("none.csv").string()}, 4, "no such file"},
-      {{"--points", store_.file("").string()}, 4, "no such file"},
+      {{"--points", store_.file("").string()}, 3, "found a folder"},
       {{"--points", file("empty.csv", "")}, 3, "latitude_deg"},
       {{"--points", file("bare.csv", "48.85,-2.55\n")}, 3, "line 1"},
       {{"--points", file("head.csv", "lat,lon\n\n")}, 3, "no points"},

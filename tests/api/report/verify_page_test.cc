@@ -67,7 +67,7 @@ SkillPage page_of_bay() {
 }
 
 TEST(VerifyPage, TablesGoDownByDepthAndLeadAndTheSmallestErrorComesFirst) {
-  const ReportTable& table = page_of_bay().tables.at(0);
+  const ReportTable table = page_of_bay().tables.at(0);
   ASSERT_EQ(table.rows.size(), 24U);
   std::vector<std::string> bands;
   for (const auto& row : table.rows)
