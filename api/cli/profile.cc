@@ -75,8 +75,8 @@ void choose_forecast(store::Store& store, const WantedForecast& wanted, ProfileA
   answer.row = in_force[*nearest];
   answer.field = fields[*nearest];
   for (const auto& [site, damage] : damaged) {
-    const bool has_whole_one = std::any_of(in_force.begin(), in_force.end(),
-                                           [&](const auto& row) { return row.site_id == site; });
+    const auto is_of_site = [&id = site](const auto& row) { return row.site_id == id; };
+    const bool has_whole_one = std::any_of(in_force.begin(), in_force.end(), is_of_site);
     if (site == answer.row.site_id) answer.notes.push_back(passed_over_text(damage));
     if (!has_whole_one) answer.notes.push_back(damage + "; its site cannot answer");
   }

@@ -165,6 +165,22 @@ double most_over_ground_m_s(const Autopilot& autopilot, bool is_over_ground) noe
   return (is_over_ground && is_carried ? 2 : 1) * autopilot.settings.most_speed_m_s;
 }
 
+double tightest_turn_m(const Autopilot& a, double speed_m_s) noexcept {
+  const double moment_n_m = a.allocation.most_either_way(Axis::yaw);
+  Spatial<double> all_of_it;
+  all_of_it.angular.z = moment_n_m;
+  all_of_it.linear.x = a.allocation.most_ahead[0];
+  const Thrusts turning = allocate(a.allocation, all_of_it);
+  const double kept_n = turning.share[0] * all_of_it.linear.x;
+  const double way_m_s = std::min(speed_m_s, speed_of(a, kept_n));
+  const double linear = a.linear_damping.angular.z + a.straightening_kg_m * way_m_s;
+  const double quadratic = a.quadratic_damping.angular.z;
+  // The root of the smaller terms, that does without the quadratic one.
+  const double rate =
+      2 * moment_n_m / (linear + std::sqrt(linear * linear + 4 * quadratic * moment_n_m));
+  return std::max(way_m_s / rate, speed_m_s / a.settings.most_yaw_rate_rad_s);
+}
+
 Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind, const Body& body,
                          const Actuators& actuators) {
   Autopilot a;
@@ -177,6 +193,7 @@ Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind, co
   a.lag_s = actuators.lag_s;
   a.linear_damping = body.linear_damping;
   a.quadratic_damping = body.quadratic_damping;
+  a.straightening_kg_m = body.trailing_edge_kg_m * body.trailing_edge_x_m * body.trailing_edge_x_m;
   a.weight_n = body.mass_kg * constants::gravity_m_s2;
   a.righting_n_m = a.weight_n * (body.centre_of_gravity_m.z - body.centre_of_buoyancy_m.z);
   a.tan_most_tilt = std::tan(settings.most_tilt_rad);

@@ -35,6 +35,7 @@ struct Autopilot {
   double lag_s = 0;
   Spatial<double> linear_damping;
   Spatial<double> quadratic_damping;
+  double straightening_kg_m = 0;  ///< yaw moment per rate and speed of the hull's trailing edge
   double weight_n = 0;
   double righting_n_m = 0;  ///< moment per sine of roll or pitch
   double tan_most_tilt = 0;
@@ -48,6 +49,16 @@ struct Autopilot {
 ///         multirotor whose rotors do not lift it
 [[nodiscard]] Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind,
                                        const Body& body, const Actuators& actuators);
+
+/// Radius of the tightest turn of a surface craft that goes at that speed: what its thrusters turn
+/// it with, over what holds it straight,
+///
+///   (N_r + m_t x_t^2 u) r + N_|r|r r^2 = M,
+///
+/// with m_t and x_t of its trailing edge, at the way that the thrust beside that moment keeps up;
+/// or that of the yaw rate it is allowed. The drift of a turning hull is left out; it helps: the
+/// crew transfer vessel turns within 351 m of 498. Infinite where nothing turns it.
+[[nodiscard]] double tightest_turn_m(const Autopilot& autopilot, double speed_m_s) noexcept;
 
 /// The fastest that a way may be asked for: its own most through the water; over ground twice that,
 /// where the water carries it as fast as it goes itself.

@@ -65,8 +65,11 @@ Guidance guidance_for(const Autopilot& autopilot, double speed_m_s, bool is_over
       g.tolerance_m = 10;
       break;
   }
-  if (autopilot.kind != VehicleKind::auv) g.depth_tolerance_m = 1e3;  // it floats
   g.passing_m = std::max(4 * g.tolerance_m, 1.5 * turn_m);
+  if (autopilot.kind != VehicleKind::auv) {
+    g.depth_tolerance_m = 1e3;  // it floats
+    g.passing_m = std::max(g.passing_m, tightest_turn_m(autopilot, g.speed_m_s));
+  }
   return g;
 }
 

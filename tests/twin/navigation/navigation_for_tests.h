@@ -29,6 +29,8 @@ inline twin::Sensors perfect(twin::Sensors sensors) {
   if (sensors.dvl) {
     sensors.dvl->scale = 1;
     sensors.dvl->noise_sd_m_s = 0;
+    // The water that it is in, not that of a layer below, which shear makes another.
+    sensors.dvl->layer_near_m = sensors.dvl->layer_far_m = 0;
   }
   return sensors;
 }

@@ -27,7 +27,7 @@ std::string five(const std::string& more, double step_s = 0.05) {
 const std::string by_sensors = ", navigation: sensors";
 
 TEST(NavigationInARun, PerfectInstrumentsGiveTheRunOfTheTruth) {
-  // Over ground, which these instruments tell; the water is known of a layer below, or not at all.
+  // Over ground, which these instruments tell; of the water some know nothing.
   const std::string speed = ", ground_speed_m_s: 0.8";
   const ReadyRun truth = tests::ready_of(five(speed));
   const ReadyRun sensed =

@@ -93,16 +93,42 @@ TEST(Corners, SurfaceCraftRoundASquareInSeaAndCurrentAndHoldItsEnd) {
     EXPECT_EQ(state.halt, Halt::none) << craft.model;
     const Triple<double>& at = state.vehicle.body.position_m;
     EXPECT_LT(std::hypot(at.x, at.y), craft.off_m) << craft.model;
-    // It turns once it is abeam of its waypoint and comes round to the next leg from outside: a
-    // circle and a half.
-    const double circle_m =
-        2 * craft.cruise_m_s / ready.agents[0].autopilot->settings.most_yaw_rate_rad_s;
-    EXPECT_LT(across_m, 1.7 * circle_m) << craft.model;
+    // It turns once it is abeam of its waypoint and comes round to the next leg from outside. What
+    // it turns with is less than the yaw rate that it is allowed asks for.
+    EXPECT_LT(across_m, 1.7 * tightest_turn_m(*ready.agents[0].autopilot, craft.cruise_m_s))
+        << craft.model;
     std::printf("%s: %.1f m across, held within %.2f m, done at %.0f s\n", craft.model, across_m,
                 std::hypot(at.x, at.y), run.time_s());
     RecordProperty(std::string(craft.model) + "_across_m", std::to_string(across_m));
     RecordProperty(std::string(craft.model) + "_held_m", std::to_string(std::hypot(at.x, at.y)));
   }
+}
+
+TEST(Corners, AWaypointInsideTheTurnOfAVesselIsPassedNotCircled) {
+  // The middle one lies where the middle of her turning circle at full moment is: she never comes
+  // near it.
+  const ReadyRun ready = tests::ready_of(
+      tests::calm_head(0.05) +
+      "  - {name: ctv, model: ctv24, start: {north_m: 0, east_m: 0, depth_m: 0}, tasks: [{do: "
+      "route, waypoints: [{north_m: 1000, east_m: 0, depth_m: 0}, {north_m: 1000, east_m: 325, "
+      "depth_m: 0}, {north_m: 1000, east_m: 2500, depth_m: 0}]}]}\n");
+  const Agent& agent = ready.agents[0];
+  const double turn_m = tightest_turn_m(*agent.autopilot, agent.mission.guidance.speed_m_s);
+  EXPECT_GE(agent.mission.guidance.passing_m, turn_m);
+  twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
+  double steepest_rad_m = 0;
+  while (run.time_s() < 600 && !run.states()[0].mission.is_done) {
+    run.step();
+    const Spatial<double>& nu = run.states()[0].vehicle.body.nu;
+    if (nu.linear.x > 5)
+      steepest_rad_m = std::max(steepest_rad_m, std::abs(nu.angular.z) / nu.linear.x);
+  }
+  EXPECT_EQ(run.states()[0].halt, Halt::none);
+  EXPECT_TRUE(run.states()[0].mission.is_done) << run.states()[0].mission.waypoints_taken;
+  // Her drift angle helps her round.
+  std::printf("ctv24: turns within %.0f m, counted on %.0f m\n", 1 / steepest_rad_m, turn_m);
+  EXPECT_LT(1 / steepest_rad_m, turn_m);
+  EXPECT_GT(1 / steepest_rad_m, 0.5 * turn_m);
 }
 
 TEST(Corners, AMultirotorOvershootsByLessThanItsBrakingDistance) {

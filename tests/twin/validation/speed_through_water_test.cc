@@ -124,10 +124,17 @@ TEST(SpeedThroughTheWater, GroundSpeedIsKeptOverGroundAndNeverAstern) {
       EXPECT_NEAR(s.over_ground_m_s, 0.7, 0.01) << model << along;
       EXPECT_LT(s.off_depth_m, depth > 0 ? 0.2 : 1) << model << along;
     }
-    // Faster water than was asked for carries it along; it keeps enough way on to steer.
+    // Faster water than was asked for carries it along. What steers by fins keeps way on for them;
+    // what floats drifts, its thrusters at rest, and the air holds it back as hard as the water
+    // pushes: 0.5 (1.2 - s)^2 = (51.3 + 72.4 s) s of a WAM-V.
+    constexpr double slip_m_s = 0.013466;
     const Steady swept = settled(northward(model, "ground_speed_m_s: 0.7", 0, 1.2, depth));
     EXPECT_GE(swept.least_thrust_n, -1e-6) << model;
-    EXPECT_GE(swept.over_ground_m_s, 1.19) << model;
+    if (depth > 0) {
+      EXPECT_GT(swept.over_ground_m_s, 1.2) << model;
+    } else {
+      EXPECT_NEAR(swept.over_ground_m_s, 1.2 - slip_m_s, 1e-5) << model;
+    }
     EXPECT_LT(swept.off_track_m, 1) << model;
   }
   const Steady across =
