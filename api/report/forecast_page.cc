@@ -277,7 +277,7 @@ void fold_calibration(const std::string& summary_json, ReportInput& page) {
 std::string wind_text(WindPolicy wind) {
   switch (wind) {
     case WindPolicy::best:
-      return "best: the newest stored wind";
+      return "best: the newest wind known then";
     case WindPolicy::forecast:
       return "forecast: as published by then";
     case WindPolicy::persist:

@@ -129,10 +129,12 @@ std::vector<std::string> troubles_of(const SiteData& data, const DayChoice& choi
 
 std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>& troubles,
                         bool hindsight) {
-  const std::string headline = plain_headline(plan, troubles);
-  if (!hindsight) return headline;
-  return headline + " Made in hindsight: wind or waves were used that were not known at " +
-         format_utc(plan.issued) + ".";
+  std::string headline = plain_headline(plan, troubles);
+  if (hindsight) {
+    headline += " Made in hindsight: wind or waves were used that were not known at " +
+                format_utc(plan.issued) + ".";
+  }
+  return headline;
 }
 
 void expect_any_value(const DailyForecast& result, const std::vector<std::string>& troubles) {

@@ -200,6 +200,7 @@ const Candidate& best_of(std::vector<Candidate>& candidates, const Target& targe
   keep_best(1, [](const Candidate& c) { return static_cast<double>(c.within); });
   keep_best(as_much, [](const Candidate& c) { return c.reached; });
   std::vector<std::shared_ptr<const Field>> fields;
+  fields.reserve(candidates.size());
   for (const Candidate& c : candidates) fields.push_back(c.site->field);
   return candidates[nearest_reaching(fields, target.longitude_deg, target.latitude_deg)
                         .value_or(0)];
@@ -242,6 +243,7 @@ SiteChoice site_for(const ForecastCatalogue& catalogue, const QueryType& type,
     }
   } else {
     std::vector<std::string> reaching;
+    reaching.reserve(candidates.size());
     for (const Candidate& candidate : candidates) reaching.push_back(candidate.site->site_id);
     const Candidate& best = best_of(candidates, target);
     choice.site = best.site;
