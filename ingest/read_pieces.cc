@@ -41,7 +41,7 @@ class StagingFolder {
 
   /// A folder of its own for the granules of one file: their names repeat from file to file.
   [[nodiscard]] std::filesystem::path for_file(std::size_t index) const {
-    const auto folder = path_ / std::to_string(index);
+    auto folder = path_ / std::to_string(index);
     std::error_code problem;
     std::filesystem::create_directory(folder, problem);
     if (problem) throw cannot_make(folder, problem.message());

@@ -24,8 +24,7 @@ std::string said_in(const netcdf::File& file, std::initializer_list<const char*>
 std::string attribution_of(const netcdf::File& file, const Product& product,
                            std::string_view made_by) {
   if (!product.attribution.empty()) return product.attribution;
-  const std::string asked =
-      said_in(file, {"acknowledgement", "acknowledgment", "citation", "credit"});
+  std::string asked = said_in(file, {"acknowledgement", "acknowledgment", "citation", "credit"});
   if (!asked.empty()) return asked;
   const std::string maker =
       said_in(file, {"institution", "Institution", "agency", "creator_institution", "centre"});
