@@ -63,6 +63,7 @@ class Child {
   Child(const FilterProgram& program, const Descriptor& input, const Descriptor& output) {
     std::vector<std::string> words = program.command;
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     std::string locale = "LC_ALL=C";  // decimal points
