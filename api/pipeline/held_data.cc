@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "api/pipeline/stored_pieces.h"
 #include "calibration/day/whole_day.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -91,27 +92,11 @@ std::string area_text(store::Store& store, const Site& site) {
 
 /// The newest whole day of currents, if any.
 std::optional<UtcDay> newest_day(store::Store& store, const Site& site, const Reach& currents) {
-  const UtcTime from = currents.to - days(10);
-  const auto find = [&](const std::vector<std::string>& names, const ingest::Window& window) {
-    store::GranuleQuery query;
-    query.any_of = names;
-    query.from = window.from;
-    query.to = window.to;
-    query.box = window.box;
-    query.margin_km = ingest::granule_margin_km;
-    std::vector<ingest::GranuleEntry> found;
-    for (const store::GranuleRow& row : store.find_granules(query)) {
-      if (store.content_fault(row.content_sha256)) continue;
-      found.push_back({row.id, row.source_sha256, row.product_id, row.standard_names,
-                       store.content_path(row.content_sha256)});
-    }
-    return found;
-  };
   try {
-    const SiteData data =
-        site_data_of(site, ingest::pieces_of(site, from, currents.to + days(1), find));
+    const SiteData data = site_data_of(
+        site, stored_pieces(store, site, currents.to - days(10), currents.to + days(1)).pieces);
     return calibration::newest_whole_day(data, currents.to + days(2));
-  } catch (const Error&) {  // a site on land, a damaged file: the advice is left out, no more
+  } catch (const Error&) {  // a site on land: the advice is left out, no more
     return std::nullopt;
   }
 }
