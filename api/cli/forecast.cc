@@ -5,15 +5,13 @@
 
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
+#include "api/cli/past_skill.h"
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/downloads.h"
 #include "api/pipeline/load_site_data.h"
-#include "api/pipeline/verify.h"
 #include "api/program/paths.h"
 #include "api/program/version.h"
 #include "api/report/forecast_page.h"
-#include "api/report/verdict_text.h"
-#include "fields/base/attempt.h"
 #include "fields/base/text.h"
 #include "fields/service/wave_source.h"
 #include "ingest/cf/forecast_file.h"
@@ -34,7 +32,7 @@ struct ForecastArguments {
   bool hindsight = false;
   std::string html;
   std::optional<double> html_depth_m;
-  double slack_below_m_s = 0.5;
+  std::optional<double> slack_below_m_s;
   bool print_downloads = false;
 };
 
@@ -124,86 +122,13 @@ void print_days(const Snapshot& snapshot, const std::optional<TimeZone>& zone) {
   }
 }
 
-/// How good it has been: does it beat the plainest alternatives where the truth is in?
-std::string verified_text(const std::optional<calibration::Verdict>& verdict, WindPolicy wind) {
-  if (!verdict) {
-    return "Not verified yet: no truth after a stored forecast of this site with wind " +
-           std::string(name_of(wind)) + ".";
-  }
-  std::string text = "Verified over past days, lead " +
-                     calibration::lead_text(verdict->forecast.of.lead) + ": " +
-                     error_text(*verdict);
-  if (!verdict->best) return text + ".";
-  return text + "; " + baseline_text(*verdict) + ". " + outcome_text(*verdict);
-}
-
-json verdict_json(const std::optional<calibration::Verdict>& verdict) {
-  if (!verdict) return nullptr;
-  const calibration::SkillSet& ours = verdict->forecast;
-  json document = {
-      {"wind", name_of(verdict->wind)},
-      {"lead_h", {ours.of.lead.from_h, ours.of.lead.to_h}},
-      {"days", {format_day(ours.first_day), format_day(ours.last_day)}},
-      {"pairs", ours.score.pairs},
-      {"rmse_m_s", ours.score.rmse},
-      {"truth_mean_h",
-       std::chrono::duration<double, std::ratio<3600>>(ours.of.truth_averaging).count()},
-      {"hindsight", ours.of.hindsight},
-      {"beaten", verdict->is_beaten()},
-      {"outcome", name_of(verdict->outcome)},
-      {"best_baseline", nullptr}};
-  if (verdict->best) {
-    document["best_baseline"] = {{"method", name_of(verdict->best->method)},
-                                 {"pairs", verdict->best->pairs},
-                                 {"rmse_m_s", verdict->best->rmse_m_s},
-                                 {"forecast_rmse_m_s", verdict->best->forecast_rmse_m_s}};
-  }
-  return document;
-}
-
-/// How past forecasts did.
-struct PastSkill {
-  std::vector<calibration::SkillEntry> entries;
-  std::optional<calibration::Verdict> verdict;
-  std::string verified;
-};
-
-/// What can be verified is: earlier forecasts of the last two weeks under the same wind policy,
-/// where their truth had come in when this one is issued. The new forecast is stored by now: what
-/// fails here is told, and takes nothing from it.
-PastSkill verify_past(store::Store& store, const Site& site, const SiteData& data,
-                      const Snapshot& snapshot, WindPolicy wind) {
-  calibration::VerifyOptions options;
-  options.from = snapshot.day - days(14);
-  options.issued_before = snapshot.issued;
-  options.truth_until = snapshot.issued;
-  options.leads = {{0, 24}};
-  options.bands = {{0, calibration::whole_column_m}};
-  options.by_hour = false;
-  PastSkill past;
-  std::vector<std::string> unscored;
-  const auto failure = attempt([&] {
-    calibration::Verification verification = verify_with(store, site, data, options);
-    unscored = std::move(verification.unscored);
-    past.entries = std::move(verification.entries);
-    past.verdict = calibration::verdict_of(past.entries, wind);
-  });
-  past.verified = failure ? "Not verified, the verification failed: " + failure->why
-                          : verified_text(past.verdict, wind);
-  if (!unscored.empty()) {
-    past.verified += formatted(" {} of the past forecasts could not be scored: ", unscored.size()) +
-                     unscored.front();
-  }
-  return past;
-}
-
 void write_html(const ForecastArguments& arguments, const Context& context, const Site& site,
                 const DailyJob& job, const PastSkill& past) {
   ForecastPage page;
   page.forecast = std::make_shared<const Snapshot>(job.forecast.snapshot);
   page.summary_json = job.summary_json;
   page.depth_m = arguments.html_depth_m;
-  page.slack_below_m_s = arguments.slack_below_m_s;
+  page.slack_below_m_s = arguments.slack_below_m_s.value_or(page.slack_below_m_s);
   page.time_zone = site.time_zone;
   page.verified = past.verified;
   page.skill = past.entries;
@@ -250,8 +175,12 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   }
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
-  if (arguments.html.empty() && arguments.html_depth_m)
-    throw Error(ErrorKind::usage, "--html-depth wants --html FILE");
+  if (arguments.html.empty() && (arguments.html_depth_m || arguments.slack_below_m_s)) {
+    throw Error(ErrorKind::usage,
+                std::string("found ") +
+                    (arguments.html_depth_m ? "--html-depth" : "--slack-below") +
+                    " without --html, whose page it is for; add --html FILE.html");
+  }
   store::Store store = context.open(store::OpenMode::create_or_write);
   const UtcDay last = options.day.value_or(day_of(options.issued));
   const SiteData data = load_site_data(store, site, UtcTime(last) - calibration::history_wanted,

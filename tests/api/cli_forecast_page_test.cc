@@ -43,6 +43,7 @@ TEST(ForecastHtml, IsRefusedBeforeAnythingIsStored) {
            {{"--html", "/nowhere/page.html"}, "/nowhere"},
            {{"--html", folder}, "folder"},
            {{"--html-depth", "10"}, "--html"},
+           {{"--slack-below", "0.4"}, "--slack-below without --html"},
            {{"--html", store.file("p.html").string(), "--html-depth", "31"}, "30.0 m"},
            {{"--html", store.file("p.html").string(), "--slack-below", "0"}, "--slack-below"}}) {
     std::vector<std::string> command{"forecast", "--site", store.site(), "--at",
