@@ -274,6 +274,23 @@ void fold_calibration(const std::string& summary_json, ReportInput& page) {
   if (!notes.rows.empty()) page.folded.push_back(std::move(notes));
 }
 
+/// From the same summary: the highest computed wave, and what half and twice the fetch make of it.
+FetchDoubt fetch_doubt_of(const std::string& summary_json) {
+  const auto summary = json::parse(summary_json, nullptr, false);
+  const auto waves = summary.is_object() ? summary.value("waves", json()) : json();
+  const auto computed = waves.is_object() ? waves.value("computed", json()) : json();
+  if (!computed.is_object()) return {};
+  const auto number = [&](const char* key) {
+    const auto value = computed.value(key, json());
+    return value.is_number() ? value.get<double>() : nan;
+  };
+  const double highest_m = number("highest_m");
+  const double half = number("highest_half_fetch_m") / highest_m;
+  const double twice = number("highest_twice_fetch_m") / highest_m;
+  if (!(highest_m > 0) || std::isnan(half) || std::isnan(twice)) return {};
+  return {std::min(half, 1.0), std::max(twice, 1.0)};
+}
+
 std::string wind_text(WindPolicy wind) {
   switch (wind) {
     case WindPolicy::best:
@@ -334,7 +351,7 @@ ReportInput forecast_page(const ForecastPage& what) {
     page.answer_title = "The answer " + when;
     page.answer.emplace_back("Current", "not in this forecast: see the sentence above");
   }
-  const SurfaceSeries surface = surface_series(s, what.truth);
+  const SurfaceSeries surface = surface_series(s, what.truth, fetch_doubt_of(what.summary_json));
   page.series_time = s.time;
   page.series = surface.panels;
   page.series_note = surface.note;

@@ -53,14 +53,12 @@ ReportSeries wind_panel(const Snapshot& s, const ForecastColumn& column) {
   return panel;
 }
 
-/// Whether some of the waves come from no wave product of their own time.
-bool is_reckoned(const ForecastColumn& column) {
-  return std::any_of(column.sea_source.begin(), column.sea_source.end(), [](DataStatus source) {
-    return source == DataStatus::modelled || source == DataStatus::persisted;
-  });
+bool has_waves_of(const ForecastColumn& column, DataStatus source) {
+  return std::find(column.sea_source.begin(), column.sea_source.end(), source) !=
+         column.sea_source.end();
 }
 
-ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column) {
+ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column, const FetchDoubt& doubt) {
   ReportSeries panel{"Significant wave height", "height (m)", {}, {}};
   ReportLine line{"forecast", {}, {}, {}, false};
   for (std::size_t t = 0; t < s.time.size(); ++t) {
@@ -69,8 +67,12 @@ ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column) {
     panel.towards_deg.push_back(std::fmod(column.sea[t].from_direction_deg + 180, 360));
     const double reach_m = constants::normal_p90 *
                            wave_height_sigma_m(height_m, hours_between(s.time.front(), s.time[t]));
-    line.low.push_back(std::isnan(height_m) ? nan : std::max(0.0, height_m - reach_m));
-    line.high.push_back(std::isnan(height_m) ? nan : height_m + reach_m);
+    const bool is_computed = column.sea_source[t] == DataStatus::modelled;
+    const double below_m = is_computed ? (1 - doubt.half) * height_m : 0;
+    const double above_m = is_computed ? (doubt.twice - 1) * height_m : 0;
+    line.low.push_back(
+        std::isnan(height_m) ? nan : std::max(0.0, height_m - std::hypot(reach_m, below_m)));
+    line.high.push_back(std::isnan(height_m) ? nan : height_m + std::hypot(reach_m, above_m));
   }
   panel.lines = {std::move(line)};
   return panel;
@@ -78,7 +80,8 @@ ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column) {
 
 }  // namespace
 
-SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth) {
+SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth,
+                             const FetchDoubt& doubt) {
   SurfaceSeries result;
   const ForecastColumn& column = forecast.columns.front();
   result.note = "Lines: central forecast; bands: 10 to 90 %.";
@@ -94,15 +97,23 @@ SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& trut
     result.note += " This forecast has no wind.";
   }
   if (column.sea.size() == forecast.time.size()) {
-    ReportSeries panel = wave_panel(forecast, column);
+    ReportSeries panel = wave_panel(forecast, column, doubt);
     result.waves = panel.lines.front();
     result.note +=
         " The waves' band is the usual error of forecast wave heights (a published North Sea "
         "record), not this day's own.";
-    if (is_reckoned(column))
+    if (has_waves_of(column, DataStatus::modelled)) {
       result.note +=
-          " Where no wave forecast is stored the waves are reckoned from the wind, or the "
-          "last ones held: less sure than the band says.";
+          " Where no wave product is stored the waves are computed from the wind, without swell "
+          "from elsewhere";
+      result.note += doubt.twice > 1 ? ", over a fetch that is assumed: the band takes in half and "
+                                       "twice of it."
+                                     : ".";
+    }
+    if (has_waves_of(column, DataStatus::persisted))
+      result.note +=
+          " Where there is no wind either the last known waves are kept: less sure than "
+          "the band says.";
     if (truth.significant_height_m)
       panel.lines.push_back(truth_line(forecast.time, truth.significant_height_m));
     result.panels.push_back(std::move(panel));

@@ -65,11 +65,35 @@ TEST(ForecastPage, WindWithoutAnEnsembleHasNoBandAndSaysSo) {
   EXPECT_TRUE(contains(page.series_note, "The wind has no band"));
 }
 
-TEST(ForecastPage, WavesReckonedFromTheWindAreSaidToBeLessSure) {
+TEST(ForecastPage, WavesComputedFromTheWindSaySoAndTakeInTheDoubtAboutTheirFetch) {
   Snapshot s = made_up();  // its waves are modelled
-  EXPECT_TRUE(contains(forecast_page(page_of(s)).series_note, "reckoned from the wind"));
+  const std::string over_a_fetch =
+      R"({"waves": {"computed": {"highest_m": 2.0, "highest_half_fetch_m": 1.6,
+          "highest_twice_fetch_m": 2.3}}})";
+  const auto with_summary = [&](const std::string& summary) {
+    ForecastPage page = page_of(s);
+    page.summary_json = summary;
+    return forecast_page(page);
+  };
+  const ReportInput given = with_summary("{}");
+  const ReportInput assumed = with_summary(over_a_fetch);
+  EXPECT_TRUE(contains(given.series_note, "computed from the wind"));
+  EXPECT_FALSE(contains(given.series_note, "assumed"));
+  EXPECT_TRUE(contains(assumed.series_note, "the band takes in half and twice of it"));
+  const ReportLine& narrow = given.series[1].lines.front();
+  const ReportLine& wide = assumed.series[1].lines.front();
+  for (std::size_t t = 0; t < narrow.values.size(); ++t) {
+    const double height_m = narrow.values[t];
+    EXPECT_EQ(wide.values[t], height_m) << "the line stays";
+    const double up = std::hypot(narrow.high[t] - height_m, 0.15 * height_m);
+    EXPECT_NEAR(wide.high[t], height_m + up, 1e-12);
+    const double down = std::hypot(narrow.high[t] - height_m, 0.2 * height_m);
+    EXPECT_NEAR(wide.low[t], std::max(0.0, height_m - down), 1e-12);
+  }
   for (DataStatus& source : s.columns.front().sea_source) source = DataStatus::forecast;
-  EXPECT_FALSE(contains(forecast_page(page_of(s)).series_note, "reckoned from the wind"));
+  const ReportInput product = with_summary(over_a_fetch);
+  EXPECT_FALSE(contains(product.series_note, "computed from the wind"));
+  EXPECT_EQ(product.series[1].lines.front().high, narrow.high) << "a product's own waves";
 }
 
 TEST(ForecastPage, BandOfTheWindIsTheSpreadOfItsMembers) {
