@@ -267,6 +267,7 @@ SkillPage verify_page(const Site& site, const calibration::Verification& result,
     const auto verdict = calibration::verdict_of(result.entries, wind);
     if (verdict) {
       page.headline += verdict_text(*verdict) + " ";
+      if (verdict->best) page.headline += outcome_text(*verdict) + " ";
       page.beaten = page.beaten || verdict->is_beaten();
     }
     page.policies.push_back(policy_of(wind, result, sets, verdict));

@@ -100,6 +100,12 @@ TEST(VerifyPage, TheMisfitIsDrawnDownToTheBedAndNoFarther) {
   EXPECT_EQ(policy["pooled"]["bed"], 35);
 }
 
+TEST(VerifyPage, TheFirstSentenceSaysHowItComparesWithItsBestBaseline) {
+  const std::string headline = page_of_bay().headline;
+  EXPECT_NE(headline.find("best baseline same-hour"), std::string::npos) << headline;
+  EXPECT_NE(headline.find("THE FORECAST DOES NOT BEAT IT."), std::string::npos) << headline;
+}
+
 TEST(VerifyPage, WestIsWest) { EXPECT_EQ(page_of_bay().site, "48.8500 N 2.5500 W"); }
 
 }  // namespace
