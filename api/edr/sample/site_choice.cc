@@ -206,7 +206,7 @@ const Candidate& best_of(std::vector<Candidate>& candidates, const Target& targe
                         .value_or(0)];
 }
 
-/// "answered by site farm (12 columns, 5 of them in the area asked for); lone reaches it too …".
+/// "answered by site farm (columns: 12, in the area asked for: 5); lone reaches some of it too: …".
 std::string note_on_choice(const Candidate& best, const std::vector<std::string>& others,
                            bool is_area) {
   std::string note = "answered by site " + best.site->site_id +

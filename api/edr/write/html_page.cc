@@ -6,6 +6,7 @@
 
 #include "api/edr/write/html_frame.h"
 #include "fields/base/html.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -121,7 +122,7 @@ std::string extent_of(const json& extent) {
     const json& corners = box->at("bbox").at(0);
     out += "<dt>West, south, east, north</dt><dd>";
     for (std::size_t i = 0; i < corners.size(); ++i)
-      out += (i == 0 ? "" : ", ") + escaped_html(text_of(corners[i])) + "°";
+      out += (i == 0 ? "" : ", ") + formatted("{:.3f}°", corners[i].get<double>());
     out += "</dd>";
   }
   if (const auto time = extent.find("temporal"); time != extent.end()) {
