@@ -9,6 +9,12 @@
 
 namespace slackwater {
 
+/// What a product's descriptor says of its place among others.
+struct Rank {
+  std::optional<bool> has_tide;  ///< of currents; nothing where nobody says
+  bool is_regional = false;      ///< made for a region: it counts before one of the whole globe
+};
+
 /// Where a piece of data came from, as far as choosing between pieces needs it.
 struct Origin {
   std::vector<std::int64_t> granules;  ///< one, or two where U and V came in separate files
@@ -20,6 +26,9 @@ struct Origin {
   std::vector<std::string> sources;  ///< sha256 of the product files
   /// When the last of those files came in; nothing where nobody wrote it down.
   std::optional<UtcTime> received;
+  /// When its provider published the values, where the file says it.
+  std::optional<UtcTime> published;
+  Rank rank;
   int ensemble_member = 0;  ///< of a weather model; 0 is the control
   std::string station;      ///< platform of a point series
   bool contains_stokes = false;
