@@ -186,6 +186,7 @@ Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& produc
   Granule common;
   common.product_id = product.id;
   common.dataset_id = stated_dataset_id(file);
+  common.is_regional = product.is_regional;
   common.attribution = attribution_of(file, product);
 
   std::size_t all_values = 0;

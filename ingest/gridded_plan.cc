@@ -212,6 +212,8 @@ std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCa
     }
     PlannedVariable planned;
     planned.description = {quantity.standard_name, quantity.unit, variable.name, false, false};
+    if (quantity.standard_name.ends_with("ward_sea_water_velocity"))
+      planned.description.has_tide = product.tide_of(variable.name);
     planned.source = source_of(file, located, product, warnings);
     if (holds_stokes(variable, product)) {
       if (const Located* stokes = stokes_for(located, all)) {

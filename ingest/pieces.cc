@@ -6,6 +6,7 @@
 
 #include "fields/base/averaging.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "fields/record/mooring.h"
 #include "ingest/cf/granule_file.h"
 
@@ -62,6 +63,30 @@ std::string kind_of_times(const std::vector<TimeCell>& time) {
          "h";
 }
 
+/// Products that a file does not name may be anybody's: two of them are one where their grids are.
+bool is_nobodys(const std::string& product_id) {
+  return product_id == "cf" || product_id == "unnamed_weather";
+}
+
+/// Spacing and offset of a grid, the same for cuts of it: "/0.0833x0.125+0.04,0.02".
+std::string grid_name(const Grid& grid) {
+  if (grid.latitude_deg.size() < 2 || grid.longitude_deg.size() < 2) return "/one cell";
+  const auto step = [](const std::vector<double>& axis) {
+    return (axis.back() - axis.front()) / static_cast<double>(axis.size() - 1);
+  };
+  const double north = step(grid.latitude_deg);
+  const double east = step(grid.longitude_deg);
+  // Where the axis would cross 0, in steps; rounded so that single precision does not show.
+  const auto offset = [](double first, double spacing) {
+    const double steps = first / spacing;
+    return std::round(20 * (steps - std::floor(steps))) / 20;
+  };
+  const auto part = [](double share) { return share >= 1 ? 0 : share; };
+  return formatted("/{:.3g}x{:.3g}+{:.2f},{:.2f}", north, east,
+                   part(offset(grid.latitude_deg.front(), north)),
+                   part(offset(grid.longitude_deg.front(), east)));
+}
+
 std::string dataset_of(const Granule& granule) {
   std::ostringstream text;
   if (granule.is_point_series) {  // its levels may differ from file to file, and are joined
@@ -74,6 +99,7 @@ std::string dataset_of(const Granule& granule) {
   if (!granule.grid.levels_m.empty())
     text << '@' << granule.grid.levels_m.front() << '-' << granule.grid.levels_m.back();
   if (!granule.grid.time.empty()) text << kind_of_times(granule.grid.time);
+  if (is_nobodys(granule.product_id)) text << grid_name(granule.grid);
   return text.str();
 }
 
@@ -82,6 +108,15 @@ struct Loaded {
   Granule granule;
   GriddedField field;
 };
+
+/// Of a grid in latitude, else in longitude; 0 for one cell.
+double spacing_of(const Grid& grid) {
+  for (const std::vector<double>* axis : {&grid.latitude_deg, &grid.longitude_deg}) {
+    if (axis->size() > 1)
+      return std::abs(axis->back() - axis->front()) / static_cast<double>(axis->size() - 1);
+  }
+  return 0;
+}
 
 Origin origin_of(const Loaded& loaded) {
   const Granule& granule = loaded.granule;
@@ -97,10 +132,14 @@ Origin origin_of(const Loaded& loaded) {
   origin.received = loaded.entry.received;
   origin.station = granule.station;
   origin.is_point_series = granule.is_point_series;
+  origin.rank.is_regional = granule.is_regional;
+  origin.rank.spacing_deg = spacing_of(granule.grid);
   origin.water_depth_m = granule.water_depth_m;
   for (const GranuleVariable& variable : granule.variables) {
-    if (variable.standard_name == loaded.field.standard_name)
+    if (variable.standard_name == loaded.field.standard_name) {
       origin.contains_stokes = variable.contains_stokes;
+      origin.rank.has_tide = variable.has_tide;
+    }
   }
   return origin;
 }

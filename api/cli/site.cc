@@ -6,10 +6,11 @@
 
 #include "api/cli/command.h"
 #include "api/cli/site_init.h"
+#include "api/cli/site_sources.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/program/paths.h"
 #include "calibration/day/daily_forecast.h"
-#include "calibration/day/whole_day.h"
+#include "calibration/day/leading_day.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -39,20 +40,20 @@ void run_site_check(const std::string& name, const Context& context) {
     try {
       const SiteData data =
           load_site_data(store, site, now - calibration::history_wanted, now + days(15));
-      const auto day = calibration::newest_whole_day(data, now);
+      const auto day = calibration::leading_day(data, {now});
       const ColumnData& column = data.columns.front();
       out["store"] = {{"columns", data.columns.size()},
                       {"dry_columns", data.dry_columns},
                       {"water_depth_m", column.water_depth.depth_m},
                       {"water_depth_source", column.water_depth.source},
-                      {"newest_whole_day", day ? json(format_day(*day)) : json(nullptr)},
+                      {"newest_whole_day", day ? json(format_day(day->day)) : json(nullptr)},
                       {"has_wind", !column.wind.pieces.empty()},
                       {"has_waves", !column.significant_height.pieces.empty()}};
       data_line = formatted(
           "{} columns ({} dry), {:.1f} m of water ({}), newest whole day of currents {}, "
           "wind {}, waves {}",
           data.columns.size(), data.dry_columns, column.water_depth.depth_m,
-          column.water_depth.source, day ? format_day(*day) : "none",
+          column.water_depth.source, day ? format_day(day->day) : "none",
           column.wind.pieces.empty() ? "no" : "yes",
           column.significant_height.pieces.empty() ? "no" : "yes");
     } catch (const Error& problem) {
@@ -99,6 +100,7 @@ void add_site(CLI::App& app, Context& context) {
       app.add_subcommand("site", "Write a site's description, check it, or list the known sites");
   command->require_subcommand(1);
   add_site_init(*command, context);
+  add_site_sources(*command, context);
   auto name = std::make_shared<std::string>();
   CLI::App* check =
       command->add_subcommand("check", "Is the YAML sound, and what does the store hold for it?");

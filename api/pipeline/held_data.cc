@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "api/pipeline/stored_pieces.h"
-#include "calibration/day/whole_day.h"
+#include "calibration/day/leading_day.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/pieces.h"
@@ -95,7 +95,8 @@ std::optional<UtcDay> newest_day(store::Store& store, const Site& site, const Re
   try {
     const SiteData data = site_data_of(
         site, stored_pieces(store, site, currents.to - days(10), currents.to + days(1)).pieces);
-    return calibration::newest_whole_day(data, currents.to + days(2));
+    const auto leading = calibration::leading_day(data, {currents.to + days(2)});
+    return leading ? std::optional(leading->day) : std::nullopt;
   } catch (const Error&) {  // a site on land: the advice is left out, no more
     return std::nullopt;
   }

@@ -1,7 +1,7 @@
 #include "api/pipeline/hindcast.h"
 
 #include "api/pipeline/load_site_data.h"
-#include "calibration/day/whole_day.h"
+#include "calibration/day/leading_day.h"
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
 
@@ -33,6 +33,8 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
   const SiteData data = load_site_data(store, site, first - calibration::history_wanted, last);
   HindcastReport report;
   calibration::Rehearsals rehearsals(data, options.parts.of_column);
+  calibration::VerifyOptions verify = options.verify;
+  verify.from_archive = true;
   std::vector<DailyJob> jobs;
   std::optional<Failure> first_failure;
   const double count = static_cast<double>((options.to - options.from).count() + 1);
@@ -47,7 +49,8 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     job.rehearsals = &rehearsals;
     job.parts = options.parts;
     const auto failure = attempt([&] {
-      if (!calibration::holds_day(data, day, job.issued)) {
+      const auto leading = calibration::leading_day(data, {job.issued, UtcTime::max(), day});
+      if (!leading || leading->day != day) {
         report.skipped.push_back(format_day(day) + ": no whole day of currents");
         return;
       }
@@ -78,9 +81,10 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     const calibration::DailyForecast& forecast = jobs[i].forecast;
     std::vector<calibration::SkillEntry> scored;
     const auto failure = attempt([&] {
-      scored = calibration::score_forecast(data, forecast.snapshot, forecast.plan.dataset,
-                                           options.verify)
-                   .entries;
+      scored =
+          calibration::score_forecast(data, forecast.snapshot,
+                                      {forecast.plan.dataset, forecast.plan.stands_in_for}, verify)
+              .entries;
     });
     if (failure) report.unscored.push_back(format_day(forecast.plan.day) + ": " + failure->why);
     report.skill.insert(report.skill.end(), scored.begin(), scored.end());

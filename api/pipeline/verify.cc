@@ -15,10 +15,10 @@
 namespace slackwater::api {
 namespace {
 
-std::string dataset_of_summary(const std::string& summary_json) {
+calibration::CurrentSource currents_of_summary(const std::string& summary_json) {
   const auto summary = nlohmann::json::parse(summary_json, nullptr, false);
   if (summary.is_discarded() || !summary.contains("dataset")) return {};
-  return summary["dataset"].get<std::string>();
+  return {summary["dataset"].get<std::string>(), summary.value("stands_in_for", std::string())};
 }
 
 bool is_wanted(const calibration::VerifyOptions& options, std::int64_t id) {
@@ -68,10 +68,12 @@ calibration::Verification score_all(const store::Store& store, const Chosen& cho
   std::size_t scored = 0;
   for (const store::ForecastRow& row : chosen.rows) {
     calibration::ForecastSkill skill;
+    calibration::VerifyOptions of_row = options;
+    of_row.from_archive = options.from_archive || row.origin != ForecastOrigin::forecast;
     const auto failure = attempt([&] {
       const Snapshot snapshot = ingest::read_forecast(store.proven_content(row.content_sha256));
-      skill = calibration::score_forecast(data, snapshot, dataset_of_summary(row.summary_json),
-                                          options);
+      skill = calibration::score_forecast(data, snapshot, currents_of_summary(row.summary_json),
+                                          of_row);
     });
     if (failure) {
       result.unscored.push_back("forecast " + std::to_string(row.id) + " of day " +

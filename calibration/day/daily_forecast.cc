@@ -53,16 +53,21 @@ std::vector<UtcTime> hourly(UtcTime from, UtcTime to) {
   return stamps;
 }
 
+}  // namespace
+
 ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
                      const DayChoice& choice) {
   ForecastPlan plan;
   plan.day = choice.usable.value_or(choice.wanted);
   plan.issued = options.issued;
   plan.wind = options.wind;
-  plan.best = {options.issued, options.hindsight};
+  plan.seen_by = options.seen_by;
+  plan.best = {options.issued, options.hindsight, options.issued,
+               options.hindsight ? UtcTime::max() : options.seen_by};
   plan.seed = options.seed;
   plan.stamps = hourly(plan.end_of_day(), UtcTime(choice.wanted) + days(1) + options.horizon);
   plan.dataset = choice.dataset;
+  plan.stands_in_for = choice.stands_in_for;
   if (choice.usable) plan.depth_m = wet_levels(data, plan.dataset);
   if (plan.stamps.size() > std::size_t{24} * longest_lead_days) {
     throw Error(ErrorKind::not_found,
@@ -73,6 +78,8 @@ ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
   }
   return plan;
 }
+
+namespace {
 
 constexpr const char* hindsight_note =
     "made in hindsight: wind or waves were used that were not known at the issue time";
@@ -172,6 +179,22 @@ std::optional<AveragedCurrents> widen_columns(const SiteData& data, const Foreca
   return widest;
 }
 
+/// Where another product stands in for the leading one, the bands are widened by what the two are
+/// known to differ.
+void widen_stand_in(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
+  if (result.plan.stands_in_for.empty()) return;
+  for (std::size_t i = 0; i < result.columns.size(); ++i) {
+    ColumnForecast& column = result.columns[i];
+    if (column.forms.empty()) continue;
+    attempt_part(Part::stand_in, column.failures, [&] {
+      ForecastColumn widened = column.column;
+      auto found = options.parts.stand_in(widened, data.columns[i], result.plan);
+      column.column = std::move(widened);
+      if (!result.stand_in) result.stand_in = std::move(found);
+    });
+  }
+}
+
 /// Of the waves that no product gave, at the first column that has any.
 std::optional<ComputedWaves> waves_of(const SiteData& data, const ForecastOptions& options,
                                       const DailyForecast& result) {
@@ -253,6 +276,7 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   forecast_columns(data, options, result);
   blend_columns(data, options, choice, result);
   const std::optional<AveragedCurrents> averaged = widen_columns(data, options, choice, result);
+  widen_stand_in(data, options, result);
   for (ColumnForecast& column : result.columns) column.known = {};
   result.computed_waves = waves_of(data, options, result);
   const std::vector<std::string> troubles = troubles_of(data, choice, averaged, result);

@@ -9,6 +9,7 @@
 #include "calibration/day/forecast_column.h"
 #include "calibration/day/forecast_plan.h"
 #include "calibration/day/rehearsal.h"
+#include "calibration/day/stand_in.h"
 #include "fields/record/site_data.h"
 #include "fields/service/snapshot.h"
 
@@ -17,6 +18,9 @@ namespace slackwater::calibration {
 struct ForecastOptions {
   std::optional<UtcDay> day;  ///< D; absent: the newest day that the data hold throughout
   UtcTime issued{};           ///< when the job runs
+  /// What came into the store later is not looked at, where the store was being filled by then
+  /// (Knowledge::seen_by); a hindcast looks at all of an archive.
+  UtcTime seen_by = UtcTime::max();
   Duration horizon = std::chrono::hours(72);  ///< beyond the end of D
   WindPolicy wind = WindPolicy::best;
   /// Under `best`: wind and waves that were not known at the issue time are used as well, and the
@@ -39,6 +43,7 @@ struct DailyForecast {
   std::vector<std::int64_t> input_granules;
   std::optional<Earned> earned;  ///< weights and spread; nothing where no current is forecast
   std::optional<ComputedWaves> computed_waves;  ///< of the first column with waves, where they are
+  std::optional<StandIn> stand_in;              ///< of another product for the leading one
   std::vector<PartFailure> failures;            ///< of parts that are made once for all columns
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "calibration/day/whole_day.h"
+#include "calibration/day/leading_day.h"
 #include "fields/base/averaging.h"
 
 namespace slackwater::calibration {
@@ -13,15 +13,14 @@ DayChoice choose_day(const SiteData& data, const ForecastOptions& options,
                      std::vector<PartFailure>& failures) {
   DayChoice choice;
   attempt_part(Part::day, failures, [&] {
-    std::optional<UtcDay> usable = options.day;
-    if (!usable || !holds_day(data, *usable, options.issued))
-      usable = options.parts.day(data, options.issued, options.day);
-    if (usable) {
-      DayCurrents found = currents_of_day(data, *usable, options.issued);
-      choice.dataset = std::move(found.dataset);
-      choice.averaging = averaging_of(found.currents.time);
-    }
-    choice.usable = usable;
+    const DaysKnown known{options.issued, options.seen_by, options.day};
+    const std::optional<LeadingDay> leading = options.parts.day(data, known);
+    if (!leading) return;
+    choice.averaging =
+        averaging_of(currents_of_day(data, leading->dataset, leading->day, known).time);
+    choice.dataset = leading->dataset;
+    choice.stands_in_for = leading->stands_in_for;
+    choice.usable = leading->day;
   });
   // Providers deliver a day late; more than that is late, and the forecast still has to reach as
   // far.

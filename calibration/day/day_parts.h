@@ -4,9 +4,10 @@
 
 #include "calibration/day/forecast_column.h"
 #include "calibration/day/issued_blend.h"
+#include "calibration/day/leading_day.h"
 #include "calibration/day/rehearsal.h"
+#include "calibration/day/stand_in.h"
 #include "calibration/day/unresolved_tide.h"
-#include "calibration/day/whole_day.h"
 
 namespace slackwater::calibration {
 
@@ -14,13 +15,14 @@ namespace slackwater::calibration {
 /// (part_failure.h). Those that stand here do the work; tests put others in their place to see one
 /// fail. A part that is replaced has to be safe to call from many threads.
 struct DayParts {
-  std::function<decltype(newest_whole_day)> day = newest_whole_day;
+  std::function<decltype(leading_day)> day = leading_day;
   ColumnParts of_column;
   std::function<decltype(forecast_column)> column = forecast_column;
   std::function<Earned(Rehearsals&, const ForecastPlan&, const std::vector<bool>&, int)> rehearsal =
       &Rehearsals::earned;
   std::function<decltype(issue_blend)> blend = issue_blend;
   std::function<decltype(widen_by_unresolved_tide)> unresolved_tide = widen_by_unresolved_tide;
+  std::function<decltype(widen_by_stand_in)> stand_in = widen_by_stand_in;
 };
 
 }  // namespace slackwater::calibration

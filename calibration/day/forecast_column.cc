@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/day/sources.h"
 #include "fields/record/choose.h"
 #include "fields/record/slice.h"
 
@@ -29,8 +30,8 @@ WindErrorGrowth wind_error_of(const VectorRecord& record, const HorizonWind& win
   if (plan.wind == WindPolicy::persist ||
       2 * count(DataStatus::persisted) > static_cast<std::ptrdiff_t>(wind.source.size())) {
     // A run issued by then reaches beyond D: the climate is that of the record, which ends with D.
-    const VectorColumn known = slice(choose(record, {plan.end_of_day(), plan.issued}, {}).column,
-                                     UtcTime::min(), plan.end_of_day());
+    const VectorColumn known =
+        slice(choose(record, plan.knowledge(), {}).column, UtcTime::min(), plan.end_of_day());
     std::vector<UtcTime> times;
     for (const TimeCell& cell : known.time) times.push_back(cell.centre());
     const std::size_t levels = known.levels();
@@ -39,6 +40,18 @@ WindErrorGrowth wind_error_of(const VectorRecord& record, const HorizonWind& win
     return persisted_wind_error(climate_sigma_m_s(times, values));
   }
   return count(DataStatus::forecast) > 0 ? forecast_wind_error() : analysed_wind_error();
+}
+
+/// The same, with what gaps and heights add.
+WindErrorGrowth whole_wind_error_of(const VectorRecord& record, const HorizonWind& wind,
+                                    const ForecastPlan& plan) {
+  WindErrorGrowth growth = wind_error_of(record, wind, plan);
+  const bool any = std::any_of(wind.extra_sigma_m_s.begin(), wind.extra_sigma_m_s.end(),
+                               [](double sigma) { return sigma > 0; });
+  if (!any) return growth;
+  growth.extra_at = plan.stamps;
+  growth.extra_sigma_m_s = wind.extra_sigma_m_s;
+  return growth;
 }
 
 /// The current at the plan's stamps and levels: the propagated day and its tide.
@@ -115,7 +128,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
   attempt_this(Part::propagation, [&] {
     const Propagated propagated =
         parts.propagation(fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
-                          wind_error_of(data.wind, wind, plan), plan.spread, plan.seed);
+                          whole_wind_error_of(data.wind, wind, plan), plan.spread, plan.seed);
     ForecastColumn carried = result.column;
     set_current(carried, propagated, tide, known.column, day.levels(), plan);
     result.best_form = fitted.best();
@@ -151,19 +164,24 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   attempt_part(Part::wind, result.failures, [&] {
     wind = parts.wind(data.wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
   });
-  HorizonSea sea;
+  HorizonSea waves;
   attempt_part(Part::waves, result.failures, [&] {
-    sea = parts.waves(data, site, plan.wind, plan.end_of_day(), plan.stamps, wind, plan.best);
+    waves = parts.waves(data, site, plan.wind, plan.end_of_day(), plan.stamps, wind, plan.best);
   });
   result.column.wind_m_s = wind.wind_m_s;
   result.column.wind_source = wind.source;
-  result.column.sea = std::move(sea.sea);
-  result.column.sea_source = std::move(sea.source);
-  result.hindsight = wind.hindsight || sea.hindsight;
-  result.waves_of_wind_alone = !result.column.sea.empty() && sea.origins.empty();
+  result.column.sea = std::move(waves.sea);
+  result.column.sea_source = std::move(waves.source);
+  result.hindsight = wind.hindsight || waves.hindsight;
+  result.waves_of_wind_alone = !result.column.sea.empty() && waves.origins.empty();
   result.origins = wind.origins;
-  result.origins.insert(result.origins.end(), sea.origins.begin(), sea.origins.end());
+  result.origins.insert(result.origins.end(), waves.origins.begin(), waves.origins.end());
+  result.wind_gaps = wind.gaps;
   forecast_current(data, plan, parts, wind, result);
+  (void)attempt([&] {
+    result.sources =
+        sources_of(result.known, wind, waves, layer_record(data, plan).stretches, plan);
+  });
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include "calibration/propagate/propagate.h"
 #include "calibration/solve/calibration.h"
 #include "fields/record/site_data.h"
+#include "fields/record/source_use.h"
 #include "fields/service/snapshot.h"
 
 namespace slackwater::calibration {
@@ -32,6 +33,8 @@ struct ColumnForecast {
   std::vector<const Origin*> origins;  ///< whose values were used
   bool contains_stokes = false;
   bool hindsight = false;  ///< wind or waves were used that were not known when it was issued
+  std::vector<SourceUse> sources;     ///< who speaks for what, when and why, from D on
+  std::vector<WindGap> wind_gaps;     ///< HorizonWind::gaps
   std::vector<PartFailure> failures;  ///< parts that it had to do without
   /// No wave product speaks for any hour, nor shortly before: the waves are of the wind alone.
   bool waves_of_wind_alone = false;

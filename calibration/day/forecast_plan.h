@@ -1,34 +1,46 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "calibration/propagate/spread.h"
 #include "fields/base/time.h"
+#include "fields/record/choose.h"
 #include "fields/service/wind_policy.h"
 
 namespace slackwater::calibration {
 
-/// What `WindPolicy::best` may look at of wind and waves.
+/// What may be looked at of wind and waves.
 struct BestInputs {
-  /// Values valid by then, runs issued by then, and files received by then are known.
+  /// Under `best` values valid by then, runs issued by then, and files received by then are known.
   UtcTime known_by = UtcTime::max();
   /// What came later is looked at too, and what is made with it is marked.
   bool hindsight = false;
+  /// When the forecast is issued: what `WindPolicy::forecast` may look at was published by then.
+  /// Absent: at the end of D.
+  std::optional<UtcTime> issued{};
+  UtcTime seen_by = UtcTime::max();  ///< Knowledge::seen_by, under every policy
 };
 
 /// What every column of one run shares.
 struct ForecastPlan {
   UtcDay day{};  ///< D
   UtcTime issued{};
+  UtcTime seen_by = UtcTime::max();  ///< Knowledge::seen_by, of currents
   WindPolicy wind = WindPolicy::best;
-  BestInputs best;              ///< under that policy
+  BestInputs best;
   std::vector<UtcTime> stamps;  ///< hourly from the end of D, both ends included
   std::vector<double> depth_m;  ///< the product's native wet levels
   std::string dataset;          ///< of the currents; empty where there are none
+  std::string stands_in_for;    ///< the leading dataset, where that one only stands in; else empty
   Spread spread;                ///< one set of figures for all sites
   std::uint64_t seed = 1;       ///< of the members
 
+  /// What is known of the currents up to the end of D.
+  [[nodiscard]] Knowledge knowledge() const {
+    return {end_of_day(), issued, UtcTime::min(), seen_by};
+  }
   [[nodiscard]] UtcTime end_of_day() const noexcept { return UtcTime(day) + std::chrono::days(1); }
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibration/day/forecast_plan.h"
+#include "calibration/day/wind_fill.h"
 #include "fields/record/site_data.h"
 #include "fields/service/snapshot.h"
 #include "fields/service/wind_policy.h"
@@ -15,8 +16,13 @@ namespace slackwater::calibration {
 struct HorizonWind {
   std::optional<VectorColumn>
       series;  ///< for calibration and propagation; nothing where no wind is stored
-  std::vector<Horizontal> wind_m_s;    ///< at the stamps; empty where no wind is stored
-  std::vector<DataStatus> source;      ///< per stamp
+  std::vector<Horizontal> wind_m_s;  ///< at the stamps; empty where no wind is stored
+  std::vector<DataStatus> source;    ///< per stamp
+  /// Standard deviation of a component per stamp for standing in a gap, or for having been brought
+  /// from another height, beside the error of its source; 0 where it is neither.
+  std::vector<double> extra_sigma_m_s;
+  std::vector<WindGap> gaps;           ///< too long for a line, with values after them
+  std::vector<Stretch> stretches;      ///< who speaks when
   std::vector<const Origin*> origins;  ///< whose values were used
   bool hindsight = false;              ///< some of them were not known by `BestInputs::known_by`
 };
@@ -31,6 +37,7 @@ struct HorizonWind {
 struct HorizonSea {
   std::vector<SeaState> sea;
   std::vector<DataStatus> source;
+  std::vector<Stretch> stretches;      ///< who speaks when, of stored waves
   std::vector<const Origin*> origins;  ///< of stored waves; empty: the wind alone
   bool hindsight = false;  ///< stored waves were used that were not known; the wind says so itself
 };

@@ -50,7 +50,7 @@ Chosen<Horizontal> known_of(const ColumnData& column, const ForecastPlan& plan,
                             const std::string& dataset) {
   Choice choice;
   choice.dataset = dataset;
-  Chosen<Horizontal> chosen = choose(column.current, {plan.end_of_day(), plan.issued}, choice);
+  Chosen<Horizontal> chosen = choose(column.current, plan.knowledge(), choice);
   Chosen<Horizontal> known;
   known.column = slice(chosen.column, UtcTime::min(), plan.end_of_day());
   // A surface product without a depth axis speaks of the surface.
@@ -60,6 +60,7 @@ Chosen<Horizontal> known_of(const ColumnData& column, const ForecastPlan& plan,
   }
   chosen.origin.resize(known.column.times());
   known.origin = std::move(chosen.origin);
+  known.stretches = std::move(chosen.stretches);
   return known;
 }
 
@@ -80,7 +81,7 @@ std::optional<Partner> partner_of(const ColumnData& column, const ForecastPlan& 
     VectorRecord products;
     for (const Piece& piece : column.current.pieces)
       if (!is_in_situ(*piece.origin)) products.pieces.push_back(piece);
-    const auto product = leading_dataset(products, day, plan.end_of_day());
+    const auto product = leading_dataset(products, day, plan.end_of_day(), plan.knowledge());
     if (!product) return std::nullopt;
     return Partner{*product, leading->origin->station, leading->distance_m, true};
   }
@@ -140,6 +141,10 @@ Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& 
   known.column = partner->plan_is_in_situ
                      ? fused_on_series(known.column, other.column, partner->distance_m)
                      : fuse(known.column, other.column, partner->distance_m).column;
+  for (Stretch stretch : other.stretches) {
+    stretch.why = "fused with it";
+    known.stretches.push_back(std::move(stretch));
+  }
   for (const Origin* origin : other.origin) {
     if (std::find(known.origin.begin(), known.origin.end(), origin) == known.origin.end())
       known.origin.push_back(origin);

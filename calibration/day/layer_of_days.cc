@@ -37,12 +37,16 @@ std::vector<double> values_of(const ScalarColumn& column) {
 
 }  // namespace
 
+Chosen<double> layer_record(const ColumnData& column, const ForecastPlan& plan) {
+  const bool is_stated = !column.mixed_layer_depth.pieces.empty();
+  return choose(is_stated ? column.mixed_layer_depth : column.temperature, plan.knowledge(), {});
+}
+
 LayerOfDays layer_of_days(const ColumnData& column, const ForecastPlan& plan) {
   const bool is_stated = !column.mixed_layer_depth.pieces.empty();
-  const ScalarRecord& record = is_stated ? column.mixed_layer_depth : column.temperature;
   LayerOfDays layer;
-  if (record.pieces.empty()) return layer;
-  const ScalarColumn known = choose(record, {plan.end_of_day(), plan.issued}, {}).column;
+  const ScalarColumn known = layer_record(column, plan).column;
+  if (known.times() == 0) return layer;
   for (int before = chain_days; before >= 0; --before) {
     const UtcDay day = plan.day - days(before);
     const ScalarColumn part = slice(known, UtcTime(day), UtcTime(day) + days(1));

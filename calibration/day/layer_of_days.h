@@ -5,6 +5,10 @@
 
 namespace slackwater::calibration {
 
+/// The record of the mixed layer as known at the end of D: `mlotst` where it is stored, else
+/// temperatures.
+[[nodiscard]] Chosen<double> layer_record(const ColumnData& column, const ForecastPlan& plan);
+
 /// What the stored products say of the mixed layer on D and on the days of the chain before it, as
 /// known at the end of D: `mlotst` where it is stored, else from the temperature profile.
 [[nodiscard]] LayerOfDays layer_of_days(const ColumnData& column, const ForecastPlan& plan);

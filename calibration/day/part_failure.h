@@ -24,6 +24,7 @@ enum class Part {
   rehearsal,        ///< of past days, which decides the blend and the spread
   blend,            ///< of our own forecast with the others
   unresolved_tide,  ///< that means over hours leave out, in the band
+  stand_in,         ///< of another product for the one that leads, in the band
 };
 
 /// A name as in JSON: "waves".

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "calibration/day/known_currents.h"
+#include "calibration/day/leading_day.h"
 #include "calibration/day/methods.h"
-#include "calibration/day/whole_day.h"
 #include "fields/base/parallel.h"
 #include "fields/record/slice.h"
 
@@ -20,7 +20,9 @@ using std::chrono::hours;
 ForecastPlan moved_to(const ForecastPlan& plan, UtcDay day) {
   ForecastPlan moved = plan;
   moved.day = day;
-  moved.issued = moved.end_of_day() + (plan.issued - plan.end_of_day());
+  const Duration later = plan.issued - plan.end_of_day();
+  moved.issued = moved.end_of_day() + later;
+  if (plan.best.issued) moved.best.issued = moved.issued;
   return moved;
 }
 
@@ -58,7 +60,7 @@ Chosen<Horizontal> day_after(const Chosen<Horizontal>& known, UtcTime end_of_day
   // The instant at 24:00 of D belongs to D.
   if (!next.time.empty() && next.time.front().end <= end_of_day)
     next = slice(next, end_of_day + Duration(1), end_of_day + days(1));
-  return {std::move(next), known.origin};
+  return {std::move(next), known.origin, known.stretches};
 }
 
 }  // namespace
@@ -79,7 +81,7 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
   RehearsedDay result;
   const ForecastPlan past = plan_of(plan, day);
   const ForecastPlan next = moved_to(plan, day + days(1));
-  if (!holds_day(data_, day, past.issued)) return result;
+  if (!holds_day(data_, past.dataset, day, {past.issued, past.seen_by, {}})) return result;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::size_t i : columns_to_rehearse(data_, most_columns)) {
     const ColumnData& column = data_.columns[i];
@@ -128,7 +130,7 @@ std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, Ut
   const ForecastPlan past = plan_of(plan, day);
   const Key key{day,         past.wind,          past.dataset,
                 past.issued, past.best.known_by, past.best.hindsight,
-                past.seed,   past.depth_m};
+                past.seed,   past.depth_m,       past.seen_by};
   {
     const std::lock_guard lock(mutex_);
     const auto found = done_.find(key);

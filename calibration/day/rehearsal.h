@@ -54,7 +54,7 @@ class Rehearsals {
   /// All of a plan that a rehearsed day rests on: the day, wind policy, dataset, issue time, by
   /// when the best wind was known and whether with hindsight, seed, depths.
   using Key = std::tuple<UtcDay, WindPolicy, std::string, UtcTime, UtcTime, bool, std::uint64_t,
-                         std::vector<double>>;
+                         std::vector<double>, UtcTime>;
 
   const SiteData& data_;
   ColumnParts parts_;

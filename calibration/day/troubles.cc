@@ -54,6 +54,10 @@ void judge_wind(const ColumnForecast& made, const ForecastPlan& plan,
     return;
   }
   if (plan.wind == WindPolicy::persist) return;
+  for (const WindGap& gap : made.wind_gaps) {
+    troubles.push_back("no wind is known from " + format_utc(gap.from) + " to " +
+                       format_utc(gap.to) + ": it is persisted there");
+  }
   const auto persisted =
       std::count(column.wind_source.begin(), column.wind_source.end(), DataStatus::persisted);
   if (2 * persisted > static_cast<std::ptrdiff_t>(column.wind_source.size())) {
@@ -119,6 +123,7 @@ std::vector<std::string> troubles_of(const SiteData& data, const DayChoice& choi
   judge_day(choice, is_choice_failed, troubles);
   if (choice.usable) judge_columns(made.columns, troubles);
   if (averaged) troubles.push_back(sentence_of(*averaged));
+  if (made.stand_in) troubles.push_back(text_of(*made.stand_in));
   judge_wind(made.columns.front(), made.plan, troubles);
   if (made.computed_waves && is_degradation(*made.computed_waves, made.plan.wind))
     troubles.push_back(text_of(*made.computed_waves));

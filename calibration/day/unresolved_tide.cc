@@ -62,7 +62,7 @@ std::optional<TidalRecord> tidal_record_of(const ColumnData& data, const Forecas
                                            const std::string& dataset) {
   Choice choice;
   choice.dataset = dataset;
-  const Chosen<Horizontal> chosen = choose(data.current, {plan.end_of_day(), plan.issued}, choice);
+  const Chosen<Horizontal> chosen = choose(data.current, plan.knowledge(), choice);
   if (chosen.empty()) return std::nullopt;
   VectorColumn column = slice(chosen.column, UtcTime::min(), plan.end_of_day());
   if (column.levels_m.empty()) column.levels_m = {0.0};  // a product of the surface

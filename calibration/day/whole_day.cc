@@ -1,40 +1,11 @@
 #include "calibration/day/whole_day.h"
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
-#include "calibration/day/known_currents.h"
-#include "fields/record/leading_dataset.h"
-#include "fields/record/slice.h"
-
 namespace slackwater::calibration {
-namespace {
-
 using std::chrono::days;
 using std::chrono::hours;
-
-/// The column that speaks for the site when days are chosen: the first with currents.
-const ColumnData* leading_column(const SiteData& data) {
-  for (const ColumnData& column : data.columns) {
-    if (!column.current.pieces.empty()) return &column;
-  }
-  return nullptr;
-}
-
-/// Days with any current, newest first, none after the issue time.
-std::vector<UtcDay> candidate_days(const ColumnData& column, UtcTime issued) {
-  std::set<UtcDay> found;
-  for (const auto& piece : column.current.pieces) {
-    for (const TimeCell& cell : piece.column.time) {
-      const UtcDay day = day_of(cell.centre());
-      if (UtcTime(day) + days(1) <= issued) found.insert(day);
-    }
-  }
-  return {found.rbegin(), found.rend()};
-}
-
-}  // namespace
 
 bool holds_throughout(const VectorColumn& currents, UtcDay day) {
   std::vector<TimeCell> cells;
@@ -61,34 +32,6 @@ bool holds_throughout(const VectorColumn& currents, UtcDay day) {
     if (too_wide(cells[i].centre() - cells[i - 1].centre())) return false;
   }
   return cells.front().start - from <= usual && to - cells.back().end <= usual;
-}
-
-DayCurrents currents_of_day(const SiteData& data, UtcDay day, UtcTime issued) {
-  const ColumnData* column = leading_column(data);
-  if (column == nullptr) return {};
-  const UtcTime from(day);
-  const UtcTime to = from + days(1);
-  const auto dataset = leading_dataset(column->current, from, to);
-  if (!dataset) return {};
-  ForecastPlan plan;
-  plan.day = day;
-  plan.issued = issued;
-  plan.dataset = *dataset;
-  return {slice(known_currents(*column, plan).column, from, to), *dataset};
-}
-
-bool holds_day(const SiteData& data, UtcDay day, UtcTime issued) {
-  return holds_throughout(currents_of_day(data, day, issued).currents, day);
-}
-
-std::optional<UtcDay> newest_whole_day(const SiteData& data, UtcTime issued,
-                                       std::optional<UtcDay> latest) {
-  const ColumnData* column = leading_column(data);
-  if (column == nullptr) return std::nullopt;
-  for (const UtcDay day : candidate_days(*column, issued)) {
-    if ((!latest || day <= *latest) && holds_day(data, day, issued)) return day;
-  }
-  return std::nullopt;
 }
 
 }  // namespace slackwater::calibration

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fields/base/check.h"
+#include "fields/interpolate/temporal.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -16,6 +17,14 @@ constexpr double prior_samples = 10.0;
 
 bool is_finite(Horizontal value) noexcept {
   return std::isfinite(value.real()) && std::isfinite(value.imag());
+}
+
+double extra_sigma_m_s(const WindErrorGrowth& growth, UtcTime time) {
+  const auto place = place_in(growth.extra_at, time);
+  if (!place) return 0;
+  const double low = growth.extra_sigma_m_s[place->low];
+  if (place->upper == 0) return low;
+  return (1 - place->upper) * low + place->upper * growth.extra_sigma_m_s[place->low + 1];
 }
 
 }  // namespace
@@ -89,8 +98,10 @@ std::vector<double> departure_sigma_m_s(std::span<const UtcTime> times, UtcTime 
                                         const WindErrorGrowth& growth) {
   std::vector<double> sigma;
   sigma.reserve(times.size());
-  for (const UtcTime time : times)
-    sigma.push_back(growth.sigma_m_s(hours_between(end_of_day, time)));
+  for (const UtcTime time : times) {
+    const double law = growth.sigma_m_s(hours_between(end_of_day, time));
+    sigma.push_back(time < end_of_day ? law : std::hypot(law, extra_sigma_m_s(growth, time)));
+  }
   return sigma;
 }
 

@@ -24,7 +24,12 @@ struct WindErrorGrowth {
   /// Age of the wind forecast at the end of D: the hours from its reference time to 24:00.
   double age_h = 0.0;
 
-  /// Of a component; 0 before the end of D (lead < 0): what the calibration was fitted to.
+  /// Beside the law, per time: of a wind that stands in a gap, or was brought from another height.
+  /// Empty: nowhere. Linear in between, 0 outside.
+  std::vector<UtcTime> extra_at;
+  std::vector<double> extra_sigma_m_s;
+
+  /// Of a component, without the extra; 0 before the end of D (lead < 0): what the calibration was fitted to.
   [[nodiscard]] double sigma_m_s(double lead_h) const;
 };
 
@@ -77,7 +82,7 @@ inline constexpr double wind_memory_h = 24.0;
 [[nodiscard]] double climate_sigma_m_s(std::span<const UtcTime> times,
                                        std::span<const Horizontal> wind_m_s);
 
-/// Standard deviation of a component at each time, 0 before the end of D.
+/// Standard deviation of a component at each time, the extra included, 0 before the end of D.
 [[nodiscard]] std::vector<double> departure_sigma_m_s(std::span<const UtcTime> times,
                                                       UtcTime end_of_day,
                                                       const WindErrorGrowth& growth);

@@ -114,9 +114,9 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
     return c.point == issued.point || distance_m(c.point, issued.point) < same_place_m;
   });
   if (column == columns.end()) return;
-  const Chosen<Horizontal> truth =
-      truth_of(*column, scored.plan.dataset, scored.plan.end_of_day(),
-               std::min(scored.snapshot.time.back(), scored.options.truth_until));
+  const Chosen<Horizontal> truth = truth_of(
+      *column, scored.plan.stands_in_for.empty() ? scored.plan.dataset : scored.plan.stands_in_for,
+      scored.plan.end_of_day(), std::min(scored.snapshot.time.back(), scored.options.truth_until));
   if (truth.empty()) return;
   sum.truth = truth_name(*truth.origin.back());
   const Duration averaging = averaging_of(truth.column.time);
@@ -141,13 +141,17 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   slackwater::calibration::merge(sum.methods, own);
 }
 
-ForecastPlan plan_of(const Snapshot& snapshot, const std::string& dataset,
+ForecastPlan plan_of(const Snapshot& snapshot, const CurrentSource& currents, bool from_archive,
                      const SkillEntry& blank) {
   ForecastPlan plan;
   plan.day = snapshot.day;
   plan.issued = snapshot.issued;
+  if (!from_archive) plan.seen_by = snapshot.issued;
+  plan.best.issued = snapshot.issued;
+  plan.best.seen_by = plan.seen_by;
   plan.wind = blank.wind;
-  plan.dataset = dataset;
+  plan.dataset = currents.dataset;
+  plan.stands_in_for = currents.stands_in_for;
   return plan;
 }
 
@@ -167,12 +171,12 @@ std::string truth_name(const Origin& origin) {
 }
 
 ForecastSkill score_currents(const SiteData& data, const Snapshot& snapshot,
-                             const std::string& dataset, const VerifyOptions& options,
+                             const CurrentSource& currents, const VerifyOptions& options,
                              const SkillEntry& blank) {
   ForecastSkill skill;
-  if (dataset.empty() || snapshot.columns.empty()) return skill;
+  if (currents.dataset.empty() || snapshot.columns.empty()) return skill;
   const std::vector<DepthBand> bands = options.bands.empty() ? standard_bands() : options.bands;
-  const ForecastPlan plan = plan_of(snapshot, dataset, blank);
+  const ForecastPlan plan = plan_of(snapshot, currents, options.from_archive, blank);
   const Scored scored{data,
                       snapshot,
                       options,

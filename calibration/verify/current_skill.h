@@ -28,6 +28,13 @@ struct ForecastTrace {
   std::map<std::pair<UtcTime, double>, BlockSum> misfit;
 };
 
+/// Whose currents a forecast was made from.
+struct CurrentSource {
+  std::string dataset;  ///< empty: from none, there is nothing to score
+  /// The dataset that leads at the site, where the other only stood in for it: then it is the truth.
+  std::string stands_in_for{};
+};
+
 /// The scores of one forecast, and what a page draws of it where the options ask for it.
 struct ForecastSkill {
   std::vector<SkillEntry> entries;
@@ -37,11 +44,10 @@ struct ForecastSkill {
 /// Scores the currents of one forecast at every column against the truth that the data hold now.
 /// Columns are worked on in parallel; the result does not depend on the number of threads.
 ///
-/// @param dataset  of the currents that the forecast was made from; empty: nothing to score
 /// @param blank    what all entries of this forecast share
 [[nodiscard]] ForecastSkill score_currents(const SiteData& data, const Snapshot& snapshot,
-                                           const std::string& dataset, const VerifyOptions& options,
-                                           const SkillEntry& blank);
+                                           const CurrentSource& currents,
+                                           const VerifyOptions& options, const SkillEntry& blank);
 
 /// "station Cabo de Gata", or the product's id.
 [[nodiscard]] std::string truth_name(const Origin& origin);

@@ -6,7 +6,7 @@
 namespace slackwater::calibration {
 
 ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
-                             const std::string& dataset, const VerifyOptions& options) {
+                             const CurrentSource& currents, const VerifyOptions& options) {
   expects(snapshot.wind_policy.has_value(), "a forecast to score has a wind policy");
   SkillEntry blank;
   blank.variable = current_variable;
@@ -15,7 +15,7 @@ ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
   blank.issued = snapshot.issued;
   blank.wind = *snapshot.wind_policy;
   blank.hindsight = snapshot.hindsight;
-  ForecastSkill skill = score_currents(data, snapshot, dataset, options, blank);
+  ForecastSkill skill = score_currents(data, snapshot, currents, options, blank);
   if (data.columns.empty() || snapshot.columns.empty()) return skill;
   const UtcTime end = UtcTime(snapshot.day) + std::chrono::days(1);
   auto surface = score_surface(data.columns.front(), snapshot, end, options, blank);

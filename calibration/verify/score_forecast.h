@@ -11,9 +11,8 @@ namespace slackwater::calibration {
 
 /// Scores one forecast, currents, wind and waves, against the truth that the data hold now, with
 /// every baseline beside it. Pure; the same for any number of threads.
-/// @param dataset  of the currents that the forecast was made from
 [[nodiscard]] ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
-                                           const std::string& dataset,
+                                           const CurrentSource& currents,
                                            const VerifyOptions& options);
 
 /// Scores of many forecasts, and what a page draws of them where the options ask for it.

@@ -52,7 +52,10 @@ struct VerifyOptions {
   std::vector<std::int64_t> forecasts;     ///< only these ids of the store; empty: all in the range
   UtcTime issued_before = UtcTime::max();  ///< only forecasts of the store issued earlier
   UtcTime truth_until = UtcTime::max();    ///< truth that ends later is not looked at
-  std::vector<DepthBand> bands;            ///< empty: the whole column and the standard bands
+  /// The forecasts were made from an archive, whenever it was read: what came in after their issue
+  /// is not hidden from the baselines.
+  bool from_archive = false;
+  std::vector<DepthBand> bands;  ///< empty: the whole column and the standard bands
   std::vector<LeadBin> leads{{0, 24}, {24, 48}, {48, 72}};  ///< whole hours
   bool by_hour = true;      ///< also each hour of lead, for the first band
   bool per_column = false;  ///< each column beside the pooled figures

@@ -67,7 +67,7 @@ void print_score(const SiteData& data, const calibration::DailyForecast& forecas
   options.leads = {{0, 24}};
   options.by_hour = false;
   const calibration::ForecastSkill skill =
-      calibration::score_forecast(data, forecast.snapshot, forecast.plan.dataset, options);
+      calibration::score_forecast(data, forecast.snapshot, {forecast.plan.dataset}, options);
   for (const calibration::SkillEntry& entry : skill.entries) {
     if (entry.variable == "sea_water_velocity" &&
         (entry.method == calibration::Method::forecast ||

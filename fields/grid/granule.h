@@ -14,6 +14,8 @@ struct GranuleVariable {
   std::string source_name;       ///< as the provider wrote it, e.g. "vozocrtx"
   bool contains_stokes = false;  ///< a current that still holds Stokes drift
   bool has_status = false;       ///< a per-value status stands beside the values (in-situ)
+  /// Whether a current contains the tide; nothing where nobody says.
+  std::optional<bool> has_tide{};
   bool operator==(const GranuleVariable&) const = default;
 };
 
@@ -31,6 +33,7 @@ struct Granule {
   std::string product_id;                 ///< e.g. "MEDSEA_ANALYSISFORECAST_PHY_006_013"
   std::string dataset_id;                 ///< where known
   std::string attribution;                ///< the sentence to print
+  bool is_regional = false;               ///< of a product made for a region
 };
 
 }  // namespace slackwater

@@ -1,79 +1,160 @@
 #include "fields/record/choose.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
+
+#include "fields/record/cadence.h"
+#include "fields/record/join.h"
+#include "fields/record/run.h"
 
 namespace slackwater {
 namespace {
 
-/// Larger is better.
-auto rank_of(const Origin& origin) {
-  const bool known_for_sure = origin.status != DataStatus::forecast;
-  return std::tuple(known_for_sure, origin.reference_time.value_or(UtcTime{}),
-                    -origin.ensemble_member, origin.granules.front());
+/// Whether a run of another quantity is this one: of the same product, and as old.
+bool is_like(const Origin& one, const Origin& other) {
+  const RunName a = run_name_of(one);
+  const RunName b = run_name_of(other);
+  return one.product_id == other.product_id && one.station == other.station &&
+         a.is_forecast == b.is_forecast && a.reference_time == b.reference_time;
 }
 
-/// The dataset of the nearest point series with a known value; nothing where a dataset is asked for
-/// or there is no series.
+/// The values of a run that lie in time that nobody has taken, in parts that hang together.
 template <typename T>
-std::optional<std::string> nearest_series(const Record<T>& record, const Knowledge& knowledge,
-                                          const Choice& choice) {
-  if (choice.dataset) return std::nullopt;
-  const PieceColumn<T>* nearest = nullptr;
-  for (const PieceColumn<T>& piece : record.pieces) {
-    if (!piece.origin->is_point_series) continue;
-    if (nearest != nullptr && nearest->distance_m <= piece.distance_m) continue;
-    const bool known =
-        std::any_of(piece.column.time.begin(), piece.column.time.end(),
-                    [&](const TimeCell& cell) { return is_known(*piece.origin, cell, knowledge); });
-    if (known) nearest = &piece;
+std::vector<Part<T>> parts_left(const Run<T>& run, std::size_t rank, const TakenTime& taken) {
+  std::vector<Part<T>> parts;
+  const std::vector<UtcTime> centres = run.centres();
+  bool hangs_together = false;
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    if (i > 0 && (!hangs_on(centres, i) || taken.reaches_into(centres[i - 1], centres[i])))
+      hangs_together = false;
+    if (taken.holds(centres[i])) {
+      hangs_together = false;
+    } else if (hangs_together) {
+      ++parts.back().count;
+    } else {
+      parts.push_back({&run, rank, i, 1});
+      hangs_together = true;
+    }
   }
-  if (nearest == nullptr) return std::nullopt;
-  return nearest->origin->dataset;
+  return parts;
+}
+
+/// Who speaks when: each run in the order given takes what is left of its time.
+template <typename T>
+std::vector<Part<T>> shared_out(const std::vector<const Run<T>*>& runs) {
+  std::vector<Part<T>> parts;
+  TakenTime taken;
+  for (std::size_t rank = 0; rank < runs.size(); ++rank) {
+    for (Part<T>& part : parts_left(*runs[rank], rank, taken)) parts.push_back(part);
+    for (const TimeSpan& span : whole_parts(runs[rank]->centres())) taken.take(span);
+  }
+  return parts;
+}
+
+/// The same runs as in another series, each for its time there.
+template <typename T>
+std::vector<Part<T>> shared_out_like(const std::vector<Run<T>>& runs,
+                                     const std::vector<Stretch>& like) {
+  std::vector<Part<T>> parts;
+  for (const Stretch& stretch : like) {
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      if (!is_like(runs[r].origin(), *stretch.origin)) continue;
+      Part<T> part{&runs[r], r, 0, 0};
+      for (std::size_t i = 0; i < runs[r].values.size(); ++i) {
+        const UtcTime centre = runs[r].values[i].cell.centre();
+        if (centre < stretch.from || centre > stretch.to) continue;
+        if (part.count++ == 0) part.first = i;
+      }
+      if (part.count > 0) parts.push_back(part);
+      break;
+    }
+  }
+  return parts;
+}
+
+/// What put a part before the best of the others that speak in its time, or why it is there.
+template <typename T>
+std::string reason_for(const Part<T>& part, const std::vector<const Run<T>*>& runs) {
+  const Run<T>* better = nullptr;
+  const Run<T>* next = nullptr;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const bool overlaps = runs[r]->values.front().cell.centre() <= part.to() &&
+                          runs[r]->values.back().cell.centre() >= part.from();
+    if (r < part.rank) better = better == nullptr ? runs[r] : better;
+    if (r > part.rank && overlaps && next == nullptr) next = runs[r];
+  }
+  std::string why = next == nullptr ? "nothing else is there"
+                                    : reason_before(standing_of(*part.run), standing_of(*next));
+  if (better != nullptr) why += ", where better ones are silent";
+  return why;
+}
+
+template <typename T>
+Stretch stretch_of(const Part<T>& part) {
+  const Run<T>& run = *part.run;
+  Stretch stretch;
+  stretch.origin = run.values[part.first].piece->origin;
+  stretch.from = part.from();
+  stretch.to = part.to();
+  stretch.members = run.members;
+  stretch.distance_m = run.first->distance_m;
+  stretch.from_height_m = run.first->from_height_m;
+  stretch.may_be_revised = run.may_be_revised;
+  return stretch;
+}
+
+template <typename T>
+Column<T> series_of(const std::vector<Part<T>>& parts, std::vector<const Origin*>& origin) {
+  Column<T> out;
+  const Column<T>& pattern = parts.front().run->first->column;
+  out.point = pattern.point;
+  out.vertical = pattern.vertical;
+  out.levels_m = pattern.levels_m;
+  for (const Part<T>& part : parts) {
+    for (std::size_t i = part.first; i < part.first + part.count; ++i) {
+      const RunValue<T>& value = part.run->values[i];
+      const Column<T>& from = value.piece->column;
+      out.time.push_back(value.cell);
+      out.source.push_back(from.source[value.t]);
+      origin.push_back(value.piece->origin);
+      for (std::size_t k = 0; k < from.levels(); ++k) {
+        out.value.push_back(from.value[from.offset(value.t, k)]);
+        out.status.push_back(from.status[from.offset(value.t, k)]);
+      }
+    }
+  }
+  return out;
+}
+
+/// The runs in order, those alone that stand on the levels of the best.
+template <typename T>
+std::vector<const Run<T>*> in_order(const std::vector<Run<T>>& runs) {
+  std::vector<const Run<T>*> order;
+  for (const Run<T>& run : runs) order.push_back(&run);
+  std::stable_sort(order.begin(), order.end(), [](const Run<T>* a, const Run<T>* b) {
+    return counts_before(standing_of(*a), standing_of(*b));
+  });
+  std::erase_if(order, [&, best = order.empty() ? nullptr : order.front()](const Run<T>* run) {
+    return run->first->column.levels_m != best->first->column.levels_m;
+  });
+  return order;
 }
 
 template <typename T>
 Chosen<T> choose_from(const Record<T>& record, const Knowledge& knowledge, const Choice& choice) {
-  struct Candidate {
-    const PieceColumn<T>* piece;
-    std::size_t t;
-  };
-  std::map<UtcTime, Candidate> best;
-  const PieceColumn<T>* pattern = nullptr;
-  const auto series = nearest_series(record, knowledge, choice);
-  for (const PieceColumn<T>& piece : record.pieces) {
-    if (choice.dataset && piece.origin->dataset != *choice.dataset) continue;
-    if (choice.only_grids && piece.origin->is_point_series) continue;
-    if (choice.only_series && !piece.origin->is_point_series) continue;
-    if (series && piece.origin->is_point_series && piece.origin->dataset != *series) continue;
-    if (choice.only_forecasts && piece.origin->status != DataStatus::forecast) continue;
-    if (pattern != nullptr && piece.column.levels_m != pattern->column.levels_m) continue;
-    for (std::size_t t = 0; t < piece.column.times(); ++t) {
-      const TimeCell& cell = piece.column.time[t];
-      if (!is_known(*piece.origin, cell, knowledge)) continue;
-      if (pattern == nullptr) pattern = &piece;
-      const auto [found, is_new] = best.try_emplace(cell.centre(), Candidate{&piece, t});
-      if (!is_new && rank_of(*piece.origin) > rank_of(*found->second.piece->origin)) {
-        found->second = {&piece, t};
-      }
-    }
-  }
+  const std::vector<Run<T>> runs = runs_of(record, knowledge, choice);
+  const std::vector<const Run<T>*> order = in_order(runs);
+  std::vector<Part<T>> parts =
+      choice.like != nullptr ? shared_out_like(runs, *choice.like) : shared_out(order);
   Chosen<T> chosen;
-  if (pattern == nullptr) return chosen;
-  Column<T>& out = chosen.column;
-  out.point = pattern->column.point;
-  out.vertical = pattern->column.vertical;
-  out.levels_m = pattern->column.levels_m;
-  for (const auto& [centre, candidate] : best) {
-    const Column<T>& from = candidate.piece->column;
-    out.time.push_back(from.time[candidate.t]);
-    out.source.push_back(from.source[candidate.t]);
-    chosen.origin.push_back(candidate.piece->origin);
-    for (std::size_t k = 0; k < from.levels(); ++k) {
-      out.value.push_back(from.value[from.offset(candidate.t, k)]);
-      out.status.push_back(from.status[from.offset(candidate.t, k)]);
-    }
+  if (parts.empty()) return chosen;
+  std::sort(parts.begin(), parts.end(),
+            [](const Part<T>& a, const Part<T>& b) { return a.from() < b.from(); });
+  chosen.column = series_of(parts, chosen.origin);
+  if (choice.ramp > Duration(0)) join_parts(chosen.column, parts, choice.ramp);
+  for (const Part<T>& part : parts) {
+    chosen.stretches.push_back(stretch_of(part));
+    chosen.stretches.back().why =
+        choice.like != nullptr ? "of the same run" : reason_for(part, order);
   }
   return chosen;
 }

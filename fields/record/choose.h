@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fields/record/record.h"
+#include "fields/record/stretch.h"
 
 namespace slackwater {
 
@@ -17,32 +18,56 @@ struct Knowledge {
   /// What a file that had been received by then holds is known, whenever it is valid: products that
   /// run on into the future without saying where their forecast begins.
   UtcTime received_by = UtcTime::min();
+  /// Where some of a record had been received by then, what was received later is unknown, and of
+  /// values that came more than once the last that was there by then counts. Where nothing had (an
+  /// archive that was read later), what each value was then cannot be told: the newest that was
+  /// published by then is taken, else what there is (`Stretch::may_be_revised`).
+  UtcTime seen_by = UtcTime::max();
 };
 
-/// Whether a value of this origin and time is seen through the glass.
+/// Whether a value of this origin and time is seen through the glass, as far as `seen_by` leaves it.
 [[nodiscard]] bool is_known(const Origin& origin, const TimeCell& cell, const Knowledge& knowledge);
 
-/// A series chosen from a record: at each valid time the best piece known.
+/// A series chosen from a record.
 template <typename T>
 struct Chosen {
   Column<T> column;
   std::vector<const Origin*> origin;  ///< per time; after them those that were fused into it
+  std::vector<Stretch> stretches;     ///< who speaks when, ascending
   [[nodiscard]] bool empty() const noexcept { return column.time.empty(); }
 };
 
-/// Which pieces may be joined, and which win.
+/// Which pieces take part, and how they are joined.
 struct Choice {
-  bool only_forecasts = false;         ///< the provider's own forecast, nothing analysed
-  bool only_grids = false;             ///< products, no moored instruments
-  bool only_series = false;            ///< moored instruments, no products
-  std::optional<std::string> dataset;  ///< only this dataset
+  bool only_forecasts = false;           ///< the provider's own forecast, nothing analysed
+  bool only_grids = false;               ///< products, no moored instruments
+  bool only_series = false;              ///< moored instruments, no products
+  std::optional<std::string> dataset{};  ///< only this dataset
+  bool every_series = false;             ///< of instruments not the nearest alone
+  /// Over this time a run that takes over from another, or hands over to it, is moved onto it.
+  Duration ramp{0};
+  /// Not a choice of its own: the runs that speak here speak, each for its time.
+  const std::vector<Stretch>* like = nullptr;
 };
 
-/// Joins pieces into one series. At each valid time an analysis or observation beats a forecast, a
-/// forecast with the later reference time (the shorter lead) beats the earlier, an ensemble's
-/// control (its lowest member) beats the others, and the later ingested beats the earlier. Pieces
-/// on other levels than the first chosen dataset are left out. Where no dataset is asked for, point
-/// series at several places are not mixed: the nearest that has a known value speaks.
+/// Chooses one series from a record. One run of one product speaks as long as it lasts, then the
+/// next best; no two alternate. The order, by the first that tells two runs apart:
+///
+///   1. analysed or observed before forecast      6. the newer reference time
+///   2. a product before an instrument            7. the control, or a run that is alone, before the
+///   3. one that is said to lack the tide last      mean of an ensemble
+///   4. made for a region before global           8. stated nearer to 10 m (winds)
+///   5. of finer grid                             9. on more levels, then by name
+///
+/// A run lasts from its first to its last value; holes in it (cadence.h) are for others. What is
+/// missing stays missing. Of values of one run that came more than once the last published counts,
+/// where nobody says when, the last received. Runs on other levels than the best are left out.
+/// Members of an ensemble do not speak by themselves: their mean does. Point series at several
+/// places are not mixed: where no dataset is asked for, the nearest that has a known value speaks.
+///
+/// With a ramp the run of lower rank is moved onto the other at a join: by the difference of the two
+/// there, fading linearly over the ramp. The series makes no jump there that neither run makes; the
+/// values of the higher one stay as they are. The answer is the same for any order of pieces.
 [[nodiscard]] Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge,
                                         const Choice& choice);
 [[nodiscard]] Chosen<double> choose(const ScalarRecord& record, const Knowledge& knowledge,

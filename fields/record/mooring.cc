@@ -134,6 +134,7 @@ Origin origin_of(const std::vector<const VectorPiece*>& parts) {
         origin.sources.push_back(sha256);
     }
     others += other.station != origin.station ? 1 : 0;
+    origin.published = later_of(origin.published, other.published);
     origin.received = later_of(origin.received, other.received);
   }
   if (others > 0) origin.station += " and " + std::to_string(others) + " more";

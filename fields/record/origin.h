@@ -9,10 +9,11 @@
 
 namespace slackwater {
 
-/// What a product's descriptor says of its place among others.
+/// What tells where a product stands among others.
 struct Rank {
   std::optional<bool> has_tide;  ///< of currents; nothing where nobody says
-  bool is_regional = false;      ///< made for a region: it counts before one of the whole globe
+  bool is_regional = false;      ///< made for a region, not for the whole globe
+  double spacing_deg = 0;        ///< of its grid in latitude, from the file; 0: not known
 };
 
 /// Where a piece of data came from, as far as choosing between pieces needs it.

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct PieceColumn {
   const Origin* origin = nullptr;  ///< owned by the pieces, which outlive the record
   Column<T> column;
   double distance_m = 0;  ///< of a point series from the place asked about; 0 for grids
+  /// The height above the sea that a wind was brought to 10 m from; nothing where it is stated at
+  /// 10 m, or not brought anywhere.
+  std::optional<double> from_height_m{};
 };
 
 /// Everything the store holds of one quantity at one place, not yet chosen from.

@@ -26,6 +26,7 @@ VectorRecord at_ten_metres(VectorRecord record) {
     flat.point = column.point;
     flat.time = column.time;
     flat.source = column.source;
+    if (std::abs(*nearest - 10.0) > 0.5) piece.from_height_m = *nearest;
     for (std::size_t t = 0; t < column.times(); ++t) {
       flat.value.push_back(factor * column.value[column.offset(t, k)]);
       flat.status.push_back(column.status[column.offset(t, k)]);

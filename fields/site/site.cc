@@ -131,6 +131,7 @@ Site parse_site(std::string_view yaml, std::string_view name) {
   site.water_depth_m = config.optional_number("water_depth_m", {1, 11000});
   site.hub_height_m = config.optional_number("hub_height_m", {10, 400});
   site.fetch = read_fetch(config);
+  site.current_product = config.optional_text("currents");
   site.time_zone = read_time_zone(config);
   site.tasks = config.texts("tasks");
   for (const Config& entry : config.children("turbines")) {

@@ -31,6 +31,8 @@ struct Site {
   std::optional<double> hub_height_m;
   /// How far the wind blows over water, for waves that are computed from the wind.
   std::optional<Fetch> fetch;
+  /// The product whose currents lead here; absent: by precedence (fields/record).
+  std::optional<std::string> current_product;
   std::optional<TimeZone> time_zone;  ///< of its clocks: shown beside UTC
   std::vector<TurbinePlace> turbines;
   std::vector<std::string> tasks;

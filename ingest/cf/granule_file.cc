@@ -70,6 +70,12 @@ std::optional<double> number_of(const netcdf::File& file, std::string_view name)
   return std::nullopt;
 }
 
+std::optional<bool> tide_of(const netcdf::Variable& variable) {
+  const auto text = variable.text("contains_tide");
+  if (!text) return std::nullopt;
+  return *text == "true";
+}
+
 Granule read_granule(const netcdf::File& file) {
   Granule granule;
   granule.grid = read_grid(file);
@@ -84,11 +90,13 @@ Granule read_granule(const netcdf::File& file) {
       refuse(file, "variable '" + variable.name + "' does not fit the axes");
     granule.variables.push_back({variable.name, variable.text("units").value_or(""), *source_name,
                                  variable.text("contains_stokes") == "true",
-                                 variable.find("ancillary_variables") != nullptr});
+                                 variable.find("ancillary_variables") != nullptr,
+                                 tide_of(variable)});
   }
   if (granule.variables.empty()) refuse(file, "no values");
   granule.product_id = file.text("product").value_or("");
   granule.dataset_id = file.text("dataset").value_or("");
+  granule.is_regional = file.text("region") == "regional";
   granule.attribution = file.text("attribution").value_or("");
   granule.station = file.text("station").value_or("");
   granule.is_point_series = file.text("featureType_of_source").has_value();

@@ -89,6 +89,8 @@ struct Definition {
     if (layout.has_time)
       writer.attribute(id, "cell_methods", has_means ? "time: mean" : "time: point");
     if (variable.contains_stokes) writer.attribute(id, "contains_stokes", "true");
+    if (variable.has_tide)
+      writer.attribute(id, "contains_tide", *variable.has_tide ? "true" : "false");
     if (variable.has_status)
       writer.attribute(id, "ancillary_variables", variable.standard_name + "_status");
     return id;
@@ -130,6 +132,7 @@ struct Definition {
     text("attribution", granule.attribution);
     text("product", granule.product_id);
     text("dataset", granule.dataset_id);
+    if (granule.is_regional) text("region", "regional");
     text("status", std::string(name_of(granule.status)));
     if (granule.reference_time) text("reference_time", format_utc(*granule.reference_time));
     if (granule.ensemble_member)

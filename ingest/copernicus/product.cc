@@ -103,6 +103,11 @@ Product Product::load(const std::filesystem::path& file) {
   for (const Config& rule : config.children("means")) product.means.push_back(read_mean(rule));
   product.reference_time = config.texts("reference_time");
   product.contains_stokes = config.texts("contains_stokes");
+  product.is_regional = config.optional_flag("regional").value_or(false);
+  product.tide_in = config.texts("tide_in");
+  product.has_tide = config.optional_flag("tide");
+  if (product.has_tide && !product.tide_in.empty())
+    config.refuse("tide_in", "either `tide`, of all its currents, or `tide_in`, of some");
   product.current_depth_m = config.optional_number("current_depth_m", {0.0, 20.0});
   if (const auto variables = config.optional_child("variables")) {
     for (const std::string& name : variables->keys())
@@ -113,6 +118,11 @@ Product Product::load(const std::filesystem::path& file) {
   }
   config.expect_all_read();
   return product;
+}
+
+std::optional<bool> Product::tide_of(const std::string& variable) const {
+  if (tide_in.empty()) return has_tide;
+  return std::find(tide_in.begin(), tide_in.end(), variable) != tide_in.end();
 }
 
 bool Product::matches(const netcdf::File& file) const {

@@ -76,6 +76,10 @@ struct Product {
   std::vector<MeanRule> means;
   std::vector<std::string> reference_time;   ///< global attributes to believe
   std::vector<std::string> contains_stokes;  ///< variables that hold Stokes drift
+  bool is_regional = false;                  ///< made for a region, not for the whole globe
+  /// Whether its currents contain the tide; nothing where the descriptor does not say.
+  std::optional<bool> has_tide;
+  std::vector<std::string> tide_in;  ///< where only some of them do: these variables
   std::map<std::string, std::string>
       variables;                          ///< short name -> standard name, beyond the vocabulary
   std::optional<double> current_depth_m;  ///< of currents that come without a depth axis
@@ -83,6 +87,8 @@ struct Product {
   std::string sha256;  ///< of the descriptor's file
 
   [[nodiscard]] static Product load(const std::filesystem::path& file);
+  /// Whether a current of this short name contains the tide.
+  [[nodiscard]] std::optional<bool> tide_of(const std::string& variable) const;
   [[nodiscard]] bool matches(const netcdf::File& file) const;
   /// The attribute as the file has it, else as the product settles it.
   [[nodiscard]] std::optional<std::string> attribute(const netcdf::Variable& variable,

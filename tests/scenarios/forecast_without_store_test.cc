@@ -103,8 +103,8 @@ void expect_one_forecast(const Task& task) {
   for (std::size_t i = 0; i < a.columns.front().origins.size(); ++i)
     EXPECT_EQ(a.columns.front().origins[i]->sources, b.columns.front().origins[i]->sources);
 
-  const auto skill = calibration::score_forecast(stored, a.snapshot, a.plan.dataset, {}).entries;
-  const auto again = calibration::score_forecast(read, b.snapshot, b.plan.dataset, {}).entries;
+  const auto skill = calibration::score_forecast(stored, a.snapshot, {a.plan.dataset}, {}).entries;
+  const auto again = calibration::score_forecast(read, b.snapshot, {b.plan.dataset}, {}).entries;
   EXPECT_FALSE(skill.empty());
   ASSERT_EQ(skill.size(), again.size());
   for (std::size_t i = 0; i < skill.size(); ++i) {

@@ -80,7 +80,8 @@ std::vector<calibration::SkillEntry> baseline_skill(store::Store& store, const S
     }
     const auto dataset = leading_dataset(data.columns.front().current, UtcTime(day), empty.issued);
     if (!dataset) continue;
-    const auto scored = calibration::score_forecast(data, empty, *dataset, options.verify).entries;
+    const auto scored =
+        calibration::score_forecast(data, empty, {*dataset}, options.verify).entries;
     skill.insert(skill.end(), scored.begin(), scored.end());
   }
   return skill;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "calibration/day/daily_forecast.h"
+#include "calibration/day/leading_day.h"
 #include "calibration/day/whole_day.h"
 #include "fields/base/error.h"
 #include "tests/support/known_series_for_tests.h"
@@ -112,14 +113,19 @@ bool says(const Snapshot& snapshot, const std::string& text) {
   return snapshot.headline.find(text) != std::string::npos;
 }
 
+std::optional<UtcDay> newest_whole_day(const SiteData& data, UtcTime issued) {
+  const auto leading = leading_day(data, {issued});
+  return leading ? std::optional(leading->day) : std::nullopt;
+}
+
 TEST(NewestWholeDay, IsTheLastDayThatIsOverAndWhole) {
   const KnownSeriesForTests sea = sea_until(end_of_day + hours(4));
   const SiteData data = site_of({sea.data});
   EXPECT_EQ(newest_whole_day(data, five_o_clock), day);
   EXPECT_EQ(newest_whole_day(data, end_of_day), day) << "at midnight it is over";
   EXPECT_EQ(newest_whole_day(data, end_of_day - Duration(1)), day - days(1));
-  EXPECT_TRUE(holds_day(data, day, five_o_clock));
-  EXPECT_FALSE(holds_day(data, day + days(1), five_o_clock));
+  EXPECT_TRUE(holds_day(data, "model", day, {five_o_clock}));
+  EXPECT_FALSE(holds_day(data, "model", day + days(1), {five_o_clock}));
 }
 
 TEST(NewestWholeDay, PassesOverDaysWithGaps) {
@@ -298,8 +304,8 @@ TEST(MakeForecast, AColumnOfNothingButHolesOnTheDayIsSaidToBeThat) {
   const Snapshot snapshot = make_forecast(site_of({whole.data, holes.data}), at_five()).snapshot;
   EXPECT_TRUE(snapshot.degraded);
   EXPECT_TRUE(says(snapshot,
-                   "1 of 2 columns are not calibrated: no current of 2024-06-11 has a "
-                   "value"))
+                   "1 of 2 columns are not calibrated: no currents of 2024-06-11 at this "
+                   "column"))
       << snapshot.headline;
 }
 

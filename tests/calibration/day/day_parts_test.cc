@@ -295,7 +295,7 @@ TEST(DayParts, ABrokenPastDayIsNamedAndTheOthersDecide) {
 TEST(DayParts, WithoutADayWindAndWavesStandAlone) {
   for (const auto& how : breaks) {
     DayParts parts;
-    parts.day = [&](auto&&...) -> std::optional<UtcDay> { return how(), std::nullopt; };
+    parts.day = [&](auto&&...) -> std::optional<LeadingDay> { return how(), std::nullopt; };
     const DailyForecast made = forecast_with(parts);
     expect_named(made, "he choice of the day failed, no current is forecast");
     EXPECT_EQ(made.snapshot.headline.find("is stored"), std::string::npos)

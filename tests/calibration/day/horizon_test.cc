@@ -114,6 +114,9 @@ KnownSeriesForTests analysed_and_forecast() {
   return sea;
 }
 
+/// Of a run that takes over at an hour: how much of the difference to the one before is left.
+double left_of_join(double hours_since) { return std::max(0.0, 1 - hours_since / 6); }
+
 TEST(HorizonWind, ForecastSeesTheNewestRunIssuedByTheEndOfTheDay) {
   const KnownSeriesForTests sea = analysed_and_forecast();
   const HorizonWind wind =
@@ -122,7 +125,8 @@ TEST(HorizonWind, ForecastSeesTheNewestRunIssuedByTheEndOfTheDay) {
   EXPECT_EQ(wind.wind_m_s[0], rising(end_of_day, 0)) << "analysed up to the end of D";
   EXPECT_EQ(wind.source[0], DataStatus::analysis);
   for (std::size_t h = 1; h < 73; ++h) {
-    EXPECT_EQ(wind.wind_m_s[h], rising(end_of_day + hours(h), 0) + 2.0);
+    const double more = 2 - 2 * left_of_join(double(h));  // from the analysis onto the run
+    EXPECT_NEAR(std::abs(wind.wind_m_s[h] - rising(end_of_day + hours(h), 0) - more), 0, 1e-12);
     EXPECT_EQ(wind.source[h], DataStatus::forecast);
   }
 }
@@ -143,8 +147,13 @@ TEST(HorizonWind, BestTakesLaterAnalysisAndTheNewestRunAndSaysWhichIsWhich) {
   const HorizonWind wind = horizon_wind(sea.data.wind, WindPolicy::best, end_of_day, stamps_to(72));
   for (std::size_t h = 0; h < 73; ++h) {
     const bool analysed = h <= 24;
-    const double more = analysed ? 0 : h < 36 ? 3 : 4;
-    EXPECT_EQ(wind.wind_m_s[h], rising(end_of_day + hours(h), 0) + more) << h;
+    // The run of +6 h leaves the analysis and meets the newest, of +36 h.
+    const double more = analysed ? 0
+                        : h >= 36
+                            ? 4
+                            : 3 - 3 * left_of_join(double(h) - 24) + left_of_join(36 - double(h));
+    EXPECT_NEAR(std::abs(wind.wind_m_s[h] - rising(end_of_day + hours(h), 0) - more), 0, 1e-12)
+        << h;
     EXPECT_EQ(wind.source[h], analysed ? DataStatus::analysis : DataStatus::forecast) << h;
   }
 }
@@ -226,6 +235,53 @@ TEST(HorizonWind, AnInstrumentSpeaksOnlyWhereThereIsNoProduct) {
   EXPECT_EQ(first(), rising(end_of_day, 0) + 5.0);
   sea.wind(analysis_of("wind", 1), always, rising);
   EXPECT_EQ(first(), rising(end_of_day, 0));
+}
+
+TEST(HorizonWind, AGapInsideTheHorizonIsNamedAndTheValueAfterItIsNotCopiedIntoIt) {
+  KnownSeriesForTests sea;
+  sea.wind(analysis_of("wind"), instants(end_of_day - days(4), end_of_day + days(1)),
+           steady({5, 0}));
+  sea.wind(analysis_of("wind", 2), instants(end_of_day + days(2), end_of_day + days(3)),
+           steady({-9, 12}));
+  const HorizonWind wind = horizon_wind(sea.data.wind, WindPolicy::best, end_of_day, stamps_to(72));
+  ASSERT_EQ(wind.gaps.size(), 1u);
+  EXPECT_EQ(wind.gaps[0], (WindGap{end_of_day + days(1), end_of_day + days(2)}));
+  EXPECT_EQ(count(wind.source, DataStatus::persisted), 23u);
+  for (std::size_t h = 25; h <= 42; ++h)
+    EXPECT_NEAR(std::abs(wind.wind_m_s[h] - Horizontal(5, 0)), 0, 1e-12) << h;
+  for (std::size_t h = 43; h < 48; ++h) {
+    const double back = (double(h) - 42) / 6;
+    EXPECT_NEAR(
+        std::abs(wind.wind_m_s[h] - ((1 - back) * Horizontal(5, 0) + back * Horizontal(-9, 12))), 0,
+        1e-12)
+        << h;
+  }
+  EXPECT_EQ(wind.wind_m_s[48], Horizontal(-9, 12));
+  EXPECT_EQ(wind.extra_sigma_m_s[24], 0);
+  EXPECT_GT(wind.extra_sigma_m_s[47], wind.extra_sigma_m_s[30]);
+  EXPECT_EQ(wind.extra_sigma_m_s[48], 0);
+}
+
+TEST(HorizonWind, WindBroughtFromAnotherHeightIsTheLessCertain) {
+  KnownSeriesForTests sea;
+  sea.wind(analysis_of("wind"), instants(end_of_day - days(1), end_of_day + days(3)),
+           steady({9, 12}));
+  sea.data.wind.pieces[0].from_height_m = 100;
+  const HorizonWind wind = horizon_wind(sea.data.wind, WindPolicy::best, end_of_day, stamps_to(24));
+  const double share = 0.06 * std::log(10.0);
+  EXPECT_NEAR(wind.extra_sigma_m_s[5], 15 * share / std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(wind.stretches.at(0).from_height_m, 100);
+}
+
+TEST(HorizonWind, ForecastSeesWhatWasPublishedByTheIssueTime) {
+  const KnownSeriesForTests sea = analysed_and_forecast();
+  const HorizonWind wind =
+      horizon_wind(sea.data.wind, WindPolicy::forecast, end_of_day, stamps_to(72),
+                   {UtcTime::max(), false, end_of_day + hours(7)});
+  EXPECT_EQ(wind.source[7], DataStatus::analysis);
+  EXPECT_EQ(wind.source[8], DataStatus::forecast);
+  EXPECT_NEAR(std::abs(wind.wind_m_s[20] - rising(end_of_day + hours(20), 0) - 3.0), 0, 1e-12)
+      << "the run of +6 h";
 }
 
 TEST(HorizonWind, TurningTheWindTurnsIt) {
@@ -313,7 +369,8 @@ TEST(HorizonSea, BestTakesLaterAnalysis) {
   EXPECT_EQ(count(sea.source, DataStatus::analysis), 13u);
   EXPECT_EQ(count(sea.source, DataStatus::forecast), 36u);
   EXPECT_NEAR(sea.sea[12].significant_height_m, 2.12, 1e-12);
-  EXPECT_NEAR(sea.sea[13].significant_height_m, 4.13, 1e-12);
+  EXPECT_NEAR(sea.sea[13].significant_height_m, 4.13 - 2 * left_of_join(1), 1e-12);
+  EXPECT_NEAR(sea.sea[18].significant_height_m, 4.18, 1e-12);
 }
 
 TEST(HorizonSea, BeyondTheStoredWavesTheWindCarriesTheLastOfThemOn) {

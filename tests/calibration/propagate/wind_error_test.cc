@@ -212,5 +212,19 @@ TEST(PersistedWindError, IsThatOfARealOffshoreWind) {
   }
 }
 
+TEST(WindErrorExtra, AddsToTheLawWhereItIsGivenAndNowhereElse) {
+  WindErrorGrowth growth = forecast_wind_error();
+  const auto hour = [&](int h) { return end + std::chrono::hours(h); };
+  growth.extra_at = {hour(10), hour(20), hour(30)};
+  growth.extra_sigma_m_s = {0, 3, 1};
+  const std::vector<UtcTime> times{hour(-1), hour(5), hour(15), hour(20), hour(40)};
+  const std::vector<double> sigma = departure_sigma_m_s(times, end, growth);
+  EXPECT_EQ(sigma[0], 0) << "what the calibration was fitted to";
+  EXPECT_EQ(sigma[1], growth.sigma_m_s(5));
+  EXPECT_NEAR(sigma[2], std::hypot(growth.sigma_m_s(15), 1.5), 1e-12);
+  EXPECT_NEAR(sigma[3], std::hypot(growth.sigma_m_s(20), 3.0), 1e-12);
+  EXPECT_EQ(sigma[4], growth.sigma_m_s(40));
+}
+
 }  // namespace
 }  // namespace slackwater::calibration
