@@ -144,6 +144,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   calibration::ForecastOptions options;
   options.issued = context.now();
+  options.seen_by = options.issued;
   options.horizon = horizon_from(arguments.horizon);
   options.wind = option_value("--wind", arguments.wind, wind_policy_from);
   options.hindsight = arguments.hindsight;
@@ -226,6 +227,8 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   if (snapshot.columns.size() > 1)
     std::printf("  … and %zu more columns\n", snapshot.columns.size() - 1);
   print_waves(forecast, options.wind);
+  for (const SourceUse& use : forecast.columns.front().sources)
+    std::printf("from %s\n", text_of(use).c_str());
   print_days(snapshot, site.time_zone);
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/pipeline/sources_json.h"
 #include "fields/service/wave_source.h"
 #include "ingest/cf/averaged_json.h"
 
@@ -136,7 +137,8 @@ std::string job_summary(const SiteData& data, const ForecastOptions& options,
                   {"longitude_deg", column.column.point.longitude_deg()},
                   {"water_depth_m", column.column.water_depth_m},
                   {"water_depth_source", column.column.water_depth_source},
-                  {"notes", column.notes}};
+                  {"notes", column.notes},
+                  {"sources", sources_json(column.sources)}};
     if (const calibration::Calibration* best = column.calibration()) {
       entry["calibration"] = calibration_json(*best);
       entry["forms"] = json::array();
@@ -162,6 +164,7 @@ std::string job_summary(const SiteData& data, const ForecastOptions& options,
       {"averaged", json::parse(ingest::averaged_json(forecast.snapshot.averaged))},
       {"horizon_h", std::chrono::duration<double, std::ratio<3600>>(options.horizon).count()},
       {"dataset", plan.dataset},
+      {"stands_in_for", plan.stands_in_for},
       {"inputs", inputs_of(forecast)},
       {"dry_columns", data.dry_columns},
       {"columns", columns},

@@ -1,0 +1,173 @@
+// Whose values a forecast is made from, through the program: made-up products in a real store, the
+// same whatever the order of ingest, and said before and after.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/product_files_for_tests.h"
+#include "tests/support/store_for_tests.h"
+
+namespace slackwater::tests {
+namespace {
+
+using namespace std::chrono;
+using nlohmann::json;
+
+constexpr UtcDay first_day = sys_days{2025y / March / 3};
+constexpr UtcDay day = sys_days{2025y / March / 9};
+constexpr const char* five_o_clock = "2025-03-10T05:00:00Z";
+constexpr const char* regional = "NWSHELF_ANALYSISFORECAST_PHY_004_013";
+constexpr const char* global = "GLOBAL_ANALYSISFORECAST_PHY_001_024";
+
+ProductForTests titled(ProductForTests product, const std::string& title) {
+  product.title = title;
+  return product;
+}
+
+/// The water without its tide and drift: what a product knows that has none.
+ProductForTests still(ProductForTests product) {
+  product.quantity("uo").value = [](const ProductCell&) { return 0.05; };
+  product.quantity("vo").value = [](const ProductCell&) { return 0.02; };
+  return product;
+}
+
+ProductForTests blowing(ProductForTests product, double east_m_s, double north_m_s) {
+  product.quantity("eastward_wind").value = [=](const ProductCell&) { return east_m_s; };
+  product.quantity("northward_wind").value = [=](const ProductCell&) { return north_m_s; };
+  return product;
+}
+
+struct NamedProduct {
+  std::string file;
+  ProductForTests product;
+};
+
+class WhichValueCounts : public ::testing::Test {
+ protected:
+  static void ingest(StoreForTests& store, const NamedProduct& named,
+                     const std::string& at = "2026-01-01T00:00:00Z") {
+    const auto file = write_product(store.file(named.file), named.product);
+    const ProgramResult result = store.run({"ingest", "--at", at, file.string()});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  static json ask(StoreForTests& store, std::vector<std::string> arguments) {
+    arguments.emplace_back("--json");
+    const ProgramResult result = store.run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.exit_code == 0 ? json::parse(result.out) : json::object();
+  }
+  static json forecast(StoreForTests& store, const std::vector<std::string>& more = {},
+                       const std::string& at = five_o_clock) {
+    std::vector<std::string> arguments{"forecast", "--site", store.site(), "--at", at};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ask(store, arguments);
+  }
+  /// Of one quantity, in time.
+  static std::vector<json> uses(const json& sources, const std::string& quantity) {
+    std::vector<json> found;
+    for (const json& use : sources)
+      if (use["quantity"] == quantity) found.push_back(use);
+    return found;
+  }
+  /// A week of hourly currents and winds.
+  static std::vector<NamedProduct> week(const std::string& title) {
+    return {{"currents-" + title + ".nc", titled(current_product(first_day, 7 * 24 + 1), title)},
+            {"wind.nc", wind_product(first_day, 7 * 24)}};
+  }
+};
+
+TEST_F(WhichValueCounts, TheOrderOfIngestPlaysNoPartAndSourcesSayTheSameBeforehand) {
+  std::vector<NamedProduct> products = week(regional);
+  products.push_back({"global.nc", titled(still(current_product(first_day, 7 * 24 + 1)), global)});
+  products.push_back(
+      {"other-wind.nc",
+       blowing(titled(wind_product(first_day, 9 * 24), "weather of somebody"), -7, 3)});
+  StoreForTests forwards;
+  for (const NamedProduct& product : products) ingest(forwards, product);
+  StoreForTests backwards;
+  for (auto product = products.rbegin(); product != products.rend(); ++product)
+    ingest(backwards, *product);
+  const json before = ask(forwards, {"site", "sources", forwards.site(), "--at", five_o_clock});
+  const json one = forecast(forwards);
+  const json two = forecast(backwards);
+  const json& sources = one["columns"][0]["sources"];
+  EXPECT_EQ(before["sources"], sources);
+  EXPECT_EQ(two["columns"][0]["sources"], sources);
+  EXPECT_EQ(one["columns"][0]["calibration"], two["columns"][0]["calibration"]);
+  ASSERT_EQ(uses(sources, "current").size(), 1u) << sources.dump(1);
+  EXPECT_EQ(uses(sources, "current")[0]["product"], regional);
+  const auto winds = uses(sources, "wind");
+  ASSERT_EQ(winds.size(), 2u) << "one after the other";
+  EXPECT_EQ(winds[0]["product"], "WIND_GLO_PHY_L4_NRT_012_004");
+  EXPECT_EQ(winds[0]["to"], "2025-03-09T23:00:00Z");
+  EXPECT_EQ(winds[1]["from"], "2025-03-10T00:00:00Z");
+}
+
+TEST_F(WhichValueCounts, AWindGapIsNamedAndDegrades) {
+  StoreForTests store;
+  for (const NamedProduct& product : week(regional)) ingest(store, product);
+  ingest(store, {"ahead.nc", wind_product(day + days(1), 24)});
+  ingest(store, {"later.nc", blowing(wind_product(day + days(3), 24), -12, 9)});
+  const json made = forecast(store, {"--hindsight"});
+  EXPECT_TRUE(made["degraded"].get<bool>());
+  const auto headline = made["headline"].get<std::string>();
+  EXPECT_NE(headline.find("o wind is known from 2025-03-10T23:00:00Z to 2025-03-12T00:00:00Z"),
+            std::string::npos)
+      << headline;
+}
+
+TEST_F(WhichValueCounts, AnotherProductStandsInDegradedAndIsHeldAgainstTheLeadingOne) {
+  StoreForTests store;
+  ingest(store, {"regional.nc", titled(current_product(first_day, 3 * 24 + 1), regional)});
+  ingest(store, {"global.nc", titled(still(current_product(first_day, 7 * 24 + 1)), global)});
+  ingest(store, {"wind.nc", wind_product(first_day, 11 * 24)});
+  const json made = forecast(store, {"--hindsight"});
+  EXPECT_TRUE(made["degraded"].get<bool>());
+  const auto headline = made["headline"].get<std::string>();
+  EXPECT_NE(headline.find(std::string("leading product ") + regional), std::string::npos)
+      << headline;
+  EXPECT_NE(headline.find(std::string(global) + " stands in"), std::string::npos) << headline;
+  EXPECT_NE(made["stands_in_for"], "");
+  // The leading product comes back: its days are the truth, and the stand-in is seen to be wrong.
+  ingest(store, {"regional2.nc", titled(current_product(day + days(1), 25), regional)});
+  const json skill = ask(store, {"verify", "--site", store.site()});
+  ASSERT_FALSE(skill.empty());
+  for (const json& entry : skill) {
+    if (entry["method"] != "forecast" || entry["variable"] != "sea_water_velocity") continue;
+    EXPECT_EQ(entry["truth"], regional);
+    EXPECT_GT(entry["rmse_m_s"].get<double>(), 0.1) << "the tide that it lacks";
+  }
+}
+
+TEST_F(WhichValueCounts, AReplaySeesWhatWasThereThen) {
+  StoreForTests store;
+  for (const NamedProduct& product : week(regional)) ingest(store, product, "2025-03-10T04:00:00Z");
+  const json issued = forecast(store);
+  // The provider rewrites D, and a newer wind run comes in.
+  ProductForTests revised = titled(current_product(day, 25), regional);
+  revised.quantity("uo").value = [](const ProductCell& cell) {
+    return WaterForTests::eastward_m_s(cell) + 0.3;
+  };
+  ingest(store, {"revised.nc", revised}, "2025-03-11T04:00:00Z");
+  ProductForTests ahead = wind_product(day + days(1), 72);
+  ahead.reference_time = UtcTime(day + days(1));
+  ingest(store, {"ahead.nc", ahead}, "2025-03-11T04:00:00Z");
+  const json again = forecast(store);
+  EXPECT_EQ(again["id"], issued["id"]) << again["headline"];
+  EXPECT_TRUE(again["already_issued"].get<bool>());
+  const json later = forecast(store, {"--day", "2025-03-09"}, "2025-03-11T05:00:00Z");
+  EXPECT_NE(later["id"], issued["id"]);
+  EXPECT_NE(later["columns"][0]["calibration"], issued["columns"][0]["calibration"]);
+}
+
+TEST_F(WhichValueCounts, SourcesOfAStoreThatHoldsNothingForTheSiteSayWhatItHolds) {
+  StoreForTests store;
+  ingest(store, {"wind.nc", wind_product(first_day, 24)});
+  const ProgramResult result =
+      store.run({"site", "sources", store.site(), "--at", "2027-01-01T00:00:00Z"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_NE(result.err.find("the store holds nothing"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace slackwater::tests
