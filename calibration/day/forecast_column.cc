@@ -128,7 +128,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
   attempt_this(Part::propagation, [&] {
     const Propagated propagated =
         parts.propagation(fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
-                          whole_wind_error_of(data.wind, wind, plan), plan.spread, plan.seed);
+                          whole_wind_error_of(data.wind, wind, plan), plan.spread, plan.seed, {});
     ForecastColumn carried = result.column;
     set_current(carried, propagated, tide, known.column, day.levels(), plan);
     result.best_form = fitted.best();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "calibration/propagate/member_wind.h"
@@ -46,24 +47,31 @@ std::vector<Horizontal> opposite(std::vector<Horizontal> values) {
   return values;
 }
 
-/// One pair: opposite wind, opposite parameters.
+/// The winds of a pair of members: departures at the samples of the wind after D.
+struct PairWind {
+  std::vector<Horizontal> plus;
+  std::vector<Horizontal> minus;
+};
+
+/// One pair: its winds, opposite parameters.
 void draw_pair(const Calibration& c, const VectorColumn& wind, UtcTime end_of_day,
-               WindDriven& model, const std::vector<Horizontal>& central,
-               const std::vector<Horizontal>& wind_departure, Rng& random,
-               std::span<Horizontal> plus, std::span<Horizontal> minus) {
+               WindDriven& model, const std::vector<Horizontal>& central, const PairWind& blown,
+               Rng& random, std::span<Horizontal> plus, std::span<Horizontal> minus) {
   std::vector<double> normals(c.parameters.size());
   for (double& z : normals) z = random.normal();
   for (const double sign : {1.0, -1.0}) {
     std::vector<double> z = normals;
     for (double& x : z) x *= sign;
-    const StressSeries stress(
-        departed_wind(wind, end_of_day, sign > 0 ? wind_departure : opposite(wind_departure)),
-        c.drag_law);
+    const StressSeries stress(departed_wind(wind, end_of_day, sign > 0 ? blown.plus : blown.minus),
+                              c.drag_law);
     const std::vector<Horizontal> driven = model.under(stress, drawn_parameters(c, z));
     const std::span<Horizontal> out = sign > 0 ? plus : minus;
     for (std::size_t i = 0; i < driven.size(); ++i) out[i] = driven[i] - central[i];
   }
-  // Nonlinear drag gives the pair a mean; member 0 is the centre.
+}
+
+/// Nonlinear drag gives a pair of opposite winds a mean; member 0 is the centre.
+void centre_pair(std::span<Horizontal> plus, std::span<Horizontal> minus) {
   for (std::size_t i = 0; i < plus.size(); ++i) {
     const Horizontal half = 0.5 * (plus[i] + minus[i]);
     plus[i] -= half;
@@ -96,20 +104,35 @@ Members::Members(std::span<const Calibration> forms, const std::vector<double>& 
 
 void Members::draw_wind_driven(std::span<const UtcTime> times, const VectorColumn& wind,
                                UtcTime end_of_day, const WindErrorGrowth& wind_error,
-                               std::span<const std::vector<Horizontal>> central) {
+                               std::span<const std::vector<Horizontal>> central,
+                               const WindDepartures& ensemble) {
   const std::vector<UtcTime> samples = wind_samples_after(wind, end_of_day);
+  std::optional<EnsembleWind> weather;
+  if (!ensemble.empty() && !form_of_pair_.empty()) {
+    weather.emplace(ensemble, times, end_of_day, samples, wind_error, 2 * form_of_pair_.size(),
+                    seed_);
+    wind_number_ = weather->numbers();
+  }
   std::vector<WindDriven> model;
   for (const Calibration& c : forms_) model.emplace_back(c, times, end_of_day);
   for (std::size_t p = 0; p < form_of_pair_.size(); ++p) {
     Rng random(seed_, "calibration/member_wind/" + std::to_string(p));
-    const std::vector<Horizontal> drawn =
-        draw_wind_departures(samples, end_of_day, wind_error, random);
+    PairWind blown;
+    if (weather) {
+      Rng same = random;
+      blown.minus = weather->departure(2 * p + 1, same);
+      blown.plus = weather->departure(2 * p, random);
+    } else {
+      blown.plus = draw_wind_departures(samples, end_of_day, wind_error, random);
+      blown.minus = opposite(blown.plus);
+    }
     const std::size_t f = form_of_pair_[p];
-    draw_pair(forms_[f], wind, end_of_day, model[f], central[f], drawn, random, member(2 * p),
+    draw_pair(forms_[f], wind, end_of_day, model[f], central[f], blown, random, member(2 * p),
               member(2 * p + 1));
-    const std::vector<Horizontal> at_times = at_stamps(samples, drawn, times, end_of_day);
-    for (const double sign : {1.0, -1.0}) {
-      for (const Horizontal& w : at_times) wind_.push_back(sign * w);
+    if (!weather) centre_pair(member(2 * p), member(2 * p + 1));
+    for (const std::vector<Horizontal>* one : {&blown.plus, &blown.minus}) {
+      const std::vector<Horizontal> at_times = at_stamps(samples, *one, times, end_of_day);
+      wind_.insert(wind_.end(), at_times.begin(), at_times.end());
     }
   }
 }

@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "calibration/propagate/column_memory.h"
+#include "calibration/propagate/ensemble_wind.h"
 #include "calibration/propagate/wind_error.h"
 #include "calibration/solve/calibration.h"
 
 namespace slackwater::calibration {
 
 /// Departures of the members of an ensemble from its centre, in pairs of opposite sign: parameters
-/// and wind, then memory. Each pair follows one form, as often as the form's weight asks.
+/// and wind, then memory. Each pair follows one form, as often as the form's weight asks. Winds of a
+/// weather ensemble come in no pairs.
 class Members {
  public:
   /// @param members  even
@@ -19,11 +21,14 @@ class Members {
           std::size_t size, std::uint64_t seed);
 
   /// Adds the wind-driven departures: the wind drawn from its error, the parameters from their
-  /// posterior.
-  /// @param central  the wind's part of each form, m/s
+  /// posterior. With a weather ensemble each member has the wind of one of its (EnsembleWind), and
+  /// departs as that wind drives it: the mean over members is then no longer the centre.
+  /// @param central   the wind's part of each form, m/s
+  /// @param ensemble  members x times; empty: none is known
   void draw_wind_driven(std::span<const UtcTime> times, const VectorColumn& wind,
                         UtcTime end_of_day, const WindErrorGrowth& wind_error,
-                        std::span<const std::vector<Horizontal>> central);
+                        std::span<const std::vector<Horizontal>> central,
+                        const WindDepartures& ensemble = {});
   /// Adds what the memory of each form leaves open.
   void draw_memory(std::span<const UtcTime> times, std::span<const ColumnMemory> memory,
                    std::span<const std::vector<Horizontal>> central);
@@ -37,6 +42,8 @@ class Members {
   [[nodiscard]] const std::vector<Horizontal>& departures() const noexcept { return departure_; }
   /// Members x times, m/s; empty where no wind was drawn.
   [[nodiscard]] const std::vector<Horizontal>& wind_departures() const noexcept { return wind_; }
+  /// Per member, the number of the ensemble's member whose wind it has; empty without an ensemble.
+  [[nodiscard]] const std::vector<int>& wind_numbers() const noexcept { return wind_number_; }
 
  private:
   [[nodiscard]] std::span<Horizontal> member(std::size_t m) {
@@ -49,6 +56,7 @@ class Members {
   std::vector<std::size_t> form_of_pair_;
   std::vector<Horizontal> departure_;
   std::vector<Horizontal> wind_;
+  std::vector<int> wind_number_;
 };
 
 }  // namespace slackwater::calibration

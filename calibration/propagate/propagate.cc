@@ -85,7 +85,8 @@ std::vector<double> mix(const Outlook& outlook, Propagated& result) {
 
 Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime> times,
                      const std::optional<VectorColumn>& wind, UtcTime end_of_day,
-                     const WindErrorGrowth& wind_error, const Spread& spread, std::uint64_t seed) {
+                     const WindErrorGrowth& wind_error, const Spread& spread, std::uint64_t seed,
+                     const WindDepartures& ensemble) {
   expects(!forms.empty() && !times.empty(), "something to carry, and somewhere to carry it");
   const bool uses_wind = wind && forms.front().wind_used;
   const Horizon horizon{times, end_of_day,
@@ -109,7 +110,7 @@ Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime
 
   Members members(forms, result.form_weight, spread.members, variance.size(), seed);
   if (uses_wind) {
-    members.draw_wind_driven(times, *wind, end_of_day, wind_error, outlook.driven);
+    members.draw_wind_driven(times, *wind, end_of_day, wind_error, outlook.driven, ensemble);
     const std::vector<double> driven = members.variance();
     for (std::size_t i = 0; i < variance.size(); ++i) variance[i] += driven[i];
   }
@@ -118,6 +119,7 @@ Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime
   members.scale_to(result.sigma_m_s);
   result.departure_m_s = members.departures();
   result.wind_departure_m_s = members.wind_departures();
+  result.wind_member_number = members.wind_numbers();
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "calibration/propagate/ensemble_wind.h"
 #include "calibration/propagate/spread.h"
 #include "calibration/propagate/wind_error.h"
 #include "calibration/solve/calibration.h"
@@ -21,6 +22,9 @@ struct Propagated {
   std::vector<Horizontal> departure_m_s;
   /// Of the same members, members x times; empty where no wind is used.
   std::vector<Horizontal> wind_departure_m_s;
+  /// Of the same members, whose wind they have: the number of a weather ensemble's member. Empty
+  /// where none is known.
+  std::vector<int> wind_member_number;
   std::vector<bool> has_wind;       ///< per time: the wind-driven part is in the mean
   std::size_t wind_missing = 0;     ///< times at which the model wants a wind and there is none
   std::vector<double> form_weight;  ///< of each form given
@@ -41,7 +45,10 @@ struct Propagated {
 ///
 /// Members come in pairs of opposite sign: parameters drawn from the posterior, wind departures
 /// from the error of its source (wind_error.h), memory drawn from its posterior covariance in time.
-/// They are scaled to sigma at every time and level.
+/// They are scaled to sigma at every time and level. Where a weather ensemble is known its members
+/// are their winds (ensemble_wind.h), and sigma is their mean square departure from member 0:
+/// neither winds nor currents are centred on it, so that each is the answer to its own wind, and a
+/// centre that stands off the ensemble's mean is doubted for it.
 ///
 /// Where the calibration used a wind and the time has none, the wind's instantaneous part is left
 /// out and `has_wind` is false. A calibration without wind ignores the wind given here: its memory
@@ -52,11 +59,13 @@ struct Propagated {
 /// @param wind        10 m, towards; empty: missing at all times
 /// @param end_of_day  24:00 of D, where lead is counted from
 /// @param wind_error  of that wind after D
+/// @param ensemble    how a weather ensemble departs from that wind, members x times; empty: none is
+///                    known
 /// Deterministic in (arguments, seed). Thread-safe.
 [[nodiscard]] Propagated propagate(std::span<const Calibration> forms,
                                    std::span<const UtcTime> times,
                                    const std::optional<VectorColumn>& wind, UtcTime end_of_day,
                                    const WindErrorGrowth& wind_error, const Spread& spread,
-                                   std::uint64_t seed);
+                                   std::uint64_t seed, const WindDepartures& ensemble = {});
 
 }  // namespace slackwater::calibration
