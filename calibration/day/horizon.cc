@@ -146,6 +146,16 @@ void add_error_of_height(const Chosen<Horizontal>& known, std::span<const UtcTim
   }
 }
 
+/// Nothing of a weather forecast is looked at where the wind persists.
+void add_members(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day,
+                 std::span<const UtcTime> stamps, const BestInputs& best, HorizonWind& result) {
+  if (policy == WindPolicy::persist) return;
+  const auto ensemble = newest_wind_ensemble(wind, knowledge_of(policy, end_of_day, best), stamps);
+  if (!ensemble) return;
+  result.members = members_at(*ensemble, stamps);
+  result.member_run = ensemble->run;
+}
+
 }  // namespace
 
 HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day,
@@ -169,6 +179,7 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
   result.extra_sigma_m_s = std::move(filled.hole_sigma_m_s);
   result.gaps = std::move(filled.gaps);
   result.series = std::move(filled.series);
+  add_members(wind, policy, end_of_day, stamps, best, result);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibration/day/forecast_plan.h"
+#include "calibration/day/wind_ensemble.h"
 #include "calibration/day/wind_fill.h"
 #include "fields/record/site_data.h"
 #include "fields/service/snapshot.h"
@@ -25,6 +26,10 @@ struct HorizonWind {
   std::vector<Stretch> stretches;      ///< who speaks when
   std::vector<const Origin*> origins;  ///< whose values were used
   bool hindsight = false;              ///< some of them were not known by `BestInputs::known_by`
+  /// Of the newest ensemble run that is known, at the stamps; empty where there is none, and under
+  /// `persist`.
+  std::vector<WindMember> members;
+  WindEnsembleRun member_run;  ///< whose they are
 };
 [[nodiscard]] HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy,
                                        UtcTime end_of_day, std::span<const UtcTime> stamps,
