@@ -14,9 +14,11 @@ namespace {
 /// A hindcast is scored by its centre and spread; its members would be most of what it writes.
 void drop_members(Snapshot& snapshot) {
   snapshot.members = 1;
+  snapshot.wind_ensemble.clear();
   for (ForecastColumn& column : snapshot.columns) {
     column.member_m_s.clear();
     column.wind_member_m_s.clear();
+    column.wind_member_number.clear();
   }
 }
 

@@ -39,6 +39,9 @@ struct ForecastColumn {
   /// Wind of members 1, 2, ...; member n of the wind drives member n of the current. Empty where
   /// all members share `wind_m_s`.
   std::vector<Horizontal> wind_member_m_s;
+  /// Of members 1, 2, ...: the number, as its provider counts, of the weather ensemble's member
+  /// whose wind it has. Empty where the winds are of no ensemble.
+  std::vector<int> wind_member_number;
   std::vector<SeaState> sea;           ///< empty if the forecast has no waves
   std::vector<DataStatus> sea_source;  ///< per time
 };
@@ -61,6 +64,8 @@ struct Snapshot {
   /// Wind or waves beyond D were not known at the issue time: no forecast that anybody could have
   /// made then.
   bool hindsight = false;
+  /// Whose members `wind_member_number` counts: "PRODUCT issued TIME"; empty where none has one.
+  std::string wind_ensemble;
   /// The currents it was fitted to are means over hours; nothing: instants, or means that hold the
   /// tide.
   std::optional<AveragedCurrents> averaged;

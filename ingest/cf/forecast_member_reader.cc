@@ -16,6 +16,8 @@ constexpr std::size_t max_values = std::size_t{64} << 20;
 constexpr std::size_t max_chunk_values = std::size_t{1} << 20;
 constexpr std::size_t values_per_read = std::size_t{1} << 20;
 
+constexpr double most_wind_members = 1e6;
+
 constexpr auto fill = static_cast<float>(forecast_names::fill);
 
 /// Shape that a member variable must have, so that every index below is inside it.
@@ -80,6 +82,32 @@ void place(const netcdf::File& file, const MemberVariable& variable, Snapshot& s
   }
 }
 
+/// Whose wind each member has, where a weather ensemble drives them.
+void read_numbers(const netcdf::File& file, Snapshot& s, std::size_t first, std::size_t count,
+                  bool many) {
+  const netcdf::Variable* found = file.find(forecast_names::wind_member);
+  if (found == nullptr) return;
+  const std::size_t members = s.members - 1;
+  std::vector<std::size_t> shape{members};
+  if (many) shape.insert(shape.begin(), s.columns.size());
+  expect_sane(file, *found, shape);
+  const std::vector<double> numbers = file.read_all(*found);
+  for (std::size_t c = first; c < first + count; ++c) {
+    std::vector<int> own;
+    for (std::size_t m = 0; m < members; ++m) {
+      const double number = numbers[c * members + m];
+      if (number == no_wind_member) continue;
+      if (!(number >= 0 && number <= most_wind_members && number == std::floor(number)))
+        refuse_forecast(file, "found a wind member without a number");
+      own.push_back(static_cast<int>(number));
+    }
+    if (own.empty()) continue;
+    if (own.size() != members || s.columns[c].wind_member_m_s.empty())
+      refuse_forecast(file, "found wind members for some members only");
+    s.columns[c].wind_member_number = std::move(own);
+  }
+}
+
 }  // namespace
 
 void refuse_forecast(const netcdf::File& file, const std::string& what) {
@@ -137,6 +165,7 @@ void read_members(const netcdf::File& file, Snapshot& snapshot, std::size_t firs
       place(file, variable, snapshot, c, columns, values);
     }
   }
+  read_numbers(file, snapshot, first, count, many);
 }
 
 }  // namespace slackwater::ingest

@@ -52,6 +52,23 @@ void MemberWriter::define(int time, int depth, std::optional<int> column) {
     dimensions.push_back(realization);
     define(variable, dimensions);
   }
+  define_numbers(realization, column);
+}
+
+void MemberWriter::define_numbers(int realization, std::optional<int> column) {
+  if (std::all_of(s_.columns.begin(), s_.columns.end(),
+                  [](const ForecastColumn& c) { return c.wind_member_number.empty(); }))
+    return;
+  std::vector<int> dimensions;
+  if (column) dimensions.push_back(*column);
+  dimensions.push_back(realization);
+  Writer::Layout layout;
+  layout.fill_value = no_wind_member;
+  number_id_ = out_.variable(forecast_names::wind_member, Type::int32, dimensions, layout);
+  out_.attribute(number_id_, "long_name",
+                 "number of the weather ensemble's member whose wind drives this member");
+  out_.attribute(number_id_, "units", "1");
+  out_.attribute(number_id_, "comment", "ensemble: " + s_.wind_ensemble);
 }
 
 void MemberWriter::define(const MemberVariable& variable, const std::vector<int>& dimensions) {
@@ -85,6 +102,17 @@ void MemberWriter::write() {
   std::iota(numbers.begin(), numbers.end(), 1.0);
   out_.write_all(realization_id_, numbers);
   for (const auto& [variable, id] : variables_) write(variable, id);
+  if (number_id_ >= 0) write_numbers();
+}
+
+void MemberWriter::write_numbers() {
+  std::vector<double> numbers;
+  for (const ForecastColumn& column : s_.columns) {
+    for (std::size_t m = 0; m + 1 < s_.members; ++m)
+      numbers.push_back(column.wind_member_number.empty() ? no_wind_member
+                                                          : column.wind_member_number[m]);
+  }
+  out_.write_all(number_id_, numbers);
 }
 
 void MemberWriter::write(const MemberVariable& variable, int id) {

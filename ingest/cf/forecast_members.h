@@ -61,9 +61,13 @@ class MemberWriter {
   /// Columns that share a chunk, which holds all their times, levels and members.
   [[nodiscard]] std::size_t columns_per_chunk(const MemberVariable& variable) const;
 
+  void define_numbers(int realization, std::optional<int> column);
+  void write_numbers();
+
   netcdf::Writer& out_;
   const Snapshot& s_;
   int realization_id_ = -1;
+  int number_id_ = -1;  ///< of the weather ensemble's members that drive ours
   bool many_ = false;
   std::vector<std::pair<MemberVariable, int>> variables_;
 };
@@ -73,6 +77,9 @@ class MemberWriter {
 
 /// How many members a forecast file holds, the central one among them; 1 without an ensemble.
 [[nodiscard]] std::size_t count_members(const netcdf::File& file);
+
+/// What stands for the number of a member that no weather ensemble drives.
+inline constexpr int no_wind_member = -1;
 
 /// Reads the members of `count` columns from `first` on into a snapshot that has everything else.
 void read_members(const netcdf::File& file, Snapshot& snapshot, std::size_t first,

@@ -40,6 +40,9 @@ void expect_whole(const Snapshot& s) {
     expects(c.wind_member_m_s.empty() || (c.wind_m_s.size() == s.time.size() &&
                                           c.wind_member_m_s.size() == more * c.wind_m_s.size()),
             "a column holds members - 1 blocks of wind, or none");
+    expects(c.wind_member_number.empty() ||
+                (!c.wind_member_m_s.empty() && c.wind_member_number.size() == more),
+            "every member with a wind has the number of its driver, or none has");
   }
 }
 
@@ -262,6 +265,7 @@ class ForecastWriter {
     global("slackwater_degraded", s_.degraded ? "true" : "false");
     global("slackwater_contains_stokes", s_.contains_stokes ? "true" : "false");
     global("slackwater_hindsight", s_.hindsight ? "true" : "false");
+    if (!s_.wind_ensemble.empty()) global(forecast_names::wind_ensemble, s_.wind_ensemble);
     global("slackwater_averaged_currents", averaged_json(s_.averaged));
     global("slackwater_headline", s_.headline);
     global("slackwater_attributions", credit);

@@ -33,6 +33,9 @@ void claim_whole(const Snapshot& snapshot) {
     fuzz::claim(column.wind_member_m_s.empty() ||
                     column.wind_member_m_s.size() == more * column.wind_m_s.size(),
                 "wind of members for some times only");
+    fuzz::claim(column.wind_member_number.empty() ||
+                    (!column.wind_member_m_s.empty() && column.wind_member_number.size() == more),
+                "numbers of winds for some members only");
     fuzz::claim(column.wind_source.size() == column.wind_m_s.size(), "wind without its source");
     fuzz::claim(column.sea.empty() || column.sea.size() == times, "waves for some times only");
     fuzz::claim(column.sea_source.size() == column.sea.size(), "waves without their source");
@@ -66,7 +69,8 @@ void claim_parts_are_the_whole(const std::filesystem::path& file, const Snapshot
   ingest::read_members(file, part, last);
   fuzz::claim(part.members == whole.members &&
                   part.columns[last].member_m_s == whole.columns[last].member_m_s &&
-                  part.columns[last].wind_member_m_s == whole.columns[last].wind_member_m_s,
+                  part.columns[last].wind_member_m_s == whole.columns[last].wind_member_m_s &&
+                  part.columns[last].wind_member_number == whole.columns[last].wind_member_number,
               "members of one column that are not those of the whole file");
 }
 

@@ -105,9 +105,16 @@ class DamagedCopy {
 };
 
 /// How a damaged copy is refused; empty where it is read.
-std::string refusal_of(const Damage& damage, const tests::MadeUpForecast& size = {.members = 4}) {
+/// @param is_numbered  whether a weather ensemble drives the members
+std::string refusal_of(const Damage& damage, const tests::MadeUpForecast& size = {.members = 4},
+                       bool is_numbered = false) {
   const tests::TemporaryFolder folder;
-  write_forecast(folder / "sound.nc", tests::made_up_forecast(size));
+  Snapshot sound = tests::made_up_forecast(size);
+  if (is_numbered) {
+    for (ForecastColumn& column : sound.columns)
+      column.wind_member_number.assign(size.members - 1, 9);
+  }
+  write_forecast(folder / "sound.nc", sound);
   const DamagedCopy copy(folder / "sound.nc", folder / "damaged.nc", damage);
   try {
     static_cast<void>(read_forecast(folder / "damaged.nc"));
@@ -198,6 +205,27 @@ TEST(DamagedMembers, OfAWindThatIsNotThereAreRefused) {
   Damage damage;
   damage.left_out = {"eastward_wind", "northward_wind", "wind_source"};
   expect_refused(damage, "without its central one");
+}
+
+TEST(DamagedMembers, WhoseDriversHaveNoNumbersAreRefused) {
+  const tests::MadeUpForecast size{.columns = 2, .members = 4};
+  EXPECT_EQ(refusal_of({}, size, true), "");
+  const auto refusal_after = [&](const std::function<void(std::vector<double>&)>& change) {
+    Damage damage;
+    damage.values["wind_member"] = change;
+    return refusal_of(damage, size, true);
+  };
+  for (const double number : {-2.0, 1e7})
+    EXPECT_NE(refusal_after([=](auto& v) { v[4] = number; }).find("without a number"),
+              std::string::npos);
+  EXPECT_NE(refusal_after([](auto& v) { v[4] = -1; }).find("for some members only"),
+            std::string::npos);
+  Damage shape;
+  shape.dimensions["wind_member"] = {"realization"};
+  EXPECT_NE(refusal_of(shape, size, true).find("unexpected shape"), std::string::npos);
+  Damage windless;
+  windless.left_out = {"eastward_wind_member", "northward_wind_member"};
+  EXPECT_NE(refusal_of(windless, size, true).find("for some members only"), std::string::npos);
 }
 
 TEST(DamagedMembers, WithASeedThatIsNoNumberAreRefused) {

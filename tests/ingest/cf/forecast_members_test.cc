@@ -109,6 +109,34 @@ TEST(ForecastMembers, AreNotNeededInEveryColumnNorWithEveryWind) {
   EXPECT_TRUE(read.columns[2].wind_member_m_s.empty());
 }
 
+/// The members of a made-up forecast with the numbers of a weather ensemble's.
+Snapshot numbered_forecast(std::size_t columns) {
+  Snapshot s = made_up_forecast({.columns = columns, .members = 5});
+  s.wind_ensemble = "NWP_ecmf issued 2025-03-10T00:00:00Z";
+  for (ForecastColumn& column : s.columns) column.wind_member_number = {3, 7, 50, 12};
+  return s;
+}
+
+TEST(ForecastMembers, KeepTheNumbersOfTheWindsThatDriveThem) {
+  for (const std::size_t columns : {1U, 3U}) {
+    Snapshot written = numbered_forecast(columns);
+    if (columns > 1) written.columns[1].wind_member_number.clear();
+    const Snapshot read = through_a_file(written);
+    EXPECT_EQ(read.wind_ensemble, written.wind_ensemble);
+    for (std::size_t c = 0; c < columns; ++c)
+      EXPECT_EQ(read.columns[c].wind_member_number, written.columns[c].wind_member_number) << c;
+  }
+  const TemporaryFolder folder;
+  write_forecast(folder / "f.nc", numbered_forecast(3));
+  Snapshot part = read_forecast(folder / "f.nc", Members::none);
+  EXPECT_TRUE(part.columns[2].wind_member_number.empty());
+  read_members(folder / "f.nc", part, 2);
+  EXPECT_EQ(part.columns[2].wind_member_number, (std::vector{3, 7, 50, 12}));
+  EXPECT_TRUE(part.columns[0].wind_member_number.empty());
+  EXPECT_EQ(through_a_file(made_up_forecast({.members = 5})).wind_ensemble, "")
+      << "without an ensemble the file says nothing of one";
+}
+
 TEST(ForecastMembers, OfTheWindStandWithoutCurrents) {
   Snapshot written = made_up_forecast({.members = 4});
   written.depth_m.clear();
