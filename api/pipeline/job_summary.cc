@@ -59,6 +59,17 @@ json calibration_json(const calibration::Calibration& c) {
           {"warnings", c.warnings}};
 }
 
+/// Whose winds the members have, member by member.
+json wind_members_json(const ColumnForecast& column) {
+  if (!column.wind_ensemble) return nullptr;
+  const calibration::WindEnsembleRun& run = *column.wind_ensemble;
+  return {{"product", run.product_id},
+          {"dataset", run.dataset},
+          {"reference_time", format_utc(run.reference_time)},
+          {"of_members", run.number.size()},
+          {"number", column.column.wind_member_number}};
+}
+
 /// Where the waves come from; what those that were computed rest on.
 json waves_json(const DailyForecast& forecast) {
   const std::string sources = wave_sources_text(forecast.snapshot);
@@ -137,6 +148,7 @@ std::string job_summary(const SiteData& data, const ForecastOptions& options,
                   {"longitude_deg", column.column.point.longitude_deg()},
                   {"water_depth_m", column.column.water_depth_m},
                   {"water_depth_source", column.column.water_depth_source},
+                  {"wind_members", wind_members_json(column)},
                   {"notes", column.notes},
                   {"sources", sources_json(column.sources)}};
     if (const calibration::Calibration* best = column.calibration()) {

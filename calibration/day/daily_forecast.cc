@@ -5,6 +5,7 @@
 #include <set>
 
 #include "calibration/day/day_choice.h"
+#include "calibration/day/driving_ensemble.h"
 #include "calibration/day/issued_blend.h"
 #include "calibration/day/known_currents.h"
 #include "calibration/day/troubles.h"
@@ -219,6 +220,7 @@ Snapshot snapshot_of(const SiteData& data, const ForecastPlan& plan,
   snapshot.depth_m = plan.depth_m;
   snapshot.seed = plan.seed;
   std::set<std::string> attributions;
+  std::set<std::string> ensembles;
   const std::size_t values = plan.stamps.size() * plan.depth_m.size();
   for (const ColumnForecast& column : columns) {
     for (const Origin* origin : column.origins) {
@@ -226,11 +228,13 @@ Snapshot snapshot_of(const SiteData& data, const ForecastPlan& plan,
     }
     snapshot.contains_stokes = snapshot.contains_stokes || column.contains_stokes;
     snapshot.hindsight = snapshot.hindsight || column.hindsight;
+    if (column.wind_ensemble) ensembles.insert(text_of(*column.wind_ensemble));
     snapshot.columns.push_back(column.column);
     if (values > 0)
       snapshot.members = std::max(snapshot.members, 1 + column.column.member_m_s.size() / values);
   }
   snapshot.attributions.assign(attributions.begin(), attributions.end());
+  snapshot.wind_ensemble = joined(ensembles, "; ");
   return snapshot;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/day/driving_ensemble.h"
 #include "calibration/day/sources.h"
 #include "fields/record/choose.h"
 #include "fields/record/slice.h"
@@ -80,10 +81,20 @@ void set_current(ForecastColumn& out, const Propagated& propagated, const Fitted
     }
   }
   if (out.wind_m_s.empty()) return;
+  out.wind_member_number = propagated.wind_member_number;
   for (std::size_t i = 0; i < propagated.wind_departure_m_s.size(); ++i) {
     out.wind_member_m_s.push_back(out.wind_m_s[i % plan.stamps.size()] +
                                   propagated.wind_departure_m_s[i]);
   }
+}
+
+/// Notes whose wind the members have.
+void name_ensemble(const HorizonWind& wind, const WindDepartures& ensemble,
+                   const ForecastPlan& plan, ColumnForecast& result) {
+  const WindEnsembleRun& run = result.wind_ensemble.emplace(wind.member_run);
+  result.notes.push_back(note_on(run, ensemble, result.column.wind_member_number.size(), plan));
+  result.origins.insert(result.origins.end(), run.origins.begin(), run.origins.end());
+  result.hindsight = result.hindsight || looks_ahead(run, plan);
 }
 
 /// The current of the column from its record, or `calibration_problem`.
@@ -126,9 +137,10 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
   if (!fitted.problem.empty())
     result.notes.push_back("a form of the model could not be fitted: " + fitted.problem);
   attempt_this(Part::propagation, [&] {
-    const Propagated propagated =
-        parts.propagation(fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
-                          whole_wind_error_of(data.wind, wind, plan), plan.spread, plan.seed, {});
+    const WindDepartures ensemble = departures_of(wind);
+    const Propagated propagated = parts.propagation(
+        fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
+        whole_wind_error_of(data.wind, wind, plan), plan.spread, plan.seed, ensemble);
     ForecastColumn carried = result.column;
     set_current(carried, propagated, tide, known.column, day.levels(), plan);
     result.best_form = fitted.best();
@@ -139,6 +151,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
     result.form_weight = propagated.form_weight;
     result.forms = std::move(fitted.forms);
     result.column = std::move(carried);
+    if (!propagated.wind_member_number.empty()) name_ensemble(wind, ensemble, plan, result);
   });
 }
 

@@ -31,6 +31,8 @@ struct ColumnForecast {
   Chosen<Horizontal> known;
   std::vector<std::string> notes;      ///< what an operator should know
   std::vector<const Origin*> origins;  ///< whose values were used
+  /// The weather ensemble whose winds the members have (`ForecastColumn::wind_member_number`).
+  std::optional<WindEnsembleRun> wind_ensemble;
   bool contains_stokes = false;
   bool hindsight = false;  ///< wind or waves were used that were not known when it was issued
   std::vector<SourceUse> sources;     ///< who speaks for what, when and why, from D on

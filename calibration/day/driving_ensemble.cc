@@ -1,0 +1,67 @@
+#include "calibration/day/driving_ensemble.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/base/text.h"
+
+namespace slackwater::calibration {
+
+WindDepartures departures_of(const HorizonWind& wind) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  WindDepartures departures;
+  bool any = false;
+  for (const WindMember& member : wind.members) {
+    departures.number.push_back(member.number);
+    for (std::size_t t = 0; t < wind.wind_m_s.size(); ++t) {
+      const bool is_over =
+          wind.source[t] == DataStatus::analysis || wind.source[t] == DataStatus::observation;
+      departures.departure_m_s.push_back(is_over ? Horizontal(nan, nan)
+                                                 : member.wind_m_s[t] - wind.wind_m_s[t]);
+      any = any || !std::isnan(departures.departure_m_s.back().real());
+    }
+  }
+  return any ? departures : WindDepartures{};
+}
+
+std::string text_of(const WindEnsembleRun& run) {
+  return run.product_id + " issued " + format_utc(run.reference_time);
+}
+
+std::string note_on(const WindEnsembleRun& run, const WindDepartures& ensemble, std::size_t members,
+                    const ForecastPlan& plan) {
+  const std::vector<double> variance = ensemble_variance(ensemble, plan.stamps.size());
+  const double least = least_ensemble_sigma_m_s() * least_ensemble_sigma_m_s();
+  std::size_t raised = 0;
+  std::size_t silent = 0;
+  std::size_t after = 0;
+  for (std::size_t t = 0; t < plan.stamps.size(); ++t) {
+    if (plan.stamps[t] <= plan.end_of_day()) continue;
+    ++after;
+    if (std::isnan(variance[t])) ++silent;
+    if (variance[t] < least) ++raised;
+  }
+  std::string note = "wind of " + std::to_string(members) + " members from " +
+                     std::to_string(run.number.size()) + " of " + text_of(run) +
+                     ", numbers recorded";
+  if (raised > 0) {
+    note += formatted("; at {} of {} hours its spread is raised to {:.1f} m/s, an analysis' error",
+                      raised, after, least_ensemble_sigma_m_s());
+  }
+  if (silent > 0) {
+    note += formatted("; at {} of {} hours it says nothing and the usual error of the wind stands",
+                      silent, after);
+  }
+  return note;
+}
+
+bool looks_ahead(const WindEnsembleRun& run, const ForecastPlan& plan) {
+  const Knowledge known{plan.best.known_by, plan.best.known_by, plan.best.known_by};
+  return plan.wind == WindPolicy::best &&
+         std::any_of(run.origins.begin(), run.origins.end(), [&](const Origin* origin) {
+           return !is_known(*origin, TimeCell::instant(run.reference_time), known);
+         });
+}
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+
+#include "calibration/day/forecast_plan.h"
+#include "calibration/day/horizon.h"
+#include "calibration/propagate/ensemble_wind.h"
+
+namespace slackwater::calibration {
+
+/// How the ensemble's members depart from the wind of the horizon, at the stamps. Nothing where that
+/// wind was analysed or measured: a run from before is not what it is in doubt by. Empty where
+/// nothing is left.
+[[nodiscard]] WindDepartures departures_of(const HorizonWind& wind);
+
+/// "NWP_ecmf issued 2024-06-12T00:00:00Z".
+[[nodiscard]] std::string text_of(const WindEnsembleRun& run);
+
+/// One sentence on whose wind the members have, and at how many stamps after D its spread had to be
+/// raised or stood in for.
+/// @param members  of the forecast, beside the central one
+[[nodiscard]] std::string note_on(const WindEnsembleRun& run, const WindDepartures& ensemble,
+                                  std::size_t members, const ForecastPlan& plan);
+
+/// Whether the run was issued after what `best` may look at.
+[[nodiscard]] bool looks_ahead(const WindEnsembleRun& run, const ForecastPlan& plan);
+
+}  // namespace slackwater::calibration
