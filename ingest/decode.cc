@@ -7,6 +7,7 @@
 #include "ingest/ingest.h"
 #include "ingest/insitu/series.h"
 #include "ingest/netcdf/file.h"
+#include "ingest/publication.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -16,8 +17,11 @@ Ingested decode_netcdf(const std::filesystem::path& path, const ProductCatalogue
                        const Progress& progress) {
   netcdf::File file = netcdf::File::open(path);
   settle(file, product_for(file, products, options), products.vocabulary());
-  if (is_point_series(file)) return decode_point_series(file, products, options, staging_folder);
-  return decode_gridded(file, products, options, staging_folder, progress);
+  Ingested ingested = is_point_series(file)
+                          ? decode_point_series(file, products, options, staging_folder)
+                          : decode_gridded(file, products, options, staging_folder, progress);
+  ingested.published = publication_of(file, ingested, options, ingested.warnings);
+  return ingested;
 }
 
 }  // namespace

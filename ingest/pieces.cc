@@ -130,6 +130,7 @@ Origin origin_of(const Loaded& loaded) {
   origin.attribution = granule.attribution;
   origin.sources = {loaded.entry.source_sha256};
   origin.received = loaded.entry.received;
+  origin.published = loaded.entry.published;
   origin.station = granule.station;
   origin.is_point_series = granule.is_point_series;
   origin.rank.is_regional = granule.is_regional;
@@ -214,6 +215,7 @@ std::vector<VectorPiece> vector_pieces(const FindGranules& find, const std::stri
       origin.granules.push_back(match->entry.number);
       origin.sources.push_back(match->entry.source_sha256);
       origin.received = later_of(origin.received, match->entry.received);
+      origin.published = later_of(origin.published, match->entry.published);
       pieces.push_back({std::move(origin), std::move(east->field), match->field});
     });
   }

@@ -28,6 +28,7 @@ struct GranuleEntry {
   std::vector<std::string> standard_names;  ///< CF, that it holds
   std::filesystem::path content_file;       ///< ingest/cf/granule_file.h
   std::optional<UtcTime> received{};        ///< when the product file came in, where that is known
+  std::optional<UtcTime> published{};       ///< when its provider published it, where that is known
 };
 
 /// Granules that come nearer than this to the window's box are looked at.

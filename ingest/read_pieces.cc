@@ -10,6 +10,7 @@
 #include "fields/base/sha256.h"
 #include "fields/geo/coverage.h"
 #include "ingest/pieces.h"
+#include "ingest/publication.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -64,10 +65,12 @@ struct ListedGranule {
 };
 
 ListedGranule listed(const DecodedGranule& decoded, std::int64_t number,
-                     const std::string& source_sha256, const std::optional<UtcTime>& received) {
+                     const std::string& source_sha256, const std::optional<UtcTime>& received,
+                     const std::optional<UtcTime>& published) {
   const Granule& granule = decoded.granule;
   ListedGranule result;
-  result.entry = {number, source_sha256, granule.product_id, {}, decoded.content_file, received};
+  result.entry = {number,   source_sha256, granule.product_id, {}, decoded.content_file,
+                  received, published};
   for (const GranuleVariable& variable : granule.variables)
     result.entry.standard_names.push_back(variable.standard_name);
   if (!granule.grid.time.empty()) {
@@ -129,9 +132,10 @@ ReadPieces read_pieces(std::span<const FileToRead> files, const ProductCatalogue
     known.push_back(source);
     const Ingested ingested =
         decode_file(file.path, products, file.options, staging.for_file(known.size()));
+    const auto published = published_by(ingested.published, file.received);
     for (const DecodedGranule& decoded : ingested.granules) {
       const auto number = static_cast<std::int64_t>(granules.size() + 1);
-      granules.push_back(listed(decoded, number, source.sha256, file.received));
+      granules.push_back(listed(decoded, number, source.sha256, file.received, published));
     }
     for (const std::string& warning : ingested.warnings)
       result.warnings.push_back(file.path.filename().string() + ": " + warning);

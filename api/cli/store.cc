@@ -16,6 +16,10 @@ namespace {
 
 using nlohmann::json;
 
+json time_or_null(const std::optional<UtcTime>& time) {
+  return time ? json(format_utc(*time)) : json(nullptr);
+}
+
 std::string dumped(const json& document) {
   return document.dump(2, ' ', false, json::error_handler_t::replace);
 }
@@ -101,6 +105,7 @@ void run_list(const Context& context, const ListArguments& arguments) {
                                      {"dataset", s.dataset_id},
                                      {"attribution", s.attribution},
                                      {"ingested_at", format_utc(s.ingested_at)},
+                                     {"published_at", time_or_null(s.published_at)},
                                      {"warnings", s.warnings}});
     }
     for (const auto& g : granules) {
@@ -110,10 +115,10 @@ void run_list(const Context& context, const ListArguments& arguments) {
            {"content_sha256", g.content_sha256},
            {"standard_names", g.standard_names},
            {"status", std::string(name_of(g.status))},
-           {"reference_time",
-            g.reference_time ? json(format_utc(*g.reference_time)) : json(nullptr)},
-           {"from", g.first_time ? json(format_utc(*g.first_time)) : json(nullptr)},
-           {"to", g.last_time ? json(format_utc(*g.last_time)) : json(nullptr)},
+           {"reference_time", time_or_null(g.reference_time)},
+           {"published_at", time_or_null(g.published_at)},
+           {"from", time_or_null(g.first_time)},
+           {"to", time_or_null(g.last_time)},
            {"times", g.times},
            {"bbox", {g.bounds.west_deg, g.bounds.south_deg, g.bounds.east_deg, g.bounds.north_deg}},
            {"station", g.station},

@@ -8,6 +8,7 @@
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
 #include "ingest/copernicus/product.h"
+#include "ingest/publication.h"
 
 namespace slackwater::api {
 namespace {
@@ -111,6 +112,7 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   source.product_id = first.product_id;
   source.dataset_id = first.dataset_id;
   source.attribution = first.attribution;
+  source.published_at = ingest::published_by(ingested.published, now);
   source.warnings = ingested.warnings;
   report.status = name_of(first.status);
   const bool was_there = store.names_source(source.sha256, source.cut_key);

@@ -29,7 +29,7 @@ class WholeGranules {
     for (const store::GranuleRow& row : store_.find_granules(query)) {
       if (!is_whole(row)) continue;
       found.push_back({row.id, row.source_sha256, row.product_id, row.standard_names,
-                       store_.content_path(row.content_sha256), row.ingested_at});
+                       store_.content_path(row.content_sha256), row.ingested_at, row.published_at});
     }
     return found;
   }

@@ -38,8 +38,8 @@ constexpr std::string_view granule_columns =
     "g.west_deg, "
     "g.south_deg, g.east_deg, g.north_deg, g.vertical, g.lowest_level_m, g.highest_level_m, "
     "g.product_id, "
-    "g.dataset_id, g.attribution, s.ingested_at_ms FROM granule g JOIN source s ON s.id = "
-    "g.source_id ";
+    "g.dataset_id, g.attribution, s.ingested_at_ms, s.published_at_ms FROM granule g "
+    "JOIN source s ON s.id = g.source_id ";
 
 GranuleRow granule_from(const Statement& row) {
   GranuleRow granule;
@@ -70,6 +70,7 @@ GranuleRow granule_from(const Statement& row) {
   granule.dataset_id = row.text(column++);
   granule.attribution = row.text(column++);
   granule.ingested_at = row.time(column++);
+  granule.published_at = row.optional_time(column++);
   return granule;
 }
 
@@ -132,8 +133,8 @@ std::optional<std::int64_t> source_id(Database& database, const std::string& sha
 
 SourceFile read_source(Database& database, std::int64_t id) {
   Statement query = database.prepare(
-      "SELECT sha256, cut_key, name, bytes, product_id, dataset_id, attribution, ingested_at_ms "
-      "FROM source WHERE id = ?");
+      "SELECT sha256, cut_key, name, bytes, product_id, dataset_id, attribution, ingested_at_ms, "
+      "published_at_ms FROM source WHERE id = ?");
   query.bind(1, id);
   expects(query.step(), "a source is read by an id just found");
   SourceFile source;
@@ -145,6 +146,7 @@ SourceFile read_source(Database& database, std::int64_t id) {
   source.dataset_id = query.text(5);
   source.attribution = query.text(6);
   source.ingested_at = query.time(7);
+  source.published_at = query.optional_time(8);
   Statement warnings =
       database.prepare("SELECT text FROM source_warning WHERE source_id = ? ORDER BY position");
   warnings.bind(1, id);
@@ -183,11 +185,11 @@ void insert_source(Database& database, const SourceFile& source,
   expects(granules.size() == sealed.size(), "one content file per granule");
   Statement insert = database.prepare(
       "INSERT INTO source (sha256, cut_key, name, bytes, product_id, dataset_id, attribution, "
-      "ingested_at_ms) "
-      "VALUES (?,?,?,?,?,?,?,?)");
+      "ingested_at_ms, published_at_ms) "
+      "VALUES (?,?,?,?,?,?,?,?,?)");
   insert.bind_all(source.sha256, source.cut_key, source.name,
                   static_cast<std::int64_t>(source.bytes), source.product_id, source.dataset_id,
-                  source.attribution, source.ingested_at);
+                  source.attribution, source.ingested_at, source.published_at);
   insert.run();
   const std::int64_t id = database.last_inserted_id();
   Statement warning =

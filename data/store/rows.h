@@ -27,6 +27,7 @@ struct SourceFile {
   std::string dataset_id;
   std::string attribution;  ///< the sentence to print
   UtcTime ingested_at{};
+  std::optional<UtcTime> published_at;  ///< by its provider, where the file says it
   std::vector<std::string> warnings;
   bool operator==(const SourceFile&) const = default;
 };
@@ -54,7 +55,8 @@ struct GranuleRow {
   std::string product_id;
   std::string dataset_id;
   std::string attribution;
-  UtcTime ingested_at{};  ///< given by the store: that of the source
+  UtcTime ingested_at{};                ///< given by the store: that of the source
+  std::optional<UtcTime> published_at;  ///< given by the store: that of the source
   bool operator==(const GranuleRow&) const = default;
 };
 

@@ -136,6 +136,7 @@ Origin origin_of(const std::vector<const VectorPiece*>& parts) {
     others += other.station != origin.station ? 1 : 0;
     origin.published = later_of(origin.published, other.published);
     origin.received = later_of(origin.received, other.received);
+    origin.published = later_of(origin.published, other.published);
   }
   if (others > 0) origin.station += " and " + std::to_string(others) + " more";
   return origin;

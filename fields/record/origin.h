@@ -37,7 +37,8 @@ struct Origin {
   std::optional<double> water_depth_m;  ///< where the file of a point series states it
 };
 
-/// When the later of two files came in; nothing where that of either is not known.
+/// When the later of two files came in, or was published; nothing where that of either is not
+/// known.
 [[nodiscard]] inline std::optional<UtcTime> later_of(const std::optional<UtcTime>& a,
                                                      const std::optional<UtcTime>& b) noexcept {
   if (!a || !b) return std::nullopt;

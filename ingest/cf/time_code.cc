@@ -62,17 +62,17 @@ struct Reference {
   std::int64_t time_of_day_ms = 0;
 };
 
-/// "H[:M[:S[.f]]]" in milliseconds; nothing if the text is no time of day.
+/// "H[:M[:S[.f]]]" or "HHMM[SS]" in milliseconds; nothing if the text is no time of day.
 std::optional<std::int64_t> time_of_day(TextScanner& scan) {
   const auto hour = scan.number(1, 2);
   if (!hour) return std::nullopt;
   int minute = 0;
   double second = 0;
-  if (scan.take(':')) {
+  if (scan.take(':') || scan.at_digit()) {
     const auto found = scan.number(1, 2);
     if (!found) return std::nullopt;
     minute = *found;
-    if (scan.take(':')) {
+    if (scan.take(':') || scan.at_digit()) {
       const auto seconds = scan.decimal();
       if (!seconds) return std::nullopt;
       second = *seconds;
@@ -233,7 +233,7 @@ void check_stamps(const std::vector<UtcTime>& stamps, std::vector<std::string>& 
   }
 }
 
-std::optional<UtcTime> find_date(std::string_view text) {
+std::optional<FoundDate> find_date_and_clock(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (at > 0 && text[at - 1] >= '0' && text[at - 1] <= '9') continue;
     TextScanner scan(text.substr(at));
@@ -248,13 +248,23 @@ std::optional<UtcTime> find_date(std::string_view text) {
                                            std::chrono::month(static_cast<unsigned>(*month)),
                                            std::chrono::day(static_cast<unsigned>(*day))};
     if (!date.ok() || *year < 1900) continue;
-    UtcTime time{std::chrono::sys_days(date)};
+    FoundDate found{UtcTime(std::chrono::sys_days(date)), false};
     if (scan.skip_blanks() || scan.take('T') || scan.take('-')) {
-      if (const auto clock = time_of_day(scan)) time += Duration(*clock);
+      if (const auto clock = time_of_day(scan)) {
+        found.time += Duration(*clock);
+        found.has_clock = true;
+        if (const auto offset = zone(scan)) found.time -= Duration(*offset);
+      }
     }
-    return time;
+    return found;
   }
   return std::nullopt;
+}
+
+std::optional<UtcTime> find_date(std::string_view text) {
+  const auto found = find_date_and_clock(text);
+  if (!found) return std::nullopt;
+  return found->time;
 }
 
 }  // namespace slackwater::ingest

@@ -41,8 +41,17 @@ class TimeCode {
 /// series has a gap.
 void check_stamps(const std::vector<UtcTime>& stamps, std::vector<std::string>& warnings);
 
+/// A date read from a text.
+struct FoundDate {
+  UtcTime time{};
+  bool has_clock = false;  ///< false: a day, `time` is its midnight
+};
+
 /// The first date, with or without a time of day, inside a text: "forecast 20140516 12:00",
-/// "20221020", "2017-05-03 00:00:00". UTC. Nothing where there is none.
+/// "20221020", "2017-05-03 00:00:00", "2024-03-01T05:00:00+01:00". UTC where no offset follows the
+/// time of day. Nothing where there is none.
+[[nodiscard]] std::optional<FoundDate> find_date_and_clock(std::string_view text);
+/// The same without the question whether there was a time of day.
 [[nodiscard]] std::optional<UtcTime> find_date(std::string_view text);
 
 }  // namespace slackwater::ingest

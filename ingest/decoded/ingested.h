@@ -34,6 +34,8 @@ struct DecodedGranule {
 struct Ingested {
   std::vector<DecodedGranule> granules;
   std::vector<std::string> warnings;
+  /// When the provider published the file, where it says so (ingest/publication.h).
+  std::optional<UtcTime> published{};
 };
 
 /// Called with a share of the work done in [0, 1].

@@ -116,6 +116,23 @@ TEST_F(ReadPiecesTest, WhatIsFarOffInSpaceOrTimeIsLeftOut) {
   EXPECT_TRUE(read(site_at(-30)).current.empty());
 }
 
+TEST_F(ReadPiecesTest, APieceKnowsWhenItWasPublishedAndAPairIsAsYoungAsItsLaterFile) {
+  ProductForTests east = tests::current_product(day);
+  ProductForTests north = east;
+  std::erase_if(east.quantities, [](const auto& quantity) { return quantity.name == "vo"; });
+  std::erase_if(north.quantities, [](const auto& quantity) { return quantity.name == "uo"; });
+  east.global = {{"date_created", "2025-03-11T06:00:00Z"}};
+  north.global = {{"date_created", "2025-03-11T07:00:00Z"}};
+  add(east);
+  add(north);
+  EXPECT_EQ(read().current[0].origin.published, parse_utc("2025-03-11T07:00:00Z"));
+  files_[1].received = parse_utc("2025-03-11T06:30:00Z");  // so it was out by then
+  EXPECT_EQ(read().current[0].origin.published, parse_utc("2025-03-11T06:30:00Z"));
+  files_.clear();
+  add(tests::current_product(day));
+  EXPECT_EQ(read().current[0].origin.published, std::nullopt);
+}
+
 TEST_F(ReadPiecesTest, AFileThatIsNotThereIsNamed) {
   files_.push_back({folder_ / "nowhere.nc", {}});
   try {

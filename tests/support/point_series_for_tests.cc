@@ -56,6 +56,7 @@ class SeriesWriter {
     define_levels();
     define_values();
     writer_.attribute(Writer::global, "Conventions", "CF-1.8");
+    for (const auto& [name, text] : series_.global) writer_.attribute(Writer::global, name, text);
     const bool profile = !series_.depth_m.empty() && series_.levels != Layout::own_variables &&
                          series_.levels != Layout::own_stations;
     writer_.attribute(Writer::global, "featureType", profile ? "timeSeriesProfile" : "timeSeries");

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ enum class SeriesLevelsForTests {
 /// A vector measured at a place, written as a CF point series.
 struct PointSeriesForTests {
   std::string station = "M1";
+  std::map<std::string, std::string> global;  ///< further global attributes
   double latitude_deg = 54.0;
   double longitude_deg = 6.5;
   std::vector<UtcTime> time;

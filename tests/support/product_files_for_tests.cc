@@ -165,6 +165,7 @@ std::filesystem::path write_product(const std::filesystem::path& file,
   Writer writer = Writer::create(file);
   writer.attribute(Writer::global, "Conventions", "CF-1.8");
   writer.attribute(Writer::global, "title", product.title);
+  for (const auto& [name, text] : product.global) writer.attribute(Writer::global, name, text);
   std::vector<int> plane;
   int time_id = -1;
   int depth_id = -1;

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,8 +31,9 @@ struct ProductQuantity {
 /// write it.
 struct ProductForTests {
   std::string title;
-  std::vector<UtcTime> time;    ///< empty: a static file
-  std::vector<double> depth_m;  ///< empty: no depth axis
+  std::map<std::string, std::string> global;  ///< further global attributes
+  std::vector<UtcTime> time;                  ///< empty: a static file
+  std::vector<double> depth_m;                ///< empty: no depth axis
   std::vector<double> latitude_deg{53.8, 53.9, 54.0, 54.1, 54.2};
   std::vector<double> longitude_deg{6.3, 6.4, 6.5, 6.6, 6.7};
   std::optional<UtcTime> reference_time;

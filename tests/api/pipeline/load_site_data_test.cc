@@ -103,6 +103,20 @@ TEST(SiteData, TheSiteSaysHowDeepTheWaterIsThenTheBathymetryThenTheCurrents) {
   EXPECT_EQ(store.load(stated).columns[0].water_depth.depth_m, 27);
 }
 
+TEST(SiteData, WhatIsStoredKnowsWhenItWasPublished) {
+  SmallStore store;
+  auto currents = tests::current_product(day);
+  currents.global = {{"date_issued", "2025-03-11T06:00:00Z"}};
+  auto waves = tests::wave_product(day);
+  waves.global = {{"date_issued", "2031-01-01T00:00:00Z"}};  // but it is in hand
+  store.with(currents).with(tests::wind_product(day)).with(waves);
+  const SiteData data = store.load(in_the_water);
+  const ColumnData& column = data.columns.at(0);
+  EXPECT_EQ(column.current.pieces.at(0).origin->published, parse_utc("2025-03-11T06:00:00Z"));
+  EXPECT_EQ(column.wind.pieces.at(0).origin->published, std::nullopt);
+  EXPECT_EQ(column.significant_height.pieces.at(0).origin->published, midnight + days(3));
+}
+
 TEST(SiteData, ColumnsOnLandAreLeftOutAndCounted) {
   SmallStore store;
   store.with(tests::current_product(day));

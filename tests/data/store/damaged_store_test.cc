@@ -242,6 +242,7 @@ TEST(Migrations, BringEveryEarlierVersionUpToDateWithItsRows) {
       Store store = Store::open(folder, mode);
       ASSERT_EQ(store.list_sources().size(), 1U);
       EXPECT_EQ(store.list_sources()[0].name, "old.nc");
+      EXPECT_EQ(store.list_sources()[0].published_at, std::nullopt);  // nobody knows
       EXPECT_TRUE(store.list_forecasts().empty());
       EXPECT_TRUE(store.check(true).sound);
     }

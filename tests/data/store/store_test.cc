@@ -73,6 +73,7 @@ TEST_F(StoreTest, ReturnsWhatWasIngestedToTheLastField) {
 TEST_F(StoreTest, KeepsOptionalFieldsAsTheyAre) {
   SourceFile source = samples::source(7);
   source.cut_key = "bbox 1 2 3 4";
+  source.published_at = parse_utc("2024-02-28T18:00:00Z");
   auto granules = samples::granules(store_, 7);
   granules.resize(1);
   GranuleRow& row = granules[0].row;
@@ -91,7 +92,9 @@ TEST_F(StoreTest, KeepsOptionalFieldsAsTheyAre) {
   row.cut_key = source.cut_key;
   row.content_sha256 = found.content_sha256;
   row.ingested_at = source.ingested_at;
+  row.published_at = source.published_at;
   EXPECT_EQ(found, row);
+  EXPECT_EQ(store_.list_sources().at(0), source);
 }
 
 TEST_F(StoreTest, IngestingTheSameFileAgainChangesNothing) {

@@ -77,6 +77,10 @@ TEST(TimeCode, FindsTheDateInsideAText) {
   EXPECT_EQ(find_date("20221020"), parse_utc("2022-10-20T00:00:00Z"));
   EXPECT_EQ(find_date("2017-05-03 00:00:00"), parse_utc("2017-05-03T00:00:00Z"));
   EXPECT_EQ(find_date("2014-05-16"), parse_utc("2014-05-16T00:00:00Z"));
+  EXPECT_EQ(find_date("20240301T063000Z"), parse_utc("2024-03-01T06:30:00Z"));
+  EXPECT_EQ(find_date("2024-03-01T06:30:00+01:00"), parse_utc("2024-03-01T05:30:00Z"));
+  EXPECT_TRUE(find_date_and_clock("2024-03-01T00:00:00Z")->has_clock);
+  EXPECT_FALSE(find_date_and_clock("2024-03-01")->has_clock);
   EXPECT_EQ(find_date("analysis"), std::nullopt);
   EXPECT_EQ(find_date("version 99999999"), std::nullopt);
 }
