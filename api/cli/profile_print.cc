@@ -33,6 +33,11 @@ json component_json(const ProfileAnswer& a, std::size_t level,
   return result;
 }
 
+/// Behind the numbers of a level that carries those of a higher one.
+const char* mark_of(SampleStatus status) {
+  return status == SampleStatus::carried ? "  carried" : "";
+}
+
 json level_json(const ProfileAnswer& a, std::size_t i) {
   const CurrentSample& s = a.samples[i];
   json level = {{"depth_m", a.depth_m[i]}, {"status", std::string(name_of(s.status))}};
@@ -185,10 +190,10 @@ void print_profile_table(const ProfileAnswer& a) {
       continue;
     }
     const CurrentQuantiles q = quantiles_of(a.central[i]);
-    std::printf("%8.1f %9.3f %9.0f  %+7.3f (%+.3f to %+.3f) %+7.3f (%+.3f to %+.3f)\n",
+    std::printf("%8.1f %9.3f %9.0f  %+7.3f (%+.3f to %+.3f) %+7.3f (%+.3f to %+.3f)%s\n",
                 a.depth_m[i], std::abs(s.velocity_m_s), to_direction_deg(s.velocity_m_s),
                 s.velocity_m_s.real(), q.p10_m_s.real(), q.p90_m_s.real(), s.velocity_m_s.imag(),
-                q.p10_m_s.imag(), q.p90_m_s.imag());
+                q.p10_m_s.imag(), q.p90_m_s.imag(), mark_of(s.status));
   }
   if (const auto waves = waves_of(a)) {
     std::printf("Waves: %.2f m, %.1f s, from %.0f deg (%s)\n", waves->sea.significant_height_m,
@@ -215,8 +220,9 @@ void print_profiles_table(const std::vector<ProfileAnswer>& answers) {
       if (a.time_zone) std::printf("%-22s ", i == 0 ? a.time_zone->text(a.time).c_str() : "");
       std::printf("%-20s %8.1f", i == 0 ? format_utc(a.time).c_str() : "", a.depth_m[i]);
       if (has_value(s.status)) {
-        std::printf(" %9.3f %6.0f %+9.3f %+9.3f\n", std::abs(s.velocity_m_s),
-                    to_direction_deg(s.velocity_m_s), s.velocity_m_s.real(), s.velocity_m_s.imag());
+        std::printf(" %9.3f %6.0f %+9.3f %+9.3f%s\n", std::abs(s.velocity_m_s),
+                    to_direction_deg(s.velocity_m_s), s.velocity_m_s.real(), s.velocity_m_s.imag(),
+                    mark_of(s.status));
       } else {
         std::printf(" %9s\n", std::string(name_of(s.status)).c_str());
       }

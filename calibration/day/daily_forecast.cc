@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "calibration/day/bed_note.h"
 #include "calibration/day/day_choice.h"
 #include "calibration/day/driving_ensemble.h"
 #include "calibration/day/issued_blend.h"
@@ -14,6 +15,7 @@
 #include "fields/base/error.h"
 #include "fields/base/parallel.h"
 #include "fields/base/text.h"
+#include "fields/service/bed_rule.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -103,6 +105,7 @@ void forecast_columns(const SiteData& data, const ForecastOptions& options, Dail
     std::vector<std::string> notes;
     if (const auto failure = attempt([&] { notes = notes_on_record(data.columns[i], plan); }))
       notes = {"no notes on the record: " + failure->why};
+    if (auto note = note_on_bed(data.columns[i], plan.dataset)) notes.push_back(std::move(*note));
     made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
     if (made.hindsight) made.notes.emplace_back(hindsight_note);
   });
@@ -281,7 +284,10 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   blend_columns(data, options, choice, result);
   const std::optional<AveragedCurrents> averaged = widen_columns(data, options, choice, result);
   widen_stand_in(data, options, result);
-  for (ColumnForecast& column : result.columns) column.known = {};
+  for (ColumnForecast& column : result.columns) {
+    column.known = {};
+    keep_to_bed(column.column, result.plan.depth_m);
+  }
   result.computed_waves = waves_of(data, options, result);
   const std::vector<std::string> troubles = troubles_of(data, choice, averaged, result);
   expect_any_value(result, troubles);

@@ -7,8 +7,8 @@
 
 namespace slackwater::calibration {
 
-/// How the ensemble's members depart from the wind of the horizon, at the stamps. Nothing where that
-/// wind was analysed or measured: a run from before is not what it is in doubt by. Empty where
+/// How the ensemble's members depart from the wind of the horizon, at the stamps. Nothing where
+/// that wind was analysed or measured: a run from before is not what it is in doubt by. Empty where
 /// nothing is left.
 [[nodiscard]] WindDepartures departures_of(const HorizonWind& wind);
 

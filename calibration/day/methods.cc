@@ -41,6 +41,9 @@ bool has_any(const BaselineForecast& made) {
   return std::any_of(made.status.begin(), made.status.end(), has_value);
 }
 
+/// What was carried below the product's water is no forecast of it.
+bool speaks(SampleStatus status) { return has_value(status) && status != SampleStatus::carried; }
+
 /// The forecast as issued at the truth's own cells and levels: means over the truth's means, linear
 /// between the forecast's depths.
 MethodForecast as_issued(const Snapshot& snapshot, std::size_t index, const VectorColumn& truth) {
@@ -53,8 +56,8 @@ MethodForecast as_issued(const Snapshot& snapshot, std::size_t index, const Vect
                                       column.current_sigma_m_s.end());
   for (std::size_t k = 0; k < truth.levels(); ++k) {
     const auto place = level_place(snapshot.depth_m, truth.levels_m[k]);
-    if (!place || !has_value(column.current_status[place->low]) ||
-        !has_value(column.current_status[place->high])) {
+    if (!place || !speaks(column.current_status[place->low]) ||
+        !speaks(column.current_status[place->high])) {
       continue;
     }
     for (std::size_t t = 0; t < truth.times(); ++t) {

@@ -11,8 +11,8 @@
 namespace slackwater::calibration {
 
 /// Departures of the members of an ensemble from its centre, in pairs of opposite sign: parameters
-/// and wind, then memory. Each pair follows one form, as often as the form's weight asks. Winds of a
-/// weather ensemble come in no pairs.
+/// and wind, then memory. Each pair follows one form, as often as the form's weight asks. Winds of
+/// a weather ensemble come in no pairs.
 class Members {
  public:
   /// @param members  even

@@ -59,8 +59,8 @@ struct Propagated {
 /// @param wind        10 m, towards; empty: missing at all times
 /// @param end_of_day  24:00 of D, where lead is counted from
 /// @param wind_error  of that wind after D
-/// @param ensemble    how a weather ensemble departs from that wind, members x times; empty: none is
-///                    known
+/// @param ensemble    how a weather ensemble departs from that wind, members x times; empty: none
+///                    is known
 /// Deterministic in (arguments, seed). Thread-safe.
 [[nodiscard]] Propagated propagate(std::span<const Calibration> forms,
                                    std::span<const UtcTime> times,

@@ -5,9 +5,9 @@
 namespace slackwater {
 
 std::string_view name_of(SampleStatus status) noexcept {
-  static constexpr std::array<std::string_view, 9> names{
+  static constexpr std::array<std::string_view, sample_status_count> names{
       "ok",           "missing",       "land",        "below_bed", "outside_area",
-      "outside_time", "above_surface", "not_checked", "suspect"};
+      "outside_time", "above_surface", "not_checked", "suspect",   "carried"};
   return names[static_cast<std::size_t>(status)];
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -16,11 +17,14 @@ enum class SampleStatus : std::uint8_t {
   above_surface = 6,
   not_checked = 7,  ///< a value, but nobody has checked it (QC flag "no QC performed")
   suspect = 8,      ///< rejected: bad QC flag, gross range or spike
+  carried = 9,      ///< a value of higher up, where the product knows no water (service/bed_rule.h)
 };
+inline constexpr std::size_t sample_status_count = 10;
 
-/// Whether a number stands behind this status (ok or not_checked).
+/// Whether a number stands behind this status (ok, not_checked or carried).
 [[nodiscard]] constexpr bool has_value(SampleStatus status) noexcept {
-  return status == SampleStatus::ok || status == SampleStatus::not_checked;
+  return status == SampleStatus::ok || status == SampleStatus::not_checked ||
+         status == SampleStatus::carried;
 }
 [[nodiscard]] std::string_view name_of(SampleStatus status) noexcept;
 

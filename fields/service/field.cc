@@ -5,6 +5,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/text.h"
+#include "fields/service/bed_rule.h"
 
 namespace slackwater {
 namespace {
@@ -19,10 +20,6 @@ bool are_even(const std::vector<UtcTime>& time) {
 
 /// Shares of a step nearer to a stamp than this are the stamp: a millisecond of eleven days.
 constexpr double same_stamp = 1e-9;
-
-/// Beds that are interpolated differ from equal ones by rounding; nobody knows them to a
-/// micrometre.
-constexpr double same_depth_m = 1e-6;
 
 void expect_whole(const Snapshot& snapshot) {
   const std::size_t times = snapshot.time.size();
@@ -60,6 +57,7 @@ Field::Field(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(sna
   for (const ForecastColumn& column : snapshot_->columns) {
     points.push_back(column.point);
     water_depth_m_.push_back(column.water_depth_m);
+    known_to_m_.push_back(known_to_m(column, snapshot_->depth_m));
   }
   layout_ = ColumnLayout(points);
   for (std::size_t m = 0; m < std::max<std::size_t>(1, snapshot_->members); ++m) {
@@ -75,7 +73,10 @@ Field::Field(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(sna
             *std::max_element(water_depth_m_.begin(), water_depth_m_.end())};
   const bool are_numbers = std::all_of(water_depth_m_.begin(), water_depth_m_.end(),
                                        [](double depth) { return std::isfinite(depth); });
-  if (are_numbers) shallowest_m_ = *std::min_element(water_depth_m_.begin(), water_depth_m_.end());
+  if (!are_numbers) return;
+  shallowest_m_ = *std::min_element(water_depth_m_.begin(), water_depth_m_.end());
+  shallowest_known_m_ =
+      std::min(shallowest_m_, *std::min_element(known_to_m_.begin(), known_to_m_.end()));
 }
 
 Field::Spot Field::spot(double longitude_deg, double latitude_deg) const noexcept {
@@ -115,12 +116,23 @@ SampleStatus Field::water(ColumnStencil& stencil, double depth_m) const noexcept
   if (!stencil.is_inside) return SampleStatus::outside_area;
   if (stencil.count == 0) return SampleStatus::land;
   if (!(depth_m >= 0)) return SampleStatus::above_surface;
-  if (depth_m <= shallowest_m_) return SampleStatus::ok;  // most water is above every bed
+  if (depth_m <= shallowest_known_m_) return SampleStatus::ok;  // most water is
   if (!(depth_m <= bed_m(stencil) + same_depth_m)) return SampleStatus::below_bed;
   for (std::uint32_t c = 0; c < stencil.count; ++c) {
     if (!(depth_m <= water_depth_m_[stencil.column[c]] + same_depth_m)) stencil.weight[c] = 0;
   }
-  return SampleStatus::ok;
+  return known(stencil, depth_m);
+}
+
+SampleStatus Field::known(const ColumnStencil& stencil, double depth_m) const noexcept {
+  double known_m = 0;
+  double whole = 0;
+  for (std::uint32_t c = 0; c < stencil.count; ++c) {
+    if (!(stencil.weight[c] > 0)) continue;
+    known_m += stencil.weight[c] * known_to_m_[stencil.column[c]];
+    whole += stencil.weight[c];
+  }
+  return depth_m * whole <= known_m ? SampleStatus::ok : SampleStatus::carried;
 }
 
 namespace {
@@ -128,6 +140,12 @@ namespace {
 CurrentSample without_value(SampleStatus status) noexcept {
   CurrentSample sample;
   sample.status = status;
+  return sample;
+}
+
+/// A sample of the table where the depth is in water, `ok` or `carried`.
+CurrentSample in_water(CurrentSample sample, SampleStatus status) noexcept {
+  if (sample.status == SampleStatus::ok) sample.status = status;
   return sample;
 }
 
@@ -143,10 +161,10 @@ CurrentSample Field::current(const Place& place, std::size_t member) const noexc
   ColumnStencil stencil = layout_.at(place.longitude_deg, place.latitude_deg);
   const std::optional<TimePlace> time = when(place.time);
   const SampleStatus status = in_time(water(stencil, place.vertical_m), time.has_value());
-  if (status != SampleStatus::ok) return without_value(status);
+  if (!has_value(status)) return without_value(status);
   if (member >= member_.size()) return without_value(SampleStatus::missing);
   const CurrentTable& table = member_[member];
-  return table.at(stencil, *time, table.level_at(place.vertical_m));
+  return in_water(table.at(stencil, *time, table.level_at(place.vertical_m)), status);
 }
 
 void Field::sample_current(std::span<const Place> places, std::span<CurrentSample> out,
@@ -170,7 +188,7 @@ void Field::sample_current(std::span<const Place> places, std::span<CurrentSampl
       a.stencil = layout_.at(place.longitude_deg, place.latitude_deg);
       a.time = when(place.time);
       a.status = in_time(water(a.stencil, place.vertical_m), a.time.has_value());
-      if (a.status != SampleStatus::ok) continue;
+      if (!has_value(a.status)) continue;
       if (!table) {
         a.status = SampleStatus::missing;
         continue;
@@ -180,8 +198,9 @@ void Field::sample_current(std::span<const Place> places, std::span<CurrentSampl
     }
     for (std::size_t i = 0; i < count; ++i) {
       const Asked& a = asked[i];
-      out[first + i] = a.status == SampleStatus::ok ? table->at(a.stencil, *a.time, a.level)
-                                                    : without_value(a.status);
+      out[first + i] = has_value(a.status)
+                           ? in_water(table->at(a.stencil, *a.time, a.level), a.status)
+                           : without_value(a.status);
     }
   }
 }
@@ -206,7 +225,7 @@ void Field::sample_profiles(double longitude_deg, double latitude_deg,
       stencil.weight = here.weight;
       a.status = water(stencil, depths_m[first + i]);
       a.weight = stencil.weight;
-      if (a.status != SampleStatus::ok) continue;
+      if (!has_value(a.status)) continue;
       if (table)
         a.level = table->level_at(depths_m[first + i]);
       else
@@ -218,8 +237,8 @@ void Field::sample_profiles(double longitude_deg, double latitude_deg,
       for (std::size_t i = 0; i < count; ++i) {
         const SampleStatus status = in_time(asked[i].status, time.has_value());
         stencil.weight = asked[i].weight;
-        profile[i] = status == SampleStatus::ok ? table->at(stencil, *time, asked[i].level)
-                                                : without_value(status);
+        profile[i] = has_value(status) ? in_water(table->at(stencil, *time, asked[i].level), status)
+                                       : without_value(status);
       }
     }
   }
@@ -235,12 +254,12 @@ void Field::sample_profile(double longitude_deg, double latitude_deg, UtcTime ti
   for (std::size_t i = 0; i < depths_m.size(); ++i) {
     stencil.weight = weight;
     const SampleStatus status = in_time(water(stencil, depths_m[i]), at.has_value());
-    if (status != SampleStatus::ok)
+    if (!has_value(status))
       out[i] = without_value(status);
     else if (!table)
       out[i] = without_value(SampleStatus::missing);
     else
-      out[i] = table->at(stencil, *at, table->level_at(depths_m[i]));
+      out[i] = in_water(table->at(stencil, *at, table->level_at(depths_m[i])), status);
   }
 }
 

@@ -14,9 +14,10 @@ namespace slackwater {
 ///
 /// Between columns as `ColumnLayout` says, linear in time between stamps, linear in depth between
 /// levels. The vertical rule: depths count from mean sea level; the first level speaks for the
-/// water above it, the deepest wet level for the water down to the bed. Above the surface, below
-/// the bed, on land, outside the area and outside the time is a status, never a number. The bed is
-/// interpolated like all else, and a column whose own bed is above a depth has no say there.
+/// water above it, the deepest wet level for the water down to the bed, `carried` where that is far
+/// (bed_rule.h). Above the surface, below the bed, on land, outside the area and outside the time
+/// is a status, never a number. The bed is interpolated like all else, and a column whose own bed
+/// is above a depth has no say there.
 ///
 /// Immutable; all samplers are const, thread-safe, without locks and allocations. Batch calls are
 /// the real interface: `out` has the length of `places`.
@@ -60,17 +61,20 @@ class Field {
   [[nodiscard]] SeaSample sea_at(const Place& place) const noexcept;
   [[nodiscard]] Spot spot(double longitude_deg, double latitude_deg) const noexcept;
   [[nodiscard]] std::optional<TimePlace> when(UtcTime time) const noexcept;
-  /// Whether there is water at a depth. Columns whose own bed is above it lose their weight in
-  /// `stencil`.
+  /// Whether there is water at a depth: ok, or carried. Columns whose own bed is above it lose
+  /// their weight in `stencil`.
   [[nodiscard]] SampleStatus water(ColumnStencil& stencil, double depth_m) const noexcept;
   [[nodiscard]] double bed_m(const ColumnStencil& stencil) const noexcept;
+  [[nodiscard]] SampleStatus known(const ColumnStencil& stencil, double depth_m) const noexcept;
 
   std::shared_ptr<const Snapshot> snapshot_;
   ColumnLayout layout_;
   std::vector<CurrentTable> member_;
   std::vector<double> water_depth_m_;
-  double shallowest_m_ = -1;  ///< of all beds; below 0 where one of them is no number
-  double stamps_per_ms_ = 0;  ///< where stamps are even; else 0
+  std::vector<double> known_to_m_;
+  double shallowest_m_ = -1;        ///< of all beds; below 0 where one of them is no number
+  double shallowest_known_m_ = -1;  ///< of the depths down to which all columns know the water
+  double stamps_per_ms_ = 0;        ///< where stamps are even; else 0
   ValidRange range_;
 };
 

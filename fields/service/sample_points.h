@@ -20,7 +20,7 @@ struct SampleGrid {
 };
 
 /// How many places have which status.
-using StatusCounts = std::array<std::size_t, 9>;
+using StatusCounts = std::array<std::size_t, sample_status_count>;
 
 /// The samples of some consecutive points: status of the central forecast, and the components of
 /// one member; `no_value` where there is none.

@@ -154,7 +154,7 @@ class ForecastReader {
     // In the order of the file.
     for (std::size_t o = 0, i = 0; o < size; ++o) {
       for (std::size_t c = 0; c < columns_; ++c, ++i) {
-        if (!(status[i] >= 0 && status[i] <= 8)) refuse("found an unknown status");
+        if (!(status[i] >= 0 && status[i] < sample_status_count)) refuse("found an unknown status");
         const auto found = static_cast<SampleStatus>(static_cast<int>(status[i]));
         s.columns[c].current_status[o] = found;
         if (std::isfinite(east[i]) && std::isfinite(north[i])) {

@@ -184,11 +184,12 @@ class ForecastWriter {
                        "standard deviation of each current component", "m s-1", true);
     status_id_ = define(forecast_names::status, Type::int8, depth_dims(), "",
                         "why a current is, or is not, there", "", true);
-    const std::vector<double> flags{0, 1, 2, 3, 4, 5, 6, 7, 8};
+    const std::vector<double> flags{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
     out_.attribute(status_id_, "flag_values", flags, Type::int8);
     out_.attribute(
         status_id_, "flag_meanings",
-        "ok missing land below_bed outside_area outside_time above_surface not_checked suspect");
+        "ok missing land below_bed outside_area outside_time above_surface not_checked suspect "
+        "carried");
     for (const char* const quantile : {"_p10", "_p50", "_p90"}) {
       const std::string percent = std::string(quantile).substr(2) + " % quantile";
       quantile_ids_.push_back(define(std::string(forecast_names::east) + quantile, Type::float64,

@@ -108,11 +108,12 @@ void PointSamplesWriter::define_currents() {
   north_id_ = component(forecast_names::north, "northward current, Eulerian", "", central);
   status_id_ =
       define(forecast_names::status, Type::int8, central, "why a current is, or is not, there");
-  const std::vector<double> flags{0, 1, 2, 3, 4, 5, 6, 7, 8};
+  const std::vector<double> flags{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
   out_.attribute(status_id_, "flag_values", flags, Type::int8);
   out_.attribute(
       status_id_, "flag_meanings",
-      "ok missing land below_bed outside_area outside_time above_surface not_checked suspect");
+      "ok missing land below_bed outside_area outside_time above_surface not_checked suspect "
+      "carried");
   if (members_ < 2) return;
   const std::vector<int> members{realization_, point_, time_, depth_};
   realization_id_ = out_.variable("realization", Type::int32, {realization_});

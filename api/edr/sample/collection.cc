@@ -37,8 +37,12 @@ void sample_member(const Field& field, std::span<const Place> places, std::size_
   field.sample_sea(places, out);
 }
 
-template <typename Sample>
-void count_doubtful(std::span<const Sample> /*samples*/, Absences& /*absences*/) {}
+void count_doubtful(std::span<const WindSample> /*samples*/, Absences& /*absences*/) {}
+
+void count_doubtful(std::span<const CurrentSample> samples, Absences& absences) {
+  for (const CurrentSample& s : samples)
+    if (s.status == SampleStatus::carried) ++absences.carried;
+}
 
 void count_doubtful(std::span<const SeaSample> samples, Absences& absences) {
   for (const SeaSample& s : samples) {

@@ -55,7 +55,9 @@ struct Collection {
 
 /// What samples had to say beside their values.
 struct Absences {
-  std::array<std::size_t, 9> count{};  ///< per SampleStatus: how often it came instead of a value
+  /// Per SampleStatus: how often it came instead of a value.
+  std::array<std::size_t, sample_status_count> count{};
+  std::size_t carried = 0;    ///< currents below the water that the product knows
   std::size_t too_steep = 0;  ///< seas of a product beyond the breaking limit, served as they are
 };
 

@@ -121,6 +121,11 @@ std::vector<std::string> notes_of(const Absences& absences, const Field& field) 
     notes.push_back(std::to_string(absences.count[i]) + " places and times without a value: " +
                     std::string(name_of(status)) + "; valid: " + field.range().text());
   }
+  if (absences.carried > 0) {
+    notes.push_back(std::to_string(absences.carried) +
+                    " currents lie between the deepest level that the product knows there and the "
+                    "bed: they carry the current of that level");
+  }
   if (absences.too_steep > 0) {
     notes.push_back(
         std::to_string(absences.too_steep) +
