@@ -52,6 +52,7 @@ Differences Comparison::at(std::size_t t) const {
     found.place.push_back(place);
     found.value.push_back(*seen - there);
     found.observed.push_back(*seen);
+    found.noise_left.push_back(level_[m].noise_left(product_.time[t]));
   }
   return found;
 }

@@ -21,6 +21,7 @@ struct Differences {
   std::vector<DepthPlace> place;
   std::vector<Horizontal> value;  ///< observed less product
   std::vector<Horizontal> observed;
+  std::vector<double> noise_left;  ///< of a sample's noise variance
 };
 
 /// An instrument beside a product: at each time of the product the instrument's levels that have a

@@ -9,15 +9,14 @@
 namespace slackwater::calibration {
 
 ErrorFilter::ErrorFilter(const std::vector<double>& depths_m, Kind slow, Kind quick,
-                         double length_m, double noise_m2_s2)
+                         double length_m)
     : n_(static_cast<Eigen::Index>(depths_m.size())),
       slow_(slow),
       quick_(quick),
-      noise_(noise_m2_s2),
       shape_(n_, n_),
       state_(Eigen::VectorXcd::Zero(2 * n_)),
       covariance_(Eigen::MatrixXd::Zero(2 * n_, 2 * n_)) {
-  expects(n_ > 0 && length_m > 0 && noise_m2_s2 > 0, "depths, a length and a noise");
+  expects(n_ > 0 && length_m > 0, "depths and a length");
   for (Eigen::Index i = 0; i < n_; ++i) {
     for (Eigen::Index j = 0; j < n_; ++j) {
       const double apart_m =
@@ -46,11 +45,12 @@ void ErrorFilter::spread_for(double hours) {
   covariance_.bottomRightCorner(n_, n_) += (1 - b * b) * quick_.variance_m2_s2 * shape_;
 }
 
-void ErrorFilter::take_in(const Eigen::MatrixXd& h) {
+void ErrorFilter::take_in(const Step& step) {
+  const Eigen::MatrixXd& h = step.h;
   const Eigen::MatrixXd both = covariance_.leftCols(n_) + covariance_.rightCols(n_);
   const Eigen::MatrixXd cross = both * h.transpose();  // Cov(state, y)
   Eigen::MatrixXd spread = h * (cross.topRows(n_) + cross.bottomRows(n_));
-  spread.diagonal().array() += noise_;
+  spread.diagonal() += step.noise_m2_s2;
   const Eigen::LLT<Eigen::MatrixXd> factor(spread);
   gain_ = factor.solve(cross.transpose()).transpose();
   covariance_ -= gain_ * cross.transpose();
@@ -59,14 +59,17 @@ void ErrorFilter::take_in(const Eigen::MatrixXd& h) {
   covariance_ = 0.5 * (covariance_ + turned);
 }
 
-void ErrorFilter::observe(const Eigen::MatrixXd& h, const Eigen::VectorXcd& y) {
+void ErrorFilter::observe(const Eigen::MatrixXd& h, const Eigen::VectorXcd& y,
+                          const Eigen::VectorXd& noise_m2_s2) {
   if (y.size() == 0) return;
-  Step step{pending_h_, h};
+  expects(noise_m2_s2.size() == y.size() && (noise_m2_s2.array() > 0).all(),
+          "a noise for each observation");
+  Step step{pending_h_, h, noise_m2_s2};
   const bool repeated = step == last_;
   if (!repeated || !settled_) {
     const Eigen::MatrixXd before = covariance_;
     spread_for(pending_h_);
-    take_in(h);
+    take_in(step);
     const double total = slow_.variance_m2_s2 + quick_.variance_m2_s2;
     settled_ = repeated && (covariance_ - before).cwiseAbs().maxCoeff() < 1e-9 * total;
     last_ = std::move(step);

@@ -31,19 +31,48 @@ class Spread {
   std::size_t count_ = 0;
 };
 
-double variance_lacking(const std::vector<Differences>& all) {
+double square(double value) { return value * value; }
+
+/// Noise variance of the values of one time.
+class Noise {
+ public:
+  Noise(const FusionSettings& settings, const InstrumentErrors& errors)
+      : least_(square(settings.instrument_error_m_s)), errors_(errors) {}
+
+  /// As the instrument's values show it; 0 where nobody looked.
+  [[nodiscard]] double seen(const Differences& found, std::size_t i) const {
+    if (errors_.noise_m_s.empty()) return 0;
+    return square(errors_.noise_m_s[found.level[i]]) * found.noise_left[i];
+  }
+  [[nodiscard]] Eigen::VectorXd of(const Differences& found) const {
+    Eigen::VectorXd noise(static_cast<Eigen::Index>(found.value.size()));
+    for (std::size_t i = 0; i < found.value.size(); ++i)
+      noise(static_cast<Eigen::Index>(i)) = std::max(least_, seen(found, i));
+    return noise;
+  }
+
+ private:
+  double least_;
+  const InstrumentErrors& errors_;
+};
+
+double variance_lacking(const std::vector<Differences>& all, const Noise& noise) {
   Spread observed;
   Spread product;
+  double of_noise = 0;
+  std::size_t count = 0;
   for (const Differences& one : all) {
     for (std::size_t i = 0; i < one.value.size(); ++i) {
       observed.add(one.observed[i]);
       product.add(one.observed[i] - one.value[i]);
+      of_noise += noise.seen(one, i);
+      ++count;
     }
   }
-  return std::max(0.0, observed.of_component() - product.of_component());
+  if (count == 0) return 0;
+  return std::max(0.0, observed.of_component() - product.of_component() -
+                           of_noise / static_cast<double>(count));
 }
-
-double square(double value) { return value * value; }
 
 double difference_variance(double distance_m, const FusionSettings& settings) {
   return square(settings.difference_m_s * std::cbrt(distance_m / settings.difference_m));
@@ -52,23 +81,25 @@ double difference_variance(double distance_m, const FusionSettings& settings) {
 struct Variances {
   double product = 0;     ///< P
   double lacking = 0;     ///< M
-  double difference = 0;  ///< R(D)
+  double difference = 0;  ///< R(D), and what of the instrument's error stays
   double shared = 0;      ///< P exp(-D/L) + M
 
   [[nodiscard]] double sum() const noexcept { return product + lacking + difference; }
   [[nodiscard]] double weight() const noexcept { return shared / sum(); }
 };
 
-Variances variances_of(double distance_m, double lacking, const FusionSettings& settings) {
+Variances variances_of(double distance_m, double lacking, double lasting_m_s,
+                       const FusionSettings& settings) {
   Variances v;
   v.product = square(settings.product_error_m_s);
   v.lacking = lacking;
-  v.difference = difference_variance(distance_m, settings);
+  v.difference = difference_variance(distance_m, settings) + square(lasting_m_s);
   v.shared = v.product * std::exp(-distance_m / settings.product_length_m) + v.lacking;
   return v;
 }
 
-void observe(ErrorFilter& filter, const Differences& found, std::size_t levels) {
+void observe(ErrorFilter& filter, const Differences& found, const Noise& noise,
+             std::size_t levels) {
   const auto count = static_cast<Eigen::Index>(found.value.size());
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(levels));
   Eigen::VectorXcd y(count);
@@ -78,7 +109,7 @@ void observe(ErrorFilter& filter, const Differences& found, std::size_t levels) 
     h(m, static_cast<Eigen::Index>(place.high)) += place.share;
     y(m) = found.value[static_cast<std::size_t>(m)];
   }
-  filter.observe(h, y);
+  filter.observe(h, y, noise.of(found));
 }
 
 ErrorFilter filter_of(const std::vector<double>& depths_m, const Variances& v,
@@ -86,22 +117,29 @@ ErrorFilter filter_of(const std::vector<double>& depths_m, const Variances& v,
   const double errors = v.product + v.difference;
   return ErrorFilter(depths_m, {settings.slow_share * errors, settings.slow_memory_h},
                      {(1 - settings.slow_share) * errors + v.lacking, settings.quick_memory_h},
-                     settings.vertical_length_m, square(settings.instrument_error_m_s));
+                     settings.vertical_length_m);
 }
 
 }  // namespace
 
+double expected_difference(double distance_m, const InstrumentErrors& errors,
+                           const FusionSettings& settings) {
+  return std::sqrt(variances_of(distance_m, 0, errors.lasting_m_s, settings).sum());
+}
+
 double weight_at(double distance_m, const FusionSettings& settings) {
-  return variances_of(distance_m, 0, settings).weight();
+  return variances_of(distance_m, 0, 0, settings).weight();
 }
 
 FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed, double distance_m,
-                 const FusionSettings& settings) {
+                 const FusionSettings& settings, const InstrumentErrors& errors) {
   expects(product.vertical == VerticalKind::depth_m && !product.levels_m.empty(),
           "a product over depths");
   expects(observed.vertical == VerticalKind::depth_m && !observed.levels_m.empty(),
           "an observed series over depths");
   expects(distance_m >= 0, "a distance of zero or more");
+  expects(errors.noise_m_s.empty() || errors.noise_m_s.size() == observed.levels(),
+          "a noise for each level of the instrument");
   FusedColumn fused;
   fused.column = product;
   fused.sigma_m_s.assign(product.value.size(), 0);
@@ -113,7 +151,9 @@ FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed, doub
   const Comparison comparison(product, observed, settings);
   std::vector<Differences> differences;
   for (std::size_t t = 0; t < product.times(); ++t) differences.push_back(comparison.at(t));
-  const Variances v = variances_of(distance_m, variance_lacking(differences), settings);
+  const Noise noise(settings, errors);
+  const Variances v =
+      variances_of(distance_m, variance_lacking(differences, noise), errors.lasting_m_s, settings);
   fused.weight = v.weight();
   for (double& sigma : fused.sigma_m_s) {
     if (sigma > 0) sigma = std::sqrt(v.product + v.lacking);
@@ -125,7 +165,7 @@ FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed, doub
     if (t > 0 && fused.times_observed > 0)
       filter.forget(hours_between(product.time[t - 1].centre(), product.time[t].centre()));
     if (!differences[t].value.empty()) {
-      observe(filter, differences[t], product.levels());
+      observe(filter, differences[t], noise, product.levels());
       ++fused.times_observed;
     }
     if (fused.times_observed == 0) continue;

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "calibration/fuse/fusion_settings.h"
+#include "calibration/fuse/instrument_errors.h"
 #include "fields/interpolate/column.h"
 
 namespace slackwater::calibration {
@@ -26,18 +27,26 @@ struct FusedColumn {
 ///
 /// with P the product's error variance, R(D) what a distance D costs, M the variance that the
 /// product lacks altogether (a product without tide, or of daily means, beside an instrument that
-/// sees it: observed less product variance, where positive; it counts as quick and is shared by
-/// both places). (with M the shapes differ a little, and w is that of the sums). The difference is
-/// carried over gaps and beyond the last observation as long as its slow part is remembered; then
-/// the product is left as it is. Nothing later than a time is used for it but the next sample (and
-/// M, which is of the whole record given).
+/// sees it: observed less product variance and less the instrument's noise, where positive; it
+/// counts as quick and is shared by both places). (with M the shapes differ a little, and w is that
+/// of the sums). What of the instrument's error stays for days joins R(D), its noise is that of
+/// each value. The difference is carried over gaps and beyond the last observation as long as its
+/// slow part is remembered; then the product is left as it is. Nothing later than a time is used for it but the
+/// next sample (and M, which is of the whole record given).
 ///
 /// @param product   levels are depths (at least one); missing values stay missing
 /// @param observed  levels are depths; instants or means; any times
 /// @param distance_m  between the two places, >= 0; beyond `farthest_m` the product is returned
 ///                    as is
+/// @param errors    of this instrument; per level of `observed`, or empty
 [[nodiscard]] FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed,
-                               double distance_m, const FusionSettings& settings = {});
+                               double distance_m, const FusionSettings& settings = {},
+                               const InstrumentErrors& errors = {});
+
+/// Standard deviation of a component of the difference that a product and an instrument at this
+/// distance may show: sqrt(P + R(D) + what lasts of the instrument's error).
+[[nodiscard]] double expected_difference(double distance_m, const InstrumentErrors& errors,
+                                         const FusionSettings& settings = {});
 
 /// How much an instrument at this distance counts where the product lacks nothing: w above.
 [[nodiscard]] double weight_at(double distance_m, const FusionSettings& settings = {});

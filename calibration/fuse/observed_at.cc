@@ -30,9 +30,18 @@ ObservedLevel::ObservedLevel(const VectorColumn& observed, std::size_t level,
 
 std::optional<Horizontal> ObservedLevel::at(const TimeCell& cell) const {
   if (cells_.empty()) return std::nullopt;
-  // Samples rarer than the cell cannot be averaged in it.
-  if (cell.is_mean() && cell.end - cell.start >= step_) return over(cell);
+  if (averages(cell)) return over(cell);
   return at_instant(cell.centre());
+}
+
+double ObservedLevel::noise_left(const TimeCell& cell) const {
+  if (!averages(cell) || step_ <= Duration(0)) return 1;
+  return std::chrono::duration<double>(step_).count() / seconds_between(cell.start, cell.end);
+}
+
+bool ObservedLevel::averages(const TimeCell& cell) const {
+  // Samples rarer than the cell cannot be averaged in it.
+  return cell.is_mean() && cell.end - cell.start >= step_;
 }
 
 std::optional<Horizontal> ObservedLevel::at_instant(UtcTime time) const {

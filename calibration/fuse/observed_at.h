@@ -16,7 +16,12 @@ class ObservedLevel {
 
   [[nodiscard]] std::optional<Horizontal> at(const TimeCell& cell) const;
 
+  /// The share of a sample's noise variance that is left in `at`: that of a mean over the samples
+  /// of a whole cell; all of it at an instant, which may be a sample itself.
+  [[nodiscard]] double noise_left(const TimeCell& cell) const;
+
  private:
+  [[nodiscard]] bool averages(const TimeCell& cell) const;
   [[nodiscard]] std::optional<Horizontal> at_instant(UtcTime time) const;
   [[nodiscard]] std::optional<Horizontal> over(const TimeCell& cell) const;
 

@@ -160,6 +160,34 @@ TEST(Fusion, AProductWithoutTideTakesItFromAStationSomeKilometresOff) {
   EXPECT_NEAR(std::abs(fused.column.value[last] - seen.value.back()), 0, 0.05);
 }
 
+TEST(Fusion, AnErrorThatLastsWeakensTheInstrumentAndItsNoiseDoesNotStrengthenIt) {
+  const VectorColumn product = column({5, 20}, 96, 1, [](double h, double) { return tide(h); });
+  Rng random(7, "fusion/errors");
+  const VectorColumn seen = column({5, 20}, 96, 1, [&](double h, double) {
+    return tide(h) + 0.3 * Horizontal{random.normal(), random.normal()};
+  });
+  const double plain = weight_at(2000);
+  EXPECT_GT(fuse(product, seen, 2000).weight, plain + 0.1) << "noise taken for a tide it lacks";
+  const FusedColumn known = fuse(product, seen, 2000, {}, {{0.3, 0.3}, 0});
+  EXPECT_NEAR(known.weight, plain, 0.15) << "a sample of 2 x 97 values";
+  const FusedColumn doubted = fuse(product, seen, 2000, {}, {{0.3, 0.3}, 0.2});
+  EXPECT_LT(doubted.weight, 0.5 * known.weight);
+  EXPECT_GT(doubted.sigma_m_s.back(), known.sigma_m_s.back());
+}
+
+TEST(Fusion, TheNoiseOfASampleAveragesOutOverAMean) {
+  // One hourly mean of six samples: R is a sixth of theirs.
+  VectorColumn product = column({10}, 0, 1, [](double, double) { return Horizontal{}; });
+  product.time[0] = {start, add_hours(start, 1)};
+  const VectorColumn seen = column({10}, 1, 1.0 / 6, [](double, double) {
+    return Horizontal{0.3, 0};
+  });
+  const FusionSettings s;
+  const double p = s.product_error_m_s * s.product_error_m_s;
+  const FusedColumn fused = fuse(product, seen, 0, {}, {{0.3}, 0});
+  EXPECT_NEAR(fused.column.value[0].real(), 0.3 * p / (p + 0.09 / 6), 1e-12);
+}
+
 TEST(Fusion, StatedErrorsAreThoseFoundWhereTheErrorsAreAsStated) {
   // 300 draws of the very process that is assumed, 24 h each: the error over its sigma has unit
   // variance (300 x 2 components: 5 % is 1.7 standard deviations of it).
