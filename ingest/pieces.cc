@@ -136,6 +136,7 @@ Origin origin_of(const Loaded& loaded) {
   origin.rank.is_regional = granule.is_regional;
   origin.rank.spacing_deg = spacing_of(granule.grid);
   origin.water_depth_m = granule.water_depth_m;
+  origin.stated_error_m_s = granule.stated_error_m_s;
   for (const GranuleVariable& variable : granule.variables) {
     if (variable.standard_name == loaded.field.standard_name) {
       origin.contains_stokes = variable.contains_stokes;

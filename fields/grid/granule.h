@@ -27,6 +27,8 @@ struct Granule {
   bool is_point_series = false;         ///< observations at one place (grid 1 x 1)
   std::string station;                  ///< platform name for point series
   std::optional<double> water_depth_m;  ///< where the file states it
+  /// Standard error of a measured component of the current, where the file states it.
+  std::optional<double> stated_error_m_s;
   DataStatus status = DataStatus::analysis;
   std::optional<UtcTime> reference_time;  ///< forecast issue time
   std::optional<int> ensemble_member;     ///< NWP perturbation number

@@ -136,7 +136,10 @@ Origin origin_of(const std::vector<const VectorPiece*>& parts) {
     others += other.station != origin.station ? 1 : 0;
     origin.published = later_of(origin.published, other.published);
     origin.received = later_of(origin.received, other.received);
-    origin.published = later_of(origin.published, other.published);
+    // The worst of them: which value came from which part is no longer known.
+    if (other.stated_error_m_s)
+      origin.stated_error_m_s =
+          std::max(origin.stated_error_m_s.value_or(0), *other.stated_error_m_s);
   }
   if (others > 0) origin.station += " and " + std::to_string(others) + " more";
   return origin;

@@ -35,6 +35,8 @@ struct Origin {
   bool contains_stokes = false;
   bool is_point_series = false;
   std::optional<double> water_depth_m;  ///< where the file of a point series states it
+  /// Standard error of a measured component, where the file of a point series states it.
+  std::optional<double> stated_error_m_s;
 };
 
 /// When the later of two files came in, or was published; nothing where that of either is not

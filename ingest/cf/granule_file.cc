@@ -101,6 +101,7 @@ Granule read_granule(const netcdf::File& file) {
   granule.station = file.text("station").value_or("");
   granule.is_point_series = file.text("featureType_of_source").has_value();
   granule.water_depth_m = number_of(file, "water_depth_m");
+  granule.stated_error_m_s = number_of(file, "stated_error_m_s");
   if (const auto member = number_of(file, "ensemble_member")) {
     granule.ensemble_member = static_cast<int>(std::clamp(*member, -1e6, 1e6));
   }

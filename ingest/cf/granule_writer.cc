@@ -141,6 +141,8 @@ struct Definition {
     text("station", granule.station);
     if (granule.water_depth_m)
       writer.attribute(Writer::global, "water_depth_m", *granule.water_depth_m);
+    if (granule.stated_error_m_s)
+      writer.attribute(Writer::global, "stated_error_m_s", *granule.stated_error_m_s);
   }
 
   void write_axes() {

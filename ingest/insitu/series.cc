@@ -156,6 +156,9 @@ class SeriesDecoder {
     for (const SeriesValues& series : group.series) {
       granule.variables.push_back(
           {series.standard_name, series.unit, series.source_name, false, true});
+      if (series.standard_error && series.standard_name.ends_with("ward_sea_water_velocity"))
+        granule.stated_error_m_s =
+            std::max(granule.stated_error_m_s.value_or(0), *series.standard_error);
     }
     const auto content_file =
         staging_folder_ / ("series-" + std::to_string(ingested_.granules.size()) + ".nc");

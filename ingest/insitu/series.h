@@ -30,6 +30,8 @@ namespace slackwater::ingest {
 /// (`instrument_average_interval`) and
 ///   where its middle lies (`seconds_to_middle_of_measurement`): then they are means over that
 ///   interval.
+/// - The standard error that a file states of its currents (standard_error.h) is kept as one
+/// number.
 /// - Several stations become several granules. `--cut` leaves out stations outside.
 /// - Status `observation`; `--as` wins (model output at points is written in the same form).
 ///

@@ -19,6 +19,7 @@ struct SeriesValues {
   Range gross;
   std::optional<double> spike;
   const netcdf::Variable* variable = nullptr;  ///< where axes and attributes are looked up
+  std::optional<double> standard_error;        ///< stated by the file, in `unit`
   std::size_t times = 0;
   std::size_t levels = 1;
   std::vector<float> values;  ///< row-major (time, level), canonical unit, NaN where there is none

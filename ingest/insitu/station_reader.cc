@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
+#include "ingest/insitu/standard_error.h"
 #include "ingest/insitu/vector_pair.h"
 #include "ingest/quality/spike.h"
 
@@ -87,6 +88,8 @@ class StationReader {
     SeriesValues series =
         read_series(file_, *wanted.variable, dimensions, station_, unit, warnings_);
     series.standard_name = wanted.standard_name;
+    series.standard_error =
+        standard_error_of(file_, *wanted.variable, axes_, station_, unit, warnings_);
     return series;
   }
 

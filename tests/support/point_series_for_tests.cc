@@ -142,7 +142,20 @@ class SeriesWriter {
     if (!series_.bare) writer_.attribute(id, "standard_name", part.standard_name);
     writer_.attribute(id, "units", part.unit);
     writer_.attribute(id, "coordinates", coordinates);
+    if (series_.standard_error_m_s && part.unit == "m s-1") state_error(part, name, id, dimensions);
     return id;
+  }
+
+  /// The standard error of a variable, in cm/s: files choose their units.
+  void state_error(const Part& part, const std::string& name, int of,
+                   const std::vector<int>& dimensions) {
+    const int id = writer_.variable(name + "_error", Type::float32, dimensions, {{}, 0, fill});
+    writer_.attribute(of, "ancillary_variables", name + "_error");
+    writer_.attribute(id, "standard_name", part.standard_name + " standard_error");
+    writer_.attribute(id, "units", "cm s-1");
+    const std::size_t levels = dimensions.size() > 1 ? series_.depth_m.size() : 1;
+    values_.emplace_back(
+        id, std::vector<double>(series_.time.size() * levels, 100 * *series_.standard_error_m_s));
   }
 
   [[nodiscard]] double value_of(const Part& part, UtcTime time, double depth) const {

@@ -34,6 +34,8 @@ struct PointSeriesForTests {
   SeriesLevelsForTests levels = SeriesLevelsForTests::depth_axis;
   bool as_speed_and_direction = false;
   bool bare = false;  ///< variables are called what they are, no standard names
+  /// Written beside every component, or the speed, as CF ancillary variables.
+  std::optional<double> standard_error_m_s;
   /// (east, north) at a time and depth; NaN: missing.
   std::function<Horizontal(UtcTime, double)> value;
 };

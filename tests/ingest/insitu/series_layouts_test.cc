@@ -80,6 +80,30 @@ TEST_F(SeriesLayout, SpeedAndDirectionGiveTheSameWaterAsComponents) {
   }
 }
 
+TEST_F(SeriesLayout, TheStandardErrorThatAFileStatesIsKeptInMetresPerSecond) {
+  const auto stated = [&](Layout layout, bool as_speed, std::optional<double> error) {
+    PointSeriesForTests series = current_series(layout);
+    series.as_speed_and_direction = as_speed;
+    series.standard_error_m_s = error;
+    write_point_series(file, series);
+    const Ingested ingested = decode();
+    expect_the_water(ingested);
+    const DecodedGranule& decoded = holding(ingested, "eastward_sea_water_velocity");
+    const auto kept = GranuleFile::open(decoded.content_file).granule().stated_error_m_s;
+    EXPECT_EQ(kept, decoded.granule.stated_error_m_s) << "the store keeps it";
+    return kept;
+  };
+  for (const Layout layout :
+       {Layout::depth_axis, Layout::own_variables, Layout::depth_axis_first}) {
+    for (const bool as_speed : {false, true}) {
+      ASSERT_TRUE(stated(layout, as_speed, 0.07));
+      EXPECT_NEAR(*stated(layout, as_speed, 0.07), 0.07, 1e-6) << "written in cm/s";
+    }
+  }
+  EXPECT_FALSE(stated(Layout::depth_axis, false, std::nullopt));
+  EXPECT_FALSE(stated(Layout::depth_axis, false, 0.0)) << "nobody measures without an error";
+}
+
 TEST_F(SeriesLayout, AVariableMayBeCalledWhatItIs) {
   PointSeriesForTests series = current_series(Layout::depth_axis);
   series.bare = true;
