@@ -103,8 +103,11 @@ void forecast_columns(const SiteData& data, const ForecastOptions& options, Dail
       made.failures.push_back(std::move(failures.front()));
     }
     std::vector<std::string> notes;
-    if (const auto failure = attempt([&] { notes = notes_on_record(data.columns[i], plan); }))
-      notes = {"no notes on the record: " + failure->why};
+    const auto tell = [&] {
+      notes = notes_on_record(data.columns[i], plan);
+      made.instrument_troubles = troubles_on_record(data.columns[i], plan);
+    };
+    if (const auto failure = attempt(tell)) notes = {"no notes on the record: " + failure->why};
     if (auto note = note_on_bed(data.columns[i], plan.dataset)) notes.push_back(std::move(*note));
     made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
     if (made.hindsight) made.notes.emplace_back(hindsight_note);

@@ -29,8 +29,9 @@ struct ColumnForecast {
   /// The currents up to the end of D that it rests on, for the steps that follow; a whole forecast
   /// does not keep them.
   Chosen<Horizontal> known;
-  std::vector<std::string> notes;      ///< what an operator should know
-  std::vector<const Origin*> origins;  ///< whose values were used
+  std::vector<std::string> notes;                      ///< what an operator should know
+  std::vector<InstrumentTrouble> instrument_troubles;  ///< which instruments lie
+  std::vector<const Origin*> origins;                  ///< whose values were used
   /// The weather ensemble whose winds the members have (`ForecastColumn::wind_member_number`).
   std::optional<WindEnsembleRun> wind_ensemble;
   bool contains_stokes = false;

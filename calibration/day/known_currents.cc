@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "calibration/fuse/fusion.h"
 #include "fields/base/text.h"
@@ -44,73 +45,101 @@ bool has_values_in(const VectorColumn& column, UtcTime from, UtcTime to) {
   return false;
 }
 
-/// One dataset as known at the end of D; a forecast in it may reach beyond, what is known of the
-/// sea ends with D.
-Chosen<Horizontal> known_of(const ColumnData& column, const ForecastPlan& plan,
-                            const std::string& dataset) {
-  Choice choice;
-  choice.dataset = dataset;
-  Chosen<Horizontal> chosen = choose(column.current, plan.knowledge(), choice);
-  Chosen<Horizontal> known;
-  known.column = slice(chosen.column, UtcTime::min(), plan.end_of_day());
-  // A surface product without a depth axis speaks of the surface.
-  if (known.column.levels_m.empty()) {
-    known.column.levels_m = {0.0};
-    known.column.vertical = VerticalKind::depth_m;
-  }
-  chosen.origin.resize(known.column.times());
-  known.origin = std::move(chosen.origin);
-  known.stretches = std::move(chosen.stretches);
-  return known;
+bool is_series(const Piece* piece) { return piece != nullptr && is_in_situ(*piece->origin); }
+
+/// The product behind a series that leads; nothing where there is none on D.
+std::optional<std::string> product_behind(const ColumnData& column, const ForecastPlan& plan) {
+  VectorRecord products;
+  for (const Piece& piece : column.current.pieces)
+    if (!is_in_situ(*piece.origin)) products.pieces.push_back(piece);
+  return leading_dataset(products, UtcTime(plan.day), plan.end_of_day(), plan.knowledge());
 }
 
-/// The other dataset of a fusion and which of the two was measured.
-struct Partner {
-  std::string dataset;
-  std::string station;
-  double distance_m = 0;
-  bool plan_is_in_situ = false;
+/// What the record of a plan is made of.
+struct Ingredients {
+  Chosen<Horizontal> leading;                ///< the plan's dataset
+  std::optional<Chosen<Horizontal>> behind;  ///< the product, where a series leads
+  std::vector<Instrument> instruments;       ///< nearest first, the leading series among them
 };
 
-/// With what the plan's dataset is fused; nothing where it stands alone.
-std::optional<Partner> partner_of(const ColumnData& column, const ForecastPlan& plan) {
-  const Piece* leading = piece_of(column, plan.dataset);
-  if (leading == nullptr) return std::nullopt;
-  const UtcTime day(plan.day);
-  if (is_in_situ(*leading->origin)) {
-    VectorRecord products;
-    for (const Piece& piece : column.current.pieces)
-      if (!is_in_situ(*piece.origin)) products.pieces.push_back(piece);
-    const auto product = leading_dataset(products, day, plan.end_of_day(), plan.knowledge());
-    if (!product) return std::nullopt;
-    return Partner{*product, leading->origin->station, leading->distance_m, true};
+Ingredients ingredients_of(const ColumnData& column, const ForecastPlan& plan) {
+  Ingredients parts;
+  parts.leading = known_of(column, plan, plan.dataset);
+  if (!is_series(piece_of(column, plan.dataset))) {
+    if (!parts.leading.empty())
+      parts.instruments = instruments_beside(column, plan, parts.leading.column);
+    return parts;
   }
-  const Piece* station = nearest_in_situ(column, [&](const Piece& piece) {
-    return piece.distance_m <= FusionSettings{}.farthest_m &&
-           has_values_in(piece.column, UtcTime::min(), plan.end_of_day());
-  });
-  if (station == nullptr) return std::nullopt;
-  return Partner{station->origin->dataset, station->origin->station, station->distance_m, false};
+  if (const auto product = product_behind(column, plan)) {
+    Chosen<Horizontal> known = known_of(column, plan, *product);
+    if (!known.empty()) parts.behind = std::move(known);
+  }
+  parts.instruments = parts.behind ? instruments_beside(column, plan, parts.behind->column)
+                                   : instruments_without_product(column, plan);
+  return parts;
 }
 
 /// The product brought to the cells and depths of a series, fused there, and the series itself
 /// where the product has nothing.
-VectorColumn fused_on_series(const VectorColumn& series, const VectorColumn& product,
-                             double distance_m) {
+FusedColumn fused_on_series(const VectorColumn& series, const VectorColumn& product,
+                            double distance_m, const InstrumentErrors& errors) {
   const VectorColumn background =
       at_times(at_depths(product, series.levels_m), series.time, std::chrono::hours(30));
-  VectorColumn fused = fuse(background, series, distance_m).column;
-  for (std::size_t i = 0; i < fused.value.size(); ++i) {
-    if (has_value(fused.status[i])) continue;
-    fused.value[i] = series.value[i];
-    fused.status[i] = series.status[i];
+  FusedColumn fused = fuse(background, series, distance_m, {}, errors);
+  VectorColumn& column = fused.column;
+  for (std::size_t i = 0; i < column.value.size(); ++i) {
+    if (has_value(column.status[i])) continue;
+    column.value[i] = series.value[i];
+    column.status[i] = series.status[i];
   }
-  fused.point = series.point;
-  fused.source = series.source;
+  column.point = series.point;
+  column.source = series.source;
   return fused;
 }
 
-std::string kilometres(double distance_m) { return formatted("{:.1f} km", distance_m / 1000.0); }
+/// What error is left where the next instrument speaks: the root mean square of those after the
+/// instruments before it, the product's own where there were none.
+double error_left(const FusedColumn& fused, const VectorColumn& next) {
+  if (fused.sigma_m_s.empty()) return FusionSettings{}.product_error_m_s;
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < fused.column.times(); ++t) {
+    const UtcTime time = fused.column.time[t].centre();
+    if (next.time.empty() || time < next.time.front().start || time > next.time.back().end)
+      continue;
+    for (std::size_t k = 0; k < fused.column.levels(); ++k) {
+      const double sigma = fused.sigma_m_s[fused.column.offset(t, k)];
+      if (sigma <= 0) continue;
+      squares += sigma * sigma;
+      ++count;
+    }
+  }
+  if (count == 0) return FusionSettings{}.product_error_m_s;
+  return std::min(FusionSettings{}.product_error_m_s,
+                  std::sqrt(squares / static_cast<double>(count)));
+}
+
+/// Draws a column towards one more instrument.
+void take_in(const Instrument& instrument, FusedColumn& fused) {
+  FusionSettings settings;
+  const VectorColumn& series = instrument.verdict.column;
+  settings.product_error_m_s = error_left(fused, series);
+  fused = fuse(fused.column, series, instrument.distance_m, settings, instrument.verdict.errors);
+}
+
+void add_origins(const std::vector<const Origin*>& more, Chosen<Horizontal>& known) {
+  for (const Origin* origin : more) {
+    if (std::find(known.origin.begin(), known.origin.end(), origin) == known.origin.end())
+      known.origin.push_back(origin);
+  }
+}
+
+void add_stretches(const std::vector<Stretch>& more, const char* why, Chosen<Horizontal>& known) {
+  for (Stretch stretch : more) {
+    stretch.why = why;
+    known.stretches.push_back(std::move(stretch));
+  }
+}
 
 /// A series that speaks at the depths of the dataset and has values in the span.
 bool can_be_truth(const Piece& series, const ColumnData& column, const Piece* dataset, UtcTime from,
@@ -133,39 +162,84 @@ bool can_be_truth(const Piece& series, const ColumnData& column, const Piece* da
 
 Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan) {
   if (plan.dataset.empty()) return {};
-  Chosen<Horizontal> known = known_of(column, plan, plan.dataset);
-  const auto partner = partner_of(column, plan);
-  if (!partner || known.empty()) return known;
-  const Chosen<Horizontal> other = known_of(column, plan, partner->dataset);
-  if (other.empty()) return known;
-  known.column = partner->plan_is_in_situ
-                     ? fused_on_series(known.column, other.column, partner->distance_m)
-                     : fuse(known.column, other.column, partner->distance_m).column;
-  for (Stretch stretch : other.stretches) {
-    stretch.why = "fused with it";
-    known.stretches.push_back(std::move(stretch));
+  Ingredients parts = ingredients_of(column, plan);
+  Chosen<Horizontal> known = std::move(parts.leading);
+  if (known.empty() || (is_series(piece_of(column, plan.dataset)) && !parts.behind)) return known;
+  FusedColumn fused;
+  fused.column = std::move(known.column);
+  if (parts.behind) {
+    const auto own = std::find_if(
+        parts.instruments.begin(), parts.instruments.end(),
+        [&](const Instrument& instrument) { return instrument.dataset == plan.dataset; });
+    if (own != parts.instruments.end()) {
+      // Its levels and times are those of the record, whatever is thought of it now: the choice of
+      // the day decided that it leads.
+      fused = fused_on_series(own->verdict.column, parts.behind->column, own->distance_m,
+                              own->verdict.errors);
+      parts.instruments.erase(own);
+      add_origins(parts.behind->origin, known);
+      add_stretches(parts.behind->stretches, "behind the instrument", known);
+    }
   }
-  for (const Origin* origin : other.origin) {
-    if (std::find(known.origin.begin(), known.origin.end(), origin) == known.origin.end())
-      known.origin.push_back(origin);
+  for (const Instrument& instrument : parts.instruments) {
+    if (!instrument.is_used()) continue;
+    take_in(instrument, fused);
+    add_origins(instrument.origins, known);
+    add_stretches(instrument.stretches, "fused with it", known);
   }
+  known.column = std::move(fused.column);
   return known;
 }
 
 std::vector<std::string> notes_on_record(const ColumnData& column, const ForecastPlan& plan) {
-  const Piece* leading = piece_of(column, plan.dataset);
-  if (leading == nullptr) return {};
-  const auto partner = partner_of(column, plan);
-  if (!partner) {
-    if (!is_in_situ(*leading->origin)) return {};
-    return {"currents of station " + leading->origin->station + " at " +
-            kilometres(leading->distance_m) + " alone, no product"};
+  if (piece_of(column, plan.dataset) == nullptr) return {};
+  const Ingredients parts = ingredients_of(column, plan);
+  std::vector<std::string> notes;
+  for (const Instrument& instrument : parts.instruments) {
+    if (instrument.dataset == plan.dataset) {
+      notes.push_back("currents of " + name_of(instrument) +
+                      (parts.behind ? " fused with a coarser product" : " alone, no product"));
+      if (!parts.behind) continue;
+    } else if (instrument.is_used()) {
+      notes.push_back("fused with " + name_of(instrument));
+    }
+    const std::string remark = remark_on(instrument);
+    if (!remark.empty()) notes.push_back(remark);
   }
-  if (partner->plan_is_in_situ) {
-    return {"currents of station " + partner->station + " at " + kilometres(partner->distance_m) +
-            " fused with a coarser product"};
+  return notes;
+}
+
+std::vector<InstrumentTrouble> troubles_on_record(const ColumnData& column,
+                                                  const ForecastPlan& plan) {
+  if (piece_of(column, plan.dataset) == nullptr) return {};
+  std::vector<InstrumentTrouble> troubles;
+  for (const Instrument& instrument : ingredients_of(column, plan).instruments) {
+    if (auto trouble = trouble_with(instrument)) troubles.push_back(std::move(*trouble));
   }
-  return {"fused with station " + partner->station + " at " + kilometres(partner->distance_m)};
+  return troubles;
+}
+
+std::optional<std::string> trusted_dataset(const ColumnData& column, UtcDay day, UtcTime issued,
+                                           UtcTime seen_by) {
+  ForecastPlan plan;
+  plan.day = day;
+  plan.issued = issued;
+  plan.seen_by = seen_by;
+  VectorRecord trusted = column.current;
+  while (true) {
+    const auto dataset =
+        leading_dataset(trusted, UtcTime(day), plan.end_of_day(), plan.knowledge());
+    if (!dataset || !is_series(piece_of(column, *dataset))) return dataset;
+    plan.dataset = *dataset;
+    const Ingredients parts = ingredients_of(column, plan);
+    const bool lies = std::any_of(
+        parts.instruments.begin(), parts.instruments.end(), [&](const Instrument& instrument) {
+          return instrument.dataset == *dataset && instrument.is_rejected();
+        });
+    if (!lies) return dataset;
+    std::erase_if(trusted.pieces,
+                  [&](const Piece& piece) { return piece.origin->dataset == *dataset; });
+  }
 }
 
 Chosen<Horizontal> truth_of(const ColumnData& column, const std::string& dataset,

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -68,6 +69,16 @@ void judge_wind(const ColumnForecast& made, const ForecastPlan& plan,
   }
 }
 
+/// Which instruments lie, each once: it is the same at every column.
+void judge_instruments(const std::vector<ColumnForecast>& columns,
+                       std::vector<std::string>& troubles) {
+  std::set<std::string> named;
+  for (const ColumnForecast& column : columns) {
+    for (const InstrumentTrouble& trouble : column.instrument_troubles)
+      if (named.insert(trouble.station).second) troubles.push_back(trouble.clause);
+  }
+}
+
 /// Which parts had to be left out, each once.
 void judge_parts(const DailyForecast& result, std::vector<std::string>& troubles) {
   const std::size_t all = result.columns.size();
@@ -122,6 +133,7 @@ std::vector<std::string> troubles_of(const SiteData& data, const DayChoice& choi
                   [](const PartFailure& failed) { return failed.part == Part::day; });
   judge_day(choice, is_choice_failed, troubles);
   if (choice.usable) judge_columns(made.columns, troubles);
+  judge_instruments(made.columns, troubles);
   if (averaged) troubles.push_back(sentence_of(*averaged));
   if (made.stand_in) troubles.push_back(text_of(*made.stand_in));
   judge_wind(made.columns.front(), made.plan, troubles);

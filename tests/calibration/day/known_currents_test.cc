@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "calibration/fuse/fusion_settings.h"
 #include "tests/support/known_series_for_tests.h"
@@ -163,17 +164,163 @@ TEST(KnownCurrents, AnInstrumentOutOfReachChangesNothing) {
   EXPECT_TRUE(notes_on_record(both.data, plan_of("model")).empty());
 }
 
-TEST(KnownCurrents, OfTwoInstrumentsTheNearerIsFused) {
+TEST(KnownCurrents, AllInstrumentsInReachAreFusedAndNamedTheNearestFirst) {
   KnownSeriesForTests sea = product_and_station({0.1, 0}, 3000);
   sea.current(station_of("Nearer"), hourly_around_the_day(), {8}, water, 1200);
   EXPECT_EQ(notes_on_record(sea.data, plan_of("model")),
-            std::vector<std::string>{"fused with station Nearer at 1.2 km"});
-  bool used = false;
-  for (const Origin* origin : known_currents(sea.data, plan_of("model")).origin) {
-    EXPECT_NE(origin->dataset, "Buoy");
-    used = used || origin->dataset == "Nearer";
+            (std::vector<std::string>{"fused with station Nearer at 1.2 km",
+                                      "fused with station Buoy at 3.0 km"}));
+  std::set<std::string> used;
+  for (const Origin* origin : known_currents(sea.data, plan_of("model")).origin)
+    used.insert(origin->dataset);
+  EXPECT_EQ(used, (std::set<std::string>{"model", "Nearer", "Buoy"}))
+      << "a number that is served can name its source";
+  EXPECT_TRUE(troubles_on_record(sea.data, plan_of("model")).empty());
+}
+
+/// The root mean square error of the record on D against the water.
+double error_on_the_day(const KnownSeriesForTests& sea) {
+  const VectorColumn known = known_currents(sea.data, plan_of("model")).column;
+  double squares = 0;
+  double count = 0;
+  for (std::size_t t = 0; t < known.times(); ++t) {
+    if (known.time[t].centre() < UtcTime(day)) continue;
+    for (std::size_t k = 0; k < known.levels(); ++k) {
+      squares += std::norm(known.value[known.offset(t, k)] -
+                           water(known.time[t].centre(), known.levels_m[k]));
+      ++count;
+    }
   }
-  EXPECT_TRUE(used) << "a number that is served can name its source";
+  return std::sqrt(squares / count);
+}
+
+TEST(KnownCurrents, TwoInstrumentsAreBetterThanEitherAndTheFarOneDoesNotDrownTheNear) {
+  // A product that errs by 12 cm/s; each place differs from the site by a few.
+  const auto sea_with = [](bool near, bool far) {
+    KnownSeriesForTests sea;
+    sea.current(analysis_of("model"), hourly_around_the_day(), product_depth_m,
+                [](UtcTime time, double depth) {
+                  return water(time, depth) + Horizontal{0.12, 0};
+                });
+    const auto away = [](Horizontal by) {
+      return [by](UtcTime time, double depth) { return water(time, depth) + by; };
+    };
+    if (near) sea.current(station_of("Near"), hourly_around_the_day(), {8}, away({0, 0.02}), 500);
+    if (far) sea.current(station_of("Far"), hourly_around_the_day(), {8}, away({0, -0.06}), 8000);
+    return error_on_the_day(sea);
+  };
+  const double both = sea_with(true, true);
+  EXPECT_LT(sea_with(true, false), sea_with(false, true));
+  EXPECT_LT(both, sea_with(true, false));
+}
+
+TEST(KnownCurrents, AnInstrumentThatLiesIsLeftOutNamedAndATrouble) {
+  const KnownSeriesForTests alone = product_alone();
+  KnownSeriesForTests sea = product_and_station({1, 0});
+  EXPECT_EQ(known_currents(sea.data, plan_of("model")).column.value,
+            known_currents(alone.data, plan_of("model")).column.value);
+  const auto notes = notes_on_record(sea.data, plan_of("model"));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].find("station Buoy at 2.1 km is not used: it differs from the product by 1.00 "
+                          "m/s on average over 4.0 days, where "),
+            0U)
+      << notes[0];
+  const auto troubles = troubles_on_record(sea.data, plan_of("model"));
+  ASSERT_EQ(troubles.size(), 1U);
+  EXPECT_EQ(troubles[0].station, "Buoy");
+  EXPECT_EQ(troubles[0].clause, notes[0]);
+  // An honest one beside it is used all the same.
+  sea.current(station_of("Honest"), hourly_around_the_day(), {8}, water, 3000);
+  EXPECT_EQ(notes_on_record(sea.data, plan_of("model")).back(),
+            "fused with station Honest at 3.0 km");
+}
+
+TEST(KnownCurrents, OneThatEndedLongBeforeIsNotSaidToBeFused) {
+  for (const auto& [hours_before, is_used] : {std::pair{96, false}, std::pair{30, true}}) {
+    KnownSeriesForTests sea;
+    sea.current(analysis_of("model"), instants(UtcTime(day) - days(9), end_of_day), product_depth_m,
+                water);
+    sea.current(station_of("Buoy"),
+                instants(UtcTime(day) - days(9), end_of_day - hours(hours_before)), {8, 12}, water,
+                2100);
+    const auto notes = notes_on_record(sea.data, plan_of("model"));
+    const auto expected =
+        is_used ? std::vector<std::string>{"fused with station Buoy at 2.1 km",
+                                           "station Buoy at 2.1 km: its last good value is 30 h "
+                                           "before the end of the day"}
+                : std::vector<std::string>{
+                      "station Buoy at 2.1 km is not used: it ended 4.0 days before"};
+    EXPECT_EQ(notes, expected);
+    EXPECT_TRUE(troubles_on_record(sea.data, plan_of("model")).empty()) << "late, not lying";
+    std::set<std::string> used;
+    for (const Origin* origin : known_currents(sea.data, plan_of("model")).origin)
+      used.insert(origin->dataset);
+    EXPECT_EQ(used.contains("Buoy"), is_used);
+  }
+}
+
+TEST(KnownCurrents, AnInstrumentThatIsStuckToTheEndIsATroubleThoughItsPastIsUsed) {
+  KnownSeriesForTests sea = product_alone();
+  sea.current(
+      station_of("Buoy"), hourly_around_the_day(), {8, 12},
+      [](UtcTime time, double depth) {
+        return water(std::min(time, UtcTime(end_of_day - hours(48))), depth);
+      },
+      2100);
+  const auto notes = notes_on_record(sea.data, plan_of("model"));
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_EQ(notes[0], "fused with station Buoy at 2.1 km");
+  EXPECT_EQ(
+      notes[1],
+      "station Buoy at 2.1 km: 2.0 days of a value that never changed left out; its last good "
+      "value is 2.0 days before the end of the day");
+  ASSERT_EQ(troubles_on_record(sea.data, plan_of("model")).size(), 1U);
+  EXPECT_LT(error_on_the_day(sea), 1e-9) << "the product is right, and nothing pulls it away";
+}
+
+TEST(KnownCurrents, AStatedErrorChangesTheWeight) {
+  const Horizontal more(0.12, -0.07);
+  const auto taken = [&](std::optional<double> stated) {
+    KnownSeriesForTests sea = product_alone();
+    Origin origin = station_of("Buoy");
+    origin.stated_error_m_s = stated;
+    sea.current(
+        origin, hourly_around_the_day(), {10},
+        [&](UtcTime time, double depth) { return water(time, depth) + more; }, 2100);
+    const VectorColumn fused = known_currents(sea.data, plan_of("model")).column;
+    const std::size_t o = fused.offset(fused.times() - 1, 2);
+    return ((fused.value[o] - water(end_of_day, 10)) / more).real();
+  };
+  EXPECT_EQ(taken(0.01), taken(std::nullopt)) << "no better than profilers are";
+  EXPECT_LT(taken(0.1), 0.7 * taken(std::nullopt));
+  EXPECT_LT(taken(0.3), 0.3 * taken(std::nullopt));
+}
+
+TEST(KnownCurrents, ASeriesThatContradictsACoarserProductDoesNotLead) {
+  const auto sea_with = [](Horizontal bias) {
+    KnownSeriesForTests sea;
+    sea.current(analysis_of("daily"), means(UtcTime(day) - days(6), end_of_day, hours(24)),
+                product_depth_m, steady({0.1, 0}));
+    sea.current(
+        station_of("Buoy"), instants(UtcTime(day) - days(6), end_of_day, minutes(30)), {8, 12},
+        [bias](UtcTime time, double depth) { return water(time, depth) + bias; }, 2100);
+    return sea;
+  };
+  const UtcTime issued = end_of_day + hours(5);
+  EXPECT_EQ(trusted_dataset(sea_with({}).data, day, issued), "Buoy");
+  const KnownSeriesForTests lying = sea_with({1, 0.5});
+  EXPECT_EQ(trusted_dataset(lying.data, day, issued), "daily");
+  EXPECT_EQ(troubles_on_record(lying.data, plan_of("daily")).size(), 1U);
+}
+
+TEST(KnownCurrents, AStationBesideAnotherWithoutAProductIsNamedAsNotUsed) {
+  KnownSeriesForTests sea;
+  sea.current(station_of("Buoy"), hourly_around_the_day(), {8}, water, 400);
+  sea.current(station_of("Other"), hourly_around_the_day(), {8}, water, 3000);
+  EXPECT_EQ(notes_on_record(sea.data, plan_of("Buoy")),
+            (std::vector<std::string>{"currents of station Buoy at 0.4 km alone, no product",
+                                      "station Other at 3.0 km is not used: no product is there to "
+                                      "fuse it with"}));
 }
 
 TEST(KnownCurrents, WhereTheSeriesLeadsItsTimesAndDepthsAreKept) {

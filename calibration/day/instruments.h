@@ -1,0 +1,55 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/day/forecast_plan.h"
+#include "calibration/fuse/instrument_check.h"
+#include "fields/record/choose.h"
+#include "fields/record/site_data.h"
+
+namespace slackwater::calibration {
+
+/// An in-situ series in reach of a column, judged beside the product there.
+struct Instrument {
+  std::string dataset;
+  std::string station;
+  double distance_m = 0;
+  std::vector<const Origin*> origins;
+  std::vector<Stretch> stretches;  ///< when it speaks
+  InstrumentVerdict verdict;
+
+  [[nodiscard]] bool is_used() const { return verdict.use == InstrumentUse::used; }
+  [[nodiscard]] bool is_rejected() const { return verdict.use == InstrumentUse::rejected; }
+};
+
+/// Something that an operator should mend: at which station, and a clause.
+struct InstrumentTrouble {
+  std::string station;
+  std::string clause;
+};
+
+/// One dataset as known at the end of D; a forecast in it may reach beyond, what is known of the
+/// sea ends with D.
+[[nodiscard]] Chosen<Horizontal> known_of(const ColumnData& column, const ForecastPlan& plan,
+                                          const std::string& dataset);
+
+/// The in-situ series within reach of fusion with a value up to the end of D, nearest first, each
+/// judged (calibration/fuse/instrument_check.h) beside the product as known then.
+[[nodiscard]] std::vector<Instrument> instruments_beside(const ColumnData& column,
+                                                         const ForecastPlan& plan,
+                                                         const VectorColumn& product);
+
+/// The same for series that have no product beside them: named, not judged, none is used.
+[[nodiscard]] std::vector<Instrument> instruments_without_product(const ColumnData& column,
+                                                                  const ForecastPlan& plan);
+
+/// "station X at 2.1 km".
+[[nodiscard]] std::string name_of(const Instrument& instrument);
+/// "station X at 2.1 km is not used: it ended 4.0 days before", or what was left out of one that
+/// is used; empty where there is nothing to say.
+[[nodiscard]] std::string remark_on(const Instrument& instrument);
+/// Of one that lies: rejected, or stuck up to the end.
+[[nodiscard]] std::optional<InstrumentTrouble> trouble_with(const Instrument& instrument);
+
+}  // namespace slackwater::calibration
