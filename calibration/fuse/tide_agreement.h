@@ -34,7 +34,7 @@ struct TideAgreement {
 /// from any other), independent values being `2 quick_memory_h` apart.
 ///
 /// Cannot be told: without 48 h of common values (beyond half a running mean at either end);
-/// where the product moves by less than 0.1 m/s, or is of means over 6 h and more; where more than
+/// where the product moves by less than 5 cm/s, or is of means over 6 h and more; where more than
 /// a fifth is unexplained at best, or either half of the time says otherwise; and for motion in
 /// circles (inertial motion, whose phase a product need not know) without ten days of it. The last
 /// fortnight is looked at, spring and neap.
