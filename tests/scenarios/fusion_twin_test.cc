@@ -57,7 +57,7 @@ class SlowError {
   }
   /// Linear between the hours and between the ends: the barotropic part is common to both.
   [[nodiscard]] Horizontal at(UtcTime time, double depth_m) const {
-    const double hour = hours_between(UtcTime(first_day), time);
+    const double hour = std::max(0.0, hours_between(UtcTime(first_day), time));
     const auto low = std::min(static_cast<std::size_t>(hour), ends_[0].size() - 2);
     const double share = hour - static_cast<double>(low);
     const auto value = [&](const std::vector<Horizontal>& end) {
@@ -92,6 +92,13 @@ struct Profiler {
   Horizontal offset{};         ///< it is simply wrong
   int last_day = days_before;  ///< stops after this day
   double difference = 1;       ///< share of `elsewhere`
+  double noise_m_s = 0.02;     ///< of a bin in one sample
+  Horizontal turn{1, 0};       ///< its frame against true north
+  double late_h = 0;           ///< its clock
+  double stuck_h = 0;          ///< at the end
+  double spikes = 0;           ///< share of its values that are wild
+  std::string station = "NEAR";
+  std::optional<double> standard_error_m_s;
 };
 
 void write_product_days(const TemporaryFolder& folder, store::Store& store, const Twin& twin,
@@ -112,16 +119,27 @@ void write_product_days(const TemporaryFolder& folder, store::Store& store, cons
 void write_profiler(const TemporaryFolder& folder, store::Store& store, Twin& twin,
                     const Profiler& profiler) {
   PointSeriesForTests series;
-  series.station = "NEAR";
+  series.station = profiler.station;
+  series.standard_error_m_s = profiler.standard_error_m_s;
   series.latitude_deg = site_latitude + profiler.distance_m / metres_per_degree;
   series.longitude_deg = site_longitude;
   series.time = stepping_times(first_day, profiler.last_day, 10);
   series.depth_m = {4, 7, 10, 13, 16, 19, 22, 25};
+  Rng wild(1, "fusion_twin/spikes");
+  std::map<double, Horizontal> last;
   series.value = [&](UtcTime time, double depth) {
-    return truth(time, depth) + profiler.difference * twin.elsewhere.at(time, depth) +
-           profiler.offset + 0.02 * Horizontal{twin.noise.normal(), twin.noise.normal()};
+    const UtcTime then = add_hours(time, -profiler.late_h);
+    const Horizontal seen =
+        truth(then, depth) + profiler.difference * twin.elsewhere.at(then, depth);
+    Horizontal value = profiler.turn * seen + profiler.offset +
+                       profiler.noise_m_s * Horizontal{twin.noise.normal(), twin.noise.normal()};
+    if (wild.uniform() < profiler.spikes)
+      value += std::polar(1.2, wild.uniform(0, 2 * std::numbers::pi));
+    Horizontal& kept = last[depth];
+    if (hours_between(time, UtcTime(day_d) + std::chrono::days(1)) > profiler.stuck_h) kept = value;
+    return kept;
   };
-  ingest_all(store, {write_point_series(folder / "profiler.nc", series)}, false);
+  ingest_all(store, {write_point_series(folder / (profiler.station + ".nc"), series)}, false);
 }
 
 struct Issued {
@@ -137,13 +155,13 @@ Site twin_site() {
   return site;
 }
 
-Issued issue(std::uint64_t seed, const std::optional<Profiler>& profiler,
+Issued issue(std::uint64_t seed, const std::vector<Profiler>& profilers,
              double share_of_error = 1) {
   const TemporaryFolder folder;
   store::Store store = store::Store::open(folder / "store", store::OpenMode::create_or_write);
   Twin twin(seed);
   write_product_days(folder, store, twin, share_of_error);
-  if (profiler) write_profiler(folder, store, twin, *profiler);
+  for (const Profiler& profiler : profilers) write_profiler(folder, store, twin, profiler);
   const Site site = twin_site();
   const UtcTime end = UtcTime(day_d) + std::chrono::days(1);
   const SiteData data =
@@ -179,10 +197,10 @@ const std::vector<std::uint64_t> seeds{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
 #endif
 
 /// The error of each seed.
-std::vector<double> errors(const std::optional<Profiler>& profiler, double share_of_error = 1) {
+std::vector<double> errors(const std::vector<Profiler>& profilers, double share_of_error = 1) {
   std::vector<double> found;
   for (const std::uint64_t seed : seeds)
-    found.push_back(issue(seed, profiler, share_of_error).rmse_m_s);
+    found.push_back(issue(seed, profilers, share_of_error).rmse_m_s);
   return found;
 }
 
@@ -193,7 +211,7 @@ double pooled(const std::vector<double>& errors) {
 }
 
 const std::vector<double>& without_profiler() {
-  static const std::vector<double> found = errors(std::nullopt);
+  static const std::vector<double> found = errors({});
   return found;
 }
 
@@ -202,10 +220,10 @@ TEST(FusionTwin, AProfilerNearTheSiteSharpensTomorrowsForecast) {
   at_hand.distance_m = 300;
   at_hand.difference = 0.3;
   const double alone = pooled(without_profiler());
-  const double near = pooled(errors(at_hand));
-  const std::vector<double> at_two_kilometres = errors(Profiler{});
+  const double near = pooled(errors({at_hand}));
+  const std::vector<double> at_two_kilometres = errors({Profiler{}});
   const double two_kilometres = pooled(at_two_kilometres);
-  const double without_error = pooled(errors(std::nullopt, 0));
+  const double without_error = pooled(errors({}, 0));
   int sharper = 0;
   for (std::size_t i = 0; i < seeds.size(); ++i)
     sharper += at_two_kilometres[i] < without_profiler()[i] ? 1 : 0;
@@ -252,7 +270,7 @@ TEST(FusionTwin, TheProfilerIsTheTruthAtItsOwnDepthsAndTimes) {
 }
 
 TEST(FusionTwin, TheRecordSaysWithWhatItWasFused) {
-  const Issued issued = issue(1, Profiler{});
+  const Issued issued = issue(1, {Profiler{}});
   const std::vector<std::string>& notes = issued.forecast.columns.front().notes;
   EXPECT_NE(std::find(notes.begin(), notes.end(), "fused with station NEAR at 2.0 km"),
             notes.end());
@@ -266,20 +284,106 @@ TEST(FusionTwin, AWrongProfilerFarAwayChangesNothing) {
   Profiler far;
   far.distance_m = 12000;
   far.offset = {0.5, -0.5};
-  EXPECT_EQ(issue(3, far).rmse_m_s, issue(3, std::nullopt).rmse_m_s);
+  EXPECT_EQ(issue(3, {far}).rmse_m_s, issue(3, {}).rmse_m_s);
 }
 
 TEST(FusionTwin, AProfilerAtTheEdgeOfReachThatSeesOtherWaterDoesNotHarm) {
   Profiler edge;
   edge.distance_m = 9500;
   edge.difference = 2.5;  // 10 cm/s of its own: as much as the product errs
-  EXPECT_LT(pooled(errors(edge)), 1.02 * pooled(without_profiler()));
+  EXPECT_LT(pooled(errors({edge})), 1.02 * pooled(without_profiler()));
 }
 
-TEST(FusionTwin, AProfilerThatFellSilentDaysAgoDoesNotHarm) {
+TEST(FusionTwin, AProfilerThatFellSilentDaysAgoDoesNotHarmAndIsSaidToBeUnused) {
   Profiler stale;
   stale.last_day = days_before - 4;
-  EXPECT_LT(pooled(errors(stale)), 1.03 * pooled(without_profiler()));
+  EXPECT_LT(pooled(errors({stale})), 1.03 * pooled(without_profiler()));
+  const Issued issued = issue(1, {stale});
+  EXPECT_NE(
+      issued.summary_json.find("station NEAR at 2.0 km is not used: it ended 4.0 days before"),
+      std::string::npos);
+  EXPECT_EQ(issued.summary_json.find("fused with"), std::string::npos);
+  EXPECT_EQ(issued.forecast.snapshot.headline.find("NEAR"), std::string::npos) << "late, no liar";
+}
+
+TEST(FusionTwin, AProfilerThatLiesIsLeftOutAndNamed) {
+  // What is said of each; the forecast is the product's.
+  Profiler biased;
+  biased.offset = {1, 0};
+  Profiler reversed;
+  reversed.turn = {-1, 0};
+  Profiler turned;
+  turned.turn = std::polar(1.0, std::numbers::pi / 6);
+  Profiler late;
+  late.late_h = 3;
+  const double alone = issue(3, {}).rmse_m_s;
+  for (const auto& [liar, why] : {std::pair{biased, "it differs from the product by 1.0"},
+                                  std::pair{reversed, "its tide runs against the product's"},
+                                  std::pair{turned, "degrees anticlockwise against the product's"},
+                                  std::pair{late, "3.0 h late against the product's"}}) {
+    const Issued issued = issue(3, {liar});
+    const Snapshot& snapshot = issued.forecast.snapshot;
+    EXPECT_TRUE(snapshot.degraded);
+    EXPECT_EQ(snapshot.headline.find("Station NEAR at 2.0 km is not used: "), 0U)
+        << snapshot.headline;
+    EXPECT_NE(snapshot.headline.find(why), std::string::npos) << snapshot.headline;
+    EXPECT_NE(issued.summary_json.find(why), std::string::npos);
+    // Days of the rehearsal that had not yet seen enough of it may have used it.
+    EXPECT_NEAR(issued.rmse_m_s, alone, 0.02 * alone) << why;
+  }
+}
+
+TEST(FusionTwin, NoiseIsNotTakenForVariability) {
+  Profiler noisy;
+  noisy.noise_m_s = 0.3;
+  const double alone = pooled(without_profiler());
+  const double with = pooled(errors({noisy}));
+  std::printf("D+1 error with a noise of 0.3 m/s a bin: %.4f, product alone %.4f\n", with, alone);
+  EXPECT_LT(with, alone);
+  const Issued issued = issue(1, {noisy});
+  EXPECT_NE(issued.summary_json.find("its values scatter by 0.3"), std::string::npos);
+}
+
+TEST(FusionTwin, AProfilerStuckForTheLastTwoDaysDoesNotHarmAndIsATrouble) {
+  Profiler stuck;
+  stuck.stuck_h = 48;
+  const double alone = pooled(without_profiler());
+  const double with = pooled(errors({stuck}));
+  std::printf("D+1 error with a profiler stuck for 48 h: %.4f, product alone %.4f\n", with, alone);
+  EXPECT_LT(with, 1.02 * alone);
+  const Snapshot snapshot = issue(1, {stuck}).forecast.snapshot;
+  EXPECT_TRUE(snapshot.degraded);
+  EXPECT_NE(snapshot.headline.find("tation NEAR at 2.0 km is stuck"), std::string::npos)
+      << snapshot.headline;
+}
+
+TEST(FusionTwin, SpikesDoNotCostWhatAProfilerBrings) {
+  Profiler spiky;
+  spiky.spikes = 0.02;
+  const double with = pooled(errors({spiky}));
+  std::printf("D+1 error with 2 %% of wild values: %.4f\n", with);
+  EXPECT_LT(with, 0.78 * pooled(without_profiler()));
+}
+
+TEST(FusionTwin, TwoProfilersAreBothUsed) {
+  Profiler second;
+  second.station = "SECOND";
+  second.distance_m = -4000;
+  const Issued issued = issue(1, {Profiler{}, second});
+  EXPECT_NE(issued.summary_json.find("fused with station NEAR at 2.0 km"), std::string::npos);
+  EXPECT_NE(issued.summary_json.find("fused with station SECOND at 4.0 km"), std::string::npos);
+  EXPECT_EQ(issued.forecast.input_granules.size(), 3U);
+}
+
+TEST(FusionTwin, AStandardErrorInTheFileWeakensTheProfiler) {
+  Profiler doubtful;
+  doubtful.standard_error_m_s = 0.3;
+  const Issued issued = issue(1, {doubtful});
+  EXPECT_NE(issued.summary_json.find("it states an error of 0.30 m/s and counts for less"),
+            std::string::npos);
+  const double plain = issue(1, {Profiler{}}).rmse_m_s;
+  const double alone = issue(1, {}).rmse_m_s;
+  EXPECT_LT(std::abs(issued.rmse_m_s - alone), 0.5 * std::abs(plain - alone));
 }
 
 }  // namespace
