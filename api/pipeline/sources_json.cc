@@ -18,6 +18,7 @@ json sources_json(const std::vector<SourceUse>& uses) {
                     {"from", format_utc(use.from)},
                     {"to", format_utc(use.to)},
                     {"why", use.why},
+                    {"revised_times", use.revised_times},
                     {"may_be_revised", use.may_be_revised},
                     {"text", text_of(use)}});
   }

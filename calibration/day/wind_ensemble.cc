@@ -138,28 +138,4 @@ std::vector<WindMember> members_at(const WindEnsemble& ensemble, std::span<const
   return members;
 }
 
-PieceColumn<Horizontal> ensemble_mean(const WindEnsemble& ensemble) {
-  struct Sum {
-    Horizontal wind_m_s{};
-    std::size_t members = 0;
-  };
-  std::map<UtcTime, Sum> sums;
-  for (const VectorColumn& series : ensemble.members) {
-    for (std::size_t t = 0; t < series.times(); ++t) {
-      Sum& sum = sums[series.time[t].centre()];
-      sum.wind_m_s += series.value[t];
-      ++sum.members;
-    }
-  }
-  PieceColumn<Horizontal> mean;
-  mean.origin = ensemble.run.origins.front();
-  mean.column = empty_series(ensemble.members.front().point);
-  const std::size_t enough = std::max(fewest_wind_members, (ensemble.members.size() + 1) / 2);
-  for (const auto& [time, sum] : sums) {
-    if (sum.members < enough) continue;
-    append(mean.column, time, sum.wind_m_s / static_cast<double>(sum.members));
-  }
-  return mean;
-}
-
 }  // namespace slackwater::calibration

@@ -48,10 +48,4 @@ inline constexpr std::size_t fewest_wind_members = 5;
 [[nodiscard]] std::vector<WindMember> members_at(const WindEnsemble& ensemble,
                                                  std::span<const UtcTime> stamps);
 
-/// The mean of the members, as a piece like any other: at the times for which half of them, and at
-/// least five, have a value. For a centre where neither a control nor a deterministic run is known:
-/// of an ensemble's members the mean has the least error (Leith 1974, Mon. Wea. Rev. 102, 409).
-/// Its origin is that of the first member.
-[[nodiscard]] PieceColumn<Horizontal> ensemble_mean(const WindEnsemble& ensemble);
-
 }  // namespace slackwater::calibration

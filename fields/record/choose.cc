@@ -99,6 +99,13 @@ Stretch stretch_of(const Part<T>& part) {
   stretch.distance_m = run.first->distance_m;
   stretch.from_height_m = run.first->from_height_m;
   stretch.may_be_revised = run.may_be_revised;
+  std::vector<UtcTime> revised = run.revised;
+  std::sort(revised.begin(), revised.end());
+  revised.erase(std::unique(revised.begin(), revised.end()), revised.end());
+  stretch.revised_times =
+      static_cast<std::size_t>(std::count_if(revised.begin(), revised.end(), [&](UtcTime time) {
+        return time >= stretch.from && time <= stretch.to;
+      }));
   return stretch;
 }
 

@@ -106,7 +106,11 @@ Run<T> gathered(std::vector<const PieceColumn<T>*> pieces, const Knowledge& know
     for (std::size_t t = 0; t < column.times(); ++t) {
       if (!is_known(*piece->origin, column.time[t], knowledge) || !has_any(column, t)) continue;
       centres.push_back(column.time[t].centre());
-      if (!taken.holds(centres.back())) run.values.push_back({column.time[t], piece, t});
+      if (taken.holds(centres.back())) {
+        run.revised.push_back(centres.back());
+      } else {
+        run.values.push_back({column.time[t], piece, t});
+      }
     }
     for (const TimeSpan& span : whole_parts(centres)) taken.take(span);
     if (run.values.size() > before && archive.is_late(*piece->origin)) run.may_be_revised = true;

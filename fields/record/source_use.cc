@@ -31,6 +31,7 @@ std::vector<SourceUse> uses_of(const std::string& quantity, const std::vector<St
     use.from = std::max(from, stretch.from);
     use.to = std::min(to, stretch.to);
     use.why = stretch.why;
+    use.revised_times = stretch.revised_times;
     use.may_be_revised = stretch.may_be_revised;
     uses.push_back(std::move(use));
   }
@@ -43,6 +44,8 @@ std::string text_of(const SourceUse& use) {
   if (use.from_height_m) text += formatted(", brought to 10 m from {:g} m", *use.from_height_m);
   if (use.distance_m > 0) text += formatted(", {:.1f} km away", use.distance_m / 1000);
   text += ", " + format_utc(use.from) + " to " + format_utc(use.to) + ": " + use.why;
+  if (use.revised_times > 0)
+    text += formatted("; {} of its times came more than once", use.revised_times);
   if (use.may_be_revised) text += "; what stood there at the issue time is not known";
   return text;
 }

@@ -18,7 +18,8 @@ struct SourceUse {
   UtcTime from{};
   UtcTime to{};
   std::string why;
-  bool may_be_revised = false;  ///< Stretch::may_be_revised
+  std::size_t revised_times = 0;  ///< Stretch::revised_times, of the whole stretch
+  bool may_be_revised = false;    ///< Stretch::may_be_revised
 };
 
 /// The stretches that reach into [from, to], told of one quantity.

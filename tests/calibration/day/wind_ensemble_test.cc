@@ -162,27 +162,6 @@ TEST(MembersAt, AreLinearWithinTheRunAndNothingBeyondIt) {
   }
 }
 
-TEST(EnsembleMean, IsTheMeanWhereEnoughMembersSpeak) {
-  KnownSeriesForTests sea;
-  add_run(sea, "ens", end_of_day, 7, 48);
-  for (int n = 8; n <= 16; ++n) {
-    sea.wind(member_of("ens", end_of_day, n),
-             instants(end_of_day, end_of_day + hours(30), hours(3)), of_member(n));
-  }
-  const auto ensemble = newest_wind_ensemble(sea.data.wind, all_known, stamps_to(72));
-  const PieceColumn<Horizontal> mean = ensemble_mean(*ensemble);
-  EXPECT_EQ(mean.origin->dataset, "ens");
-  EXPECT_EQ(mean.origin->ensemble_member, 1);
-  ASSERT_EQ(mean.column.times(), 11U) << "seven of sixteen go on after 30 h: less than half";
-  for (std::size_t t = 0; t < 11; ++t) {
-    EXPECT_EQ(mean.column.time[t], TimeCell::instant(end_of_day + hours(3 * t)));
-    EXPECT_NEAR(std::abs(mean.column.value[t] - Horizontal(8.5, 3.0 * static_cast<double>(t))), 0,
-                1e-12);
-    EXPECT_TRUE(mean.column.has(t));
-    EXPECT_EQ(mean.column.source[t], DataStatus::forecast);
-  }
-}
-
 TEST(NewestWindEnsemble, HolesInAMemberAreNoValues) {
   KnownSeriesForTests sea;
   add_run(sea, "ens", end_of_day, 5);

@@ -292,6 +292,18 @@ TEST(Editions, TwoOfThemDoNotAlternate) {
   for (std::size_t t = 0; t < 17; ++t) EXPECT_EQ(chosen.column.value[t].real(), t < 5 ? 2 : 1);
 }
 
+TEST(Editions, TimesThatCameMoreThanOnceAreCounted) {
+  const Origin old = edition(1, 5);
+  const Origin rewritten = edition(2, 29);
+  const VectorRecord record{
+      {vector_piece(old, instants(start, start + hours(48)), {}, steady({1, 0})),
+       vector_piece(rewritten, instants(start + hours(25), start + hours(60)), {},
+                    steady({2, 0}))}};
+  const Chosen<Horizontal> chosen = choose(record, {}, {});
+  ASSERT_EQ(chosen.stretches.size(), 1u);
+  EXPECT_EQ(chosen.stretches[0].revised_times, 24u);
+}
+
 TEST(Editions, OfAnArchiveThatWasReadLaterPublicationDecidesElseItIsSaid) {
   bool revised = false;
   EXPECT_EQ(seen_at(edition(1, 900, 3), edition(2, 800, 27), 6, &revised), 1);
