@@ -71,7 +71,9 @@ json to_json(const IngestReport& report) {
           {"product", report.product_id},
           {"status", report.status},
           {"granules", report.granules},
-          {"times", report.times},
+          {"times", report.counts.times},
+          {"times_by_status", report.counts.by_status},
+          {"members", report.counts.members},
           {"standard_names", report.standard_names},
           {"warnings", report.warnings}};
 }
@@ -82,8 +84,8 @@ void print(const IngestReport& report) {
     return;
   }
   const std::string names = joined(report.standard_names, ", ");
-  std::printf("%s: %s, %s, %zu times: %s\n", report.file.c_str(), report.product_id.c_str(),
-              report.status.c_str(), report.times, names.c_str());
+  std::printf("%s: %s, %s: %s\n", report.file.c_str(), report.product_id.c_str(),
+              text_of(report.counts, report.status).c_str(), names.c_str());
   if (report.repaired)
     std::printf("  repaired: its content in the store was damaged or lost, and is whole again\n");
   for (const std::string& warning : report.warnings)

@@ -20,7 +20,9 @@ json to_json(const IngestReport& report) {
           {"sha256", report.sha256},
           {"product", report.product_id},
           {"granules", report.granules},
-          {"times", report.times},
+          {"times", report.counts.times},
+          {"times_by_status", report.counts.by_status},
+          {"members", report.counts.members},
           {"standard_names", report.standard_names},
           {"status", report.status},
           {"warnings", report.warnings}};
@@ -47,7 +49,9 @@ IngestReport report_of(const json& answer, const std::filesystem::path& file) {
   report.sha256 = answer.at("sha256").get<std::string>();
   report.product_id = answer.at("product").get<std::string>();
   report.granules = answer.at("granules").get<std::size_t>();
-  report.times = answer.at("times").get<std::size_t>();
+  report.counts.times = answer.at("times").get<std::size_t>();
+  report.counts.by_status = answer.at("times_by_status").get<std::map<std::string, std::size_t>>();
+  report.counts.members = answer.at("members").get<std::size_t>();
   report.standard_names = answer.at("standard_names").get<std::vector<std::string>>();
   report.status = answer.at("status").get<std::string>();
   report.warnings = answer.at("warnings").get<std::vector<std::string>>();

@@ -100,7 +100,6 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   std::vector<store::NewGranule> granules;
   for (const ingest::DecodedGranule& decoded : ingested.granules) {
     granules.push_back(to_row(decoded));
-    report.times += decoded.granule.grid.time.size();
     for (const GranuleVariable& variable : decoded.granule.variables) {
       if (std::find(report.standard_names.begin(), report.standard_names.end(),
                     variable.standard_name) == report.standard_names.end()) {
@@ -108,6 +107,7 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
       }
     }
   }
+  report.counts = counts_of(ingested.granules);
   const Granule& first = ingested.granules.front().granule;
   source.product_id = first.product_id;
   source.dataset_id = first.dataset_id;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "api/pipeline/ingest_counts.h"
 #include "data/store/store.h"
 #include "fields/base/time.h"
 #include "ingest/ingest.h"
@@ -18,7 +19,7 @@ struct IngestReport {
   std::string sha256;
   std::string product_id;
   std::size_t granules = 0;
-  std::size_t times = 0;
+  IngestCounts counts;
   std::vector<std::string> standard_names;
   std::string status;  ///< analysis | forecast | observation
   std::vector<std::string> warnings;
