@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "fields/base/averaging.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "fields/geo/coverage.h"
 #include "fields/record/mooring.h"
 #include "ingest/cf/granule_file.h"
 
@@ -246,9 +248,18 @@ std::vector<std::vector<ScalarPiece>> scalar_pieces(const FindGranules& find,
 
 }  // namespace
 
+bool comes_near(bool is_point_series, const BoundingBox& bounds,
+                const std::vector<std::string>& standard_names, const Window& window) {
+  if (!is_point_series) return overlaps(bounds, widened(window.box, granule_margin_km));
+  double reach_km = 0;
+  for (const std::string& name : standard_names)
+    reach_km = std::max(reach_km, series_reach_m(name) / 1000);
+  return overlaps(bounds, widened(window.site, reach_km));
+}
+
 SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to, const FindGranules& find) {
   SitePieces pieces;
-  const Window window{from, to, site.box(margin_deg)};
+  const Window window{from, to, site.box(margin_deg), site.box(0)};
   pieces.current =
       vector_pieces(find, "eastward_sea_water_velocity", "northward_sea_water_velocity", window);
   join_moorings(pieces.current);
@@ -267,8 +278,20 @@ SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to, const FindGranu
   pieces.significant_height = std::move(waves[0]);
   pieces.peak_period = std::move(waves[1]);
   pieces.wave_direction = std::move(waves[2]);
-  pieces.water_depth = std::move(scalar_pieces(find, {"sea_floor_depth_below_geoid"},
-                                               {std::nullopt, std::nullopt, window.box})[0]);
+  if (pieces.peak_period.empty()) {
+    auto means = scalar_pieces(
+        find,
+        {"sea_surface_wave_mean_period_from_variance_spectral_density_inverse_frequency_moment",
+         "sea_surface_wave_mean_period_from_variance_spectral_density_second_frequency_moment",
+         "sea_surface_wave_zero_upcrossing_period"},
+        window);
+    pieces.energy_period = std::move(means[0]);
+    pieces.zero_crossing_period = std::move(means[1]);
+    std::move(means[2].begin(), means[2].end(), std::back_inserter(pieces.zero_crossing_period));
+  }
+  pieces.water_depth =
+      std::move(scalar_pieces(find, {"sea_floor_depth_below_geoid"},
+                              {std::nullopt, std::nullopt, window.box, window.site})[0]);
   return pieces;
 }
 

@@ -17,7 +17,8 @@ namespace slackwater::ingest {
 struct Window {
   std::optional<UtcTime> from;  ///< absent for static fields
   std::optional<UtcTime> to;
-  BoundingBox box;
+  BoundingBox box;   ///< of the cells that are read
+  BoundingBox site;  ///< of the site's columns alone
 };
 
 /// A decoded granule as a list of granules names it, before its content file is opened.
@@ -31,12 +32,18 @@ struct GranuleEntry {
   std::optional<UtcTime> published{};       ///< when its provider published it, where that is known
 };
 
-/// Granules that come nearer than this to the window's box are looked at.
+/// Grids that come nearer than this to the window's box are looked at.
 inline constexpr double granule_margin_km = 10;
+/// Nothing farther from a site speaks for it, in any direction: the reach of a wind mast.
+inline constexpr double farthest_granule_km = 50;
+
+/// Whether a granule may speak for what lies in the window: a grid by its cells, a point series
+/// within its reach, in metres (`series_reach_m`), from the site.
+[[nodiscard]] bool comes_near(bool is_point_series, const BoundingBox& bounds,
+                              const std::vector<std::string>& standard_names, const Window& window);
 
 /// The granules that hold any of these standard names, do not end before the window or begin after
-/// it (static fields always count) and come within `granule_margin_km` of its box; in catalogue
-/// order: by first time (static fields first), then name of the status, reference time, ensemble
+/// it (static fields always count) and come near it (`comes_near`); in catalogue order: by first time (static fields first), then name of the status, reference time, ensemble
 /// member (absent before present), number.
 using FindGranules = std::function<std::vector<GranuleEntry>(
     const std::vector<std::string>& standard_names, const Window& window)>;

@@ -62,6 +62,7 @@ struct ListedGranule {
   std::optional<UtcTime> reference_time;
   std::optional<int> ensemble_member;
   BoundingBox bounds;
+  bool is_point_series = false;
 };
 
 ListedGranule listed(const DecodedGranule& decoded, std::int64_t number,
@@ -81,6 +82,7 @@ ListedGranule listed(const DecodedGranule& decoded, std::int64_t number,
   result.reference_time = granule.reference_time;
   result.ensemble_member = granule.ensemble_member;
   result.bounds = coverage_of(granule.grid);
+  result.is_point_series = granule.is_point_series;
   return result;
 }
 
@@ -101,7 +103,7 @@ bool holds_any(const ListedGranule& granule, const std::vector<std::string>& sta
 bool touches(const ListedGranule& granule, const Window& window) {
   if (window.from && granule.last_time && *granule.last_time < *window.from) return false;
   if (window.to && granule.first_time && *granule.first_time > *window.to) return false;
-  return overlaps(granule.bounds, widened(window.box, granule_margin_km));
+  return comes_near(granule.is_point_series, granule.bounds, granule.entry.standard_names, window);
 }
 
 /// What tells a source from another: the same bytes read otherwise are another one.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/pipeline/stored_pieces.h"
 #include "api/program/paths.h"
 #include "fields/base/text.h"
 #include "fields/site/site.h"
@@ -70,18 +71,20 @@ struct Listing {
 Listing listing_of(store::Store& store, const ListArguments& arguments, const Context& context) {
   store::GranuleQuery near;
   store::ForecastQuery of_site;
+  std::optional<Site> site;
   if (!arguments.site.empty()) {
-    const Site site = find_site(arguments.site, site_folders(context.store_folder));
-    near.box = site.box(0);
-    near.margin_km = ingest::granule_margin_km;
-    of_site.site_id = site.id;
+    site = find_site(arguments.site, site_folders(context.store_folder));
+    near.box = site->box(0);
+    near.margin_km = ingest::farthest_granule_km;
+    of_site.site_id = site->id;
   }
   Listing listing;
   listing.forecasts = store.find_forecasts(of_site);
   if (arguments.forecasts) return listing;
   listing.granules = store.find_granules(near);
   listing.sources = store.list_sources();
-  if (arguments.site.empty()) return listing;
+  if (!site) return listing;
+  listing.granules = near_site(std::move(listing.granules), *site);
   std::erase_if(listing.sources, [&](const store::SourceFile& source) {
     return std::none_of(listing.granules.begin(), listing.granules.end(), [&](const auto& granule) {
       return granule.source_sha256 == source.sha256 && granule.cut_key == source.cut_key;

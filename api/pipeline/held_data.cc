@@ -31,8 +31,8 @@ std::vector<store::GranuleRow> granules_near(store::Store& store, const Site& si
   store::GranuleQuery query;
   query.any_of = {standard_name};
   query.box = site.box(0);
-  query.margin_km = ingest::granule_margin_km;
-  return store.find_granules(query);
+  query.margin_km = ingest::farthest_granule_km;
+  return near_site(store.find_granules(query), site);
 }
 
 struct Reach {

@@ -24,9 +24,11 @@ class WholeGranules {
     query.from = window.from;
     query.to = window.to;
     query.box = window.box;
-    query.margin_km = ingest::granule_margin_km;
+    query.margin_km = ingest::farthest_granule_km;
     std::vector<ingest::GranuleEntry> found;
     for (const store::GranuleRow& row : store_.find_granules(query)) {
+      if (!ingest::comes_near(row.is_point_series, row.bounds, row.standard_names, window))
+        continue;
       if (!is_whole(row)) continue;
       found.push_back({row.id, row.source_sha256, row.product_id, row.standard_names,
                        store_.content_path(row.content_sha256), row.ingested_at, row.published_at});
@@ -70,6 +72,15 @@ StoredPieces stored_pieces(store::Store& store, const Site& site, UtcTime from, 
       });
   found.damaged = std::move(granules).damaged();
   return found;
+}
+
+std::vector<store::GranuleRow> near_site(std::vector<store::GranuleRow> granules,
+                                         const Site& site) {
+  const ingest::Window window{std::nullopt, std::nullopt, site.box(0), site.box(0)};
+  std::erase_if(granules, [&](const store::GranuleRow& row) {
+    return !ingest::comes_near(row.is_point_series, row.bounds, row.standard_names, window);
+  });
+  return granules;
 }
 
 std::string text_of(const std::vector<DamagedFile>& damaged) {

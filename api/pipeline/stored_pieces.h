@@ -24,6 +24,10 @@ struct StoredPieces {
 [[nodiscard]] StoredPieces stored_pieces(store::Store& store, const Site& site, UtcTime from,
                                          UtcTime to);
 
+/// Those granules that may speak for the site (`ingest::comes_near`).
+[[nodiscard]] std::vector<store::GranuleRow> near_site(std::vector<store::GranuleRow> granules,
+                                                       const Site& site);
+
 /// "the stored copy of waves.nc (PRODUCT) is damaged and left out: ingest it again, see `slackwater
 /// store check`"; empty for none.
 [[nodiscard]] std::string text_of(const std::vector<DamagedFile>& damaged);

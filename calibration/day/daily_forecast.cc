@@ -109,6 +109,8 @@ void forecast_columns(const SiteData& data, const ForecastOptions& options, Dail
     };
     if (const auto failure = attempt(tell)) notes = {"no notes on the record: " + failure->why};
     if (auto note = note_on_bed(data.columns[i], plan.dataset)) notes.push_back(std::move(*note));
+    const std::string& of_waves = data.columns[i].wave_period_note;
+    if (!of_waves.empty()) notes.push_back(of_waves);
     made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
     if (made.hindsight) made.notes.emplace_back(hindsight_note);
   });

@@ -6,6 +6,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/record/nearest_wind.h"
+#include "fields/record/wave_period.h"
 #include "fields/wind/log_profile.h"
 
 namespace slackwater {
@@ -141,7 +142,9 @@ SiteData site_data_of(const Site& site, SitePieces all) {
     column.mixed_layer_depth = record_at(pieces.mixed_layer_depth, point);
     column.temperature = record_at(pieces.temperature, point);
     column.significant_height = record_at(pieces.significant_height, point);
-    column.peak_period = record_at(pieces.peak_period, point);
+    WavePeriod period = wave_period_at(pieces, point, !column.significant_height.pieces.empty());
+    column.peak_period = std::move(period.peak_period);
+    column.wave_period_note = std::move(period.note);
     column.wave_direction = record_at(pieces.wave_direction, point);
     column.water_depth = water_depth_at(site, pieces.water_depth, column);
     data.columns.push_back(std::move(column));

@@ -24,7 +24,8 @@ struct ColumnData {
   ScalarRecord mixed_layer_depth;  ///< `mlotst`, m
   ScalarRecord temperature;        ///< `thetao`, K; read where no mixed-layer depth is stored
   ScalarRecord significant_height;
-  ScalarRecord peak_period;
+  ScalarRecord peak_period;      ///< converted where none is stored (wave_period.h)
+  std::string wave_period_note;  ///< what an operator should know of it; empty: nothing
   ScalarRecord wave_direction;
   WaterDepth water_depth;
 };
@@ -37,6 +38,8 @@ struct SitePieces {
   std::vector<ScalarPiece> temperature;
   std::vector<ScalarPiece> significant_height;
   std::vector<ScalarPiece> peak_period;
+  std::vector<ScalarPiece> energy_period;         ///< read where no peak period is stored
+  std::vector<ScalarPiece> zero_crossing_period;  ///< the same
   std::vector<ScalarPiece> wave_direction;
   std::vector<ScalarPiece> water_depth;
 };

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "api/pipeline/ingest_files.h"
 #include "fields/base/error.h"
 #include "ingest/copernicus/product_catalogue.h"
+#include "tests/support/point_series_for_tests.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
@@ -26,6 +29,13 @@ class SmallStore {
     const auto file = folder_ / ("product-" + std::to_string(++files_) + ".nc");
     const auto products = ingest::ProductCatalogue::load(tests::source_folder() / "data/products");
     static_cast<void>(ingest_file(store_, products, tests::write_product(file, product), {},
+                                  midnight + days(3), {}));
+    return *this;
+  }
+  SmallStore& with(const tests::PointSeriesForTests& series) {
+    const auto file = folder_ / ("series-" + std::to_string(++files_) + ".nc");
+    const auto products = ingest::ProductCatalogue::load(tests::source_folder() / "data/products");
+    static_cast<void>(ingest_file(store_, products, tests::write_point_series(file, series), {},
                                   midnight + days(3), {}));
     return *this;
   }
@@ -115,6 +125,107 @@ TEST(SiteData, WhatIsStoredKnowsWhenItWasPublished) {
   EXPECT_EQ(column.current.pieces.at(0).origin->published, parse_utc("2025-03-11T06:00:00Z"));
   EXPECT_EQ(column.wind.pieces.at(0).origin->published, std::nullopt);
   EXPECT_EQ(column.significant_height.pieces.at(0).origin->published, midnight + days(3));
+}
+
+/// A series of a day at so many kilometres east and north of the site.
+tests::PointSeriesForTests series_at(double east_km, double north_km,
+                                     std::vector<double> depth_m = {}) {
+  constexpr double km_per_degree = 111.2;  // of the sphere; the tests stay 10 % away from a reach
+  const double here = std::cos(WaterForTests::site_latitude_deg * 3.14159265 / 180);
+  tests::PointSeriesForTests series;
+  series.latitude_deg = WaterForTests::site_latitude_deg + north_km / km_per_degree;
+  series.longitude_deg = WaterForTests::site_longitude_deg + east_km / (km_per_degree * here);
+  series.time = tests::stepping_times(day, 1, 60);
+  series.depth_m = std::move(depth_m);
+  series.value = [](UtcTime, double) { return Horizontal(0.5, 0.25); };
+  return series;
+}
+
+TEST(SiteData, ASeriesSpeaksAsFarInEveryDirection) {
+  for (const auto& [east_km, north_km] : std::vector<std::pair<double, double>>{
+           {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}}) {
+    SCOPED_TRACE(std::to_string(east_km) + " " + std::to_string(north_km));
+    const auto winds = [&](double away_km) {
+      SmallStore store;
+      store.with(tests::current_product(day))
+          .with(series_at(away_km * east_km, away_km * north_km));
+      return store.load(in_the_water).columns.at(0).wind.pieces.size();
+    };
+    EXPECT_EQ(winds(45), 1u) << "a mast, 50 km";
+    EXPECT_EQ(winds(55), 0u);
+    const auto currents = [&](double away_km) {
+      SmallStore store;
+      store.with(tests::current_product(day))
+          .with(series_at(away_km * east_km, away_km * north_km, {5}));
+      return store.load(in_the_water).columns.at(0).current.pieces.size();
+    };
+    EXPECT_EQ(currents(9), 2u) << "a current meter, 10 km, beside the product";
+    EXPECT_EQ(currents(11), 1u);
+  }
+}
+
+/// The waves of the product with this name and meaning for their period; "": without any.
+tests::ProductForTests waves_with(const std::string& name, const std::string& standard_name) {
+  auto waves = tests::wave_product(day);
+  if (name.empty()) {
+    std::erase_if(waves.quantities, [](const auto& q) { return q.name == "VTPK"; });
+    return waves;
+  }
+  auto& period = waves.quantity("VTPK");
+  period.name = name;
+  period.standard_name = standard_name;
+  period.value = [](const tests::ProductCell&) { return 6.0; };
+  return waves;
+}
+
+TEST(SiteData, APeriodThatIsNotThePeaksIsConvertedAndSaysSo) {
+  const std::string mean = "sea_surface_wave_mean_period_from_variance_spectral_density_";
+  struct Case {
+    std::string name, standard_name;
+    double ratio;
+    std::string note;
+  };
+  for (const Case& c :
+       {Case{"VTPK", "sea_surface_wave_period_at_variance_spectral_density_maximum", 1, ""},
+        Case{"VTM10", mean + "inverse_frequency_moment", 1.107, "1.11 times the energy period"},
+        Case{"VTM02", mean + "second_frequency_moment", 1.287,
+             "1.29 times the zero-crossing period"}}) {
+    SCOPED_TRACE(c.name);
+    SmallStore store;
+    store.with(tests::current_product(day)).with(waves_with(c.name, c.standard_name));
+    const SiteData data = store.load(in_the_water);
+    const ColumnData& column = data.columns.at(0);
+    ASSERT_EQ(column.peak_period.pieces.size(), 1u);
+    for (const double period : column.peak_period.pieces[0].column.value)
+      EXPECT_NEAR(period, 6 * c.ratio, 0.02);
+    EXPECT_EQ(column.wave_period_note.empty(), c.note.empty()) << column.wave_period_note;
+    EXPECT_NE(column.wave_period_note.find(c.note), std::string::npos) << column.wave_period_note;
+  }
+}
+
+TEST(SiteData, HeightsWithoutAnyPeriodSaySo) {
+  SmallStore store;
+  store.with(tests::current_product(day)).with(waves_with("", ""));
+  const SiteData data = store.load(in_the_water);
+  EXPECT_TRUE(data.columns.at(0).peak_period.pieces.empty());
+  EXPECT_NE(data.columns.at(0).wave_period_note.find("no period of the waves is stored"),
+            std::string::npos);
+  SmallStore none;
+  none.with(tests::current_product(day));
+  EXPECT_EQ(none.load(in_the_water).columns.at(0).wave_period_note, "") << "no waves, no word";
+}
+
+TEST(SiteData, ThePeaksOwnPeriodWinsOverAConvertedOne) {
+  SmallStore store;
+  auto waves = tests::wave_product(day);
+  waves.quantities.push_back(waves.quantity("VTPK"));
+  waves.quantities.back().name = "VTM10";
+  waves.quantities.back().standard_name =
+      "sea_surface_wave_mean_period_from_variance_spectral_density_inverse_frequency_moment";
+  store.with(tests::current_product(day)).with(waves);
+  const SiteData data = store.load(in_the_water);
+  EXPECT_EQ(data.columns.at(0).peak_period.pieces.size(), 1u);
+  EXPECT_EQ(data.columns.at(0).wave_period_note, "");
 }
 
 TEST(SiteData, ColumnsOnLandAreLeftOutAndCounted) {
