@@ -69,7 +69,12 @@ class BedAtEveryDoor : public ::testing::Test {
                     "--from", time, "--to", time, "--depths", json(depth_m).dump(), "--json",
                     "--out", store_.file("samples.nc").string()});
     Said found;
-    for (const auto& [status, count] : json::parse(result.out).at("status").items())
+    if (result.exit_code == 4) {  // not one value: there is no file, the error counts
+      const bool is_below = (result.out + result.err).find("(below_bed 1)") != std::string::npos;
+      return {is_below ? "below_bed" : result.out + result.err, {}};
+    }
+    const json counts = json::parse(result.out).at("status");
+    for (const auto& [status, count] : counts.items())
       if (count == 1) found.status = status;
     return found;
   }
