@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "calibration/day/known_currents.h"
 #include "calibration/day/methods.h"
+#include "calibration/day/truth.h"
 #include "fields/base/averaging.h"
 #include "fields/base/parallel.h"
 

@@ -1,4 +1,5 @@
 #include "calibration/day/known_currents.h"
+#include "calibration/day/truth.h"
 
 #include <gtest/gtest.h>
 
