@@ -111,7 +111,7 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   forecast_columns(data, options, result);
   blend_columns(data, options, choice, result);
   const std::optional<AveragedCurrents> averaged = widen_means(data, options, choice, result);
-  widen_stand_in(data, options, result);
+  widen_stand_in(data, options, choice, result);
   for (ColumnForecast& column : result.columns) {
     column.known = {};
     keep_to_bed(column.column, result.plan.depth_m);

@@ -37,7 +37,8 @@ std::optional<AveragedCurrents> widen_means(const SiteData& data, const Forecast
   return widest;
 }
 
-void widen_stand_in(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
+void widen_stand_in(const SiteData& data, const ForecastOptions& options, const DayChoice& choice,
+                    DailyForecast& result) {
   if (result.plan.stands_in_for.empty()) return;
   for (std::size_t i = 0; i < result.columns.size(); ++i) {
     ColumnForecast& column = result.columns[i];
@@ -45,7 +46,7 @@ void widen_stand_in(const SiteData& data, const ForecastOptions& options, DailyF
     attempt_part(Part::stand_in, column.failures, [&] {
       ForecastColumn widened = column.column;
       auto found = options.parts.stand_in(widened, data.columns[i], result.plan);
-      column.column = std::move(widened);
+      if (!hides_the_tide(choice.averaging)) column.column = std::move(widened);
       if (!result.stand_in) result.stand_in = std::move(found);
     });
   }

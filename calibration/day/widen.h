@@ -15,7 +15,9 @@ namespace slackwater::calibration {
                                                           DailyForecast& result);
 
 /// Where another product stands in for the leading one, the bands are widened by what the two are
-/// known to differ.
-void widen_stand_in(const SiteData& data, const ForecastOptions& options, DailyForecast& result);
+/// known to differ; not those of means over hours, which `widen_means` has widened by the tide that
+/// makes most of it.
+void widen_stand_in(const SiteData& data, const ForecastOptions& options, const DayChoice& choice,
+                    DailyForecast& result);
 
 }  // namespace slackwater::calibration
