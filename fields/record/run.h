@@ -37,7 +37,7 @@ struct Run {
   std::vector<RunValue<T>> values;        ///< those known, ascending by centre
   std::size_t members = 0;                ///< of which it is the mean; 0: none
   bool may_be_revised = false;
-  std::vector<UtcTime> revised;  ///< centres of values that came more than once
+  std::vector<UtcTime> revised;                ///< centres of values that came more than once
   std::unique_ptr<const PieceColumn<T>> mean;  ///< owned; where the values of a mean stand
 
   [[nodiscard]] const Origin& origin() const { return *first->origin; }

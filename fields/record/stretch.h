@@ -16,7 +16,7 @@ struct Stretch {
   double distance_m = 0;           ///< of an instrument from the place asked about
   /// The height above the sea that a wind was brought to 10 m from.
   std::optional<double> from_height_m;
-  std::string why;  ///< what put it before the others, as a clause
+  std::string why;                ///< what put it before the others, as a clause
   std::size_t revised_times = 0;  ///< at which more than one edition is stored
   /// Some of its values were published, or came in, after the moment of knowledge, and nothing
   /// earlier is stored: what stood there then is not known.
