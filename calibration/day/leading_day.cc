@@ -46,7 +46,7 @@ std::vector<UtcDay> candidate_days(const ColumnData& column, const DaysKnown& kn
 /// The dataset that leads on a day and holds it throughout.
 std::optional<std::string> holder_of(const SiteData& data, const ColumnData& column, UtcDay day,
                                      const DaysKnown& known) {
-  const auto dataset = trusted_dataset(column, day, known.issued, known.seen_by);
+  auto dataset = trusted_dataset(column, day, known.issued, known.seen_by);
   if (!dataset || !holds_day(data, *dataset, day, known)) return std::nullopt;
   return dataset;
 }
