@@ -186,8 +186,7 @@ std::optional<std::string> trusted_dataset(const ColumnData& column, UtcDay day,
   plan.seen_by = seen_by;
   VectorRecord trusted = column.current;
   while (true) {
-    const auto dataset =
-        leading_dataset(trusted, UtcTime(day), plan.end_of_day(), plan.knowledge());
+    auto dataset = leading_dataset(trusted, UtcTime(day), plan.end_of_day(), plan.knowledge());
     if (!dataset || !is_series(piece_of(column, *dataset))) return dataset;
     plan.dataset = *dataset;
     const Ingredients parts = ingredients_of(column, plan);
