@@ -114,7 +114,7 @@ std::string bias_text(const Means& means, double sigma_m_s) {
 }
 
 std::string bias_of(const std::vector<Moment>& moments, double step, double sigma_m_s) {
-  const std::string always = bias_text(means_after(moments, UtcTime::min(), step), sigma_m_s);
+  std::string always = bias_text(means_after(moments, UtcTime::min(), step), sigma_m_s);
   if (!always.empty()) return always;
   const UtcTime lately = add_hours(moments.back().time, -(lunar_day_h + 0.5 * step));
   return bias_text(means_after(moments, lately, step), sigma_m_s);

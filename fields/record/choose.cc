@@ -136,6 +136,7 @@ Column<T> series_of(const std::vector<Part<T>>& parts, std::vector<const Origin*
 template <typename T>
 std::vector<const Run<T>*> in_order(const std::vector<Run<T>>& runs) {
   std::vector<const Run<T>*> order;
+  order.reserve(runs.size());
   for (const Run<T>& run : runs) order.push_back(&run);
   std::stable_sort(order.begin(), order.end(), [](const Run<T>* a, const Run<T>* b) {
     return counts_before(standing_of(*a), standing_of(*b));
