@@ -160,6 +160,25 @@ TEST_F(WhichValueCounts, AReplaySeesWhatWasThereThen) {
   EXPECT_NE(later["columns"][0]["calibration"], issued["columns"][0]["calibration"]);
 }
 
+TEST_F(WhichValueCounts, UnderForecastTheRunOfTheIssueMorningCounts) {
+  StoreForTests store;
+  for (const NamedProduct& product : week(regional)) ingest(store, product);
+  for (const int run : {0, 1}) {  // issued at the end of D, and after the issue time
+    ProductForTests ahead = wind_product(day + days(1), 96);
+    ahead.reference_time = UtcTime(day + days(1)) + hours(12 * run);
+    ingest(store, {"run" + std::to_string(run) + ".nc", ahead});
+  }
+  const json made = forecast(store, {"--wind", "forecast"}, "2025-03-10T05:00:00Z");
+  const auto winds = uses(made["columns"][0]["sources"], "wind");
+  ASSERT_EQ(winds.size(), 2u);
+  EXPECT_EQ(winds[1]["run"], "forecast of 2025-03-10T00:00:00Z");
+  const json later =
+      forecast(store, {"--wind", "forecast", "--day", "2025-03-09"}, "2025-03-10T13:00:00Z");
+  EXPECT_EQ(uses(later["columns"][0]["sources"], "wind").back()["run"],
+            "forecast of 2025-03-10T12:00:00Z")
+      << "not by the end of D";
+}
+
 TEST_F(WhichValueCounts, SourcesOfAStoreThatHoldsNothingForTheSiteSayWhatItHolds) {
   StoreForTests store;
   ingest(store, {"wind.nc", wind_product(first_day, 24)});
