@@ -43,8 +43,9 @@ inline constexpr double farthest_granule_km = 50;
                               const std::vector<std::string>& standard_names, const Window& window);
 
 /// The granules that hold any of these standard names, do not end before the window or begin after
-/// it (static fields always count) and come near it (`comes_near`); in catalogue order: by first time (static fields first), then name of the status, reference time, ensemble
-/// member (absent before present), number.
+/// it (static fields always count) and come near it (`comes_near`); in catalogue order: by first
+/// time (static fields first), then name of the status, reference time, ensemble member (absent
+/// before present), number.
 using FindGranules = std::function<std::vector<GranuleEntry>(
     const std::vector<std::string>& standard_names, const Window& window)>;
 

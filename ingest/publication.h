@@ -11,8 +11,9 @@ namespace slackwater::ingest {
 
 /// When the provider published what a file holds, as its global attributes say it.
 ///
-///   date_issued, date_update, date_modified, date_created, creation_date   the latest that is there
-///   bulletin_date                                                          else the end of that day
+///   date_issued, date_update, date_modified,
+///   date_created, creation_date                 the latest that is there
+///   bulletin_date                               else the end of that day
 ///
 /// A file is not out before it was last changed, hence the latest. `date_issued`, `date_modified`
 /// and `date_created` are ACDD's; `date_update` is OceanSITES' and the in-situ centres';

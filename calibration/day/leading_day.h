@@ -25,10 +25,10 @@ struct LeadingDay {
 
 /// The newest day whose currents the site's leading product holds throughout.
 ///
-/// The product leads that the site names, else the first by precedence (fields/record) that has held
-/// a day within a week. Where it is silent, its last good day counts for two days; then, until it is
-/// forgotten, another product stands in. In-situ series count where they lead on a day by themselves.
-/// Nothing where no day is held at all. Looks at the first column with currents.
+/// The product leads that the site names, else the first by precedence (fields/record) that has
+/// held a day within a week. Where it is silent, its last good day counts for two days; then, until
+/// it is forgotten, another product stands in. In-situ series count where they lead on a day by
+/// themselves. Nothing where no day is held at all. Looks at the first column with currents.
 [[nodiscard]] std::optional<LeadingDay> leading_day(const SiteData& data, const DaysKnown& known);
 
 /// Whether a dataset holds this day throughout at that column, as known.

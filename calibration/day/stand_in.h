@@ -20,10 +20,10 @@ struct StandIn {
 /// What a headline says of it.
 [[nodiscard]] std::string text_of(const StandIn& stand_in);
 
-/// Compares the plan's dataset with the one it stands in for, and widens the column by what they are
-/// known to differ: sigma^2 += d^2, members in proportion. Where they share no time, d is that of
-/// two products that err by 0.10 m/s each (calibration/fuse/fusion_settings.h). Nothing where the
-/// plan's dataset stands in for none.
+/// Compares the plan's dataset with the one it stands in for, and widens the column by what they
+/// are known to differ: sigma^2 += d^2, members in proportion. Where they share no time, d is that
+/// of two products that err by 0.10 m/s each (calibration/fuse/fusion_settings.h). Nothing where
+/// the plan's dataset stands in for none.
 [[nodiscard]] std::optional<StandIn> widen_by_stand_in(ForecastColumn& column,
                                                        const ColumnData& data,
                                                        const ForecastPlan& plan);

@@ -33,8 +33,9 @@ struct FilledWind {
 /// value after it. Before the first value of all it is the mean of the series, and goes to that
 /// value likewise. A value after a gap is nowhere copied into it.
 ///
-/// In a hole (a pause wider than the steps beside it) the wind is uncertain as one that is persisted
-/// from both sides, 1/s^2 = 1/s_before^2 + 1/s_after^2; in a gap as persisted from before.
+/// In a hole (a pause wider than the steps beside it) the wind is uncertain as one that is
+/// persisted from both sides, 1/s^2 = 1/s_before^2 + 1/s_after^2; in a gap as persisted from
+/// before.
 ///
 /// @param series  at least one value; all have one, instants, ascending
 /// @param stamps  ascending

@@ -31,8 +31,8 @@ struct FusedColumn {
 /// counts as quick and is shared by both places). (with M the shapes differ a little, and w is that
 /// of the sums). What of the instrument's error stays for days joins R(D), its noise is that of
 /// each value. The difference is carried over gaps and beyond the last observation as long as its
-/// slow part is remembered; then the product is left as it is. Nothing later than a time is used for it but the
-/// next sample (and M, which is of the whole record given).
+/// slow part is remembered; then the product is left as it is. Nothing later than a time is used
+/// for it but the next sample (and M, which is of the whole record given).
 ///
 /// @param product   levels are depths (at least one); missing values stay missing
 /// @param observed  levels are depths; instants or means; any times

@@ -30,8 +30,8 @@ struct TideAgreement {
 /// instrument beside a product whose tide is wrong by up to 1.5 h and 20 degrees (M2: 43 degrees of
 /// phase; a coast that the product does not resolve turns currents, too) must be able to explain
 /// the data; it is called wrong where the likelihood is e^4.5 greater (three standard deviations)
-/// under a frame or a clock beyond that (one of the two: both together can make any tide of one line
-/// from any other), independent values being `2 quick_memory_h` apart.
+/// under a frame or a clock beyond that (one of the two: both together can make any tide of one
+/// line from any other), independent values being `2 quick_memory_h` apart.
 ///
 /// Cannot be told: without 48 h of common values (beyond half a running mean at either end);
 /// where the product moves by less than 5 cm/s, or is of means over 6 h and more; where more than

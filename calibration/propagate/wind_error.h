@@ -29,7 +29,8 @@ struct WindErrorGrowth {
   std::vector<UtcTime> extra_at;
   std::vector<double> extra_sigma_m_s;
 
-  /// Of a component, without the extra; 0 before the end of D (lead < 0): what the calibration was fitted to.
+  /// Of a component, without the extra; 0 before the end of D (lead < 0): what the calibration was
+  /// fitted to.
   [[nodiscard]] double sigma_m_s(double lead_h) const;
 };
 

@@ -31,7 +31,8 @@ struct ForecastTrace {
 /// Whose currents a forecast was made from.
 struct CurrentSource {
   std::string dataset;  ///< empty: from none, there is nothing to score
-  /// The dataset that leads at the site, where the other only stood in for it: then it is the truth.
+  /// The dataset that leads at the site, where the other only stood in for it: then it is the
+  /// truth.
   std::string stands_in_for{};
 };
 

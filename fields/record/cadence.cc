@@ -7,7 +7,8 @@ namespace {
 
 constexpr Duration shortest_gap = std::chrono::hours(12);
 
-/// The wider of the pauses before and after the one that follows `times[i]`; 0 where there are none.
+/// The wider of the pauses before and after the one that follows `times[i]`; 0 where there are
+/// none.
 Duration pause_beside(std::span<const UtcTime> times, std::size_t i) {
   Duration widest(0);
   if (i > 0) widest = times[i] - times[i - 1];

@@ -12,12 +12,12 @@ namespace slackwater {
 [[nodiscard]] bool is_hole(std::span<const UtcTime> times, std::size_t i);
 
 /// Whether the pause after `times[i]` may be crossed on a line: at most 12 h, or one and a quarter
-/// times the wider of the pauses beside it, so that no single value of a six-hourly series is missed
-/// and a twelve-hourly series has no gaps.
+/// times the wider of the pauses beside it, so that no single value of a six-hourly series is
+/// missed and a twelve-hourly series has no gaps.
 [[nodiscard]] bool may_interpolate(std::span<const UtcTime> times, std::size_t i);
 
-/// Whether `times[i]` hangs together with the one before it: neither a hole nor a pause that may not
-/// be interpolated lies in between.
+/// Whether `times[i]` hangs together with the one before it: neither a hole nor a pause that may
+/// not be interpolated lies in between.
 [[nodiscard]] bool hangs_on(std::span<const UtcTime> times, std::size_t i);
 
 /// From the first to the last value of a part of a series.

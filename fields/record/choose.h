@@ -25,7 +25,8 @@ struct Knowledge {
   UtcTime seen_by = UtcTime::max();
 };
 
-/// Whether a value of this origin and time is seen through the glass, as far as `seen_by` leaves it.
+/// Whether a value of this origin and time is seen through the glass, as far as `seen_by` leaves
+/// it.
 [[nodiscard]] bool is_known(const Origin& origin, const TimeCell& cell, const Knowledge& knowledge);
 
 /// A series chosen from a record.
@@ -54,8 +55,8 @@ struct Choice {
 /// next best; no two alternate. The order, by the first that tells two runs apart:
 ///
 ///   1. analysed or observed before forecast      6. the newer reference time
-///   2. a product before an instrument            7. the control, or a run that is alone, before the
-///   3. one that is said to lack the tide last      mean of an ensemble
+///   2. a product before an instrument            7. a lone run or the control before the mean of
+///   3. one that is said to lack the tide last       an ensemble
 ///   4. made for a region before global           8. stated nearer to 10 m (winds)
 ///   5. of finer grid                             9. on more levels, then by name
 ///
@@ -65,9 +66,9 @@ struct Choice {
 /// Members of an ensemble do not speak by themselves: their mean does. Point series at several
 /// places are not mixed: where no dataset is asked for, the nearest that has a known value speaks.
 ///
-/// With a ramp the run of lower rank is moved onto the other at a join: by the difference of the two
-/// there, fading linearly over the ramp. The series makes no jump there that neither run makes; the
-/// values of the higher one stay as they are. The answer is the same for any order of pieces.
+/// With a ramp the run of lower rank is moved onto the other at a join: by the difference of the
+/// two there, fading linearly over the ramp. The series makes no jump there that neither run makes;
+/// the values of the higher one stay as they are. The answer is the same for any order of pieces.
 [[nodiscard]] Chosen<Horizontal> choose(const VectorRecord& record, const Knowledge& knowledge,
                                         const Choice& choice);
 [[nodiscard]] Chosen<double> choose(const ScalarRecord& record, const Knowledge& knowledge,

@@ -29,8 +29,8 @@ struct RunValue {
   std::size_t t = 0;
 };
 
-/// What speaks with one voice: the analysis of a dataset, one run of its forecast, or the mean of an
-/// ensemble.
+/// What speaks with one voice: the analysis of a dataset, one run of its forecast, or the mean of
+/// an ensemble.
 template <typename T>
 struct Run {
   const PieceColumn<T>* first = nullptr;  ///< of its pieces, the one that names it

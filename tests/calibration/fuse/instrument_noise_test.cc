@@ -25,7 +25,8 @@ TEST(InstrumentNoise, IsThatOfEachLevelWhateverTheTide) {
 
 TEST(InstrumentNoise, TideAloneIsHardlyTakenForNoise) {
   const auto tide = [](double h, double) { return m2.at(h); };
-  // (2 sin(w / 2))^4 / sqrt(70) of a circle of 1 m/s: |d|^2 is constant, its root over sqrt(2 ln 2).
+  // (2 sin(w / 2))^4 / sqrt(70) of a circle of 1 m/s: |d|^2 is constant, its root over sqrt(2 ln
+  // 2).
   EXPECT_LT(instrument_noise(made_up_column({5}, 720, 1, tide))[0], 0.0066);
   EXPECT_LT(instrument_noise(made_up_column({5}, 720, 1.0 / 6, tide))[0], 1e-5);
 }
