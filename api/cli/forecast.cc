@@ -183,9 +183,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
                     " without --html, whose page it is for; add --html FILE.html");
   }
   store::Store store = context.open(store::OpenMode::create_or_write);
-  const UtcDay last = options.day.value_or(day_of(options.issued));
-  const SiteData data = load_site_data(store, site, UtcTime(last) - calibration::history_wanted,
-                                       UtcTime(last) + days(1) + options.horizon);
+  const SiteData data = load_site_data(store, site, options);
   const DailyJob job = daily_job(data, options);
   const calibration::DailyForecast& forecast = job.forecast;
   if (!arguments.html.empty())  // before anything is stored

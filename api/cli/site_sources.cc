@@ -34,9 +34,7 @@ void run_site_sources(const SourcesArguments& arguments, const Context& context)
   options.wind = option_value("--wind", arguments.wind, wind_policy_from);
   if (!arguments.day.empty()) options.day = option_value("--day", arguments.day, parse_day);
   store::Store store = context.open(store::OpenMode::read_only);
-  const UtcDay last = options.day.value_or(day_of(options.issued));
-  const SiteData data = load_site_data(store, site, UtcTime(last) - calibration::history_wanted,
-                                       UtcTime(last) + days(1) + options.horizon);
+  const SiteData data = load_site_data(store, site, options);
   const calibration::Inputs inputs = calibration::inputs_of(data, options);
   if (context.json) {
     const json out = {{"site", site.id},

@@ -38,6 +38,13 @@ SiteData load_site_data(store::Store& store, const Site& site, UtcTime from, Utc
   return data;
 }
 
+SiteData load_site_data(store::Store& store, const Site& site,
+                        const calibration::ForecastOptions& options) {
+  const UtcTime day(options.day.value_or(day_of(options.issued)));
+  return load_site_data(store, site, day - calibration::history_wanted,
+                        day + std::chrono::days(1) + options.horizon);
+}
+
 std::optional<double> bathymetry_at(store::Store& store, const Site& site) {
   Site point = site;
   point.water_depth_m.reset();

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "calibration/day/daily_forecast.h"
 #include "data/store/store.h"
 #include "fields/record/site_data.h"
 
@@ -13,6 +14,10 @@ namespace slackwater::api {
 /// Error(not_found), one with nothing but damaged files Error(invalid_input).
 [[nodiscard]] SiteData load_site_data(store::Store& store, const Site& site, UtcTime from,
                                       UtcTime to);
+
+/// The same for a forecast with these options: the history that it wants before D, and its horizon.
+[[nodiscard]] SiteData load_site_data(store::Store& store, const Site& site,
+                                      const calibration::ForecastOptions& options);
 
 /// The water depth at a site's own point by the bathymetry in the store, m; nothing where none is
 /// stored there.
