@@ -7,6 +7,7 @@
 #include "calibration/day/issued_blend.h"
 #include "calibration/day/issued_snapshot.h"
 #include "calibration/day/known_currents.h"
+#include "calibration/day/sources.h"
 #include "calibration/day/troubles.h"
 #include "calibration/day/unresolved_tide.h"
 #include "calibration/day/widen.h"
@@ -21,6 +22,18 @@ using std::chrono::days;
 
 constexpr const char* hindsight_note =
     "made in hindsight: wind or waves were used that were not known at the issue time";
+
+/// What an operator should know of the column's inputs, before what the forecast has to say.
+void tell_of_inputs(const ColumnData& data, const ForecastPlan& plan, ColumnForecast& made) {
+  RecordRemarks remarks = remarks_on_record(data, plan);
+  made.instrument_troubles = std::move(remarks.troubles);
+  std::vector<std::string> notes = std::move(remarks.notes);
+  if (auto note = note_on_bed(data, plan.dataset)) notes.push_back(std::move(*note));
+  if (!data.wave_period_note.empty()) notes.push_back(data.wave_period_note);
+  made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
+  const std::vector<SourceUse> layer = layer_sources(data, plan);
+  made.sources.insert(made.sources.end(), layer.begin(), layer.end());
+}
 
 /// Every column by itself: one that fails does not stop the others.
 void forecast_columns(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
@@ -37,16 +50,8 @@ void forecast_columns(const SiteData& data, const ForecastOptions& options, Dail
       made.calibration_problem = failures.front().failure.why;
       made.failures.push_back(std::move(failures.front()));
     }
-    std::vector<std::string> notes;
-    const auto tell = [&] {
-      notes = notes_on_record(data.columns[i], plan);
-      made.instrument_troubles = troubles_on_record(data.columns[i], plan);
-    };
-    if (const auto failure = attempt(tell)) notes = {"no notes on the record: " + failure->why};
-    if (auto note = note_on_bed(data.columns[i], plan.dataset)) notes.push_back(std::move(*note));
-    const std::string& of_waves = data.columns[i].wave_period_note;
-    if (!of_waves.empty()) notes.push_back(of_waves);
-    made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
+    const auto failure = attempt([&] { tell_of_inputs(data.columns[i], plan, made); });
+    if (failure) made.notes.push_back("no notes on the inputs: " + failure->why);
     if (made.hindsight) made.notes.emplace_back(hindsight_note);
   });
 }

@@ -191,10 +191,7 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   result.origins.insert(result.origins.end(), waves.origins.begin(), waves.origins.end());
   result.wind_gaps = wind.gaps;
   forecast_current(data, plan, parts, wind, result);
-  (void)attempt([&] {
-    result.sources =
-        sources_of(result.known, wind, waves, layer_record(data, plan).stretches, plan);
-  });
+  result.sources = sources_of(result.known, wind, waves, plan);
   return result;
 }
 

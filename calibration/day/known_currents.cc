@@ -150,32 +150,24 @@ Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& 
   return known;
 }
 
-std::vector<std::string> notes_on_record(const ColumnData& column, const ForecastPlan& plan) {
+RecordRemarks remarks_on_record(const ColumnData& column, const ForecastPlan& plan) {
   if (piece_of(column, plan.dataset) == nullptr) return {};
   const Ingredients parts = ingredients_of(column, plan);
-  std::vector<std::string> notes;
+  RecordRemarks remarks;
   for (const Instrument& instrument : parts.instruments) {
+    if (auto trouble = trouble_with(instrument)) remarks.troubles.push_back(std::move(*trouble));
     if (instrument.dataset == plan.dataset) {
-      notes.push_back("currents of " + name_of(instrument) +
-                      (parts.behind ? " fused with a coarser product" : " alone, no product"));
+      remarks.notes.push_back(
+          "currents of " + name_of(instrument) +
+          (parts.behind ? " fused with a coarser product" : " alone, no product"));
       if (!parts.behind) continue;
     } else if (instrument.is_used()) {
-      notes.push_back("fused with " + name_of(instrument));
+      remarks.notes.push_back("fused with " + name_of(instrument));
     }
     const std::string remark = remark_on(instrument);
-    if (!remark.empty()) notes.push_back(remark);
+    if (!remark.empty()) remarks.notes.push_back(remark);
   }
-  return notes;
-}
-
-std::vector<InstrumentTrouble> troubles_on_record(const ColumnData& column,
-                                                  const ForecastPlan& plan) {
-  if (piece_of(column, plan.dataset) == nullptr) return {};
-  std::vector<InstrumentTrouble> troubles;
-  for (const Instrument& instrument : ingredients_of(column, plan).instruments) {
-    if (auto trouble = trouble_with(instrument)) troubles.push_back(std::move(*trouble));
-  }
-  return troubles;
+  return remarks;
 }
 
 std::optional<std::string> trusted_dataset(const ColumnData& column, UtcDay day, UtcTime issued,

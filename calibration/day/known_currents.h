@@ -21,15 +21,17 @@ namespace slackwater::calibration {
 /// the series stands alone.
 [[nodiscard]] Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan);
 
-/// What an operator should know about that record: "fused with station X at 2.1 km", "station Y at
+/// What an operator should know about a record, and which instruments lie, of those that were still
+/// sending at the end of D.
+struct RecordRemarks {
+  std::vector<std::string> notes;
+  std::vector<InstrumentTrouble> troubles;
+};
+
+/// Of that record: "fused with station X at 2.1 km", "station Y at
 /// 3.4 km is not used: it ended 12.0 days before", "currents of station X at 0.4 km alone, no
 /// product"; empty for a product alone. Instruments are judged for it, nothing is fused.
-[[nodiscard]] std::vector<std::string> notes_on_record(const ColumnData& column,
-                                                       const ForecastPlan& plan);
-
-/// Which instruments lie, of those that were still sending at the end of D.
-[[nodiscard]] std::vector<InstrumentTrouble> troubles_on_record(const ColumnData& column,
-                                                                const ForecastPlan& plan);
+[[nodiscard]] RecordRemarks remarks_on_record(const ColumnData& column, const ForecastPlan& plan);
 
 /// The dataset that leads on a day: `leading_dataset`, but a series that contradicts the product
 /// beside it does not lead.

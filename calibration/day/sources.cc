@@ -8,8 +8,7 @@
 namespace slackwater::calibration {
 
 std::vector<SourceUse> sources_of(const Chosen<Horizontal>& known, const HorizonWind& wind,
-                                  const HorizonSea& sea, const std::vector<Stretch>& layer,
-                                  const ForecastPlan& plan) {
+                                  const HorizonSea& sea, const ForecastPlan& plan) {
   const UtcTime from(plan.day);
   const UtcTime to = plan.stamps.empty() ? plan.end_of_day() : plan.stamps.back();
   std::vector<SourceUse> all = uses_of("current", known.stretches, from, plan.end_of_day());
@@ -19,8 +18,12 @@ std::vector<SourceUse> sources_of(const Chosen<Horizontal>& known, const Horizon
   };
   add("wind", wind.stretches, to);
   add("waves", sea.stretches, to);
-  add("mixed layer", layer, plan.end_of_day());
   return all;
+}
+
+std::vector<SourceUse> layer_sources(const ColumnData& column, const ForecastPlan& plan) {
+  return uses_of("mixed layer", layer_record(column, plan).stretches, UtcTime(plan.day),
+                 plan.end_of_day());
 }
 
 Inputs inputs_of(const SiteData& data, const ForecastOptions& options) {
@@ -32,8 +35,10 @@ Inputs inputs_of(const SiteData& data, const ForecastOptions& options) {
       horizon_wind(column.wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
   const HorizonSea sea =
       horizon_sea(column, data.site, plan.wind, plan.end_of_day(), plan.stamps, wind, plan.best);
-  return {plan.day, sources_of(known_currents(column, plan), wind, sea,
-                               layer_record(column, plan).stretches, plan)};
+  Inputs inputs{plan.day, sources_of(known_currents(column, plan), wind, sea, plan)};
+  const std::vector<SourceUse> layer = layer_sources(column, plan);
+  inputs.sources.insert(inputs.sources.end(), layer.begin(), layer.end());
+  return inputs;
 }
 
 }  // namespace slackwater::calibration

@@ -6,12 +6,14 @@
 
 namespace slackwater::calibration {
 
-/// What the inputs of a column are, from the start of D to the end of the horizon: currents, wind,
-/// waves and mixed layer, with who speaks when and why.
+/// Who speaks for the currents, wind and waves of a column, when and why, from the start of D to
+/// the end of the horizon.
 [[nodiscard]] std::vector<SourceUse> sources_of(const Chosen<Horizontal>& known,
                                                 const HorizonWind& wind, const HorizonSea& sea,
-                                                const std::vector<Stretch>& layer,
                                                 const ForecastPlan& plan);
+/// The same of the mixed layer on D.
+[[nodiscard]] std::vector<SourceUse> layer_sources(const ColumnData& column,
+                                                   const ForecastPlan& plan);
 
 /// What a forecast would be made from.
 struct Inputs {

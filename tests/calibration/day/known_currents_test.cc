@@ -79,7 +79,7 @@ TEST(KnownCurrents, AProductAloneIsReturnedAsItIsUpToTheEndOfTheDay) {
                 water(known.column.time[t].centre(), product_depth_m[k]));
     }
   }
-  EXPECT_TRUE(notes_on_record(sea.data, plan_of("model")).empty());
+  EXPECT_TRUE(remarks_on_record(sea.data, plan_of("model")).notes.empty());
   EXPECT_TRUE(known_currents(sea.data, plan_of("unheard of")).empty());
 }
 
@@ -162,13 +162,13 @@ TEST(KnownCurrents, AnInstrumentOutOfReachChangesNothing) {
   const KnownSeriesForTests both = product_and_station({0.1, 0}, FusionSettings{}.farthest_m + 1);
   EXPECT_EQ(known_currents(both.data, plan_of("model")).column.value,
             known_currents(alone.data, plan_of("model")).column.value);
-  EXPECT_TRUE(notes_on_record(both.data, plan_of("model")).empty());
+  EXPECT_TRUE(remarks_on_record(both.data, plan_of("model")).notes.empty());
 }
 
 TEST(KnownCurrents, AllInstrumentsInReachAreFusedAndNamedTheNearestFirst) {
   KnownSeriesForTests sea = product_and_station({0.1, 0}, 3000);
   sea.current(station_of("Nearer"), hourly_around_the_day(), {8}, water, 1200);
-  EXPECT_EQ(notes_on_record(sea.data, plan_of("model")),
+  EXPECT_EQ(remarks_on_record(sea.data, plan_of("model")).notes,
             (std::vector<std::string>{"fused with station Nearer at 1.2 km",
                                       "fused with station Buoy at 3.0 km"}));
   std::set<std::string> used;
@@ -176,7 +176,7 @@ TEST(KnownCurrents, AllInstrumentsInReachAreFusedAndNamedTheNearestFirst) {
     used.insert(origin->dataset);
   EXPECT_EQ(used, (std::set<std::string>{"model", "Nearer", "Buoy"}))
       << "a number that is served can name its source";
-  EXPECT_TRUE(troubles_on_record(sea.data, plan_of("model")).empty());
+  EXPECT_TRUE(remarks_on_record(sea.data, plan_of("model")).troubles.empty());
 }
 
 /// The root mean square error of the record on D against the water.
@@ -220,19 +220,19 @@ TEST(KnownCurrents, AnInstrumentThatLiesIsLeftOutNamedAndATrouble) {
   KnownSeriesForTests sea = product_and_station({1, 0});
   EXPECT_EQ(known_currents(sea.data, plan_of("model")).column.value,
             known_currents(alone.data, plan_of("model")).column.value);
-  const auto notes = notes_on_record(sea.data, plan_of("model"));
+  const auto notes = remarks_on_record(sea.data, plan_of("model")).notes;
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(notes[0].find("station Buoy at 2.1 km is not used: it differs from the product by 1.00 "
                           "m/s on average over 4.0 days, where "),
             0U)
       << notes[0];
-  const auto troubles = troubles_on_record(sea.data, plan_of("model"));
+  const auto troubles = remarks_on_record(sea.data, plan_of("model")).troubles;
   ASSERT_EQ(troubles.size(), 1U);
   EXPECT_EQ(troubles[0].station, "Buoy");
   EXPECT_EQ(troubles[0].clause, notes[0]);
   // An honest one beside it is used all the same.
   sea.current(station_of("Honest"), hourly_around_the_day(), {8}, water, 3000);
-  EXPECT_EQ(notes_on_record(sea.data, plan_of("model")).back(),
+  EXPECT_EQ(remarks_on_record(sea.data, plan_of("model")).notes.back(),
             "fused with station Honest at 3.0 km");
 }
 
@@ -244,7 +244,7 @@ TEST(KnownCurrents, OneThatEndedLongBeforeIsNotSaidToBeFused) {
     sea.current(station_of("Buoy"),
                 instants(UtcTime(day) - days(9), end_of_day - hours(hours_before)), {8, 12}, water,
                 2100);
-    const auto notes = notes_on_record(sea.data, plan_of("model"));
+    const auto notes = remarks_on_record(sea.data, plan_of("model")).notes;
     const auto expected =
         is_used ? std::vector<std::string>{"fused with station Buoy at 2.1 km",
                                            "station Buoy at 2.1 km: its last good value is 30 h "
@@ -252,7 +252,8 @@ TEST(KnownCurrents, OneThatEndedLongBeforeIsNotSaidToBeFused) {
                 : std::vector<std::string>{
                       "station Buoy at 2.1 km is not used: it ended 4.0 days before"};
     EXPECT_EQ(notes, expected);
-    EXPECT_TRUE(troubles_on_record(sea.data, plan_of("model")).empty()) << "late, not lying";
+    EXPECT_TRUE(remarks_on_record(sea.data, plan_of("model")).troubles.empty())
+        << "late, not lying";
     std::set<std::string> used;
     for (const Origin* origin : known_currents(sea.data, plan_of("model")).origin)
       used.insert(origin->dataset);
@@ -268,14 +269,14 @@ TEST(KnownCurrents, AnInstrumentThatIsStuckToTheEndIsATroubleThoughItsPastIsUsed
         return water(std::min(time, UtcTime(end_of_day - hours(48))), depth);
       },
       2100);
-  const auto notes = notes_on_record(sea.data, plan_of("model"));
+  const auto notes = remarks_on_record(sea.data, plan_of("model")).notes;
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_EQ(notes[0], "fused with station Buoy at 2.1 km");
   EXPECT_EQ(
       notes[1],
       "station Buoy at 2.1 km: 2.0 days of a value that never changed left out; its last good "
       "value is 2.0 days before the end of the day");
-  ASSERT_EQ(troubles_on_record(sea.data, plan_of("model")).size(), 1U);
+  ASSERT_EQ(remarks_on_record(sea.data, plan_of("model")).troubles.size(), 1U);
   EXPECT_LT(error_on_the_day(sea), 1e-9) << "the product is right, and nothing pulls it away";
 }
 
@@ -311,14 +312,14 @@ TEST(KnownCurrents, ASeriesThatContradictsACoarserProductDoesNotLead) {
   EXPECT_EQ(trusted_dataset(sea_with({}).data, day, issued), "Buoy");
   const KnownSeriesForTests lying = sea_with({1, 0.5});
   EXPECT_EQ(trusted_dataset(lying.data, day, issued), "daily");
-  EXPECT_EQ(troubles_on_record(lying.data, plan_of("daily")).size(), 1U);
+  EXPECT_EQ(remarks_on_record(lying.data, plan_of("daily")).troubles.size(), 1U);
 }
 
 TEST(KnownCurrents, AStationBesideAnotherWithoutAProductIsNamedAsNotUsed) {
   KnownSeriesForTests sea;
   sea.current(station_of("Buoy"), hourly_around_the_day(), {8}, water, 400);
   sea.current(station_of("Other"), hourly_around_the_day(), {8}, water, 3000);
-  EXPECT_EQ(notes_on_record(sea.data, plan_of("Buoy")),
+  EXPECT_EQ(remarks_on_record(sea.data, plan_of("Buoy")).notes,
             (std::vector<std::string>{"currents of station Buoy at 0.4 km alone, no product",
                                       "station Other at 3.0 km is not used: no product is there to "
                                       "fuse it with"}));
@@ -343,7 +344,7 @@ TEST(KnownCurrents, WhereTheSeriesLeadsItsTimesAndDepthsAreKept) {
     EXPECT_EQ(fused.value[fused.offset(t, 1)], fine) << "below the product the series itself";
   }
   EXPECT_EQ(
-      notes_on_record(sea.data, plan_of("Buoy")),
+      remarks_on_record(sea.data, plan_of("Buoy")).notes,
       std::vector<std::string>{"currents of station Buoy at 2.1 km fused with a coarser product"});
 }
 
@@ -354,7 +355,7 @@ TEST(KnownCurrents, ASeriesWithoutAProductStandsAlone) {
   ASSERT_EQ(known.times(), 4 * 24 + 1u);
   for (std::size_t t = 0; t < known.times(); ++t)
     EXPECT_EQ(known.value[t], water(known.time[t].centre(), 8));
-  EXPECT_EQ(notes_on_record(sea.data, plan_of("Buoy")),
+  EXPECT_EQ(remarks_on_record(sea.data, plan_of("Buoy")).notes,
             std::vector<std::string>{"currents of station Buoy at 0.4 km alone, no product"});
 }
 
