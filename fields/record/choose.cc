@@ -71,21 +71,42 @@ std::vector<Part<T>> shared_out_like(const std::vector<Run<T>>& runs,
   return parts;
 }
 
-/// What put a part before the best of the others that speak in its time, or why it is there.
+/// "the analysis of ECMWF", "the run of 2024-06-11T00:00:00Z of ECMWF", "station X".
 template <typename T>
-std::string reason_for(const Part<T>& part, const std::vector<const Run<T>*>& runs) {
-  const Run<T>* better = nullptr;
-  const Run<T>* next = nullptr;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const bool overlaps = runs[r]->values.front().cell.centre() <= part.to() &&
-                          runs[r]->values.back().cell.centre() >= part.from();
-    if (r < part.rank) better = better == nullptr ? runs[r] : better;
-    if (r > part.rank && overlaps && next == nullptr) next = runs[r];
-  }
-  std::string why = next == nullptr ? "nothing else is there"
-                                    : reason_before(standing_of(*part.run), standing_of(*next));
-  if (better != nullptr) why += ", where better ones are silent";
-  return why;
+std::string name_of_run(const Run<T>& run) {
+  const Origin& origin = run.origin();
+  if (origin.is_point_series) return "station " + origin.station;
+  const RunName name = run_name_of(origin);
+  if (!name.is_forecast) return "the analysis of " + origin.product_id;
+  if (!name.reference_time) return "the forecast of " + origin.product_id;
+  return "the run of " + format_utc(*name.reference_time) + " of " + origin.product_id;
+}
+
+/// Where a part stands beside a better one: after its end, or before its beginning; else empty.
+template <typename T>
+std::string beside_better(const std::vector<Part<T>>& parts, std::size_t p) {
+  if (p > 0 && parts[p - 1].rank < parts[p].rank)
+    return "where " + name_of_run(*parts[p - 1].run) + " ends";
+  if (p + 1 < parts.size() && parts[p + 1].rank < parts[p].rank)
+    return "before " + name_of_run(*parts[p + 1].run) + " begins";
+  return {};
+}
+
+/// Why a part speaks: where it stands, and what puts it before the best of the others that have
+/// values in its time.
+template <typename T>
+std::string reason_for(const std::vector<Part<T>>& parts, std::size_t p,
+                       const std::vector<const Run<T>*>& runs) {
+  const Part<T>& part = parts[p];
+  const auto next = std::find_if(runs.begin() + static_cast<std::ptrdiff_t>(part.rank) + 1,
+                                 runs.end(), [&](const Run<T>* run) {
+                                   return run->values.front().cell.centre() <= part.to() &&
+                                          run->values.back().cell.centre() >= part.from();
+                                 });
+  const std::string beside = beside_better(parts, p);
+  if (next == runs.end()) return beside.empty() ? "nothing else is there" : beside;
+  const std::string why = reason_before(standing_of(*part.run), standing_of(**next));
+  return beside.empty() ? why : beside + ", " + why;
 }
 
 template <typename T>
@@ -159,10 +180,10 @@ Chosen<T> choose_from(const Record<T>& record, const Knowledge& knowledge, const
             [](const Part<T>& a, const Part<T>& b) { return a.from() < b.from(); });
   chosen.column = series_of(parts, chosen.origin);
   if (choice.ramp > Duration(0)) join_parts(chosen.column, parts, choice.ramp);
-  for (const Part<T>& part : parts) {
-    chosen.stretches.push_back(stretch_of(part));
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    chosen.stretches.push_back(stretch_of(parts[p]));
     chosen.stretches.back().why =
-        choice.like != nullptr ? "of the same run" : reason_for(part, order);
+        choice.like != nullptr ? "of the same run" : reason_for(parts, p, order);
   }
   return chosen;
 }

@@ -127,7 +127,7 @@ TEST(OneSource, WhereTheBestEndsTheNextIsMovedOntoItOverTheRamp) {
   }
   ASSERT_EQ(chosen.stretches.size(), 2u);
   EXPECT_EQ(chosen.stretches[1].from, start + hours(25));
-  EXPECT_EQ(chosen.stretches[1].why, "nothing else is there, where better ones are silent");
+  EXPECT_EQ(chosen.stretches[1].why, "where the analysis of fine ends");
 }
 
 TEST(OneSource, AHoleOfTheBestIsFilledByTheNextAndMeetsItAtBothEnds) {
@@ -146,7 +146,9 @@ TEST(OneSource, AHoleOfTheBestIsFilledByTheNextAndMeetsItAtBothEnds) {
   EXPECT_EQ(chosen.stretches.size(), 3u);
 }
 
-TEST(OneSource, NoJumpAtAJoinIsLargerThanTheRunsOwn) {
+/// Runs of five products at drawn heights, cadences and times, with holes.
+TEST(OneSource, NoJumpAtAJoinIsLargerThanTheRunsOwnAndNobodySpeaksBeyondItsTime) {
+  std::size_t joins = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Rng rng(seed, "tests/record/joins");
     std::deque<Origin> origins;
@@ -164,9 +166,14 @@ TEST(OneSource, NoJumpAtAJoinIsLargerThanTheRunsOwn) {
         return mean + 3.0 * std::polar(1.0, 6.283 * hours_between(start, time) / period_h);
       });
       const int from = static_cast<int>(rng.uniform(0, 30));
-      record.pieces.push_back(vector_piece(
-          origins.back(), instants(start + hours(from), start + hours(from + 60), hours(step_h)),
-          {}, flows.back()));
+      std::vector<TimeCell> times =
+          instants(start + hours(from), start + hours(from + 60), hours(step_h));
+      const int hole_h = from + static_cast<int>(rng.uniform(0, 60));
+      std::erase_if(times, [&](const TimeCell& cell) {
+        return cell.start > start + hours(hole_h) && cell.start < start + hours(hole_h + 9);
+      });
+      record.pieces.push_back(vector_piece(origins.back(), times, {}, flows.back()));
+      if (rng.uniform(0, 1) < 0.5) record.pieces.back().from_height_m = 100;
       steepest = std::max(steepest, 3 * 6.283 / period_h);
       for (const FlowForTests& other : flows) {
         for (int h = 0; h < 90; ++h)
@@ -174,8 +181,22 @@ TEST(OneSource, NoJumpAtAJoinIsLargerThanTheRunsOwn) {
               apart, std::abs(flows.back()(start + hours(h), 0) - other(start + hours(h), 0)));
       }
     }
-    const Chosen<Horizontal> chosen = choose(record, {}, joined_over(ramp));
+    Knowledge knowledge;
+    knowledge.forecasts_issued_by = start - hours(6 * static_cast<int>(rng.uniform(0, 3)));
+    const Chosen<Horizontal> chosen = choose(record, knowledge, joined_over(ramp));
+    joins += chosen.stretches.empty() ? 0 : chosen.stretches.size() - 1;
+    for (const Stretch& stretch : chosen.stretches) {
+      EXPECT_LE(*stretch.origin->reference_time, knowledge.forecasts_issued_by);
+      const auto piece = std::find_if(record.pieces.begin(), record.pieces.end(),
+                                      [&](const auto& p) { return p.origin == stretch.origin; });
+      ASSERT_NE(piece, record.pieces.end());
+      EXPECT_GE(stretch.from, piece->column.time.front().start) << "before its run begins";
+      EXPECT_LE(stretch.to, piece->column.time.back().start) << "beyond its run's end";
+      EXPECT_EQ(stretch.from_height_m, piece->from_height_m);
+    }
     for (std::size_t t = 1; t < chosen.column.times(); ++t) {
+      // Across a hole that nobody fills no step is promised.
+      if (chosen.column.time[t].start - chosen.column.time[t - 1].start > hours(4)) continue;
       const double h =
           hours_between(chosen.column.time[t - 1].centre(), chosen.column.time[t].centre());
       const double step = std::abs(chosen.column.value[t] - chosen.column.value[t - 1]);
@@ -184,8 +205,9 @@ TEST(OneSource, NoJumpAtAJoinIsLargerThanTheRunsOwn) {
       EXPECT_LE(step, most) << "seed " << seed << " at " << t;
     }
     std::reverse(record.pieces.begin(), record.pieces.end());
-    EXPECT_EQ(choose(record, {}, joined_over(ramp)).column.value, chosen.column.value);
+    EXPECT_EQ(choose(record, knowledge, joined_over(ramp)).column.value, chosen.column.value);
   }
+  EXPECT_GT(joins, 200u) << "the drawn runs do take over from each other";
 }
 
 TEST(OneSource, StatedTenMetreWindBeforeAnyOtherHeightOfTheRun) {
