@@ -28,6 +28,19 @@ bool has_failed(const ColumnForecast& column, Part part) {
                      [&](const PartFailure& failed) { return failed.part == part; });
 }
 
+/// The product that the site names and nobody has stored.
+void judge_named_product(const SiteData& data, std::vector<std::string>& troubles) {
+  const auto& named = data.site.current_product;
+  if (!named || !data.has_currents()) return;
+  for (const ColumnData& column : data.columns) {
+    for (const auto& piece : column.current.pieces)
+      if (piece.origin->product_id == *named) return;
+  }
+  troubles.push_back("the site's file names currents of " + *named +
+                     ", of which none are stored here: another product leads; ingest it, or mend "
+                     "`currents` in the file");
+}
+
 /// Which columns could not be calibrated; those that failed as a whole are named with the parts.
 void judge_columns(const std::vector<ColumnForecast>& columns, std::vector<std::string>& troubles) {
   std::size_t uncalibrated = 0;
@@ -132,6 +145,7 @@ std::vector<std::string> troubles_of(const SiteData& data, const DayChoice& choi
       std::any_of(made.failures.begin(), made.failures.end(),
                   [](const PartFailure& failed) { return failed.part == Part::day; });
   judge_day(choice, is_choice_failed, troubles);
+  judge_named_product(data, troubles);
   if (choice.usable) judge_columns(made.columns, troubles);
   judge_instruments(made.columns, troubles);
   if (averaged) troubles.push_back(sentence_of(*averaged));

@@ -86,6 +86,9 @@ TEST(LeadingDay, TheProductThatTheSiteNamesLeads) {
   EXPECT_EQ(leading->dataset, "global");
   site.site.current_product = "unheard of";
   EXPECT_EQ(leading_day(site, {five_o_clock})->dataset, "regional") << "nothing of it is stored";
+  const Snapshot made = make_forecast(site, at_five()).snapshot;
+  EXPECT_TRUE(made.degraded);
+  EXPECT_NE(made.headline.find("names currents of unheard of"), std::string::npos) << made.headline;
 }
 
 TEST(LeadingDay, AStandInIsDegradedNamedAndAsWideAsTheTwoAreKnownToDiffer) {
