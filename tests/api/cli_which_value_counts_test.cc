@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fields/wind/log_profile.h"
+#include "ingest/cf/forecast_file.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -158,6 +160,38 @@ TEST_F(WhichValueCounts, AReplaySeesWhatWasThereThen) {
   const json later = forecast(store, {"--day", "2025-03-09"}, "2025-03-11T05:00:00Z");
   EXPECT_NE(later["id"], issued["id"]);
   EXPECT_NE(later["columns"][0]["calibration"], issued["columns"][0]["calibration"]);
+}
+
+/// A steady easterly at these heights, named as ECMWF names them.
+ProductForTests wind_at_heights(const std::vector<std::pair<std::string, double>>& heights) {
+  ProductForTests product = wind_product(first_day, 7 * 24);
+  product.title = "weather of somebody";
+  product.quantities.clear();
+  for (const auto& [height, east_m_s] : heights) {
+    product.quantities.push_back({"u" + height, "eastward_wind", "m s-1", false,
+                                  [east = east_m_s](const ProductCell&) { return east; }});
+    product.quantities.push_back(
+        {"v" + height, "northward_wind", "m s-1", false, [](const ProductCell&) { return 0.0; }});
+  }
+  return product;
+}
+
+TEST_F(WhichValueCounts, WindStatedAtTenMetresCountsAndAnotherHeightOnlyWhereThereIsNone) {
+  const auto wind_of = [](const ProductForTests& product) {
+    StoreForTests store;
+    ingest(store, {"currents.nc", titled(current_product(first_day, 7 * 24 + 1), regional)});
+    ingest(store, {"wind.nc", product});
+    const json made = forecast(store, {"--out", store.file("f.nc").string()});
+    const Snapshot snapshot = ingest::read_forecast(store.file("f.nc"));
+    return std::pair(uses(made["columns"][0]["sources"], "wind").at(0),
+                     snapshot.columns[0].wind_m_s.front().real());
+  };
+  const auto [both, at_both] = wind_of(wind_at_heights({{"10", 8.0}, {"100", 15.0}}));
+  EXPECT_TRUE(both["from_height_m"].is_null()) << both;
+  EXPECT_NEAR(at_both, 8.0, 1e-5) << "single precision of the file";
+  const auto [high, at_high] = wind_of(wind_at_heights({{"100", 15.0}}));
+  EXPECT_EQ(high["from_height_m"], 100.0);
+  EXPECT_NEAR(at_high, 15.0 * log_profile_ratio(10, 100), 1e-5);
 }
 
 TEST_F(WhichValueCounts, UnderForecastTheRunOfTheIssueMorningCounts) {
