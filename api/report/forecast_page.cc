@@ -251,21 +251,12 @@ ReportTable blend_table(const json& blend) {
 
 /// Whose values it was made from, from the sources of the summary.
 ReportTable sources_table(const json& sources) {
-  ReportTable table;
-  table.title = "Whose values count";
-  table.columns = {"quantity", "product", "run", "from", "to", "why"};
-  for (const auto& use : sources) {
-    std::string run = use["run"].get<std::string>();
-    if (const int members = use["members"].get<int>(); members > 0)
-      run += formatted(", mean of {} members", members);
-    if (use["from_height_m"].is_number())
-      run += formatted(", brought to 10 m from {:g} m", use["from_height_m"].get<double>());
-    std::string why = use["why"].get<std::string>();
-    if (use["may_be_revised"].get<bool>())
-      why += "; what stood there at the issue time is not known";
-    table.rows.push_back({use["quantity"].get<std::string>(), use["product"].get<std::string>(),
-                          run, use["from"].get<std::string>(), use["to"].get<std::string>(), why});
-  }
+  ReportTable table{.title = "Whose values count",
+                    .note = "",
+                    .columns = {"quantity, product and run, from, to, why"},
+                    .rows = {},
+                    .highlighted_row = {}};
+  for (const auto& use : sources) table.rows.push_back({use["text"].get<std::string>()});
   return table;
 }
 
@@ -287,7 +278,8 @@ void fold_calibration(const std::string& summary_json, ReportInput& page) {
   }
   const auto blend = summary.value("blend", json());
   if (blend.is_object()) page.folded.push_back(blend_table(blend));
-  page.folded.push_back(sources_table(column.value("sources", json::array())));
+  ReportTable sources = sources_table(column.value("sources", json::array()));
+  if (!sources.rows.empty()) page.folded.push_back(std::move(sources));
   ReportTable notes{
       .title = "Notes", .note = "", .columns = {"note"}, .rows = {}, .highlighted_row = {}};
   for (const auto& note : column.value("notes", json::array()))

@@ -90,10 +90,13 @@ TEST_F(WhichValueCounts, TheOrderOfIngestPlaysNoPartAndSourcesSayTheSameBeforeha
   for (auto product = products.rbegin(); product != products.rend(); ++product)
     ingest(backwards, *product);
   const json before = ask(forwards, {"site", "sources", forwards.site(), "--at", five_o_clock});
-  const json one = forecast(forwards);
+  const auto page = forwards.file("page.html");
+  const json one = forecast(forwards, {"--html", page.string()});
   const json two = forecast(backwards);
   const json& sources = one["columns"][0]["sources"];
   EXPECT_EQ(before["sources"], sources);
+  EXPECT_NE(read_bytes(page).find(sources[0]["text"].get<std::string>()), std::string::npos)
+      << "and on the page";
   EXPECT_EQ(two["columns"][0]["sources"], sources);
   EXPECT_EQ(one["columns"][0]["calibration"], two["columns"][0]["calibration"]);
   ASSERT_EQ(uses(sources, "current").size(), 1u) << sources.dump(1);
