@@ -254,5 +254,41 @@ TEST(MembersOfAnEnsemble, StandOffTheCentreWhereTheirWindsDo) {
   EXPECT_NEAR(std::sqrt(found_squares / expected_squares), 1.0, 0.25);
 }
 
+/// How often the truth lies between the third lowest and the third highest of 24 issued winds, of
+/// an ensemble that spreads by `spread_m_s` where its forecast errs by `error_m_s`, both east.
+double share_inside(double spread_m_s, double error_m_s, int draws) {
+  const std::vector<UtcTime> times{end_of_day, add_hours(end_of_day, 12)};
+  const std::vector<UtcTime> samples{times.back()};
+  int inside = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    const auto seed = static_cast<std::uint64_t>(draw);
+    Rng random(seed, "tests/ensemble_wind/coverage");
+    WindDepartures ensemble{numbers(issued), {}};
+    for (std::size_t n = 0; n < issued; ++n) {
+      ensemble.departure_m_s.emplace_back();
+      ensemble.departure_m_s.push_back(spread_m_s * Horizontal(random.normal(), random.normal()));
+    }
+    const EnsembleWind wind(ensemble, times, end_of_day, samples, forecast_wind_error(), issued,
+                            seed);
+    std::vector<double> winds;
+    for (std::size_t m = 0; m < issued; ++m)
+      winds.push_back(departure_of(wind, m, 1000 * seed + m / 2).back().real());
+    std::sort(winds.begin(), winds.end());
+    const double truth = error_m_s * random.normal();
+    inside += winds[2] < truth && truth < winds[21] ? 1 : 0;
+  }
+  return static_cast<double>(inside) / draws;
+}
+
+TEST(EnsembleWind, ASpreadThatIsTheErrorHoldsTheTruthAsOftenAsItShould) {
+  // One more of the same kind has each of 25 ranks alike; 19 of them lie inside. 400 draws: four
+  // standard errors of 0.021.
+  EXPECT_NEAR(share_inside(2.0, 2.0, 400), 19.0 / 25, 0.085);
+}
+
+TEST(EnsembleWind, ASpreadBelowWhatAnAnalysisErrsIsRaisedUntilItHoldsTheTruth) {
+  EXPECT_NEAR(share_inside(0.3, 1.0, 400), 19.0 / 25, 0.085);
+}
+
 }  // namespace
 }  // namespace slackwater::calibration
