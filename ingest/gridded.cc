@@ -187,6 +187,8 @@ Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& produc
   common.product_id = product.id;
   common.dataset_id = stated_dataset_id(file);
   common.is_regional = product.is_regional;
+  // Who says when a run was issued says when it was there.
+  if (!options.issued) common.published_after = product.published_after;
   common.attribution = attribution_of(file, product);
 
   std::size_t all_values = 0;

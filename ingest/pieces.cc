@@ -126,6 +126,7 @@ Origin origin_of(const Loaded& loaded) {
   origin.granules = {loaded.entry.number};
   origin.status = granule.status;
   origin.reference_time = granule.reference_time;
+  origin.published_after = granule.published_after;
   origin.dataset = dataset_of(granule);
   origin.ensemble_member = granule.ensemble_member.value_or(0);
   origin.product_id = granule.product_id;

@@ -31,11 +31,13 @@ struct Granule {
   std::optional<double> stated_error_m_s;
   DataStatus status = DataStatus::analysis;
   std::optional<UtcTime> reference_time;  ///< forecast issue time
-  std::optional<int> ensemble_member;     ///< NWP perturbation number
-  std::string product_id;                 ///< e.g. "MEDSEA_ANALYSISFORECAST_PHY_006_013"
-  std::string dataset_id;                 ///< where known
-  std::string attribution;                ///< the sentence to print
-  bool is_regional = false;               ///< of a product made for a region
+  /// How long after it the product's runs are usually published; 0 where nobody says.
+  Duration published_after{0};
+  std::optional<int> ensemble_member;  ///< NWP perturbation number
+  std::string product_id;              ///< e.g. "MEDSEA_ANALYSISFORECAST_PHY_006_013"
+  std::string dataset_id;              ///< where known
+  std::string attribution;             ///< the sentence to print
+  bool is_regional = false;            ///< of a product made for a region
 };
 
 }  // namespace slackwater

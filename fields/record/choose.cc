@@ -192,7 +192,7 @@ Chosen<T> choose_from(const Record<T>& record, const Knowledge& knowledge, const
 
 bool is_known(const Origin& origin, const TimeCell& cell, const Knowledge& knowledge) {
   if (origin.status == DataStatus::forecast && origin.reference_time) {
-    return *origin.reference_time <= knowledge.forecasts_issued_by;
+    return is_published_by(origin, knowledge.forecasts_issued_by);
   }
   return cell.end <= knowledge.values_until ||
          (origin.received && *origin.received <= knowledge.received_by);

@@ -13,8 +13,8 @@ namespace slackwater {
 struct Knowledge {
   UtcTime values_until =
       UtcTime::max();  ///< analysed and observed values that end later are unknown
-  UtcTime forecasts_issued_by =
-      UtcTime::max();  ///< provider forecasts with a later reference time are unknown
+  /// Provider forecasts that were published later (`is_published_by`) are unknown.
+  UtcTime forecasts_issued_by = UtcTime::max();
   /// What a file that had been received by then holds is known, whenever it is valid: products that
   /// run on into the future without saying where their forecast begins.
   UtcTime received_by = UtcTime::min();

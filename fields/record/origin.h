@@ -21,6 +21,8 @@ struct Origin {
   std::vector<std::int64_t> granules;  ///< one, or two where U and V came in separate files
   DataStatus status = DataStatus::analysis;
   std::optional<UtcTime> reference_time;  ///< of a provider's forecast
+  /// How long after it the product's runs are usually published; 0 where nobody says.
+  Duration published_after{0};
   std::string dataset;  ///< product/dataset/levels: pieces of one dataset may be joined
   std::string product_id;
   std::string attribution;
@@ -45,6 +47,14 @@ struct Origin {
                                                      const std::optional<UtcTime>& b) noexcept {
   if (!a || !b) return std::nullopt;
   return *a < *b ? *b : *a;
+}
+
+/// Whether a run of a provider's forecast, which has a reference time, was there at a time:
+/// published by the product's usual rule, or in hand.
+[[nodiscard]] inline bool is_published_by(const Origin& run, UtcTime time) noexcept {
+  if (run.received && *run.received <= time) return true;
+  // Far future stays far future.
+  return *run.reference_time <= time && run.published_after <= time - *run.reference_time;
 }
 
 /// Whether a piece was measured at a place: a point series of observations. Model output written as

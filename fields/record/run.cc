@@ -260,6 +260,24 @@ std::vector<Run<double>> runs_of(const ScalarRecord& record, const Knowledge& kn
   return runs_from(record, knowledge, choice);
 }
 
+VectorColumn column_of(const Run<Horizontal>& run) {
+  VectorColumn column;
+  const VectorColumn& pattern = run.first->column;
+  column.point = pattern.point;
+  column.vertical = pattern.vertical;
+  column.levels_m = pattern.levels_m;
+  for (const RunValue<Horizontal>& value : run.values) {
+    const VectorColumn& from = value.piece->column;
+    column.time.push_back(value.cell);
+    column.source.push_back(from.source[value.t]);
+    for (std::size_t k = 0; k < from.levels(); ++k) {
+      column.value.push_back(from.value[from.offset(value.t, k)]);
+      column.status.push_back(from.status[from.offset(value.t, k)]);
+    }
+  }
+  return column;
+}
+
 std::tuple<bool, bool, int> product_precedence(const Origin& origin) {
   return {lacks_tide(origin), !origin.rank.is_regional, coarseness(origin)};
 }

@@ -56,6 +56,9 @@ struct Run {
 [[nodiscard]] std::vector<Run<double>> runs_of(const ScalarRecord& record,
                                                const Knowledge& knowledge, const Choice& choice);
 
+/// The values of a run as a series, on the levels of the piece that names it.
+[[nodiscard]] VectorColumn column_of(const Run<Horizontal>& run);
+
 /// What a run is weighed by against others.
 struct RunStanding {
   const Origin* origin = nullptr;

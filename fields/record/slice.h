@@ -22,4 +22,13 @@ template <typename T>
   return part;
 }
 
+/// Adds the cells of one series after those of another on the same levels.
+template <typename T>
+void append(Column<T>& column, const Column<T>& more) {
+  column.time.insert(column.time.end(), more.time.begin(), more.time.end());
+  column.value.insert(column.value.end(), more.value.begin(), more.value.end());
+  column.status.insert(column.status.end(), more.status.begin(), more.status.end());
+  column.source.insert(column.source.end(), more.source.begin(), more.source.end());
+}
+
 }  // namespace slackwater

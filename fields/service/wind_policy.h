@@ -6,7 +6,7 @@ namespace slackwater {
 /// Where the wind (and the waves) beyond day D come from (DESIGN §3).
 enum class WindPolicy {
   best,      ///< the newest stored forecast, or later analysis, marked as such
-  forecast,  ///< only what was issued by the end of D
+  forecast,  ///< only what was published by the issue time
   persist,   ///< the last value of D, decaying to the mean of the known record
 };
 /// The name in files, rows, JSON and `--wind`.

@@ -97,6 +97,8 @@ Granule read_granule(const netcdf::File& file) {
   granule.product_id = file.text("product").value_or("");
   granule.dataset_id = file.text("dataset").value_or("");
   granule.is_regional = file.text("region") == "regional";
+  if (const auto after_h = number_of(file, "published_after_h"))
+    granule.published_after = add_hours(UtcTime{}, std::clamp(*after_h, 0.0, 1e4)) - UtcTime{};
   granule.attribution = file.text("attribution").value_or("");
   granule.station = file.text("station").value_or("");
   granule.is_point_series = file.text("featureType_of_source").has_value();

@@ -135,6 +135,9 @@ struct Definition {
     if (granule.is_regional) text("region", "regional");
     text("status", std::string(name_of(granule.status)));
     if (granule.reference_time) text("reference_time", format_utc(*granule.reference_time));
+    if (granule.published_after > Duration(0))
+      writer.attribute(Writer::global, "published_after_h",
+                       hours_between(UtcTime{}, UtcTime{} + granule.published_after));
     if (granule.ensemble_member)
       writer.attribute(Writer::global, "ensemble_member", *granule.ensemble_member);
     if (granule.is_point_series) text("featureType_of_source", "point series");

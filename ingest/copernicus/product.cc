@@ -104,6 +104,8 @@ Product Product::load(const std::filesystem::path& file) {
   product.reference_time = config.texts("reference_time");
   product.contains_stokes = config.texts("contains_stokes");
   product.is_regional = config.optional_flag("regional").value_or(false);
+  if (const auto after = config.optional_text("published_after"))
+    product.published_after = parse_duration(*after);
   product.tide_in = config.texts("tide_in");
   product.has_tide = config.optional_flag("tide");
   if (product.has_tide && !product.tide_in.empty())

@@ -77,6 +77,8 @@ struct Product {
   std::vector<std::string> reference_time;   ///< global attributes to believe
   std::vector<std::string> contains_stokes;  ///< variables that hold Stokes drift
   bool is_regional = false;                  ///< made for a region, not for the whole globe
+  /// How long after its reference time a run of the forecast is published; 0: nobody says.
+  Duration published_after{0};
   /// Whether its currents contain the tide; nothing where the descriptor does not say.
   std::optional<bool> has_tide;
   std::vector<std::string> tide_in;  ///< where only some of them do: these variables
