@@ -64,14 +64,28 @@ void print_calibration(const calibration::ColumnForecast& column) {
   for (const std::string& note : column.notes) std::printf("  note: %s\n", note.c_str());
 }
 
-void print_blend(const calibration::DailyForecast& forecast) {
-  if (!forecast.earned) return;
-  std::printf("Issued:");
-  for (const calibration::CandidateShare& share : forecast.earned->blend.share) {
+/// "Issued: forecast 80%, provider 20%. Why."
+void print_shares(const char* what, const calibration::Blend& blend) {
+  std::printf("%s:", what);
+  for (const calibration::CandidateShare& share : blend.share) {
     if (share.weight > 0)
       std::printf(" %s %.0f%%", std::string(name_of(share.method)).c_str(), 100 * share.weight);
   }
-  std::printf(". %s\n", forecast.earned->blend.provenance.c_str());
+  std::printf(". %s\n", blend.provenance.c_str());
+}
+
+void print_blend(const calibration::DailyForecast& forecast) {
+  if (!forecast.earned) return;
+  const calibration::Earned& earned = *forecast.earned;
+  print_shares("Issued", earned.blend);
+  for (std::size_t day = 0; day < earned.later.size(); ++day)
+    print_shares(("Day " + std::to_string(day + 2) + " of lead").c_str(), earned.later[day]);
+  if (earned.simulated_days > 0) {
+    std::printf(
+        "%zu of the rehearsed days had no run of the wind stored from then: simulated by the later "
+        "analysis with a forecast's error\n",
+        earned.simulated_days);
+  }
   std::printf("Spread times %.2f. %s\n", forecast.earned->spread.scale,
               forecast.earned->spread.provenance.c_str());
 }

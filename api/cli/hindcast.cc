@@ -73,6 +73,12 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   } else {
     std::printf("%s: %zu forecasts issued as of their days\n", site.name.c_str(),
                 report.forecasts.size());
+    if (report.simulated_winds > 0) {
+      std::printf(
+          "wind simulated for %zu of them: no run published by their issue time is stored, so the "
+          "analysis with a forecast's error drawn stands for one\n",
+          report.simulated_winds);
+    }
     print_skill(report.skill, arguments.full);
     if (arguments.by_hour) std::printf("%s", hourly_table(report.skill).c_str());
   }

@@ -47,6 +47,8 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     job.horizon = options.horizon;
     job.wind = options.wind;
     job.hindsight = options.wind == WindPolicy::best;
+    job.simulate_wind = options.wind == WindPolicy::forecast;
+    job.seed = options.seed;
     job.threads = options.threads;
     job.rehearsals = &rehearsals;
     job.parts = options.parts;
@@ -58,6 +60,11 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
       }
       DailyJob made = daily_job(data, job);
       drop_members(made.forecast.snapshot);
+      for (const calibration::ColumnForecast& column : made.forecast.columns) {
+        if (!column.simulated_wind) continue;
+        ++report.simulated_winds;
+        break;
+      }
       jobs.push_back(std::move(made));
     });
     if (failure) {

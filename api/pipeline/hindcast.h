@@ -13,6 +13,7 @@ struct HindcastOptions {
   WindPolicy wind = WindPolicy::best;
   Duration latency{0};  ///< a day's data are available when it ends plus this
   Duration horizon = std::chrono::hours(72);
+  std::uint64_t seed = 1;  ///< of members, and of winds that have to be simulated
   int threads = 2;
   calibration::VerifyOptions verify;
   calibration::DayParts parts;  ///< what does the work of a day
@@ -21,13 +22,17 @@ struct HindcastOptions {
 struct HindcastReport {
   std::vector<calibration::SkillEntry> skill;
   std::vector<std::int64_t> forecasts;  ///< ids in the store
-  std::vector<std::string> skipped;     ///< "2024-01-03: no whole day of currents"
-  std::vector<std::string> unscored;    ///< issued, but their scoring failed: "2024-01-03: why"
+  /// Of them, those whose wind was simulated: no run published by their issue time is stored.
+  std::size_t simulated_winds = 0;
+  std::vector<std::string> skipped;   ///< "2024-01-03: no whole day of currents"
+  std::vector<std::string> unscored;  ///< issued, but their scoring failed: "2024-01-03: why"
 };
 
 /// The daily job over a past period as if live: each day D is forecast with what was known when it
 /// ended plus the latency, stored as issued (origin hindcast), and scored against what the store
-/// holds now. Best wind is that of hindsight, and the forecasts made with it say so. Days without a
+/// holds now. Best wind is that of hindsight, and the forecasts made with it say so; under
+/// `forecast` a run that nobody kept is simulated (calibration/day/simulated_run.h), and the
+/// forecasts say so too. Days without a
 /// whole day of currents, and days whose forecast fails, are skipped and named and do not stop the
 /// others; a period without any forecast is an Error.
 [[nodiscard]] HindcastReport hindcast(store::Store& store, const Site& site,

@@ -112,11 +112,7 @@ json failures_json(const DailyForecast& forecast) {
   return list;
 }
 
-/// Weights of the candidates and the factor on the spread, with where they come from.
-json blend_json(const DailyForecast& forecast) {
-  if (!forecast.earned) return nullptr;
-  const auto& blend = forecast.earned->blend;
-  const auto& spread = forecast.earned->spread;
+json share_json(const calibration::Blend& blend) {
   json share = json::array();
   for (const calibration::CandidateShare& s : blend.share) {
     share.push_back({{"method", name_of(s.method)},
@@ -124,8 +120,25 @@ json blend_json(const DailyForecast& forecast) {
                      {"pairs", s.pairs},
                      {"past_rmse_m_s", s.past_rmse_m_s ? json(*s.past_rmse_m_s) : json(nullptr)}});
   }
+  return share;
+}
+
+/// Weights of the candidates and the factor on the spread, with where they come from.
+json blend_json(const DailyForecast& forecast) {
+  if (!forecast.earned) return nullptr;
+  const auto& blend = forecast.earned->blend;
+  const auto& spread = forecast.earned->spread;
+  json later = json::array();
+  for (const calibration::Blend& of_day : forecast.earned->later) {
+    later.push_back({{"share", share_json(of_day)},
+                     {"pairs", of_day.pairs},
+                     {"earned", of_day.earned},
+                     {"provenance", of_day.provenance}});
+  }
   return {
-      {"share", share},
+      {"share", share_json(blend)},
+      {"later", later},
+      {"simulated_days", forecast.earned->simulated_days},
       {"pairs", blend.pairs},
       {"earned", blend.earned},
       {"fell_back_to",

@@ -146,10 +146,11 @@ std::string provenance_of(const Blend& blend, const std::optional<Contest>& cont
 }  // namespace
 
 std::vector<Candidate> standard_candidates() {
-  return {{Method::forecast, true, 1.0, false},      {Method::provider, true, 1.0, true},
+  return {{Method::forecast, true, 1.0, false},      {Method::provider, true, 0.0, true},
           {Method::reference_slab, true, 0.0, true}, {Method::tide_harmonic, true, 0.0, true},
           {Method::tide_phase, true, 0.0, true},     {Method::day_mean, true, 0.0, true},
-          {Method::same_hour, true, 0.0, true},      {Method::persistence, true, 0.0, true}};
+          {Method::same_hour, true, 0.0, true},      {Method::persistence, true, 0.0, true},
+          {Method::merged, true, 4.0, false}};
 }
 
 Blend blend_of(std::span<const Candidate> candidates, std::span<const PastPair> past,

@@ -18,8 +18,8 @@ struct Candidate {
   bool baseline = true;       ///< it may be issued in place of the blend
 };
 
-/// The methods in use with the prior that is documented: `forecast` and `provider` share equally,
-/// all else is a baseline that has to earn its weight.
+/// The methods in use with the prior that is documented: `merged`, where a provider forecasts too,
+/// has four fifths and `forecast`, our own alone, the rest; all else has to earn its weight.
 ///
 /// Two forecasts of different origin and like skill are best averaged, and weights fitted to a
 /// short past do worse than equal ones: Hagedorn, Doblas-Reyes & Palmer (2005), Tellus 57A, 219;

@@ -11,6 +11,7 @@
 #include "calibration/day/troubles.h"
 #include "calibration/day/unresolved_tide.h"
 #include "calibration/day/widen.h"
+#include "calibration/provider/provider_runs.h"
 #include "fields/base/averaging.h"
 #include "fields/base/parallel.h"
 #include "fields/service/bed_rule.h"
@@ -23,6 +24,13 @@ using std::chrono::days;
 constexpr const char* hindsight_note =
     "made in hindsight: wind or waves were used that were not known at the issue time";
 
+std::string simulated_note(const ForecastPlan& plan) {
+  return "the wind after D is simulated: no run published by the issue time is stored, so the "
+         "later "
+         "analysis stands for one, with a forecast's error drawn (seed " +
+         std::to_string(plan.best.simulated_seed.value_or(0)) + ")";
+}
+
 /// What an operator should know of the column's inputs, before what the forecast has to say.
 void tell_of_inputs(const ColumnData& data, const ForecastPlan& plan, ColumnForecast& made) {
   RecordRemarks remarks = remarks_on_record(data, plan);
@@ -31,8 +39,18 @@ void tell_of_inputs(const ColumnData& data, const ForecastPlan& plan, ColumnFore
   if (auto note = note_on_bed(data, plan.dataset)) notes.push_back(std::move(*note));
   if (!data.wave_period_note.empty()) notes.push_back(data.wave_period_note);
   made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
-  const std::vector<SourceUse> layer = layer_sources(data, plan);
-  made.sources.insert(made.sources.end(), layer.begin(), layer.end());
+  for (const auto& more : {provider_sources(data, plan), layer_sources(data, plan)})
+    made.sources.insert(made.sources.end(), more.begin(), more.end());
+  if (made.simulated_wind) made.notes.push_back(simulated_note(plan));
+}
+
+/// Names the provider's runs among what the forecast rests on.
+void add_provider_origins(const ColumnData& data, const ForecastPlan& plan, ColumnForecast& made) {
+  const ProviderRuns runs =
+      provider_runs(data.current, plan.dataset, plan.knowledge(), plan.end_of_day());
+  made.origins.insert(made.origins.end(), runs.origins.begin(), runs.origins.end());
+  for (const Origin* origin : runs.origins)
+    made.contains_stokes = made.contains_stokes || origin->contains_stokes;
 }
 
 /// Every column by itself: one that fails does not stop the others.
@@ -59,6 +77,7 @@ void forecast_columns(const SiteData& data, const ForecastOptions& options, Dail
 /// What means over hours have earned was earned against means: baselines made of them are no
 /// instants, and errors of means say nothing of a band too wide for hours.
 void keep_to_our_own(Earned& earned) {
+  earned.later.clear();
   for (CandidateShare& share : earned.blend.share)
     share.weight = share.method == Method::forecast ? 1 : 0;
   earned.blend.earned = false;
@@ -80,7 +99,7 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
   const bool is_rehearsed = attempt_part(Part::rehearsal, result.failures, [&] {
     result.earned = options.parts.rehearsal(
         rehearsals, plan,
-        available_candidates(first->column, data.columns[index], first->known, plan),
+        available_candidates(first->column, data.columns[index], first->known, first->tide, plan),
         options.threads);
   });
   if (!is_rehearsed) return;
@@ -90,8 +109,9 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
     if (made.forms.empty()) return;
     attempt_part(Part::blend, made.failures, [&] {
       ForecastColumn blended = made.column;
-      options.parts.blend(blended, data.columns[i], made.known, plan, *result.earned);
+      options.parts.blend(blended, data.columns[i], made.known, made.tide, plan, *result.earned);
       made.column = std::move(blended);
+      add_provider_origins(data.columns[i], plan, made);
     });
   });
 }
@@ -119,6 +139,7 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   widen_stand_in(data, options, choice, result);
   for (ColumnForecast& column : result.columns) {
     column.known = {};
+    column.tide = {};
     keep_to_bed(column.column, result.plan.depth_m);
   }
   result.computed_waves = waves_of(data, options, result);

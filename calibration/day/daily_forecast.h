@@ -26,6 +26,8 @@ struct ForecastOptions {
   /// Under `best`: wind and waves that were not known at the issue time are used as well, and the
   /// forecast says so.
   bool hindsight = false;
+  /// Of a past day of which no run of the wind was kept: `BestInputs::simulated_seed`, from `seed`.
+  bool simulate_wind = false;
   int threads = 1;
   std::uint64_t seed = 1;    ///< of the members
   std::string code_version;  ///< of the program that makes the forecast, for its provenance

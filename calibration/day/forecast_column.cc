@@ -121,7 +121,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
   result.origins.insert(result.origins.end(), known.origin.begin(), known.origin.end());
   LayerOfDays layer;
   attempt_this(Part::mixed_layer, [&] { layer = parts.mixed_layer(data, plan); });
-  FittedTide tide;
+  FittedTide& tide = result.tide;
   attempt_this(Part::tide, [&] { tide = parts.tide(known.column, data.point.latitude); });
   result.notes = tide.notes;
   ColumnCalibration fitted;
@@ -185,7 +185,8 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   result.column.wind_source = wind.source;
   result.column.sea = std::move(waves.sea);
   result.column.sea_source = std::move(waves.source);
-  result.hindsight = wind.hindsight || waves.hindsight;
+  result.hindsight = wind.hindsight || wind.simulated || waves.hindsight;
+  result.simulated_wind = wind.simulated;
   result.waves_of_wind_alone = !result.column.sea.empty() && waves.origins.empty();
   result.origins = wind.origins;
   result.origins.insert(result.origins.end(), waves.origins.begin(), waves.origins.end());

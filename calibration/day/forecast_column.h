@@ -29,13 +29,15 @@ struct ColumnForecast {
   /// The currents up to the end of D that it rests on, for the steps that follow; a whole forecast
   /// does not keep them.
   Chosen<Horizontal> known;
+  FittedTide tide;                                     ///< of that record; not kept either
   std::vector<std::string> notes;                      ///< what an operator should know
   std::vector<InstrumentTrouble> instrument_troubles;  ///< which instruments lie
   std::vector<const Origin*> origins;                  ///< whose values were used
   /// The weather ensemble whose winds the members have (`ForecastColumn::wind_member_number`).
   std::optional<WindEnsembleRun> wind_ensemble;
   bool contains_stokes = false;
-  bool hindsight = false;  ///< wind or waves were used that were not known when it was issued
+  bool hindsight = false;       ///< wind or waves were used that were not known when it was issued
+  bool simulated_wind = false;  ///< HorizonWind::simulated
   std::vector<SourceUse> sources;     ///< who speaks for what, when and why, from D on
   std::vector<WindGap> wind_gaps;     ///< HorizonWind::gaps
   std::vector<PartFailure> failures;  ///< parts that it had to do without

@@ -21,6 +21,9 @@ struct BestInputs {
   /// Absent: at the end of D.
   std::optional<UtcTime> issued{};
   UtcTime seen_by = UtcTime::max();  ///< Knowledge::seen_by, under every policy
+  /// Where no run of the wind known then reaches beyond D, the wind analysed later stands for one,
+  /// with an error drawn from this seed (`simulated_run`), and what is made with it is marked.
+  std::optional<std::uint64_t> simulated_seed{};
 };
 
 /// What every column of one run shares.

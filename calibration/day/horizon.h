@@ -26,6 +26,7 @@ struct HorizonWind {
   std::vector<Stretch> stretches;      ///< who speaks when
   std::vector<const Origin*> origins;  ///< whose values were used
   bool hindsight = false;              ///< some of them were not known by `BestInputs::known_by`
+  bool simulated = false;  ///< after D an analysis with an error drawn (simulated_run.h)
   /// Of the newest ensemble run that is known, at the stamps; empty where there is none, and under
   /// `persist`.
   std::vector<WindMember> members;

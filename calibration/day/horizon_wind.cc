@@ -3,6 +3,7 @@
 
 #include "calibration/day/horizon.h"
 #include "calibration/day/horizon_input.h"
+#include "calibration/day/simulated_run.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -45,13 +46,9 @@ void add_members(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day
   result.member_run = ensemble->run;
 }
 
-}  // namespace
-
-HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day,
-                         std::span<const UtcTime> stamps, const BestInputs& best) {
+/// The wind as chosen, over the stamps.
+HorizonWind wind_over(const Chosen<Horizontal>& known, std::span<const UtcTime> stamps) {
   HorizonWind result;
-  const Chosen<Horizontal> known = choose_input(wind, policy, end_of_day, best);
-  result.hindsight = looks_ahead(known, best);
   result.stretches = known.stretches;
   VectorColumn series;
   series.point = known.column.point;
@@ -68,6 +65,29 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
   result.extra_sigma_m_s = std::move(filled.hole_sigma_m_s);
   result.gaps = std::move(filled.gaps);
   result.series = std::move(filled.series);
+  return result;
+}
+
+}  // namespace
+
+HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day,
+                         std::span<const UtcTime> stamps, const BestInputs& best) {
+  Chosen<Horizontal> known = choose_input(wind, policy, end_of_day, best);
+  HorizonWind result = wind_over(known, stamps);
+  if (best.simulated_seed && policy != WindPolicy::persist &&
+      !reaches_beyond(result, stamps, end_of_day)) {
+    BestInputs later = best;
+    later.hindsight = true;
+    known = with_simulated_run(choose_input(wind, WindPolicy::best, end_of_day, later), end_of_day,
+                               best);
+    HorizonWind simulated = wind_over(known, stamps);
+    if (reaches_beyond(simulated, stamps, end_of_day)) {
+      simulated.simulated = true;
+      return simulated;
+    }
+    return result;
+  }
+  result.hindsight = looks_ahead(known, best);
   add_members(wind, policy, end_of_day, stamps, best, result);
   return result;
 }

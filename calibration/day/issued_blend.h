@@ -7,15 +7,18 @@ namespace slackwater::calibration {
 /// that past verification earned, its spread scaled by what past bands earned. Members keep their
 /// departures from the centre. A value that a candidate lacks is blended from the others.
 ///
-/// The weights come from the first day of lead and hold for the whole horizon.
+/// The weights are those of the lead (`weights_at`); a candidate that says nothing at some times
+/// loses its weight over the six hours before them, so that nothing jumps as it comes and goes.
 /// @param known  the currents up to the end of D, from which baselines start
+/// @param tide   of that record
 void issue_blend(ForecastColumn& column, const ColumnData& data, const Chosen<Horizontal>& known,
-                 const ForecastPlan& plan, const Earned& earned);
+                 const FittedTide& tide, const ForecastPlan& plan, const Earned& earned);
 
 /// Which of the standard candidates can be made for this day at this column.
 [[nodiscard]] std::vector<bool> available_candidates(const ForecastColumn& column,
                                                      const ColumnData& data,
                                                      const Chosen<Horizontal>& known,
+                                                     const FittedTide& tide,
                                                      const ForecastPlan& plan);
 
 }  // namespace slackwater::calibration

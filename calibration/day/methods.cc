@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "calibration/day/horizon.h"
+#include "calibration/day/merge.h"
+#include "calibration/provider/provider_forecast.h"
 #include "calibration/skill/tide_baseline.h"
 #include "fields/interpolate/temporal.h"
 
@@ -80,28 +82,26 @@ MethodForecast as_issued(const Snapshot& snapshot, std::size_t index, const Vect
   return method;
 }
 
-/// The provider's own forecast issued by the end of D, at the truth's cells.
-MethodForecast provider_forecast(const ColumnData& column, const std::string& dataset,
-                                 const VectorColumn& truth, UtcTime end_of_day) {
-  MethodForecast method{Method::provider, nothing_at(truth), {}};
-  Choice choice;
-  choice.dataset = dataset;
-  choice.only_forecasts = true;
-  const Chosen<Horizontal> provider = choose(column.current, {end_of_day, end_of_day}, choice);
-  if (provider.empty() || provider.column.levels() != truth.levels()) return method;
-  std::size_t p = 0;
-  for (std::size_t t = 0; t < truth.times(); ++t) {
-    const UtcTime centre = truth.time[t].centre();
-    while (p < provider.column.times() && provider.column.time[p].centre() < centre) ++p;
-    if (p == provider.column.times()) break;
-    if (!(provider.column.time[p] == truth.time[t])) continue;
-    for (std::size_t k = 0; k < truth.levels(); ++k) {
-      if (!provider.column.has(p, k)) continue;
-      method.made.value[truth.offset(t, k)] = provider.column.value[provider.column.offset(p, k)];
-      method.made.status[truth.offset(t, k)] = SampleStatus::ok;
-    }
+/// The provider's own forecast at the truth's cells, and with `tide` the two merged.
+void add_provider(const ColumnData& column, const ForecastPlan& plan,
+                  const Chosen<Horizontal>& truth, const Chosen<Horizontal>& known,
+                  const FittedTide* tide, std::vector<MethodForecast>& methods) {
+  const ProviderRuns runs =
+      provider_runs(column.current, plan.dataset, plan.knowledge(), plan.end_of_day());
+  if (runs.empty()) return;
+  const Chosen<Horizontal>& on_levels = known.empty() ? truth : known;
+  if (tide == nullptr) {
+    const FittedTide fitted =
+        known.empty() ? FittedTide{} : fit_column_tide(known.column, column.point.latitude);
+    methods.push_back(
+        {Method::provider, provider_as_it_is(runs, on_levels, fitted, truth.column.time), {}});
+    return;
   }
-  return method;
+  ProviderForecast made = provider_forecast(runs, known, *tide, column.point.latitude,
+                                            truth.column.time, plan.end_of_day());
+  MethodForecast merged = merged_with(methods.front(), made, truth.column);
+  methods.push_back({Method::provider, std::move(made.as_it_is), {}});
+  methods.push_back(std::move(merged));
 }
 
 }  // namespace
@@ -109,22 +109,25 @@ MethodForecast provider_forecast(const ColumnData& column, const std::string& da
 std::vector<MethodForecast> current_methods(const ColumnData& column, const ForecastPlan& plan,
                                             const Snapshot& snapshot, std::size_t column_index,
                                             const Chosen<Horizontal>& truth,
-                                            const Chosen<Horizontal>& known) {
+                                            const Chosen<Horizontal>& known,
+                                            const FittedTide* tide) {
   const UtcTime end = plan.end_of_day();
   std::vector<MethodForecast> methods;
   methods.push_back(as_issued(snapshot, column_index, truth.column));
   if (!known.empty()) {
-    // Held wind is that of the end of D, on the line between the stamps around it.
-    const WindPolicy policy = plan.wind == WindPolicy::persist ? WindPolicy::best : plan.wind;
+    // Held wind is that of the end of D, on the line between the stamps around it; a candidate of a
+    // blend knows no stamp after D.
+    const bool holds_wind = plan.wind == WindPolicy::persist;
+    const WindPolicy policy = holds_wind && tide == nullptr ? WindPolicy::best : plan.wind;
     const HorizonWind wind = horizon_wind(column.nearest_wind, policy, end, {}, plan.best);
     const BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,
-                              column.point.latitude, plan.wind == WindPolicy::persist};
+                              column.point.latitude, holds_wind};
     for (const Method baseline : all_baselines) {
       auto outcome = make_baseline(baseline, input, truth.column.time, &truth.column);
       if (outcome.forecast) methods.push_back({baseline, std::move(*outcome.forecast), {}});
     }
   }
-  methods.push_back(provider_forecast(column, plan.dataset, truth.column, end));
+  add_provider(column, plan, truth, known, tide, methods);
   std::erase_if(methods, [](const MethodForecast& method) { return !has_any(method.made); });
   return methods;
 }

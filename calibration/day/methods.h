@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "calibration/day/column_calibration.h"
 #include "calibration/day/forecast_plan.h"
 #include "calibration/skill/baseline.h"
 #include "fields/record/choose.h"
@@ -18,10 +19,16 @@ struct MethodForecast {
 };
 
 /// The forecast as issued, every baseline that the column's record allows and the provider's own
-/// forecast; those without any value are left out. `known` is the record up to the end of D that
-/// baselines start from, on the truth's levels. Each baseline is made once. Pure.
+/// forecast, as published by the issue time; those without any value are left out. `known` is the
+/// record up to the end of D that baselines start from, on the truth's levels. Each baseline is
+/// made once. Pure.
+///
+/// @param tide  of the record, for the candidates of a blend: `merged` is made as well, where a
+///              provider forecasts, and no baseline sees a stamp of the wind after D where the wind
+///              persists. Null: the methods to score, the provider's tide is fitted where it counts
 [[nodiscard]] std::vector<MethodForecast> current_methods(
     const ColumnData& column, const ForecastPlan& plan, const Snapshot& snapshot,
-    std::size_t column_index, const Chosen<Horizontal>& truth, const Chosen<Horizontal>& known);
+    std::size_t column_index, const Chosen<Horizontal>& truth, const Chosen<Horizontal>& known,
+    const FittedTide* tide = nullptr);
 
 }  // namespace slackwater::calibration

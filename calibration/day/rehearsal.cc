@@ -7,6 +7,7 @@
 #include "calibration/day/known_currents.h"
 #include "calibration/day/leading_day.h"
 #include "calibration/day/methods.h"
+#include "calibration/day/simulated_run.h"
 #include "fields/base/parallel.h"
 #include "fields/record/slice.h"
 
@@ -16,28 +17,52 @@ namespace {
 using std::chrono::days;
 using std::chrono::hours;
 
-/// The plan moved to another day, issued as late after it.
+/// The plan moved to another day, issued as late after it, and knowing no more.
 ForecastPlan moved_to(const ForecastPlan& plan, UtcDay day) {
   ForecastPlan moved = plan;
   moved.day = day;
   const Duration later = plan.issued - plan.end_of_day();
   moved.issued = moved.end_of_day() + later;
   if (plan.best.issued) moved.best.issued = moved.issued;
+  if (plan.best.known_by != UtcTime::max())
+    moved.best.known_by = moved.end_of_day() + (plan.best.known_by - plan.end_of_day());
+  if (plan.seen_by != UtcTime::max()) moved.seen_by = moved.issued;
+  if (plan.best.seen_by != UtcTime::max()) moved.best.seen_by = moved.issued;
   return moved;
 }
 
-/// The plan of a past day as it would have been run then, for one day of lead, with few members:
-/// they are not looked at. Best wind and waves are those known when its truth is in: nothing of it
-/// rests on who asks.
+/// Days of lead that are rehearsed.
+int lead_days_of(const ForecastPlan& plan) {
+  if (plan.stamps.empty()) return 1;
+  const double reach_h = hours_between(plan.end_of_day(), plan.stamps.back());
+  return std::clamp(static_cast<int>(std::ceil(reach_h / 24.0 - 1e-9)), 1,
+                    Rehearsals::longest_lead_days);
+}
+
+/// The plan of a past day as it would have been run then, with few members: they are not looked at.
 ForecastPlan plan_of(const ForecastPlan& plan, UtcDay day) {
   ForecastPlan past = moved_to(plan, day);
-  if (plan.best.known_by != UtcTime::max()) {
-    past.best.known_by = past.end_of_day() + days(1) + (plan.best.known_by - plan.end_of_day());
-  }
   past.spread.members = 8;
   past.stamps.clear();
-  for (int h = 0; h <= 25; ++h) past.stamps.push_back(past.end_of_day() + hours(h));
+  for (int h = 0; h <= 24 * lead_days_of(plan) + 1; ++h)
+    past.stamps.push_back(past.end_of_day() + hours(h));
   return past;
+}
+
+/// The plan with runs of the wind to be simulated for past days, where one is known for the days to
+/// come. What was analysed later stands for them under hindsight, and nothing where wind persists.
+ForecastPlan with_past_runs(const ForecastPlan& plan, const SiteData& data,
+                            const ColumnParts& parts) {
+  ForecastPlan with = plan;
+  if (plan.best.hindsight || plan.wind == WindPolicy::persist || data.columns.empty()) return with;
+  // Where the wind fails, it does so for the forecast itself, which says so.
+  const auto failure = attempt([&] {
+    const HorizonWind now =
+        parts.wind(data.columns.front().wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
+    if (reaches_beyond(now, plan.stamps, plan.end_of_day())) with.best.simulated_seed = plan.seed;
+  });
+  if (failure) with.best.simulated_seed.reset();
+  return with;
 }
 
 /// Evenly spread over all columns that have currents.
@@ -53,14 +78,107 @@ std::vector<std::size_t> columns_to_rehearse(const SiteData& data, std::size_t m
   return chosen;
 }
 
-/// The record's own next day, as known when that day has ended: what a rehearsed forecast is held
-/// against, fused where the record is.
-Chosen<Horizontal> day_after(const Chosen<Horizontal>& known, UtcTime end_of_day) {
-  VectorColumn next = slice(known.column, end_of_day, end_of_day + days(1));
-  // The instant at 24:00 of D belongs to D.
-  if (!next.time.empty() && next.time.front().end <= end_of_day)
-    next = slice(next, end_of_day + Duration(1), end_of_day + days(1));
-  return {std::move(next), known.origin, known.stretches};
+/// The record's own days after one, each as known when it had ended: what a rehearsed forecast is
+/// held against, fused where the record is. Days on other levels than the first are left out.
+Chosen<Horizontal> days_after(const ColumnData& column, const ForecastPlan& plan,
+                              const ForecastPlan& past) {
+  Chosen<Horizontal> after;
+  for (int later = 1; later <= lead_days_of(plan); ++later) {
+    const Chosen<Horizontal> known = known_currents(column, moved_to(plan, past.day + days(later)));
+    const UtcTime from = past.end_of_day() + days(later - 1);
+    // The instant at 24:00 of a day belongs to it.
+    VectorColumn next = slice(known.column, from, from + days(1));
+    if (!next.time.empty() && next.time.front().end <= from)
+      next = slice(next, from + Duration(1), from + days(1));
+    if (next.time.empty()) continue;
+    if (after.empty()) {
+      after = {std::move(next), known.origin, known.stretches};
+    } else if (next.levels_m == after.column.levels_m) {
+      append(after.column, next);
+    }
+  }
+  return after;
+}
+
+/// Puts what the methods said of the truth beside it, each value with the day of lead it is of.
+void add_errors(const std::vector<MethodForecast>& methods, const VectorColumn& truth,
+                UtcTime end_of_day, RehearsedDay& result) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Method> candidates = candidate_methods();
+  for (std::size_t t = 0; t < truth.times(); ++t) {
+    const double lead_h = hours_between(end_of_day, truth.time[t].centre());
+    const auto day = static_cast<std::size_t>(std::max(0.0, std::ceil(lead_h / 24.0) - 1));
+    if (day >= result.lead.size()) continue;
+    RehearsedLead& lead = result.lead[day];
+    if (lead.errors.empty()) lead.errors.resize(candidates.size());
+    for (std::size_t k = 0; k < truth.levels(); ++k) {
+      const std::size_t o = truth.offset(t, k);
+      for (std::vector<Horizontal>& errors : lead.errors) errors.emplace_back(nan, nan);
+      lead.sigma_m_s.push_back(nan);
+      lead.merged_sigma_m_s.push_back(nan);
+      if (!has_value(truth.status[o])) continue;
+      for (const MethodForecast& method : methods) {
+        const auto found = std::find(candidates.begin(), candidates.end(), method.method);
+        if (found == candidates.end() || !method.made.has(o)) continue;  // the oracle is none
+        const auto c = static_cast<std::size_t>(found - candidates.begin());
+        lead.errors[c].back() = method.made.value[o] - truth.value[o];
+        if (method.method == Method::forecast) lead.sigma_m_s.back() = method.sigma_m_s[o];
+        if (method.method == Method::merged) lead.merged_sigma_m_s.back() = method.sigma_m_s[o];
+      }
+    }
+  }
+}
+
+/// A candidate without any value is absent.
+void clear_absent(RehearsedLead& lead) {
+  for (std::vector<Horizontal>& errors : lead.errors) {
+    const bool any = std::any_of(errors.begin(), errors.end(), [](Horizontal e) {
+      return std::isfinite(e.real()) && std::isfinite(e.imag());
+    });
+    if (!any) errors.clear();
+  }
+}
+
+/// A rehearsed day as evidence on one day of lead.
+struct PastLead {
+  std::shared_ptr<const RehearsedDay> day;
+  const RehearsedLead* lead = nullptr;
+  double age_days = 0;
+};
+
+Blend blend_of_leads(const std::vector<PastLead>& past, const std::vector<Candidate>& candidates) {
+  std::vector<PastPair> pairs;
+  for (const PastLead& one : past) pairs.push_back(pair_of_errors(one.lead->errors, one.age_days));
+  return blend_of(candidates, pairs);
+}
+
+/// How the blend's own spread has held its errors.
+EarnedSpread spread_of_leads(const std::vector<PastLead>& past, const Blend& blend) {
+  std::vector<double> weights;
+  for (const CandidateShare& share : blend.share) weights.push_back(share.weight);
+  std::vector<PastSpread> spreads;
+  for (const PastLead& one : past) {
+    const RehearsedLead& lead = *one.lead;
+    PastSpread spread;
+    spread.age_days = one.age_days;
+    for (std::size_t o = 0; o < lead.sigma_m_s.size(); ++o) {
+      Horizontal error{};
+      double weight = 0;
+      for (std::size_t c = 0; c < lead.errors.size(); ++c) {
+        if (weights[c] <= 0 || lead.errors[c].empty() || !std::isfinite(lead.errors[c][o].real()))
+          continue;
+        error += weights[c] * lead.errors[c][o];
+        weight += weights[c];
+      }
+      if (weight <= 0) continue;
+      const double sigma =
+          sigma_of_blend(blend, weights, lead.sigma_m_s[o], lead.merged_sigma_m_s[o]);
+      spread.errors.add(error.real() / weight, sigma);
+      spread.errors.add(error.imag() / weight, sigma);
+    }
+    spreads.push_back(spread);
+  }
+  return earned_spread(spreads);
 }
 
 }  // namespace
@@ -77,60 +195,46 @@ Rehearsals::Rehearsals(const SiteData& data, ColumnParts parts)
 }
 
 RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
-  const std::vector<Method> candidates = candidate_methods();
   RehearsedDay result;
   const ForecastPlan past = plan_of(plan, day);
-  const ForecastPlan next = moved_to(plan, day + days(1));
+  result.lead.resize(static_cast<std::size_t>(lead_days_of(plan)));
   if (!holds_day(data_, past.dataset, day, {past.issued, past.seen_by, {}})) return result;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::size_t i : columns_to_rehearse(data_, most_columns)) {
     const ColumnData& column = data_.columns[i];
-    const Chosen<Horizontal> truth = day_after(known_currents(column, next), past.end_of_day());
+    const Chosen<Horizontal> truth = days_after(column, plan, past);
     if (truth.empty()) continue;
     Snapshot snapshot;
     snapshot.day = day;
     snapshot.time = past.stamps;
     snapshot.depth_m = past.depth_m;
     ColumnForecast made = forecast_column(column, data_.site, past, parts_);
+    result.simulated_wind = result.simulated_wind || made.simulated_wind;
     // What cannot be fitted on a past day is no forecast of it; a bug is for the reader to know.
     for (const PartFailure& failed : made.failures) {
       if (loses_the_current(failed.part) && failed.failure.kind == ErrorKind::internal)
         result.failure = failed.failure;
     }
     snapshot.columns.push_back(std::move(made.column));
-    const std::vector<MethodForecast> methods =
-        current_methods(column, past, snapshot, 0, truth, made.known);
-    const std::size_t size = truth.column.value.size();
-    if (result.errors.empty()) result.errors.resize(candidates.size());
-    const std::size_t before = result.sigma_m_s.size();
-    for (std::size_t c = 0; c < candidates.size(); ++c)
-      result.errors[c].resize(before + size, Horizontal(nan, nan));
-    result.sigma_m_s.resize(before + size, nan);
-    for (const MethodForecast& method : methods) {
-      const auto found = std::find(candidates.begin(), candidates.end(), method.method);
-      const auto c = static_cast<std::size_t>(found - candidates.begin());
-      if (c == candidates.size()) continue;  // the oracle is no candidate
-      for (std::size_t o = 0; o < size; ++o) {
-        if (!has_value(truth.column.status[o]) || !method.made.has(o)) continue;
-        result.errors[c][before + o] = method.made.value[o] - truth.column.value[o];
-        if (!method.sigma_m_s.empty()) result.sigma_m_s[before + o] = method.sigma_m_s[o];
-      }
-    }
+    add_errors(current_methods(column, past, snapshot, 0, truth, made.known, &made.tide),
+               truth.column, past.end_of_day(), result);
   }
-  for (std::vector<Horizontal>& errors : result.errors) {
-    const bool any = std::any_of(errors.begin(), errors.end(), [](Horizontal e) {
-      return std::isfinite(e.real()) && std::isfinite(e.imag());
-    });
-    if (!any) errors.clear();
-  }
+  for (RehearsedLead& lead : result.lead) clear_absent(lead);
   return result;
 }
 
 std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, UtcDay day) {
   const ForecastPlan past = plan_of(plan, day);
-  const Key key{day,         past.wind,          past.dataset,
-                past.issued, past.best.known_by, past.best.hindsight,
-                past.seed,   past.depth_m,       past.seen_by};
+  const Key key{day,
+                past.wind,
+                past.dataset,
+                past.issued,
+                past.best.known_by,
+                past.best.hindsight,
+                past.seed,
+                past.depth_m,
+                past.seen_by,
+                past.stamps.size(),
+                past.best.simulated_seed.has_value()};
   {
     const std::lock_guard lock(mutex_);
     const auto found = done_.find(key);
@@ -144,49 +248,35 @@ std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, Ut
   return done_.emplace(key, std::move(kept)).first->second;
 }
 
-Earned Rehearsals::earned(const ForecastPlan& plan, const std::vector<bool>& available,
+Earned Rehearsals::earned(const ForecastPlan& asked, const std::vector<bool>& available,
                           int threads) {
+  const ForecastPlan plan = with_past_runs(asked, data_, parts_);
   for_all(longest_days, threads,
           [&](std::size_t i) { (void)day(plan, plan.day - days(static_cast<int>(i) + 1)); });
   std::vector<Candidate> candidates = standard_candidates();
   for (std::size_t c = 0; c < candidates.size(); ++c) candidates[c].available = available[c];
-  std::vector<PastPair> pairs;
-  std::vector<std::shared_ptr<const RehearsedDay>> rehearsed;
-  std::vector<double> age_days;
+  std::vector<std::vector<PastLead>> past(static_cast<std::size_t>(lead_days_of(plan)));
   Earned earned;
   for (int before = longest_days; before >= 1; --before) {
-    auto past = day(plan, plan.day - days(before));
-    if (past->failure) {
+    const auto rehearsed = day(plan, plan.day - days(before));
+    if (rehearsed->failure) {
       ++earned.failed_days;
-      if (!earned.first_failure) earned.first_failure = past->failure;
+      if (!earned.first_failure) earned.first_failure = rehearsed->failure;
     }
-    if (past->errors.empty() || past->errors.front().empty()) continue;
-    age_days.push_back(before - 1);
-    pairs.push_back(pair_of_errors(past->errors, age_days.back()));
-    rehearsed.push_back(std::move(past));
-  }
-  earned.blend = blend_of(candidates, pairs);
-  std::vector<PastSpread> spreads;
-  for (std::size_t p = 0; p < rehearsed.size(); ++p) {
-    const RehearsedDay& past = *rehearsed[p];
-    PastSpread spread;
-    spread.age_days = age_days[p];
-    for (std::size_t o = 0; o < past.sigma_m_s.size(); ++o) {
-      Horizontal error{};
-      double weight = 0;
-      for (std::size_t c = 0; c < past.errors.size(); ++c) {
-        const double w = earned.blend.share[c].weight;
-        if (w <= 0 || past.errors[c].empty() || !std::isfinite(past.errors[c][o].real())) continue;
-        error += w * past.errors[c][o];
-        weight += w;
-      }
-      if (weight <= 0) continue;
-      spread.errors.add(error.real() / weight, past.sigma_m_s[o]);
-      spread.errors.add(error.imag() / weight, past.sigma_m_s[o]);
+    // Of a day's leads those have a truth that ends by D.
+    for (int lead = 1; lead <= std::min(before, lead_days_of(plan)); ++lead) {
+      const auto l = static_cast<std::size_t>(lead) - 1;
+      if (l >= rehearsed->lead.size()) continue;
+      const RehearsedLead& of_day = rehearsed->lead[l];
+      if (of_day.errors.empty() || of_day.errors.front().empty()) continue;
+      past[l].push_back({rehearsed, &of_day, static_cast<double>(before - lead)});
+      if (lead == 1 && rehearsed->simulated_wind) ++earned.simulated_days;
     }
-    spreads.push_back(spread);
   }
-  earned.spread = earned_spread(spreads);
+  earned.blend = blend_of_leads(past.front(), candidates);
+  for (std::size_t l = 1; l < past.size(); ++l)
+    earned.later.push_back(blend_of_leads(past[l], candidates));
+  earned.spread = spread_of_leads(past.front(), earned.blend);
   return earned;
 }
 

@@ -7,33 +7,32 @@
 #include <tuple>
 #include <vector>
 
-#include "calibration/blend/blend.h"
-#include "calibration/blend/earned_spread.h"
+#include "calibration/day/earned.h"
 #include "calibration/day/forecast_column.h"
 #include "fields/record/site_data.h"
 
 namespace slackwater::calibration {
 
-/// One past day D' forecast as if live and held against D'+1, with every other method beside it.
-struct RehearsedDay {
+/// What a past day D' said of one day of lead, every method beside it.
+struct RehearsedLead {
   std::vector<std::vector<Horizontal>> errors;  ///< per standard candidate; empty: absent
   std::vector<double> sigma_m_s;                ///< of our forecast, per value; unscaled
-  std::optional<Failure> failure;               ///< a bug that cost a forecast, or all of the day
+  std::vector<double> merged_sigma_m_s;         ///< of `merged`; NaN where there is none
 };
 
-/// What the past of a site has earned: the weights of the candidates, and the factor on the spread.
-struct Earned {
-  Blend blend;
-  EarnedSpread spread;
-  std::size_t failed_days = 0;           ///< that could not be rehearsed as they should
-  std::optional<Failure> first_failure;  ///< of them
+/// One past day D' forecast as if live and held against the days after it.
+struct RehearsedDay {
+  std::vector<RehearsedLead> lead;  ///< of D'+1, D'+2, ...; those without truth hold nothing
+  bool simulated_wind = false;      ///< no run of the wind was kept: HorizonWind::simulated
+  std::optional<Failure> failure;   ///< a bug that cost a forecast, or all of the day
 };
 
 /// Rehearses past days of the data at a few columns and remembers them, so that a hindcast
-/// rehearses each day once. A day D' is forecast from what was known at its own end (plus the
-/// latency of the run; wind and waves under `best` when D'+1 had ended, plus that) and held against
-/// the currents of D'+1, which end by the D that is forecast from: nothing later is seen. A day
-/// that fails is passed over and counted. Thread-safe.
+/// rehearses each day once. A day D' is forecast from what was known when it would have been issued
+/// (with `hindsight` all wind that came later) and held against the currents of the days after it
+/// that end by the D that is forecast from: nothing later is seen. Where a run of the wind is known
+/// now and none was kept of then, one is simulated (simulated_run.h). A day that fails is passed
+/// over and counted. Thread-safe.
 class Rehearsals {
  public:
   /// @param parts  of a column's forecast; waves are not rehearsed
@@ -45,6 +44,7 @@ class Rehearsals {
                               int threads);
 
   static constexpr int longest_days = 21;
+  static constexpr int longest_lead_days = 3;
   static constexpr std::size_t most_columns = 4;
 
  private:
@@ -52,9 +52,10 @@ class Rehearsals {
   [[nodiscard]] RehearsedDay rehearse(const ForecastPlan& plan, UtcDay day) const;
 
   /// All of a plan that a rehearsed day rests on: the day, wind policy, dataset, issue time, by
-  /// when the best wind was known and whether with hindsight, seed, depths.
+  /// when the best wind was known and whether with hindsight, seed, depths, stamps, whether runs
+  /// that were not kept are simulated.
   using Key = std::tuple<UtcDay, WindPolicy, std::string, UtcTime, UtcTime, bool, std::uint64_t,
-                         std::vector<double>, UtcTime>;
+                         std::vector<double>, UtcTime, std::size_t, bool>;
 
   const SiteData& data_;
   ColumnParts parts_;

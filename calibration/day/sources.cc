@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "calibration/day/day_choice.h"
+#include "calibration/provider/provider_runs.h"
 
 namespace slackwater::calibration {
 
@@ -26,6 +27,14 @@ std::vector<SourceUse> layer_sources(const ColumnData& column, const ForecastPla
                  plan.end_of_day());
 }
 
+std::vector<SourceUse> provider_sources(const ColumnData& column, const ForecastPlan& plan) {
+  if (plan.stamps.empty()) return {};
+  return uses_of(
+      "current forecast",
+      provider_runs(column.current, plan.dataset, plan.knowledge(), plan.end_of_day()).stretches,
+      plan.end_of_day(), plan.stamps.back());
+}
+
 Inputs inputs_of(const SiteData& data, const ForecastOptions& options) {
   std::vector<PartFailure> failures;
   const ForecastPlan plan = plan_of(data, options, choose_day(data, options, failures));
@@ -36,8 +45,8 @@ Inputs inputs_of(const SiteData& data, const ForecastOptions& options) {
   const HorizonSea sea =
       horizon_sea(column, data.site, plan.wind, plan.end_of_day(), plan.stamps, wind, plan.best);
   Inputs inputs{plan.day, sources_of(known_currents(column, plan), wind, sea, plan)};
-  const std::vector<SourceUse> layer = layer_sources(column, plan);
-  inputs.sources.insert(inputs.sources.end(), layer.begin(), layer.end());
+  for (const auto& more : {provider_sources(column, plan), layer_sources(column, plan)})
+    inputs.sources.insert(inputs.sources.end(), more.begin(), more.end());
   return inputs;
 }
 

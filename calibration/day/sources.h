@@ -15,6 +15,10 @@ namespace slackwater::calibration {
 [[nodiscard]] std::vector<SourceUse> layer_sources(const ColumnData& column,
                                                    const ForecastPlan& plan);
 
+/// The same of the provider's own forecast of the currents, beyond D.
+[[nodiscard]] std::vector<SourceUse> provider_sources(const ColumnData& column,
+                                                      const ForecastPlan& plan);
+
 /// What a forecast would be made from.
 struct Inputs {
   UtcDay day{};  ///< D

@@ -157,6 +157,7 @@ BaselineOutcome make_baseline(Method baseline, const BaselineInput& input,
     case Method::reference_slab:
       return reference_slab_forecast(input, truth_time);
     case Method::forecast:
+    case Method::merged:
     case Method::provider:
       break;
   }

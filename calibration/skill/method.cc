@@ -6,8 +6,8 @@ namespace slackwater::calibration {
 namespace {
 
 constexpr std::array<std::string_view, all_methods.size()> names{
-    "day-mean",       "forecast",  "oracle-mean",   "persistence", "provider",
-    "reference-slab", "same-hour", "tide-harmonic", "tide-phase"};
+    "day-mean", "forecast",       "merged",    "oracle-mean",   "persistence",
+    "provider", "reference-slab", "same-hour", "tide-harmonic", "tide-phase"};
 static_assert(std::is_sorted(names.begin(), names.end()),
               "methods stand in the order of their names");
 

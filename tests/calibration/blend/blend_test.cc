@@ -63,12 +63,14 @@ TEST(Blend, WithFewerThanFivePairsThePriorRules) {
   EXPECT_TRUE(blend_of(three(), same_every_day(gram, 5)).earned);
 }
 
-TEST(Blend, ThePriorSharesBetweenOurForecastAndTheProvidersWhereItIsPresent) {
+TEST(Blend, ThePriorIsOurForecastMergedWithTheProvidersWhereItIsPresent) {
   auto candidates = standard_candidates();
   Blend blend = blend_of(candidates, {});
-  EXPECT_EQ(blend.share[0].weight, 0.5);
-  EXPECT_EQ(blend.share[1].weight, 0.5);
+  EXPECT_EQ(blend.share[0].weight, 0.2);
+  EXPECT_EQ(blend.share.back().method, Method::merged);
+  EXPECT_EQ(blend.share.back().weight, 0.8);
   candidates[1].available = false;
+  candidates.back().available = false;
   blend = blend_of(candidates, {});
   EXPECT_EQ(blend.share[0].weight, 1.0);
   candidates[0].available = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "calibration/day/known_currents.h"
 #include "tests/support/known_series_for_tests.h"
@@ -78,7 +79,7 @@ ForecastColumn issued(const ColumnData& data, const std::map<Method, double>& we
                       double scale = 1, int lead_h = 24) {
   const ForecastPlan plan = plan_to(lead_h);
   ForecastColumn column = own_forecast(plan);
-  issue_blend(column, data, known_currents(data, plan), plan, earned(weight, scale));
+  issue_blend(column, data, known_currents(data, plan), {}, plan, earned(weight, scale));
   return column;
 }
 
@@ -127,7 +128,7 @@ TEST(IssueBlend, IdenticalCandidatesBlendToThemselves) {
   const ForecastPlan plan = plan_to(24);
   ForecastColumn column = own_forecast(plan);
   std::fill(column.current_m_s.begin(), column.current_m_s.end(), everywhere);
-  issue_blend(column, sea.data, known_currents(sea.data, plan), plan,
+  issue_blend(column, sea.data, known_currents(sea.data, plan), {}, plan,
               earned({{Method::forecast, 0.37},
                       {Method::persistence, 0.21},
                       {Method::day_mean, 0.13},
@@ -149,21 +150,68 @@ TEST(IssueBlend, TheWeightOfACandidateThatIsAbsentGoesToTheOthers) {
       << "where no candidate has a value our own stays";
 }
 
-TEST(IssueBlend, TheProvidersForecastIsUsedAsFarAsItReaches) {
+TEST(IssueBlend, TheProvidersForecastFadesWhereItEnds) {
   KnownSeriesForTests sea = known_sea();
   const Horizontal provided(0.6, 0.6);
   sea.current(forecast_of("model", end_of_day - hours(6)),
               instants(end_of_day - hours(6), end_of_day + hours(12)), depth_m, steady(provided));
-  sea.current(forecast_of("model", end_of_day + hours(4)),
-              instants(end_of_day + hours(4), end_of_day + hours(24)), depth_m,
-              steady({9, 9}));  // issued after the end of D: never seen
+  sea.current(forecast_of("model", end_of_day + hours(6)),
+              instants(end_of_day + hours(6), end_of_day + hours(24)), depth_m,
+              steady({9, 9}));  // issued an hour after the forecast: never seen
   const ForecastColumn column =
       issued(sea.data, {{Method::forecast, 0.5}, {Method::provider, 0.5}});
   const ForecastColumn own = own_forecast(plan_to(24));
   for (std::size_t i = 0; i < column.current_m_s.size(); ++i) {
-    const Horizontal expected =
-        i / levels <= 12 ? 0.5 * (own.current_m_s[i] + provided) : own.current_m_s[i];
+    const double presence = std::clamp((13.0 - static_cast<double>(i / levels)) / 6, 0.0, 1.0);
+    const Horizontal expected = (own.current_m_s[i] + presence * provided) / (1 + presence);
     EXPECT_LT(std::abs(column.current_m_s[i] - expected), 1e-14) << i;
+  }
+}
+
+TEST(IssueBlend, ARunOfTheIssueMorningIsUsed) {
+  KnownSeriesForTests sea = known_sea();
+  const Horizontal provided(0.6, 0.6);
+  sea.current(forecast_of("model", end_of_day), instants(end_of_day, end_of_day + hours(24)),
+              depth_m, steady(provided));
+  const ForecastColumn column = issued(sea.data, {{Method::provider, 1.0}});
+  for (const Horizontal value : column.current_m_s) EXPECT_LT(std::abs(value - provided), 1e-14);
+}
+
+TEST(IssueBlend, ARunIsUsedFromItsPublicationOrFromWhenItCameIn) {
+  const Horizontal provided(0.6, 0.6);
+  const auto issued_with = [&](Duration published_after, std::optional<UtcTime> received) {
+    KnownSeriesForTests sea = known_sea();
+    Origin run = forecast_of("model", end_of_day);
+    run.published_after = published_after;
+    run.received = received;
+    sea.current(run, instants(end_of_day, end_of_day + hours(24)), depth_m, steady(provided));
+    return issued(sea.data, {{Method::forecast, 0.5}, {Method::provider, 0.5}}).current_m_s;
+  };
+  const std::vector<Horizontal> own = own_forecast(plan_to(24)).current_m_s;
+  EXPECT_NE(issued_with(hours(5), {}), own) << "at the hour of issue";
+  EXPECT_EQ(issued_with(hours(12), {}), own) << "at noon, seven hours late";
+  EXPECT_NE(issued_with(hours(12), end_of_day + hours(4)), own) << "early, and in hand";
+  EXPECT_EQ(issued_with(hours(12), end_of_day + days(30)), own) << "from an archive";
+}
+
+TEST(IssueBlend, WeightsPassSmoothlyFromOneDayOfLeadToTheNext) {
+  const KnownSeriesForTests sea = known_sea();
+  const ForecastPlan plan = plan_to(72);
+  Earned weights = earned({{Method::forecast, 1.0}});
+  weights.later = {earned({{Method::persistence, 1.0}}).blend,
+                   earned({{Method::forecast, 0.5}, {Method::persistence, 0.5}}).blend};
+  const ForecastColumn own = own_forecast(plan);
+  ForecastColumn column = own;
+  issue_blend(column, sea.data, known_currents(sea.data, plan), {}, plan, weights);
+  const std::map<int, double> of_persistence{{0, 0},     {12, 0},   {24, 0.5}, {36, 1},
+                                             {48, 0.75}, {60, 0.5}, {72, 0.5}};
+  for (const auto& [h, weight] : of_persistence) {
+    for (std::size_t k = 0; k < levels; ++k) {
+      const std::size_t o = static_cast<std::size_t>(h) * levels + k;
+      const Horizontal expected =
+          (1 - weight) * own.current_m_s[o] + weight * water(end_of_day, depth_m[k]);
+      EXPECT_LT(std::abs(column.current_m_s[o] - expected), 1e-13) << h;
+    }
   }
 }
 
@@ -215,7 +263,7 @@ TEST(IssueBlend, WhatHasNoValueIsGivenNone) {
     column.current_m_s[t * levels + 1] = {};
   }
   const std::vector<SampleStatus> status = column.current_status;
-  issue_blend(column, sea.data, known_currents(sea.data, plan), plan,
+  issue_blend(column, sea.data, known_currents(sea.data, plan), {}, plan,
               earned({{Method::persistence, 1.0}}));
   EXPECT_EQ(column.current_status, status);
   for (std::size_t t = 0; t < plan.stamps.size(); ++t)
@@ -238,7 +286,7 @@ TEST(IssueBlend, NothingAfterTheDayMatters) {
 std::vector<Method> available(const ColumnData& data) {
   const ForecastPlan plan = plan_to(24);
   const std::vector<bool> found =
-      available_candidates(own_forecast(plan), data, known_currents(data, plan), plan);
+      available_candidates(own_forecast(plan), data, known_currents(data, plan), {}, plan);
   const std::vector<Method> methods = candidate_methods();
   EXPECT_EQ(found.size(), methods.size());
   std::vector<Method> result;

@@ -55,6 +55,7 @@ KnownSeriesForTests sea_of(int past_days, const FlowForTests& flow = water) {
 Earned earned(const SiteData& data, const ForecastPlan& plan, int threads = 1) {
   std::vector<bool> available(candidate_methods().size(), true);
   available[1] = false;  // no provider's own forecast is stored
+  available.back() = false;
   return Rehearsals(data).earned(plan, available, threads);
 }
 
@@ -187,6 +188,114 @@ TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
   EXPECT_EQ(calibrated, 3);
   expect_same(rehearsals.earned(plan_of(day), available, 1), first);
   EXPECT_EQ(calibrated, 3);
+}
+
+/// What a rehearsal took for the wind after the end of a day.
+struct SeenWind {
+  UtcTime end_of_day{};
+  HorizonWind wind;
+};
+
+std::vector<SeenWind> winds_seen(const SiteData& data, const ForecastPlan& plan, Earned& made) {
+  std::vector<SeenWind> seen;
+  ColumnParts parts;
+  parts.wind = [&](const VectorRecord& wind, WindPolicy policy, UtcTime end,
+                   std::span<const UtcTime> stamps, const BestInputs& best) {
+    seen.push_back({end, horizon_wind(wind, policy, end, stamps, best)});
+    return seen.back().wind;
+  };
+  std::vector<bool> available(candidate_methods().size(), true);
+  made = Rehearsals(data, parts).earned(plan, available, 1);
+  std::erase_if(seen, [&](const SeenWind& one) { return one.end_of_day >= plan.end_of_day(); });
+  return seen;
+}
+
+ForecastPlan live_plan() {
+  ForecastPlan plan = plan_of(day, WindPolicy::best);
+  plan.best.issued = plan.issued;
+  plan.best.known_by = plan.issued;
+  return plan;
+}
+
+constexpr Horizontal said_by_runs(5, 0);
+constexpr Horizontal analysed(9, 0);
+
+/// Winds analysed until now, and the runs of the last days, each of three days.
+KnownSeriesForTests sea_with_runs(int days_of_runs) {
+  KnownSeriesForTests sea;
+  sea.current(analysis_of("model"), instants(end_of_day - days(8), end_of_day), depth_m, water);
+  sea.wind(analysis_of("wind"), instants(end_of_day - days(8), end_of_day + hours(5)),
+           steady(analysed));
+  for (int back = 0; back < days_of_runs; ++back) {
+    const UtcTime issued = end_of_day - days(back);
+    sea.wind(forecast_of("wind", issued, 50 + back), instants(issued, issued + days(3)),
+             steady(said_by_runs));
+  }
+  return sea;
+}
+
+TEST(Rehearsals, ForecastAPastDayWithTheRunOfThatDay) {
+  const KnownSeriesForTests sea = sea_with_runs(9);
+  Earned made;
+  const std::vector<SeenWind> seen = winds_seen(site_of({sea.data}), live_plan(), made);
+  ASSERT_GE(seen.size(), 7u);
+  for (const SeenWind& one : seen) {
+    // From six hours on nothing of that morning's analysis is left in the join.
+    for (std::size_t h = 12; h <= 24; ++h) {
+      EXPECT_EQ(one.wind.wind_m_s[h], said_by_runs) << format_utc(one.end_of_day) << " +" << h;
+      EXPECT_EQ(one.wind.source[h], DataStatus::forecast);
+    }
+    EXPECT_FALSE(one.wind.simulated);
+  }
+  EXPECT_EQ(made.simulated_days, 0u);
+}
+
+TEST(Rehearsals, SimulateTheRunsThatNobodyKept) {
+  const KnownSeriesForTests sea = sea_with_runs(1);
+  Earned made;
+  const std::vector<SeenWind> seen = winds_seen(site_of({sea.data}), live_plan(), made);
+  ASSERT_GE(seen.size(), 7u);
+  double square = 0;
+  double count = 0;
+  for (const SeenWind& one : seen) {
+    EXPECT_TRUE(one.wind.simulated) << format_utc(one.end_of_day);
+    for (std::size_t h = 1; h <= 24; ++h) {
+      square += std::norm(one.wind.wind_m_s[h] - analysed) / 2;
+      ++count;
+    }
+  }
+  // Between an analysis' error and that of a forecast of a day and a half; few are independent.
+  EXPECT_GT(std::sqrt(square / count), 0.5);
+  EXPECT_LT(std::sqrt(square / count), 2.2);
+  EXPECT_GE(made.simulated_days, 7u);
+}
+
+TEST(Rehearsals, WithoutARunNowNoneIsSimulatedForThen) {
+  const KnownSeriesForTests sea = sea_with_runs(0);
+  Earned made;
+  const std::vector<SeenWind> seen = winds_seen(site_of({sea.data}), live_plan(), made);
+  ASSERT_GE(seen.size(), 7u);
+  for (const SeenWind& one : seen) {
+    EXPECT_FALSE(one.wind.simulated);
+    EXPECT_EQ(one.wind.source[20], DataStatus::persisted) << "as it will be tomorrow";
+  }
+  EXPECT_EQ(made.simulated_days, 0u);
+}
+
+TEST(Rehearsals, ALaterDayOfLeadNeedsATruthThatEndsByThen) {
+  const KnownSeriesForTests sea = sea_of(12);
+  ForecastPlan plan = plan_of(day);
+  for (int h = 25; h <= 72; ++h) plan.stamps.push_back(plan.end_of_day() + hours(h));
+  const Earned made = earned(site_of({sea.data}), plan);
+  ASSERT_EQ(made.later.size(), 2u);
+  EXPECT_EQ(made.blend.pairs, 11u);
+  EXPECT_EQ(made.later[0].pairs, 10u);
+  EXPECT_EQ(made.later[1].pairs, 9u);
+  ColumnData spoilt = sea.data;
+  spoil_all_after(spoilt, end_of_day);
+  const Earned other = earned(site_of({spoilt}), plan);
+  for (std::size_t l = 0; l < 2; ++l)
+    EXPECT_EQ(other.later[l].provenance, made.later[l].provenance);
 }
 
 TEST(Rehearsals, ADayThatFailsIsCountedAndTheOthersDecideAsIfItWereNotThere) {

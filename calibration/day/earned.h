@@ -1,0 +1,35 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "calibration/blend/blend.h"
+#include "calibration/blend/earned_spread.h"
+#include "calibration/day/part_failure.h"
+
+namespace slackwater::calibration {
+
+/// What the past of a site has earned: the weights of the candidates, and the factor on the spread.
+struct Earned {
+  Blend blend;               ///< of the first day of lead
+  std::vector<Blend> later;  ///< of the second, third, ..., as far as days were rehearsed
+  EarnedSpread spread;
+  std::size_t simulated_days = 0;        ///< rehearsed with a run of the wind that was simulated
+  std::size_t failed_days = 0;           ///< that could not be rehearsed as they should
+  std::optional<Failure> first_failure;  ///< of them
+};
+
+/// The weights of the candidates at a lead, hours after the end of D: those of a day of lead at its
+/// middle, on a line between, held before the first middle and after the last.
+[[nodiscard]] std::vector<double> weights_at(const Earned& earned, double lead_h);
+
+/// The standard deviation that the blend of those weights states, before the earned factor:
+///
+///   sigma^2 = (1 - w_m) s_o^2 + w_m s_m^2
+///
+/// w_m: weight of `merged`, s_m its standard deviation (our own where it is NaN); all other
+/// candidates are as uncertain as our own forecast.
+[[nodiscard]] double sigma_of_blend(const Blend& blend, const std::vector<double>& weights,
+                                    double own_sigma_m_s, double merged_sigma_m_s);
+
+}  // namespace slackwater::calibration
