@@ -11,7 +11,6 @@
 namespace slackwater::calibration {
 namespace {
 
-constexpr Duration looked_back = std::chrono::hours(72);
 constexpr std::size_t most_runs = 4;
 constexpr std::size_t most_values_of_a_run = 12;
 
@@ -47,7 +46,7 @@ void add_error_of(const ProviderRun& run, std::size_t index, const Chosen<Horizo
   const std::vector<double> depths = depths_of(known);
   std::vector<TimeCell> cells;
   for (const TimeCell& cell : run.column.time) {
-    if (cell.end <= end_of_day && cell.centre() > end_of_day - looked_back) cells.push_back(cell);
+    if (cell.end <= end_of_day && cell.centre() > end_of_day - runs_looked_back) cells.push_back(cell);
   }
   // The newest of them counts always.
   const std::size_t stride = (cells.size() + most_values_of_a_run - 1) / most_values_of_a_run;

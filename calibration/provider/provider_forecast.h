@@ -8,6 +8,9 @@
 
 namespace slackwater::calibration {
 
+/// Runs that ended earlier before the end of D say nothing of the error.
+inline constexpr Duration runs_looked_back = std::chrono::hours(72);
+
 /// A provider's forecast at asked cells and levels: as it is, and with the error that its runs
 /// have made of late carried on.
 struct ProviderForecast {
