@@ -53,6 +53,22 @@ struct PairWind {
   std::vector<Horizontal> minus;
 };
 
+/// Fewer pairs are left as they fall: scaled, two winds would blow at one strength for days.
+constexpr std::size_t fewest_to_match = 8;
+
+/// Scales the winds of all pairs at each sample to the spread that they were drawn from, and makes
+/// them opposite: twelve pairs as they fall miss it by a seventh.
+void match_spread(const std::vector<double>& sigma_m_s, std::vector<PairWind>& blown) {
+  for (std::size_t k = 0; k < sigma_m_s.size() && blown.size() >= fewest_to_match; ++k) {
+    double squares = 0;
+    for (const PairWind& pair : blown) squares += 0.5 * std::norm(pair.plus[k]);
+    if (squares <= 0) continue;
+    const double to_sigma = sigma_m_s[k] / std::sqrt(squares / static_cast<double>(blown.size()));
+    for (PairWind& pair : blown) pair.plus[k] *= to_sigma;
+  }
+  for (PairWind& pair : blown) pair.minus = opposite(pair.plus);
+}
+
 /// One pair: its winds, opposite parameters.
 void draw_pair(const Calibration& c, const VectorColumn& wind, UtcTime end_of_day,
                WindDriven& model, const std::vector<Horizontal>& central, const PairWind& blown,
@@ -113,24 +129,27 @@ void Members::draw_wind_driven(std::span<const UtcTime> times, const VectorColum
                     seed_);
     wind_number_ = weather->numbers();
   }
+  std::vector<Rng> random;
+  std::vector<PairWind> blown(form_of_pair_.size());
+  for (std::size_t p = 0; p < form_of_pair_.size(); ++p) {
+    random.emplace_back(seed_, "calibration/member_wind/" + std::to_string(p));
+    if (weather) {
+      Rng same = random[p];
+      blown[p].minus = weather->departure(2 * p + 1, same);
+      blown[p].plus = weather->departure(2 * p, random[p]);
+    } else {
+      blown[p].plus = draw_wind_departures(samples, end_of_day, wind_error, random[p]);
+    }
+  }
+  if (!weather) match_spread(departure_sigma_m_s(samples, end_of_day, wind_error), blown);
   std::vector<WindDriven> model;
   for (const Calibration& c : forms_) model.emplace_back(c, times, end_of_day);
   for (std::size_t p = 0; p < form_of_pair_.size(); ++p) {
-    Rng random(seed_, "calibration/member_wind/" + std::to_string(p));
-    PairWind blown;
-    if (weather) {
-      Rng same = random;
-      blown.minus = weather->departure(2 * p + 1, same);
-      blown.plus = weather->departure(2 * p, random);
-    } else {
-      blown.plus = draw_wind_departures(samples, end_of_day, wind_error, random);
-      blown.minus = opposite(blown.plus);
-    }
     const std::size_t f = form_of_pair_[p];
-    draw_pair(forms_[f], wind, end_of_day, model[f], central[f], blown, random, member(2 * p),
+    draw_pair(forms_[f], wind, end_of_day, model[f], central[f], blown[p], random[p], member(2 * p),
               member(2 * p + 1));
     if (!weather) centre_pair(member(2 * p), member(2 * p + 1));
-    for (const std::vector<Horizontal>* one : {&blown.plus, &blown.minus}) {
+    for (const std::vector<Horizontal>* one : {&blown[p].plus, &blown[p].minus}) {
       const std::vector<Horizontal> at_times = at_stamps(samples, *one, times, end_of_day);
       wind_.insert(wind_.end(), at_times.begin(), at_times.end());
     }

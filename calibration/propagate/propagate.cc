@@ -110,8 +110,16 @@ Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime
 
   Members members(forms, result.form_weight, spread.members, variance.size(), seed);
   if (uses_wind) {
-    members.draw_wind_driven(times, *wind, end_of_day, wind_error, outlook.driven, ensemble);
-    const std::vector<double> driven = members.variance();
+    const auto draw = [&](Members& of) {
+      of.draw_wind_driven(times, *wind, end_of_day, wind_error, outlook.driven, ensemble);
+    };
+    draw(members);
+    std::vector<double> driven = members.variance();
+    if (spread.members != spread.wind_draws) {
+      Members standard(forms, result.form_weight, spread.wind_draws, variance.size(), seed);
+      draw(standard);
+      driven = standard.variance();
+    }
     for (std::size_t i = 0; i < variance.size(); ++i) variance[i] += driven[i];
   }
   members.draw_memory(times, memory, outlook.driven);
