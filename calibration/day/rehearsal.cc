@@ -39,10 +39,11 @@ int lead_days_of(const ForecastPlan& plan) {
                     Rehearsals::longest_lead_days);
 }
 
-/// The plan of a past day as it would have been run then, with few members: they are not looked at.
+/// The plan of a past day as it would have been run then, without members: they are not looked at,
+/// and sigma is the same.
 ForecastPlan plan_of(const ForecastPlan& plan, UtcDay day) {
   ForecastPlan past = moved_to(plan, day);
-  past.spread.members = 8;
+  past.spread.members = 0;
   past.stamps.clear();
   for (int h = 0; h <= 24 * lead_days_of(plan) + 1; ++h)
     past.stamps.push_back(past.end_of_day() + hours(h));
