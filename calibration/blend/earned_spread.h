@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace slackwater::calibration {
 
@@ -27,8 +28,9 @@ class NormalisedErrors {
 };
 
 struct PastSpread {
-  double age_days = 0;  ///< >= 0
-  NormalisedErrors errors;
+  double age_days = 0;                  ///< of the first day of lead; >= 0
+  NormalisedErrors errors;              ///< of the first day of lead
+  std::vector<NormalisedErrors> later;  ///< of the second, the third, ... as far as it is known
 };
 
 struct SpreadSettings {
@@ -43,11 +45,24 @@ struct SpreadSettings {
   double most = 2.0;
 };
 
+/// What a later day of lead has earned.
+struct LaterSpread {
+  double scale = 1.0;
+  std::size_t pairs = 0;
+  double past_coverage_80 = 0.8;  ///< of the unscaled band; 0.8 without pairs
+};
+
 struct EarnedSpread {
-  double scale = 1.0;             ///< the spread as forecast times this covers as it should
+  /// The spread as forecast times this covers as it should on the first day of lead.
+  double scale = 1.0;
   std::size_t pairs = 0;          ///< past pairs used
   double past_coverage_80 = 0.8;  ///< of the unscaled band over them, forgetting; 0.8 without pairs
-  std::string provenance;         ///< one sentence
+  std::vector<LaterSpread> later;  ///< of the second day of lead, the third, ...
+  std::string provenance;          ///< one sentence
+
+  /// The factor at a lead: each day's own, passing linearly from one to the next over the six hours
+  /// about its end, so that no band jumps at midnight; held before the first and after the last.
+  [[nodiscard]] double scale_at(double lead_h) const noexcept;
 };
 
 /// The factor on sigma with which the central 80 % band would have held 80 % of the past:
@@ -57,6 +72,10 @@ struct EarnedSpread {
 /// h_i: histogram of pair i with sum 1 (pairs weigh the same, whatever their number of values),
 /// g_i = exp(-age/forgetting), n_0 = `prior_pairs`, h_normal that of a standard normal; linear
 /// within a bin. Bounded to [least, most].
+///
+/// Each later day of lead has a factor of its own, from what the same past forecasts met on that
+/// day: a wind that errs more, a memory that forgets otherwise than believed. Its prior is the
+/// factor of the day before it, n_0 pairs' worth: few pairs leave it there, none leave it wholly.
 ///
 /// Why not sqrt(mean z^2): after thirty pairs of which each has but four independent parts it
 /// covers 81 % of errors that are normal, 85 % of those like Student's t of 3 degrees, 90 % where

@@ -158,6 +158,86 @@ TEST(EarnedSpread, PairsWeighTheSameWhateverTheirNumberOfValues) {
               1e-12);
 }
 
+/// Pairs whose first day errs as sigma says and whose later days by other factors of it.
+std::vector<PastSpread> past_by_day(int days, const std::vector<double>& later, Rng& random) {
+  std::vector<PastSpread> past;
+  for (int day = 0; day < days; ++day) {
+    past.push_back(past_of(day_of(normal, 1.0, random), day));
+    for (const double factor : later)
+      past.back().later.push_back(past_of(day_of(normal, factor, random), 0).errors);
+  }
+  return past;
+}
+
+TEST(EarnedSpread, EachDayOfLeadEarnsItsOwnFactor) {
+  Rng random(6, "days of lead");
+  double first = 0;
+  double second = 0;
+  double third = 0;
+  constexpr int seeds = 60;
+  for (int seed = 0; seed < seeds; ++seed) {
+    const EarnedSpread spread = earned_spread(past_by_day(20, {1.4, 0.7}, random));
+    ASSERT_EQ(spread.later.size(), 2u);
+    first += spread.scale / seeds;
+    second += spread.later[0].scale / seeds;
+    third += spread.later[1].scale / seeds;
+  }
+  // Of twenty pairs the prior of two, worth the day before, holds back a tenth of the way; the
+  // severity of days adds 4 % to the quantile.
+  EXPECT_NEAR(first, 1.0, 0.06);
+  EXPECT_NEAR(second / first, 1.4, 0.09);
+  EXPECT_NEAR(third / first, 0.7, 0.10);
+}
+
+TEST(EarnedSpread, FewPairsLeaveALaterDayNearTheFirst) {
+  Rng random(7, "few");
+  std::vector<PastSpread> past;
+  for (int day = 0; day < 20; ++day) past.push_back(past_of(day_of(normal, 1.5, random), day));
+  EXPECT_TRUE(earned_spread(past).later.empty());
+  const double first = earned_spread(past).scale;
+  EXPECT_GT(first, 1.3);
+  for (PastSpread& pair : past) pair.later.resize(2);  // nothing counted
+  for (const LaterSpread& later : earned_spread(past).later) {
+    EXPECT_EQ(later.scale, first) << "a day that nobody has seen is as the first";
+    EXPECT_EQ(later.pairs, 0u);
+  }
+  past.back().later[0] = past_of(day_of(normal, 0.5, random), 0).errors;
+  const EarnedSpread one = earned_spread(past);
+  EXPECT_GT(one.later[0].scale, 0.75 * first) << "one pair against a prior of two";
+  EXPECT_EQ(one.later[1].scale, one.later[0].scale);
+  EXPECT_NE(one.provenance.find("on day 2 of lead (1 pair"), std::string::npos) << one.provenance;
+  EXPECT_EQ(one.provenance.find("on day 3"), std::string::npos) << one.provenance;
+}
+
+TEST(EarnedSpread, LaterDaysDoNotMoveTheFirst) {
+  Rng random(8, "first day");
+  std::vector<PastSpread> past = past_by_day(15, {3.0, 0.2}, random);
+  const EarnedSpread with = earned_spread(past);
+  for (PastSpread& pair : past) pair.later.clear();
+  const EarnedSpread without = earned_spread(past);
+  EXPECT_EQ(with.scale, without.scale);
+  EXPECT_EQ(with.past_coverage_80, without.past_coverage_80);
+  EXPECT_LE(with.later[0].scale, 2.0);
+  EXPECT_GE(with.later[1].scale, 0.5);
+}
+
+TEST(EarnedSpread, PassesFromDayToDayWithoutAJump) {
+  EarnedSpread spread;
+  spread.scale = 0.9;
+  EXPECT_EQ(spread.scale_at(60), 0.9) << "one factor for all days";
+  spread.later = {{1.2, 5, 0.7}, {1.1, 5, 0.7}};
+  EXPECT_EQ(spread.scale_at(0), 0.9);
+  EXPECT_EQ(spread.scale_at(21), 0.9);
+  EXPECT_DOUBLE_EQ(spread.scale_at(24), 1.05);
+  EXPECT_DOUBLE_EQ(spread.scale_at(27), 1.2);
+  EXPECT_DOUBLE_EQ(spread.scale_at(45), 1.2);
+  EXPECT_DOUBLE_EQ(spread.scale_at(48), 1.15);
+  EXPECT_DOUBLE_EQ(spread.scale_at(72), 1.1);
+  EXPECT_DOUBLE_EQ(spread.scale_at(200), 1.1);
+  for (double lead_h = 0; lead_h < 80; lead_h += 1)
+    EXPECT_LE(std::abs(spread.scale_at(lead_h + 1) - spread.scale_at(lead_h)), 0.3 / 6 + 1e-12);
+}
+
 TEST(NormalisedErrors, DoNotCountWhatIsNotANumberAndPutAnErrorWithoutSpreadBeyond) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   NormalisedErrors errors;

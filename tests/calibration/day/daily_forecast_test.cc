@@ -201,7 +201,8 @@ TEST(MakeForecast, TheLongerLeadOfAnOlderDayHasTheWiderBand) {
         std::find(made.snapshot.time.begin(), made.snapshot.time.end(), end_of_day + hours(12));
     const auto t = static_cast<std::size_t>(found - made.snapshot.time.begin());
     return made.snapshot.columns[0].current_sigma_m_s[t * depth_m.size()] /
-           made.earned->spread.scale;
+           made.earned->spread.scale_at(
+               hours_between(made.snapshot.time.front(), made.snapshot.time[t]));
   };
   EXPECT_GT(width_at_noon_of_tomorrow(midnight - days(1)), width_at_noon_of_tomorrow(end_of_day));
 }
