@@ -89,8 +89,9 @@ std::vector<Instrument> instruments_beside(const ColumnData& column, const Forec
         instrument.origins.push_back(origin);
     }
     instrument.stretches = known.stretches;
+    instrument.stated_error_m_s = stated_error(instrument.origins);
     instrument.verdict = check_instrument(product, known.column, instrument.distance_m,
-                                          plan.end_of_day(), stated_error(instrument.origins));
+                                          plan.end_of_day(), instrument.stated_error_m_s);
     instruments.push_back(std::move(instrument));
   }
   return instruments;

@@ -18,6 +18,7 @@ struct Instrument {
   std::vector<const Origin*> origins;
   std::vector<Stretch> stretches;  ///< when it speaks
   InstrumentVerdict verdict;
+  std::optional<double> stated_error_m_s;  ///< of a value of one component, by its files
 
   [[nodiscard]] bool is_used() const { return verdict.use == InstrumentUse::used; }
   [[nodiscard]] bool is_rejected() const { return verdict.use == InstrumentUse::rejected; }

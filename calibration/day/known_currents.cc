@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "calibration/fuse/fusion.h"
+#include "calibration/fuse/instrument_noise.h"
 #include "fields/base/text.h"
 #include "fields/interpolate/column_levels.h"
 #include "fields/record/leading_dataset.h"
@@ -67,6 +68,7 @@ FusedColumn fused_on_series(const VectorColumn& series, const VectorColumn& prod
     if (has_value(column.status[i])) continue;
     column.value[i] = series.value[i];
     column.status[i] = series.status[i];
+    if (!errors.noise_m_s.empty()) fused.noise_m_s[i] = errors.noise_m_s[i % series.levels()];
   }
   column.point = series.point;
   column.source = series.source;
@@ -100,7 +102,26 @@ void take_in(const Instrument& instrument, FusedColumn& fused) {
   FusionSettings settings;
   const VectorColumn& series = instrument.verdict.column;
   settings.product_error_m_s = error_left(fused, series);
+  const std::vector<double> before = std::move(fused.noise_m_s);
   fused = fuse(fused.column, series, instrument.distance_m, settings, instrument.verdict.errors);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    fused.noise_m_s[i] = std::hypot(fused.noise_m_s[i], before[i]);
+}
+
+/// The noise of a series that stands alone and states an error: as its own values show it, no more
+/// than is stated. What lasts of an error is no noise.
+std::vector<double> stated_noise(const Chosen<Horizontal>& series) {
+  std::optional<double> stated;
+  for (const Origin* origin : series.origin) {
+    if (origin != nullptr && origin->stated_error_m_s)
+      stated = std::max(stated.value_or(0), *origin->stated_error_m_s);
+  }
+  if (!stated) return {};
+  std::vector<double> noise;
+  const std::vector<double> of_level = instrument_noise(series.column);
+  for (std::size_t i = 0; i < series.column.value.size(); ++i)
+    noise.push_back(std::min(*stated, of_level[i % of_level.size()]));
+  return noise;
 }
 
 void add_origins(const std::vector<const Origin*>& more, Chosen<Horizontal>& known) {
@@ -123,7 +144,11 @@ Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& 
   if (plan.dataset.empty()) return {};
   Ingredients parts = ingredients_of(column, plan);
   Chosen<Horizontal> known = std::move(parts.leading);
-  if (known.empty() || (is_series(piece_of(column, plan.dataset)) && !parts.behind)) return known;
+  if (known.empty()) return known;
+  if (is_series(piece_of(column, plan.dataset)) && !parts.behind) {
+    known.noise_m_s = stated_noise(known);
+    return known;
+  }
   FusedColumn fused;
   fused.column = std::move(known.column);
   if (parts.behind) {
@@ -147,6 +172,7 @@ Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& 
     add_stretches(instrument.stretches, "fused with it", known);
   }
   known.column = std::move(fused.column);
+  known.noise_m_s = std::move(fused.noise_m_s);
   return known;
 }
 

@@ -18,7 +18,8 @@ namespace slackwater::calibration {
 /// and the history that calibration sees are those of the site. A series that lies, or that ended
 /// long before, is left out (calibration/fuse/instrument_check.h). Where the plan's dataset is a
 /// series itself and a coarser product covers D too, that product is the background; without one
-/// the series stands alone.
+/// the series stands alone. What the instruments' noise makes of each value is said beside it
+/// (`Chosen::noise_m_s`): of a series that stands alone where its files state an error.
 [[nodiscard]] Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan);
 
 /// What an operator should know about a record, and which instruments lie, of those that were still

@@ -81,6 +81,11 @@ void ErrorFilter::observe(const Eigen::MatrixXd& h, const Eigen::VectorXcd& y,
 
 Eigen::VectorXcd ErrorFilter::mean() const { return state_.head(n_) + state_.tail(n_); }
 
+Eigen::VectorXd ErrorFilter::fresh_noise() const {
+  if (gain_.size() == 0) return Eigen::VectorXd::Zero(n_);
+  return (gain_.topRows(n_) + gain_.bottomRows(n_)).cwiseAbs2() * last_.noise_m2_s2;
+}
+
 Eigen::VectorXd ErrorFilter::variance() const {
   if (pending_h_ > 0) {
     ErrorFilter later = *this;

@@ -33,6 +33,9 @@ class ErrorFilter {
   /// The state at each depth and its variance there.
   [[nodiscard]] Eigen::VectorXcd mean() const;
   [[nodiscard]] Eigen::VectorXd variance() const;
+  /// What the noise of the last observation adds to that variance: K R K^T. The next one's noise is
+  /// independent of it. Zero before any.
+  [[nodiscard]] Eigen::VectorXd fresh_noise() const;
 
  private:
   Eigen::Index n_;

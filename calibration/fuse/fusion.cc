@@ -143,6 +143,7 @@ FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed, doub
   FusedColumn fused;
   fused.column = product;
   fused.sigma_m_s.assign(product.value.size(), 0);
+  fused.noise_m_s.assign(product.value.size(), 0);
   for (std::size_t i = 0; i < product.value.size(); ++i) {
     if (has_value(product.status[i])) fused.sigma_m_s[i] = settings.product_error_m_s;
   }
@@ -164,13 +165,15 @@ FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed, doub
   for (std::size_t t = 0; t < product.times(); ++t) {
     if (t > 0 && fused.times_observed > 0)
       filter.forget(hours_between(product.time[t - 1].centre(), product.time[t].centre()));
-    if (!differences[t].value.empty()) {
+    const bool is_heard = !differences[t].value.empty();
+    if (is_heard) {
       observe(filter, differences[t], noise, product.levels());
       ++fused.times_observed;
     }
     if (fused.times_observed == 0) continue;
     const Eigen::VectorXcd mean = filter.mean();
     const Eigen::VectorXd variance = filter.variance();
+    const Eigen::VectorXd fresh = filter.fresh_noise();
     for (std::size_t k = 0; k < product.levels(); ++k) {
       const std::size_t o = product.offset(t, k);
       if (!has_value(product.status[o])) continue;
@@ -178,6 +181,7 @@ FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed, doub
       fused.column.value[o] += fused.weight * mean(row);
       fused.sigma_m_s[o] =
           std::sqrt(std::max(0.0, square(fused.weight) * variance(row) + left_m2_s2));
+      if (is_heard) fused.noise_m_s[o] = fused.weight * std::sqrt(fresh(row));
     }
   }
   return fused;

@@ -11,6 +11,9 @@ namespace slackwater::calibration {
 struct FusedColumn {
   VectorColumn column;            ///< the product's times and levels
   std::vector<double> sigma_m_s;  ///< of a component, per value; 0 where there is none
+  /// Of which the instrument's noise at that time makes: independent from time to time; 0 where it
+  /// was not heard.
+  std::vector<double> noise_m_s;
   std::size_t times_observed = 0;
   /// Share of the instrument's difference from the product that counts at the product's place.
   double weight = 0;

@@ -35,6 +35,9 @@ struct Chosen {
   Column<T> column;
   std::vector<const Origin*> origin;  ///< per time; after them those that were fused into it
   std::vector<Stretch> stretches;     ///< who speaks when, ascending
+  /// Standard deviation of the independent error of each value (of a component), times x levels, as
+  /// its instrument states it; empty: nobody does.
+  std::vector<double> noise_m_s{};
   [[nodiscard]] bool empty() const noexcept { return column.time.empty(); }
 };
 

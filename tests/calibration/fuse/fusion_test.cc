@@ -188,6 +188,38 @@ TEST(Fusion, TheNoiseOfASampleAveragesOutOverAMean) {
   EXPECT_NEAR(fused.column.value[0].real(), 0.3 * p / (p + 0.09 / 6), 1e-12);
 }
 
+TEST(Fusion, TheNoiseOfEachValueIsWhatAnotherSampleWouldMoveItBy) {
+  // One moment, two thousand readings of it; the product varies more, so that it lacks nothing.
+  const auto water = [](double, double depth) { return Horizontal{0.02 * depth, 0}; };
+  const VectorColumn product =
+      column({5, 12, 40}, 0, 1, [&](double h, double depth) { return 2.0 * water(h, depth); });
+  Rng random(8, "fusion/fresh_noise");
+  std::vector<double> squares(3);
+  std::vector<Horizontal> sum(3);
+  std::vector<double> stated;
+  constexpr int readings = 2000;
+  for (int reading = 0; reading < readings; ++reading) {
+    const VectorColumn seen = column({5, 12, 40}, 0, 1, [&](double h, double depth) {
+      const double east = random.normal();
+      return water(h, depth) + 0.05 * Horizontal{east, random.normal()};
+    });
+    const FusedColumn fused = fuse(product, seen, 300, {}, {{0.05, 0.05, 0.05}, 0});
+    stated = fused.noise_m_s;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += fused.column.value[k] / double(readings);
+      squares[k] += 0.5 * std::norm(fused.column.value[k]) / readings;
+    }
+  }
+  ASSERT_EQ(stated.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double found = std::sqrt(squares[k] - 0.5 * std::norm(sum[k]));
+    EXPECT_NEAR(stated[k] / found, 1.0, 0.05) << k;
+    EXPECT_LT(stated[k], 0.05);
+  }
+  const FusedColumn far = fuse(product, product, 20000);
+  EXPECT_EQ(far.noise_m_s, std::vector<double>(3, 0.0)) << "nobody was heard";
+}
+
 TEST(Fusion, StatedErrorsAreThoseFoundWhereTheErrorsAreAsStated) {
   // 300 draws of the very process that is assumed, 24 h each: the error over its sigma has unit
   // variance (300 x 2 components: 5 % is 1.7 standard deviations of it).
