@@ -68,8 +68,12 @@ std::vector<SteadyForm> forms_in(double water_depth_m, Angle latitude) {
 ColumnCalibration calibrate_column(const VectorColumn& known, const FittedTide& tide, UtcDay day,
                                    Angle latitude, double water_depth_m,
                                    const std::optional<VectorColumn>& wind,
-                                   const LayerOfDays& layer) {
+                                   const LayerOfDays& layer, const std::vector<double>& noise_m_s) {
   ColumnCalibration result;
+  expects(noise_m_s.empty() || noise_m_s.size() == known.value.size(),
+          "a stated noise for each value, or none");
+  ScalarColumn noise{known.point, known.time,   known.vertical, known.levels_m,
+                     noise_m_s,   known.status, known.source};
   CalibrationInput input;
   input.latitude = latitude;
   input.water_depth_m = water_depth_m;
@@ -86,6 +90,8 @@ ColumnCalibration calibrate_column(const VectorColumn& known, const FittedTide& 
         if (before == 0) result.problem = "no current of " + format_day(day) + " has a value";
         continue;
       }
+      if (!noise_m_s.empty())
+        input.noise_m_s = slice(noise, UtcTime(today), UtcTime(today) + days(1)).value;
       input.known = with_layer(learnt, figure_of(layer, taught), figure_of(layer, today));
       // One form that fails, on one day, does not stop the others.
       const auto failure = attempt([&] {

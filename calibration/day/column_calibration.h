@@ -46,10 +46,12 @@ using LayerOfDays = std::map<UtcDay, LayerFigure>;
 /// @param known  currents up to the end of D, one dataset
 /// @param wind   around the chain of days; nothing where none is stored
 /// @param layer  what a product says of the mixed layer on those days, where it says anything
+/// @param noise_m_s  Chosen::noise_m_s of `known`: values count by it; empty: none is stated
 [[nodiscard]] ColumnCalibration calibrate_column(const VectorColumn& known, const FittedTide& tide,
                                                  UtcDay day, Angle latitude, double water_depth_m,
                                                  const std::optional<VectorColumn>& wind,
-                                                 const LayerOfDays& layer = {});
+                                                 const LayerOfDays& layer = {},
+                                                 const std::vector<double>& noise_m_s = {});
 
 inline constexpr int chain_days = 3;
 

@@ -127,7 +127,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
   ColumnCalibration fitted;
   const bool is_fitted = attempt_this(Part::calibration, [&] {
     fitted = parts.calibration(known.column, tide, plan.day, data.point.latitude,
-                               data.water_depth.depth_m, wind.series, layer);
+                               data.water_depth.depth_m, wind.series, layer, known.noise_m_s);
   });
   if (!is_fitted) return;
   if (fitted.forms.empty()) {

@@ -39,7 +39,7 @@ ColumnMemory::ColumnMemory(const Calibration& c, UtcTime end_of_day, const Sprea
         kernel.recent_m_s *= recent;
         kernel.inertial_m_s *= inertial;
         memory_.emplace_back(c.remembered, c.wind_driven_m_s, end_of_day, damping_per_h,
-                             coriolis_rad_h, kernel);
+                             coriolis_rad_h, kernel, c.noise_m_s);
         log_weight.push_back(witnesses * memory_.back().log_evidence());
       }
     }

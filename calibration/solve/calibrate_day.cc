@@ -52,7 +52,7 @@ DayProblem make_problem(const CalibrationInput& input, const Observations& obser
   }
   problem.pairs = observations.pairs;
   problem.parameters = prior_parameters(day.layout, day.water_depth_m, input.known);
-  problem.sigma_m_s = input.observation_sigma_m_s;
+  problem.sigma_m_s = std::hypot(input.observation_sigma_m_s, observations.noise_m_s);
   return problem;
 }
 
@@ -85,6 +85,7 @@ Calibration calibrate_day(const CalibrationInput& input) {
   result.wind_used = observations.wind_used;
   result.observations = observations.pairs.size();
   result.warnings = observations.warnings;
+  result.noise_m_s = input.noise_m_s;
   result.parameters = problem.parameters;
 
   // The misfit says what the day is worth: how large it is, and how much of it repeats itself. A

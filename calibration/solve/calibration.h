@@ -40,6 +40,9 @@ struct CalibrationInput {
   /// the noise of a regional analysis within a day. The day's own misfit replaces it where that is
   /// larger.
   double observation_sigma_m_s = 0.02;
+  /// Beside it, stated per value of `current` (of a component, independent): values count by it.
+  /// Empty: none is stated.
+  std::vector<double> noise_m_s{};
 };
 
 /// One estimated quantity.
@@ -99,6 +102,7 @@ struct Calibration {
   /// Observation minus the parts that the wind and the day's tide make: what the column remembers.
   VectorColumn remembered;
   std::vector<Horizontal> wind_driven_m_s;  ///< the wind's part at the times and levels of D
+  std::vector<double> noise_m_s;            ///< CalibrationInput::noise_m_s
 };
 
 /// Fits the column to one day: one Ceres problem, robust loss per (time, level), priors beside the

@@ -30,12 +30,14 @@ DayMisfit::DayMisfit(const ColumnDay& day, const std::vector<Pair>& pairs)
   const auto cells = static_cast<Eigen::Index>(day.time.size()) * levels;
   observed_.setZero(2 * cells);
   has_pair_.setZero(cells);
+  sharpness_.setOnes(cells);
   for (const Pair& pair : pairs) {
     const Eigen::Index at =
         static_cast<Eigen::Index>(pair.time) * levels + static_cast<Eigen::Index>(pair.level);
     observed_(at) = pair.observed_m_s.real();
     observed_(cells + at) = pair.observed_m_s.imag();
     has_pair_(at) = 1.0;
+    sharpness_(at) = 1.0 / pair.relative_sigma;
   }
   root_.resize(2 * cells);
 }
@@ -53,9 +55,9 @@ const ColumnRows& DayMisfit::at(const std::vector<double>& estimate, bool with_d
 
 double DayMisfit::weigh(const PairWeighing& weighing) {
   const Eigen::Index cells = has_pair_.size();
-  const double whitening = 1.0 / weighing.sigma_m_s;
   double sum = 0;
   for (Eigen::Index i = 0; i < cells; ++i) {
+    const double whitening = sharpness_(i) / weighing.sigma_m_s;
     const double east = whitening * miss_(i);
     const double north = whitening * miss_(cells + i);
     const double square = east * east + north * north;

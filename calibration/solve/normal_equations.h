@@ -54,6 +54,7 @@ class DayMisfit {
   std::array<Point, 2> points_;  ///< the newest first
   Eigen::ArrayXd observed_;      ///< stacked as ColumnRows stacks them; 0 without a pair
   Eigen::ArrayXd has_pair_;      ///< 1 or 0 for each time and level
+  Eigen::ArrayXd sharpness_;     ///< 1 / Pair::relative_sigma
   Eigen::ArrayXd miss_;          ///< model minus observed
   Eigen::ArrayXd root_;          ///< square roots of the weights, the whitening among them
   Eigen::MatrixXd weighted_;

@@ -23,6 +23,8 @@ void check(const CalibrationInput& input) {
                 "the water depth is " + std::to_string(input.water_depth_m) +
                     " m; a positive depth was expected; give water_depth_m of the site");
   }
+  expects(input.noise_m_s.empty() || input.noise_m_s.size() == current.value.size(),
+          "a stated noise for each value of the day, or none");
   if (!(input.observation_sigma_m_s > 0)) {
     throw Error(ErrorKind::invalid_input, "the standard deviation of the currents is " +
                                               std::to_string(input.observation_sigma_m_s) +
@@ -65,6 +67,22 @@ std::vector<std::optional<Horizontal>> stress_of_times(const CalibrationInput& i
   return stress;
 }
 
+/// Values count by their stated noise.
+void weigh_by_noise(const CalibrationInput& input, Observations& found) {
+  if (input.noise_m_s.empty()) return;
+  const auto square_of = [&](const Pair& pair) {
+    const double noise = input.noise_m_s[input.current.offset(pair.time, pair.level)];
+    return noise * noise;
+  };
+  double mean = 0;
+  for (const Pair& pair : found.pairs)
+    mean += square_of(pair) / static_cast<double>(found.pairs.size());
+  found.noise_m_s = std::sqrt(mean);
+  const double best = input.observation_sigma_m_s * input.observation_sigma_m_s;
+  for (Pair& pair : found.pairs)
+    pair.relative_sigma = std::sqrt((best + square_of(pair)) / (best + mean));
+}
+
 }  // namespace
 
 Observations pair_observations(const CalibrationInput& input) {
@@ -92,6 +110,7 @@ Observations pair_observations(const CalibrationInput& input) {
                                               "expected; check that the site lies in "
                                               "water and that the day is in the store");
   }
+  weigh_by_noise(input, found);
   if (deepest_m > found.water_depth_m) {
     found.warnings.push_back("currents reach down to " + std::to_string(deepest_m) +
                              " m, below the given water depth of " +
