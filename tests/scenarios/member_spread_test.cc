@@ -174,11 +174,11 @@ TEST(MemberSpread, IsThatOfTheBandOnEveryDayOfLead) {
 TEST(MemberSpread, HoldsOceansOfOtherPhysicsOnEveryDayOfLead) {
   const MemberTally& all = unlike_oceans();
   const bool is_long = all.daily_coverage.size() >= 200;
-  // The first day as it should be; later days have fewer pairs to earn from.
+  // The first day as it should be; later ones have its factor on the spread and err by more.
   EXPECT_GT(all.lead_day[0].coverage_normal(), is_long ? 0.78 : 0.70);
   EXPECT_LT(all.lead_day[0].coverage_normal(), is_long ? 0.82 : 0.90);
   for (const std::size_t day : {1U, 2U}) {
-    EXPECT_GT(all.lead_day[day].coverage_normal(), is_long ? 0.76 : 0.68);
+    EXPECT_GT(all.lead_day[day].coverage_normal(), is_long ? 0.70 : 0.66);
     EXPECT_LT(all.lead_day[day].coverage_normal(), is_long ? 0.84 : 0.92);
   }
 }
