@@ -34,7 +34,7 @@ soak: test-packages venv
 	cmake --build --preset release -j$(JOBS)
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 ctest --preset release -V \
-	  -R 'Probabilities|TwinTargets|RealPairs|PublishedProfiles'
+	  -R 'Probabilities|MemberSpread|TwinTargets|RealPairs|PublishedProfiles'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	$(MAKE) fuzz

@@ -21,8 +21,9 @@ class Members {
           std::size_t size, std::uint64_t seed);
 
   /// Adds the wind-driven departures: the wind drawn from its error, the parameters from their
-  /// posterior. From eight pairs on the winds spread at each sample exactly as their error says. With a weather ensemble each member has the wind of one of its (EnsembleWind), and
-  /// departs as that wind drives it: the mean over members is then no longer the centre.
+  /// posterior. From eight pairs on the winds spread at each sample exactly as their error says.
+  /// With a weather ensemble each member has the wind of one of its (EnsembleWind), and departs as
+  /// that wind drives it: the mean over members is then no longer the centre.
   /// @param central   the wind's part of each form, m/s
   /// @param ensemble  members x times; empty: none is known
   void draw_wind_driven(std::span<const UtcTime> times, const VectorColumn& wind,

@@ -11,7 +11,7 @@ namespace slackwater::calibration {
 enum class Drawn {
   as_they_are,        ///< all n^2: the members are all that there is, a step function
   independently,      ///< n (n - 1): no member beside itself ("fair", Ferro 2014)
-  in_opposite_pairs,  ///< n (n - 2): nor beside its opposite; members 0 and 1, 2 and 3, ... are pairs
+  in_opposite_pairs,  ///< n (n - 2): nor beside its opposite; 0 and 1, 2 and 3, ... are pairs
 };
 
 /// The value below which a share of the distribution lies that n equally likely members stand for:
