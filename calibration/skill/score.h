@@ -74,25 +74,29 @@ struct VectorSetScore {
   std::optional<double> correlation_deg;
   std::optional<double> crps_m_s;
   std::optional<double> coverage_80;
-  std::optional<Interval95> coverage_interval;  ///< empty for a single pair
+  std::optional<Interval95> coverage_interval;  ///< empty where the pairs that have one are few
   std::optional<Reliability> reliability;
 };
 
 /// A set of pairs of days (D, D+1), each of which weighs the same whatever its number of values.
-/// Intervals come from drawing whole pairs with replacement: the errors of one day are not
-/// independent of each other, those of different days nearly are.
+/// Intervals come from drawing blocks of neighbouring pairs with replacement (`bootstrap_mean`):
+/// the errors of one day are not independent of each other, nor quite of those of the day before.
 struct SetScore {
   std::size_t pairs = 0;
   std::size_t n = 0;  ///< values in all pairs
   /// Root of the mean over pairs of the pair's mean squared error, in the unit of what was scored
   /// (`unit_of`): m/s for vectors, m for the height of waves.
   double rmse = 0;
-  std::optional<Interval95> rmse_interval;  ///< in the same unit; empty for a single pair
+  std::optional<Interval95> rmse_interval;  ///< in the same unit; empty where the pairs are few
   std::optional<double> bias;               ///< of scalars, in the same unit
   std::optional<VectorSetScore> vector;     ///< of vectors
+
+  /// Too few pairs to claim an interval of.
+  [[nodiscard]] bool is_of_few() const noexcept { return pairs < fewest_for_interval; }
 };
 
-/// Scores a set of vectors. Throws ContractViolation for no pairs. Cost: draws x pairs.
+/// Scores a set of vectors, pairs in the order of their days. Throws ContractViolation for no
+/// pairs. Cost: draws x pairs.
 [[nodiscard]] SetScore score_set(std::span<const VectorScore> pairs, Rng& random, int draws = 2000);
 /// The same of scalars.
 [[nodiscard]] SetScore score_set(std::span<const ScalarScore> pairs, Rng& random, int draws = 2000);

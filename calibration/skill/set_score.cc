@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -82,6 +83,10 @@ SetScore score_set(std::span<const VectorScore> pairs, Rng& random, int draws) {
     if (pair.coverage_80) coverage.push_back({*pair.coverage_80, 1.0});
   }
   vector.coverage_interval = bootstrap_mean(coverage, random, draws);
+  if (vector.coverage_interval) {
+    vector.coverage_interval->low = std::max(0.0, vector.coverage_interval->low);
+    vector.coverage_interval->high = std::min(1.0, vector.coverage_interval->high);
+  }
   vector.bias_east_m_s = *mean_over(pairs, [](Score s) { return std::optional(s.bias_east_m_s); });
   vector.bias_north_m_s =
       *mean_over(pairs, [](Score s) { return std::optional(s.bias_north_m_s); });

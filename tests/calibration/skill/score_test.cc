@@ -143,37 +143,5 @@ TEST(RmseOfPairs, WeighsPairsEqually) {
   EXPECT_DOUBLE_EQ(rmse_of_pairs(std::vector<double>{0.3, 0.4}), std::sqrt(0.125));
 }
 
-TEST(BootstrapRmse, CoversTheTruthNineteenTimesInTwenty) {
-  // 200 experiments of 40 blocks of 10 fully dependent errors with true RMSE 1.
-  int covered = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    Rng random(seed, "bootstrap");
-    std::vector<double> squares;
-    std::vector<std::size_t> block;
-    for (std::size_t b = 0; b < 40; ++b) {
-      const double error = random.normal();
-      for (int i = 0; i < 10; ++i) squares.push_back(error * error), block.push_back(b);
-    }
-    const auto interval = bootstrap_rmse(squares, block, random, 400);
-    ASSERT_TRUE(interval.has_value());
-    EXPECT_LT(interval->low, interval->high);
-    covered += interval->low <= 1.0 && 1.0 <= interval->high ? 1 : 0;
-  }
-  // Percentile intervals of 40 skewed squares cover about 91 %; treating values as independent
-  // covers half.
-  EXPECT_GT(covered, 170);
-  EXPECT_LT(covered, 199);
-}
-
-TEST(BootstrapRmse, IsTheSameForTheSameSeedAndEmptyForOneBlock) {
-  const std::vector<double> squares{1, 2, 3, 4};
-  const std::vector<std::size_t> block{7, 7, 9, 9};
-  Rng a(1, "x");
-  Rng b(1, "x");
-  EXPECT_EQ(bootstrap_rmse(squares, block, a)->high, bootstrap_rmse(squares, block, b)->high);
-  const std::vector<std::size_t> lone(4, 3);
-  EXPECT_FALSE(bootstrap_rmse(squares, lone, a).has_value());
-}
-
 }  // namespace
 }  // namespace slackwater::calibration

@@ -30,16 +30,31 @@ TEST(ScoreSet, WeighsPairsEquallyWhateverTheirSize) {
   EXPECT_DOUBLE_EQ(set.vector->bias_east_m_s, 0.175);
 }
 
-TEST(ScoreSet, TheIntervalOfAFewPairsSpansThem) {
+TEST(ScoreSet, FewerThanFivePairsAreFewAndClaimNoInterval) {
   Rng random(2, "set");
-  const SetScore set = score_set(
-      std::vector<VectorScore>{pair_of(0.06, 0.70), pair_of(0.04, 0.95), pair_of(0.047, 0.78)},
-      random);
-  // All three draws fall on one pair with probability 1/27 = 3.7 %: more than either tail.
-  EXPECT_DOUBLE_EQ(set.rmse_interval->low, 0.04);
-  EXPECT_DOUBLE_EQ(set.rmse_interval->high, 0.06);
-  EXPECT_DOUBLE_EQ(set.vector->coverage_interval->low, 0.70);
-  EXPECT_DOUBLE_EQ(set.vector->coverage_interval->high, 0.95);
+  std::vector<VectorScore> pairs;
+  for (const double rmse : {0.06, 0.04, 0.047, 0.05}) {
+    pairs.push_back(pair_of(rmse, 0.8 + rmse));
+    const SetScore few = score_set(pairs, random);
+    EXPECT_TRUE(few.is_of_few());
+    EXPECT_FALSE(few.rmse_interval) << pairs.size();
+    EXPECT_FALSE(few.vector->coverage_interval) << pairs.size();
+  }
+  pairs.push_back(pair_of(0.045, 0.9));
+  const SetScore five = score_set(pairs, random);
+  EXPECT_FALSE(five.is_of_few());
+  ASSERT_TRUE(five.rmse_interval && five.vector->coverage_interval);
+  EXPECT_LT(five.rmse_interval->low, five.rmse);
+  EXPECT_GT(five.rmse_interval->high, five.rmse);
+}
+
+TEST(ScoreSet, AShareOfTheTruthStaysAShare) {
+  Rng random(2, "set");
+  std::vector<VectorScore> pairs;
+  for (const double inside : {1.0, 1.0, 0.2, 1.0, 1.0, 1.0}) pairs.push_back(pair_of(0.1, inside));
+  const SetScore set = score_set(pairs, random);
+  EXPECT_GE(set.vector->coverage_interval->low, 0.0);
+  EXPECT_LE(set.vector->coverage_interval->high, 1.0);
 }
 
 TEST(ScoreSet, TheIntervalOfManyPairsShrinksWithTheirNumber) {
@@ -66,9 +81,13 @@ TEST(ScoreSet, ASinglePairHasNoIntervalAndNoPairsAreABug) {
 TEST(ScoreSet, OfScalarsIsThatOfVectorsOfOneComponentInItsOwnUnit) {
   Rng a(6, "set");
   Rng b(6, "set");
-  const std::vector<ScalarScore> heights{{10, 0.3, 0.1, 0.2, {}}, {20, 0.4, -0.2, 0.3, {}}};
-  std::vector<VectorScore> vectors(2);
-  for (std::size_t i = 0; i < 2; ++i) {
+  const std::vector<ScalarScore> heights{{10, 0.3, 0.1, 0.2, {}},
+                                         {20, 0.4, -0.2, 0.3, {}},
+                                         {20, 0.2, -0.05, 0.3, {}},
+                                         {20, 0.5, -0.05, 0.3, {}},
+                                         {20, 0.3, -0.05, 0.3, {}}};
+  std::vector<VectorScore> vectors(heights.size());
+  for (std::size_t i = 0; i < heights.size(); ++i) {
     vectors[i].n = heights[i].n;
     vectors[i].rmse_m_s = heights[i].rmse;
     vectors[i].bias_east_m_s = heights[i].bias;
@@ -76,22 +95,12 @@ TEST(ScoreSet, OfScalarsIsThatOfVectorsOfOneComponentInItsOwnUnit) {
   const SetScore scalar = score_set(heights, a);
   const SetScore vector = score_set(vectors, b);
   EXPECT_EQ(scalar.rmse, vector.rmse);
-  EXPECT_EQ(scalar.n, 30U);
+  EXPECT_EQ(scalar.n, 90U);
   EXPECT_EQ(scalar.rmse_interval->low, vector.rmse_interval->low);
   EXPECT_DOUBLE_EQ(*scalar.bias, -0.05);
   EXPECT_EQ(*scalar.bias, vector.vector->bias_east_m_s);
   EXPECT_FALSE(scalar.vector);
   EXPECT_FALSE(vector.bias);
-}
-
-TEST(BootstrapMean, NeedsBlocksNotValues) {
-  Rng a(5, "x");
-  Rng b(5, "x");
-  // Doubling every block's values changes neither the mean nor its interval.
-  const std::vector<BlockSum> once{{1, 2}, {4, 2}, {3, 2}};
-  const std::vector<BlockSum> twice{{2, 4}, {8, 4}, {6, 4}, {0, 0}};
-  EXPECT_DOUBLE_EQ(bootstrap_mean(once, a)->low, bootstrap_mean(twice, b)->low);
-  EXPECT_FALSE(bootstrap_mean(std::vector<BlockSum>{{1, 2}, {0, 0}}, a));
 }
 
 }  // namespace
