@@ -45,9 +45,10 @@ std::vector<std::size_t> bands_of(const Scored& scored, double depth_m, double w
   return found;
 }
 
-void tally(const Scored& scored, const MethodForecast& method, const VectorColumn& truth,
-           double water_depth_m, TalliesByMethod& sums) {
-  HourlyTallies& tallies =
+/// @param ours  our own forecast of the column; null where it has none
+void tally(const Scored& scored, const MethodForecast& method, const MethodForecast* ours,
+           const VectorColumn& truth, double water_depth_m, TalliesByMethod& sums) {
+  MethodTallies& tallies =
       sums.try_emplace(method.method, scored.bands.size(), scored.hours).first->second;
   for (std::size_t k = 0; k < truth.levels(); ++k) {
     const std::vector<std::size_t> bands = bands_of(scored, truth.levels_m[k], water_depth_m);
@@ -60,7 +61,15 @@ void tally(const Scored& scored, const MethodForecast& method, const VectorColum
           method.sigma_m_s.empty()
               ? contribution_of(method.made.value[o], truth.value[o])
               : contribution_of(method.made.value[o], truth.value[o], method.sigma_m_s[o]);
-      for (const std::size_t band : bands) tallies.at(band, *hour).add(pair);
+      const bool is_common = ours != nullptr && ours->made.has(o);
+      const double error = is_common ? std::norm(ours->made.value[o] - truth.value[o]) : 0.0;
+      for (const std::size_t band : bands) {
+        if (is_common) {
+          tallies.add(band, *hour, pair, error);
+        } else {
+          tallies.add_alone(band, *hour, pair);
+        }
+      }
     }
   }
 }
@@ -125,9 +134,13 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
       current_methods(*column, scored.plan, scored.snapshot, index, truth,
                       known_beside(truth, *column, scored.plan));
   const bool apart = scored.options.per_column && scored.snapshot.columns.size() > 1;
+  const auto ours = std::find_if(methods.begin(), methods.end(), [](const MethodForecast& m) {
+    return m.method == Method::forecast;
+  });
   TalliesByMethod own;
   for (const MethodForecast& method : methods) {
-    tally(scored, method, truth.column, issued.water_depth_m, apart ? own : sum.methods);
+    tally(scored, method, ours == methods.end() ? nullptr : &*ours, truth.column,
+          issued.water_depth_m, apart ? own : sum.methods);
     if (scored.options.traces && method.method == Method::forecast)
       trace_column(truth.column, method, issued.water_depth_m, sum.trace);
   }
@@ -208,6 +221,7 @@ ForecastSkill score_currents(const SiteData& data, const Snapshot& snapshot,
   if (all.trace) {
     all.trace->day = snapshot.day;
     all.trace->issued = snapshot.issued;
+    all.trace->origin = blank.origin;
     all.trace->wind = blank.wind;
     all.trace->truth = all.truth;
   }

@@ -15,6 +15,7 @@ namespace slackwater::calibration {
 struct ForecastTrace {
   UtcDay day{};
   UtcTime issued{};
+  ForecastOrigin origin = ForecastOrigin::forecast;
   WindPolicy wind = WindPolicy::best;
   std::string truth;
   GeoPoint point;               ///< of the column that is drawn

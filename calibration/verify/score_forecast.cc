@@ -13,6 +13,7 @@ ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
   blank.site = snapshot.site_id;
   blank.day = snapshot.day;
   blank.issued = snapshot.issued;
+  blank.origin = options.origin;
   blank.wind = *snapshot.wind_policy;
   blank.hindsight = snapshot.hindsight;
   ForecastSkill skill = score_currents(data, snapshot, currents, options, blank);

@@ -14,6 +14,10 @@ std::string_view unit_of(std::string_view variable) {
   return "m";
 }
 
+double rmse_of(const SkillEntry& entry) noexcept {
+  return entry.scalar ? entry.scalar->rmse : entry.vector.rmse_m_s;
+}
+
 bool holds(const DepthBand& band, double depth_m, double water_depth_m) noexcept {
   const double place = band.above_bed ? std::max(0.0, water_depth_m - depth_m) : depth_m;
   return place >= band.from_m && place <= band.to_m;

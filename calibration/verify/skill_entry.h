@@ -9,6 +9,7 @@
 #include "calibration/skill/method.h"
 #include "calibration/skill/score.h"
 #include "fields/base/time.h"
+#include "fields/service/forecast_origin.h"
 #include "fields/service/wind_policy.h"
 
 namespace slackwater::calibration {
@@ -51,10 +52,12 @@ struct VerifyOptions {
   std::optional<UtcDay> to;
   std::vector<std::int64_t> forecasts;     ///< only these ids of the store; empty: all in the range
   UtcTime issued_before = UtcTime::max();  ///< only forecasts of the store issued earlier
+  std::optional<ForecastOrigin> only;      ///< only forecasts of the store of this origin
   UtcTime truth_until = UtcTime::max();    ///< truth that ends later is not looked at
   /// The forecasts were made from an archive, whenever it was read: what came in after their issue
   /// is not hidden from the baselines.
   bool from_archive = false;
+  ForecastOrigin origin = ForecastOrigin::forecast;  ///< of the forecasts that are scored
   std::vector<DepthBand> bands;  ///< empty: the whole column and the standard bands
   std::vector<LeadBin> leads{{0, 24}, {24, 48}, {48, 72}};  ///< whole hours
   bool by_hour = true;      ///< also each hour of lead, for the first band
@@ -67,23 +70,33 @@ struct VerifyOptions {
 /// @param variable  of a SkillEntry
 [[nodiscard]] std::string_view unit_of(std::string_view variable);
 
-/// One line of skill: a method against the truth, for one issued forecast, band and lead.
+/// One line of skill: a method against the truth, for one issued forecast, band and lead. Like with
+/// like: a baseline is scored over the values (column, level, time) that our forecast has too, and
+/// carries our own error over exactly those; our forecast stands over all of its own.
 struct SkillEntry {
   std::string variable;  ///< `current_variable`, `wind_variable` or `wave_variable`
   std::string site;
   std::optional<std::size_t> column;  ///< nothing: pooled over columns
   UtcDay day{};
   UtcTime issued{};
+  ForecastOrigin origin = ForecastOrigin::forecast;  ///< issued, or made over the past
   WindPolicy wind = WindPolicy::best;
   std::optional<DepthBand> band;  ///< nothing for wind and waves
   LeadBin lead;
   Method method = Method::forecast;
-  VectorScore vector;                  ///< for currents and wind
-  std::optional<ScalarScore> scalar;   ///< for waves
-  std::optional<Interval95> interval;  ///< of the RMSE; blocks are six hours of lead
-  std::string truth;                   ///< the dataset or station it was held against
-  Duration truth_averaging{0};         ///< of its values (`averaging_of`); 0: instants
-  bool hindsight = false;              ///< the forecast was made so (`Snapshot::hindsight`)
+  VectorScore vector;                 ///< for currents and wind
+  std::optional<ScalarScore> scalar;  ///< for waves
+  /// RMSE of our forecast over exactly these values, in the unit of the variable. Empty for our
+  /// forecast itself, and where it has no value in this band and lead at all.
+  std::optional<double> forecast_rmse;
+  /// Of the RMSE, over the hours of lead in their order; empty where they are few.
+  std::optional<Interval95> interval;
+  std::string truth;            ///< the dataset or station it was held against
+  Duration truth_averaging{0};  ///< of its values (`averaging_of`); 0: instants
+  bool hindsight = false;       ///< the forecast was made so (`Snapshot::hindsight`)
 };
+
+/// The RMSE of an entry, in the unit of its variable.
+[[nodiscard]] double rmse_of(const SkillEntry& entry) noexcept;
 
 }  // namespace slackwater::calibration

@@ -13,17 +13,19 @@ namespace {
 
 using std::chrono::hours;
 
-/// Forecast and truth at one time; scalars travel as vectors with a zero north component.
+/// Method and truth at one time, our forecast beside them; scalars travel as vectors with a zero
+/// north component.
 struct SurfacePair {
-  Horizontal forecast{};
+  Horizontal made{};
+  Horizontal ours{};
   Horizontal truth{};
   double lead_h = 0;
-  std::size_t block = 0;  ///< six hours of UTC
+  std::size_t hour = 0;  ///< of UTC
 };
 
-SurfacePair pair_at(Horizontal forecast, Horizontal truth, UtcTime time, UtcTime end) {
-  return {forecast, truth, hours_between(end, time),
-          static_cast<std::size_t>(time.time_since_epoch() / hours(6))};
+SurfacePair pair_at(Horizontal made, Horizontal ours, Horizontal truth, UtcTime time, UtcTime end) {
+  return {made, ours, truth, hours_between(end, time),
+          static_cast<std::size_t>(time.time_since_epoch() / hours(1))};
 }
 
 /// A moored instrument where there is one, else the analysed product; never a forecast.
@@ -58,27 +60,31 @@ std::vector<SurfacePair> within(const std::vector<SurfacePair>& pairs, const Lea
 }
 
 void score(SkillEntry& entry, const std::vector<SurfacePair>& pairs, bool scalar) {
-  std::vector<Horizontal> forecast;
+  std::vector<Horizontal> made;
   std::vector<Horizontal> truth;
   std::vector<double> height;
   std::vector<double> true_height;
   std::vector<double> squared;
-  std::vector<std::size_t> block;
+  std::vector<std::size_t> hour;
+  double ours_squared = 0;
   for (const SurfacePair& pair : pairs) {
-    forecast.push_back(pair.forecast);
+    made.push_back(pair.made);
     truth.push_back(pair.truth);
-    height.push_back(pair.forecast.real());
+    height.push_back(pair.made.real());
     true_height.push_back(pair.truth.real());
-    squared.push_back(std::norm(pair.forecast - pair.truth));
-    block.push_back(pair.block);
+    squared.push_back(std::norm(pair.made - pair.truth));
+    hour.push_back(pair.hour);
+    ours_squared += std::norm(pair.ours - pair.truth);
   }
   if (scalar) {
     entry.scalar = score_scalars(height, true_height);
   } else {
-    entry.vector = score_vectors(forecast, truth);
+    entry.vector = score_vectors(made, truth);
   }
+  if (entry.method != Method::forecast)
+    entry.forecast_rmse = std::sqrt(ours_squared / static_cast<double>(pairs.size()));
   Rng random(static_cast<std::uint64_t>(entry.day.time_since_epoch().count()), "verify/bootstrap");
-  entry.interval = bootstrap_rmse(squared, block, random, 1000);
+  entry.interval = bootstrap_rmse(squared, hour, random, 1000);
 }
 
 using PairsByMethod = std::map<Method, std::vector<SurfacePair>>;
@@ -111,7 +117,8 @@ void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
     if (is_its_own_truth(snapshot, column.wind_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, column.wind_m_s, 1, 0, TimeCell::instant(time));
     if (forecast)
-      methods[Method::forecast].push_back(pair_at(*forecast, truth.column.value[t], time, end));
+      methods[Method::forecast].push_back(
+          pair_at(*forecast, *forecast, truth.column.value[t], time, end));
   }
   if (methods.empty()) return;
   blank.variable = wind_variable;
@@ -141,8 +148,8 @@ void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
     if (is_its_own_truth(snapshot, column.sea_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, height, 1, 0, TimeCell::instant(time));
     if (!forecast || std::isnan(forecast->real())) continue;
-    methods[Method::forecast].push_back(pair_at(*forecast, value, time, end));
-    if (last) methods[Method::persistence].push_back(pair_at(*last, value, time, end));
+    methods[Method::forecast].push_back(pair_at(*forecast, *forecast, value, time, end));
+    if (last) methods[Method::persistence].push_back(pair_at(*last, *forecast, value, time, end));
   }
   if (methods.empty()) return;
   blank.variable = wave_variable;

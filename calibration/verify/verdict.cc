@@ -10,9 +10,15 @@
 namespace slackwater::calibration {
 namespace {
 
-/// Errors of a method by pair of days. A pair is known by its site, D and issue time.
-using PairKey = std::tuple<std::string, UtcDay, UtcTime>;
-using ErrorsByPair = std::map<PairKey, double>;
+/// A pair is known by its site and D.
+using PairKey = std::tuple<std::string, UtcDay>;
+
+/// A baseline's error in a pair of days, and ours over the same values.
+struct PairErrors {
+  double theirs_m_s = 0;
+  double ours_m_s = 0;
+};
+using ErrorsByPair = std::map<PairKey, PairErrors>;
 
 std::optional<LeadBin> first_lead(const std::vector<SkillEntry>& entries) {
   std::optional<LeadBin> first;
@@ -24,8 +30,6 @@ std::optional<LeadBin> first_lead(const std::vector<SkillEntry>& entries) {
   return first;
 }
 
-/// Fewer pairs say nothing of noise.
-constexpr std::size_t fewest_pairs_for_noise = 5;
 /// Errors that differ by less are one number in every table.
 constexpr double not_shown_m_s = 0.0005;
 
@@ -37,7 +41,7 @@ struct Rival {
 
 Outcome outcome_of(const Rival& rival) {
   const double difference_m_s = rival.baseline.rmse_m_s - rival.baseline.forecast_rmse_m_s;
-  if (rival.difference.size() >= fewest_pairs_for_noise) {
+  if (rival.difference.size() >= fewest_for_interval) {
     Rng random(1, "calibration/verdict");
     const auto interval = bootstrap_mean(rival.difference, random);
     if (interval && interval->low <= 0 && interval->high >= 0) return Outcome::tie;
@@ -47,20 +51,18 @@ Outcome outcome_of(const Rival& rival) {
   return difference_m_s < 0 ? Outcome::beaten : Outcome::ahead;
 }
 
-/// A baseline beside the forecast; nothing where they share too few pairs.
-std::optional<Rival> beside(Method method, const ErrorsByPair& theirs, const ErrorsByPair& ours) {
-  std::vector<double> baseline;
-  std::vector<double> forecast;
+/// A baseline beside the forecast; nothing where they share too few of its pairs.
+std::optional<Rival> beside(Method method, const ErrorsByPair& errors, std::size_t pairs) {
+  std::vector<double> theirs;
+  std::vector<double> ours;
   std::vector<BlockSum> difference;
-  for (const auto& [pair, rmse_m_s] : ours) {
-    const auto found = theirs.find(pair);
-    if (found == theirs.end()) continue;
-    baseline.push_back(found->second);
-    forecast.push_back(rmse_m_s);
-    difference.push_back({found->second * found->second - rmse_m_s * rmse_m_s, 1});
+  for (const auto& [pair, e] : errors) {
+    theirs.push_back(e.theirs_m_s);
+    ours.push_back(e.ours_m_s);
+    difference.push_back({e.theirs_m_s * e.theirs_m_s - e.ours_m_s * e.ours_m_s, 1});
   }
-  if (baseline.empty() || 2 * baseline.size() < ours.size()) return std::nullopt;
-  return Rival{{method, baseline.size(), rmse_of_pairs(baseline), rmse_of_pairs(forecast)},
+  if (theirs.empty() || 2 * theirs.size() < pairs) return std::nullopt;
+  return Rival{{method, theirs.size(), rmse_of_pairs(theirs), rmse_of_pairs(ours)},
                std::move(difference)};
 }
 
@@ -85,21 +87,29 @@ std::string_view name_of(Outcome outcome) noexcept {
   return "";
 }
 
-std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries, WindPolicy wind) {
-  std::vector<SkillEntry> judged = whole_current(entries, wind);
+std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries, WindPolicy wind,
+                                  ForecastOrigin origin) {
+  std::vector<SkillEntry> judged = whole_current(entries, wind, origin);
   const std::optional<LeadBin> lead = first_lead(judged);
   if (!lead) return std::nullopt;
   std::erase_if(judged, [&](const SkillEntry& e) { return e.lead != *lead; });
+  // Of several forecasts of one day the one issued first counts, as in the sets.
+  std::stable_sort(judged.begin(), judged.end(),
+                   [](const SkillEntry& a, const SkillEntry& b) { return a.issued < b.issued; });
+  std::map<Method, ErrorsByPair> errors;
+  for (const SkillEntry& e : judged) {
+    if (e.forecast_rmse && e.method != Method::forecast)
+      errors[e.method].try_emplace({e.site, e.day},
+                                   PairErrors{e.vector.rmse_m_s, *e.forecast_rmse});
+  }
+  std::erase_if(judged, [](const SkillEntry& e) { return e.method != Method::forecast; });
   Verdict verdict;
   verdict.wind = wind;
-  std::map<Method, ErrorsByPair> errors;
-  for (const SkillEntry& e : judged)
-    errors[e.method][{e.site, e.day, e.issued}] = e.vector.rmse_m_s;
-  std::erase_if(judged, [](const SkillEntry& e) { return e.method != Method::forecast; });
+  verdict.origin = origin;
   verdict.forecast = sets_of(judged).sets.front();
-  for (const auto& [method, theirs] : errors) {
-    if (method == Method::forecast || method == Method::oracle_mean) continue;
-    const auto rival = beside(method, theirs, errors[Method::forecast]);
+  for (const auto& [method, of_method] : errors) {
+    if (method == Method::oracle_mean) continue;
+    const auto rival = beside(method, of_method, verdict.forecast.score.pairs);
     if (!rival || (verdict.best && !is_better(rival->baseline, *verdict.best))) continue;
     verdict.best = rival->baseline;
     verdict.outcome = outcome_of(*rival);
@@ -109,8 +119,10 @@ std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries, WindPo
 
 std::vector<Verdict> verdicts_of(const std::vector<SkillEntry>& entries) {
   std::vector<Verdict> verdicts;
-  for (const WindPolicy wind : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
-    if (auto verdict = verdict_of(entries, wind)) verdicts.push_back(std::move(*verdict));
+  for (const ForecastOrigin origin : {ForecastOrigin::forecast, ForecastOrigin::hindcast}) {
+    for (const WindPolicy wind : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
+      if (auto verdict = verdict_of(entries, wind, origin)) verdicts.push_back(std::move(*verdict));
+    }
   }
   return verdicts;
 }
@@ -118,7 +130,8 @@ std::vector<Verdict> verdicts_of(const std::vector<SkillEntry>& entries) {
 std::optional<Verdict> main_verdict(const std::vector<SkillEntry>& entries) {
   std::optional<Verdict> main;
   for (Verdict& verdict : verdicts_of(entries)) {
-    if (!main || verdict.forecast.score.pairs > main->forecast.score.pairs)
+    if (!main || (verdict.origin == main->origin &&
+                  verdict.forecast.score.pairs > main->forecast.score.pairs))
       main = std::move(verdict);
   }
   return main;

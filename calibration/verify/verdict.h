@@ -9,7 +9,7 @@
 
 namespace slackwater::calibration {
 
-/// A baseline beside our forecast, over the pairs of days on which both were scored.
+/// A baseline beside our forecast, over the pairs of days, and of each the values, that both have.
 struct BestBaseline {
   Method method = Method::persistence;
   std::size_t pairs = 0;         ///< that both have
@@ -32,38 +32,40 @@ enum class Outcome {
 /// and document that says so says it by this rule:
 ///
 /// - What is judged is the current over the widest depth band (the shallower of equals), all
-///   columns pooled, in the first lead bin of more than an hour. Each wind policy has its verdict.
+///   columns pooled, in the first lead bin of more than an hour. Each wind policy has its verdict,
+///   and forecasts that were issued have one apart from hindcasts.
 /// - Every method counts as a baseline, the provider's forecast too, but `oracle_mean`: it knows
 ///   the day itself.
-/// - A baseline is held against our forecast over the pairs of days that both have; days on which
+/// - A baseline is held against our forecast over the pairs of days that both have, and within a
+///   pair over the values that both have (`SkillEntry::forecast_rmse`); days and levels for which
 ///   it could not be made say nothing of it. It needs half of the forecast's pairs: one lucky day
 ///   is no rival.
 /// - The best baseline is the one whose error is the smallest share of ours.
 /// - With five pairs or more it is a tie where the 95 % interval of the mean difference of squared
-///   errors (whole pairs drawn with replacement) holds zero; with fewer, where the errors differ by
-///   less than half a millimetre a second, which no table shows.
-///
-/// Within a pair, each method is scored on the values it has: a baseline that lacks some levels is
-/// not held against the forecast there alone.
+///   errors (`bootstrap_mean` over the days in order) holds zero; fewer are few (`is_of_few`), and
+///   then it is one where the errors differ by less than half a millimetre a second, which no table
+///   shows.
 struct Verdict {
   WindPolicy wind = WindPolicy::best;
+  ForecastOrigin origin = ForecastOrigin::forecast;
   SkillSet forecast;                 ///< our forecast over all its pairs
   std::optional<BestBaseline> best;  ///< nothing: no baseline has enough pairs
   Outcome outcome = Outcome::alone;
   [[nodiscard]] bool is_beaten() const noexcept { return outcome == Outcome::beaten; }
 };
 
-/// One verdict for each wind policy under which our forecast was scored, in the order of the
-/// policies. Pure; the order of the entries does not matter, except that intervals draw pairs in
-/// it.
+/// One verdict for each wind policy and origin of which our forecast was scored: issued forecasts
+/// before hindcasts, each in the order of the policies. Pure; the order of the entries does not
+/// matter.
 [[nodiscard]] std::vector<Verdict> verdicts_of(const std::vector<SkillEntry>& entries);
 
-/// The one to say where only one is said: of the wind policy with the most pairs, the first of
-/// equals; nothing where no forecast was scored.
+/// The one to say where only one is said: of issued forecasts where there are any, of the wind
+/// policy with the most pairs, the first of equals; nothing where no forecast was scored.
 [[nodiscard]] std::optional<Verdict> main_verdict(const std::vector<SkillEntry>& entries);
 
-/// The verdict on one wind policy; nothing where no forecast was scored under it.
+/// The verdict on one wind policy; nothing where no forecast of this origin was scored under it.
 [[nodiscard]] std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries,
-                                                WindPolicy wind);
+                                                WindPolicy wind,
+                                                ForecastOrigin origin = ForecastOrigin::forecast);
 
 }  // namespace slackwater::calibration
