@@ -1,5 +1,6 @@
 #include "api/cli/skill_print.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "api/report/skill_table.h"
@@ -17,10 +18,14 @@ void print_skill(const std::vector<calibration::SkillEntry>& entries, bool full)
     std::printf("%s", skill_table(entries).c_str());
     return;
   }
-  std::printf(
-      "%s %s\n%s\n`--full` prints every depth band, lead and wind policy, wind and waves.\n",
-      verdict_text(*verdict).c_str(), outcome_text(*verdict).c_str(),
-      short_skill_table(entries, verdict->wind).c_str());
+  std::printf("%s %s\n%s\n", verdict_text(*verdict).c_str(), outcome_text(*verdict).c_str(),
+              short_skill_table(entries, verdict->wind, verdict->origin).c_str());
+  const auto is_other = [&](const calibration::SkillEntry& e) {
+    return e.origin != verdict->origin;
+  };
+  if (std::any_of(entries.begin(), entries.end(), is_other))
+    std::printf("Days that were not forecast then but hindcast are scored apart.\n");
+  std::printf("`--full` prints every depth band, lead and wind policy, wind and waves.\n");
 }
 
 }  // namespace slackwater::api

@@ -54,7 +54,8 @@ ReportInput demo_page(const DemoResult& result, const std::string& generated) {
   page.skill = result.skill;
   page.skill_note = "Root mean square vector error over " + std::to_string(result.days.size()) +
                     " consecutive daily forecasts, all levels, against the analysed product; days "
-                    "weigh the same. " +
+                    "weigh the same. A baseline \"in part\" has fewer days or values than the "
+                    "forecast, whose error over the same ones stands beside it. " +
                     verdict_lines(result.skill);
   page.generated = generated;
   page.truth = truth_of(result);

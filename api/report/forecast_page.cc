@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <tuple>
 
 #include "api/report/forecast_series.h"
@@ -194,23 +195,43 @@ ReportTable streams_table(const ReportSpeed& speed, const PageClock& clock) {
   return table;
 }
 
+/// A baseline that has fewer days or values than the forecast at any lead is called so, and what
+/// the forecast has over the same days and values stands beside it.
 std::vector<ReportSkill> skill_of(const std::vector<calibration::SkillEntry>& entries,
                                   WindPolicy wind) {
-  std::vector<calibration::SkillSet> sets =
-      calibration::sets_of(calibration::whole_current(entries, wind)).sets;
-  std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) {
-    const auto order = [](const calibration::SkillSet& set) {  // ours first in each lead
-      return std::tuple(set.of.lead.from_h, set.of.method != calibration::Method::forecast,
-                        set.of.method);
+  using calibration::Method;
+  using calibration::SkillSet;
+  std::vector<SkillSet> sets =
+      calibration::sets_of(calibration::whole_current(entries, wind, ForecastOrigin::forecast))
+          .sets;
+  std::stable_sort(sets.begin(), sets.end(), [](const SkillSet& a, const SkillSet& b) {
+    const auto order = [](const SkillSet& set) {  // ours first in each lead
+      return std::tuple(set.of.lead.from_h, set.of.method != Method::forecast, set.of.method);
     };
     return order(a) < order(b);
   });
+  std::set<Method> in_part;
+  const SkillSet* ours = nullptr;
+  for (const SkillSet& set : sets) {
+    if (set.of.method == Method::forecast) ours = &set;
+    if (ours != nullptr && set.of.lead == ours->of.lead && calibration::is_part_of(set, *ours))
+      in_part.insert(set.of.method);
+  }
   std::vector<ReportSkill> rows;
-  for (const calibration::SkillSet& set : sets) {
+  for (const SkillSet& set : sets) {
     ReportSkill row;
     row.method = name_of(set.of.method);
     row.lead = formatted("{:.0f}–{:.0f} h", set.of.lead.from_h, set.of.lead.to_h);
     row.rmse_m_s = set.score.rmse;
+    if (const auto& interval = set.score.rmse_interval)
+      row.interval_95_m_s = std::pair(interval->low, interval->high);
+    const bool is_part = in_part.contains(set.of.method);
+    if (is_part) row.method += " (in part)";
+    rows.push_back(row);
+    if (!is_part || !set.forecast_rmse) continue;
+    row.method = "forecast beside " + std::string(name_of(set.of.method));
+    row.rmse_m_s = *set.forecast_rmse;
+    row.interval_95_m_s.reset();
     rows.push_back(row);
   }
   return rows;

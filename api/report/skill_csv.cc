@@ -10,9 +10,10 @@ namespace {
 using calibration::SkillEntry;
 
 constexpr const char* head =
-    "site,column,variable,day,issued,wind,method,truth,depth_from_m,depth_to_m,"
-    "height_above_bed_from_m,height_above_bed_to_m,lead_from_h,lead_to_h,n,unit,rmse,rmse_95_low,"
-    "rmse_95_high,bias,bias_east,bias_north,speed_bias,mae,scatter_index,direction_mae_deg,"
+    "site,column,variable,day,issued,origin,wind,method,truth,depth_from_m,depth_to_m,"
+    "height_above_bed_from_m,height_above_bed_to_m,lead_from_h,lead_to_h,n,unit,rmse,"
+    "forecast_rmse,rmse_95_low,rmse_95_high,bias,bias_east,bias_north,speed_bias,mae,scatter_index,"
+    "direction_mae_deg,"
     "correlation_abs,correlation_deg,crps,coverage_80\n";
 
 /// One line, cell by cell.
@@ -40,6 +41,7 @@ void add_score(Line& line, const SkillEntry& e) {
   if (e.scalar) {
     const calibration::ScalarScore& s = *e.scalar;
     line.text(std::to_string(s.n)).text(calibration::unit_of(e.variable)).number(s.rmse);
+    line.number(e.forecast_rmse);
     line.number(e.interval ? std::optional(e.interval->low) : nothing);
     line.number(e.interval ? std::optional(e.interval->high) : nothing);
     line.number(s.bias).number(nothing).number(nothing).number(nothing);
@@ -49,6 +51,7 @@ void add_score(Line& line, const SkillEntry& e) {
   }
   const calibration::VectorScore& v = e.vector;
   line.text(std::to_string(v.n)).text(calibration::unit_of(e.variable)).number(v.rmse_m_s);
+  line.number(e.forecast_rmse);
   line.number(e.interval ? std::optional(e.interval->low) : nothing);
   line.number(e.interval ? std::optional(e.interval->high) : nothing);
   line.number(nothing).number(v.bias_east_m_s).number(v.bias_north_m_s).number(v.speed_bias_m_s);
@@ -61,8 +64,8 @@ std::string line_of(const SkillEntry& e) {
   const auto nothing = std::optional<double>();
   Line line;
   line.text(e.site).text(e.column ? std::to_string(*e.column) : std::string());
-  line.text(e.variable).text(format_day(e.day)).text(format_utc(e.issued)).text(name_of(e.wind));
-  line.text(name_of(e.method)).text(e.truth);
+  line.text(e.variable).text(format_day(e.day)).text(format_utc(e.issued)).text(name_of(e.origin));
+  line.text(name_of(e.wind)).text(name_of(e.method)).text(e.truth);
   for (const bool above_bed : {false, true}) {
     const bool is_here = e.band && e.band->above_bed == above_bed;
     line.number(is_here ? std::optional(e.band->from_m) : nothing);

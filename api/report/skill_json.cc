@@ -65,6 +65,7 @@ void add_vector(json& j, const calibration::VectorScore& v) {
 json set_json(const calibration::SkillSet& set) {
   const calibration::SetScore& s = set.score;
   json j = {{"pairs", s.pairs},
+            {"few", s.is_of_few()},
             {"days", {format_day(set.first_day), format_day(set.last_day)}},
             {"n", s.n},
             {"interval_95", interval_json(s.rmse_interval)},
@@ -72,11 +73,13 @@ json set_json(const calibration::SkillSet& set) {
             {"hindsight", set.of.hindsight}};
   if (!s.vector) {
     j["rmse"] = number(s.rmse);
+    j["forecast_rmse"] = or_null(set.forecast_rmse);
     j["bias"] = or_null(s.bias);
     return j;
   }
   const calibration::VectorSetScore& v = *s.vector;
   j["rmse_m_s"] = number(s.rmse);
+  j["forecast_rmse_m_s"] = or_null(set.forecast_rmse);
   j["bias_east_m_s"] = number(v.bias_east_m_s);
   j["bias_north_m_s"] = number(v.bias_north_m_s);
   j["speed_bias_m_s"] = number(v.speed_bias_m_s);
@@ -95,6 +98,7 @@ json entry_json(const calibration::SkillEntry& e) {
             {"column", e.column ? json(*e.column) : json(nullptr)},
             {"day", format_day(e.day)},
             {"issued", format_utc(e.issued)},
+            {"origin", name_of(e.origin)},
             {"wind", name_of(e.wind)},
             {"lead_h", json::array({e.lead.from_h, e.lead.to_h})},
             {"method", name_of(e.method)},
@@ -107,8 +111,10 @@ json entry_json(const calibration::SkillEntry& e) {
   j[place] = e.band ? json::array({e.band->from_m, e.band->to_m}) : json(nullptr);
   if (e.scalar) {
     add_scalar(j, *e.scalar);
+    j["forecast_rmse"] = or_null(e.forecast_rmse);
   } else {
     add_vector(j, e.vector);
+    j["forecast_rmse_m_s"] = or_null(e.forecast_rmse);
   }
   return j;
 }

@@ -86,12 +86,14 @@ std::string squares_html(const std::string& title, const std::vector<std::string
 
 std::string plots_html(const SkillPage& page) {
   std::string out = choice_html("policy", "Wind beyond day D");
-  out +=
-      plot_html("skill-by-lead", "Skill by lead: forecast and baselines",
-                "Root mean square vector error (m/s) over all levels, columns and pairs of days, "
-                "by hours after the end of day D; lower is better. Shaded: 95 % interval of the "
-                "forecast, whole pairs of days drawn with replacement. oracle-mean knows the "
-                "forecast day itself: a yardstick, not a forecast.");
+  out += plot_html(
+      "skill-by-lead", "Skill by lead: forecast and baselines",
+      "Root mean square vector error (m/s) over all levels, columns and pairs of days, "
+      "by hours after the end of day D; lower is better. Shaded: 95 % interval of the "
+      "forecast from blocks of neighbouring pairs, none for fewer than five. A baseline "
+      "\"in part\" has fewer days or values than the forecast: its line compares with the "
+      "line \"forecast beside\" it. oracle-mean knows the forecast day itself: a "
+      "yardstick, not a forecast.");
   out +=
       squares_html("Reliability of the spread", {"reliability", "pit"},
                    "Left: how often the truth fell below the forecast's quantiles, east and "

@@ -12,35 +12,48 @@ namespace slackwater::api {
 namespace {
 
 constexpr const char* explanation =
-    "Pairs of days (D, D+1) weigh the same. RMSE is of the vector. [95 %]: block bootstrap that "
-    "draws whole\npairs of days. dir: mean absolute angle in degrees where both exceed 0.05 m/s. "
-    "corr: complex correlation.\nCRPS and the share inside the 80 % band pool east and north.\n";
+    "Pairs of days (D, D+1) weigh the same. RMSE is of the vector; ours: of our forecast over the "
+    "very days and\nvalues of that row, by whose share rows are ordered. [95 %]: block bootstrap "
+    "that "
+    "draws neighbouring pairs of\ndays; few: fewer than five pairs, no interval. dir: mean "
+    "absolute "
+    "angle in degrees where both exceed 0.05 m/s.\ncorr: complex correlation. CRPS and the share "
+    "inside the 80 % band pool east and north.\n";
 
 /// Right in a column.
-std::string dash(std::size_t width) { return std::string(width - 1, ' ') + "-"; }
+std::string right(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+std::string dash(std::size_t width) { return right("-", width); }
 
 std::string or_dash(const std::optional<double>& value, FormatOf<double> format,
                     std::size_t width) {
   return value ? formatted(format, *value) : dash(width);
 }
 
-std::string interval_text(const std::optional<calibration::Interval95>& interval,
+/// The interval of a set; "few" where its pairs are.
+std::string interval_text(const calibration::SetScore& set,
+                          const std::optional<calibration::Interval95>& interval,
                           FormatOf<double, double> format, std::size_t width) {
-  return interval ? formatted(format, interval->low, interval->high) : dash(width);
+  if (interval) return formatted(format, interval->low, interval->high);
+  return set.is_of_few() ? right("few", width) : dash(width);
 }
 
 std::string heading(const calibration::SkillEntry& e) {
   std::string text = "\n" + e.variable + ", " + calibration::band_text(e.band) + ", lead " +
-                     calibration::lead_text(e.lead) + ", wind " + wind_text(e) + ", truth " +
+                     calibration::lead_text(e.lead) + ", wind " + wind_text(e) +
+                     (e.origin == ForecastOrigin::hindcast ? ", hindcasts" : "") + ", truth " +
                      truth_text(e) + "\n";
   if (e.scalar)
-    return text + formatted("  {:<15} {:>5} {:>8} {:>8} {:>17} {:>8}\n", "method", "pairs",
-                            "values", "rmse m", "[95 %]", "bias m");
+    return text + formatted("  {:<15} {:>5} {:>8} {:>8} {:>8} {:>17} {:>8}\n", "method", "pairs",
+                            "values", "rmse m", "ours", "[95 %]", "bias m");
   return text +
          formatted(
-             "  {:<15} {:>5} {:>8} {:>8} {:>17} {:>7} {:>7} {:>7} {:>5} {:>5} {:>7} {:>7} {:>9}\n",
-             "method", "pairs", "values", "rmse m/s", "[95 %]", "bias E", "bias N", "speed", "dir",
-             "corr", "CRPS", "in 80%", "[95 %]");
+             "  {:<15} {:>5} {:>8} {:>8} {:>8} {:>17} {:>7} {:>7} {:>7} {:>5} {:>5} {:>7} {:>7} "
+             "{:>9}\n",
+             "method", "pairs", "values", "rmse m/s", "ours", "[95 %]", "bias E", "bias N", "speed",
+             "dir", "corr", "CRPS", "in 80%", "[95 %]");
 }
 
 std::string row(const calibration::SkillSet& set) {
@@ -48,7 +61,8 @@ std::string row(const calibration::SkillSet& set) {
   std::string line = formatted("{} {:<15} {:>5} {:>8} {:>8.4f} ",
                                set.of.method == calibration::Method::forecast ? " >" : "  ",
                                name_of(set.of.method), s.pairs, s.n, s.rmse);
-  line += interval_text(s.rmse_interval, "[{:>7.4f},{:>7.4f}]", 17);
+  line += or_dash(set.forecast_rmse, "{:>8.4f}", 8) + " ";
+  line += interval_text(s, s.rmse_interval, "[{:>7.4f},{:>7.4f}]", 17);
   if (!s.vector) return line + formatted(" {:>+7.4f}\n", s.bias.value_or(0));
   const calibration::VectorSetScore& v = *s.vector;
   line += formatted(" {:>+7.4f} {:>+7.4f} {:>+7.4f} ", v.bias_east_m_s, v.bias_north_m_s,
@@ -60,7 +74,7 @@ std::string row(const calibration::SkillSet& set) {
   line += formatted(" {:>6.0f}% ", 100 * *v.coverage_80);
   std::optional<calibration::Interval95> percent = v.coverage_interval;
   if (percent) percent = {100 * percent->low, 100 * percent->high};
-  return line + interval_text(percent, "[{:>3.0f},{:>3.0f}]", 9) + "\n";
+  return line + interval_text(s, percent, "[{:>3.0f},{:>3.0f}]", 9) + "\n";
 }
 
 std::string reliability_line(const calibration::Reliability& reliability) {
@@ -76,15 +90,13 @@ bool is_hour_of_a_band(const calibration::SkillEntry& e) { return e.band && is_h
 /// What one block of the table shares.
 auto block_of(const calibration::SkillEntry& e) {
   const calibration::DepthBand band = e.band.value_or(calibration::DepthBand{});
-  return std::tuple(e.variable, e.wind, band.from_m, band.to_m, band.above_bed, e.lead.from_h,
-                    e.lead.to_h);
+  return std::tuple(e.variable, e.origin, e.wind, band.from_m, band.to_m, band.above_bed,
+                    e.lead.from_h, e.lead.to_h);
 }
 
 std::string block_text(std::vector<const calibration::SkillSet*> sets) {
-  std::sort(
-      sets.begin(), sets.end(), [](const calibration::SkillSet* a, const calibration::SkillSet* b) {
-        return std::tuple(a->score.rmse, a->of.method) < std::tuple(b->score.rmse, b->of.method);
-      });
+  std::sort(sets.begin(), sets.end(),
+            [](const auto* a, const auto* b) { return calibration::is_better(*a, *b); });
   std::string text = heading(sets.front()->of);
   for (const calibration::SkillSet* set : sets) text += row(*set);
   for (const calibration::SkillSet* set : sets)
@@ -93,14 +105,44 @@ std::string block_text(std::vector<const calibration::SkillSet*> sets) {
   return text;
 }
 
+using SetsByMethod = std::map<calibration::Method, const calibration::SkillSet*>;
+using SetsByLead = std::map<std::pair<double, double>, SetsByMethod>;
+
+std::string error_cell(const SetsByMethod& sets, calibration::Method method) {
+  const auto found = sets.find(method);
+  return found == sets.end() ? formatted(" {:>10}", "-")
+                             : formatted(" {:>10.3f}", found->second->score.rmse);
+}
+
+/// Whether a baseline has fewer days or values than our forecast in one of the sets of a lead.
+bool is_part(const SetsByMethod& sets, calibration::Method method) {
+  const auto ours = sets.find(calibration::Method::forecast);
+  const auto found = sets.find(method);
+  return ours != sets.end() && found != sets.end() &&
+         calibration::is_part_of(*found->second, *ours->second);
+}
+
+bool is_part_at_any_lead(const SetsByLead& by_lead, calibration::Method method) {
+  return std::any_of(by_lead.begin(), by_lead.end(),
+                     [&](const auto& lead) { return is_part(lead.second, method); });
+}
+
+/// Our own error over the days and values of a baseline.
+std::string forecast_there_cell(const SetsByMethod& sets, calibration::Method method) {
+  const auto found = sets.find(method);
+  return found == sets.end() || !found->second->forecast_rmse
+             ? formatted(" {:>10}", "-")
+             : formatted(" {:>10.3f}", *found->second->forecast_rmse);
+}
+
 }  // namespace
 
-std::string short_skill_table(const std::vector<calibration::SkillEntry>& entries,
-                              WindPolicy wind) {
+std::string short_skill_table(const std::vector<calibration::SkillEntry>& entries, WindPolicy wind,
+                              ForecastOrigin origin) {
   using calibration::Method;
-  std::map<std::pair<double, double>, std::map<Method, const calibration::SkillSet*>> by_lead;
+  SetsByLead by_lead;
   const calibration::SkillSets all =
-      calibration::sets_of(calibration::whole_current(entries, wind));
+      calibration::sets_of(calibration::whole_current(entries, wind, origin));
   for (const calibration::SkillSet& set : all.sets)
     by_lead[{set.of.lead.from_h, set.of.lead.to_h}][set.of.method] = &set;
   if (by_lead.empty()) return {};
@@ -109,7 +151,7 @@ std::string short_skill_table(const std::vector<calibration::SkillEntry>& entrie
   rows.reserve(first.size());
   for (const auto& [method, set] : first) rows.push_back(set);
   std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto* a, const auto* b) { return a->score.rmse < b->score.rmse; });
+                   [](const auto* a, const auto* b) { return calibration::is_better(*a, *b); });
   std::string table =
       "\nError of the current, all depths, vector RMSE in m/s by hours after day D:\n";
   table += formatted("  {:<15} {:>5}", "method", "pairs");
@@ -120,16 +162,20 @@ std::string short_skill_table(const std::vector<calibration::SkillEntry>& entrie
     const Method method = row->of.method;
     table += formatted("{} {:<15} {:>5}", method == Method::forecast ? " >" : "  ", name_of(method),
                        row->score.pairs);
-    for (const auto& [lead, sets] : by_lead) {
-      const auto found = sets.find(method);
-      table += found == sets.end() ? formatted(" {:>10}", "-")
-                                   : formatted(" {:>10.3f}", found->second->score.rmse);
-    }
+    for (const auto& [lead, sets] : by_lead) table += error_cell(sets, method);
     const auto& coverage = row->score.vector->coverage_80;
     table += coverage ? formatted(" {:>6.0f}%\n", 100 * *coverage) : "\n";
+    if (is_part_at_any_lead(by_lead, method)) {
+      table += formatted("    {:<13} {:>5}", "forecast there", "");
+      for (const auto& [lead, sets] : by_lead) table += forecast_there_cell(sets, method);
+      table += "\n";
+    }
   }
   if (first.contains(Method::oracle_mean))
     table += "oracle-mean knows the day itself: a yardstick, not a forecast.\n";
+  const auto is_few = [](const auto* row) { return row->score.is_of_few(); };
+  if (std::any_of(rows.begin(), rows.end(), is_few))
+    table += "Fewer than five pairs are few: no interval is claimed of them.\n";
   return table;
 }
 
@@ -151,30 +197,40 @@ std::string skill_table(const std::vector<calibration::SkillEntry>& entries) {
 
 std::string hourly_table(const std::vector<calibration::SkillEntry>& entries) {
   const calibration::SkillSets all = calibration::sets_of(entries);
-  std::map<WindPolicy, std::map<double, std::map<calibration::Method, double>>> by_wind;
-  std::set<calibration::Method> methods;
+  std::map<std::pair<ForecastOrigin, WindPolicy>, SetsByLead> tables;
   for (const calibration::SkillSet& set : all.sets) {
     if (set.of.column || !is_hour_of_a_band(set.of)) continue;
-    by_wind[set.of.wind][set.of.lead.to_h][set.of.method] = set.score.rmse;
-    methods.insert(set.of.method);
+    tables[{set.of.origin, set.of.wind}][{set.of.lead.from_h, set.of.lead.to_h}][set.of.method] =
+        &set;
   }
-  std::string table;
-  for (const auto& [wind, hours] : by_wind) {
-    table +=
-        "\nvector RMSE (m/s) by hour of lead, wind " + std::string(name_of(wind)) + "\n  lead h";
-    for (const calibration::Method method : methods) table += formatted(" {:>14}", name_of(method));
-    table += "\n";
-    for (const auto& [hour, scores] : hours) {
-      table += formatted("  {:>6g}", hour);
+  std::string text;
+  for (const auto& [of, by_lead] : tables) {
+    std::set<calibration::Method> methods;
+    for (const auto& [lead, sets] : by_lead)
+      for (const auto& [method, set] : sets) methods.insert(method);
+    text += "\nvector RMSE (m/s) by hour of lead, wind " + std::string(name_of(of.second)) +
+            (of.first == ForecastOrigin::hindcast ? ", hindcasts" : "") + "\n  lead h";
+    for (const calibration::Method method : methods) {
+      text += formatted(" {:>14}", name_of(method));
+      if (is_part_at_any_lead(by_lead, method)) text += formatted(" {:>14}", "forecast there");
+    }
+    text += "\n";
+    for (const auto& [lead, sets] : by_lead) {
+      text += formatted("  {:>6g}", lead.second);
       for (const calibration::Method method : methods) {
-        const auto found = scores.find(method);
-        table += found == scores.end() ? formatted(" {:>14}", "-")
-                                       : formatted(" {:>14.4f}", found->second);
+        const auto found = sets.find(method);
+        const calibration::SkillSet* const set = found == sets.end() ? nullptr : found->second;
+        text +=
+            set == nullptr ? formatted(" {:>14}", "-") : formatted(" {:>14.4f}", set->score.rmse);
+        if (!is_part_at_any_lead(by_lead, method)) continue;
+        text += set == nullptr || !set->forecast_rmse
+                    ? formatted(" {:>14}", "-")
+                    : formatted(" {:>14.4f}", *set->forecast_rmse);
       }
-      table += "\n";
+      text += "\n";
     }
   }
-  return table;
+  return text;
 }
 
 }  // namespace slackwater::api

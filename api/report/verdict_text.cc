@@ -1,8 +1,17 @@
 #include "api/report/verdict_text.h"
+
+#include <cmath>
+
 #include "fields/base/averaging.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
+namespace {
+
+/// Errors that differ by less are one number at three digits.
+constexpr double not_shown_m_s = 0.0005;
+
+}  // namespace
 
 std::string truth_text(const calibration::SkillEntry& entry) {
   if (!hides_the_tide(entry.truth_averaging)) return entry.truth;
@@ -24,24 +33,33 @@ std::string error_text(const calibration::Verdict& verdict) {
   return text;
 }
 
+std::string pairs_text(const calibration::Verdict& verdict) {
+  const calibration::SetScore& s = verdict.forecast.score;
+  return formatted("{} {}", s.pairs, s.pairs == 1 ? "pair of days" : "pairs of days") +
+         (verdict.origin == ForecastOrigin::hindcast ? " of hindcasts" : "") +
+         (s.is_of_few() ? " (few: no interval)" : "");
+}
+
 std::string baseline_text(const calibration::Verdict& verdict) {
   if (!verdict.best) return {};
   const calibration::BestBaseline& best = *verdict.best;
   std::string text = "best baseline " + std::string(name_of(best.method)) +
                      formatted(" {:.3f} m/s", best.rmse_m_s);
-  if (best.pairs < verdict.forecast.score.pairs)
+  if (best.pairs < verdict.forecast.score.pairs) {
     text += formatted(" (over {} of these pairs, there the forecast has {:.3f} m/s)", best.pairs,
                       best.forecast_rmse_m_s);
+  } else if (std::abs(best.forecast_rmse_m_s - verdict.forecast.score.rmse) > not_shown_m_s) {
+    text += formatted(" (over the values that both have, there the forecast has {:.3f} m/s)",
+                      best.forecast_rmse_m_s);
+  }
   return text;
 }
 
 std::string verdict_text(const calibration::Verdict& verdict) {
   const calibration::SetScore& s = verdict.forecast.score;
-  std::string text =
-      "Wind " + wind_text(verdict.forecast.of) + ", lead " +
-      calibration::lead_text(verdict.forecast.of.lead) +
-      formatted(", {} {}: forecast ", s.pairs, s.pairs == 1 ? "pair of days" : "pairs of days") +
-      error_text(verdict);
+  std::string text = "Wind " + wind_text(verdict.forecast.of) + ", lead " +
+                     calibration::lead_text(verdict.forecast.of.lead) + ", " + pairs_text(verdict) +
+                     ": forecast " + error_text(verdict);
   if (s.rmse_interval)
     text += formatted(" [{:.3f}, {:.3f}]", s.rmse_interval->low, s.rmse_interval->high);
   if (verdict.best) text += ", " + baseline_text(verdict);

@@ -34,7 +34,7 @@
             shape: {points: band.map((x) => [x[0], x[2]]).concat(band.map((x) => [x[0], x[1]]).reverse()).map((x) => api.coord(x))}})}] : []),
         ...lines.map((line, j) => ({name: line.method, type: 'line', data: line.lead.map((h, i) => [h, line.rmse[i]]),
           symbol: 'circle', symbolSize: line.lead.length > 30 ? 0 : 6, z: j === 0 ? 5 : 3, itemStyle: {color: color(j)},
-          lineStyle: {color: color(j), width: j === 0 ? 3 : 1.6, type: line.method === 'oracle-mean' ? 'dotted' : 'solid'}})),
+          lineStyle: {color: color(j), width: j === 0 ? 3 : 1.6, type: line.method.startsWith('oracle-mean') ? 'dotted' : line.method.startsWith('forecast beside') ? 'dashed' : 'solid'}})),
       ],
     };
   };

@@ -25,6 +25,7 @@ std::vector<calibration::SkillEntry> two_entries() {
   current.vector.rmse_m_s = 0.125;
   current.vector.bias_east_m_s = -0.01;
   current.vector.coverage_80 = 0.75;
+  current.forecast_rmse = 0.12;
   current.interval = calibration::Interval95{0.1, 0.15};
   calibration::SkillEntry wave = current;
   wave.variable = "sea_surface_wave_significant_height";
@@ -48,17 +49,18 @@ TEST(SkillCsv, HasTheNumbersOfTheJsonUnderOneHead) {
     std::map<std::string, std::string> row;
     for (std::size_t k = 0; k < head.size(); ++k) row[head[k]] = cells[k];
     const json& document = documents[i];
-    for (const char* key : {"site", "variable", "day", "method", "unit"})
+    for (const char* key : {"site", "variable", "day", "origin", "method", "unit"})
       EXPECT_EQ(row.at(key), document.at(key)) << key;
     EXPECT_EQ(row.at("lead_to_h"), "24");
     EXPECT_EQ(row.at("rmse_95_high"), "0.15");
+    EXPECT_EQ(row.at("forecast_rmse"), "0.12");
   }
   EXPECT_FALSE(std::getline(lines, line));
 }
 
 TEST(SkillCsv, WhatAnEntryHasNotIsAnEmptyCell) {
   const std::string text = skill_csv(two_entries());
-  EXPECT_NE(text.find(",,,0,5,0,24,10,m s-1,0.125,0.1,0.15,,-0.01,0,0,,,"), std::string::npos)
+  EXPECT_NE(text.find(",,,0,5,0,24,10,m s-1,0.125,0.12,0.1,0.15,,-0.01,0,0,,,"), std::string::npos)
       << text;
   EXPECT_NE(text.find(",,,,,0,24,0,m,0.5,"), std::string::npos) << text;
 }

@@ -55,9 +55,11 @@ TEST(HourOfLead, TheInstantAtTheEndOfAnHourBelongsToIt) {
 /// One method, one band, the error of each of 24 hours as given.
 template <typename ErrorAt>
 calibration::TalliesByMethod day_of(ErrorAt error_at) {
-  calibration::HourlyTallies tallies(1, 24);
-  for (std::size_t h = 0; h < 24; ++h)
-    tallies.at(0, h).add(calibration::contribution_of({error_at(h), 0}, {0, 0}));
+  calibration::MethodTallies tallies(1, 24);
+  for (std::size_t h = 0; h < 24; ++h) {
+    const double error = error_at(h);
+    tallies.add(0, h, calibration::contribution_of({error, 0}, {0, 0}), error * error);
+  }
   calibration::TalliesByMethod methods;
   methods.emplace(Method::forecast, tallies);
   return methods;
@@ -121,9 +123,71 @@ TEST(SkillJson, CountsWavesInMetresUnderKeysThatSaySo) {
             "m s-1");
 }
 
+TEST(SkillJson, CarriesOriginOurErrorOverTheSameValuesAndWhetherPairsAreFew) {
+  std::vector<SkillEntry> entries;
+  for (int day = 1; day <= 5; ++day) {
+    auto ours = entry_of("2024-06-01", Method::forecast, 0.3);
+    ours.day += std::chrono::days(day);
+    entries.push_back(ours);
+  }
+  auto theirs = entries.back();
+  theirs.method = Method::tide_harmonic;
+  theirs.vector.rmse_m_s = 0.2;
+  theirs.forecast_rmse = 0.1;
+  entries.push_back(theirs);
+  auto past = entries.front();
+  past.origin = ForecastOrigin::hindcast;
+  entries.push_back(past);
+  const json list = json::parse(skill_json(entries));
+  EXPECT_EQ(list[0]["origin"], "forecast");
+  EXPECT_EQ(list[0]["set"]["pairs"], 5) << "a hindcast is of another set";
+  EXPECT_EQ(list[0]["set"]["few"], false);
+  EXPECT_TRUE(list[0]["set"]["interval_95"].is_array());
+  EXPECT_TRUE(list[0]["forecast_rmse_m_s"].is_null());
+  EXPECT_EQ(list[5]["forecast_rmse_m_s"], 0.1);
+  EXPECT_EQ(list[5]["set"]["forecast_rmse_m_s"], 0.1);
+  EXPECT_EQ(list[5]["set"]["few"], true);
+  EXPECT_TRUE(list[5]["set"]["interval_95"].is_null());
+  EXPECT_EQ(list[6]["origin"], "hindcast");
+}
+
+/// Our error of two days over two days, and that of a baseline on the calm one beside ours on it.
+std::vector<SkillEntry> baseline_of_one_day_of_two() {
+  auto calm = entry_of("2024-06-01", Method::forecast, 0.1);
+  auto storm = entry_of("2024-06-02", Method::forecast, 0.5);
+  auto theirs = entry_of("2024-06-01", Method::tide_harmonic, 0.2);
+  theirs.forecast_rmse = 0.1;
+  return {calm, storm, theirs};
+}
+
+TEST(SkillTable, ABaselineOfFewerDaysHasWhatWeHaveOnThemBeneathItAndIsNotFirst) {
+  const auto entries = baseline_of_one_day_of_two();
+  const std::string brief = short_skill_table(entries, WindPolicy::best);
+  const auto forecast = brief.find("> forecast            2      0.361");
+  const auto tide = brief.find("tide-harmonic       1      0.200");
+  const auto there = brief.find("forecast there             0.100");
+  ASSERT_NE(tide, std::string::npos) << brief;
+  ASSERT_NE(forecast, std::string::npos) << brief;
+  EXPECT_LT(forecast, tide) << "it has twice our error where it was made\n" << brief;
+  EXPECT_LT(tide, there) << brief;
+  EXPECT_NE(brief.find("few"), std::string::npos) << brief;
+  const std::string full = skill_table(entries);
+  EXPECT_LT(full.find("> forecast"), full.find("tide-harmonic       1")) << full;
+  EXPECT_NE(full.find("0.2000   0.1000               few"), std::string::npos) << full;
+}
+
+TEST(SkillTable, AnHourOfABaselineOfFewerDaysHasOursBesideIt) {
+  auto entries = baseline_of_one_day_of_two();
+  for (SkillEntry& e : entries) e.lead = {3, 4};
+  const std::string table = hourly_table(entries);
+  EXPECT_NE(table.find("tide-harmonic forecast there"), std::string::npos) << table;
+  EXPECT_NE(table.find("0.2000         0.1000"), std::string::npos) << table;
+}
+
 TEST(SkillTable, PutsTheBestFirstAndLeavesHoursToTheirOwnTable) {
   auto ours = entry_of("2024-06-01", Method::forecast, 0.3);
   auto better = entry_of("2024-06-01", Method::day_mean, 0.2);
+  better.forecast_rmse = 0.3;
   auto hour = entry_of("2024-06-01", Method::forecast, 0.9);
   hour.lead = {3, 4};
   const std::string table = skill_table({ours, better, hour});

@@ -25,6 +25,7 @@ SkillEntry entry(Method method, double rmse, const calibration::DepthBand& band,
   e.method = method;
   e.vector.n = 10;
   e.vector.rmse_m_s = rmse;
+  if (method != Method::forecast) e.forecast_rmse = 0.1;
   e.truth = "PRODUCT";
   return e;
 }
@@ -104,6 +105,57 @@ TEST(VerifyPage, TheFirstSentenceSaysHowItComparesWithItsBestBaseline) {
   const std::string headline = page_of_bay().headline;
   EXPECT_NE(headline.find("best baseline same-hour"), std::string::npos) << headline;
   EXPECT_NE(headline.find("THE FORECAST DOES NOT BEAT IT."), std::string::npos) << headline;
+}
+
+TEST(VerifyPage, SaysOursBesideEachRowAndThatPairsAreFew) {
+  const ReportTable table = page_of_bay().tables.at(0);
+  ASSERT_EQ(table.columns.at(6), "Forecast there (m/s)");
+  EXPECT_EQ(table.rows.at(0).at(6), "0.1000");
+  EXPECT_EQ(table.rows.at(1).at(6), "") << "the forecast's own row";
+  EXPECT_EQ(table.rows.at(0).at(5), "few");
+  EXPECT_NE(page_of_bay().headline.find("1 pair of days (few: no interval)"), std::string::npos);
+}
+
+TEST(VerifyPage, ABaselineOfFewerDaysIsALineInPartWithOursBesideIt) {
+  calibration::Verification v;
+  const calibration::DepthBand all{0, calibration::whole_column_m, false};
+  for (int day = 0; day < 2; ++day) {
+    SkillEntry ours = entry(Method::forecast, day == 0 ? 0.1 : 0.5, all, 24);
+    ours.lead = {3, 4};
+    ours.day += std::chrono::days(day);
+    v.entries.push_back(ours);
+  }
+  SkillEntry theirs = v.entries.front();
+  theirs.method = Method::tide_harmonic;
+  theirs.vector.rmse_m_s = 0.2;
+  theirs.forecast_rmse = 0.1;
+  v.entries.push_back(theirs);
+  Site site;
+  site.id = site.name = "bay";
+  const SkillPage page = verify_page(site, v, "now");
+  ASSERT_EQ(page.policies.size(), 1U);
+  const auto& lines = page.policies[0].by_lead;
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0].method, "forecast");
+  EXPECT_EQ(lines[1].method, "tide-harmonic (in part)");
+  EXPECT_EQ(lines[2].method, "forecast beside tide-harmonic");
+  EXPECT_EQ(lines[2].rmse_m_s, std::vector<double>{0.1});
+}
+
+TEST(VerifyPage, HindcastsStandApart) {
+  calibration::Verification v = bay();
+  for (SkillEntry e : bay().entries) {
+    e.origin = ForecastOrigin::hindcast;
+    v.entries.push_back(e);
+  }
+  Site site;
+  site.id = site.name = "bay";
+  const SkillPage page = verify_page(site, v, "now");
+  ASSERT_EQ(page.policies.size(), 2U);
+  EXPECT_EQ(page.policies[0].wind, "best");
+  EXPECT_EQ(page.policies[1].wind, "best, hindcasts");
+  EXPECT_TRUE(page.policies[1].tracks.empty()) << "the trace is of the forecast that was issued";
+  EXPECT_EQ(page.tables.at(0).rows.size(), 24U);
 }
 
 TEST(VerifyPage, WestIsWest) { EXPECT_EQ(page_of_bay().site, "48.8500 N 2.5500 W"); }
