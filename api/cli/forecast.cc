@@ -6,6 +6,7 @@
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
 #include "api/cli/past_skill.h"
+#include "api/issued/as_issued.h"
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/downloads.h"
 #include "api/pipeline/load_site_data.h"
@@ -148,10 +149,20 @@ void write_html(const ForecastArguments& arguments, const Context& context, cons
   page.skill = past.entries;
   page.skill_note =
       "Root mean square vector error of the forecasts of the last two weeks whose truth is in, all "
-      "levels; lower is better, pairs of days weigh the same. oracle-mean knows the day itself: a "
-      "yardstick, not a forecast.";
+      "levels; lower is better, pairs of days weigh the same. A baseline \"in part\" has fewer "
+      "days or "
+      "values than the forecast, whose error over the same ones stands beside it. oracle-mean "
+      "knows "
+      "the day itself: a yardstick, not a forecast.";
   page.generated = format_utc(context.now()) + " by slackwater " + code_version();
   write_report(forecast_page(page), arguments.html);
+}
+
+/// Why what was made is no forecast that was issued, in words.
+std::string why_a_hindcast(const calibration::ForecastOptions& options) {
+  if (options.hindsight) return "it was made in hindsight";
+  return "the forecast of this day, or of a later one, was issued before, and stays what was "
+         "issued; leave --day out for a forecast of the newest day";
 }
 
 void run_forecast(const ForecastArguments& arguments, const Context& context) {
@@ -202,8 +213,14 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   const calibration::DailyForecast& forecast = job.forecast;
   if (!arguments.html.empty())  // before anything is stored
     static_cast<void>(page_depth_m(forecast.snapshot, arguments.html_depth_m));
-  const auto [id, is_new] = publish(store, job, ForecastOrigin::forecast);
   const Snapshot& snapshot = forecast.snapshot;
+  store::ForecastQuery since;
+  since.site_id = snapshot.site_id;
+  since.from_day = snapshot.day;
+  const ForecastOrigin origin =
+      origin_of_run(snapshot.day, snapshot.issued, options.day.has_value(), options.hindsight,
+                    store.find_forecasts(since));
+  const auto [id, is_new] = publish(store, job, origin);
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
       ingest::write_forecast(partial, snapshot);
@@ -215,6 +232,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     json out = json::parse(job.summary_json);
     out["id"] = id;
     out["already_issued"] = !is_new;
+    out["origin"] = name_of(origin);
     out["degraded"] = snapshot.degraded;
     out["headline"] = snapshot.headline;
     out["verified"] = past.verified;
@@ -232,6 +250,8 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     std::printf("already issued as %lld: the same inputs and options at the same time\n",
                 static_cast<long long>(id));
   }
+  if (origin == ForecastOrigin::hindcast)
+    std::printf("filed as a hindcast: %s\n", why_a_hindcast(options).c_str());
   std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(),
               past.verified.c_str());
   print_calibration(forecast.columns.front());

@@ -16,12 +16,12 @@ using std::chrono::days;
 /// How good it has been: does it beat the plainest alternatives where the truth is in?
 std::string verified_text(const std::optional<calibration::Verdict>& verdict, WindPolicy wind) {
   if (!verdict) {
-    return "Not verified yet: no truth after a stored forecast of this site with wind " +
+    return "Not verified yet: no truth after an issued forecast of this site with wind " +
            std::string(name_of(wind)) + ".";
   }
   std::string text = "Verified over past days, lead " +
-                     calibration::lead_text(verdict->forecast.of.lead) + ": " +
-                     error_text(*verdict);
+                     calibration::lead_text(verdict->forecast.of.lead) + ", " +
+                     pairs_text(*verdict) + ": " + error_text(*verdict);
   if (!verdict->best) return text + ".";
   return text + "; " + baseline_text(*verdict) + ". " + outcome_text(*verdict);
 }
@@ -33,6 +33,7 @@ PastSkill verify_past(store::Store& store, const Site& site, const SiteData& dat
   calibration::VerifyOptions options;
   options.from = snapshot.day - days(14);
   options.issued_before = snapshot.issued;
+  options.only = ForecastOrigin::forecast;
   options.truth_until = snapshot.issued;
   options.leads = {{0, 24}};
   options.bands = {{0, calibration::whole_column_m}};
@@ -59,16 +60,21 @@ json verdict_json(const std::optional<calibration::Verdict>& verdict) {
   const calibration::SkillSet& ours = verdict->forecast;
   json document = {
       {"wind", name_of(verdict->wind)},
+      {"origin", name_of(verdict->origin)},
       {"lead_h", {ours.of.lead.from_h, ours.of.lead.to_h}},
       {"days", {format_day(ours.first_day), format_day(ours.last_day)}},
       {"pairs", ours.score.pairs},
+      {"few", ours.score.is_of_few()},
       {"rmse_m_s", ours.score.rmse},
+      {"interval_95", nullptr},
       {"truth_mean_h",
        std::chrono::duration<double, std::ratio<3600>>(ours.of.truth_averaging).count()},
       {"hindsight", ours.of.hindsight},
       {"beaten", verdict->is_beaten()},
       {"outcome", name_of(verdict->outcome)},
       {"best_baseline", nullptr}};
+  if (const auto& interval = ours.score.rmse_interval)
+    document["interval_95"] = {interval->low, interval->high};
   if (verdict->best) {
     document["best_baseline"] = {{"method", name_of(verdict->best->method)},
                                  {"pairs", verdict->best->pairs},

@@ -18,8 +18,9 @@ struct PastSkill {
   std::string verified;  ///< in words
 };
 
-/// What can be verified is: earlier forecasts of the last two weeks under the same wind policy,
-/// where their truth had come in when this one is issued. The new forecast is stored by now: what
+/// What can be verified is: earlier forecasts of the last two weeks under the same wind policy, as
+/// issued (api/issued/as_issued.h), where their truth had come in when this one is issued. Neither
+/// a hindcast nor a later run of a past day is among them. The new forecast is stored by now: what
 /// fails here is told, and takes nothing from it.
 [[nodiscard]] PastSkill verify_past(store::Store& store, const Site& site, const SiteData& data,
                                     const Snapshot& snapshot, WindPolicy wind);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "api/issued/as_issued.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api {
@@ -25,11 +26,28 @@ double nearest_column_deg2(const Field& field, double longitude_deg, double lati
   return nearest;
 }
 
+using Rows = std::vector<store::ForecastRow>;
+
+/// Forecasts of one site, origin and day: those in force at the time, where one is asked about,
+/// then the others as issued.
+void order_within_day(Rows::iterator first, Rows::iterator last, std::optional<UtcTime> valid_at,
+                      const Rows& all) {
+  const auto late = !valid_at ? first : std::stable_partition(first, last, [&](const auto& row) {
+    return row.issued <= *valid_at;
+  });
+  if (late == last) return;
+  Rows of_site = all;
+  std::erase_if(of_site, [&](const auto& row) { return row.site_id != first->site_id; });
+  Rows ordered = as_issued_first(Rows(late, last), of_site);
+  std::move(ordered.begin(), ordered.end(), late);
+}
+
 }  // namespace
 
 bool has_more_force(const store::ForecastRow& a, const store::ForecastRow& b) noexcept {
   const auto rank = [](const store::ForecastRow& row) {
-    return std::tuple(row.origin == ForecastOrigin::forecast, row.day, row.issued, row.id);
+    return std::tuple(row.origin == ForecastOrigin::forecast, row.day, row.issued < row.valid_to,
+                      row.issued, row.id);
   };
   return rank(a) > rank(b);
 }
@@ -38,15 +56,24 @@ std::vector<store::ForecastRow> by_force(store::Store& store, const WantedForeca
   store::ForecastQuery query;
   query.site_id = wanted.site_id;
   query.from_day = wanted.day;
-  query.to_day = wanted.day;
-  std::vector<store::ForecastRow> rows = store.find_forecasts(query);
+  const std::vector<store::ForecastRow> all = store.find_forecasts(query);
+  std::vector<store::ForecastRow> rows = all;
   std::erase_if(rows, [&](const store::ForecastRow& row) {
+    if (wanted.day && row.day != *wanted.day) return true;
     return wanted.valid_at &&
            (*wanted.valid_at < row.valid_from || *wanted.valid_at > row.valid_to);
   });
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
     return a.site_id != b.site_id ? a.site_id < b.site_id : has_more_force(a, b);
   });
+  if (!wanted.day && !wanted.valid_at) return rows;
+  for (auto first = rows.begin(); first != rows.end();) {
+    const auto last = std::find_if(first, rows.end(), [&](const store::ForecastRow& row) {
+      return row.site_id != first->site_id || row.origin != first->origin || row.day != first->day;
+    });
+    if (std::distance(first, last) > 1) order_within_day(first, last, wanted.valid_at, all);
+    first = last;
+  }
   return rows;
 }
 

@@ -20,12 +20,16 @@ struct WantedForecast {
   std::optional<UtcTime> valid_at;
 };
 
-/// Whether `a` comes before `b` of the same site: what was issued as a forecast before what was
-/// made in hindsight; of those the newest day D, then the latest issued, then the latest stored.
+/// Whether `a` comes before `b` of the same site, now: what was issued as a forecast before what
+/// was made in hindsight; of those the newest day D; of that day what was issued before its last
+/// hour had passed; then the latest issued, then the latest stored.
 [[nodiscard]] bool has_more_force(const store::ForecastRow& a,
                                   const store::ForecastRow& b) noexcept;
 
-/// The forecasts that may answer, by site, each site's forecast in force before its others.
+/// The forecasts that may answer, by site, each site's forecast in force before its others. Where a
+/// time is asked about, it is the one in force then: of one day D what was issued by that time
+/// stands first, the latest of it before the others; what was issued only later follows as
+/// `as_issued_first` orders it. Where a day is asked about without a time, so does all of it.
 [[nodiscard]] std::vector<store::ForecastRow> by_force(store::Store& store,
                                                        const WantedForecast& wanted);
 

@@ -37,6 +37,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
   calibration::Rehearsals rehearsals(data, options.parts.of_column);
   calibration::VerifyOptions verify = options.verify;
   verify.from_archive = true;
+  verify.origin = ForecastOrigin::hindcast;
   std::vector<DailyJob> jobs;
   std::optional<Failure> first_failure;
   const double count = static_cast<double>((options.to - options.from).count() + 1);

@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "api/issued/as_issued.h"
 #include "api/issued/in_force.h"
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/daily_forecast.h"
@@ -31,22 +32,23 @@ struct Chosen {
   std::vector<std::string> damaged;  ///< what was passed over, in words
 };
 
-/// Of each day and wind policy the one of most force whose file is whole, in order of day.
+/// Of each day and wind policy the one as issued whose file is whole, in order of day.
 Chosen forecasts_to_score(store::Store& store, const Site& site,
                           const calibration::VerifyOptions& options) {
   store::ForecastQuery query;
   query.site_id = site.id;
   query.from_day = options.from;
-  query.to_day = options.to;
+  const std::vector<store::ForecastRow> of_site = store.find_forecasts(query);
   std::map<std::pair<UtcDay, WindPolicy>, std::vector<store::ForecastRow>> all;
-  for (store::ForecastRow& row : store.find_forecasts(query)) {
+  for (const store::ForecastRow& row : of_site) {
+    if (options.to && row.day > *options.to) continue;
+    if (options.only && row.origin != *options.only) continue;
     if (is_wanted(options, row.id) && row.issued < options.issued_before)
-      all[{row.day, row.wind_policy}].push_back(std::move(row));
+      all[{row.day, row.wind_policy}].push_back(row);
   }
   Chosen chosen;
   for (auto& [key, rows] : all) {
-    std::sort(rows.begin(), rows.end(), has_more_force);
-    for (store::ForecastRow& row : rows) {
+    for (store::ForecastRow& row : as_issued_first(std::move(rows), of_site)) {
       const auto damage = damage_of(store, row);
       if (!damage) {
         chosen.rows.push_back(std::move(row));
@@ -69,6 +71,7 @@ calibration::Verification score_all(const store::Store& store, const Chosen& cho
   for (const store::ForecastRow& row : chosen.rows) {
     calibration::ForecastSkill skill;
     calibration::VerifyOptions of_row = options;
+    of_row.origin = row.origin;
     of_row.from_archive = options.from_archive || row.origin != ForecastOrigin::forecast;
     const auto failure = attempt([&] {
       const Snapshot snapshot = ingest::read_forecast(store.proven_content(row.content_sha256));

@@ -6,10 +6,10 @@
 
 namespace slackwater::api {
 
-/// Scores every stored forecast of the site in the range whose truth is in: the one in force of
-/// each D and wind policy (api/issued/in_force.h). Forecasts without any truth are left out; none
-/// at all is Error(not_found). One that cannot be scored is named (`unscored`) and does not stop
-/// the others; an Error where it is all of them.
+/// Scores every stored forecast of the site in the range whose truth is in: of each D and wind
+/// policy one, as it was issued (api/issued/as_issued.h), a hindcast where none was. Forecasts
+/// without any truth are left out; none at all is Error(not_found). One that cannot be scored is
+/// named (`unscored`) and does not stop the others; an Error where it is all of them.
 [[nodiscard]] calibration::Verification verify(store::Store& store, const Site& site,
                                                const calibration::VerifyOptions& options);
 

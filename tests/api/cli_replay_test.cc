@@ -106,9 +106,16 @@ TEST(Replay, InHindsightOnlyWhereThatIsAskedForAndThenMarkedOnEveryDoor) {
   EXPECT_TRUE(contains(made.at("headline").get<std::string>(), "Made in hindsight"))
       << made.at("headline");
   EXPECT_TRUE(contains(made.at("columns")[0].at("notes").dump(), "hindsight"));
-  const ProgramResult profile =
-      store.run({"profile", "--site", store.site(), "--time", "2025-03-08T14:00:00Z", "--json"});
-  EXPECT_EQ(json::parse(profile.out).at("hindsight"), true);
+  const auto answers_in_hindsight = [](const StoreForTests& asked) {
+    const ProgramResult profile =
+        asked.run({"profile", "--site", asked.site(), "--time", "2025-03-08T14:00:00Z", "--json"});
+    return json::parse(profile.out).at("hindsight").get<bool>();
+  };
+  EXPECT_FALSE(answers_in_hindsight(store)) << "the honest one stays in force";
+  StoreForTests alone;
+  alone.ingest_days(first, 8);
+  static_cast<void>(forecast(alone, at, {"--hindsight"}));
+  EXPECT_TRUE(answers_in_hindsight(alone));
   const json row = json::parse(store.listing())["forecasts"].back();
   EXPECT_TRUE(contains(row.at("headline").get<std::string>(), "hindsight"));
 }
