@@ -84,6 +84,7 @@ void keep_to_our_own(Earned& earned) {
   earned.blend.fell_back_to.reset();
   earned.blend.provenance = "Our own alone: the currents are means, and so are the baselines.";
   earned.spread.scale = std::max(1.0, earned.spread.scale);
+  for (LaterSpread& later : earned.spread.later) later.scale = std::max(1.0, later.scale);
 }
 
 /// Issues the blend that the rehearsed past has earned; where that fails our own forecast stands.

@@ -119,12 +119,16 @@ void issue_blend(ForecastColumn& column, const ColumnData& data, const Chosen<Ho
     blend_values(column, plan, methods_at(column, data, plan, places, known, tide), places.column,
                  earned);
   }
-  for (double& sigma : column.current_sigma_m_s) sigma *= earned.spread.scale;
+  std::vector<double> scale;  // per stamp
+  for (const UtcTime stamp : plan.stamps)
+    scale.push_back(earned.spread.scale_at(hours_between(plan.end_of_day(), stamp)));
+  const auto scale_of = [&](std::size_t o) { return scale[o / plan.depth_m.size()]; };
+  for (std::size_t o = 0; o < size; ++o) column.current_sigma_m_s[o] *= scale_of(o);
   // Members hold absolute currents: their departures are scaled and set upon the new centre.
   for (std::size_t i = 0; i < column.member_m_s.size(); ++i) {
     const std::size_t o = i % size;
     const double factor =
-        own_sigma[o] > 0 ? column.current_sigma_m_s[o] / own_sigma[o] : earned.spread.scale;
+        own_sigma[o] > 0 ? column.current_sigma_m_s[o] / own_sigma[o] : scale_of(o);
     column.member_m_s[i] = column.current_m_s[o] + factor * (column.member_m_s[i] - own[o]);
   }
 }

@@ -7,7 +7,8 @@ namespace slackwater::calibration {
 /// that past verification earned, its spread scaled by what past bands earned. Members keep their
 /// departures from the centre. A value that a candidate lacks is blended from the others.
 ///
-/// The weights are those of the lead (`weights_at`); a candidate that says nothing at some times
+/// The weights are those of the lead (`weights_at`), and so is the factor on the spread
+/// (`EarnedSpread::scale_at`); a candidate that says nothing at some times
 /// loses its weight over the six hours before them, so that nothing jumps as it comes and goes.
 /// @param known  the currents up to the end of D, from which baselines start
 /// @param tide   of that record

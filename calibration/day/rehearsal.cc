@@ -92,18 +92,27 @@ Chosen<Horizontal> days_after(const ColumnData& column, const ForecastPlan& plan
     if (!next.time.empty() && next.time.front().end <= from)
       next = slice(next, from + Duration(1), from + days(1));
     if (next.time.empty()) continue;
+    std::vector<double> noise(next.value.size());
+    if (!known.noise_m_s.empty()) {  // the record's last values are those of the day
+      std::copy(known.noise_m_s.end() - static_cast<std::ptrdiff_t>(noise.size()),
+                known.noise_m_s.end(), noise.begin());
+    }
     if (after.empty()) {
-      after = {std::move(next), known.origin, known.stretches};
+      after.column = std::move(next);
+      after.origin = known.origin;
+      after.noise_m_s = std::move(noise);
     } else if (next.levels_m == after.column.levels_m) {
       append(after.column, next);
+      after.noise_m_s.insert(after.noise_m_s.end(), noise.begin(), noise.end());
     }
   }
   return after;
 }
 
 /// Puts what the methods said of the truth beside it, each value with the day of lead it is of.
-void add_errors(const std::vector<MethodForecast>& methods, const VectorColumn& truth,
+void add_errors(const std::vector<MethodForecast>& methods, const Chosen<Horizontal>& against,
                 UtcTime end_of_day, RehearsedDay& result) {
+  const VectorColumn& truth = against.column;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Method> candidates = candidate_methods();
   for (std::size_t t = 0; t < truth.times(); ++t) {
@@ -117,6 +126,7 @@ void add_errors(const std::vector<MethodForecast>& methods, const VectorColumn& 
       for (std::vector<Horizontal>& errors : lead.errors) errors.emplace_back(nan, nan);
       lead.sigma_m_s.push_back(nan);
       lead.merged_sigma_m_s.push_back(nan);
+      lead.noise_m_s.push_back(against.noise_m_s[o]);
       if (!has_value(truth.status[o])) continue;
       for (const MethodForecast& method : methods) {
         const auto found = std::find(candidates.begin(), candidates.end(), method.method);
@@ -153,31 +163,44 @@ Blend blend_of_leads(const std::vector<PastLead>& past, const std::vector<Candid
   return blend_of(candidates, pairs);
 }
 
-/// How the blend's own spread has held its errors.
-EarnedSpread spread_of_leads(const std::vector<PastLead>& past, const Blend& blend) {
+/// The blend's errors on one day of lead against its own spread.
+NormalisedErrors normalised(const RehearsedLead& lead, const Blend& blend) {
   std::vector<double> weights;
   for (const CandidateShare& share : blend.share) weights.push_back(share.weight);
-  std::vector<PastSpread> spreads;
-  for (const PastLead& one : past) {
-    const RehearsedLead& lead = *one.lead;
-    PastSpread spread;
-    spread.age_days = one.age_days;
-    for (std::size_t o = 0; o < lead.sigma_m_s.size(); ++o) {
-      Horizontal error{};
-      double weight = 0;
-      for (std::size_t c = 0; c < lead.errors.size(); ++c) {
-        if (weights[c] <= 0 || lead.errors[c].empty() || !std::isfinite(lead.errors[c][o].real()))
-          continue;
-        error += weights[c] * lead.errors[c][o];
-        weight += weights[c];
-      }
-      if (weight <= 0) continue;
-      const double sigma =
-          sigma_of_blend(blend, weights, lead.sigma_m_s[o], lead.merged_sigma_m_s[o]);
-      spread.errors.add(error.real() / weight, sigma);
-      spread.errors.add(error.imag() / weight, sigma);
+  NormalisedErrors errors;
+  for (std::size_t o = 0; o < lead.sigma_m_s.size(); ++o) {
+    Horizontal error{};
+    double weight = 0;
+    for (std::size_t c = 0; c < lead.errors.size(); ++c) {
+      if (weights[c] <= 0 || lead.errors[c].empty() || !std::isfinite(lead.errors[c][o].real()))
+        continue;
+      error += weights[c] * lead.errors[c][o];
+      weight += weights[c];
     }
-    spreads.push_back(spread);
+    if (weight <= 0) continue;
+    const double blended =
+        sigma_of_blend(blend, weights, lead.sigma_m_s[o], lead.merged_sigma_m_s[o]);
+    const double sigma = std::hypot(blended, lead.noise_m_s[o]);
+    errors.add(error.real() / weight, sigma);
+    errors.add(error.imag() / weight, sigma);
+  }
+  return errors;
+}
+
+/// How the blend's own spread has held its errors, by day of lead.
+EarnedSpread spread_of_leads(const std::vector<std::vector<PastLead>>& past, const Earned& earned) {
+  std::vector<PastSpread> spreads;
+  for (const PastLead& first : past.front()) {
+    PastSpread spread;
+    spread.age_days = first.age_days;
+    spread.errors = normalised(*first.lead, earned.blend);
+    for (std::size_t l = 1; l < past.size(); ++l) {
+      const auto same = std::find_if(past[l].begin(), past[l].end(),
+                                     [&](const PastLead& later) { return later.day == first.day; });
+      spread.later.push_back(same == past[l].end() ? NormalisedErrors{}
+                                                   : normalised(*same->lead, earned.later[l - 1]));
+    }
+    spreads.push_back(std::move(spread));
   }
   return earned_spread(spreads);
 }
@@ -216,8 +239,8 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
         result.failure = failed.failure;
     }
     snapshot.columns.push_back(std::move(made.column));
-    add_errors(current_methods(column, past, snapshot, 0, truth, made.known, &made.tide),
-               truth.column, past.end_of_day(), result);
+    add_errors(current_methods(column, past, snapshot, 0, truth, made.known, &made.tide), truth,
+               past.end_of_day(), result);
   }
   for (RehearsedLead& lead : result.lead) clear_absent(lead);
   return result;
@@ -277,7 +300,7 @@ Earned Rehearsals::earned(const ForecastPlan& asked, const std::vector<bool>& av
   earned.blend = blend_of_leads(past.front(), candidates);
   for (std::size_t l = 1; l < past.size(); ++l)
     earned.later.push_back(blend_of_leads(past[l], candidates));
-  earned.spread = spread_of_leads(past.front(), earned.blend);
+  earned.spread = spread_of_leads(past, earned);
   return earned;
 }
 

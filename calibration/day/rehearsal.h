@@ -18,6 +18,7 @@ struct RehearsedLead {
   std::vector<std::vector<Horizontal>> errors;  ///< per standard candidate; empty: absent
   std::vector<double> sigma_m_s;                ///< of our forecast, per value; unscaled
   std::vector<double> merged_sigma_m_s;         ///< of `merged`; NaN where there is none
+  std::vector<double> noise_m_s;                ///< stated, of the truth
 };
 
 /// One past day D' forecast as if live and held against the days after it.

@@ -232,6 +232,29 @@ TEST(IssueBlend, MembersKeepTheirDeparturesScaledAsTheBandIs) {
     EXPECT_DOUBLE_EQ(column.current_sigma_m_s[o], scale * own.current_sigma_m_s[o]);
 }
 
+TEST(IssueBlend, EachDayOfLeadHasItsOwnFactorWithoutAJump) {
+  const KnownSeriesForTests sea = known_sea();
+  const ForecastPlan plan = plan_to(72);
+  const ForecastColumn own = own_forecast(plan);
+  Earned past = earned({{Method::forecast, 1.0}}, 0.9);
+  past.spread.later = {{1.3, 5, 0.7}, {1.1, 5, 0.75}};
+  ForecastColumn column = own;
+  issue_blend(column, sea.data, known_currents(sea.data, plan), {}, plan, past);
+  const auto factor = [&](std::size_t hour) {
+    return column.current_sigma_m_s[hour * levels] / own.current_sigma_m_s[hour * levels];
+  };
+  EXPECT_NEAR(factor(12), 0.9, 1e-12);
+  EXPECT_NEAR(factor(36), 1.3, 1e-12);
+  EXPECT_NEAR(factor(60), 1.1, 1e-12);
+  for (std::size_t h = 1; h <= 72; ++h) EXPECT_LT(std::abs(factor(h) - factor(h - 1)), 0.07);
+  const std::size_t size = own.current_m_s.size();
+  for (std::size_t i = 0; i < own.member_m_s.size(); ++i) {
+    const std::size_t o = i % size;
+    const Horizontal expected = factor(o / levels) * (own.member_m_s[i] - own.current_m_s[o]);
+    EXPECT_LT(std::abs(column.member_m_s[i] - column.current_m_s[o] - expected), 1e-12);
+  }
+}
+
 TEST(IssueBlend, QuantilesStandInOrderAboutTheIssuedCentre) {
   const KnownSeriesForTests sea = known_sea();
   Snapshot snapshot;
