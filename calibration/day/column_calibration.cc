@@ -1,6 +1,7 @@
 #include "calibration/day/column_calibration.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "calibration/solve/ageing.h"
 #include "fields/base/attempt.h"
@@ -17,6 +18,25 @@ VectorColumn without_tide(VectorColumn column, const FittedTide& tide) {
       column.value[column.offset(t, k)] -= tide.at(k, column.time[t]);
   }
   return column;
+}
+
+/// What the tide of a record has left to the memory. Constituents that lie that near to the inertial
+/// frequency are of one species: one line of their power, with the speed of the strongest.
+std::optional<NearInertialLine> near_inertial_line(const FittedTide& tide, Angle latitude) {
+  NearInertialLine line;
+  double strongest_m_s = 0;
+  for (const TideFit& level : tide.levels) {
+    double power = 0;
+    for (const TideTerm& term : level.terms) {
+      power += term.left_out_m_s * term.left_out_m_s;
+      if (term.left_out_m_s <= strongest_m_s) continue;
+      strongest_m_s = term.left_out_m_s;
+      line.speed_rad_s = latitude.radians() > 0 ? -term.speed_rad_s : term.speed_rad_s;
+    }
+    line.modulus_m_s.push_back(std::sqrt(power));
+  }
+  if (strongest_m_s <= 0) return std::nullopt;
+  return line;
 }
 
 std::optional<LayerFigure> figure_of(const LayerOfDays& layer, UtcDay day) {
@@ -79,6 +99,7 @@ ColumnCalibration calibrate_column(const VectorColumn& known, const FittedTide& 
   input.water_depth_m = water_depth_m;
   input.wind = wind;
   input.is_unsteady = true;
+  const std::optional<NearInertialLine> line = near_inertial_line(tide, latitude);
   for (const SteadyForm form : forms_in(water_depth_m, latitude)) {
     input.form = form;
     std::vector<KnownParameter> learnt;
@@ -98,6 +119,7 @@ ColumnCalibration calibrate_column(const VectorColumn& known, const FittedTide& 
         Calibration fitted = calibrate_day(input);
         learnt = aged(fitted, 1.0);
         taught = today;
+        fitted.near_inertial = line;
         if (before == 0) result.forms.push_back(std::move(fitted));
       });
       if (failure && before == 0) result.problem = failure->why;

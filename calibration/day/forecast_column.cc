@@ -122,7 +122,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
   LayerOfDays layer;
   attempt_this(Part::mixed_layer, [&] { layer = parts.mixed_layer(data, plan); });
   FittedTide& tide = result.tide;
-  attempt_this(Part::tide, [&] { tide = parts.tide(known.column, data.point.latitude); });
+  attempt_this(Part::tide, [&] { tide = parts.tide(known, plan.day, data.point.latitude); });
   result.notes = tide.notes;
   ColumnCalibration fitted;
   const bool is_fitted = attempt_this(Part::calibration, [&] {

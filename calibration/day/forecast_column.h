@@ -11,6 +11,7 @@
 #include "calibration/day/known_currents.h"
 #include "calibration/day/layer_of_days.h"
 #include "calibration/day/part_failure.h"
+#include "calibration/day/tide_of_record.h"
 #include "calibration/propagate/propagate.h"
 #include "calibration/solve/calibration.h"
 #include "fields/record/site_data.h"
@@ -57,7 +58,7 @@ struct ColumnParts {
   std::function<decltype(horizon_sea)> waves = horizon_sea;
   std::function<decltype(known_currents)> record = known_currents;
   std::function<decltype(layer_of_days)> mixed_layer = layer_of_days;
-  std::function<decltype(fit_column_tide)> tide = fit_column_tide;
+  std::function<decltype(tide_of_record)> tide = tide_of_record;
   std::function<decltype(calibrate_column)> calibration = calibrate_column;
   std::function<decltype(propagate)> propagation = propagate;
 };

@@ -6,6 +6,7 @@
 #include "calibration/day/horizon.h"
 #include "calibration/day/merge.h"
 #include "calibration/provider/provider_forecast.h"
+#include "calibration/day/tide_of_record.h"
 #include "calibration/skill/tide_baseline.h"
 #include "fields/interpolate/temporal.h"
 
@@ -120,8 +121,9 @@ std::vector<MethodForecast> current_methods(const ColumnData& column, const Fore
     const bool holds_wind = plan.wind == WindPolicy::persist;
     const WindPolicy policy = holds_wind && tide == nullptr ? WindPolicy::best : plan.wind;
     const HorizonWind wind = horizon_wind(column.nearest_wind, policy, end, {}, plan.best);
-    const BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,
-                              column.point.latitude, holds_wind};
+    BaselineInput input{plan.day, known.column, wind.series ? &*wind.series : nullptr,
+                        column.point.latitude, holds_wind};
+    input.tide_since = tide_since(known, plan.day).value_or(UtcTime::max());
     for (const Method baseline : all_baselines) {
       auto outcome = make_baseline(baseline, input, truth.column.time, &truth.column);
       if (outcome.forecast) methods.push_back({baseline, std::move(*outcome.forecast), {}});

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "calibration/day/column_calibration.h"
-#include "calibration/day/known_currents.h"
+#include "calibration/day/tide_of_record.h"
 #include "fields/base/averaging.h"
 #include "fields/base/random.h"
 #include "fields/record/choose.h"
@@ -63,7 +63,7 @@ std::optional<TidalRecord> tidal_record_of(const ColumnData& data, const Forecas
   Choice choice;
   choice.dataset = dataset;
   const Chosen<Horizontal> chosen = choose(data.current, plan.knowledge(), choice);
-  if (chosen.empty()) return std::nullopt;
+  if (chosen.empty() || !tide_since(chosen, plan.day)) return std::nullopt;
   VectorColumn column = slice(chosen.column, UtcTime::min(), plan.end_of_day());
   if (column.levels_m.empty()) column.levels_m = {0.0};  // a product of the surface
   if (hides_the_tide(averaging_of(column.time))) return std::nullopt;
@@ -118,13 +118,13 @@ std::vector<std::size_t> phases_of(std::size_t members, std::uint64_t seed) {
 
 std::optional<UnresolvedTide> widen_by_unresolved_tide(ForecastColumn& column,
                                                        const ColumnData& data,
-                                                       const VectorColumn& known,
+                                                       const Chosen<Horizontal>& known,
                                                        const ForecastPlan& plan) {
   UnresolvedTide found;
   AveragedCurrents& averaged = found.averaged;
-  averaged.averaging = averaging_of(slice(known, UtcTime(plan.day), plan.end_of_day()).time);
+  averaged.averaging = averaging_of(slice(known.column, UtcTime(plan.day), plan.end_of_day()).time);
   if (!hides_the_tide(averaged.averaging)) return std::nullopt;
-  const FittedTide own = fit_column_tide(known, data.point.latitude);
+  const FittedTide own = tide_of_record(known, plan.day, data.point.latitude);
   averaged.holds_part_of_the_tide = !own.levels.empty();
   const std::optional<TidalRecord> record = tidal_record(data, plan);
   if (!record) return found;
@@ -142,8 +142,8 @@ std::optional<UnresolvedTide> widen_by_unresolved_tide(ForecastColumn& column,
     for (std::size_t i = 0; i < left_out.size(); ++i) {
       const TimeCell stamp =
           TimeCell::instant(plan.stamps.front() + hours(static_cast<int>(i)) - hours(reach));
-      left_out[i] =
-          tidal_oscillation(tide, stamp) - (k < known.levels() ? own.at(k, stamp) : Horizontal{});
+      left_out[i] = tidal_oscillation(tide, stamp) -
+                    (k < known.column.levels() ? own.at(k, stamp) : Horizontal{});
     }
     for (std::size_t t = 0; t < plan.stamps.size(); ++t) {
       const std::size_t o = t * levels + k;

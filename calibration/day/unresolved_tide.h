@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "calibration/day/forecast_plan.h"
+#include "fields/record/choose.h"
 #include "fields/record/site_data.h"
 #include "fields/service/averaged_currents.h"
 #include "fields/service/snapshot.h"
@@ -20,7 +21,7 @@ struct UnresolvedTide {
 /// enough to hold the tide.
 ///
 /// The tidal record is the longest of the column's other datasets, up to the end of D, that is not
-/// such means itself and shows a tide (three days and more, fields/current/tide.h). What it says of
+/// such means itself, nor detided, and shows a tide (three days and more, fields/current/tide.h). What it says of
 /// the tide beyond what the means' own harmonic tide holds is e(z, t), on the level nearest in
 /// depth. The band is widened by the variance of e along its longest axis over the 25 hours around
 /// a stamp, so that springs are wider than neaps,
@@ -28,9 +29,8 @@ struct UnresolvedTide {
 ///   sigma^2 += (<|e|^2> + |<e^2>|)/2,
 ///
 /// and each member runs with e at a phase of its own. The central forecast stays as it is: a mean.
-[[nodiscard]] std::optional<UnresolvedTide> widen_by_unresolved_tide(ForecastColumn& column,
-                                                                     const ColumnData& data,
-                                                                     const VectorColumn& known,
-                                                                     const ForecastPlan& plan);
+[[nodiscard]] std::optional<UnresolvedTide> widen_by_unresolved_tide(
+    ForecastColumn& column, const ColumnData& data, const Chosen<Horizontal>& known,
+    const ForecastPlan& plan);
 
 }  // namespace slackwater::calibration

@@ -18,7 +18,7 @@ std::optional<AveragedCurrents> widen_means(const SiteData& data, const Forecast
     attempt_part(Part::unresolved_tide, column.failures, [&] {
       ForecastColumn widened = column.column;
       const auto tide =
-          options.parts.unresolved_tide(widened, data.columns[i], column.known.column, result.plan);
+          options.parts.unresolved_tide(widened, data.columns[i], column.known, result.plan);
       found[i] = tide ? std::optional(tide->averaged) : std::nullopt;
       if (!tide) return;
       column.column = std::move(widened);

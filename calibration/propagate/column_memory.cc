@@ -21,6 +21,20 @@ double inertial_damping_per_h(const Calibration& calibration, double decay_h) {
   return damping_per_h;
 }
 
+/// The memory's part of a line: the root mean square over the levels, each in units of its own
+/// amplitude.
+void set_line(const Calibration& c, MemoryKernel& kernel) {
+  if (!c.near_inertial) return;
+  const std::vector<double>& modulus = c.near_inertial->modulus_m_s;
+  double squares = 0;
+  for (std::size_t k = 0; k < modulus.size(); ++k) {
+    const double depth_m = k < c.remembered.levels_m.size() ? c.remembered.levels_m[k] : 0.0;
+    squares += std::pow(modulus[k] / kernel.amplitude_at(depth_m), 2);
+  }
+  kernel.line_m_s = std::sqrt(squares / static_cast<double>(modulus.size()));
+  kernel.line_rad_h = 3600.0 * c.near_inertial->speed_rad_s;
+}
+
 }  // namespace
 
 ColumnMemory::ColumnMemory(const Calibration& c, UtcTime end_of_day, const Spread& spread) {
@@ -38,6 +52,7 @@ ColumnMemory::ColumnMemory(const Calibration& c, UtcTime end_of_day, const Sprea
         kernel.slow_m_s *= slow;
         kernel.recent_m_s *= recent;
         kernel.inertial_m_s *= inertial;
+        set_line(c, kernel);
         memory_.emplace_back(c.remembered, c.wind_driven_m_s, end_of_day, damping_per_h,
                              coriolis_rad_h, kernel, c.noise_m_s);
         log_weight.push_back(witnesses * memory_.back().log_evidence());

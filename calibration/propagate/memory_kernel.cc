@@ -55,8 +55,11 @@ HourCell HourCell::of(const TimeCell& cell, UtcTime end_of_day) noexcept {
 
 MemoryCovariance::MemoryCovariance(const MemoryKernel& kernel, double inertial_damping_per_h,
                                    double coriolis_rad_h)
-    : kernel_(kernel), inertial_per_h_(inertial_damping_per_h, coriolis_rad_h) {
+    : kernel_(kernel),
+      inertial_per_h_(inertial_damping_per_h, coriolis_rad_h),
+      line_per_h_(0.0, -kernel.line_rad_h) {
   expects(inertial_damping_per_h > 0, "inertial motion decays");
+  expects(kernel.line_m_s == 0 || kernel.line_rad_h != 0, "a line turns");
   expects(kernel.slow_h > 0 && kernel.recent_h > 0, "the memory's times are positive");
   // Without noise a motion of four terms cannot have made 24 values, and no fit exists.
   expects(kernel.noise_m_s > 0, "a value has noise");
@@ -69,16 +72,19 @@ Horizontal MemoryCovariance::between(const HourCell& a, const HourCell& b) const
   const double slow_m2_s2 = squared(kernel_.slow_m_s);
   const double recent_m2_s2 = squared(kernel_.recent_m_s);
   const double inertial_m2_s2 = squared(kernel_.inertial_m_s);
+  const Horizontal line = kernel_.line_m_s == 0
+                              ? Horizontal{}
+                              : squared(kernel_.line_m_s) * mean_decay(a, b, line_per_h_);
   if (a.is_instant() && b.is_instant()) {  // the same as below, with real exponentials
     const double lag_h = a.from_h - b.from_h;
     const double apart_h = std::abs(lag_h);
     return squared(kernel_.constant_m_s) + slow_m2_s2 * std::exp(-apart_h / kernel_.slow_h) +
            recent_m2_s2 * std::exp(-apart_h / kernel_.recent_h) +
-           inertial_m2_s2 * decay(lag_h, inertial_per_h_);
+           inertial_m2_s2 * decay(lag_h, inertial_per_h_) + line;
   }
   return squared(kernel_.constant_m_s) + slow_m2_s2 * mean_decay(a, b, 1.0 / kernel_.slow_h) +
          recent_m2_s2 * mean_decay(a, b, 1.0 / kernel_.recent_h) +
-         inertial_m2_s2 * mean_decay(a, b, inertial_per_h_);
+         inertial_m2_s2 * mean_decay(a, b, inertial_per_h_) + line;
 }
 
 Eigen::MatrixXcd MemoryCovariance::between(std::span<const HourCell> a,
@@ -94,7 +100,7 @@ Eigen::MatrixXcd MemoryCovariance::between(std::span<const HourCell> a,
 
 double MemoryCovariance::variance_m2_s2() const noexcept {
   return squared(kernel_.constant_m_s) + squared(kernel_.slow_m_s) + squared(kernel_.inertial_m_s) +
-         squared(kernel_.recent_m_s);
+         squared(kernel_.recent_m_s) + squared(kernel_.line_m_s);
 }
 
 }  // namespace slackwater::calibration

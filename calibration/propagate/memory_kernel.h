@@ -15,6 +15,7 @@ namespace slackwater::calibration {
 ///
 ///   constant  A^2                      slow    a^2 e^{-|d|/t_a}      recent  q^2 e^{-|d|/t_q}
 ///   inertial  c^2 e^{-r|d| - i f d}    own share  b^2 S(t) conj S(t')     noise  n^2 where t = t'
+///   line      l^2 e^{i w d}            a tide that the record could not tell from inertial motion
 ///
 /// S is the answer of the level to the wind, as calibrated; r and f are of the place. All
 /// amplitudes but the own share fade with depth, and all grow with the surprise of the day:
@@ -39,6 +40,12 @@ struct MemoryKernel {
   /// Free inertial oscillation that neither tide nor wind explains. After a storm there is 0.1 to
   /// 0.3 m/s (D'Asaro 1985, J. Phys. Oceanogr. 15, 1043), most of it the wind's and counted there.
   double inertial_m_s = 0.08;
+  /// A line that the harmonic tide has left to the memory, rotary, and its speed w in rad per hour,
+  /// counter-clockwise positive: it keeps its phase, inertial motion loses it. As large as the whole
+  /// record has it; what D shows near the inertial frequency is shared out between the two by their
+  /// variances, and by the turn of phase within D where they are that far apart.
+  double line_m_s = 0;
+  double line_rad_h = 0;
   /// What the last hours know and the next day forgets: fronts, eddies smaller than the mesoscale.
   double recent_m_s = 0.02;
   double recent_h = 24.0;
@@ -81,7 +88,7 @@ struct HourCell {
   [[nodiscard]] double length_h() const noexcept { return to_h - from_h; }
 };
 
-/// The covariance of constant, slow, inertial and recent: what does not depend on the wind.
+/// The covariance of constant, slow, inertial, line and recent: what does not depend on the wind.
 /// Stationary: a function of the lag; conj(K(t, t')) = K(t', t).
 class MemoryCovariance {
  public:
@@ -101,6 +108,7 @@ class MemoryCovariance {
  private:
   MemoryKernel kernel_;
   Horizontal inertial_per_h_;  ///< lambda = r + i f
+  Horizontal line_per_h_;      ///< -i w
 };
 
 }  // namespace slackwater::calibration

@@ -68,9 +68,10 @@ std::optional<Horizontal> value_near(const LevelSeries& series, UtcTime time, Du
   return (1.0 - share) * series.value[i - 1] + share * series.value[i];
 }
 
-/// The history a whole number of periods earlier: the fewest for which it lies in the history.
+/// The history from a time on, a whole number of periods earlier: the fewest for which it lies in
+/// the history.
 BaselineOutcome repeated(const BaselineInput& input, std::span<const TimeCell> truth_time,
-                         Duration period, const std::string& reason) {
+                         Duration period, UtcTime from, const std::string& reason) {
   const UtcTime end = end_of_day(input.day);
   std::vector<LevelSeries> series;
   std::vector<Duration> step;
@@ -85,14 +86,16 @@ BaselineOutcome repeated(const BaselineInput& input, std::span<const TimeCell> t
     Duration::rep times = 1;
     if (cell.centre() - period > last)
       times = (cell.centre() - last + period - Duration(1)) / period;
-    return value_near(series[k], cell.centre() - times * period, step[k]);
+    const UtcTime then = cell.centre() - times * period;
+    if (then < from) return std::nullopt;
+    return value_near(series[k], then, step[k]);
   };
   return outcome_of(everywhere(series.size(), truth_time, earlier), reason);
 }
 
 BaselineOutcome harmonic(const BaselineInput& input, std::span<const TimeCell> truth_time) {
   std::optional<ColumnTide> own;
-  if (input.tide == nullptr) own.emplace(input.current, input.day);
+  if (input.tide == nullptr) own.emplace(input.current, input.day, input.tide_since);
   const ColumnTide& tide = own ? *own : *input.tide;
   const std::size_t levels = input.current.levels();
   BaselineForecast forecast = nothing_yet(truth_time.size(), levels);
@@ -106,6 +109,7 @@ BaselineOutcome harmonic(const BaselineInput& input, std::span<const TimeCell> t
   }
   return outcome_of(std::move(forecast),
                     "the record up to " + format_day(input.day) +
+                        (input.tide_since == UtcTime::min() ? "" : ", as far as it holds tide,") +
                         " is shorter than 15 days; tide-harmonic needs 15 days");
 }
 
@@ -139,16 +143,21 @@ BaselineOutcome make_baseline(Method baseline, const BaselineInput& input,
                               std::span<const TimeCell> truth_time, const VectorColumn* truth) {
   expects(input.current.time.empty() || input.current.time.back().end <= end_of_day(input.day),
           "a baseline's history ends with day D");
+  if (input.tide_since == UtcTime::max() &&
+      (baseline == Method::tide_harmonic || baseline == Method::tide_phase)) {
+    return {std::nullopt, "the currents are detided: they hold no tide that " +
+                              std::string(name_of(baseline)) + " could carry on"};
+  }
   switch (baseline) {
     case Method::persistence:
       return constant_of_day(input, truth_time, false);
     case Method::day_mean:
       return constant_of_day(input, truth_time, true);
     case Method::same_hour:
-      return repeated(input, truth_time, same_hour_period,
+      return repeated(input, truth_time, same_hour_period, UtcTime::min(),
                       "no history 24 h before any of the forecast times");
     case Method::tide_phase:
-      return repeated(input, truth_time, tide_phase_period,
+      return repeated(input, truth_time, tide_phase_period, input.tide_since,
                       "no history 24.84 h before any of the forecast times");
     case Method::tide_harmonic:
       return harmonic(input, truth_time);

@@ -32,6 +32,8 @@ struct BaselineInput {
   /// The tide of `current` on D where the caller has fitted it already, so that the baselines that
   /// need it share it; null: they fit it themselves.
   const ColumnTide* tide = nullptr;
+  /// Values before lack the tide; `UtcTime::max()`: all of them are detided.
+  UtcTime tide_since = UtcTime::min();
 };
 
 /// A baseline evaluated at the truth's own cells: the instant, or the average over a mean's
@@ -54,6 +56,8 @@ struct BaselineOutcome {
 /// @param truth_time  cells to forecast, all after the end of D, in any order
 /// @param truth       needed by `oracle_mean` alone: a column on the same levels that holds the
 ///                    truth; else ignored
+/// Of currents without tide there is neither tide_harmonic nor tide_phase, and reference_slab does
+/// without its tide: what they would carry on is weather.
 /// Throws ContractViolation where the history reaches beyond D, or for a method without a recipe.
 /// Cost: below 1 ms a column without tide.
 [[nodiscard]] BaselineOutcome make_baseline(Method baseline, const BaselineInput& input,

@@ -192,7 +192,7 @@ BaselineOutcome reference_slab_forecast(const BaselineInput& input,
   const UtcTime end = end_of_day(input.day);
   const std::size_t levels = input.current.levels();
   std::optional<ColumnTide> own;
-  if (input.tide == nullptr) own.emplace(input.current, input.day);
+  if (input.tide == nullptr) own.emplace(input.current, input.day, input.tide_since);
   const ColumnTide& tide = own ? *own : *input.tide;
   const std::vector<LevelOfDay> day = levels_of_day(input, tide);
   double last_h = 24.0;

@@ -71,8 +71,9 @@ std::vector<std::size_t> times_of_level(const VectorColumn& history, std::size_t
 
 }  // namespace
 
-ColumnTide::ColumnTide(const VectorColumn& history, UtcDay day)
+ColumnTide::ColumnTide(const VectorColumn& history, UtcDay day, UtcTime since)
     : reference_(end_of_day(day)), level_(history.levels()) {
+  if (reference_ - record_needed < since) return;
   std::vector<std::size_t> factorised;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> factors;
   // The table's speeds are good to 2e-8 degrees an hour, which is 1e-7 rad over 15 days: columns

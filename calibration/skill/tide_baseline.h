@@ -19,7 +19,8 @@ namespace slackwater::calibration {
 /// one factorisation: a column costs little more than a level.
 class ColumnTide {
  public:
-  ColumnTide(const VectorColumn& history, UtcDay day);
+  /// @param since  values before lack the tide and are not looked at
+  ColumnTide(const VectorColumn& history, UtcDay day, UtcTime since = UtcTime::min());
 
   [[nodiscard]] bool has(std::size_t level) const noexcept { return level_[level].has_value(); }
   /// Of the 15 days, fitted together with the tide. Only where `has(level)`.

@@ -70,6 +70,13 @@ struct MisfitAtDepth {
   double bias_north_m_s = 0;
 };
 
+/// A tidal line that the record cannot tell from inertial motion (fields/current/tide.h): no tide
+/// was taken off for it, the memory carries it on.
+struct NearInertialLine {
+  double speed_rad_s = 0;           ///< counter-clockwise positive
+  std::vector<double> modulus_m_s;  ///< in the whole record, per level
+};
+
 /// A fitted day.
 struct Calibration {
   SteadyForm form = SteadyForm::finite_depth;
@@ -103,6 +110,8 @@ struct Calibration {
   VectorColumn remembered;
   std::vector<Horizontal> wind_driven_m_s;  ///< the wind's part at the times and levels of D
   std::vector<double> noise_m_s;            ///< CalibrationInput::noise_m_s
+  /// In what is remembered; nothing where the tide was told from inertial motion.
+  std::optional<NearInertialLine> near_inertial;
 };
 
 /// Fits the column to one day: one Ceres problem, robust loss per (time, level), priors beside the

@@ -260,16 +260,20 @@ TideFit assemble(const Record& record, std::span<const TidalCarrier> carriers,
   return fit;
 }
 
-void flag_near_inertial(TideFit& fit, double record_s, Angle latitude) {
-  const double inertial =
-      2.0 * constants::earth_rotation_rad_s * std::abs(std::sin(latitude.radians()));
+void leave_out_near_inertial(TideFit& fit, double record_s, Angle latitude) {
+  const double coriolis_rad_s =
+      2.0 * constants::earth_rotation_rad_s * std::sin(latitude.radians());
   for (TideTerm& term : fit.terms) {
-    term.near_inertial = std::abs(term.speed_rad_s - inertial) * record_s < turn;
-    if (term.near_inertial) {
-      fit.notes.push_back(term.name + " cannot be told from inertial motion of " +
-                          rounded(turn / inertial / 3600.0, 2) + " h in a record of " +
-                          rounded(record_s / day_s, 1) + " days");
-    }
+    term.near_inertial = std::abs(term.speed_rad_s - std::abs(coriolis_rad_s)) * record_s < turn;
+    if (!term.near_inertial) continue;
+    Horizontal& shared = coriolis_rad_s > 0 ? term.clockwise : term.counter_clockwise;
+    term.left_out_m_s = std::abs(shared);
+    shared = {};
+    fit.notes.push_back(term.name + " cannot be told from inertial motion of " +
+                        rounded(turn / std::abs(coriolis_rad_s) / 3600.0, 2) +
+                        " h in a record of " + rounded(record_s / day_s, 1) + " days: its " +
+                        (coriolis_rad_s > 0 ? "clockwise" : "counter-clockwise") +
+                        " part is left out");
   }
 }
 
@@ -312,7 +316,7 @@ TideFit fit_tide(std::span<const TimeCell> time, std::span<const Horizontal> val
       fit.notes.push_back(term.name + " inferred from " + term.inferred_from +
                           " by the equilibrium ratio");
   }
-  flag_near_inertial(fit, record_s, latitude);
+  leave_out_near_inertial(fit, record_s, latitude);
   return fit;
 }
 

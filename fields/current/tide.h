@@ -23,8 +23,9 @@ struct TideTerm {
   /// The constituent it was inferred from, empty where it was fitted itself.
   std::string inferred_from;
   /// Closer to |f| than one Rayleigh width: tide and inertial motion cannot be told apart in this
-  /// record.
+  /// record, and the sense of rotation that they share is 0 here.
   bool near_inertial = false;
+  double left_out_m_s = 0;  ///< the modulus that it had in the fit
 };
 
 /// A harmonic tide with its mean.
@@ -66,9 +67,14 @@ struct TidalEllipse {
 /// residual, widened for its lag-one correlation. Values that are means over a cell are fitted as
 /// means.
 ///
+/// Where | |w| - |f| | T < 2 pi the record cannot tell a constituent from free inertial motion,
+/// which keeps its phase for days and not for ever. The sense of rotation that the two share
+/// (clockwise in the north, counter-clockwise in the south) is fitted, so that it does not leak
+/// into its neighbours, and then left out of the tide, with its size stated; the other one stays.
+///
 /// @param time      ascending cells, instants or means
 /// @param value     m/s; used where the status has a value
-/// @param latitude  for the inertial frequency only
+/// @param latitude  for the inertial frequency and its sense only
 /// Throws ContractViolation where the lengths differ.  Cost: 5 ms for 30 days of hours.
 /// Thread-safe. Source: Foreman (1977, 1978); Pawlowicz, Beardsley & Lentz (2002); nodal
 /// corrections are left out.

@@ -161,6 +161,46 @@ TEST(TideHarmonic, NeedsFifteenDays) {
   EXPECT_NE(outcome.reason.find("shorter than 15 days"), std::string::npos);
 }
 
+TEST(TideBaselines, OfDetidedCurrentsThereAreNoneAndTheReasonSaysSo) {
+  const VectorColumn history = hourly(curve, -24 * 20, 0, false);
+  const VectorColumn truth = hourly(curve, 1, 24, false);
+  BaselineInput input{day_d, history, nullptr, latitude, false};
+  input.tide_since = UtcTime::max();
+  for (const Method baseline : {Method::tide_harmonic, Method::tide_phase}) {
+    const BaselineOutcome outcome = make_baseline(baseline, input, truth.time);
+    EXPECT_FALSE(outcome.forecast.has_value()) << name_of(baseline);
+    EXPECT_NE(outcome.reason.find("detided"), std::string::npos) << outcome.reason;
+    EXPECT_NE(outcome.reason.find(name_of(baseline)), std::string::npos) << outcome.reason;
+  }
+  EXPECT_TRUE(make_baseline(Method::same_hour, input, truth.time).forecast.has_value());
+  // The slab of a detided record is that of one too short for a tide.
+  const VectorColumn short_history = hourly(curve, -24 * 10, 0, false);
+  const auto slab = make_baseline(Method::reference_slab, input, truth.time);
+  const auto of_short = make_baseline(Method::reference_slab,
+                                      {day_d, short_history, nullptr, latitude, false}, truth.time);
+  ASSERT_TRUE(slab.forecast && of_short.forecast);
+  EXPECT_EQ(slab.forecast->value, of_short.forecast->value);
+}
+
+TEST(TideBaselines, LookNoFartherBackThanTheTide) {
+  const VectorColumn history = hourly(curve, -24 * 20, 0, false);
+  const VectorColumn truth = hourly(curve, 1, 24, false);
+  BaselineInput input{day_d, history, nullptr, latitude, false};
+  input.tide_since = add_hours(end_of_d, -24 * 14);
+  const BaselineOutcome harmonic = make_baseline(Method::tide_harmonic, input, truth.time);
+  EXPECT_FALSE(harmonic.forecast.has_value());
+  EXPECT_NE(harmonic.reason.find("as far as it holds tide, is shorter than 15 days"),
+            std::string::npos)
+      << harmonic.reason;
+  input.tide_since = add_hours(end_of_d, -24 * 15);
+  EXPECT_TRUE(make_baseline(Method::tide_harmonic, input, truth.time).forecast.has_value());
+  input.tide_since = add_hours(end_of_d, -12);
+  const auto phase = make_baseline(Method::tide_phase, input, truth.time).forecast;
+  ASSERT_TRUE(phase);
+  EXPECT_FALSE(phase->has(2 * 11)) << "12 h later: 12.84 h before the end of D";
+  EXPECT_TRUE(phase->has(2 * 12)) << "13 h later: 11.84 h before it";
+}
+
 TEST(OracleMean, NoConstantIsBetter) {
   const VectorColumn history = hourly(curve, -24, 0, false);
   const VectorColumn truth = hourly(curve, 1, 24, false);

@@ -285,20 +285,84 @@ TEST(FitTide, DailyMeansAndSixHourlyInstantsLeaveOutWhatTheyCannotSee) {
   EXPECT_TRUE(fitted(days).terms.empty());
 }
 
-TEST(FitTide, FlagsDiurnalTideNearThirtyDegrees) {
-  const Series series = sampled(equilibrium_like({{"K1", 0.3},
-                                                  {"O1", 0.3 * 0.711},
-                                                  {"P1", 0.3 * 0.331},
-                                                  {"M2", 0.2},
-                                                  {"S2", 0.2 * 0.465},
-                                                  {"N2", 0.2 * 0.191}}),
-                                6);
-  const TideFit here = fitted(series, Angle::from_degrees(-30.0));
-  ASSERT_NE(find(here, "K1"), nullptr);
-  EXPECT_TRUE(find(here, "K1")->near_inertial);
-  EXPECT_FALSE(find(here, "M2")->near_inertial);
-  EXPECT_TRUE(says(here, "K1 cannot be told from inertial motion"));
-  EXPECT_FALSE(find(fitted(series, Angle::from_degrees(50.0)), "K1")->near_inertial);
+/// A tide of one species with the equilibrium ratios, so that what rides on its carrier in a short
+/// record is right: of the constituent of that name 0.3 m/s clockwise and 0.2 counter-clockwise.
+struct OneSpecies {
+  OneSpecies(const std::string& name, double latitude_deg, double days) {
+    std::vector<std::pair<std::string, double>> ratios{{name, 1.0}};
+    if (name == "M2") ratios = {{"M2", 1.0}, {"S2", 0.465}, {"N2", 0.191}};
+    if (name == "K1") ratios = {{"K1", 1.0}, {"O1", 0.711}, {"P1", 0.331}};
+    const Signal signal = [&](UtcTime time) {
+      Horizontal sum(0.1, 0.0);
+      for (const auto& [constituent, ratio] : ratios) {
+        const double v = astronomical_argument_rad(tidal_constituent(constituent), time);
+        sum += ratio * (0.2 * std::polar(1.0, v) + Horizontal(0.0, 0.3) * std::polar(1.0, -v));
+      }
+      return sum;
+    };
+    fit = fitted(sampled(signal, days), Angle::from_degrees(latitude_deg));
+    const TideTerm* found = find(fit, name);
+    EXPECT_NE(found, nullptr) << name << " in " << days << " days";
+    if (found != nullptr) term = *found;
+  }
+  TideFit fit;
+  TideTerm term;
+};
+
+TEST(FitTide, LeavesOutTheInertialSenseOfALineThatIsNoFurtherThanOneRayleighWidth) {
+  struct Place {
+    const char* name;
+    double latitude_deg;
+    double inside_days;   ///< | |w| - |f| | T < 2 pi
+    double outside_days;  ///< and not any more; 0: not looked at
+  };
+  // |f| = 2.00548 sin(latitude) turns a day; K1 1.00274, O1 0.92954, M2 1.93227, N2 1.89598.
+  for (const Place& at :
+       {Place{"K1", 30, 300, 0}, Place{"K1", -30, 300, 0}, Place{"K1", 33, 10, 14},
+        Place{"K1", -33, 10, 14}, Place{"O1", 27.6, 100, 0}, Place{"O1", -27.6, 100, 0},
+        Place{"M2", 54, 3.1, 3.4}, Place{"N2", 71, 300, 0}, Place{"M2", 70, 15, 25},
+        Place{"M2", -75, 150, 220}}) {
+    SCOPED_TRACE(std::string(at.name) + " at " + std::to_string(at.latitude_deg));
+    const OneSpecies inside(at.name, at.latitude_deg, at.inside_days);
+    EXPECT_TRUE(inside.term.near_inertial);
+    const bool is_north = at.latitude_deg > 0;
+    EXPECT_EQ(is_north ? inside.term.clockwise : inside.term.counter_clockwise, Horizontal{});
+    const double tolerance = 0.02;  // S2 carries a K2 that is not there, O1 a Q1
+    EXPECT_NEAR(inside.term.left_out_m_s, is_north ? 0.3 : 0.2, tolerance);
+    EXPECT_NEAR(std::abs(is_north ? inside.term.counter_clockwise : inside.term.clockwise),
+                is_north ? 0.2 : 0.3, tolerance);
+    EXPECT_TRUE(says(inside.fit, std::string(at.name) + " cannot be told from inertial motion"));
+    EXPECT_TRUE(says(inside.fit, is_north ? "its clockwise part is left out"
+                                          : "its counter-clockwise part is left out"));
+    if (at.outside_days == 0) continue;
+    const OneSpecies outside(at.name, at.latitude_deg, at.outside_days);
+    EXPECT_FALSE(outside.term.near_inertial);
+    EXPECT_EQ(outside.term.left_out_m_s, 0);
+    EXPECT_NE(outside.term.clockwise, Horizontal{});
+    EXPECT_NE(outside.term.counter_clockwise, Horizontal{});
+  }
+}
+
+TEST(FitTide, NearTheEquatorNothingIsLeftOut) {
+  for (const double latitude_deg : {0.0, 0.5, -3.0}) {
+    for (const char* name : {"K1", "M2"}) {
+      const OneSpecies line(name, latitude_deg, 10);
+      EXPECT_FALSE(line.term.near_inertial);
+      EXPECT_NE(line.term.clockwise, Horizontal{});
+      EXPECT_NE(line.term.counter_clockwise, Horizontal{});
+    }
+  }
+}
+
+TEST(FitTide, OfACarrierAndItsRidersEachIsJudgedByItsOwnSpeed) {
+  // At 26 degrees and in ten days O1, which rides on K1 there, is near-inertial and K1 is not.
+  const Series series =
+      sampled(equilibrium_like({{"K1", 0.3}, {"O1", 0.3 * 0.711}, {"P1", 0.3 * 0.331}}), 10);
+  const TideFit fit = fitted(series, Angle::from_degrees(26.0));
+  EXPECT_FALSE(find(fit, "K1")->near_inertial);
+  EXPECT_TRUE(find(fit, "O1")->near_inertial);
+  EXPECT_EQ(find(fit, "O1")->clockwise, Horizontal{});
+  EXPECT_NE(find(fit, "K1")->clockwise, Horizontal{});
 }
 
 TEST(FitTide, AClusterOfTimesDropsWhatItCannotDetermine) {
