@@ -28,11 +28,6 @@ HourlyStress stress_by_the_hour(std::span<const UtcTime> times, UtcTime end_of_d
                               last_hour(times, end_of_day));
 }
 
-ColumnDay without_tide(ColumnDay day) {
-  day.layout.tide.clear();
-  return day;
-}
-
 }  // namespace
 
 ColumnDay day_of_horizon(const Calibration& calibration, std::span<const UtcTime> times,
@@ -55,7 +50,7 @@ WindDriven::WindDriven(const Calibration& calibration, std::span<const UtcTime> 
     : calibration_(calibration),
       times_(times),
       end_of_day_(end_of_day),
-      rows_(without_tide(day_of_horizon(calibration, times, end_of_day, StressSeries()))) {}
+      rows_(day_of_horizon(calibration, times, end_of_day, StressSeries())) {}
 
 std::vector<Horizontal> WindDriven::under(const StressSeries& stress,
                                           const SteadyParameters& parameters) {

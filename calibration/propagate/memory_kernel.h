@@ -41,9 +41,9 @@ struct MemoryKernel {
   /// 0.3 m/s (D'Asaro 1985, J. Phys. Oceanogr. 15, 1043), most of it the wind's and counted there.
   double inertial_m_s = 0.08;
   /// A line that the harmonic tide has left to the memory, rotary, and its speed w in rad per hour,
-  /// counter-clockwise positive: it keeps its phase, inertial motion loses it. As large as the whole
-  /// record has it; what D shows near the inertial frequency is shared out between the two by their
-  /// variances, and by the turn of phase within D where they are that far apart.
+  /// counter-clockwise positive: it keeps its phase, inertial motion loses it. As large as the
+  /// whole record has it; what D shows near the inertial frequency is shared out between the two by
+  /// their variances, and by the turn of phase within D where they are that far apart.
   double line_m_s = 0;
   double line_rad_h = 0;
   /// What the last hours know and the next day forgets: fronts, eddies smaller than the mesoscale.

@@ -32,7 +32,7 @@ struct Propagated {
 
 /// Carries a calibrated day forward: per form
 ///
-///   mean(z, t) = tide fitted with the day + F [T(t) B(z) - sum_n B_n(z) m_n(t)] + memory(z, t)
+///   mean(z, t) = F [T(t) B(z) - sum_n B_n(z) m_n(t)] + memory(z, t)
 ///
 /// the same forward model with the wind of the asked times, and by level what D remembers: interior
 /// and its shear, free inertial motion, slow and recent departures, a share of the wind's own

@@ -7,8 +7,6 @@
 namespace slackwater::calibration {
 namespace {
 
-constexpr Horizontal i_unit{0.0, 1.0};
-
 Horizontal vector_at(const double* estimate, std::size_t i) {
   return {estimate[i], estimate[i + 1]};
 }
@@ -32,13 +30,6 @@ Fading fading(Horizontal lambda_1_s, const TimeCell& cell, UtcTime start) {
   const Horizontal inverse_width = 1.0 / (lambda_1_s * seconds_between(cell.start, cell.end));
   const Horizontal mean = (from.value - to.value) * inverse_width;
   return {mean, (from.by_lambda_s - to.by_lambda_s) * inverse_width - mean / lambda_1_s};
-}
-
-/// e^{i w t} likewise; w of either sign.
-Horizontal turning(double speed_rad_s, const TimeCell& cell, UtcTime start) {
-  const double half = 0.5 * speed_rad_s * seconds_between(cell.start, cell.end);
-  const double blunted = cell.is_mean() ? std::sin(half) / half : 1.0;
-  return std::polar(1.0, speed_rad_s * seconds_between(start, cell.centre())) * blunted;
 }
 
 std::array<std::size_t, shapers> places(const ParameterLayout& layout) {
@@ -70,13 +61,6 @@ ColumnRows::ColumnRows(ColumnDay day)
   for (Eigen::Index t = 0; t < times; ++t) {
     const TimeCell& cell = day_.time[static_cast<std::size_t>(t)];
     days_since_noon_(t) = hours_between(noon, cell.centre()) / 24.0;
-  }
-  for (const TideLine& line : day_.layout.tide) {
-    for (const double speed : {line.speed_rad_s, -line.speed_rad_s}) {
-      turn_.emplace_back(times);
-      for (Eigen::Index t = 0; t < times; ++t)
-        turn_.back()(t) = turning(speed, day_.time[static_cast<std::size_t>(t)], day_.start);
-    }
   }
   model_planes_.resize(2 * times, levels);
   wind_planes_.resize(2 * times, levels);
@@ -117,7 +101,6 @@ void ColumnRows::evaluate(const double* estimate, bool with_derivatives) {
   add_wind(shapes, estimate, with_derivatives);
   add_interior(shapes, estimate, with_derivatives);
   add_inertial(shapes, estimate, with_derivatives);
-  add_tide(shapes, estimate, with_derivatives);
   sum_.write(model_planes_);
   model_planes_ += wind_planes_;
   to_complex(model_planes_, model_);
@@ -191,7 +174,7 @@ void ColumnRows::add_vector(std::size_t index, const double* estimate, const Ove
   if (!with_derivatives) return;
   write_vector_columns(index, p, s.value.template cast<Horizontal>());
   for (std::size_t j = 0; j < shapers; ++j) {
-    if (place_[j] < day_.layout.count() && s.by[j].size() > 0) sum_by_[j].add(flow, s.by[j]);
+    if (place_[j] < day_.layout.count()) sum_by_[j].add(flow, s.by[j]);
   }
 }
 
@@ -222,19 +205,6 @@ void ColumnRows::add_inertial(const ColumnShapes& shapes, const double* estimate
   for (std::size_t j = 0; j < shapers; ++j) {
     const Horizontal decay_by = amplitude * gravest.decay_1_s.by[j];
     if (place_[j] < layout.count()) sum_by_[j].add(decay_by * by_lambda_s, gravest.profile.value);
-  }
-}
-
-void ColumnRows::add_tide(const ColumnShapes& shapes, const double* estimate,
-                          bool with_derivatives) {
-  const Shaped<Eigen::RowVectorXd> uniform{Eigen::RowVectorXd::Ones(model_.cols()), {}};
-  for (std::size_t i = 0; i < turn_.size(); ++i) {
-    const std::size_t index = day_.layout.tide_at(i / 2) + 2 * (i % 2);
-    if (shapes.tide.empty()) {
-      add_vector(index, estimate, turn_[i], uniform, with_derivatives);
-    } else {
-      add_vector(index, estimate, turn_[i], shapes.tide[i], with_derivatives);
-    }
   }
 }
 

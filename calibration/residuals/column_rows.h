@@ -20,14 +20,13 @@ struct ColumnDay {
   std::vector<TimeCell> time;         ///< instants or means
   std::vector<Horizontal> stress_pa;  ///< of each time; 0 where no wind is used
   HourlyStress hourly;                ///< the stress before and through D; unsteady alone
-  UtcTime start{};                    ///< 00:00 of D: phase of tide, inertial motion and trend
+  UtcTime start{};                    ///< 00:00 of D: phase of inertial motion and trend
 };
 
 /// The model of a day at all its times and levels, with its exact derivatives by every parameter.
 ///
 ///   W(z,t) = (W_g + W_g' (t - noon)) A(z) + F [T(t) B(z) - sum_n B_n(z) m_n(t)]
 ///            + c e^{-lambda_0 (t - start)} phi_0(z)
-///            + sum_l sum_+- W_l+- e^{+-i w_l (t - start)} S_l+-(z)
 ///
 /// the lines of fields/current evaluated in dual numbers over the three logarithms that shape them
 /// (viscosity, bottom, mixed-layer depth), everything else being linear. F the stress factor, W_g'
@@ -41,7 +40,7 @@ class ColumnRows {
   explicit ColumnRows(ColumnDay day);
 
   /// Evaluates at a point (logarithms where so). A fifth of a millisecond for 24 x 35 with twenty
-  /// modes and two tide lines.
+  /// modes.
   void evaluate(const double* estimate, bool with_derivatives);
 
   /// Another wind over the same times: of each time, and by the hour.
@@ -64,7 +63,6 @@ class ColumnRows {
   void add_wind(const ColumnShapes& shapes, const double* estimate, bool with_derivatives);
   void add_interior(const ColumnShapes& shapes, const double* estimate, bool with_derivatives);
   void add_inertial(const ColumnShapes& shapes, const double* estimate, bool with_derivatives);
-  void add_tide(const ColumnShapes& shapes, const double* estimate, bool with_derivatives);
   /// What a vector parameter of value `x` multiplies: adds x p(t) s(z) with its derivatives.
   template <typename Row>
   void add_vector(std::size_t index, const double* estimate, const OverTime& p,
@@ -76,7 +74,6 @@ class ColumnRows {
   std::shared_ptr<const StressChanges> changes_;
   OverTime ones_;
   OverTime days_since_noon_;
-  std::vector<OverTime> turn_;                ///< e^{+-i w_l t} of each line and sense
   std::array<std::size_t, shapers> place_;    ///< in the estimate; count() where a day has none
   SeparableSum sum_;                          ///< the model but for the wind's part
   std::array<SeparableSum, shapers> sum_by_;  ///< all of it, by the shapers

@@ -8,7 +8,6 @@
 #include "fields/current/column_modes.h"
 #include "fields/current/coriolis.h"
 #include "fields/current/steady_response.h"
-#include "fields/current/tidal_shape.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -88,7 +87,6 @@ class Maker {
     ColumnShapes out;
     add_steady(out);
     if (layout_.has_modes()) add_modes(out);
-    if (layout_.has_shape && layout_.form == SteadyForm::finite_depth) add_tide(out);
     return out;
   }
 
@@ -127,18 +125,6 @@ class Maker {
         set(shape.profile, k, is_layer ? T(cosine * taper[at]) : cosine);
       }
       out.mode.push_back(std::move(shape));
-    }
-  }
-
-  void add_tide(ColumnShapes& out) const {
-    for (const TideLine& line : layout_.tide) {
-      for (const double speed : {line.speed_rad_s, -line.speed_rad_s}) {
-        const TidalShape<T> tidal(shape_.eddy_viscosity_m2_s, shape_.bottom, coriolis_rad_s_, speed,
-                                  water_depth_m_);
-        out.tide.push_back(rows_of<Eigen::RowVectorXcd, T>(levels_));
-        for (Eigen::Index k = 0; k < levels_; ++k)
-          set(out.tide.back(), k, tidal.at_depth(depth_m_[static_cast<std::size_t>(k)]));
-      }
     }
   }
 

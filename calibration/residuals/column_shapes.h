@@ -32,8 +32,6 @@ struct ColumnShapes {
   Shaped<Eigen::RowVectorXcd> interior;  ///< A
   Shaped<Eigen::RowVectorXcd> stress;    ///< B
   std::vector<ShapedMode> mode;          ///< empty where steady; the gravest alone without wind
-  std::vector<Shaped<Eigen::RowVectorXcd>>
-      tide;  ///< S+ and S- of each line; empty where they are 1
 };
 
 /// The lines of fields/current at the estimate; with derivatives, in dual numbers.

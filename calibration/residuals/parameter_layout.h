@@ -1,22 +1,14 @@
 #pragma once
 #include <cstddef>
-#include <vector>
 
 #include "fields/current/steady_column.h"
 
 namespace slackwater::calibration {
 
-/// One constituent fitted together with the day.
-struct TideLine {
-  const char* name = "M2";
-  double speed_rad_s = 0;  ///< > 0
-  bool operator==(const TideLine&) const = default;
-};
-
 /// Which quantities a day estimates, and where each stands in every vector of this room:
 ///
 ///   interior (2) | ln viscosity, ln bottom | ln stress factor | ln mixed layer | trend (2)
-///   | inertial (2) | W+ (2), W- (2) of each tide line
+///   | inertial (2)
 ///
 /// two numbers of a vector are its east and north components. What a day does not estimate takes no
 /// place.
@@ -25,7 +17,6 @@ struct ParameterLayout {
   bool has_shape = true;     ///< not in the equatorial band
   bool has_wind = true;      ///< the wind-driven term is fitted
   bool is_unsteady = false;  ///< trend of the interior and free inertial motion are fitted too
-  std::vector<TideLine> tide;
 
   static constexpr std::size_t interior = 0;
   static constexpr std::size_t log_viscosity = 2;  ///< with has_shape
@@ -40,10 +31,7 @@ struct ParameterLayout {
   [[nodiscard]] std::size_t log_layer() const noexcept { return log_factor() + (has_wind ? 1 : 0); }
   [[nodiscard]] std::size_t trend() const noexcept { return log_layer() + (has_layer() ? 1 : 0); }
   [[nodiscard]] std::size_t inertial() const noexcept { return trend() + (is_unsteady ? 2 : 0); }
-  [[nodiscard]] std::size_t tide_at(std::size_t line) const noexcept {
-    return inertial() + (has_modes() ? 2 : 0) + 4 * line;
-  }
-  [[nodiscard]] std::size_t count() const noexcept { return tide_at(tide.size()); }
+  [[nodiscard]] std::size_t count() const noexcept { return inertial() + (has_modes() ? 2 : 0); }
 };
 
 }  // namespace slackwater::calibration

@@ -18,8 +18,8 @@ struct Ageing {
 
 /// Yesterday's posterior as today's prior: the parameters that shape the column and the stress
 /// factor, each with the variance of its posterior and of the days between. The means fall back
-/// toward the general prior in the measure in which its variance is reached. Interior, trend,
-/// inertial motion and tide are the day's own.
+/// toward the general prior in the measure in which its variance is reached. Interior, trend
+/// and inertial motion are the day's own.
 ///
 /// @param days_between  1 for the day after
 [[nodiscard]] std::vector<KnownParameter> aged(const Calibration& earlier, double days_between,

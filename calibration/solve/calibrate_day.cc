@@ -39,7 +39,6 @@ DayProblem make_problem(const CalibrationInput& input, const Observations& obser
   day.layout.has_shape = !is_equatorial(input.latitude);
   day.layout.has_wind = observations.wind_used && day.layout.has_shape;
   day.layout.is_unsteady = input.is_unsteady;
-  day.layout.tide = input.tide;
   day.latitude = input.latitude;
   day.water_depth_m = observations.water_depth_m;
   day.depth_m = observations.depth_m;
@@ -130,7 +129,7 @@ Calibration calibrate_day(const CalibrationInput& input) {
     for (Eigen::Index j = 0; j < covariance.cols(); ++j)
       result.covariance.push_back(covariance(i, j));
   }
-  // The wind's part and the tide alone: the model without interior and free inertial motion.
+  // The wind's part alone: the model without interior and free inertial motion.
   const ColumnRows& driven = fit.at(without_flow(minimum.estimate, result.layout), false);
   result.remembered = residual_column(input.current, observations, driven.model());
   const ColumnRows::Matrix& wind = driven.wind_driven();

@@ -33,7 +33,6 @@ struct CalibrationInput {
   /// The column with memory: history of the wind, a trend of the interior and free inertial motion.
   /// Steady otherwise. three_layer has the trend alone.
   bool is_unsteady = false;
-  std::vector<TideLine> tide;         ///< constituents to fit together with the day; usually none
   std::vector<KnownParameter> known;  ///< replaces the general prior of these parameters
   DragLaw drag_law = DragLaw::paper_linear;
   /// Standard deviation of each component of the product's current about the steady model, at best:
@@ -81,8 +80,7 @@ struct NearInertialLine {
 struct Calibration {
   SteadyForm form = SteadyForm::finite_depth;
   ParameterLayout layout;  ///< which parameters there are, in which order
-  UtcTime
-      start{};  ///< 00:00 of D: phase of tide and inertial motion, middle of the trend less 12 h
+  UtcTime start{};         ///< 00:00 of D: phase of inertial motion, middle of the trend less 12 h
   DragLaw drag_law = DragLaw::paper_linear;
   Angle latitude;
   double water_depth_m = 0;  ///< as used: at least the deepest observed level
@@ -106,7 +104,7 @@ struct Calibration {
   std::string termination;  ///< one sentence an operator can read
   std::vector<std::string> warnings;
   VectorColumn residual;  ///< observation minus model; status missing where the fit had no pair
-  /// Observation minus the parts that the wind and the day's tide make: what the column remembers.
+  /// Observation minus the part that the wind makes: what the column remembers.
   VectorColumn remembered;
   std::vector<Horizontal> wind_driven_m_s;  ///< the wind's part at the times and levels of D
   std::vector<double> noise_m_s;            ///< CalibrationInput::noise_m_s

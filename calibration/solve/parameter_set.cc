@@ -115,12 +115,6 @@ std::vector<Parameter> prior_parameters(const ParameterLayout& layout, double wa
         set, "inertial", "m s-1", 0.15, 3.0,
         "usual after a storm (D'Asaro 1985; Pollard and Millard 1970, Deep-Sea Res. 17, 813)");
   }
-  for (const TideLine& line : layout.tide) {
-    add_vector(set, std::string(line.name) + "_counter_clockwise", "m s-1", 0.5, 4.0,
-               "weak: tidal currents of the shelf reach 1 m/s");
-    add_vector(set, std::string(line.name) + "_clockwise", "m s-1", 0.5, 4.0,
-               "weak: tidal currents of the shelf reach 1 m/s");
-  }
   add_known(set, known);
   return set;
 }

@@ -17,8 +17,8 @@ namespace slackwater::calibration {
 [[nodiscard]] double estimated(const Parameter& parameter, double value);
 /// All of them.
 [[nodiscard]] std::vector<double> estimates_of(const std::vector<Parameter>& parameters);
-/// The estimate with interior, trend and free inertial motion set to zero: what the wind and the
-/// tide make is left.
+/// The estimate with interior, trend and free inertial motion set to zero: what the wind makes
+/// is left.
 [[nodiscard]] std::vector<double> without_flow(std::vector<double> estimate,
                                                const ParameterLayout& layout);
 /// The inverse of `estimated`.

@@ -1,7 +1,6 @@
-// One column-day (24 hourly means x 35 levels) calibrated with covariance, steady and unsteady with
-// tide; the same least squares in scipy; a thousand columns; and the batch evaluation of the steady
-// column. All answers are verified before any time is printed; a wrong answer ends
-// with exit code 1.
+// One column-day (24 hourly means x 35 levels) calibrated with covariance, steady and unsteady; the
+// same least squares in scipy; a thousand columns; and the batch evaluation of the steady column.
+// All answers are verified before any time is printed; a wrong answer ends with exit code 1.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

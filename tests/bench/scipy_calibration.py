@@ -1,4 +1,4 @@
-"""The unsteady + tide calibration of one column-day with scipy, for comparison.
+"""The unsteady calibration of one column-day with scipy, for comparison.
 
 scipy_calibration.py PROBLEM.json: reads observations, stress, priors, bounds and start, fits with
 scipy.optimize.least_squares (trust region reflective), once with 2-point differences and once with the
@@ -65,7 +65,7 @@ class Steady:
 
 
 class Day:
-    """Parameters: interior 2, ln nu, ln r, ln factor, trend 2, inertial 2, then W+ 2, W- 2 of each line."""
+    """Parameters: interior 2, ln nu, ln r, ln factor, trend 2, inertial 2."""
 
     def __init__(self, p):
         self.f = p["coriolis_rad_s"]
@@ -82,9 +82,6 @@ class Day:
         self.width_h = self.end_h - self.start_h
         centre_h = 0.5 * (self.start_h + self.end_h)
         self.day_part = (centre_h - 12.0) / 24.0
-        self.speeds = np.array([s * w for w in p["tide_rad_s"] for s in (1.0, -1.0)])
-        half = 0.5 * self.speeds[:, None] * 3600.0 * self.width_h
-        self.turn = np.exp(1j * self.speeds[:, None] * 3600.0 * centre_h) * np.sin(half) / half
         self.obs = np.array(p["east_m_s"]) + 1j * np.array(p["north_m_s"])
         self.sigma = p["sigma_m_s"]
         self.prior = np.array(p["prior"])
@@ -128,8 +125,6 @@ class Day:
         nu, r, factor = np.exp(p[2]), np.exp(p[3]), np.exp(p[4])
         steady = Steady(nu, r, self.f, self.depth, self.d)
         b_steady = steady.stress()
-        tide = Steady(nu, r, (self.f + self.speeds)[:, None], self.depth, self.d)
-        shape = tide.A / tide.mean
         x, b = self.modes(nu, r)
         k = x / self.depth
         lam = nu * k**2 + 1j * self.f
@@ -144,9 +139,7 @@ class Day:
         fade = (fade0 - fade1) / width
         flow = complex(p[0], p[1]) + self.day_part * complex(p[5], p[6])
         inertial = complex(p[7], p[8])
-        phasor = p[9::2] + 1j * p[10::2]
-        turned = self.turn * phasor[:, None]
-        model = wind + np.outer(flow, steady.A) + inertial * np.outer(fade, phi[0]) + turned.T @ shape
+        model = wind + np.outer(flow, steady.A) + inertial * np.outer(fade, phi[0])
         if not derivative:
             return model, None
         jac = np.empty((len(p),) + model.shape, complex)
@@ -154,27 +147,23 @@ class Day:
         jac[4] = wind
         jac[5] = np.outer(self.day_part, steady.A)
         jac[7] = np.outer(fade, phi[0])
-        jac[9::2] = self.turn[:, :, None] * shape[:, None, :]
-        for i in [0, 5, 7] + list(range(9, len(p), 2)):
+        for i in (0, 5, 7):
             jac[i + 1] = 1j * jac[i]
         fade_by = (-t0 * fade0 + t1 * fade1) / width - fade / lam[0]
         s, c = np.sin(x), np.cos(x)
         x_by_b = c / (s + x * c + b * s)
         norm_by_x = 0.5 * self.depth * (np.cos(2 * x) / x - np.sin(2 * x) / (2 * x**2))
         by_a, by_b = steady.derivatives(), steady.stress_derivatives()
-        for j, (db, own, (tide_a, tide_mean)) in enumerate(
-                zip((-b, b), (1.0, 0.0), tide.derivatives())):
+        for j, (db, own) in enumerate(((-b, 1.0), (b, 0.0))):
             dx = x_by_b * db
             dk = dx / self.depth
             dlam = nu * k**2 * own + 2 * nu * k * dk
             dscale = -scale * (norm_by_x * dx / norm + dlam / lam)
             dphi = -np.sin(k[:, None] * self.d) * self.d * dk[:, None]
             dtime = m * dscale + m_by * (3600 * dlam * scale)
-            dshape = (tide_a - shape * tide_mean) / tide.mean
             jac[2 + j] = (factor * (np.outer(self.stress, by_b[j]) - dtime @ phi - (m * scale) @ dphi)
                           + np.outer(flow, by_a[j][0])
-                          + inertial * (np.outer(fade_by * dlam[0], phi[0]) + np.outer(fade, dphi[0]))
-                          + turned.T @ dshape)
+                          + inertial * (np.outer(fade_by * dlam[0], phi[0]) + np.outer(fade, dphi[0])))
         return model, jac
 
     def residuals(self, p):

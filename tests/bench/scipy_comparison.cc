@@ -44,7 +44,6 @@ nlohmann::json json_of(const DayProblem& problem, const std::vector<double>& sta
   for (const Horizontal& stress : day.stress_pa) put("stress_", "pa", stress);
   for (const Horizontal& stress : day.hourly.stress_pa) put("hourly_", "pa", stress);
   for (const Pair& pair : problem.pairs) put("", "m_s", pair.observed_m_s);
-  for (const TideLine& line : day.layout.tide) out["tide_rad_s"].push_back(line.speed_rad_s);
   for (const Parameter& p : problem.parameters) {
     out["prior"].push_back(estimated(p, p.prior));
     out["prior_sigma"].push_back(p.prior_sigma);

@@ -3,7 +3,7 @@
 
 namespace slackwater::bench {
 
-/// One column-day of the unsteady model with tide, from its wind and currents to its covariance.
+/// One column-day of the unsteady model, from its wind and currents to its covariance.
 void bench_unsteady_day(BenchReport& report);
 
 /// A thousand of them on two threads.

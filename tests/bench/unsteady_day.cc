@@ -36,7 +36,6 @@ ColumnDay column_day(const CalibrationInput& input) {
   ColumnDay day;
   day.layout.form = *input.form;
   day.layout.is_unsteady = true;
-  day.layout.tide = input.tide;
   day.latitude = input.latitude;
   day.water_depth_m = input.water_depth_m;
   day.depth_m = input.current.levels_m;
@@ -55,8 +54,6 @@ std::vector<double> drawn_truth(Rng& random) {
   std::vector<double> truth = {about(0.12, 0.05), about(-0.07, 0.05), about(std::log(0.02), 0.1),
                                about(std::log(8e-4), 0.2), about(std::log(1.1), 0.1)};
   for (const double centre : {0.03, -0.02, 0.05, 0.04}) truth.push_back(about(centre, 0.02));
-  for (const double centre : {0.2, 0.1, 0.15, -0.1, 0.05, 0.02, -0.03, 0.04})
-    truth.push_back(about(centre, 0.03));
   return truth;
 }
 
@@ -70,7 +67,6 @@ UnsteadyDay unsteady_day(std::uint64_t seed) {
   input.water_depth_m = 150.0;
   input.form = SteadyForm::finite_depth;
   input.is_unsteady = true;
-  input.tide = {{"M2", 1.4051890e-4}, {"K1", 7.292117e-5}};
   input.observation_sigma_m_s = noise_m_s;
   input.wind = stormy_wind(random.normal());
   VectorColumn& current = input.current;

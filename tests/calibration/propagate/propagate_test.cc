@@ -132,7 +132,6 @@ TEST(Propagate, ADayFittedWithoutWindIgnoresTheWindItIsGiven) {
 TEST(Propagate, TurnsWithTheAxes) {
   for (const SteadyForm form : all_forms) {
     CalibrationInput input = unsteady_input(usual_day(form));
-    input.tide = {{"M2", 1.405189e-4}};
     Calibration fitted = calibrate_day(input);
     const Propagated a = outlook(fitted, leads(0, 30), input.wind);
     const Horizontal turn = std::exp(Horizontal(0, 2.1));

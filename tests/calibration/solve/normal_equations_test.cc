@@ -12,12 +12,11 @@ namespace {
 constexpr int times = 9;
 constexpr int levels = 6;
 
-/// Nine hourly means under a veering wind; the tide fitted along.
+/// Nine hourly means under a veering wind.
 ColumnDay windy_day(SteadyForm form) {
   ColumnDay day;
   day.layout.form = form;
   day.layout.is_unsteady = true;
-  day.layout.tide = {{"M2", 1.4051890e-4}};
   day.latitude = Angle::from_degrees(49.0);
   day.water_depth_m = 60.0;
   day.start = parse_utc("2024-03-10T00:00:00Z");
