@@ -20,8 +20,8 @@ VectorColumn without_tide(VectorColumn column, const FittedTide& tide) {
   return column;
 }
 
-/// What the tide of a record has left to the memory. Constituents that lie that near to the inertial
-/// frequency are of one species: one line of their power, with the speed of the strongest.
+/// What the tide of a record has left to the memory. Constituents that lie that near to the
+/// inertial frequency are of one species: one line of their power, with the speed of the strongest.
 std::optional<NearInertialLine> near_inertial_line(const FittedTide& tide, Angle latitude) {
   NearInertialLine line;
   double strongest_m_s = 0;

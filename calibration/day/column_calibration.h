@@ -10,7 +10,7 @@
 
 namespace slackwater::calibration {
 
-/// The tide of every level, fitted on all of a record that holds it; empty where the record is too short
+/// The tide of every level, fitted on all of a record that holds it; empty where that is too short
 /// for any.
 struct FittedTide {
   std::vector<TideFit> levels;

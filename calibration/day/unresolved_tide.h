@@ -21,10 +21,10 @@ struct UnresolvedTide {
 /// enough to hold the tide.
 ///
 /// The tidal record is the longest of the column's other datasets, up to the end of D, that is not
-/// such means itself, nor detided, and shows a tide (three days and more, fields/current/tide.h). What it says of
-/// the tide beyond what the means' own harmonic tide holds is e(z, t), on the level nearest in
-/// depth. The band is widened by the variance of e along its longest axis over the 25 hours around
-/// a stamp, so that springs are wider than neaps,
+/// such means itself, nor detided, and shows a tide (three days and more, fields/current/tide.h).
+/// What it says of the tide beyond what the means' own harmonic tide holds is e(z, t), on the level
+/// nearest in depth. The band is widened by the variance of e along its longest axis over the 25
+/// hours around a stamp, so that springs are wider than neaps,
 ///
 ///   sigma^2 += (<|e|^2> + |<e^2>|)/2,
 ///
