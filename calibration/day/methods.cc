@@ -5,8 +5,8 @@
 
 #include "calibration/day/horizon.h"
 #include "calibration/day/merge.h"
-#include "calibration/provider/provider_forecast.h"
 #include "calibration/day/tide_of_record.h"
+#include "calibration/provider/provider_forecast.h"
 #include "calibration/skill/tide_baseline.h"
 #include "fields/interpolate/temporal.h"
 
@@ -93,7 +93,7 @@ void add_provider(const ColumnData& column, const ForecastPlan& plan,
   const Chosen<Horizontal>& on_levels = known.empty() ? truth : known;
   if (tide == nullptr) {
     const FittedTide fitted =
-        known.empty() ? FittedTide{} : fit_column_tide(known.column, column.point.latitude);
+        known.empty() ? FittedTide{} : tide_of_record(known, plan.day, column.point.latitude);
     methods.push_back(
         {Method::provider, provider_as_it_is(runs, on_levels, fitted, truth.column.time), {}});
     return;

@@ -52,11 +52,16 @@ KnownSeriesForTests sea_of(int past_days, const FlowForTests& flow = water) {
   return sea;
 }
 
-Earned earned(const SiteData& data, const ForecastPlan& plan, int threads = 1) {
+/// No provider's own forecast is stored, and nothing to merge ours with.
+std::vector<bool> available_here() {
   std::vector<bool> available(candidate_methods().size(), true);
-  available[1] = false;  // no provider's own forecast is stored
+  available[1] = false;
   available.back() = false;
-  return Rehearsals(data).earned(plan, available, threads);
+  return available;
+}
+
+Earned earned(const SiteData& data, const ForecastPlan& plan, int threads = 1) {
+  return Rehearsals(data).earned(plan, available_here(), threads);
 }
 
 void expect_same(const Earned& a, const Earned& b) {
@@ -183,7 +188,7 @@ TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
     return calibrate_column(arguments...);
   };
   Rehearsals rehearsals(data, parts);
-  const std::vector<bool> available(candidate_methods().size(), true);
+  const std::vector<bool> available = available_here();
   const Earned first = rehearsals.earned(plan_of(day), available, 1);
   EXPECT_EQ(calibrated, 3);
   expect_same(rehearsals.earned(plan_of(day), available, 1), first);
@@ -204,7 +209,7 @@ std::vector<SeenWind> winds_seen(const SiteData& data, const ForecastPlan& plan,
     seen.push_back({end, horizon_wind(wind, policy, end, stamps, best)});
     return seen.back().wind;
   };
-  std::vector<bool> available(candidate_methods().size(), true);
+  const std::vector<bool> available = available_here();
   made = Rehearsals(data, parts).earned(plan, available, 1);
   std::erase_if(seen, [&](const SeenWind& one) { return one.end_of_day >= plan.end_of_day(); });
   return seen;
@@ -302,7 +307,7 @@ TEST(Rehearsals, ADayThatFailsIsCountedAndTheOthersDecideAsIfItWereNotThere) {
   const KnownSeriesForTests sea = sea_of(8);
   const SiteData data = site_of({sea.data});
   const UtcDay bad = day - days(3);
-  const std::vector<bool> available(candidate_methods().size(), true);
+  const std::vector<bool> available = available_here();
   ColumnParts parts;
   parts.record = [&](const ColumnData& column, const ForecastPlan& plan) {
     expects(plan.day != bad, "a broken part");
@@ -322,14 +327,14 @@ TEST(Rehearsals, DoNotAskForWaves) {
   const SiteData data = site_of({sea.data});
   ColumnParts parts;
   parts.waves = [](auto&&...) -> HorizonSea { throw Error(ErrorKind::internal, "asked"); };
-  const std::vector<bool> available(candidate_methods().size(), true);
+  const std::vector<bool> available = available_here();
   EXPECT_EQ(Rehearsals(data, parts).earned(plan_of(day), available, 1).failed_days, 0u);
 }
 
 TEST(Rehearsals, AreTheSameWhicheverDayOfAHindcastAsksFirst) {
   const KnownSeriesForTests sea = sea_of(8);
   const SiteData data = site_of({sea.data});
-  const std::vector<bool> available(candidate_methods().size(), true);
+  const std::vector<bool> available = available_here();
   Rehearsals shared(data);
   (void)shared.earned(plan_of(day), available, 1);
   const UtcDay before = day - days(2);
@@ -345,8 +350,7 @@ TEST(Rehearsals, TheirTruthIsThatOfTheirDayWhoeverAsks) {
       station_of("late", 9), instants(end_of_day - days(2), end_of_day), {2, 8},
       [](UtcTime time, double depth) { return water(time, depth) + 0.2; }, 500);
   const SiteData data = site_of({sea.data});
-  std::vector<bool> available(candidate_methods().size(), true);
-  available[1] = false;
+  const std::vector<bool> available = available_here();
   Rehearsals shared(data);
   (void)shared.earned(plan_of(day), available, 1);
   const UtcDay before = day - days(3);
@@ -356,8 +360,7 @@ TEST(Rehearsals, TheirTruthIsThatOfTheirDayWhoeverAsks) {
 TEST(Rehearsals, ARehearsedDayBelongsToAllOfThePlanThatItRestsOn) {
   const KnownSeriesForTests sea = sea_of(7);
   const SiteData data = site_of({sea.data});
-  std::vector<bool> available(candidate_methods().size(), true);
-  available[1] = false;
+  const std::vector<bool> available = available_here();
   Rehearsals shared(data);
   (void)shared.earned(plan_of(day), available, 1);
   ForecastPlan shallow = plan_of(day);
@@ -384,8 +387,7 @@ TEST(Rehearsals, UnderBestWindTheySeeNothingThatCameAfterTheIssueTime) {
 TEST(Rehearsals, ARehearsedDayBelongsToItsWindPolicy) {
   const KnownSeriesForTests sea = sea_of(7);
   const SiteData data = site_of({sea.data});
-  std::vector<bool> available(candidate_methods().size(), true);
-  available[1] = false;
+  const std::vector<bool> available = available_here();
   Rehearsals shared(data);
   for (const WindPolicy wind : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
     expect_same(shared.earned(plan_of(day, wind), available, 1), earned(data, plan_of(day, wind)));
