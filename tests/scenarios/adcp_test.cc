@@ -89,7 +89,7 @@ void print(const char* set, const Scores& scores) {
 /// taken for independent.
 void expect_no_worse_than_harmonic_tide(const char* set, const Scores& scores) {
   constexpr std::size_t block = 5;
-  for (const std::pair<double, double> lead : {std::pair(24.0, 48.0), std::pair(48.0, 72.0)}) {
+  for (const auto& lead : {std::pair(24.0, 48.0), std::pair(48.0, 72.0)}) {
     const auto& methods = scores.by_lead.at(lead);
     std::vector<double> more;
     double forecast = 0;
