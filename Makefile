@@ -33,7 +33,7 @@ soak: test-packages venv
 	cmake --preset release
 	cmake --build --preset release -j$(JOBS)
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
-	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 ctest --preset release -V \
+	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
 	  -R 'Probabilities|MemberSpread|TwinTargets|RealPairs|PublishedProfiles'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store

@@ -31,6 +31,7 @@ struct HindcastArguments {
   std::string html;
   std::string csv;
   bool per_column = false;
+  bool simulate_wind = false;
   bool by_hour = false;
   bool full = false;
 };
@@ -53,6 +54,7 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   HindcastOptions options;
   options.from = option_value("--from", arguments.from, parse_day);
   options.to = option_value("--to", arguments.to, parse_day);
+  options.simulate_wind = arguments.simulate_wind;
   options.wind = option_value("--wind", arguments.wind, wind_policy_from);
   options.latency = option_value("--latency", arguments.latency, parse_duration);
   options.horizon = horizon_from(arguments.horizon);
@@ -98,6 +100,9 @@ void add_hindcast(CLI::App& app, Context& context) {
   command->add_option("--from", arguments->from, "first day D")->required();
   command->add_option("--to", arguments->to, "last day D")->required();
   command->add_option("--wind", arguments->wind, "best | forecast | persist (default best)");
+  command->add_flag("--simulate-wind", arguments->simulate_wind,
+                    "with --wind forecast, where no run published by then is stored: the analysis "
+                    "with a forecast's error drawn, said to be simulated");
   command->add_option("--latency", arguments->latency,
                       "how late a day's data arrive after it ends (default 0h)");
   command->add_option("--horizon", arguments->horizon, "how far beyond the end of D (default 72h)");

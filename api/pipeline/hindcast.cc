@@ -48,7 +48,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
     job.horizon = options.horizon;
     job.wind = options.wind;
     job.hindsight = options.wind == WindPolicy::best;
-    job.simulate_wind = options.wind == WindPolicy::forecast;
+    job.simulate_wind = options.simulate_wind && options.wind == WindPolicy::forecast;
     job.seed = options.seed;
     job.threads = options.threads;
     job.rehearsals = &rehearsals;

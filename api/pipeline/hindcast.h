@@ -13,7 +13,10 @@ struct HindcastOptions {
   WindPolicy wind = WindPolicy::best;
   Duration latency{0};  ///< a day's data are available when it ends plus this
   Duration horizon = std::chrono::hours(72);
-  std::uint64_t seed = 1;  ///< of members, and of winds that have to be simulated
+  /// Under `forecast`, where no run published by a day's issue time is stored: simulate one
+  /// (calibration/day/simulated_run.h), and say so. Else the wind is held, as it was live.
+  bool simulate_wind = false;
+  std::uint64_t seed = 1;  ///< of members, and of simulated winds
   int threads = 2;
   calibration::VerifyOptions verify;
   calibration::DayParts parts;  ///< what does the work of a day
@@ -30,11 +33,9 @@ struct HindcastReport {
 
 /// The daily job over a past period as if live: each day D is forecast with what was known when it
 /// ended plus the latency, stored as issued (origin hindcast), and scored against what the store
-/// holds now. Best wind is that of hindsight, and the forecasts made with it say so; under
-/// `forecast` a run that nobody kept is simulated (calibration/day/simulated_run.h), and the
-/// forecasts say so too. Days without a
-/// whole day of currents, and days whose forecast fails, are skipped and named and do not stop the
-/// others; a period without any forecast is an Error.
+/// holds now. Best wind is that of hindsight, and the forecasts made with it say so. Days
+/// without a whole day of currents, and days whose forecast fails, are skipped and named and do not
+/// stop the others; a period without any forecast is an Error.
 [[nodiscard]] HindcastReport hindcast(store::Store& store, const Site& site,
                                       const HindcastOptions& options,
                                       const std::function<void(double)>& progress);

@@ -185,7 +185,7 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   result.column.wind_source = wind.source;
   result.column.sea = std::move(waves.sea);
   result.column.sea_source = std::move(waves.source);
-  result.hindsight = wind.hindsight || wind.simulated || waves.hindsight;
+  result.hindsight = wind.hindsight || waves.hindsight;
   result.simulated_wind = wind.simulated;
   result.waves_of_wind_alone = !result.column.sea.empty() && waves.origins.empty();
   result.origins = wind.origins;

@@ -17,7 +17,8 @@ namespace {
 using std::chrono::days;
 using std::chrono::hours;
 
-/// The plan moved to another day, issued as late after it, and knowing no more.
+/// The plan moved to another day, issued as late after it, and knowing no more; editions of values
+/// are those of now.
 ForecastPlan moved_to(const ForecastPlan& plan, UtcDay day) {
   ForecastPlan moved = plan;
   moved.day = day;
@@ -26,8 +27,6 @@ ForecastPlan moved_to(const ForecastPlan& plan, UtcDay day) {
   if (plan.best.issued) moved.best.issued = moved.issued;
   if (plan.best.known_by != UtcTime::max())
     moved.best.known_by = moved.end_of_day() + (plan.best.known_by - plan.end_of_day());
-  if (plan.seen_by != UtcTime::max()) moved.seen_by = moved.issued;
-  if (plan.best.seen_by != UtcTime::max()) moved.best.seen_by = moved.issued;
   return moved;
 }
 

@@ -11,14 +11,15 @@ namespace slackwater::calibration {
 namespace {
 
 constexpr std::size_t fewest_levels = 9;
+/// Below it a profile is held out as a whole.
+constexpr double deep_m = 60.0;
 
 struct Split {
   std::vector<ProfileLevel> training, held_out;
   Horizontal training_mean;
 };
 
-Split split(std::span<const ProfileLevel> levels, int parity) {
-  const std::vector<bool> trains = training_levels(levels.size(), parity);
+Split split(std::span<const ProfileLevel> levels, const std::vector<bool>& trains) {
   Split parts;
   for (std::size_t i = 0; i < levels.size(); ++i)
     (trains[i] ? parts.training : parts.held_out).push_back(levels[i]);
@@ -51,22 +52,46 @@ std::vector<bool> training_levels(std::size_t n, int parity) {
   return trains;
 }
 
+std::vector<std::vector<bool>> held_out_bands(std::span<const ProfileLevel> levels) {
+  const std::size_t n = levels.size();
+  std::vector<std::vector<bool>> splits;
+  for (std::size_t third = 0; third < 3; ++third) {
+    std::vector<bool> trains(n, true);
+    for (std::size_t i = third * n / 3; i < (third + 1) * n / 3; ++i) trains[i] = false;
+    splits.push_back(std::move(trains));
+  }
+  std::vector<bool> above(n);
+  for (std::size_t i = 0; i < n; ++i) above[i] = levels[i].depth_m <= deep_m;
+  const auto trained = std::count(above.begin(), above.end(), true);
+  if (trained >= 5 && trained < static_cast<std::ptrdiff_t>(n)) splits.push_back(std::move(above));
+  return splits;
+}
+
+HeldOutScore score_held_out(std::span<const ProfileLevel> levels, const std::vector<bool>& trains,
+                            Angle latitude, const ProfileFitOptions& options) {
+  check(levels);
+  const Split parts = split(levels, trains);
+  const FittedProfile fit = fit_profile(parts.training, latitude, options);
+  double sum = 0;
+  double sum_constant = 0;
+  for (const ProfileLevel& level : parts.held_out) {
+    sum += std::norm(level.current_m_s - to_horizontal(fit.profile.at_depth(level.depth_m)));
+    sum_constant += std::norm(level.current_m_s - parts.training_mean);
+  }
+  const auto count = static_cast<double>(parts.held_out.size());
+  return {std::sqrt(sum / count), std::sqrt(sum_constant / count)};
+}
+
 HeldOutScore score_held_out_levels(std::span<const ProfileLevel> levels, Angle latitude,
                                    const ProfileFitOptions& options) {
   check(levels);
   double square = 0;
   double square_constant = 0;
   for (const int parity : {0, 1}) {
-    const Split parts = split(levels, parity);
-    const FittedProfile fit = fit_profile(parts.training, latitude, options);
-    double sum = 0;
-    double sum_constant = 0;
-    for (const ProfileLevel& level : parts.held_out) {
-      sum += std::norm(level.current_m_s - to_horizontal(fit.profile.at_depth(level.depth_m)));
-      sum_constant += std::norm(level.current_m_s - parts.training_mean);
-    }
-    square += sum / static_cast<double>(parts.held_out.size());
-    square_constant += sum_constant / static_cast<double>(parts.held_out.size());
+    const HeldOutScore score =
+        score_held_out(levels, training_levels(levels.size(), parity), latitude, options);
+    square += score.eps_m_s * score.eps_m_s;
+    square_constant += score.eps_constant_m_s * score.eps_constant_m_s;
   }
   return {std::sqrt(square / 2), std::sqrt(square_constant / 2)};
 }

@@ -19,6 +19,18 @@ struct HeldOutScore {
 /// the second for 1; the first and the last always.
 [[nodiscard]] std::vector<bool> training_levels(std::size_t n, int parity);
 
+/// Splits that joining dots does not help with: each third of the levels held out at a stretch, and,
+/// where five levels or more are left to train on, everything below 60 m.
+/// @return per split, whether each level trains
+[[nodiscard]] std::vector<std::vector<bool>> held_out_bands(std::span<const ProfileLevel> levels);
+
+/// Trains on some levels and scores on the rest.
+/// @param trains  per level; at least five train and one does not
+/// @throws as `score_held_out_levels`
+[[nodiscard]] HeldOutScore score_held_out(std::span<const ProfileLevel> levels,
+                                          const std::vector<bool>& trains, Angle latitude,
+                                          const ProfileFitOptions& options = {});
+
 /// Trains on every other level and scores on the rest, for both parities; the errors are the root
 /// mean square of the two parities.
 ///

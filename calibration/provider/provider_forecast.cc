@@ -46,7 +46,8 @@ void add_error_of(const ProviderRun& run, std::size_t index, const Chosen<Horizo
   const std::vector<double> depths = depths_of(known);
   std::vector<TimeCell> cells;
   for (const TimeCell& cell : run.column.time) {
-    if (cell.end <= end_of_day && cell.centre() > end_of_day - runs_looked_back) cells.push_back(cell);
+    if (cell.end <= end_of_day && cell.centre() > end_of_day - runs_looked_back)
+      cells.push_back(cell);
   }
   // The newest of them counts always.
   const std::size_t stride = (cells.size() + most_values_of_a_run - 1) / most_values_of_a_run;
