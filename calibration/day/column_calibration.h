@@ -6,24 +6,9 @@
 
 #include "calibration/solve/calibration.h"
 #include "calibration/solve/layer_figure.h"
-#include "fields/current/tide.h"
+#include "calibration/tide/fitted_tide.h"
 
 namespace slackwater::calibration {
-
-/// The tide of every level, fitted on all of a record that holds it; empty where that is too short
-/// for any.
-struct FittedTide {
-  std::vector<TideFit> levels;
-  std::vector<std::string> notes;
-  UtcTime since = UtcTime::min();  ///< the record's values before lack it (tide_of_record.h)
-
-  /// Of a level, m/s; 0 where there is none.
-  [[nodiscard]] Horizontal at(std::size_t level, const TimeCell& cell) const {
-    return levels.empty() || cell.centre() < since ? Horizontal{}
-                                                   : tidal_oscillation(levels[level], cell);
-  }
-};
-[[nodiscard]] FittedTide fit_column_tide(const VectorColumn& known, Angle latitude);
 
 /// Day D at one column under every form that may hold there.
 struct ColumnCalibration {

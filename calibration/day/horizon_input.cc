@@ -19,9 +19,8 @@ void end_with(Chosen<T>& chosen, UtcTime end) {
 }
 
 template <typename T>
-Chosen<T> input_of(const Record<T>& record, WindPolicy policy, UtcTime end_of_day,
-                   const BestInputs& best, const std::vector<Stretch>* like) {
-  const Knowledge knowledge = knowledge_of(policy, end_of_day, best);
+Chosen<T> input_known(const Record<T>& record, const Knowledge& knowledge,
+                      const std::vector<Stretch>* like) {
   Choice choice;
   choice.only_grids = true;
   choice.ramp = join_ramp;
@@ -31,6 +30,13 @@ Chosen<T> input_of(const Record<T>& record, WindPolicy policy, UtcTime end_of_da
     choice.only_grids = false;
     chosen = choose(record, knowledge, choice);
   }
+  return chosen;
+}
+
+template <typename T>
+Chosen<T> input_of(const Record<T>& record, WindPolicy policy, UtcTime end_of_day,
+                   const BestInputs& best, const std::vector<Stretch>* like) {
+  Chosen<T> chosen = input_known(record, knowledge_of(policy, end_of_day, best), like);
   if (policy == WindPolicy::persist) end_with(chosen, end_of_day);
   return chosen;
 }
@@ -66,6 +72,12 @@ Chosen<Horizontal> choose_input(const VectorRecord& record, WindPolicy policy, U
 Chosen<double> choose_input(const ScalarRecord& record, WindPolicy policy, UtcTime end_of_day,
                             const BestInputs& best, const std::vector<Stretch>* like) {
   return input_of(record, policy, end_of_day, best, like);
+}
+
+Chosen<Horizontal> choose_analysed(const VectorRecord& record, UtcTime end_of_day,
+                                   const BestInputs& best) {
+  const UtcTime issued = best.issued.value_or(end_of_day);
+  return input_known(record, {UtcTime::max(), issued, issued, best.seen_by}, nullptr);
 }
 
 bool looks_ahead(const Chosen<Horizontal>& chosen, const BestInputs& best) {

@@ -20,6 +20,10 @@ inline constexpr Duration join_ramp = std::chrono::hours(6);
                                           UtcTime end_of_day, const BestInputs& best,
                                           const std::vector<Stretch>* like = nullptr);
 
+/// The same with all that was analysed later, but no run that was published later.
+[[nodiscard]] Chosen<Horizontal> choose_analysed(const VectorRecord& record, UtcTime end_of_day,
+                                                 const BestInputs& best);
+
 /// Whether any value was not known at `best.known_by`.
 [[nodiscard]] bool looks_ahead(const Chosen<Horizontal>& chosen, const BestInputs& best);
 [[nodiscard]] bool looks_ahead(const Chosen<double>& chosen, const BestInputs& best);

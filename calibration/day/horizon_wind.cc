@@ -76,10 +76,7 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
   HorizonWind result = wind_over(known, stamps);
   if (best.simulated_seed && policy != WindPolicy::persist &&
       !reaches_beyond(result, stamps, end_of_day)) {
-    BestInputs later = best;
-    later.hindsight = true;
-    known = with_simulated_run(choose_input(wind, WindPolicy::best, end_of_day, later), end_of_day,
-                               best);
+    known = with_simulated_run(choose_analysed(wind, end_of_day, best), end_of_day, best);
     HorizonWind simulated = wind_over(known, stamps);
     if (reaches_beyond(simulated, stamps, end_of_day)) {
       simulated.simulated = true;

@@ -2,9 +2,9 @@
 #include <span>
 #include <vector>
 
-#include "calibration/day/column_calibration.h"
 #include "calibration/provider/provider_runs.h"
 #include "calibration/skill/baseline.h"
+#include "calibration/tide/fitted_tide.h"
 
 namespace slackwater::calibration {
 

@@ -2,8 +2,8 @@
 #include <span>
 #include <vector>
 
-#include "calibration/day/column_calibration.h"
 #include "calibration/skill/baseline.h"
+#include "calibration/tide/fitted_tide.h"
 
 namespace slackwater::calibration {
 

@@ -328,7 +328,7 @@ TEST(AvailableCandidates, AreThoseThatTheRecordAllows) {
               instants(end_of_day - hours(6), end_of_day + days(2)), depth_m, water);
   EXPECT_EQ(available(sea.data),
             (Methods{Method::forecast, Method::provider, Method::reference_slab, Method::tide_phase,
-                     Method::day_mean, Method::same_hour, Method::persistence}));
+                     Method::day_mean, Method::same_hour, Method::persistence, Method::merged}));
   sea.current(analysis_of("model", 7), instants(end_of_day - days(20), end_of_day - days(4)),
               depth_m, water);
   EXPECT_EQ(available(sea.data), candidate_methods()) << "a record of more than 15 days";
