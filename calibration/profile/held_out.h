@@ -19,8 +19,8 @@ struct HeldOutScore {
 /// the second for 1; the first and the last always.
 [[nodiscard]] std::vector<bool> training_levels(std::size_t n, int parity);
 
-/// Splits that joining dots does not help with: each third of the levels held out at a stretch, and,
-/// where five levels or more are left to train on, everything below 60 m.
+/// Splits that leave whole stretches out: each third of the levels, and, where five levels or more
+/// are left to train on, everything below 60 m.
 /// @return per split, whether each level trains
 [[nodiscard]] std::vector<std::vector<bool>> held_out_bands(std::span<const ProfileLevel> levels);
 

@@ -16,12 +16,12 @@
 namespace slackwater::tests {
 
 void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& folders,
-                bool as_analysis) {
+                bool as_analysis, UtcTime received) {
   const auto products = ingest::ProductCatalogue::load(source_folder() / "data" / "products");
   ingest::IngestOptions options;
   if (as_analysis) options.as = DataStatus::analysis;
   for (const auto& file : api::product_files(folders)) {
-    static_cast<void>(api::ingest_file(store, products, file, options, UtcTime{}, {}));
+    static_cast<void>(api::ingest_file(store, products, file, options, received, {}));
   }
 }
 

@@ -9,9 +9,10 @@
 
 namespace slackwater::tests {
 
-/// Ingests every product file below the folders, as analysis where `as_analysis`.
+/// Ingests every product file below the folders, as analysis where `as_analysis`; they came in
+/// then: files of an archive long after what they hold.
 void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& folders,
-                bool as_analysis);
+                bool as_analysis, UtcTime received = {});
 
 /// The cells of the stored currents that have a value at every time and every level, every
 /// `every`-th row and column from index `first`: the column selections of reference/baselines.md.

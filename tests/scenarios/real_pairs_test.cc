@@ -211,7 +211,8 @@ TEST(RealPairs, UnderASimulatedForecastOfTheWindErrorsLieBetweenBestAndPersisted
   SLACKWATER_NEEDS_SHARED(shared);
   const TemporaryFolder folder;
   store::Store store = store::Store::open(folder / "store", store::OpenMode::create_or_write);
-  ingest_all(store, {shared / "data/elba_2014-05"}, true);
+  const UtcTime long_after(parse_day("2030-01-01"));
+  ingest_all(store, {shared / "data/elba_2014-05"}, true, long_after);
   const std::vector<GeoPoint> cells = wet_cells(store, 0, 1);
   std::vector<GeoPoint> some;
   for (std::size_t i = 0; i < cells.size(); i += 12) some.push_back(cells[i]);
@@ -220,7 +221,7 @@ TEST(RealPairs, UnderASimulatedForecastOfTheWindErrorsLieBetweenBestAndPersisted
   const TemporaryFolder brest_folder;
   store::Store brest_store =
       store::Store::open(brest_folder / "store", store::OpenMode::create_or_write);
-  ingest_all(brest_store, {shared / "data/brest/windows"}, true);
+  ingest_all(brest_store, {shared / "data/brest/windows"}, true, long_after);
   Site site = site_of("brest", {GeoPoint::from_degrees(46.83334, -6.083328)});
   site.columns.clear();
   site.water_depth_m = 4400;
