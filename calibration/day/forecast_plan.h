@@ -24,6 +24,7 @@ struct BestInputs {
   /// Where no run of the wind known then reaches beyond D, the wind analysed later stands for one,
   /// with an error drawn from this seed (`simulated_run`), and what is made with it is marked.
   std::optional<std::uint64_t> simulated_seed{};
+  UtcTime analysed_until = UtcTime::max();  ///< of that analysis nothing later is looked at
 };
 
 /// What every column of one run shares.

@@ -77,7 +77,7 @@ Chosen<double> choose_input(const ScalarRecord& record, WindPolicy policy, UtcTi
 Chosen<Horizontal> choose_analysed(const VectorRecord& record, UtcTime end_of_day,
                                    const BestInputs& best) {
   const UtcTime issued = best.issued.value_or(end_of_day);
-  return input_known(record, {UtcTime::max(), issued, issued, best.seen_by}, nullptr);
+  return input_known(record, {best.analysed_until, issued, issued, best.seen_by}, nullptr);
 }
 
 bool looks_ahead(const Chosen<Horizontal>& chosen, const BestInputs& best) {

@@ -59,7 +59,9 @@ ForecastPlan with_past_runs(const ForecastPlan& plan, const SiteData& data,
   const auto failure = attempt([&] {
     const HorizonWind now =
         parts.wind(data.columns.front().wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
-    if (reaches_beyond(now, plan.stamps, plan.end_of_day())) with.best.simulated_seed = plan.seed;
+    if (!reaches_beyond(now, plan.stamps, plan.end_of_day())) return;
+    with.best.simulated_seed = plan.seed;
+    with.best.analysed_until = plan.issued;
   });
   if (failure) with.best.simulated_seed.reset();
   return with;
@@ -257,7 +259,7 @@ std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, Ut
                 past.depth_m,
                 past.seen_by,
                 past.stamps.size(),
-                past.best.simulated_seed.has_value()};
+                past.best.simulated_seed ? past.best.analysed_until : UtcTime::min()};
   {
     const std::lock_guard lock(mutex_);
     const auto found = done_.find(key);

@@ -53,10 +53,10 @@ class Rehearsals {
   [[nodiscard]] RehearsedDay rehearse(const ForecastPlan& plan, UtcDay day) const;
 
   /// All of a plan that a rehearsed day rests on: the day, wind policy, dataset, issue time, by
-  /// when the best wind was known and whether with hindsight, seed, depths, stamps, whether runs
-  /// that were not kept are simulated.
+  /// when the best wind was known and whether with hindsight, seed, depths, stamps, and from what
+  /// analysis runs that were not kept are simulated.
   using Key = std::tuple<UtcDay, WindPolicy, std::string, UtcTime, UtcTime, bool, std::uint64_t,
-                         std::vector<double>, UtcTime, std::size_t, bool>;
+                         std::vector<double>, UtcTime, std::size_t, UtcTime>;
 
   const SiteData& data_;
   ColumnParts parts_;
