@@ -4,6 +4,73 @@
 #include <cmath>
 
 namespace slackwater::calibration {
+namespace {
+
+const RehearsedLead& lead_of(const PastLead& past) { return past.day->lead[past.lead]; }
+
+Blend blend_of_leads(const std::vector<PastLead>& past, std::span<const Candidate> candidates) {
+  std::vector<PastPair> pairs;
+  for (const PastLead& one : past)
+    pairs.push_back(pair_of_errors(lead_of(one).errors, one.age_days));
+  return blend_of(candidates, pairs);
+}
+
+/// The blend's errors on one day of lead against its own spread.
+NormalisedErrors normalised(const RehearsedLead& lead, const Blend& blend) {
+  std::vector<double> weights;
+  for (const CandidateShare& share : blend.share) weights.push_back(share.weight);
+  NormalisedErrors errors;
+  for (std::size_t o = 0; o < lead.sigma_m_s.size(); ++o) {
+    Horizontal error{};
+    double weight = 0;
+    for (std::size_t c = 0; c < lead.errors.size(); ++c) {
+      if (weights[c] <= 0 || lead.errors[c].empty() || !std::isfinite(lead.errors[c][o].real()))
+        continue;
+      error += weights[c] * lead.errors[c][o];
+      weight += weights[c];
+    }
+    if (weight <= 0) continue;
+    const double blended =
+        sigma_of_blend(blend, weights, lead.sigma_m_s[o], lead.merged_sigma_m_s[o]);
+    const double sigma = std::hypot(blended, lead.noise_m_s[o]);
+    errors.add(error.real() / weight, sigma);
+    errors.add(error.imag() / weight, sigma);
+  }
+  return errors;
+}
+
+/// How the blend's own spread has held its errors, by day of lead.
+EarnedSpread spread_of_leads(std::span<const std::vector<PastLead>> past, const Earned& earned) {
+  std::vector<PastSpread> spreads;
+  for (const PastLead& first : past.front()) {
+    PastSpread spread;
+    spread.age_days = first.age_days;
+    spread.errors = normalised(lead_of(first), earned.blend);
+    for (std::size_t l = 1; l < past.size(); ++l) {
+      const auto same = std::find_if(past[l].begin(), past[l].end(),
+                                     [&](const PastLead& later) { return later.day == first.day; });
+      spread.later.push_back(same == past[l].end()
+                                 ? NormalisedErrors{}
+                                 : normalised(lead_of(*same), earned.later[l - 1]));
+    }
+    spreads.push_back(std::move(spread));
+  }
+  return earned_spread(spreads);
+}
+
+}  // namespace
+
+Earned earned_from(std::span<const std::vector<PastLead>> past,
+                   std::span<const Candidate> candidates) {
+  Earned earned;
+  earned.blend = blend_of_leads(past.front(), candidates);
+  for (std::size_t l = 1; l < past.size(); ++l)
+    earned.later.push_back(blend_of_leads(past[l], candidates));
+  earned.spread = spread_of_leads(past, earned);
+  for (const PastLead& first : past.front())
+    earned.simulated_days += first.day->simulated_wind ? 1 : 0;
+  return earned;
+}
 
 std::vector<double> weights_at(const Earned& earned, double lead_h) {
   const auto of_day = [&](std::size_t day) -> const Blend& {
@@ -20,6 +87,16 @@ std::vector<double> weights_at(const Earned& earned, double lead_h) {
                       share * of_day(high).share[c].weight);
   }
   return weights;
+}
+
+bool uses_provider(const Earned& earned) {
+  const auto is_in = [](const Blend& blend) {
+    return std::any_of(blend.share.begin(), blend.share.end(), [](const CandidateShare& share) {
+      return share.weight > 0 &&
+             (share.method == Method::provider || share.method == Method::merged);
+    });
+  };
+  return is_in(earned.blend) || std::any_of(earned.later.begin(), earned.later.end(), is_in);
 }
 
 double sigma_of_blend(const Blend& blend, const std::vector<double>& weights, double own_sigma_m_s,

@@ -1,11 +1,14 @@
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "calibration/blend/blend.h"
 #include "calibration/blend/earned_spread.h"
 #include "calibration/day/part_failure.h"
+#include "calibration/day/rehearsed_day.h"
 
 namespace slackwater::calibration {
 
@@ -19,9 +22,25 @@ struct Earned {
   std::optional<Failure> first_failure;  ///< of them
 };
 
+/// A rehearsed day as evidence on one of its days of lead.
+struct PastLead {
+  std::shared_ptr<const RehearsedDay> day;
+  std::size_t lead = 0;  ///< 0: the first
+  double age_days = 0;   ///< from the end of that day of lead to the D that is forecast from
+};
+
+/// What rehearsed days have earned: blend and spread.
+/// @param past  per day of lead, at least the first; a day of a later lead is among those of the
+///              first
+[[nodiscard]] Earned earned_from(std::span<const std::vector<PastLead>> past,
+                                 std::span<const Candidate> candidates);
+
 /// The weights of the candidates at a lead, hours after the end of D: those of a day of lead at its
 /// middle, on a line between, held before the first middle and after the last.
 [[nodiscard]] std::vector<double> weights_at(const Earned& earned, double lead_h);
+
+/// Whether the provider's forecast has a part in any day of lead.
+[[nodiscard]] bool uses_provider(const Earned& earned);
 
 /// The standard deviation that the blend of those weights states, before the earned factor:
 ///

@@ -56,14 +56,13 @@ ForecastPlan with_past_runs(const ForecastPlan& plan, const SiteData& data,
   ForecastPlan with = plan;
   if (plan.best.hindsight || plan.wind == WindPolicy::persist || data.columns.empty()) return with;
   // Where the wind fails, it does so for the forecast itself, which says so.
-  const auto failure = attempt([&] {
+  static_cast<void>(attempt([&] {
     const HorizonWind now =
         parts.wind(data.columns.front().wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
     if (!reaches_beyond(now, plan.stamps, plan.end_of_day())) return;
     with.best.simulated_seed = plan.seed;
     with.best.analysed_until = plan.issued;
-  });
-  if (failure) with.best.simulated_seed.reset();
+  }));
   return with;
 }
 
@@ -110,109 +109,7 @@ Chosen<Horizontal> days_after(const ColumnData& column, const ForecastPlan& plan
   return after;
 }
 
-/// Puts what the methods said of the truth beside it, each value with the day of lead it is of.
-void add_errors(const std::vector<MethodForecast>& methods, const Chosen<Horizontal>& against,
-                UtcTime end_of_day, RehearsedDay& result) {
-  const VectorColumn& truth = against.column;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Method> candidates = candidate_methods();
-  for (std::size_t t = 0; t < truth.times(); ++t) {
-    const double lead_h = hours_between(end_of_day, truth.time[t].centre());
-    const auto day = static_cast<std::size_t>(std::max(0.0, std::ceil(lead_h / 24.0) - 1));
-    if (day >= result.lead.size()) continue;
-    RehearsedLead& lead = result.lead[day];
-    if (lead.errors.empty()) lead.errors.resize(candidates.size());
-    for (std::size_t k = 0; k < truth.levels(); ++k) {
-      const std::size_t o = truth.offset(t, k);
-      for (std::vector<Horizontal>& errors : lead.errors) errors.emplace_back(nan, nan);
-      lead.sigma_m_s.push_back(nan);
-      lead.merged_sigma_m_s.push_back(nan);
-      lead.noise_m_s.push_back(against.noise_m_s[o]);
-      if (!has_value(truth.status[o])) continue;
-      for (const MethodForecast& method : methods) {
-        const auto found = std::find(candidates.begin(), candidates.end(), method.method);
-        if (found == candidates.end() || !method.made.has(o)) continue;  // the oracle is none
-        const auto c = static_cast<std::size_t>(found - candidates.begin());
-        lead.errors[c].back() = method.made.value[o] - truth.value[o];
-        if (method.method == Method::forecast) lead.sigma_m_s.back() = method.sigma_m_s[o];
-        if (method.method == Method::merged) lead.merged_sigma_m_s.back() = method.sigma_m_s[o];
-      }
-    }
-  }
-}
-
-/// A candidate without any value is absent.
-void clear_absent(RehearsedLead& lead) {
-  for (std::vector<Horizontal>& errors : lead.errors) {
-    const bool any = std::any_of(errors.begin(), errors.end(), [](Horizontal e) {
-      return std::isfinite(e.real()) && std::isfinite(e.imag());
-    });
-    if (!any) errors.clear();
-  }
-}
-
-/// A rehearsed day as evidence on one day of lead.
-struct PastLead {
-  std::shared_ptr<const RehearsedDay> day;
-  const RehearsedLead* lead = nullptr;
-  double age_days = 0;
-};
-
-Blend blend_of_leads(const std::vector<PastLead>& past, const std::vector<Candidate>& candidates) {
-  std::vector<PastPair> pairs;
-  for (const PastLead& one : past) pairs.push_back(pair_of_errors(one.lead->errors, one.age_days));
-  return blend_of(candidates, pairs);
-}
-
-/// The blend's errors on one day of lead against its own spread.
-NormalisedErrors normalised(const RehearsedLead& lead, const Blend& blend) {
-  std::vector<double> weights;
-  for (const CandidateShare& share : blend.share) weights.push_back(share.weight);
-  NormalisedErrors errors;
-  for (std::size_t o = 0; o < lead.sigma_m_s.size(); ++o) {
-    Horizontal error{};
-    double weight = 0;
-    for (std::size_t c = 0; c < lead.errors.size(); ++c) {
-      if (weights[c] <= 0 || lead.errors[c].empty() || !std::isfinite(lead.errors[c][o].real()))
-        continue;
-      error += weights[c] * lead.errors[c][o];
-      weight += weights[c];
-    }
-    if (weight <= 0) continue;
-    const double blended =
-        sigma_of_blend(blend, weights, lead.sigma_m_s[o], lead.merged_sigma_m_s[o]);
-    const double sigma = std::hypot(blended, lead.noise_m_s[o]);
-    errors.add(error.real() / weight, sigma);
-    errors.add(error.imag() / weight, sigma);
-  }
-  return errors;
-}
-
-/// How the blend's own spread has held its errors, by day of lead.
-EarnedSpread spread_of_leads(const std::vector<std::vector<PastLead>>& past, const Earned& earned) {
-  std::vector<PastSpread> spreads;
-  for (const PastLead& first : past.front()) {
-    PastSpread spread;
-    spread.age_days = first.age_days;
-    spread.errors = normalised(*first.lead, earned.blend);
-    for (std::size_t l = 1; l < past.size(); ++l) {
-      const auto same = std::find_if(past[l].begin(), past[l].end(),
-                                     [&](const PastLead& later) { return later.day == first.day; });
-      spread.later.push_back(same == past[l].end() ? NormalisedErrors{}
-                                                   : normalised(*same->lead, earned.later[l - 1]));
-    }
-    spreads.push_back(std::move(spread));
-  }
-  return earned_spread(spreads);
-}
-
 }  // namespace
-
-std::vector<Method> candidate_methods() {
-  std::vector<Method> methods;
-  for (const Candidate& c : standard_candidates()) methods.push_back(c.method);
-  return methods;
-}
 
 Rehearsals::Rehearsals(const SiteData& data, ColumnParts parts)
     : data_(data), parts_(std::move(parts)) {
@@ -281,27 +178,26 @@ Earned Rehearsals::earned(const ForecastPlan& asked, const std::vector<bool>& av
   std::vector<Candidate> candidates = standard_candidates();
   for (std::size_t c = 0; c < candidates.size(); ++c) candidates[c].available = available[c];
   std::vector<std::vector<PastLead>> past(static_cast<std::size_t>(lead_days_of(plan)));
-  Earned earned;
+  std::size_t failed_days = 0;
+  std::optional<Failure> first_failure;
   for (int before = longest_days; before >= 1; --before) {
     const auto rehearsed = day(plan, plan.day - days(before));
     if (rehearsed->failure) {
-      ++earned.failed_days;
-      if (!earned.first_failure) earned.first_failure = rehearsed->failure;
+      ++failed_days;
+      if (!first_failure) first_failure = rehearsed->failure;
     }
     // Of a day's leads those have a truth that ends by D.
-    for (int lead = 1; lead <= std::min(before, lead_days_of(plan)); ++lead) {
-      const auto l = static_cast<std::size_t>(lead) - 1;
-      if (l >= rehearsed->lead.size()) continue;
-      const RehearsedLead& of_day = rehearsed->lead[l];
+    const std::size_t ended = std::min(static_cast<std::size_t>(before), rehearsed->lead.size());
+    for (std::size_t lead = 0; lead < ended; ++lead) {
+      const RehearsedLead& of_day = rehearsed->lead[lead];
       if (of_day.errors.empty() || of_day.errors.front().empty()) continue;
-      past[l].push_back({rehearsed, &of_day, static_cast<double>(before - lead)});
-      if (lead == 1 && rehearsed->simulated_wind) ++earned.simulated_days;
+      past[lead].push_back(
+          {rehearsed, lead, static_cast<double>(before - 1) - static_cast<double>(lead)});
     }
   }
-  earned.blend = blend_of_leads(past.front(), candidates);
-  for (std::size_t l = 1; l < past.size(); ++l)
-    earned.later.push_back(blend_of_leads(past[l], candidates));
-  earned.spread = spread_of_leads(past, earned);
+  Earned earned = earned_from(past, candidates);
+  earned.failed_days = failed_days;
+  earned.first_failure = std::move(first_failure);
   return earned;
 }
 

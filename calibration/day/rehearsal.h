@@ -9,24 +9,10 @@
 
 #include "calibration/day/earned.h"
 #include "calibration/day/forecast_column.h"
+#include "calibration/day/rehearsed_day.h"
 #include "fields/record/site_data.h"
 
 namespace slackwater::calibration {
-
-/// What a past day D' said of one day of lead, every method beside it.
-struct RehearsedLead {
-  std::vector<std::vector<Horizontal>> errors;  ///< per standard candidate; empty: absent
-  std::vector<double> sigma_m_s;                ///< of our forecast, per value; unscaled
-  std::vector<double> merged_sigma_m_s;         ///< of `merged`; NaN where there is none
-  std::vector<double> noise_m_s;                ///< stated, of the truth
-};
-
-/// One past day D' forecast as if live and held against the days after it.
-struct RehearsedDay {
-  std::vector<RehearsedLead> lead;  ///< of D'+1, D'+2, ...; those without truth hold nothing
-  bool simulated_wind = false;      ///< no run of the wind was kept: HorizonWind::simulated
-  std::optional<Failure> failure;   ///< a bug that cost a forecast, or all of the day
-};
 
 /// Rehearses past days of the data at a few columns and remembers them, so that a hindcast
 /// rehearses each day once. A day D' is forecast from what was known when it would have been issued
@@ -63,8 +49,5 @@ class Rehearsals {
   std::mutex mutex_;
   std::map<Key, std::shared_ptr<const RehearsedDay>> done_;
 };
-
-/// The methods of the standard candidates, in order.
-[[nodiscard]] std::vector<Method> candidate_methods();
 
 }  // namespace slackwater::calibration
