@@ -65,22 +65,26 @@ void print_calibration(const calibration::ColumnForecast& column) {
   for (const std::string& note : column.notes) std::printf("  note: %s\n", note.c_str());
 }
 
-/// "Issued: forecast 80%, provider 20%. Why."
-void print_shares(const char* what, const calibration::Blend& blend) {
-  std::printf("%s:", what);
+/// "forecast 80%, provider 20%".
+std::string shares_text(const calibration::Blend& blend) {
+  std::string text;
   for (const calibration::CandidateShare& share : blend.share) {
-    if (share.weight > 0)
-      std::printf(" %s %.0f%%", std::string(name_of(share.method)).c_str(), 100 * share.weight);
+    if (share.weight <= 0) continue;
+    text += (text.empty() ? "" : ", ") + std::string(name_of(share.method)) +
+            formatted(" {:.0f}%", 100 * share.weight);
   }
-  std::printf(". %s\n", blend.provenance.c_str());
+  return text;
 }
 
 void print_blend(const calibration::DailyForecast& forecast) {
   if (!forecast.earned) return;
   const calibration::Earned& earned = *forecast.earned;
-  print_shares("Issued", earned.blend);
-  for (std::size_t day = 0; day < earned.later.size(); ++day)
-    print_shares(("Day " + std::to_string(day + 2) + " of lead").c_str(), earned.later[day]);
+  std::printf("Issued: %s. %s\n", shares_text(earned.blend).c_str(),
+              earned.blend.provenance.c_str());
+  for (std::size_t day = 0; day < earned.later.size(); ++day) {
+    std::printf("  %zu to %zu h: %s\n", 24 * (day + 1), 24 * (day + 2),
+                shares_text(earned.later[day]).c_str());
+  }
   if (earned.simulated_days > 0) {
     std::printf(
         "%zu of the rehearsed days had no run of the wind stored from then: simulated by the later "
@@ -150,10 +154,8 @@ void write_html(const ForecastArguments& arguments, const Context& context, cons
   page.skill_note =
       "Root mean square vector error of the forecasts of the last two weeks whose truth is in, all "
       "levels; lower is better, pairs of days weigh the same. A baseline \"in part\" has fewer "
-      "days or "
-      "values than the forecast, whose error over the same ones stands beside it. oracle-mean "
-      "knows "
-      "the day itself: a yardstick, not a forecast.";
+      "days or values than the forecast, whose error over the same ones stands beside it. "
+      "oracle-mean knows the day itself: a yardstick, not a forecast.";
   page.generated = format_utc(context.now()) + " by slackwater " + code_version();
   write_report(forecast_page(page), arguments.html);
 }

@@ -255,18 +255,37 @@ ReportTable calibration_table(const json& calibration) {
   return table;
 }
 
+/// Weights by method, a column for each day of lead.
 ReportTable blend_table(const json& blend) {
   ReportTable table;
   table.title = "What was mixed";
-  table.columns = {"method", "weight"};
-  for (const auto& share : blend["share"]) {
-    if (share["weight"].get<double>() > 0)
-      table.rows.push_back({share["method"].get<std::string>(),
-                            formatted("{:.0f} %", 100 * share["weight"].get<double>())});
+  table.columns = {"method", "0-24 h"};
+  std::vector<const json*> shares{&blend["share"]};
+  const json later = blend.value("later", json::array());
+  for (const json& of_day : later) {
+    table.columns.push_back(formatted("{}-{} h", 24 * shares.size(), 24 * (shares.size() + 1)));
+    shares.push_back(&of_day["share"]);
+  }
+  for (std::size_t method = 0; method < shares.front()->size(); ++method) {
+    std::vector<std::string> row{(*shares.front())[method]["method"].get<std::string>()};
+    bool counts = false;
+    for (const json* share : shares) {
+      const double weight = (*share)[method]["weight"].get<double>();
+      counts = counts || weight > 0;
+      row.push_back(weight > 0 ? formatted("{:.0f} %", 100 * weight) : "");
+    }
+    if (counts) table.rows.push_back(std::move(row));
   }
   table.note = blend["provenance"].get<std::string>() +
                formatted(" Spread times {:.2f}. ", blend["spread_scale"].get<double>()) +
                blend["spread_provenance"].get<std::string>();
+  const auto simulated = blend.value("simulated_days", std::int64_t{0});
+  if (simulated > 0) {
+    table.note += formatted(
+        " {} of the rehearsed days had no run of the wind stored from then: simulated by the later "
+        "analysis with a forecast's error.",
+        simulated);
+  }
   return table;
 }
 
