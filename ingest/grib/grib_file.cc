@@ -64,6 +64,14 @@ bool earlier(const TimeCell& a, const TimeCell& b) {
   return std::pair(a.end, a.start) < std::pair(b.end, b.start);
 }
 
+/// How long after its reference time a run is published: of ECMWF the last step of a run of 00 UTC
+/// comes at 07:34 (ECMWF's dissemination schedule); nobody says of others.
+Duration published_after(const std::string& centre) {
+  using std::chrono::hours;
+  using std::chrono::minutes;
+  return centre == "ecmf" ? hours(7) + minutes(34) : Duration(0);
+}
+
 void apply_status(Granule& granule, const GranuleKey& key, const IngestOptions& options) {
   granule.status = key.run ? DataStatus::forecast : DataStatus::analysis;
   granule.reference_time = key.run;
@@ -96,6 +104,7 @@ Plan plan_granule(const GranuleKey& key, const std::vector<const FieldEntry*>& e
       key.centre == "ecmf"
           ? "Contains data of the European Centre for Medium-Range Weather Forecasts (ECMWF)"
           : "Contains weather model data of the centre '" + key.centre + "'";
+  if (!options.issued) granule.published_after = published_after(key.centre);
   if (options.product) {
     granule.product_id = options.product->id;
     granule.attribution = options.product->attribution;

@@ -76,6 +76,28 @@ TEST_F(ReadPiecesTest, TheLaterFileHasTheLargerNumberAndWins) {
     EXPECT_NEAR(current.real(), 0.25, 1e-6);  // a float
 }
 
+TEST_F(ReadPiecesTest, ARunOfAProductIsPublishedWhenTheProductIs) {
+  ProductForTests run = tests::current_product(day);
+  run.title = "NWSHELF_ANALYSISFORECAST_PHY_004_013";
+  const UtcTime reference = UtcTime(day) - std::chrono::hours(1);
+  run.reference_time = reference;
+  add(run);
+  IngestOptions by_hand;
+  by_hand.as = DataStatus::forecast;
+  by_hand.issued = UtcTime(day) - days(1);
+  add(run, by_hand);
+  const SitePieces pieces = read();
+  ASSERT_EQ(pieces.current.size(), 2U);
+  for (const VectorPiece& piece : pieces.current) {
+    const bool is_said_by_hand = *piece.origin.reference_time < reference;
+    EXPECT_EQ(piece.origin.published_after, std::chrono::hours(is_said_by_hand ? 0 : 12));
+    const UtcTime published =
+        is_said_by_hand ? *by_hand.issued : reference + std::chrono::hours(12);
+    EXPECT_FALSE(is_published_by(piece.origin, published - Duration(1)));
+    EXPECT_TRUE(is_published_by(piece.origin, published));
+  }
+}
+
 TEST_F(ReadPiecesTest, AFileGivenTwiceCountsOnceUnlessItIsReadOtherwise) {
   add(tests::current_product(day));
   files_.push_back(files_.front());

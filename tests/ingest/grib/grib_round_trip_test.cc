@@ -31,6 +31,7 @@ TEST_P(GribRoundTrip, KeepsEveryValueWithinThePackingStep) {
   EXPECT_EQ(granule.grid.time[2], TimeCell::instant(run + std::chrono::hours(6)));
   EXPECT_EQ(granule.status, DataStatus::forecast);
   EXPECT_EQ(granule.reference_time, run);
+  EXPECT_EQ(granule.published_after, std::chrono::hours(7) + std::chrono::minutes(34)) << "ECMWF's";
   EXPECT_FALSE(granule.ensemble_member);
   for (const bool east : {true, false}) {
     const GriddedField field =
