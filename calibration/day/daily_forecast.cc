@@ -112,7 +112,7 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
       ForecastColumn blended = made.column;
       options.parts.blend(blended, data.columns[i], made.known, made.tide, plan, *result.earned);
       made.column = std::move(blended);
-      add_provider_origins(data.columns[i], plan, made);
+      if (uses_provider(*result.earned)) add_provider_origins(data.columns[i], plan, made);
     });
   });
 }

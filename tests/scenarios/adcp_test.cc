@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -44,6 +45,9 @@ struct Scores {
   std::set<std::string> truths;
   std::map<std::string, double> rmse_m_s;  ///< by method, days equal, days of the forecast only
   std::string skipped;
+  /// Of the 80 % band over all pairs, with its interval where they are not few.
+  std::optional<double> coverage_80;
+  std::optional<std::pair<double, double>> coverage_80_interval;
   /// By the hours that a lead begins and ends with, and by method.
   std::map<std::pair<double, double>, std::map<std::string, ErrorOfDay>> by_lead;
 };
@@ -70,7 +74,13 @@ Scores hindcast(const StoreForTests& store, const std::filesystem::path& site, c
     squares += std::pow(entry["rmse_m_s"].get<double>(), 2);
     ++days;
     scores.truths.insert(entry["truth"]);
-    if (entry["method"] == "forecast") scores.days.insert(entry["day"]);
+    if (entry["method"] != "forecast") continue;
+    scores.days.insert(entry["day"]);
+    const json& set = entry["set"];
+    if (set["coverage_80"].is_number()) scores.coverage_80 = set["coverage_80"];
+    if (set["coverage_80_interval_95"].is_array())
+      scores.coverage_80_interval = {set["coverage_80_interval_95"][0],
+                                     set["coverage_80_interval_95"][1]};
   }
   for (const auto& [method, sum] : sums)
     scores.rmse_m_s[method] = std::sqrt(sum.first / sum.second);
@@ -80,6 +90,11 @@ Scores hindcast(const StoreForTests& store, const std::filesystem::path& site, c
 void print(const char* set, const Scores& scores) {
   std::printf("%s, %zu pairs:", set, scores.days.size());
   for (const auto& [method, rmse] : scores.rmse_m_s) std::printf("  %s %.4f", method.c_str(), rmse);
+  if (scores.coverage_80) std::printf("  80 %% band holds %.1f %%", 100 * *scores.coverage_80);
+  if (scores.coverage_80_interval) {
+    std::printf(" [%.1f, %.1f]", 100 * scores.coverage_80_interval->first,
+                100 * scores.coverage_80_interval->second);
+  }
   std::printf("\n");
 }
 
@@ -170,6 +185,9 @@ TEST(AdcpWashington, GarbageEnsemblesAreRejectedAndCountedAndTheRestIsForecast) 
   // No vector of the shelf's truth or forecast comes near garbage (up to 45 m/s).
   for (const auto& [method, rmse] : scores.rmse_m_s) EXPECT_LT(rmse, 0.3) << method;
   EXPECT_LT(scores.rmse_m_s.at("forecast"), 0.1378 + 0.001);
+  ASSERT_TRUE(scores.coverage_80_interval) << "45 pairs are not few";
+  EXPECT_LT(scores.coverage_80_interval->first, 0.80);
+  EXPECT_GT(scores.coverage_80_interval->second, 0.80);
   for (const char* naive : {"persistence", "day-mean", "same-hour", "reference-slab"}) {
     if (scores.rmse_m_s.count(naive) == 0) continue;
     EXPECT_LT(scores.rmse_m_s.at("forecast"), scores.rmse_m_s.at(naive)) << naive;

@@ -50,7 +50,14 @@ void print_set(const char* set, const char* wind,
                               Method::same_hour, Method::oracle_mean, Method::reference_slab}) {
     std::printf("  %s %.4f", std::string(name_of(method)).c_str(), set_error(skill, method));
   }
-  std::printf("\n");
+  double coverage = 0;
+  double pairs = 0;
+  for (const calibration::SkillEntry& entry : skill) {
+    if (entry.method != Method::forecast || !entry.vector.coverage_80 || !entry.band) continue;
+    coverage += *entry.vector.coverage_80;
+    ++pairs;
+  }
+  std::printf("  80 %% band holds %.0f %% (few: %.0f pairs)\n", 100 * coverage / pairs, pairs);
 }
 
 /// Under the sanitizers a column-day costs ten times as much: forecasts are made at every twelfth
@@ -232,6 +239,8 @@ TEST(RealPairs, UnderASimulatedForecastOfTheWindErrorsLieBetweenBestAndPersisted
   std::printf(
       "simulated forecasts of the wind, %d draws: elba (every 12th column) %.4f, brest %.4f m/s\n",
       winds_to_draw(), elba, brest);
+  // Best and persisted of the tests above, and what two draws may stand off: a wind that errs by
+  // 1.2 m/s moves these forecasts by about 0.02 m/s, a draw's figure by a sixth of that.
   EXPECT_GT(elba, 0.0415 - 0.003);
   EXPECT_LT(elba, 0.0600 + 0.006);
   EXPECT_GT(brest, 0.0403 - 0.003);

@@ -306,6 +306,28 @@ TEST(IssueBlend, NothingAfterTheDayMatters) {
   EXPECT_EQ(issued(spoilt, weight).current_m_s, issued(sea.data, weight).current_m_s);
 }
 
+TEST(IssueBlend, TheSlabOfAPersistedWindSeesNoWindAfterTheDay) {
+  KnownSeriesForTests sea = known_sea();
+  const auto blow = [](UtcTime time, double) {
+    return Horizontal(10 + 0.1 * hours_between(end_of_day, time), 3);
+  };
+  // Three-hourly stamps that miss the end of D: a line to the next one would look ahead.
+  sea.wind(analysis_of("wind"),
+           instants(end_of_day - days(4) - hours(1), end_of_day + hours(2), hours(3)), blow);
+  ColumnData spoilt = sea.data;
+  spoil_all_after(spoilt, end_of_day);
+  const auto slab = [](const ColumnData& data) {
+    ForecastPlan plan = plan_to(24);
+    plan.wind = WindPolicy::persist;
+    ForecastColumn column = own_forecast(plan);
+    issue_blend(column, data, known_currents(data, plan), {}, plan,
+                earned({{Method::reference_slab, 1.0}}));
+    return column.current_m_s;
+  };
+  EXPECT_NE(slab(sea.data), own_forecast(plan_to(24)).current_m_s) << "the slab has a say";
+  EXPECT_EQ(slab(spoilt), slab(sea.data));
+}
+
 std::vector<Method> available(const ColumnData& data) {
   const ForecastPlan plan = plan_to(24);
   const std::vector<bool> found =
