@@ -15,6 +15,14 @@ Blend blend_of_leads(const std::vector<PastLead>& past, std::span<const Candidat
   return blend_of(candidates, pairs);
 }
 
+/// The candidates with the weights of the day of lead before as their prior.
+std::vector<Candidate> believing(const Blend& before, std::span<const Candidate> candidates) {
+  std::vector<Candidate> believed(candidates.begin(), candidates.end());
+  for (std::size_t c = 0; c < believed.size(); ++c)
+    believed[c].prior_weight = before.share[c].weight;
+  return believed;
+}
+
 /// The blend's errors on one day of lead against its own spread.
 NormalisedErrors normalised(const RehearsedLead& lead, const Blend& blend) {
   std::vector<double> weights;
@@ -64,8 +72,10 @@ Earned earned_from(std::span<const std::vector<PastLead>> past,
                    std::span<const Candidate> candidates) {
   Earned earned;
   earned.blend = blend_of_leads(past.front(), candidates);
-  for (std::size_t l = 1; l < past.size(); ++l)
-    earned.later.push_back(blend_of_leads(past[l], candidates));
+  for (std::size_t l = 1; l < past.size(); ++l) {
+    const Blend& before = l == 1 ? earned.blend : earned.later.back();
+    earned.later.push_back(blend_of_leads(past[l], believing(before, candidates)));
+  }
   earned.spread = spread_of_leads(past, earned);
   for (const PastLead& first : past.front())
     earned.simulated_days += first.day->simulated_wind ? 1 : 0;

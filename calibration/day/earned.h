@@ -29,7 +29,8 @@ struct PastLead {
   double age_days = 0;   ///< from the end of that day of lead to the D that is forecast from
 };
 
-/// What rehearsed days have earned: blend and spread.
+/// What rehearsed days have earned: blend and spread. The weights of each later day of lead have
+/// those of the day before it as their prior: few pairs leave them there, as they do the spread.
 /// @param past  per day of lead, at least the first; a day of a later lead is among those of the
 ///              first
 [[nodiscard]] Earned earned_from(std::span<const std::vector<PastLead>> past,

@@ -18,7 +18,7 @@ using std::chrono::days;
 using std::chrono::hours;
 
 /// The plan moved to another day, issued as late after it, and knowing no more; editions of values
-/// are those of now.
+/// are those of now (see `with_editions_of_then`).
 ForecastPlan moved_to(const ForecastPlan& plan, UtcDay day) {
   ForecastPlan moved = plan;
   moved.day = day;
@@ -64,6 +64,24 @@ ForecastPlan with_past_runs(const ForecastPlan& plan, const SiteData& data,
     with.best.analysed_until = plan.issued;
   }));
   return with;
+}
+
+/// The plan of a past day with the editions of its currents that stood in the store when it would
+/// have been issued. Those of now stand for them where the day was not whole in the store by then:
+/// an archive that was read later, a file that came late. Wind goes by publication alone: a run that
+/// came minutes later than today's is no other run.
+ForecastPlan with_editions_of_then(ForecastPlan past, const SiteData& data) {
+  if (past.seen_by == UtcTime::max()) return past;  // a hindcast looks at all of an archive
+  const auto had_come = [&](const PieceColumn<Horizontal>& piece) {
+    return piece.origin->received && *piece.origin->received <= past.issued;
+  };
+  const bool was_filled =
+      std::any_of(data.columns.begin(), data.columns.end(), [&](const ColumnData& column) {
+        return std::any_of(column.current.pieces.begin(), column.current.pieces.end(), had_come);
+      });
+  if (was_filled && holds_day(data, past.dataset, past.day, {past.issued, past.issued, {}}))
+    past.seen_by = past.issued;
+  return past;
 }
 
 /// Evenly spread over all columns that have currents.
@@ -118,7 +136,7 @@ Rehearsals::Rehearsals(const SiteData& data, ColumnParts parts)
 
 RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
   RehearsedDay result;
-  const ForecastPlan past = plan_of(plan, day);
+  const ForecastPlan past = with_editions_of_then(plan_of(plan, day), data_);
   result.lead.resize(static_cast<std::size_t>(lead_days_of(plan)));
   if (!holds_day(data_, past.dataset, day, {past.issued, past.seen_by, {}})) return result;
   for (const std::size_t i : columns_to_rehearse(data_, most_columns)) {

@@ -17,9 +17,10 @@ namespace slackwater::calibration {
 /// Rehearses past days of the data at a few columns and remembers them, so that a hindcast
 /// rehearses each day once. A day D' is forecast from what was known when it would have been issued
 /// (with `hindsight` all wind that came later) and held against the currents of the days after it
-/// that end by the D that is forecast from: nothing later is seen. Where a run of the wind is known
-/// now and none was kept of then, one is simulated (simulated_run.h). A day that fails is passed
-/// over and counted. Thread-safe.
+/// that end by the D that is forecast from: nothing later is seen. It starts from the editions of
+/// the currents that the store held then, and is held against those of now. Where a run of the wind
+/// is known now and none was kept of then, one is simulated (simulated_run.h). A day that fails is
+/// passed over and counted. Thread-safe.
 class Rehearsals {
  public:
   /// @param parts  of a column's forecast; waves are not rehearsed

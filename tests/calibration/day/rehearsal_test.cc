@@ -303,6 +303,63 @@ TEST(Rehearsals, ALaterDayOfLeadNeedsATruthThatEndsByThen) {
     EXPECT_EQ(other.later[l].provenance, made.later[l].provenance);
 }
 
+/// Days that came each at five in the morning after it, wrong by so much, and once more, put right,
+/// two days later.
+KnownSeriesForTests revised_sea(Horizontal wrong_by, Duration first_after) {
+  KnownSeriesForTests sea;
+  for (int back = 8; back >= 0; --back) {
+    const UtcTime end = end_of_day - days(back);
+    const auto cells = instants(end - days(1) + hours(1), end);
+    sea.current(received(analysis_of("model", 10 + back), end + first_after), cells, depth_m,
+                [=](UtcTime time, double depth) { return water(time, depth) + wrong_by; });
+    sea.current(received(analysis_of("model", 110 + back), end + days(2) + hours(5)), cells,
+                depth_m, water);
+  }
+  return sea;
+}
+
+ForecastPlan plan_seen_now() {
+  ForecastPlan plan = plan_of(day, WindPolicy::persist);
+  plan.seen_by = plan.best.seen_by = plan.issued;
+  return plan;
+}
+
+double past_error_of(const Earned& earned, Method method) {
+  for (const auto& share : earned.blend.share)
+    if (share.method == method) return share.past_rmse_m_s.value_or(NAN);
+  return NAN;
+}
+
+TEST(Rehearsals, StartFromTheEditionsThatStoodThen) {
+  const Horizontal wrong_by(0.5, 0);
+  const KnownSeriesForTests right = revised_sea({}, hours(5));
+  const KnownSeriesForTests revised = revised_sea(wrong_by, hours(5));
+  const double of_right =
+      past_error_of(earned(site_of({right.data}), plan_seen_now()), Method::same_hour);
+  const double of_revised =
+      past_error_of(earned(site_of({revised.data}), plan_seen_now()), Method::same_hour);
+  // Yesterday's hour, wrong then, against what was put right since; the last pair's truth is not.
+  EXPECT_LT(of_right, 0.25);
+  EXPECT_GT(of_revised, 0.4);
+  EXPECT_LT(of_revised, 0.7);
+}
+
+TEST(Rehearsals, TakeTheEditionsOfNowWhereADayCameLate) {
+  const Horizontal wrong_by(0.5, 0);
+  const KnownSeriesForTests late = revised_sea(wrong_by, hours(5) + std::chrono::minutes(1));
+  // Of each day but the last two the second edition counts now, and nothing stood there then.
+  const Earned made = earned(site_of({late.data}), plan_seen_now());
+  EXPECT_GE(made.blend.pairs, 5u);
+  EXPECT_LT(past_error_of(made, Method::same_hour), 0.35);
+}
+
+TEST(Rehearsals, OfAnArchiveReadLaterSeeItsNewestEditions) {
+  KnownSeriesForTests archive = revised_sea({0.5, 0}, hours(5));
+  ForecastPlan plan = plan_seen_now();
+  plan.seen_by = plan.best.seen_by = UtcTime::max();
+  EXPECT_LT(past_error_of(earned(site_of({archive.data}), plan), Method::same_hour), 0.25);
+}
+
 TEST(Rehearsals, ADayThatFailsIsCountedAndTheOthersDecideAsIfItWereNotThere) {
   const KnownSeriesForTests sea = sea_of(8);
   const SiteData data = site_of({sea.data});
