@@ -61,11 +61,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
       }
       DailyJob made = daily_job(data, job);
       drop_members(made.forecast.snapshot);
-      for (const calibration::ColumnForecast& column : made.forecast.columns) {
-        if (!column.simulated_wind) continue;
-        ++report.simulated_winds;
-        break;
-      }
+      if (made.forecast.snapshot.simulated_wind) ++report.simulated_winds;
       jobs.push_back(std::move(made));
     });
     if (failure) {

@@ -70,7 +70,8 @@ json set_json(const calibration::SkillSet& set) {
             {"n", s.n},
             {"interval_95", interval_json(s.rmse_interval)},
             {"truth_mean_h", mean_hours(set.of)},
-            {"hindsight", set.of.hindsight}};
+            {"hindsight", set.of.hindsight},
+            {"simulated_wind", set.of.simulated_wind}};
   if (!s.vector) {
     j["rmse"] = number(s.rmse);
     j["forecast_rmse"] = or_null(set.forecast_rmse);
@@ -106,7 +107,8 @@ json entry_json(const calibration::SkillEntry& e) {
             {"interval_95", interval_json(e.interval)},
             {"truth", e.truth},
             {"truth_mean_h", mean_hours(e)},
-            {"hindsight", e.hindsight}};
+            {"hindsight", e.hindsight},
+            {"simulated_wind", e.simulated_wind}};
   const char* const place = e.band && e.band->above_bed ? "height_above_bed_m" : "depth_m";
   j[place] = e.band ? json::array({e.band->from_m, e.band->to_m}) : json(nullptr);
   if (e.scalar) {

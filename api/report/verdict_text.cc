@@ -19,7 +19,9 @@ std::string truth_text(const calibration::SkillEntry& entry) {
 }
 
 std::string wind_text(const calibration::SkillEntry& entry) {
-  return std::string(name_of(entry.wind)) + (entry.hindsight ? " (in hindsight)" : "");
+  return std::string(name_of(entry.wind)) + (entry.simulated_wind ? " (simulated)"
+                                             : entry.hindsight    ? " (in hindsight)"
+                                                                  : "");
 }
 
 std::string error_text(const calibration::Verdict& verdict) {
@@ -29,7 +31,11 @@ std::string error_text(const calibration::Verdict& verdict) {
     text += " against " + averaging_text(of.truth_averaging) +
             ", not instants: what passes within a mean is not scored";
   }
-  if (of.hindsight) text += ", made in hindsight: its wind was not known when it was issued";
+  if (of.simulated_wind) {
+    text += ", driven by simulated forecasts of the wind: none was kept";
+  } else if (of.hindsight) {
+    text += ", made in hindsight: its wind was not known when it was issued";
+  }
   return text;
 }
 

@@ -21,7 +21,7 @@ namespace slackwater::api {
 /// "NWSHELF_ANALYSISFORECAST_PHY_004_013 (daily means, not instants)": the truth of an entry.
 [[nodiscard]] std::string truth_text(const calibration::SkillEntry& entry);
 
-/// "best", "best (in hindsight)": the wind of an entry.
+/// "best", "best (in hindsight)", "forecast (simulated)": the wind of an entry.
 [[nodiscard]] std::string wind_text(const calibration::SkillEntry& entry);
 
 /// "best baseline reference-slab 0.050 m/s". Where it has some of the forecast's pairs, or some of

@@ -48,14 +48,23 @@ VectorXd prior_of(std::span<const Candidate> candidates) {
   return VectorXd::Unit(prior.size(), static_cast<Index>(first_in_line(candidates)));
 }
 
-/// Squared error of the blend in each pair, its weights fitted to the others.
-std::vector<double> squares_of_blend(const Evidence& evidence) {
+/// For each pair the weights fitted to the others.
+std::vector<VectorXd> weights_without(const Evidence& evidence) {
+  std::vector<VectorXd> weights;
+  for (std::size_t i = 0; i < evidence.pairs().size(); ++i) weights.push_back(evidence.weights(i));
+  return weights;
+}
+
+/// Squared error of the blend in each pair with those.
+std::vector<double> squares_of_blend(const Evidence& evidence, std::span<const VectorXd> without) {
   std::vector<double> squares;
-  for (std::size_t i = 0; i < evidence.pairs().size(); ++i) {
-    const VectorXd w = evidence.weights(i);
-    squares.push_back(std::max(0.0, w.dot(evidence.pairs()[i].gram * w)));
-  }
+  for (std::size_t i = 0; i < without.size(); ++i)
+    squares.push_back(std::max(0.0, without[i].dot(evidence.pairs()[i].gram * without[i])));
   return squares;
+}
+
+std::vector<double> as_list(const VectorXd& weights) {
+  return {weights.data(), weights.data() + weights.size()};
 }
 
 /// A baseline against the blend, over the pairs in which it was present.
@@ -161,7 +170,8 @@ Blend blend_of(std::span<const Candidate> candidates, std::span<const PastPair> 
   result.pairs = evidence.pairs().size();
   result.earned = result.pairs >= settings.fewest_pairs;
   VectorXd weights = result.earned ? evidence.weights() : evidence.prior();
-  const std::vector<double> squares = squares_of_blend(evidence);
+  const std::vector<VectorXd> without = weights_without(evidence);
+  const std::vector<double> squares = squares_of_blend(evidence, without);
   std::optional<Contest> best;
   if (result.earned) {
     std::vector<double> g;
@@ -169,8 +179,12 @@ Blend blend_of(std::span<const Candidate> candidates, std::span<const PastPair> 
     result.past_rmse_m_s = std::sqrt(weighted_mean(squares, g).mean);
     best = best_baseline(candidates, evidence, squares, settings);
   }
-  if (best && replaces(*best, settings)) {
-    weights = VectorXd::Unit(weights.size(), static_cast<Index>(best->baseline));
+  const bool is_replaced = best && replaces(*best, settings);
+  if (is_replaced) weights = VectorXd::Unit(weights.size(), static_cast<Index>(best->baseline));
+  result.without_pair.assign(past.size(), as_list(weights));
+  if (result.earned && !is_replaced) {
+    for (std::size_t i = 0; i < without.size(); ++i)
+      result.without_pair[evidence.pairs()[i].place] = as_list(without[i]);
   }
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     result.share.push_back({candidates[c].method, weights[static_cast<Index>(c)],

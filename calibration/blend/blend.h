@@ -64,6 +64,9 @@ struct Blend {
   std::optional<std::size_t> fell_back_to;
   /// Of the blend over the same pairs, each forecast with weights fitted to the others.
   std::optional<double> past_rmse_m_s;
+  /// Per past pair as given the weights that the others earned without it: what a spread is held
+  /// against, which weights fitted to the pair itself would flatter.
+  std::vector<std::vector<double>> without_pair;
   std::string provenance;  ///< one sentence
 };
 

@@ -149,7 +149,7 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   result.snapshot = snapshot_of(data, result.plan, result.columns);
   result.snapshot.degraded = !troubles.empty();
   result.snapshot.averaged = averaged;
-  result.snapshot.headline = headline_of(result.plan, troubles, result.snapshot.hindsight);
+  result.snapshot.headline = headline_of(result.plan, troubles, result.snapshot);
   result.snapshot.provenance = provenance_of(data, options, result.columns);
   result.input_granules = granules_of(result.columns);
   return result;

@@ -24,9 +24,9 @@ std::vector<Candidate> believing(const Blend& before, std::span<const Candidate>
 }
 
 /// The blend's errors on one day of lead against its own spread.
-NormalisedErrors normalised(const RehearsedLead& lead, const Blend& blend) {
-  std::vector<double> weights;
-  for (const CandidateShare& share : blend.share) weights.push_back(share.weight);
+/// @param weights  earned without it
+NormalisedErrors normalised(const RehearsedLead& lead, const Blend& blend,
+                            const std::vector<double>& weights) {
   NormalisedErrors errors;
   for (std::size_t o = 0; o < lead.sigma_m_s.size(); ++o) {
     Horizontal error{};
@@ -50,16 +50,23 @@ NormalisedErrors normalised(const RehearsedLead& lead, const Blend& blend) {
 /// How the blend's own spread has held its errors, by day of lead.
 EarnedSpread spread_of_leads(std::span<const std::vector<PastLead>> past, const Earned& earned) {
   std::vector<PastSpread> spreads;
-  for (const PastLead& first : past.front()) {
+  const auto errors_of = [](const PastLead& one, std::size_t place, const Blend& blend) {
+    return normalised(lead_of(one), blend, blend.without_pair[place]);
+  };
+  for (std::size_t i = 0; i < past.front().size(); ++i) {
+    const PastLead& first = past.front()[i];
     PastSpread spread;
     spread.age_days = first.age_days;
-    spread.errors = normalised(lead_of(first), earned.blend);
+    spread.errors = errors_of(first, i, earned.blend);
     for (std::size_t l = 1; l < past.size(); ++l) {
       const auto same = std::find_if(past[l].begin(), past[l].end(),
                                      [&](const PastLead& later) { return later.day == first.day; });
-      spread.later.push_back(same == past[l].end()
-                                 ? NormalisedErrors{}
-                                 : normalised(lead_of(*same), earned.later[l - 1]));
+      if (same == past[l].end()) {
+        spread.later.emplace_back();
+        continue;
+      }
+      const auto place = static_cast<std::size_t>(same - past[l].begin());
+      spread.later.push_back(errors_of(*same, place, earned.later[l - 1]));
     }
     spreads.push_back(std::move(spread));
   }

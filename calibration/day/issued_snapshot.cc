@@ -30,6 +30,7 @@ Snapshot snapshot_of(const SiteData& data, const ForecastPlan& plan,
     }
     snapshot.contains_stokes = snapshot.contains_stokes || column.contains_stokes;
     snapshot.hindsight = snapshot.hindsight || column.hindsight;
+    snapshot.simulated_wind = snapshot.simulated_wind || column.simulated_wind;
     if (column.wind_ensemble) ensembles.insert(text_of(*column.wind_ensemble));
     snapshot.columns.push_back(column.column);
     if (values > 0)

@@ -159,9 +159,12 @@ std::vector<std::string> troubles_of(const SiteData& data, const DayChoice& choi
 }
 
 std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>& troubles,
-                        bool hindsight) {
+                        const Snapshot& made) {
   std::string headline = plain_headline(plan, troubles);
-  if (hindsight) {
+  if (made.simulated_wind) {
+    headline += " Driven by a simulated forecast of the wind: none published by " +
+                format_utc(plan.issued) + " is stored.";
+  } else if (made.hindsight) {
     headline += " Made in hindsight: wind or waves were used that were not known at " +
                 format_utc(plan.issued) + ".";
   }

@@ -17,7 +17,8 @@ namespace slackwater::calibration {
 
 /// The sentence that a coordinator reads first.
 [[nodiscard]] std::string headline_of(const ForecastPlan& plan,
-                                      const std::vector<std::string>& troubles, bool hindsight);
+                                      const std::vector<std::string>& troubles,
+                                      const Snapshot& made);
 
 /// A forecast without one value must not stand in the place of the one before it: an Error that
 /// says what was the trouble, of the kind of the part that failed, else not_found.

@@ -16,6 +16,7 @@ ForecastSkill score_forecast(const SiteData& data, const Snapshot& snapshot,
   blank.origin = options.origin;
   blank.wind = *snapshot.wind_policy;
   blank.hindsight = snapshot.hindsight;
+  blank.simulated_wind = snapshot.simulated_wind;
   ForecastSkill skill = score_currents(data, snapshot, currents, options, blank);
   if (data.columns.empty() || snapshot.columns.empty()) return skill;
   const UtcTime end = UtcTime(snapshot.day) + std::chrono::days(1);

@@ -94,6 +94,7 @@ struct SkillEntry {
   std::string truth;            ///< the dataset or station it was held against
   Duration truth_averaging{0};  ///< of its values (`averaging_of`); 0: instants
   bool hindsight = false;       ///< the forecast was made so (`Snapshot::hindsight`)
+  bool simulated_wind = false;  ///< it was driven so (`Snapshot::simulated_wind`)
 };
 
 /// The RMSE of an entry, in the unit of its variable.

@@ -58,6 +58,7 @@ SkillSet set_of(const std::vector<const SkillEntry*>& pairs) {
   for (const SkillEntry* pair : pairs) {
     set.of.truth_averaging = std::max(set.of.truth_averaging, pair->truth_averaging);
     set.of.hindsight = set.of.hindsight || pair->hindsight;
+    set.of.simulated_wind = set.of.simulated_wind || pair->simulated_wind;
     if (pair->forecast_rmse) ours.push_back(*pair->forecast_rmse);
   }
   if (!ours.empty()) set.forecast_rmse = rmse_of_pairs(ours);

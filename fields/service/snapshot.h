@@ -64,6 +64,8 @@ struct Snapshot {
   /// Wind or waves beyond D were not known at the issue time: no forecast that anybody could have
   /// made then.
   bool hindsight = false;
+  /// No run of the wind was kept: the later analysis with a forecast's error drawn stands for one.
+  bool simulated_wind = false;
   /// Whose members `wind_member_number` counts: "PRODUCT issued TIME"; empty where none has one.
   std::string wind_ensemble;
   /// The currents it was fitted to are means over hours; nothing: instants, or means that hold the

@@ -57,6 +57,7 @@ class ForecastReader {
     s.degraded = text("slackwater_degraded") == "true";
     s.contains_stokes = text("slackwater_contains_stokes") == "true";
     s.hindsight = in_.text("slackwater_hindsight").value_or("false") == "true";
+    s.simulated_wind = in_.text("slackwater_simulated_wind").value_or("false") == "true";
     s.wind_ensemble = in_.text(forecast_names::wind_ensemble).value_or("");
     s.averaged = averaged();
     s.headline = text("slackwater_headline");

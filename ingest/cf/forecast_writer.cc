@@ -266,6 +266,7 @@ class ForecastWriter {
     global("slackwater_degraded", s_.degraded ? "true" : "false");
     global("slackwater_contains_stokes", s_.contains_stokes ? "true" : "false");
     global("slackwater_hindsight", s_.hindsight ? "true" : "false");
+    global("slackwater_simulated_wind", s_.simulated_wind ? "true" : "false");
     if (!s_.wind_ensemble.empty()) global(forecast_names::wind_ensemble, s_.wind_ensemble);
     global("slackwater_averaged_currents", averaged_json(s_.averaged));
     global("slackwater_headline", s_.headline);

@@ -138,6 +138,33 @@ TEST(Replay, OfAHindcastWithTheBestWindTheSkillIsMarkedAsHindsight) {
     EXPECT_EQ(entry.at("hindsight"), false);
 }
 
+TEST(Replay, OfAHindcastWithASimulatedWindTheSkillAndEveryDoorSaySo) {
+  StoreForTests store;
+  store.ingest_days(first, 8);
+  std::vector<std::string> simulated{"hindcast",   "--site",         store.site(), "--from",
+                                     "2025-03-06", "--to",           "2025-03-08", "--wind",
+                                     "forecast",   "--simulate-wind"};
+  const ProgramResult text = store.run(simulated);
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_TRUE(contains(text.out, "Wind forecast (simulated)")) << text.out;
+  EXPECT_TRUE(contains(text.out, "simulated forecasts of the wind")) << text.out;
+  simulated.emplace_back("--json");
+  const json entries = json::parse(store.run(simulated).out);
+  ASSERT_FALSE(entries.empty());
+  for (const json& entry : entries) EXPECT_EQ(entry.at("simulated_wind"), true);
+  // Read back from the store they still do, beside those whose wind was known.
+  static_cast<void>(store.run({"hindcast", "--site", store.site(), "--from", "2025-03-06", "--to",
+                               "2025-03-08", "--wind", "persist"}));
+  const ProgramResult verified = store.run({"verify", "--site", store.site(), "--json"});
+  for (const json& entry : json::parse(verified.out))
+    EXPECT_EQ(entry.at("simulated_wind"), entry.at("wind") == "forecast") << entry;
+  for (const json& row : json::parse(store.listing())["forecasts"]) {
+    EXPECT_EQ(contains(row.at("headline").get<std::string>(), "simulated forecast of the wind"),
+              row.at("wind") == "forecast")
+        << row;
+  }
+}
+
 TEST(Replay, AProductThatRunsOnAndHadComeInIsUsedAsItWasThen) {
   // Waves and wind of a provider whose files say no reference time run on into the future.
   StoreForTests store;

@@ -54,6 +54,7 @@ void print_set(const char* set, const char* wind,
   double pairs = 0;
   for (const calibration::SkillEntry& entry : skill) {
     if (entry.method != Method::forecast || !entry.vector.coverage_80 || !entry.band) continue;
+    if (entry.lead.to_h - entry.lead.from_h != 24) continue;
     coverage += *entry.vector.coverage_80;
     ++pairs;
   }

@@ -50,6 +50,26 @@ std::vector<double> weights_of(const Blend& blend) {
   return weights;
 }
 
+TEST(Blend, WithoutAPairWeightsAreThoseOfTheOthers) {
+  // Some days are better for one candidate, some for another; none is out of keeping.
+  std::vector<PastPair> past;
+  for (int day = 0; day < 8; ++day)
+    past.push_back(pair_with(independent_errors({1.0 + 0.1 * day, 1.6 - 0.1 * day, 1.2}), day));
+  const Blend all = blend_of(three(), past);
+  ASSERT_EQ(all.without_pair.size(), past.size());
+  for (std::size_t i = 0; i < past.size(); ++i) {
+    std::vector<PastPair> others = past;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const std::vector<double> expected = weights_of(blend_of(three(), others));
+    for (std::size_t c = 0; c < expected.size(); ++c)
+      EXPECT_NEAR(all.without_pair[i][c], expected[c], 1e-9) << i << " " << c;
+    EXPECT_NE(all.without_pair[i], weights_of(all)) << i;
+  }
+  past.resize(4);
+  for (const auto& weights : blend_of(three(), past).without_pair)
+    EXPECT_EQ(weights, (std::vector<double>{1.0, 0.0, 0.0})) << "the prior learns from none";
+}
+
 TEST(Blend, WithFewerThanFivePairsThePriorRules) {
   const auto gram = independent_errors({1.0, 0.01, 0.01});
   for (int days = 0; days < 5; ++days) {
