@@ -174,13 +174,13 @@ TEST(MemberSpread, IsTheBandsAndThatOfTheErrorsInOceansOfOtherPhysics) {
   expect_increments(all, 1.5);
   expect_dependence(all, 3.0);
   expect_less_energy(all);
-  // The first day as it should be; later ones have its factor on the spread and err by more.
+  // Each day of lead has earned a factor of its own; a later one rests on fewer independent errors.
   const bool is_long = count >= 200;
   EXPECT_GT(all.lead_day[0].coverage_normal(), is_long ? 0.78 : 0.70);
   EXPECT_LT(all.lead_day[0].coverage_normal(), is_long ? 0.82 : 0.90);
   for (const std::size_t day : {1U, 2U}) {
-    EXPECT_GT(all.lead_day[day].coverage_normal(), is_long ? 0.70 : 0.66);
-    EXPECT_LT(all.lead_day[day].coverage_normal(), is_long ? 0.84 : 0.92);
+    EXPECT_GT(all.lead_day[day].coverage_normal(), is_long ? 0.77 : 0.66);
+    EXPECT_LT(all.lead_day[day].coverage_normal(), is_long ? 0.83 : 0.92);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "api/demo/demo_run.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
+#include "calibration/verify/skill_set.h"
 #include "fields/base/text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -131,6 +132,20 @@ Pooled pooled(const std::vector<calibration::SkillEntry>& skill) {
   return sum;
 }
 
+/// What `verify` says of the band, over all depths, by day of lead.
+void print_bands(const std::vector<calibration::SkillEntry>& skill) {
+  for (const calibration::SkillSet& set : calibration::sets_of(skill).sets) {
+    const bool is_whole = set.of.band && set.of.band->from_m == 0 && set.of.band->to_m > 1000;
+    if (set.of.method != calibration::Method::forecast || !is_whole || !set.score.vector) continue;
+    if (calibration::is_hour(set.of.lead) || set.of.column) continue;
+    const auto interval =
+        set.score.vector->coverage_interval.value_or(calibration::Interval95{NAN, NAN});
+    std::printf("  from %2.0f h: 80 %% band holds %.1f %% [%.1f, %.1f], CRPS %.4f m/s\n",
+                set.of.lead.from_h, 100 * set.score.vector->coverage_80.value_or(NAN),
+                100 * interval.low, 100 * interval.high, set.score.vector->crps_m_s.value_or(NAN));
+  }
+}
+
 TEST(Probabilities, TheBandsOfManyDaysHoldWhatTheySay) {
   const int days = days_to_run();
   const TemporaryFolder folder;
@@ -144,6 +159,7 @@ TEST(Probabilities, TheBandsOfManyDaysHoldWhatTheySay) {
   std::printf("%.0f pairs: 80 %% band holds %.1f %%, CRPS %.4f m/s, rmse %.4f (persistence %.4f)\n",
               sum.pairs, 100 * coverage, crps_m_s, std::sqrt(sum.forecast_square / sum.pairs),
               persistence_m_s);
+  print_bands(result.skill);
   // The tides are beaten on every day of lead, in every band, by what the product says came and by
   // what did. Of a few days the first is left out: no past has earned a weight, and the tide of
   // five days is as good as any.

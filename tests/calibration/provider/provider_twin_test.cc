@@ -221,7 +221,7 @@ TEST(ProviderTwin, AMissingRunLeavesTheOneBefore) {
 }
 
 TEST(ProviderTwin, ARunThatTurnsBadIsLeftWhereItDoes) {
-  expect_better_than_both("bad from +30 h", {bad_from_30_h}, 0.15);
+  expect_better_than_both("bad from +30 h", {bad_from_30_h}, 0.02);
 }
 
 TEST(ProviderTwin, APerfectProviderIsBelievedWithinTenDays) {
