@@ -68,8 +68,8 @@ ForecastPlan with_past_runs(const ForecastPlan& plan, const SiteData& data,
 
 /// The plan of a past day with the editions of its currents that stood in the store when it would
 /// have been issued. Those of now stand for them where the day was not whole in the store by then:
-/// an archive that was read later, a file that came late. Wind goes by publication alone: a run that
-/// came minutes later than today's is no other run.
+/// an archive that was read later, a file that came late. Wind goes by publication alone: a run
+/// that came minutes later than today's is no other run.
 ForecastPlan with_editions_of_then(ForecastPlan past, const SiteData& data) {
   if (past.seen_by == UtcTime::max()) return past;  // a hindcast looks at all of an archive
   const auto had_come = [&](const PieceColumn<Horizontal>& piece) {
