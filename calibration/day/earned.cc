@@ -10,6 +10,7 @@ const RehearsedLead& lead_of(const PastLead& past) { return past.day->lead[past.
 
 Blend blend_of_leads(const std::vector<PastLead>& past, std::span<const Candidate> candidates) {
   std::vector<PastPair> pairs;
+  pairs.reserve(past.size());
   for (const PastLead& one : past)
     pairs.push_back(pair_of_errors(lead_of(one).errors, one.age_days));
   return blend_of(candidates, pairs);
