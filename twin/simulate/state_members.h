@@ -2,6 +2,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "twin/mission/tick.h"
 #include "twin/simulate/agent.h"
 #include "twin/simulate/traffic_watch.h"
 
@@ -156,6 +157,21 @@ void for_each_member(S& s, Visit&& visit) {
   visit("tcpa_s", tcpa_s);
   visit("least_distance_m", least_distance_m);
   visit("least_distance_s", least_distance_s);
+}
+
+template <MaybeConst<BehaviourState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [nodes] = s;
+  visit("nodes", nodes);
+}
+
+template <MaybeConst<NodeState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [status, child, failures, began_s] = s;
+  visit("status", status);
+  visit("child", child);
+  visit("failures", failures);
+  visit("began_s", began_s);
 }
 
 template <typename S, typename Visit>
