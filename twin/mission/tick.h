@@ -93,19 +93,19 @@ template <BehaviourLeaves T>
 ///   retry      answers as its child, but a failure before the `times`-th is running: the child
 ///              begins anew at the next tick
 ///   timeout    ticks its child, and fails where that still runs more than `after_s` after the
-///              timeout began; a child that ends in time's last tick has ended
+///              timeout began; a child that ends in that late tick has ended all the same
 ///
-/// Halting: what was running and is no longer so by its own answer is told once, and is idle. That
-/// is whatever runs below a guard that does not hold, a timeout that is over, a parallel node that
-/// has ended (after all its children were ticked), and to the right of the child where a reactive
-/// sequence or fallback stopped (after that child was ticked: for the length of a call both it and
-/// what it displaces are at work). The order is that of the nodes: first to last, parents before
-/// children.
+/// Halting: a node that runs and whose parent will not ask it again is idle from then on; an action
+/// is told so, once. That is whatever runs below a guard that does not hold, a timeout that is
+/// over, a parallel node that has ended (after all its children were ticked), and to the right of
+/// the child where a reactive sequence or fallback stopped (after that child was ticked: for the
+/// length of a call both it and what it displaces are at work). The order is that of the nodes:
+/// first to last, parents before children.
 ///
 /// All this is that of py_trees 2.6: Sequence and Selector with and without memory,
 /// ParallelPolicy.SuccessOnAll(synchronise=False) and SuccessOnOne, EternalGuard, Retry and
 /// Timeout, but that the clock is `now_s`. Not so: a node that has ended keeps its status until it
-/// is ticked or halted while it runs, where some of py_trees' parents clear it.
+/// is ticked again, where some of py_trees' parents clear it.
 ///
 /// Reactive nodes are the book's Sequence and Fallback, those with memory its starred ones (1.3.2);
 /// its Parallel fails only where success is out of reach.

@@ -228,6 +228,9 @@ TEST(Tick, ATimeoutIsOverAfterItsTimeAndNotAtIt) {
   EXPECT_EQ(run.tick("r", 200), "r: +a") << "its time begins anew";
   EXPECT_EQ(run.tick("s", 300), "s: =a") << "what ends, ends, late as it is";
   EXPECT_EQ(run.tick("f", 300), "f: +a");
+  Flown from_zero(Tree::timeout(10, a));
+  for (const double now_s : {0, 5, 10}) EXPECT_EQ(from_zero.tick("r", now_s).substr(0, 2), "r:");
+  EXPECT_EQ(from_zero.tick("r", 11), "f: =a -a");
 }
 
 TEST(Tick, HaltsAWholeSubtreeOnceFromFirstToLast) {
