@@ -74,7 +74,7 @@ def grown(nodes, world, at, behaviours):
         made = py_trees.composites.Selector(name, memory=not node["reactive"], children=children)
     elif kind == "parallel":
         on_all = node["success_on"] == "all"
-        policy = ParallelPolicy.SuccessOnAll(synchronise=False) if on_all else ParallelPolicy.SuccessOnOne()
+        policy = ParallelPolicy.SuccessOnAll(synchronise=True) if on_all else ParallelPolicy.SuccessOnOne()
         made = py_trees.composites.Parallel(name, policy=policy, children=children)
     else:
         (only,) = children

@@ -98,8 +98,10 @@ class Ticking {
 
   NodeStatus all_at_once(std::size_t i) {
     const std::size_t end = end_of(i);
+    const bool has_begun = runs(i);
     bool has_failure = false, has_success = false, has_other = false;
     for (std::size_t child = i + 1; child < end; child = end_of(child)) {
+      if (has_begun && state_[child].status == NodeStatus::success) continue;
       const NodeStatus answer = tick(child);
       has_failure = has_failure || answer == NodeStatus::failure;
       has_success = has_success || answer == NodeStatus::success;

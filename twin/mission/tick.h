@@ -85,9 +85,10 @@ template <BehaviourLeaves T>
 ///              failure where all do
 ///              With memory both go on at the child that was running, and what came before it is
 ///              not asked again. Reactive ones begin at their first child each tick.
-///   parallel   ticks all its children each tick, also those that have ended, which begin anew:
-///              failure where one fails, whatever the others answer; success where all succeed in
-///              the same tick, or with `one` where one does; else running
+///   parallel   ticks all its children each tick, but those that have succeeded since it began:
+///              failure where one fails, whatever the others answer; success where all have
+///              succeeded, or with `one` where one has; else running. What has to hold all along
+///              is the condition of a guard: a `when` beside others is asked until it holds once
 ///   guard      asks its condition before each tick of its child: where it holds it answers as the
 ///              child, else the child is not ticked and it fails
 ///   retry      answers as its child, but a failure before the `times`-th is running: the child
@@ -103,7 +104,7 @@ template <BehaviourLeaves T>
 /// first to last, parents before children.
 ///
 /// All this is that of py_trees 2.6: Sequence and Selector with and without memory,
-/// ParallelPolicy.SuccessOnAll(synchronise=False) and SuccessOnOne, EternalGuard, Retry and
+/// ParallelPolicy.SuccessOnAll(synchronise=True) and SuccessOnOne, EternalGuard, Retry and
 /// Timeout, but that the clock is `now_s`. Not so: a node that has ended keeps its status until it
 /// is ticked again, where some of py_trees' parents clear it.
 ///

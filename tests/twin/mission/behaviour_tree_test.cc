@@ -169,12 +169,12 @@ TEST(Tick, AReactiveFallbackAsksFromTheFirstAndHaltsWhatIsBehind) {
   EXPECT_EQ(run.tick("rr+"), "s: ?p");
 }
 
-TEST(Tick, AParallelNodeThatWantsAllBeginsAgainWhatHasEnded) {
+TEST(Tick, AParallelNodeThatWantsAllWaitsForTheLastAndAsksNoneTwice) {
   Flown run(Tree::parallel(SuccessOn::all, Trees{a, b}));
   EXPECT_EQ(run.tick("sr"), "r: +a +b");
-  EXPECT_EQ(run.tick("rs"), "r: +a =b") << "both have succeeded, but not in the same tick";
-  EXPECT_EQ(run.tick("ss"), "s: =a +b");
-  EXPECT_EQ(run.tick("rr"), "r: +a +b");
+  EXPECT_EQ(run.tick("fr"), "r: =b") << "the first has done its part";
+  EXPECT_EQ(run.tick("fs"), "s: =b");
+  EXPECT_EQ(run.tick("rr"), "r: +a +b") << "it begins anew";
   EXPECT_EQ(run.tick("fr"), "f: =a =b -b") << "all are ticked before one is halted";
   EXPECT_EQ(run.tick("sf"), "f: +a +b");
 }
