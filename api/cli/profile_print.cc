@@ -98,6 +98,7 @@ json to_json(const ProfileAnswer& a) {
           {"degraded", snapshot.degraded},
           {"contains_stokes", snapshot.contains_stokes},
           {"hindsight", snapshot.hindsight},
+          {"simulated_wind", snapshot.simulated_wind},
           {"averaged", json::parse(ingest::averaged_json(snapshot.averaged))},
           {"headline", snapshot.headline},
           {"notes", a.notes},
@@ -177,7 +178,7 @@ void print_profile_table(const ProfileAnswer& a) {
               format_day(snapshot.day).c_str(), members_text(a).c_str());
   if (snapshot.degraded) {
     std::printf("DEGRADED: %s\n", snapshot.headline.c_str());
-  } else if (snapshot.hindsight) {
+  } else if (snapshot.hindsight || snapshot.simulated_wind) {
     std::printf("%s\n", snapshot.headline.c_str());
   }
   for (const std::string& note : a.notes) std::printf("note: %s\n", note.c_str());

@@ -32,7 +32,7 @@ std::string error_text(const calibration::Verdict& verdict) {
             ", not instants: what passes within a mean is not scored";
   }
   if (of.simulated_wind) {
-    text += ", driven by simulated forecasts of the wind: none was kept";
+    text += ", driven by simulated forecasts of the wind where none was kept";
   } else if (of.hindsight) {
     text += ", made in hindsight: its wind was not known when it was issued";
   }

@@ -16,11 +16,24 @@ Blend blend_of_leads(const std::vector<PastLead>& past, std::span<const Candidat
   return blend_of(candidates, pairs);
 }
 
-/// The candidates with the weights of the day of lead before as their prior.
-std::vector<Candidate> believing(const Blend& before, std::span<const Candidate> candidates) {
+/// The candidates with the weights of the day of lead before as their prior, but for one that never
+/// reached this day, and a hundredth of the documented prior: without it pairs that lack the one
+/// candidate of the day before would say nothing.
+std::vector<Candidate> believing(const Blend& before, std::span<const Candidate> candidates,
+                                 const std::vector<PastLead>& past) {
+  constexpr double documented = 0.01;
+  double total = 0;
+  for (const Candidate& c : candidates) total += c.available ? c.prior_weight : 0.0;
   std::vector<Candidate> believed(candidates.begin(), candidates.end());
-  for (std::size_t c = 0; c < believed.size(); ++c)
-    believed[c].prior_weight = before.share[c].weight;
+  for (std::size_t c = 0; c < believed.size(); ++c) {
+    const bool is_seen =
+        past.empty() || std::any_of(past.begin(), past.end(), [&](const auto& one) {
+          return !lead_of(one).errors[c].empty();
+        });
+    const double share = total > 0 ? believed[c].prior_weight / total : 0.0;
+    believed[c].prior_weight =
+        is_seen ? (1 - documented) * before.share[c].weight + documented * share : 0.0;
+  }
   return believed;
 }
 
@@ -82,7 +95,7 @@ Earned earned_from(std::span<const std::vector<PastLead>> past,
   earned.blend = blend_of_leads(past.front(), candidates);
   for (std::size_t l = 1; l < past.size(); ++l) {
     const Blend& before = l == 1 ? earned.blend : earned.later.back();
-    earned.later.push_back(blend_of_leads(past[l], believing(before, candidates)));
+    earned.later.push_back(blend_of_leads(past[l], believing(before, candidates, past[l])));
   }
   earned.spread = spread_of_leads(past, earned);
   for (const PastLead& first : past.front())

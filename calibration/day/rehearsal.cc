@@ -68,19 +68,26 @@ ForecastPlan with_past_runs(const ForecastPlan& plan, const SiteData& data,
 
 /// The plan of a past day with the editions of its currents that stood in the store when it would
 /// have been issued. Those of now stand for them where the day was not whole in the store by then:
-/// an archive that was read later, a file that came late. Wind goes by publication alone: a run
-/// that came minutes later than today's is no other run.
+/// an archive that was read later, a file that came late. Runs of wind and of currents go by
+/// publication alone: one that came minutes later than today's is no other run.
 ForecastPlan with_editions_of_then(ForecastPlan past, const SiteData& data) {
   if (past.seen_by == UtcTime::max()) return past;  // a hindcast looks at all of an archive
-  const auto had_come = [&](const PieceColumn<Horizontal>& piece) {
-    return piece.origin->received && *piece.origin->received <= past.issued;
-  };
-  const bool was_filled =
-      std::any_of(data.columns.begin(), data.columns.end(), [&](const ColumnData& column) {
-        return std::any_of(column.current.pieces.begin(), column.current.pieces.end(), had_come);
-      });
-  if (was_filled && holds_day(data, past.dataset, past.day, {past.issued, past.issued, {}}))
-    past.seen_by = past.issued;
+  const UtcTime then = std::min(past.issued, past.seen_by);
+  UtcTime begins_then = UtcTime::max();
+  UtcTime begins_now = UtcTime::max();
+  for (const ColumnData& column : data.columns) {
+    for (const PieceColumn<Horizontal>& piece : column.current.pieces) {
+      if (piece.column.time.empty() || piece.origin->dataset != past.dataset) continue;
+      const UtcTime first = piece.column.time.front().start;
+      begins_now = std::min(begins_now, first);
+      if (piece.origin->received && *piece.origin->received <= then)
+        begins_then = std::min(begins_then, first);
+    }
+  }
+  // A record that was lengthened backwards since is no poorer for today's forecast.
+  const bool is_as_long = begins_then != UtcTime::max() && begins_then <= begins_now;
+  if (is_as_long && holds_day(data, past.dataset, past.day, {past.issued, then, {}}))
+    past.seen_by = then;
   return past;
 }
 

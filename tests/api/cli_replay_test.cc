@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
@@ -148,6 +149,9 @@ TEST(Replay, OfAHindcastWithASimulatedWindTheSkillAndEveryDoorSaySo) {
   ASSERT_EQ(text.exit_code, 0) << text.err;
   EXPECT_TRUE(contains(text.out, "Wind forecast (simulated)")) << text.out;
   EXPECT_TRUE(contains(text.out, "simulated forecasts of the wind")) << text.out;
+  const ProgramResult profile =
+      store.run({"profile", "--site", store.site(), "--time", "2025-03-09T14:00:00Z"});
+  EXPECT_TRUE(contains(profile.out, "simulated forecast of the wind")) << profile.out;
   simulated.emplace_back("--json");
   const json entries = json::parse(store.run(simulated).out);
   ASSERT_FALSE(entries.empty());
@@ -155,10 +159,16 @@ TEST(Replay, OfAHindcastWithASimulatedWindTheSkillAndEveryDoorSaySo) {
   // Read back from the store they still do, beside those whose wind was known.
   static_cast<void>(store.run({"hindcast", "--site", store.site(), "--from", "2025-03-06", "--to",
                                "2025-03-08", "--wind", "persist"}));
-  const ProgramResult verified = store.run({"verify", "--site", store.site(), "--json"});
-  for (const json& entry : json::parse(verified.out))
+  const json verified = json::parse(store.run({"verify", "--site", store.site(), "--json"}).out);
+  std::set<std::string> winds;
+  for (const json& entry : verified) {
+    winds.insert(entry.at("wind").get<std::string>());
     EXPECT_EQ(entry.at("simulated_wind"), entry.at("wind") == "forecast") << entry;
-  for (const json& row : json::parse(store.listing())["forecasts"]) {
+  }
+  EXPECT_EQ(winds, (std::set<std::string>{"forecast", "persist"}));
+  const json listing = json::parse(store.listing());
+  ASSERT_FALSE(listing.at("forecasts").empty());
+  for (const json& row : listing.at("forecasts")) {
     EXPECT_EQ(contains(row.at("headline").get<std::string>(), "simulated forecast of the wind"),
               row.at("wind") == "forecast")
         << row;

@@ -116,6 +116,10 @@ Answer answer_of(Selection s, std::vector<Coverage> coverages, const Absences& a
     answer.notes.emplace_back(
         "made in hindsight: wind or waves were used that were not known at the issue time");
   }
+  if (snapshot.simulated_wind) {
+    answer.notes.emplace_back(
+        "driven by a simulated forecast of the wind: none published by the issue time was kept");
+  }
   if (std::holds_alternative<Quantities<SeaSample>>(s.collection->quantities) &&
       !has_given_waves_only(snapshot)) {
     answer.notes.push_back("source of the waves: " + wave_sources_text(snapshot));

@@ -353,6 +353,16 @@ TEST(Rehearsals, TakeTheEditionsOfNowWhereADayCameLate) {
   EXPECT_LT(past_error_of(made, Method::same_hour), 0.35);
 }
 
+TEST(Rehearsals, OfARecordLengthenedBackwardsSinceTakeItWhole) {
+  // Four days before the first that came in by itself are read in today.
+  KnownSeriesForTests lengthened = revised_sea({0.5, 0}, hours(5));
+  lengthened.current(received(analysis_of("model", 500), end_of_day + hours(4)),
+                     instants(end_of_day - days(12) + hours(1), end_of_day - days(9)), depth_m,
+                     water);
+  EXPECT_LT(past_error_of(earned(site_of({lengthened.data}), plan_seen_now()), Method::same_hour),
+            0.35);
+}
+
 TEST(Rehearsals, OfAnArchiveReadLaterSeeItsNewestEditions) {
   KnownSeriesForTests archive = revised_sea({0.5, 0}, hours(5));
   ForecastPlan plan = plan_seen_now();

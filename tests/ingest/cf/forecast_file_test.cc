@@ -29,6 +29,7 @@ Snapshot full_snapshot(std::size_t columns) {
   s.degraded = true;
   s.contains_stokes = true;
   s.hindsight = true;
+  s.simulated_wind = true;
   s.averaged = {hours(24), true, 0.1 + 0.2, "med_currents"};
   s.headline = "No wind is stored: the wind-driven part is left out.";
   s.attributions = {"first sentence", "second sentence"};
@@ -76,6 +77,7 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(a.degraded, b.degraded);
   EXPECT_EQ(a.contains_stokes, b.contains_stokes);
   EXPECT_EQ(a.hindsight, b.hindsight);
+  EXPECT_EQ(a.simulated_wind, b.simulated_wind);
   EXPECT_EQ(a.averaged, b.averaged);
   EXPECT_EQ(a.headline, b.headline);
   EXPECT_EQ(a.attributions, b.attributions);
