@@ -26,8 +26,7 @@ constexpr const char* hindsight_note =
 
 std::string simulated_note(const ForecastPlan& plan) {
   return "the wind after D is simulated: no run published by the issue time is stored, so the "
-         "later "
-         "analysis stands for one, with a forecast's error drawn (seed " +
+         "later analysis stands for one, with a forecast's error drawn (seed " +
          std::to_string(plan.best.simulated_seed.value_or(0)) + ")";
 }
 
@@ -47,7 +46,7 @@ void tell_of_inputs(const ColumnData& data, const ForecastPlan& plan, ColumnFore
 /// Names the provider's runs among what the forecast rests on.
 void add_provider_origins(const ColumnData& data, const ForecastPlan& plan, ColumnForecast& made) {
   const ProviderRuns runs =
-      provider_runs(data.current, plan.dataset, plan.knowledge(), plan.end_of_day());
+      provider_runs(data.current, plan.dataset, plan.knowledge_of_runs(), plan.end_of_day());
   made.origins.insert(made.origins.end(), runs.origins.begin(), runs.origins.end());
   for (const Origin* origin : runs.origins)
     made.contains_stokes = made.contains_stokes || origin->contains_stokes;

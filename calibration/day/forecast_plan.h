@@ -32,6 +32,8 @@ struct ForecastPlan {
   UtcDay day{};  ///< D
   UtcTime issued{};
   UtcTime seen_by = UtcTime::max();  ///< Knowledge::seen_by, of currents
+  /// On a rehearsed day: the editions of analysed currents that the store held by then count.
+  std::optional<UtcTime> editions_by{};
   WindPolicy wind = WindPolicy::best;
   BestInputs best;
   std::vector<UtcTime> stamps;  ///< hourly from the end of D, both ends included
@@ -43,6 +45,10 @@ struct ForecastPlan {
 
   /// What is known of the currents up to the end of D.
   [[nodiscard]] Knowledge knowledge() const {
+    return {end_of_day(), issued, UtcTime::min(), editions_by.value_or(seen_by)};
+  }
+  /// The same of the provider's runs, which count from their publication, however late they came in.
+  [[nodiscard]] Knowledge knowledge_of_runs() const {
     return {end_of_day(), issued, UtcTime::min(), seen_by};
   }
   [[nodiscard]] UtcTime end_of_day() const noexcept { return UtcTime(day) + std::chrono::days(1); }

@@ -87,11 +87,8 @@ MethodForecast as_issued(const Snapshot& snapshot, std::size_t index, const Vect
 void add_provider(const ColumnData& column, const ForecastPlan& plan,
                   const Chosen<Horizontal>& truth, const Chosen<Horizontal>& known,
                   const FittedTide* tide, std::vector<MethodForecast>& methods) {
-  // On a rehearsed day a run counts from its publication, however late it came in.
-  Knowledge knowledge = plan.knowledge();
-  knowledge.seen_by = std::max(plan.seen_by, plan.best.seen_by);
-  const ProviderRuns runs =
-      provider_runs(column.current, plan.dataset, knowledge, plan.end_of_day() - runs_looked_back);
+  const ProviderRuns runs = provider_runs(column.current, plan.dataset, plan.knowledge_of_runs(),
+                                          plan.end_of_day() - runs_looked_back);
   if (runs.empty() || runs.series.time.back().end <= plan.end_of_day()) return;
   const Chosen<Horizontal>& on_levels = known.empty() ? truth : known;
   if (tide == nullptr) {

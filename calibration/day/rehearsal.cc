@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "calibration/day/known_currents.h"
 #include "calibration/day/leading_day.h"
@@ -87,7 +86,7 @@ ForecastPlan with_editions_of_then(ForecastPlan past, const SiteData& data) {
   // A record that was lengthened backwards since is no poorer for today's forecast.
   const bool is_as_long = begins_then != UtcTime::max() && begins_then <= begins_now;
   if (is_as_long && holds_day(data, past.dataset, past.day, {past.issued, then, {}}))
-    past.seen_by = then;
+    past.editions_by = then;
   return past;
 }
 

@@ -31,7 +31,8 @@ std::vector<SourceUse> provider_sources(const ColumnData& column, const Forecast
   if (plan.stamps.empty()) return {};
   return uses_of(
       "current forecast",
-      provider_runs(column.current, plan.dataset, plan.knowledge(), plan.end_of_day()).stretches,
+      provider_runs(column.current, plan.dataset, plan.knowledge_of_runs(), plan.end_of_day())
+          .stretches,
       plan.end_of_day(), plan.stamps.back());
 }
 

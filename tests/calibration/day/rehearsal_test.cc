@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "fields/base/check.h"
@@ -303,19 +304,27 @@ TEST(Rehearsals, ALaterDayOfLeadNeedsATruthThatEndsByThen) {
     EXPECT_EQ(other.later[l].provenance, made.later[l].provenance);
 }
 
-/// Days that came each at five in the morning after it, wrong by so much, and once more, put right,
-/// two days later.
-KnownSeriesForTests revised_sea(Horizontal wrong_by, Duration first_after) {
+/// When a file came in, by the end of the day that it holds.
+using Arrival = std::function<UtcTime(UtcTime)>;
+
+/// Days that came in wrong by so much, and once more, put right.
+KnownSeriesForTests revised_sea(Horizontal wrong_by, const Arrival& first, const Arrival& again) {
   KnownSeriesForTests sea;
   for (int back = 8; back >= 0; --back) {
     const UtcTime end = end_of_day - days(back);
     const auto cells = instants(end - days(1) + hours(1), end);
-    sea.current(received(analysis_of("model", 10 + back), end + first_after), cells, depth_m,
+    sea.current(received(analysis_of("model", 10 + back), first(end)), cells, depth_m,
                 [=](UtcTime time, double depth) { return water(time, depth) + wrong_by; });
-    sea.current(received(analysis_of("model", 110 + back), end + days(2) + hours(5)), cells,
-                depth_m, water);
+    sea.current(received(analysis_of("model", 110 + back), again(end)), cells, depth_m, water);
   }
   return sea;
+}
+
+/// The first at five in the morning after the day or so much later, the second two days after it.
+KnownSeriesForTests revised_sea(Horizontal wrong_by, Duration late = {}) {
+  return revised_sea(
+      wrong_by, [=](UtcTime end) { return end + hours(5) + late; },
+      [](UtcTime end) { return end + days(2) + hours(5); });
 }
 
 ForecastPlan plan_seen_now() {
@@ -332,8 +341,8 @@ double past_error_of(const Earned& earned, Method method) {
 
 TEST(Rehearsals, StartFromTheEditionsThatStoodThen) {
   const Horizontal wrong_by(0.5, 0);
-  const KnownSeriesForTests right = revised_sea({}, hours(5));
-  const KnownSeriesForTests revised = revised_sea(wrong_by, hours(5));
+  const KnownSeriesForTests right = revised_sea({});
+  const KnownSeriesForTests revised = revised_sea(wrong_by);
   const double of_right =
       past_error_of(earned(site_of({right.data}), plan_seen_now()), Method::same_hour);
   const double of_revised =
@@ -346,7 +355,7 @@ TEST(Rehearsals, StartFromTheEditionsThatStoodThen) {
 
 TEST(Rehearsals, TakeTheEditionsOfNowWhereADayCameLate) {
   const Horizontal wrong_by(0.5, 0);
-  const KnownSeriesForTests late = revised_sea(wrong_by, hours(5) + std::chrono::minutes(1));
+  const KnownSeriesForTests late = revised_sea(wrong_by, std::chrono::minutes(1));
   // Of each day but the last two the second edition counts now, and nothing stood there then.
   const Earned made = earned(site_of({late.data}), plan_seen_now());
   EXPECT_GE(made.blend.pairs, 5u);
@@ -354,8 +363,8 @@ TEST(Rehearsals, TakeTheEditionsOfNowWhereADayCameLate) {
 }
 
 TEST(Rehearsals, OfARecordLengthenedBackwardsSinceTakeItWhole) {
-  // Four days before the first that came in by itself are read in today.
-  KnownSeriesForTests lengthened = revised_sea({0.5, 0}, hours(5));
+  // Days before the first that came in by itself are read in today.
+  KnownSeriesForTests lengthened = revised_sea({0.5, 0});
   lengthened.current(received(analysis_of("model", 500), end_of_day + hours(4)),
                      instants(end_of_day - days(12) + hours(1), end_of_day - days(9)), depth_m,
                      water);
@@ -364,10 +373,16 @@ TEST(Rehearsals, OfARecordLengthenedBackwardsSinceTakeItWhole) {
 }
 
 TEST(Rehearsals, OfAnArchiveReadLaterSeeItsNewestEditions) {
-  KnownSeriesForTests archive = revised_sea({0.5, 0}, hours(5));
+  KnownSeriesForTests archive = revised_sea({0.5, 0});
   ForecastPlan plan = plan_seen_now();
   plan.seen_by = plan.best.seen_by = UtcTime::max();
   EXPECT_LT(past_error_of(earned(site_of({archive.data}), plan), Method::same_hour), 0.25);
+  // The same live, of an archive that was read in on the morning of the forecast.
+  const Arrival this_morning = [](UtcTime) { return end_of_day + hours(4); };
+  const KnownSeriesForTests read_now = revised_sea({0.5, 0}, this_morning, this_morning);
+  const Earned made = earned(site_of({read_now.data}), plan_seen_now());
+  EXPECT_EQ(made.blend.pairs, 8u);
+  EXPECT_LT(past_error_of(made, Method::same_hour), 0.25);
 }
 
 TEST(Rehearsals, ADayThatFailsIsCountedAndTheOthersDecideAsIfItWereNotThere) {
