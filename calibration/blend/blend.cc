@@ -135,7 +135,7 @@ std::string pairs_text(std::size_t pairs) {
 std::string provenance_of(const Blend& blend, const std::optional<Contest>& contest,
                           const BlendSettings& settings) {
   if (!blend.earned) {
-    return "prior weights (" + list_of(blend.share) + "): " + pairs_text(blend.pairs) +
+    return settings.prior_name + " (" + list_of(blend.share) + "): " + pairs_text(blend.pairs) +
            " verified so far, " + std::to_string(settings.fewest_pairs) +
            " are needed for other weights";
   }

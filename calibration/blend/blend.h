@@ -28,6 +28,7 @@ struct Candidate {
 [[nodiscard]] std::vector<Candidate> standard_candidates();
 
 struct BlendSettings {
+  std::string prior_name = "prior weights";  ///< as the provenance calls the prior
   /// Pairs needed before the past may move a weight, in all and per baseline.
   std::size_t fewest_pairs = 5;
   /// E-folding age of what a pair says: follows the season and a provider's change of version. The
@@ -59,13 +60,14 @@ struct CandidateShare {
 struct Blend {
   std::vector<CandidateShare> share;  ///< in the order of the candidates
   std::size_t pairs = 0;              ///< past pairs used
-  bool earned = false;                ///< false: the documented prior
+  bool earned = false;                ///< false: the prior
   /// A baseline is issued alone: it earned all the weight, or it beat the blend (below).
   std::optional<std::size_t> fell_back_to;
   /// Of the blend over the same pairs, each forecast with weights fitted to the others.
   std::optional<double> past_rmse_m_s;
   /// Per past pair as given the weights that the others earned without it: what a spread is held
-  /// against, which weights fitted to the pair itself would flatter.
+  /// against, which weights fitted to the pair itself would flatter. Those issued where none are
+  /// earned, and where a baseline is issued alone.
   std::vector<std::vector<double>> without_pair;
   std::string provenance;  ///< one sentence
 };

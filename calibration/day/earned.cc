@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/base/check.h"
+
 namespace slackwater::calibration {
 namespace {
 
 const RehearsedLead& lead_of(const PastLead& past) { return past.day->lead[past.lead]; }
 
-Blend blend_of_leads(const std::vector<PastLead>& past, std::span<const Candidate> candidates) {
+Blend blend_of_leads(const std::vector<PastLead>& past, std::span<const Candidate> candidates,
+                     const BlendSettings& settings = {}) {
   std::vector<PastPair> pairs;
   pairs.reserve(past.size());
   for (const PastLead& one : past)
     pairs.push_back(pair_of_errors(lead_of(one).errors, one.age_days));
-  return blend_of(candidates, pairs);
+  return blend_of(candidates, pairs, settings);
 }
 
 /// The candidates with the weights of the day of lead before as their prior, but for one that never
@@ -61,29 +64,38 @@ NormalisedErrors normalised(const RehearsedLead& lead, const Blend& blend,
   return errors;
 }
 
+/// What one rehearsed day has met, whichever of its days of lead have a truth.
+struct DaySpread {
+  const RehearsedDay* day = nullptr;
+  PastSpread spread;
+};
+
+/// The entry of the day that a lead is of, made where there is none.
+PastSpread& spread_of(const PastLead& one, std::size_t leads, std::vector<DaySpread>& days) {
+  const auto found = std::find_if(days.begin(), days.end(),
+                                  [&](const DaySpread& of) { return of.day == one.day.get(); });
+  if (found != days.end()) return found->spread;
+  PastSpread spread;
+  spread.age_days = one.age_days + static_cast<double>(one.lead);
+  spread.later.resize(leads - 1);
+  days.push_back({one.day.get(), std::move(spread)});
+  return days.back().spread;
+}
+
 /// How the blend's own spread has held its errors, by day of lead.
 EarnedSpread spread_of_leads(std::span<const std::vector<PastLead>> past, const Earned& earned) {
-  std::vector<PastSpread> spreads;
-  const auto errors_of = [](const PastLead& one, std::size_t place, const Blend& blend) {
-    return normalised(lead_of(one), blend, blend.without_pair[place]);
-  };
-  for (std::size_t i = 0; i < past.front().size(); ++i) {
-    const PastLead& first = past.front()[i];
-    PastSpread spread;
-    spread.age_days = first.age_days;
-    spread.errors = errors_of(first, i, earned.blend);
-    for (std::size_t l = 1; l < past.size(); ++l) {
-      const auto same = std::find_if(past[l].begin(), past[l].end(),
-                                     [&](const PastLead& later) { return later.day == first.day; });
-      if (same == past[l].end()) {
-        spread.later.emplace_back();
-        continue;
-      }
-      const auto place = static_cast<std::size_t>(same - past[l].begin());
-      spread.later.push_back(errors_of(*same, place, earned.later[l - 1]));
+  std::vector<DaySpread> days;
+  for (std::size_t lead = 0; lead < past.size(); ++lead) {
+    const Blend& blend = lead == 0 ? earned.blend : earned.later[lead - 1];
+    for (std::size_t i = 0; i < past[lead].size(); ++i) {
+      PastSpread& spread = spread_of(past[lead][i], past.size(), days);
+      (lead == 0 ? spread.errors : spread.later[lead - 1]) =
+          normalised(lead_of(past[lead][i]), blend, blend.without_pair[i]);
     }
-    spreads.push_back(std::move(spread));
   }
+  std::vector<PastSpread> spreads;
+  spreads.reserve(days.size());
+  for (DaySpread& of : days) spreads.push_back(std::move(of.spread));
   return earned_spread(spreads);
 }
 
@@ -91,11 +103,15 @@ EarnedSpread spread_of_leads(std::span<const std::vector<PastLead>> past, const 
 
 Earned earned_from(std::span<const std::vector<PastLead>> past,
                    std::span<const Candidate> candidates) {
+  expects(!past.empty(), "what days earned has a first day of lead");
   Earned earned;
   earned.blend = blend_of_leads(past.front(), candidates);
+  BlendSettings of_later;
+  of_later.prior_name = "weights of the day of lead before";
   for (std::size_t l = 1; l < past.size(); ++l) {
     const Blend& before = l == 1 ? earned.blend : earned.later.back();
-    earned.later.push_back(blend_of_leads(past[l], believing(before, candidates, past[l])));
+    earned.later.push_back(
+        blend_of_leads(past[l], believing(before, candidates, past[l]), of_later));
   }
   earned.spread = spread_of_leads(past, earned);
   for (const PastLead& first : past.front())

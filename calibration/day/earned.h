@@ -31,8 +31,9 @@ struct PastLead {
 
 /// What rehearsed days have earned: blend and spread. The weights of each later day of lead have
 /// those of the day before it as their prior: few pairs leave them there, as they do the spread.
-/// @param past  per day of lead, at least the first; a day of a later lead is among those of the
-///              first
+/// The spread is held against weights that the other pairs earned; that prior has seen hours of
+/// theirs all the same, for the days of lead of neighbouring days overlap.
+/// @param past  per day of lead, at least the first
 [[nodiscard]] Earned earned_from(std::span<const std::vector<PastLead>> past,
                                  std::span<const Candidate> candidates);
 

@@ -13,7 +13,7 @@ namespace slackwater::calibration {
 /// there are others.
 struct SkillSet {
   /// The last pair's entry, for what all share; with the longest averaging of any pair's truth, and
-  /// in hindsight where any pair is.
+  /// in hindsight, or with a simulated wind, where any pair is.
   SkillEntry of;
   UtcDay first_day{};
   UtcDay last_day{};

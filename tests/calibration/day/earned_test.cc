@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
 #include <memory>
+
+#include "fields/base/random.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -100,6 +104,77 @@ TEST(Earned, WhatDoesNotReachALaterDayLeavesItToTheOthers) {
   EXPECT_EQ(earned.later.front().pairs, 10U);
   EXPECT_EQ(weight_of(earned.later.front(), Method::forecast), 1.0);
   EXPECT_EQ(earned.spread.later.front().pairs, 10U);
+}
+
+/// Two days of lead of eight days, every candidate off by a vector of its own each day.
+std::vector<std::vector<PastLead>> erring_days() {
+  Rng random(1, "tests/earned");
+  const auto lead = [&] {
+    RehearsedLead made = lead_with(0, 0, 0);
+    for (std::vector<Horizontal>& errors : made.errors)
+      errors.assign(values, 0.15 * Horizontal(random.normal(), random.normal()));
+    return made;
+  };
+  std::vector<std::vector<PastLead>> past(2);
+  for (int d = 0; d < 8; ++d) {
+    RehearsedDay day;
+    day.lead = {lead(), lead()};
+    const auto kept = std::make_shared<const RehearsedDay>(std::move(day));
+    if (d != 5) past[0].push_back({kept, 0, d + 1.0});
+    if (d != 3) past[1].push_back({kept, 1, d + 0.0});
+  }
+  return past;
+}
+
+/// Share of the components within 1.2816 sigma of 0.1 m/s, pairs weighed by their age as the spread
+/// weighs them.
+double held_with(const std::vector<PastLead>& past,
+                 const std::function<std::vector<double>(std::size_t)>& weights_for) {
+  double inside = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < past.size(); ++i) {
+    const std::vector<double> weights = weights_for(i);
+    Horizontal error{};
+    for (std::size_t c = 0; c < weights.size(); ++c)
+      error += weights[c] * past[i].day->lead[past[i].lead].errors[c].front();
+    const double say = std::exp(-(past[i].age_days + double(past[i].lead)) / 30.0);
+    for (const double component : {error.real(), error.imag()})
+      inside += std::abs(component) < 0.12816 ? say / 2 : 0;
+    all += say;
+  }
+  return inside / all;
+}
+
+std::vector<double> weights_of(const Blend& blend) {
+  std::vector<double> weights;
+  for (const CandidateShare& share : blend.share) weights.push_back(share.weight);
+  return weights;
+}
+
+TEST(Earned, TheSpreadIsHeldAgainstWeightsThatTheOtherDaysEarned) {
+  const std::vector<std::vector<PastLead>> past = erring_days();
+  const std::vector<Candidate> candidates = standard_candidates();
+  const Earned earned = earned_from(past, candidates);
+  const auto by_the_others = [&](std::size_t i) {
+    std::vector<PastPair> pairs;
+    for (std::size_t j = 0; j < past[0].size(); ++j) {
+      if (j != i)
+        pairs.push_back(pair_of_errors(past[0][j].day->lead[0].errors, past[0][j].age_days));
+    }
+    return weights_of(blend_of(candidates, pairs));
+  };
+  const double out_of_sample = held_with(past[0], by_the_others);
+  const double in_sample =
+      held_with(past[0], [&](std::size_t) { return weights_of(earned.blend); });
+  ASSERT_GT(in_sample, out_of_sample + 0.05) << "the same for both: nothing is tested";
+  EXPECT_NEAR(earned.spread.past_coverage_80, out_of_sample, 1e-6);
+  // A day without a truth of its first day of lead counts for the second, and the other way round.
+  EXPECT_EQ(earned.spread.pairs, 7U);
+  ASSERT_EQ(earned.spread.later.size(), 1U);
+  EXPECT_EQ(earned.spread.later[0].pairs, 7U);
+  const double of_second =
+      held_with(past[1], [&](std::size_t i) { return earned.later[0].without_pair[i]; });
+  EXPECT_NEAR(earned.spread.later[0].past_coverage_80, of_second, 1e-6);
 }
 
 TEST(Earned, WeightsPassFromTheMiddleOfADayOfLeadToTheNext) {
