@@ -56,6 +56,11 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   options.to = option_value("--to", arguments.to, parse_day);
   options.simulate_wind = arguments.simulate_wind;
   options.wind = option_value("--wind", arguments.wind, wind_policy_from);
+  if (options.simulate_wind && options.wind != WindPolicy::forecast) {
+    throw Error(ErrorKind::usage, "found --simulate-wind with --wind " + arguments.wind +
+                                      "; it stands for runs that --wind forecast would have had, "
+                                      "so ask for that or leave it out");
+  }
   options.latency = option_value("--latency", arguments.latency, parse_duration);
   options.horizon = horizon_from(arguments.horizon);
   options.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

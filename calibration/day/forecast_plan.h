@@ -47,7 +47,7 @@ struct ForecastPlan {
   [[nodiscard]] Knowledge knowledge() const {
     return {end_of_day(), issued, UtcTime::min(), editions_by.value_or(seen_by)};
   }
-  /// The same of the provider's runs, which count from their publication, however late they came in.
+  /// The same of the provider's runs, which count from their publication, however late they came.
   [[nodiscard]] Knowledge knowledge_of_runs() const {
     return {end_of_day(), issued, UtcTime::min(), seen_by};
   }

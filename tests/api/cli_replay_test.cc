@@ -194,6 +194,18 @@ TEST(Replay, AProductThatRunsOnAndHadComeInIsUsedAsItWasThen) {
       << earlier.at("headline");
 }
 
+TEST(Replay, ASimulatedWindIsRefusedWhereItMeansNothing) {
+  const StoreForTests store;
+  for (const char* wind : {"best", "persist"}) {
+    const ProgramResult result =
+        store.run({"hindcast", "--site", store.site(), "--from", "2025-03-06", "--to", "2025-03-07",
+                   "--wind", wind, "--simulate-wind"});
+    EXPECT_EQ(result.exit_code, 2) << result.out;
+    EXPECT_TRUE(contains(result.err, std::string("found --simulate-wind with --wind ") + wind))
+        << result.err;
+  }
+}
+
 TEST(Replay, HindsightIsRefusedWhereItMeansNothing) {
   StoreForTests store;
   store.ingest_days(first, 4);
