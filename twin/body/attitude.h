@@ -31,6 +31,11 @@ template <typename Real>
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+template <typename Real>
+[[nodiscard]] Real length_of(const Triple<Real>& a) {
+  return square_root(dot(a, a));
+}
+
 /// Unit quaternion that turns body (forward, right, down) into NED (Fossen 2011, 2.2.2).
 template <typename Real>
 struct Attitude {

@@ -6,6 +6,7 @@
 #include "fields/wind/gust.h"
 #include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
+#include "twin/simulate/conduct.h"
 #include "twin/tether/tether_dynamics.h"
 #include "twin/thruster/thrust_curve.h"
 
@@ -97,6 +98,10 @@ void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, Agen
   const TetherPull<double> felt = pull(tether, state.tether, ends, water, agent.plan.dt_s);
   around.pull_n = felt.on_vehicle_n;
   state.tether_n = felt.vehicle_tension_n;
+  if (state.conduct.is_snagged) {
+    state.tether.node_m[state.conduct.snag_node] = state.conduct.snag_m;
+    state.tether.velocity_m_s[state.conduct.snag_node] = {};
+  }
 }
 
 /// Autopilots of measured thrusters command them by their curve at rest; what the flow takes from
@@ -119,6 +124,14 @@ void command_thrusters(const Agent& agent, const Effort& effort, const AgentStat
     around.advance_m_s = dot(vehicle.mount[i].direction, through);
     command.thruster[i] = command_for(vehicle.thruster, effort.thrust_n[i], around);
   }
+}
+
+/// What a fault leaves of the commands.
+void lose_thruster(const Agent& agent, double t_s, VehicleCommand<double>& command) {
+  if (!agent.conduct) return;
+  for (const Fault& fault : agent.conduct->plan.faults)
+    if (fault.kind == FaultKind::lost_thruster && fault.is_on(t_s))
+      command.thruster[fault.thruster] = 0;
 }
 
 bool is_inside_a_structure(const Agent& agent, const Triple<double>& position_m) {
@@ -151,6 +164,16 @@ std::string_view name_of(Halt halt) noexcept {
       return "no_headway";
   }
   return "unknown";
+}
+
+Measured known_of(const Agent& agent, const AgentState& state) {
+  if (agent.navigation && agent.navigation->steers) return measured_of(state.navigation.navigator);
+  const BodyState<double>& body = state.vehicle.body;
+  Measured measured;
+  measured.position_m = body.position_m;
+  measured.attitude = body.attitude;
+  measured.nu = body.nu;
+  return measured;
 }
 
 bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input) {
@@ -190,7 +213,9 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
   // As a log that means the waves out.
   if (!flies) measured.log_m_s = body.nu.linear.x - r.to_body(current_m_s).x;
   if (agent.navigation) {
-    const SensedWater sensed{*agent.water, around.water.elevation_m, t_s};
+    SensedWater sensed{*agent.water, around.water.elevation_m, t_s};
+    sensed.has_gnss = !agent.conduct ||
+                      fault_at(agent.conduct->plan.faults, FaultKind::lost_gnss, t_s) == nullptr;
     const Measured taken_for = sense(*agent.navigation, sensed, body, state.navigation);
     if (agent.navigation->steers) measured = taken_for;
   }
@@ -199,11 +224,10 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
     if (!flies && !measured.has_log())
       measured.log_m_s = measured.nu.linear.x - r.to_body(current_m_s).x;
   }
-  const Reference reference =
-      next_reference(agent.mission, measured, t_s, agent.plan.dt_s, state.mission);
+  const Reference reference = conducted_reference(agent, measured, t_s, state);
   const bool has_power = std::isnan(state.milestones.power_lost_s);
   if (agent.headway && has_power &&
-      has_lost_headway(*agent.headway, reference, state.mission.route, body.position_m, t_s,
+      has_lost_headway(*agent.headway, reference, way_of(state).route, body.position_m, t_s,
                        state.headway)) {
     halt(state, Halt::no_headway, t_s);
     return false;
@@ -211,6 +235,7 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
   const Effort effort =
       effort_of(*agent.autopilot, measured, reference, agent.plan.dt_s, state.control);
   command_thrusters(agent, effort, state, measured, r, around.height_above_m, input.command);
+  lose_thruster(agent, t_s, input.command);
   input.command.rudder_rad = effort.rudder_rad;
   input.command.elevator_rad = effort.elevator_rad;
   input.command.moving_mass_m = effort.moving_mass_m;

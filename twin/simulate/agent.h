@@ -6,6 +6,7 @@
 
 #include "fields/wind/dryden_gust.h"
 #include "twin/control/autopilot.h"
+#include "twin/simulate/conduct_state.h"
 #include "twin/simulate/environment.h"
 #include "twin/simulate/headway.h"
 #include "twin/simulate/milestones.h"
@@ -30,6 +31,8 @@ enum class Halt {
 };
 [[nodiscard]] std::string_view name_of(Halt halt) noexcept;
 
+struct ReadyConduct;
+
 /// A vehicle of a run: what does not change while it runs. Shared by any threads.
 struct Agent {
   std::string name;
@@ -44,7 +47,10 @@ struct Agent {
   Triple<double> tether_top_m;
   std::optional<Navigation>
       navigation;  ///< nothing: it knows the truth, and no instrument is looked at
-  std::optional<HeadwayWatch> headway;  ///< nothing: it is not watched
+  std::optional<HeadwayWatch> headway;          ///< nothing: it is not watched
+  std::optional<std::size_t> carrier;           ///< by its place in the run
+  Triple<double> deck_m;                        ///< where on it, the carrier's body axes
+  std::shared_ptr<const ReadyConduct> conduct;  ///< null: it does its tasks, come what may
 };
 
 /// All that changes of it: a value, copied for a checkpoint.
@@ -57,6 +63,7 @@ struct AgentState {
   TetherState<double> tether;
   NavigationState navigation;
   HeadwayState headway;
+  ConductState conduct;
   Milestones milestones;
   Halt halt = Halt::none;
   double halted_at_s = 0;
@@ -66,6 +73,14 @@ struct AgentState {
   double elevation_m = 0;
   double tether_n = 0;
 };
+
+/// Whether it is stepped: it has not halted and stands on nobody's deck.
+[[nodiscard]] inline bool moves(const AgentState& state) noexcept {
+  return state.halt == Halt::none && !state.conduct.is_aboard;
+}
+
+/// What the vehicle goes by: the truth, or what it makes of its instruments.
+[[nodiscard]] Measured known_of(const Agent& agent, const AgentState& state);
 
 /// What a step of a vehicle is made with.
 struct StepInput {

@@ -7,17 +7,6 @@
 namespace slackwater::twin {
 namespace {
 
-/// What the vehicle goes by: the truth, or what it makes of its instruments.
-Measured known_of(const Agent& agent, const AgentState& state) {
-  if (agent.navigation && agent.navigation->steers) return measured_of(state.navigation.navigator);
-  const BodyState<double>& body = state.vehicle.body;
-  Measured measured;
-  measured.position_m = body.position_m;
-  measured.attitude = body.attitude;
-  measured.nu = body.nu;
-  return measured;
-}
-
 void apply(const Reroute& reroute, const Agent& agent, AgentState& state) {
   // One that was put where no vehicle can be halts in its next step.
   if (!is_sound(state.vehicle.body, state.vehicle.battery.charge)) return;

@@ -112,6 +112,14 @@ double EnvironmentSampler::gust_ratio(const Triple<double>& position_m) const no
          farm->free_turbulence_intensity();
 }
 
+SeaSample EnvironmentSampler::sea(const Triple<double>& position_m, double t_s) const noexcept {
+  if (environment_->stated_sea) return {*environment_->stated_sea, SampleStatus::ok};
+  const Place at = place(position_m, 0, t_s);
+  SeaSample sample;
+  environment_->field->sample_sea({&at, 1}, {&sample, 1});
+  return sample;
+}
+
 BedSample EnvironmentSampler::bed(const Triple<double>& position_m) const noexcept {
   const Place at = place(position_m, 0, 0);
   BedSample sample;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fields/current/local_flow.h"
@@ -26,7 +27,9 @@ struct Environment {
   GeoPoint origin;                            ///< of the local frame
   UtcTime epoch;                              ///< t_s = 0
   std::shared_ptr<const SeaRealisation> sea;  ///< about the same origin and epoch; null: calm
-  std::shared_ptr<const FarmFlow> farm;       ///< null: no wakes
+  /// The state of a sea that is not the forecast's, the same at all times; absent: as forecast.
+  std::optional<SeaState> stated_sea;
+  std::shared_ptr<const FarmFlow> farm;  ///< null: no wakes
   std::vector<StandingPile> piles;
   std::vector<Structure> structures;  ///< that a vehicle can strike
 };
@@ -73,6 +76,8 @@ class EnvironmentSampler {
   /// What wakes make of the standard deviation of the gusts there: 1 outside of them, more where
   /// rotors stir the air.
   [[nodiscard]] double gust_ratio(const Triple<double>& position_m) const noexcept;
+  /// The state of the sea there and then: that of the forecast, or the one that was stated.
+  [[nodiscard]] SeaSample sea(const Triple<double>& position_m, double t_s) const noexcept;
   /// m; what the field says of the bed there.
   [[nodiscard]] BedSample bed(const Triple<double>& position_m) const noexcept;
 

@@ -4,9 +4,11 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "twin/body/frame.h"
+#include "twin/simulate/conduct.h"
 #include "twin/simulate/set_up.h"
 #include "twin/tether/lay_tether.h"
 #include "twin/vehicle/balance.h"
+#include "twin/vehicle/hover.h"
 #include "twin/vehicle/top_speed.h"
 
 namespace slackwater::twin {
@@ -96,6 +98,11 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
   }
   agent.vehicle = std::move(vehicle);
   agent.water = std::move(water);
+  if (entry.carrier) agent.deck_m = entry.carrier->deck_m;
+  if (entry.conduct) {
+    agent.conduct = std::make_shared<const ReadyConduct>(
+        ready_conduct(*entry.conduct, agent, entry.start_m, barrier_s, voltage_v));
+  }
   return agent;
 }
 
@@ -112,16 +119,10 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
   state.vehicle.body.nu.linear.x =
       std::min(entry.start_speed_m_s, agent.mission.pursuit.most_speed_m_s);
   if (agent.plan.held_voltage_v > 0) state.vehicle.bus_voltage_v = agent.plan.held_voltage_v;
-  if (vehicle.kind == VehicleKind::uav) {
-    // In the air, its rotors turn.
-    ThrusterSurroundings<double> around;
-    around.voltage_v = state.vehicle.bus_voltage_v;
-    around.height_m = std::max(height_of(start_m), 0.0);
-    const double each_n =
-        vehicle.body.mass_kg * constants::gravity_m_s2 / static_cast<double>(vehicle.mounts);
-    for (std::size_t i = 0; i < vehicle.mounts; ++i)
-      state.vehicle.thruster[i] = command_for(vehicle.thruster, each_n, around);
-  }
+  // In the air, its rotors turn.
+  if (vehicle.kind == VehicleKind::uav)
+    state.vehicle.thruster =
+        hovering_thrusters(vehicle, state.vehicle.bus_voltage_v, height_of(start_m));
   state.gust_rng = Rng(seed, "twin/gust/" + agent.name);
   if (agent.gusts) state.gust = agent.gusts->stationary_state(state.gust_rng);
   Measured measured;
@@ -137,6 +138,7 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
     const Triple<double> end_m = start_m + r.to_ned(agent.tether->attachment_m);
     state.tether = hung_out(agent, end_m, entry.tether->length_m);
   }
+  if (agent.conduct) state.conduct = begun(*agent.conduct, agent, state, seed);
   return state;
 }
 

@@ -58,11 +58,16 @@ Reference pursued(const Mission& mission, const Measured& measured, const TrackS
   return reference;
 }
 
+/// Without a way of its own. What ends a time on board is decided at barriers.
+bool waits(const ScenarioTask& task) {
+  return task.kind == ScenarioTask::Kind::hold || task.kind == ScenarioTask::Kind::aboard;
+}
+
 void begin_task(const Mission& mission, const Measured& measured, MissionState& state) {
   const ScenarioTask& task = mission.tasks[state.task];
   state.has_begun = true;
   state.held_s = 0;
-  if (task.kind == ScenarioTask::Kind::hold) {
+  if (waits(task)) {
     // Where the task before it ended, not where the vehicle has drifted to.
     if (state.task == 0) state.kept_m = measured.position_m;
     return;
@@ -76,13 +81,13 @@ void begin_task(const Mission& mission, const Measured& measured, MissionState& 
   state.follower = {};
 }
 
+}  // namespace
+
 void end_task(const Mission& mission, MissionState& state) {
   state.has_begun = false;
   ++state.task;
   state.is_done = state.task >= mission.tasks.size();
 }
-
-}  // namespace
 
 MissionState begun(const Measured& measured) {
   MissionState state;
@@ -112,13 +117,15 @@ Reference next_reference(const Mission& mission, const Measured& measured, doubl
       state.kept_heading = bow_course(measured.attitude);
       return pursued(mission, measured, wanted, dt_s, state);
     }
-    const bool holds = state.is_done || mission.tasks[state.task].kind == ScenarioTask::Kind::hold;
+    const bool holds = state.is_done || waits(mission.tasks[state.task]);
     if (holds && !state.is_rerouted) {
-      if (!state.is_done && state.held_s >= mission.tasks[state.task].hold_s) {
+      if (!state.is_done && mission.tasks[state.task].kind == ScenarioTask::Kind::hold &&
+          state.held_s >= mission.tasks[state.task].hold_s) {
         end_task(mission, state);
         continue;
       }
-      state.held_s += dt_s;
+      if (state.is_done || mission.tasks[state.task].kind == ScenarioTask::Kind::hold)
+        state.held_s += dt_s;
       return station(state.kept_m, state.kept_heading);
     }
     if (mission.has_follower) {

@@ -39,6 +39,9 @@ struct MissionState {
 /// The vehicle before its first task, which is to begin where it is.
 [[nodiscard]] MissionState begun(const Measured& measured);
 
+/// Ends the task under way.
+void end_task(const Mission& mission, MissionState& state);
+
 /// The reference of a step, and moves the mission on: takes waypoints that are reached, goes to the
 /// next task when one is done. On a route the place is the foot of the vehicle on its leg and the
 /// velocity that of the leg; after its end, and in a hold, it is a station. A track is followed in

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -9,6 +10,7 @@
 #include "fields/base/error.h"
 #include "fields/wave/scenario_sea.h"
 #include "twin/control/patterns.h"
+#include "twin/mission/read_seconds.h"
 #include "twin/simulate/scenario.h"
 
 namespace slackwater::twin {
@@ -19,20 +21,6 @@ constexpr double farthest_m = 50e3;
 constexpr Range distance{-farthest_m, farthest_m};
 constexpr Range depth{0, 12000};
 constexpr Range speed{0.01, 60};
-
-double seconds_of(const Config& config, std::string_view key, double least, double most) {
-  const std::string text = config.text(key);
-  double value = 0;
-  try {
-    value = std::chrono::duration<double>(parse_duration(text)).count();
-  } catch (const Error& problem) {
-    config.refuse(key, problem.message());
-  }
-  if (!(value >= least && value <= most))
-    config.refuse(key, "found " + text + ", expected " + std::to_string(least) + " to " +
-                           std::to_string(most) + " s");
-  return value;
-}
 
 /// Depth down or height up, exactly one of them.
 double read_down(const Config& config) {
@@ -83,6 +71,15 @@ std::vector<Waypoint> read_waypoints(const Config& config) {
   return out;
 }
 
+/// `battery` of a time on board: keep, swap, or charge with `charger_w`.
+double read_charger(const Config& config) {
+  const std::string word = config.optional_text("battery").value_or("keep");
+  if (word == "charge") return config.number("charger_w", {0.1, 1e6});
+  if (word == "swap") return std::numeric_limits<double>::infinity();
+  if (word != "keep") config.refuse("battery", "found " + word + ", expected keep, swap or charge");
+  return 0;
+}
+
 ScenarioTask read_task(const Config& config) {
   const std::string kind = config.text("do");
   const auto course = [&] { return config.number("course_deg", {-360, 360}) * degree; };
@@ -91,8 +88,9 @@ ScenarioTask read_task(const Config& config) {
     task.waypoints = read_waypoints(config);
   } else if (kind == "hold") {
     task.kind = ScenarioTask::Kind::hold;
-    task.hold_s = config.has("duration") ? seconds_of(config, "duration", 0, 30 * 86400.0)
-                                         : std::numeric_limits<double>::infinity();
+    task.hold_s = has_seconds(config, "duration")
+                      ? read_seconds(config, "duration", {0, 30 * 86400.0})
+                      : std::numeric_limits<double>::infinity();
   } else if (kind == "lawn_mower") {
     task.kind = ScenarioTask::Kind::lawn_mower;
     task.waypoints = lawn_mower(
@@ -115,13 +113,24 @@ ScenarioTask read_task(const Config& config) {
                     config.number("length_m", {1, farthest_m}), config.number("shallow_m", depth),
                     config.number("deep_m", depth), config.number("wavelength_m", {1, farthest_m}),
                     config.optional_number("spacing_m", {0.1, 1000}).value_or(2), 0);
+  } else if (kind == "aboard") {
+    task.kind = ScenarioTask::Kind::aboard;
+    task.hold_s = read_seconds(config, "duration", {0, 30 * 86400.0});
+    task.charger_w = read_charger(config);
   } else if (kind == "follow_track") {
     task.kind = ScenarioTask::Kind::follow_track;
     task.follow = read_track_to_follow(config);
   } else {
     config.refuse("do", "found " + kind +
-                            ", expected route, hold, lawn_mower, orbit, depth_sweep or "
-                            "follow_track");
+                            ", expected route, hold, lawn_mower, orbit, depth_sweep, "
+                            "follow_track or aboard");
+  }
+  if (const auto word = config.optional_text("phase")) {
+    const auto phase = phase_of(*word);
+    if (!phase)
+      config.refuse("phase",
+                    "found " + *word + ", expected transit, launch, work, recovery or return");
+    task.phase = *phase;
   }
   if (!task.waypoints.empty()) {
     const AskedSpeed asked = read_speed(config);
@@ -171,7 +180,23 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
   if (const auto tether = config.optional_child("tether")) {
     vehicle.tether = {read_place(tether->child("top")), tether->number("length_m", {0.1, 10000})};
   }
+  if (const auto carrier = config.optional_child("carrier")) {
+    constexpr Range on_board{-200, 200};
+    vehicle.carrier = {carrier->text("name"),
+                       {carrier->number("forward_m", on_board),
+                        carrier->optional_number("starboard_m", on_board).value_or(0),
+                        -carrier->optional_number("up_m", on_board).value_or(0)}};
+  }
+  if (const auto conduct = config.optional_child("conduct"))
+    vehicle.conduct = read_conduct(*conduct);
   for (const Config& task : config.children("tasks")) vehicle.tasks.push_back(read_task(task));
+  const bool goes_aboard =
+      vehicle.carrier || std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), [](const auto& t) {
+        return t.kind == ScenarioTask::Kind::aboard;
+      });
+  if (goes_aboard && !vehicle.conduct)
+    config.refuse("conduct",
+                  "missing; a vehicle that goes aboard conducts itself: say conduct: {}");
   if (vehicle.starts_on_track && (vehicle.tasks.empty() || !vehicle.tasks.front().follow))
     config.refuse("start", "missing; give a place, or a first task that follows a track");
   if (vehicle.tasks.empty()) {
@@ -285,7 +310,7 @@ Scenario read(const Config& config) {
     }
   }
   s.step_s = config.optional_number("step_s", {0.001, 10}).value_or(0.1);
-  s.duration_s = seconds_of(config, "duration", s.step_s, 30 * 86400.0);
+  s.duration_s = read_seconds(config, "duration", {s.step_s, 30 * 86400.0});
   s.log_every_s = config.optional_number("log_every_s", {0.001, 86400}).value_or(1);
   const double steps_per_row = s.log_every_s / s.step_s;
   if (std::abs(steps_per_row - std::round(steps_per_row)) > 1e-6 || steps_per_row < 0.5)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
+#include "twin/simulate/conduct.h"
 #include "twin/simulate/soundness.h"
 #include "twin/simulate/vehicle_step.h"
 
@@ -49,7 +50,10 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
         step_one(group.agents.front(), time);
     });
   }
-  scheduler_.before_step([this](const StepTime& time) { take_commands(time.step); });
+  scheduler_.before_step([this](const StepTime& time) {
+    take_commands(time.step);
+    tick_behaviours(time);
+  });
   publish();
   scheduler_.at_barrier([this](const StepTime&) { publish(); });
 }
@@ -67,7 +71,7 @@ void Run::step_one(std::size_t index, const StepTime& time) {
   AgentState& state = states_[index];
   StepInput input;
   for (std::size_t k = 0; k < agent.steps_per_barrier; ++k) {
-    if (state.halt != Halt::none) return;
+    if (!moves(state)) return;
     const double t_s = time.start_s + static_cast<double>(k) * agent.plan.dt_s;
     if (!prepare(agent, t_s, state, input)) return;
     VehicleState<double> next = state.vehicle;
@@ -97,7 +101,7 @@ void Run::unload(Group& group) {
   if (!group.is_ahead) return;
   for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
     AgentState& state = states_[group.agents[lane]];
-    if (state.halt == Halt::none) state.vehicle = taken(group.block, lane);
+    if (moves(state)) state.vehicle = taken(group.block, lane);
   }
   group.is_ahead = false;
 }
@@ -112,7 +116,7 @@ void Run::step_group(Group& group, const StepTime& time) {
     bool any = false;
     for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
       AgentState& state = states_[group.agents[lane]];
-      if (state.halt != Halt::none) continue;
+      if (!moves(state)) continue;
       if (!prepare(agents_[group.agents[lane]], t_s, state, input)) {
         halt_lane(group, lane, group.block);
         continue;
@@ -132,7 +136,7 @@ void Run::step_group(Group& group, const StepTime& time) {
     const Eight doubt = doubt_of(group.block);
     for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
       AgentState& state = states_[group.agents[lane]];
-      if (state.halt != Halt::none) continue;
+      if (!moves(state)) continue;
       // What the next look at the surroundings needs.
       const BodyState<double> body = taken(group.block.body, lane);
       if (is_sound(body, group.block.battery.charge.lane[lane]) && doubt.lane[lane] == 0) {
@@ -179,6 +183,23 @@ void Run::take_commands(std::uint64_t step) {
     command.step = step;
     taken_.push_back(std::move(command));
   }
+}
+
+void Run::tick_behaviours(const StepTime& time) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_[i];
+    if (!agent.conduct || time.step % agent.conduct->steps_per_tick != 0) continue;
+    (void)states();
+    const AgentState* carrier = agent.carrier ? &states_[*agent.carrier] : nullptr;
+    if (tick_conduct(agent, time.start_s, states_[i], carrier, changes_))
+      for (Group& group : groups_) group.is_loaded = false;
+  }
+}
+
+bool Run::all_ended() const noexcept {
+  return std::all_of(states_.begin(), states_.end(), [](const AgentState& s) {
+    return s.halt != Halt::none || s.conduct.has_ended;
+  });
 }
 
 Run::Checkpoint Run::checkpoint() {

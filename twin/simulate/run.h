@@ -61,6 +61,8 @@ class Run {
   [[nodiscard]] double time_s() const noexcept;
   [[nodiscard]] std::uint64_t steps_made() const noexcept { return scheduler_.steps_made(); }
   [[nodiscard]] bool all_halted() const noexcept;
+  /// Halted, or at the end of what they conduct themselves by.
+  [[nodiscard]] bool all_ended() const noexcept;
 
   /// All that a run needs to go on as it would have.
   struct Checkpoint {
@@ -90,6 +92,7 @@ class Run {
   void unload(Group& group);
   void halt_lane(Group& group, std::size_t lane, const VehicleState<Eight>& last);
   void take_commands(std::uint64_t step);
+  void tick_behaviours(const StepTime& time);
   void publish();
   void step_group(Group& group, const StepTime& time);
   void step_one(std::size_t agent, const StepTime& time);
@@ -101,6 +104,7 @@ class Run {
   StepBlock block_;
   CommandQueue commands_;
   std::vector<Command> taken_;
+  std::vector<StatusChange> changes_;  ///< of a tick: scratch
   Scheduler scheduler_;
 };
 

@@ -8,6 +8,7 @@
 #include "fields/wave/sea_sampling.h"
 #include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
+#include "twin/simulate/conduct.h"
 
 namespace slackwater::twin {
 namespace {
@@ -144,7 +145,7 @@ void write_row(const Agent& agent, const AgentState& state, double time_s, std::
   expects(out.size() == log_row_size(), "a row has its size");
   const VehicleState<double>& v = state.vehicle;
   const EulerAngles angles = euler_angles(v.body.attitude);
-  const TrackError off = track_error(state.mission, v.body.position_m);
+  const TrackError off = track_error(way_of(state), v.body.position_m);
   const Around around = around_of(agent, state, time_s);
   Pen pen{out};
   pen.put_enu(v.body.position_m);

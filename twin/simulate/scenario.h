@@ -9,6 +9,8 @@
 #include "fields/geo/geo_point.h"
 #include "fields/wave/sea_state.h"
 #include "twin/control/route.h"
+#include "twin/mission/conduct.h"
+#include "twin/mission/phase.h"
 #include "twin/simulate/scenario_traffic.h"
 
 namespace slackwater::twin {
@@ -61,11 +63,15 @@ struct ScenarioStructure {
 
 /// One thing that a vehicle does, after the one before it.
 struct ScenarioTask {
-  enum class Kind { route, hold, lawn_mower, orbit, depth_sweep, follow_track };
+  enum class Kind { route, hold, lawn_mower, orbit, depth_sweep, follow_track, aboard };
+  Phase phase = Phase::work;  ///< what it belongs to
   Kind kind = Kind::route;
   std::vector<Waypoint> waypoints;      ///< of routes and patterns, these already laid out
-  double hold_s = 0;                    ///< of `hold`; infinite: to the end
+  double hold_s = 0;                    ///< of `hold` and `aboard`; infinite: to the end
   std::optional<TrackToFollow> follow;  ///< of `follow_track`
+  /// Of `aboard`, where it goes at its carrier's, or at home: what becomes of its battery. Charged
+  /// with so much power; infinite: another one is put in at the end; 0: it stays as it is.
+  double charger_w = 0;
 };
 
 /// Preset of the way waypoints are followed.
@@ -90,6 +96,13 @@ struct ScenarioVehicle {
     double length_m = 0;
   };
   std::optional<TetherStart> tether;
+  /// Who carries it, and where on board: body axes of the carrier.
+  struct Carrier {
+    std::string name;
+    Triple<double> deck_m;
+  };
+  std::optional<Carrier> carrier;
+  std::optional<Conduct> conduct;     ///< absent: it does its tasks, come what may
   bool navigates_by_sensors = false;  ///< else its autopilot is told the truth
   bool logs_sensors = false;
 };

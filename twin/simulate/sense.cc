@@ -122,7 +122,11 @@ Measured sense(const Navigation& navigation, const SensedWater& water,
     take_depth(navigator, state.navigator, looked.shown.depth_m,
                interval_s(instruments, instruments.depth_every));
   }
-  if (is_due(instruments.gnss_every, looked)) {
+  if (!water.has_gnss) {
+    looked.shown.gnss_position_m = {nothing_shown, nothing_shown, nothing_shown};
+    looked.shown.gnss_velocity_m_s = looked.shown.gnss_position_m;
+  }
+  if (water.has_gnss && is_due(instruments.gnss_every, looked)) {
     const double passed_s = interval_s(instruments, instruments.gnss_every);
     const auto fix = look_up(instruments, looked, body.position_m, r, velocity_m_s, surface_m);
     if (fix) {

@@ -34,6 +34,7 @@ struct SensedWater {
   const EnvironmentSampler& sampler;
   double elevation_m = 0;  ///< of the surface above the vehicle
   double t_s = 0;
+  bool has_gnss = true;  ///< the receiver works
 };
 
 /// Lets the instruments look and the navigator reckon. No allocation.

@@ -182,6 +182,16 @@ void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const
   }
 }
 
+/// The place of a vehicle's carrier in the run.
+std::size_t carrier_of(const Scenario& scenario, const ScenarioVehicle& entry) {
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i)
+    if (const ScenarioVehicle& other = scenario.vehicles[i];
+        other.name == entry.carrier->name && other.name != entry.name && !other.carrier)
+      return i;
+  refuse("vehicle " + entry.name + ": carrier: found " + entry.carrier->name +
+         ", expected the name of another vehicle that nobody carries");
+}
+
 /// By what an autopilot is worked out from.
 using Autopilots =
     std::map<std::tuple<const Vehicle*, FollowerChoice, double>, std::shared_ptr<const Autopilot>>;
@@ -246,6 +256,10 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   environment.origin = ready.origin;
   environment.epoch = ready.start;
   environment.sea = sea_of(scenario, field, ready.origin, ready.start, ready.warnings);
+  if (!scenario.waves.from_forecast) {
+    const PartitionedSea& sea = scenario.waves.made_up;
+    environment.stated_sea = SeaState{sea.significant_height_m(), sea.peak_period_s(), 0};
+  }
   environment.farm = wakes_of(scenario, surround, ready.origin, ready.start);
   for (const ScenarioStructure& s : scenario.structures) {
     environment.structures.push_back(shape_of(s));
@@ -277,6 +291,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     add_gusts(scenario, entry, agent);
     with_context("vehicle " + entry.name,
                  [&] { ready.states.push_back(first_state(agent, entry, scenario.seed)); });
+    if (entry.carrier) agent.carrier = carrier_of(scenario, entry);
     for (std::string& warning : too_fast_tracks(agent, scenario.duration_s))
       ready.warnings.push_back(std::move(warning));
   }

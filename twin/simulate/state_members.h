@@ -34,6 +34,8 @@ inline constexpr bool is_numbers<HeadwayState> = true;
 template <>
 inline constexpr bool is_numbers<Milestones> = true;
 template <>
+inline constexpr bool is_numbers<DeckMotion> = true;
+template <>
 inline constexpr bool is_numbers<Triple<double>> = true;
 template <>
 inline constexpr bool is_numbers<Attitude<double>> = true;
@@ -47,8 +49,8 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
-  auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, milestones, halt,
-         halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n] = s;
+  auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, conduct,
+         milestones, halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
@@ -57,6 +59,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("tether", tether);
   visit("navigation", navigation);
   visit("headway", headway);
+  visit("conduct", conduct);
   visit("milestones", milestones);
   visit("halt", halt);
   visit("halted_at_s", halted_at_s);
@@ -82,6 +85,53 @@ void for_each_member(S& s, Visit&& visit) {
   visit("follower", follower);
   visit("followed_yaw_rad", followed_yaw_rad);
   visit("track_drift_m_s", track_drift_m_s);
+}
+
+template <MaybeConst<ConductState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [tree, doing, way, left_m, phase, cause, cause_detail, cause_value, exceeded_s, faults,
+         extra_power_w, drawn_j, wound_rad, bearing_rad, deck, energy_left_j, energy_home_j, held_s,
+         most_share, boarding_m, snag_m, snag_node, aim_m, pilot_rng, has_ended, has_turned,
+         is_snagged, is_aboard, events] = s;
+  visit("tree", tree);
+  visit("doing", doing);
+  visit("way", way);
+  visit("left_m", left_m);
+  visit("phase", phase);
+  visit("cause", cause);
+  visit("cause_detail", cause_detail);
+  visit("cause_value", cause_value);
+  visit("exceeded_s", exceeded_s);
+  visit("faults", faults);
+  visit("extra_power_w", extra_power_w);
+  visit("drawn_j", drawn_j);
+  visit("wound_rad", wound_rad);
+  visit("bearing_rad", bearing_rad);
+  visit("deck", deck);
+  visit("energy_left_j", energy_left_j);
+  visit("energy_home_j", energy_home_j);
+  visit("held_s", held_s);
+  visit("most_share", most_share);
+  visit("boarding_m", boarding_m);
+  visit("snag_m", snag_m);
+  visit("snag_node", snag_node);
+  visit("aim_m", aim_m);
+  visit("pilot_rng", pilot_rng);
+  visit("has_ended", has_ended);
+  visit("has_turned", has_turned);
+  visit("is_snagged", is_snagged);
+  visit("is_aboard", is_aboard);
+  visit("events", events);
+}
+
+template <MaybeConst<ConductEvent> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [t_s, kind, cause, detail, value] = s;
+  visit("t_s", t_s);
+  visit("kind", kind);
+  visit("cause", cause);
+  visit("detail", detail);
+  visit("value", value);
 }
 
 template <MaybeConst<NavigationState> S, typename Visit>

@@ -5,11 +5,6 @@
 
 namespace slackwater::twin {
 
-template <typename Real>
-[[nodiscard]] Real length_of(const Triple<Real>& a) {
-  return square_root(dot(a, a));
-}
-
 /// The unit vector; shorter for what is next to nothing.
 template <typename Real>
 [[nodiscard]] Triple<Real> direction_of(const Triple<Real>& a) {

@@ -4,47 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "twin/vehicle/driven.h"
+
 namespace slackwater::twin {
 namespace {
-
-constexpr int halvings = 40;
-
-/// The greatest value up to `most` of which that holds, which it does of smaller ones.
-template <typename Holds>
-double greatest(double most, Holds&& holds) {
-  if (holds(most)) return most;
-  double low = 0, high = most;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    (holds(middle) ? low : high) = middle;
-  }
-  return low;
-}
-
-struct Push {
-  double push_n = 0;
-  double power_w = 0;
-};
-
-/// All that stand along the way, each at this share of its most.
-Push driven(const Vehicle& vehicle, double voltage_v, double speed_m_s, double share) {
-  ThrusterSurroundings<double> around;
-  around.voltage_v = voltage_v;
-  around.height_m = 1e3;
-  Push sum;
-  for (std::size_t i = 0; i < vehicle.mounts; ++i) {
-    const double ahead = vehicle.mount[i].direction.x;
-    const double command =
-        share * (ahead > 0 ? vehicle.thruster.most_command : vehicle.thruster.least_command);
-    if (!(ahead * command > 0)) continue;
-    around.advance_m_s = ahead * speed_m_s;
-    around.across_m_s = std::sqrt(std::max(1 - ahead * ahead, 0.0)) * speed_m_s;
-    const ThrusterOutput<double> thruster = run(vehicle.thruster, command, around);
-    sum.push_n += ahead * thruster.thrust_n;
-    sum.power_w += thruster.power_w;
-  }
-  return sum;
-}
 
 double in_water_m_s(const Vehicle& vehicle, const Autopilot& autopilot, double voltage_v,
                     bool has_battery) {

@@ -1,0 +1,83 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fields/base/config.h"
+#include "twin/mission/phase.h"
+
+namespace slackwater::twin {
+
+/// What an operation is limited by.
+enum class LimitVariable {
+  significant_wave_height,
+  wave_peak_period,
+  wind_speed_10m,
+  wind_speed,  ///< mean, at the height of the work
+  gust_speed,  ///< there
+  current_speed,
+  deck_motion,   ///< up and down, of the place a vehicle is launched from and comes back to
+  fender_force,  ///< that a bow on a landing has to bear
+  visibility,    ///< in air
+  water_visibility,
+  rain_rate,
+  air_temperature,
+};
+
+/// How a variable is called in a limit's YAML, and what is known of it.
+struct LimitWord {
+  LimitVariable variable{};
+  const char* key;      ///< with its unit; `least_` before it for a lower bound
+  const char* unit;     ///< for people
+  const char* meaning;  ///< for people: "significant wave height"
+  Range range;
+  bool is_served = true;  ///< by a forecast or by the run itself
+};
+[[nodiscard]] std::span<const LimitWord> limit_words() noexcept;
+[[nodiscard]] const LimitWord& word_of(LimitVariable variable) noexcept;
+
+/// A bound within which a task may go on. What equals it is within.
+struct Limit {
+  LimitVariable variable{};
+  bool is_least = false;  ///< the value has to be at least the bound, not at most
+  double bound = 0;       ///< SI, but mm/h of rain and degrees Celsius
+  /// Where it counts, NED; absent: where the vehicle is.
+  std::optional<double> down_m;
+  PhaseSet phases;
+  bool may_be_missing = false;  ///< not checked where nobody knows the variable
+  std::string source;
+  std::string status;  ///< confirmed, estimate, unconfirmed
+
+  /// False for what is no number.
+  [[nodiscard]] bool holds(double value) const noexcept {
+    return is_least ? value >= bound : value <= bound;
+  }
+  /// How much of the limit a value takes up: above 1 it is exceeded.
+  [[nodiscard]] double share(double value) const noexcept {
+    return is_least ? bound / value : value / bound;
+  }
+};
+/// "significant wave height at most 1.5 m".
+[[nodiscard]] std::string text_of(const Limit& limit);
+
+/// `limits` of YAML, a list of
+///
+///     {significant_wave_height_m: 1.5, phases: [work], source: DINW, status: confirmed}
+///     {least_visibility_m: 500, if_missing: not_checked}
+///     {wind_speed_m_s: 8, at_height_m: 90}       {current_speed_m_s: 0.5, at_depth_m: 20}
+///
+/// @throws Error(invalid_input) for two variables in one, or none, and for bounds that cannot be
+[[nodiscard]] std::vector<Limit> read_limits(const Config& config);
+
+/// What the user knows and no forecast serves: `visibility_m: 5000`.
+struct Assumption {
+  LimitVariable variable{};
+  double value = 0;
+};
+/// `assume` of YAML, a mapping. @throws Error(invalid_input) for what the twin knows itself
+[[nodiscard]] std::vector<Assumption> read_assumptions(const Config& config);
+/// @param text  "visibility_m=5000"; others are Error(invalid_input)
+[[nodiscard]] Assumption parse_assumption(const std::string& text);
+
+}  // namespace slackwater::twin

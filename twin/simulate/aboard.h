@@ -1,0 +1,18 @@
+#pragma once
+#include "twin/simulate/conduct.h"
+
+namespace slackwater::twin {
+
+// A vehicle on the deck of another, or on something firm at its home: it is not stepped. It goes
+// into the water or the air beside where it stands, and comes aboard from near there.
+
+/// Takes a task `aboard` on: comes alongside and aboard, stands there for its time with what its
+/// battery gets, and is launched where its next task is another.
+/// @param carrier  as of the last barrier; null: home
+/// @return whether it was moved, or its battery filled
+bool come_and_go(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state);
+
+/// Moves it along with its carrier. @return whether it has one
+bool carry(const Agent& agent, const AgentState* carrier, AgentState& state);
+
+}  // namespace slackwater::twin

@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <cmath>
+
+#include "twin/mission/way_round.h"
+#include "twin/simulate/conduct.h"
+
+namespace slackwater::twin {
+namespace {
+
+/// Where the pilot aims instead of where the plan says.
+void let_pilot_aim(const PilotHand& pilot, const Agent& agent, Reference& reference,
+                   ConductState& state) {
+  const double keep = std::exp(-agent.plan.dt_s / pilot.memory_s);
+  const double stir_m = pilot.wander_m * std::sqrt(1 - keep * keep);
+  const auto wander = [&](double& aim_m) {
+    aim_m = keep * aim_m + stir_m * state.pilot_rng.normal();
+  };
+  wander(state.aim_m.x);
+  wander(state.aim_m.y);
+  // What floats has no depth to aim at.
+  if (agent.vehicle->body.hull.strips == 0) wander(state.aim_m.z);
+  reference.position_m = reference.position_m + state.aim_m;
+  reference.velocity_m_s = pilot.haste * reference.velocity_m_s;
+}
+
+void keep_off_structures(double stand_off_m, const Agent& agent, Reference& reference) {
+  for (const Structure& structure : agent.water->environment().structures) {
+    const double short_m = stand_off_m - signed_distance_m(structure, reference.position_m);
+    if (!(short_m > 0)) continue;
+    const FromAxis from = from_axis(structure, reference.position_m);
+    reference.position_m.x += short_m * std::cos(from.bearing_rad);
+    reference.position_m.y += short_m * std::sin(from.bearing_rad);
+  }
+}
+
+void keep_in_fence(double fence_m, const Triple<double>& home_m, Reference& reference) {
+  const double north = reference.position_m.x - home_m.x, east = reference.position_m.y - home_m.y;
+  const double out_m = std::hypot(north, east);
+  if (out_m <= fence_m) return;
+  reference.position_m.x = home_m.x + fence_m / out_m * north;
+  reference.position_m.y = home_m.y + fence_m / out_m * east;
+}
+
+/// Shared autonomy: the pilot's motion, kept inside limits.
+void keep_inside(const ReadyConduct& conduct, const Agent& agent, Reference& reference) {
+  const Envelope& envelope = conduct.plan.envelope;
+  const double speed_m_s = length_of(reference.velocity_m_s);
+  if (envelope.most_speed_m_s > 0 && speed_m_s > envelope.most_speed_m_s)
+    reference.velocity_m_s = (envelope.most_speed_m_s / speed_m_s) * reference.velocity_m_s;
+  if (reference.target == Target::cruise) return;
+  if (envelope.stand_off_m > 0) keep_off_structures(envelope.stand_off_m, agent, reference);
+  if (envelope.fence_m) keep_in_fence(*envelope.fence_m, conduct.home_m, reference);
+}
+
+}  // namespace
+
+const MissionState& way_of(const AgentState& state) noexcept {
+  return state.conduct.doing == Doing::task ? state.mission : state.conduct.way;
+}
+
+Reference conducted_reference(const Agent& agent, const Measured& measured, double t_s,
+                              AgentState& state) {
+  const bool is_at_task = state.conduct.doing == Doing::task;
+  Reference reference = next_reference(agent.mission, measured, t_s, agent.plan.dt_s,
+                                       is_at_task ? state.mission : state.conduct.way);
+  // Whoever holds or comes home does so by itself.
+  if (!agent.conduct || !is_at_task) return reference;
+  const Conduct& plan = agent.conduct->plan;
+  if (plan.autonomy == Autonomy::automatic) return reference;
+  let_pilot_aim(plan.pilot, agent, reference, state.conduct);
+  if (plan.autonomy == Autonomy::shared) keep_inside(*agent.conduct, agent, reference);
+  return reference;
+}
+
+}  // namespace slackwater::twin
