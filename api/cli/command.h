@@ -66,5 +66,7 @@ void add_demo(CLI::App& app, Context& context);
 void add_serve(CLI::App& app, Context& context);
 void add_simulate(CLI::App& app, Context& context);
 void add_replay(CLI::App& app, Context& context);
+void add_rehearse(CLI::App& app, Context& context);
+void add_score(CLI::App& app, Context& context);
 
 }  // namespace slackwater::api

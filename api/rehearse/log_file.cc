@@ -3,6 +3,7 @@
 #include <map>
 
 #include "api/program/version.h"
+#include "api/rehearse/mission_events.h"
 #include "api/rehearse/traffic_tables.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
@@ -95,6 +96,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   if (!deviations.empty()) file.attributes.emplace_back("track_deviation", deviations);
   file.tables = traffic_tables(result.vessels, result.alarms);
   file.tables.push_back(fate_table(result.vehicles));
+  file.tables.push_back(mission_table(agents, result.vehicles));
   return file;
 }
 

@@ -8,9 +8,10 @@
 #include <sstream>
 
 #include "api/rehearse/fate.h"
+#include "api/rehearse/mission_events.h"
+#include "api/rehearse/vehicle_log.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "twin/scene/structure.h"
 
 namespace slackwater::api {
 namespace {
@@ -20,64 +21,10 @@ using twin::ScenarioStructure;
 
 constexpr double degrees = 57.29577951308232;
 
-struct Extreme {
-  double value = 0;
-  double t_s = 0;
-};
-
-/// The rows of one vehicle's variables, up to the one at which it stopped.
-class VehicleLog {
- public:
-  VehicleLog(const TrajectoryFile& log, std::size_t vehicle) : log_(&log), vehicle_(vehicle) {
-    const TrajectoryFile::Variable* halt = log.find("halt");
-    rows_ = log.t_s.size();
-    for (std::size_t t = 0; halt != nullptr && t < rows_; ++t)
-      if (of(*halt, t) > 0) rows_ = t + 1;
-  }
-  [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
-  /// No number where the log has no such variable.
-  [[nodiscard]] double at(std::string_view name, std::size_t row) const {
-    const TrajectoryFile::Variable* variable = log_->find(name);
-    return variable == nullptr ? std::numeric_limits<double>::quiet_NaN() : of(*variable, row);
-  }
-  [[nodiscard]] double last(std::string_view name) const { return at(name, rows_ - 1); }
-
-  /// The value of the largest size; nothing where there is no number.
-  [[nodiscard]] std::optional<Extreme> largest(std::string_view name) const {
-    std::optional<Extreme> found;
-    for (std::size_t t = 0; t < rows_; ++t) {
-      const double value = at(name, t);
-      if (std::isfinite(value) && (!found || std::abs(value) > std::abs(found->value)))
-        found = Extreme{value, log_->t_s[t]};
-    }
-    return found;
-  }
-  /// NED.
-  [[nodiscard]] twin::Triple<double> place_m(std::size_t row) const {
-    return {at("y", row), at("x", row), -at("z", row)};
-  }
-
- private:
-  [[nodiscard]] double of(const TrajectoryFile::Variable& variable, std::size_t row) const {
-    return variable.values[(vehicle_ * log_->t_s.size() + row) * variable.per];
-  }
-  const TrajectoryFile* log_;
-  std::size_t vehicle_;
-  std::size_t rows_ = 0;
-};
-
 std::string clock_text(const TrajectoryFile& log, double t_s) {
   constexpr std::size_t time_of_day = 11;  // behind 2025-06-01T
   const auto whole = Duration(static_cast<Duration::rep>(std::floor(t_s)) * 1000);
   return format_utc(log.epoch + whole).substr(time_of_day, 8) + " UTC";
-}
-
-twin::Structure shape_of(const ScenarioStructure& s) {
-  if (s.kind == ScenarioStructure::Kind::cylinder)
-    return twin::Cylinder{s.centre_m.x, s.centre_m.y, 0.5 * s.diameter_m, s.top_m, s.bottom_m};
-  const twin::Triple<double> centre_m{s.centre_m.x, s.centre_m.y, 0.5 * (s.top_m + s.bottom_m)};
-  return twin::box_of(centre_m, {0.5 * s.size_m.x, 0.5 * s.size_m.y, 0.5 * (s.bottom_m - s.top_m)},
-                      0);
 }
 
 using Margins = std::vector<std::pair<std::string, std::string>>;
@@ -115,46 +62,11 @@ void add_largest(const TrajectoryFile& log, const VehicleLog& vehicle, Margins& 
   add("Largest pull of the tether", "tether_tension", 1, " N");
 }
 
-struct Approach {
-  double distance_m = std::numeric_limits<double>::infinity();
-  double t_s = 0;
-  std::string to;
-};
-
 void add_approach(const TrajectoryFile& log, const char* what, const Approach& approach,
                   Margins& margins) {
   if (!std::isfinite(approach.distance_m)) return;
   margins.emplace_back(what, formatted("{:.1f} m, {} at {}", std::max(0.0, approach.distance_m),
                                        approach.to, clock_text(log, approach.t_s)));
-}
-
-Approach nearest_structure(const TrajectoryFile& log, const VehicleLog& vehicle,
-                           const twin::Scenario& scenario) {
-  Approach nearest;
-  for (const ScenarioStructure& structure : scenario.structures) {
-    const twin::Structure shape = shape_of(structure);
-    for (std::size_t t = 0; t < vehicle.rows(); ++t) {
-      const double distance =
-          twin::least_distance_m(shape, vehicle.place_m(t == 0 ? 0 : t - 1), vehicle.place_m(t));
-      if (distance < nearest.distance_m) nearest = Approach{distance, log.t_s[t], structure.name};
-    }
-  }
-  return nearest;
-}
-
-Approach nearest_vehicle(const TrajectoryFile& log, const std::vector<VehicleLog>& vehicles,
-                         std::size_t i) {
-  Approach nearest;
-  for (std::size_t j = 0; j < vehicles.size(); ++j) {
-    if (j == i) continue;
-    const std::size_t rows = std::min(vehicles[i].rows(), vehicles[j].rows());
-    for (std::size_t t = 0; t < rows; ++t) {
-      const auto apart = vehicles[i].place_m(t) - vehicles[j].place_m(t);
-      const double distance = std::sqrt(dot(apart, apart));
-      if (distance < nearest.distance_m) nearest = Approach{distance, log.t_s[t], log.names[j]};
-    }
-  }
-  return nearest;
 }
 
 const twin::ScenarioVehicle* entry_of(const twin::Scenario* scenario, const std::string& name) {

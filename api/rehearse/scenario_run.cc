@@ -48,6 +48,7 @@ VehicleSummary summary_of(const Agent& agent, const AgentState& state, const Run
   s.halt = name_of(state.halt);
   s.halted_at_s = state.halted_at_s;
   s.events = fate_of(agent, state);
+  s.mission_events = state.conduct.events;
   s.fate = fate_text(s.events, start);
   return s;
 }

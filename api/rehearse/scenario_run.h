@@ -56,8 +56,9 @@ struct VehicleSummary {
   std::size_t tasks = 0;
   std::string halt = "none";
   double halted_at_s = 0;
-  std::vector<FateEvent> events;  ///< what befell it, causes first
-  std::string fate;               ///< the same in a sentence; empty for a normal run
+  std::vector<FateEvent> events;                   ///< what befell it, causes first
+  std::vector<twin::ConductEvent> mission_events;  ///< of one that conducts itself
+  std::string fate;  ///< the same in a sentence; empty for a normal run
   bool has_battery = false;
   bool is_electric = false;  ///< something on board draws from a bus
   bool burns_fuel = false;

@@ -42,6 +42,15 @@ void limit_size(const YAML::Node& node, int depth, std::size_t& count, const std
   }
 }
 
+/// All of it between brackets and braces.
+void lay_in_line(YAML::Node& node) {
+  node.SetStyle(YAML::EmitterStyle::Flow);
+  for (auto entry : node) {
+    YAML::Node below = node.IsMap() ? entry.second : entry;
+    lay_in_line(below);
+  }
+}
+
 /// yaml-cpp recurses once per bracket while it parses, so deep flow nesting is refused before it
 /// sees the text.
 void limit_brackets(std::string_view yaml, const std::string& name) {
@@ -281,6 +290,14 @@ bool Config::is_list(std::string_view key) const {
 bool Config::is_mapping(std::string_view key) const {
   const YAML::Node* node = node_->find(key);
   return node != nullptr && node->IsMap();
+}
+
+std::string Config::flow_yaml(std::string_view key) const {
+  YAML::Node value = YAML::Clone(node_->get(key));
+  lay_in_line(value);
+  YAML::Emitter out;
+  out << value;
+  return out.c_str();
 }
 
 std::vector<std::string> Config::keys() const {

@@ -46,6 +46,9 @@ class Config {
       std::string_view key) const;  ///< a list of mappings; [] if absent
   [[nodiscard]] bool is_list(std::string_view key) const;
   [[nodiscard]] bool is_mapping(std::string_view key) const;
+  /// The value of a key as YAML on one line, all below it counted as read: for what is handed on
+  /// to another file. Error if absent.
+  [[nodiscard]] std::string flow_yaml(std::string_view key) const;
   /// The keys of this mapping in file order; marks them all as read (for free-form maps).
   [[nodiscard]] std::vector<std::string> keys() const;
 

@@ -134,9 +134,9 @@ Site parse_site(std::string_view yaml, std::string_view name) {
   site.current_product = config.optional_text("currents");
   site.time_zone = read_time_zone(config);
   site.tasks = config.texts("tasks");
-  for (const Config& entry : config.children("turbines")) {
-    site.turbines.push_back({entry.text("id"), read_point(entry)});
-  }
+  site.turbines = read_turbines(config);
+  site.cables = read_cables(config, site.turbines);
+  site.areas = read_areas(config);
   if (config.is_mapping("columns")) {
     site.column_block = read_block(config.child("columns"));
   } else {

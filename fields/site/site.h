@@ -6,6 +6,8 @@
 
 #include "fields/base/local_time.h"
 #include "fields/geo/geo_point.h"
+#include "fields/site/constraint_area.h"
+#include "fields/site/farm.h"
 #include "fields/wave/fetch.h"
 
 namespace slackwater {
@@ -14,12 +16,6 @@ namespace slackwater {
 struct ColumnBlock {
   BoundingBox box;
   int every = 1;
-};
-
-/// Where one turbine of the farm stands.
-struct TurbinePlace {
-  std::string id;
-  GeoPoint point;
 };
 
 /// An offshore site as `data/sites/*.yaml` describes it (DESIGN §2).
@@ -35,6 +31,8 @@ struct Site {
   std::optional<std::string> current_product;
   std::optional<TimeZone> time_zone;  ///< of its clocks: shown beside UTC
   std::vector<TurbinePlace> turbines;
+  std::vector<CableRoute> cables;
+  std::vector<ConstraintArea> areas;
   std::vector<std::string> tasks;
   std::vector<GeoPoint> columns;  ///< extra columns; empty: the site's own point alone
   std::optional<ColumnBlock> column_block;

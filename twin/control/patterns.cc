@@ -66,4 +66,16 @@ std::vector<Waypoint> depth_sweep(const Triple<double>& start_m, double course_r
   return points;
 }
 
+std::vector<Waypoint> expanding_square(const Triple<double>& datum_m, double leg_m, int legs,
+                                       double course_rad, double speed_m_s) {
+  expects(legs > 0 && leg_m > 0, "an expanding square has legs");
+  std::vector<Waypoint> points{{datum_m, speed_m_s}};
+  for (int i = 0; i < legs; ++i) {
+    const double length_m = leg_m * static_cast<double>(1 + i / 2);
+    points.push_back(
+        {moved(points.back().position_m, course_rad + 0.25 * turn * i, length_m, 0), speed_m_s});
+  }
+  return points;
+}
+
 }  // namespace slackwater::twin

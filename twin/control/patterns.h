@@ -25,4 +25,10 @@ namespace slackwater::twin {
                                                 double wavelength_m, double spacing_m,
                                                 double speed_m_s);
 
+/// The expanding square of a search for what is somewhere about a place: legs of one, one, two,
+/// two, three, ... times `leg_m`, each turned 90 degrees to the right of the one before.
+/// Source: IAMSAR manual, volume II, 5.
+[[nodiscard]] std::vector<Waypoint> expanding_square(const Triple<double>& datum_m, double leg_m,
+                                                     int legs, double course_rad, double speed_m_s);
+
 }  // namespace slackwater::twin

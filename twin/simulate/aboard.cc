@@ -15,6 +15,10 @@ Triple<double> velocity_of(const BodyState<double>& body) {
   return rotation_of(body.attitude).to_ned(body.nu.linear);
 }
 
+Triple<double> deck_velocity(const AgentState* carrier) {
+  return carrier == nullptr ? Triple<double>{} : velocity_of(carrier->vehicle.body);
+}
+
 /// Where a vehicle of its kind meets the deck: in the water beside it, at its own depth of home, or
 /// over it.
 Triple<double> boarding_place(const Agent& agent, const AgentState* carrier) {
@@ -43,14 +47,6 @@ void tell(ConductEventKind kind, double t_s, AgentState& state) {
   state.conduct.events.push_back({t_s, kind, Cause::none, 0, 0});
 }
 
-void come_aboard(const Triple<double>& place_m, double t_s, AgentState& state) {
-  state.conduct.is_aboard = true;
-  state.mission.is_rerouted = false;
-  state.mission.held_s = 0;
-  stand(place_m, state);
-  tell(ConductEventKind::came_aboard, t_s, state);
-}
-
 void charge(const Battery& battery, double energy_j, double full_j, AgentState& state) {
   const double charge = std::min(state.vehicle.battery.charge + energy_j / full_j, 1.0);
   state.vehicle.battery = rested(battery, charge);
@@ -73,6 +69,26 @@ void launch(const Agent& agent, const AgentState* carrier, double t_s, AgentStat
 
 }  // namespace
 
+bool goes_aboard(const Agent& agent) noexcept {
+  return agent.carrier ||
+         std::any_of(agent.mission.tasks.begin(), agent.mission.tasks.end(),
+                     [](const auto& task) { return task.kind == ScenarioTask::Kind::aboard; });
+}
+
+bool is_alongside(const Agent& agent, const AgentState* carrier, const AgentState& state) {
+  const BodyState<double>& body = state.vehicle.body;
+  return length_of(body.position_m - boarding_place(agent, carrier)) <= boarding_reach_m &&
+         length_of(velocity_of(body) - deck_velocity(carrier)) <= boarding_speed_m_s;
+}
+
+void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state) {
+  state.conduct.is_aboard = true;
+  state.mission.is_rerouted = false;
+  state.mission.held_s = 0;
+  stand(boarding_place(agent, carrier), state);
+  tell(ConductEventKind::came_aboard, t_s, state);
+}
+
 bool carry(const Agent& agent, const AgentState* carrier, AgentState& state) {
   if (carrier == nullptr) return false;
   stand(boarding_place(agent, carrier), state);
@@ -89,14 +105,12 @@ bool come_and_go(const Agent& agent, double t_s, const AgentState* carrier, Agen
   if (task.kind != ScenarioTask::Kind::aboard) return is_moved;
   const double tick_s = agent.conduct->plan.tick_s;
   if (!own.is_aboard) {
-    const BodyState<double>& body = state.vehicle.body;
-    const Triple<double> there_m_s =
-        carrier == nullptr ? Triple<double>{} : velocity_of(carrier->vehicle.body);
-    if (length_of(body.position_m - own.boarding_m) <= boarding_reach_m &&
-        length_of(velocity_of(body) - there_m_s) <= boarding_speed_m_s) {
-      come_aboard(own.boarding_m, t_s, state);
+    if (is_alongside(agent, carrier, state)) {
+      come_aboard(agent, t_s, carrier, state);
       return true;
     }
+    const BodyState<double>& body = state.vehicle.body;
+    const Triple<double> there_m_s = deck_velocity(carrier);
     // Where the carrier will be when the vehicle is there, or nearly.
     const double away_m = length_of(body.position_m - own.boarding_m);
     const double lead_s = std::min(away_m / std::max(agent.mission.guidance.speed_m_s, 0.1), 10.0);

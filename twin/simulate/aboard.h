@@ -12,6 +12,13 @@ namespace slackwater::twin {
 /// @return whether it was moved, or its battery filled
 bool come_and_go(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state);
 
+/// Whether it has a place on a deck: a carrier, or a time aboard among its tasks.
+[[nodiscard]] bool goes_aboard(const Agent& agent) noexcept;
+/// Whether it is so near its place there, and so slow beside it, that it can be taken up.
+[[nodiscard]] bool is_alongside(const Agent& agent, const AgentState* carrier,
+                                const AgentState& state);
+void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state);
+
 /// Moves it along with its carrier. @return whether it has one
 bool carry(const Agent& agent, const AgentState* carrier, AgentState& state);
 

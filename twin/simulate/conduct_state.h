@@ -77,6 +77,7 @@ struct ConductState {
   double energy_left_j = std::numeric_limits<double>::infinity();  ///< as of the last tick
   double energy_home_j = 0;   ///< what the way home takes by reckoning, without margin and reserve
   double held_s = 0;          ///< in all
+  double least_charge = 1;    ///< of its battery, at a tick
   double most_share = 0;      ///< of any limit, while it worked
   Triple<double> boarding_m;  ///< where it comes aboard: at its carrier's, or home
   Triple<double> snag_m;      ///< where a fouled line is caught

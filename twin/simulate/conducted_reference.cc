@@ -66,7 +66,10 @@ Reference conducted_reference(const Agent& agent, const Measured& measured, doub
   // Whoever holds or comes home does so by itself.
   if (!agent.conduct || !is_at_task) return reference;
   const Conduct& plan = agent.conduct->plan;
-  if (plan.autonomy == Autonomy::automatic) return reference;
+  const bool comes_aboard =
+      state.mission.task < agent.mission.tasks.size() &&
+      agent.mission.tasks[state.mission.task].kind == ScenarioTask::Kind::aboard;
+  if (plan.autonomy == Autonomy::automatic || comes_aboard) return reference;
   let_pilot_aim(plan.pilot, agent, reference, state.conduct);
   if (plan.autonomy == Autonomy::shared) keep_inside(*agent.conduct, agent, reference);
   return reference;

@@ -112,6 +112,12 @@ double EnvironmentSampler::gust_ratio(const Triple<double>& position_m) const no
          farm->free_turbulence_intensity();
 }
 
+CurrentSample EnvironmentSampler::forecast_current(const Triple<double>& position_m,
+                                                   double t_s) const noexcept {
+  return environment_->field->current(place(position_m, std::max(position_m.z, 0.0), t_s),
+                                      environment_->member);
+}
+
 SeaSample EnvironmentSampler::sea(const Triple<double>& position_m, double t_s) const noexcept {
   if (environment_->stated_sea) return {*environment_->stated_sea, SampleStatus::ok};
   const Place at = place(position_m, 0, t_s);

@@ -66,6 +66,9 @@ class EnvironmentSampler {
   /// The same without the waves: what a craft that meets them by `waves_at_strips` has besides.
   [[nodiscard]] WaterSample current(const Triple<double>& position_m, double height_m,
                                     double t_s) const noexcept;
+  /// The current of the forecast at a point, as if no foundation stood in it: what limits are about.
+  [[nodiscard]] CurrentSample forecast_current(const Triple<double>& position_m,
+                                               double t_s) const noexcept;
   /// The mean wind, NED, with what wakes leave of it. Heights are held within those of the profile.
   struct Wind {
     Triple<double> velocity_m_s;

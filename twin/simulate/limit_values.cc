@@ -53,8 +53,9 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
     case LimitVariable::gust_speed:
       return gust_m_s(agent, at_m, std::min(down_m, -2.0), t_s);
     case LimitVariable::current_speed: {
-      const auto water = agent.water->current({at_m.x, at_m.y, std::max(down_m, 0.0)}, 0, t_s);
-      return has_value(water.status) ? length_of(water.current_m_s) : unknown;
+      const CurrentSample current =
+          agent.water->forecast_current({at_m.x, at_m.y, std::max(down_m, 0.0)}, t_s);
+      return has_value(current.status) ? std::abs(current.velocity_m_s) : unknown;
     }
     case LimitVariable::deck_motion:
       return agent.carrier || agent.conduct->plan.deck_point_m ? state.conduct.deck.significant_m()

@@ -197,9 +197,10 @@ void Run::tick_behaviours(const StepTime& time) {
 }
 
 bool Run::all_ended() const noexcept {
-  return std::all_of(states_.begin(), states_.end(), [](const AgentState& s) {
-    return s.halt != Halt::none || s.conduct.has_ended;
-  });
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (agents_[i].conduct && states_[i].halt == Halt::none && !states_[i].conduct.has_ended)
+      return false;
+  return true;
 }
 
 Run::Checkpoint Run::checkpoint() {

@@ -61,7 +61,7 @@ class Run {
   [[nodiscard]] double time_s() const noexcept;
   [[nodiscard]] std::uint64_t steps_made() const noexcept { return scheduler_.steps_made(); }
   [[nodiscard]] bool all_halted() const noexcept;
-  /// Halted, or at the end of what they conduct themselves by.
+  /// Those that conduct themselves: halted, or at the end of it.
   [[nodiscard]] bool all_ended() const noexcept;
 
   /// All that a run needs to go on as it would have.

@@ -98,13 +98,6 @@ std::shared_ptr<const EnvironmentSampler> sampler_of(
   return {kept, &kept->sampler};
 }
 
-Structure shape_of(const ScenarioStructure& s) {
-  if (s.kind == ScenarioStructure::Kind::cylinder)
-    return Cylinder{s.centre_m.x, s.centre_m.y, 0.5 * s.diameter_m, s.top_m, s.bottom_m};
-  const Triple<double> centre_m{s.centre_m.x, s.centre_m.y, 0.5 * (s.top_m + s.bottom_m)};
-  return box_of(centre_m, {0.5 * s.size_m.x, 0.5 * s.size_m.y, 0.5 * (s.bottom_m - s.top_m)}, 0);
-}
-
 /// A way that touches a structure does not lead through it.
 bool leads_through(const ScenarioStructure& s, const Triple<double>& from_m,
                    const Triple<double>& to_m) {
@@ -204,6 +197,13 @@ void share_autopilot(Autopilots& autopilots, const ScenarioVehicle& entry, Agent
 }
 
 }  // namespace
+
+Structure shape_of(const ScenarioStructure& s) {
+  if (s.kind == ScenarioStructure::Kind::cylinder)
+    return Cylinder{s.centre_m.x, s.centre_m.y, 0.5 * s.diameter_m, s.top_m, s.bottom_m};
+  const Triple<double> centre_m{s.centre_m.x, s.centre_m.y, 0.5 * (s.top_m + s.bottom_m)};
+  return box_of(centre_m, {0.5 * s.size_m.x, 0.5 * s.size_m.y, 0.5 * (s.bottom_m - s.top_m)}, 0);
+}
 
 std::filesystem::path vehicle_file(const std::string& model,
                                    const std::filesystem::path& data_folder) {

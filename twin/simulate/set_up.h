@@ -41,6 +41,9 @@ struct ReadyRun {
 [[nodiscard]] std::filesystem::path vehicle_file(const std::string& model,
                                                  const std::filesystem::path& data_folder);
 
+/// The body of a structure of a scenario.
+[[nodiscard]] Structure shape_of(const ScenarioStructure& structure);
+
 /// The origin that a scenario will have.
 [[nodiscard]] GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept;
 

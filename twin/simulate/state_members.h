@@ -91,8 +91,8 @@ template <MaybeConst<ConductState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [tree, doing, way, left_m, phase, cause, cause_detail, cause_value, exceeded_s, faults,
          extra_power_w, drawn_j, wound_rad, bearing_rad, deck, energy_left_j, energy_home_j, held_s,
-         most_share, boarding_m, snag_m, snag_node, aim_m, pilot_rng, has_ended, has_turned,
-         is_snagged, is_aboard, events] = s;
+         least_charge, most_share, boarding_m, snag_m, snag_node, aim_m, pilot_rng, has_ended,
+         has_turned, is_snagged, is_aboard, events] = s;
   visit("tree", tree);
   visit("doing", doing);
   visit("way", way);
@@ -111,6 +111,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("energy_left_j", energy_left_j);
   visit("energy_home_j", energy_home_j);
   visit("held_s", held_s);
+  visit("least_charge", least_charge);
   visit("most_share", most_share);
   visit("boarding_m", boarding_m);
   visit("snag_m", snag_m);

@@ -92,6 +92,7 @@ class Looker {
     const double extra_w = std::max(mean_w - steady_power_w(agent_, state_), 0.0);
     own_.extra_power_w += take * (extra_w - own_.extra_power_w);
     own_.drawn_j = drawn_j;
+    own_.least_charge = std::min(own_.least_charge, state_.vehicle.battery.charge);
     if (!(conduct_.full_j > 0) || own_.is_aboard) return;
     own_.energy_left_j =
         open_circuit_energy_j(*agent_.vehicle->battery, state_.vehicle.battery.charge, 0);
@@ -172,7 +173,8 @@ class Leaves {
         own_.has_turned = true;
         own_.cause = missing_;
         own_.way = nothing_to_do(known_of(agent_, state_));
-        replace_waypoints(own_.way, known_of(agent_, state_), waypoints_home(agent_, state_));
+        if (!own_.is_aboard)
+          replace_waypoints(own_.way, known_of(agent_, state_), waypoints_home(agent_, state_));
         tell(ConductEventKind::turned_for_home);
         break;
     }
@@ -365,6 +367,11 @@ bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Agent
   const bool is_well = status == NodeStatus::success;
   own.events.push_back(
       {t_s, is_well ? ConductEventKind::finished : ConductEventKind::gave_up, own.cause, 0, 0});
+  // What stands on a deck by rights does not hang in the air beside it.
+  if (goes_aboard(agent) && !own.is_aboard && is_alongside(agent, carrier, state)) {
+    come_aboard(agent, t_s, carrier, state);
+    return true;
+  }
   return is_moved;
 }
 

@@ -1,0 +1,188 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "api/cli/command.h"
+#include "api/cli/output_file.h"
+#include "api/cli/progress.h"
+#include "api/rehearse/mission_file.h"
+#include "api/rehearse/rehearsal.h"
+#include "api/rehearse/rehearsal_file.h"
+#include "api/rehearse/rehearsal_json.h"
+#include "api/rehearse/rehearsal_page.h"
+#include "fields/base/text.h"
+#include "ingest/cf/trajectory_file.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+struct RehearseArguments {
+  std::filesystem::path mission;
+  std::size_t members = 0;
+  std::vector<std::string> starts;
+  std::string every;
+  std::size_t count = 1;
+  double narrow_enough = 0;
+  std::vector<std::string> assume;
+  int threads = 0;
+  std::filesystem::path out, html, scenario, log;
+  std::string log_start;
+  std::size_t log_member = 0;
+};
+
+/// `--start` as often as given, or `--every` and `--starts` from the first one on.
+std::vector<UtcTime> starts_of(const RehearseArguments& arguments, const LoadedMission& mission,
+                               const Context& context) {
+  std::vector<UtcTime> starts;
+  for (const std::string& text : arguments.starts)
+    starts.push_back(context.time_of("--start", text));
+  if (starts.empty())
+    starts.push_back(mission.scenario.start.value_or(mission.water.surround.field->range().from));
+  if (arguments.count > 1) {
+    if (starts.size() > 1)
+      throw Error(ErrorKind::usage, "--starts: give one --start to count from, or list them all");
+    const Duration every =
+        option_value("--every", arguments.every.empty() ? "1h" : arguments.every,
+                     [](const std::string& text) { return parse_duration(text); });
+    for (std::size_t i = 1; i < arguments.count; ++i)
+      starts.push_back(starts.front() + static_cast<Duration::rep>(i) * every);
+  }
+  return starts;
+}
+
+/// How many futures there are to fly in.
+std::size_t members_of(const RehearseArguments& arguments, const LoadedMission& mission) {
+  const std::size_t held = mission.water.surround.field->snapshot().members;
+  const bool is_made_up = mission.water.forecast_sha256.empty();
+  if (arguments.members == 0) return is_made_up ? 1 : held;
+  if (!is_made_up && arguments.members > held)
+    throw Error(ErrorKind::usage,
+                formatted("--members: found {}, the forecast was issued with {}; ask for at most "
+                          "those",
+                          arguments.members, held));
+  return arguments.members;
+}
+
+void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal) {
+  std::printf("%s\n", verdict_of(rehearsal).c_str());
+  std::printf("%s at %s, %s\n\n", joined(mission.expanded.tasks, ", ").c_str(),
+              joined(mission.expanded.turbines, ", ").c_str(), mission.water.forecast_name.c_str());
+  std::printf("%-18s %8s %12s %10s  %s\n", "start", "done", "P(success)", "limits", "stopped by");
+  for (const StartOutcome& start : rehearsal.starts) {
+    const std::string cause =
+        start.stopped_by.empty()
+            ? "-"
+            : start.stopped_by.front().cause + formatted(" ({})", start.stopped_by.front().flights);
+    std::printf("%-18s %8s %12s %10s  %s\n", format_utc(start.start).substr(0, 16).c_str(),
+                formatted("{}/{}", start.done, start.flights.size()).c_str(),
+                formatted("{:.2f} to {:.2f}", start.low, start.high).c_str(),
+                start.by_the_limits.allows ? "allow" : "forbid", cause.c_str());
+    if (const std::string why = disagreement_of(start); !why.empty())
+      std::printf("  %s\n", why.c_str());
+  }
+  const Unchecked unchecked = unchecked_of(mission.scenario);
+  for (const std::string& limit : unchecked.not_checked)
+    std::printf("not checked: %s\n", limit.c_str());
+  for (const std::string& value : unchecked.assumed) std::printf("assumed: %s\n", value.c_str());
+  std::printf("%.1f s, the first answer after %.1f s\n", rehearsal.wall_s,
+              rehearsal.first_answer_s);
+}
+
+/// The flight of one start and member, logged as `simulate` logs.
+void write_flight(const RehearseArguments& arguments, const LoadedMission& mission,
+                  const RehearsalPlan& plan, const Context& context) {
+  const UtcTime start = arguments.log_start.empty()
+                            ? plan.starts.front()
+                            : context.time_of("--log-start", arguments.log_start);
+  const std::string yaml = scenario_of_flight(mission.expanded.scenario_yaml,
+                                              {start, arguments.log_member}, mission.scenario.seed);
+  LoadedMission flown = mission;
+  flown.scenario = twin::parse_scenario(yaml, arguments.mission.filename().string());
+  const ScenarioResult result = run_scenario(flown.scenario, flown.water, {});
+  write_beside(arguments.log, [&](const std::filesystem::path& partial) {
+    ingest::write_trajectories(result.file, partial);
+  });
+}
+
+void run_rehearse(const RehearseArguments& arguments, const Context& context) {
+  expect_output("--out", arguments.out, {".nc"});
+  expect_output("--html", arguments.html, {".html"});
+  expect_output("--scenario", arguments.scenario, {".yaml"});
+  expect_output("--log", arguments.log, {".nc"});
+  std::vector<twin::Assumption> assumed;
+  for (const std::string& text : arguments.assume) assumed.push_back(twin::parse_assumption(text));
+  const LoadedMission mission = load_mission(arguments.mission, context.store_folder, assumed);
+  RehearsalPlan plan;
+  plan.starts = starts_of(arguments, mission, context);
+  plan.members = members_of(arguments, mission);
+  plan.narrow_enough = arguments.narrow_enough;
+  plan.threads = arguments.threads > 0 ? arguments.threads : 2;
+  plan.flights.workers = mission.expanded.workers;
+  ProgressBar progress("rehearse " + mission.name, context.json);
+  bool is_first = true;
+  const Rehearsal rehearsal = with_context(arguments.mission.string(), [&] {
+    return rehearse(mission.scenario, mission.water.surround, plan,
+                    [&](double share, const Rehearsal& so_far) {
+                      if (is_first && share < 1 && !context.json)
+                        std::fprintf(stderr, "first answer: %s\n", verdict_of(so_far).c_str());
+                      is_first = false;
+                      progress.update(share);
+                    });
+  });
+  if (!arguments.scenario.empty()) write_text(arguments.scenario, mission.expanded.scenario_yaml);
+  if (!arguments.out.empty()) {
+    write_beside(arguments.out, [&](const std::filesystem::path& partial) {
+      ingest::write_trajectories(rehearsal_file(mission, rehearsal), partial);
+    });
+  }
+  if (!arguments.html.empty()) {
+    write_beside(arguments.html, [&](const std::filesystem::path& partial) {
+      write_rehearsal_page(mission, plan, rehearsal, partial);
+    });
+  }
+  if (!arguments.log.empty()) write_flight(arguments, mission, plan, context);
+  for (const std::string& warning : mission.water.warnings)
+    std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
+  if (context.json)
+    std::printf("%s\n", rehearsal_json(mission, plan, rehearsal)
+                            .dump(2, ' ', false, json::error_handler_t::replace)
+                            .c_str());
+  else
+    print_rehearsal(mission, rehearsal);
+}
+
+}  // namespace
+
+void add_rehearse(CLI::App& app, Context& context) {
+  auto arguments = std::make_shared<RehearseArguments>();
+  CLI::App* command = app.add_subcommand(
+      "rehearse",
+      "Fly a mission in every future of the forecast: done or not, and what stopped it");
+  command->add_option("mission", arguments->mission, "YAML file")->required();
+  command->add_option("--members", arguments->members, "futures (default: all that were issued)")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--start", arguments->starts,
+                      "UTC time, as often as wanted (default: the mission's)");
+  command->add_option("--every", arguments->every, "from one start to the next (default 1h)");
+  command->add_option("--starts", arguments->count, "how many starts")->check(CLI::Range(1, 1000));
+  command
+      ->add_option("--until-within", arguments->narrow_enough,
+                   "fly a start no more once the 95 % interval of P(success) is narrower")
+      ->check(CLI::Range(0.001, 1.0));
+  command->add_option("--assume", arguments->assume,
+                      "what no forecast serves, e.g. visibility_m=5000");
+  command->add_option("--threads", arguments->threads, "1 to 64 (default 2)")
+      ->check(CLI::Range(1, 64));
+  command->add_option("--out", arguments->out, "all flights, minute by minute, as FILE.nc");
+  command->add_option("--html", arguments->html, "page as FILE.html");
+  command->add_option("--scenario", arguments->scenario,
+                      "the mission laid out, as FILE.yaml for `slackwater simulate`");
+  command->add_option("--log", arguments->log, "one flight, logged as `simulate` does, as FILE.nc");
+  command->add_option("--log-member", arguments->log_member, "its member (default 0)");
+  command->add_option("--log-start", arguments->log_start, "its start (default: the first)");
+  command->callback([arguments, &context] { run_rehearse(*arguments, context); });
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,66 @@
+#include "api/rehearse/mission_file.h"
+
+#include <algorithm>
+
+#include "api/program/paths.h"
+#include "api/rehearse/heard_traffic.h"
+#include "fields/base/config.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+#include "fields/geo/local_frame.h"
+#include "fields/site/site.h"
+#include "twin/mission/site_work.h"
+
+namespace slackwater::api {
+namespace {
+
+Config find_task(const std::string& id, const std::filesystem::path& mission_folder) {
+  const std::filesystem::path named = data_folder() / "tasks" / (id + ".yaml");
+  if (id.find('/') == std::string::npos && std::filesystem::exists(named))
+    return Config::load(named);
+  const std::filesystem::path file = id;
+  const std::filesystem::path beside = file.is_absolute() ? file : mission_folder / file;
+  if (std::filesystem::exists(beside)) return Config::load(beside);
+  throw Error(ErrorKind::not_found, "tasks: found " + id + ", expected one of " +
+                                        joined(known_tasks(), ", ") + ", or the path of a file");
+}
+
+}  // namespace
+
+std::vector<std::string> known_tasks() {
+  std::vector<std::string> ids;
+  for (const auto& entry : std::filesystem::directory_iterator(data_folder() / "tasks"))
+    if (entry.path().extension() == ".yaml") ids.push_back(entry.path().stem().string());
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+LoadedMission load_mission(const std::filesystem::path& file,
+                           const std::filesystem::path& store_folder,
+                           const std::vector<twin::Assumption>& assumed) {
+  const Config mission = Config::load(file);
+  const auto folder = std::filesystem::absolute(file).parent_path();
+  LoadedMission out;
+  out.name = mission.text("name");
+  const std::string named = mission.text("site");
+  std::vector<std::filesystem::path> folders = site_folders(store_folder);
+  folders.push_back(folder);
+  const Site site = find_site(
+      std::filesystem::exists(folder / named) ? (folder / named).string() : named, folders);
+  out.site = site.id;
+  twin::MissionParts parts;
+  parts.site = twin::work_site_of(site);
+  parts.origin = site.point;
+  parts.site_id = site.id;
+  parts.assumed = assumed;
+  parts.task = [&](const std::string& id) { return find_task(id, folder); };
+  out.expanded = twin::expand_mission(mission, parts);
+  mission.expect_all_read();
+  out.scenario =
+      twin::parse_scenario(out.expanded.scenario_yaml, file.filename().string() + " (laid out)");
+  out.water = water_of(out.scenario, store_folder, folder);
+  with_context(file.string(), [&] { add_heard_traffic(out.scenario, folder, out.water); });
+  return out;
+}
+
+}  // namespace slackwater::api

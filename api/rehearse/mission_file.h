@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/rehearse/scenario_run.h"
+#include "twin/mission/conduct.h"
+#include "twin/mission/expand_mission.h"
+
+namespace slackwater::api {
+
+/// A mission as it will be flown.
+struct LoadedMission {
+  std::string name;
+  std::string site;
+  twin::ExpandedMission expanded;
+  twin::Scenario scenario;
+  ScenarioWater water;
+};
+
+/// Reads a mission, the tasks and the site that it names, and finds its water.
+/// @param assumed  beside those of the mission
+/// @throws Error(invalid_input), Error(not_found)
+[[nodiscard]] LoadedMission load_mission(const std::filesystem::path& file,
+                                         const std::filesystem::path& store_folder,
+                                         const std::vector<twin::Assumption>& assumed);
+
+/// Ids of the tasks that come with the program, sorted.
+[[nodiscard]] std::vector<std::string> known_tasks();
+
+}  // namespace slackwater::api

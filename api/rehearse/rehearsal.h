@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "twin/rehearse/flight.h"
+
+namespace slackwater::api {
+
+/// How a mission is rehearsed.
+struct RehearsalPlan {
+  std::vector<UtcTime> starts;
+  std::size_t members = 24;  ///< at most, of each start
+  double narrow_enough = 0;  ///< width of the interval at which a start needs no more; 0: all
+  double level = 0.95;       ///< of the interval
+  int threads = 1;
+  twin::FlightSettings flights;
+};
+
+/// Why flights were not done, and how many.
+struct StoppedBy {
+  std::string cause;
+  std::size_t flights = 0;
+};
+
+/// What is known of a start from the limits and the central forecast alone, as a planner reads
+/// them: nothing is flown.
+struct ByTheLimits {
+  bool allows = true;
+  std::string binding;  ///< the limit that takes up most of what it allows
+  double share = 0;     ///< of it; above 1: exceeded
+};
+
+struct StartOutcome {
+  UtcTime start;
+  std::vector<twin::Flight> flights;  ///< by member
+  std::size_t done = 0;
+  double low = 0, high = 1;  ///< of P(success)
+  bool is_narrow = false;    ///< it was flown no more because that is narrow enough
+  ByTheLimits by_the_limits;
+  std::vector<StoppedBy> stopped_by;  ///< most frequent first
+
+  [[nodiscard]] double share_done() const noexcept {
+    return flights.empty() ? 0 : static_cast<double>(done) / static_cast<double>(flights.size());
+  }
+};
+
+struct Rehearsal {
+  std::vector<StartOutcome> starts;
+  double wall_s = 0;
+  double first_answer_s = 0;  ///< of the clock: until every start had been flown once
+};
+
+/// Flies a mission from each start in each member, members side by side and starts in turn, so that
+/// there is a first answer for all starts early. Nothing of it depends on the number of threads.
+///
+/// The interval holds at its level whenever the flights are stopped (`success_interval`).
+/// @param on_progress  share of all flights, and the outcome so far after each round
+/// @throws Error(invalid_input) as `set_up`, also for a start outside the forecast
+[[nodiscard]] Rehearsal rehearse(
+    const twin::Scenario& mission, const twin::Surround& surround, const RehearsalPlan& plan,
+    const std::function<void(double share, const Rehearsal& so_far)>& on_progress = {});
+
+}  // namespace slackwater::api

@@ -1,0 +1,183 @@
+#include "api/rehearse/rehearsal_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "api/report/plot_json.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+json quantiles_json(const std::vector<double>& values) {
+  json out = json::object();
+  for (const auto& [name, share] : {std::pair{"p10", 0.1}, {"p50", 0.5}, {"p90", 0.9}}) {
+    const auto value = quantile_of(values, share);
+    out[name] = value ? number(*value) : json(nullptr);
+  }
+  return out;
+}
+
+/// Of one vehicle over all flights of a start.
+json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
+  std::vector<double> left, energy_wh, fuel_kg, held_s, worst;
+  std::size_t done = 0;
+  for (const twin::Flight& flight : start.flights) {
+    const twin::VehicleOutcome& v = flight.vehicles[vehicle];
+    done += v.is_done ? 1 : 0;
+    left.push_back(v.least_charge);
+    energy_wh.push_back(v.energy_j / 3600);
+    fuel_kg.push_back(v.fuel_kg);
+    held_s.push_back(v.held_s);
+    worst.push_back(v.worst_share);
+  }
+  return {{"name", start.flights.front().vehicles[vehicle].name},
+          {"done", done},
+          {"least_state_of_charge", quantiles_json(left)},
+          {"energy_wh", quantiles_json(energy_wh)},
+          {"fuel_kg", quantiles_json(fuel_kg)},
+          {"held_s", quantiles_json(held_s)},
+          {"most_of_a_limit", quantiles_json(worst)}};
+}
+
+json flight_json(const twin::Flight& flight) {
+  return {{"member", flight.flown.member},
+          {"done", flight.is_done},
+          {"stopped_by", flight.is_done ? json(nullptr) : json(flight.stopped_by)},
+          {"ended_s", number(flight.ended_s)}};
+}
+
+json start_json(const StartOutcome& start) {
+  json causes = json::array();
+  for (const StoppedBy& cause : start.stopped_by)
+    causes.push_back({{"cause", cause.cause}, {"flights", cause.flights}});
+  std::vector<double> duration_s;
+  for (const twin::Flight& flight : start.flights)
+    if (flight.is_done) duration_s.push_back(flight.ended_s);
+  json vehicles = json::array();
+  json flights = json::array();
+  if (!start.flights.empty())
+    for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v)
+      vehicles.push_back(vehicle_json(start, v));
+  for (const twin::Flight& flight : start.flights) flights.push_back(flight_json(flight));
+  const ByTheLimits& limits = start.by_the_limits;
+  const std::string disagreement = disagreement_of(start);
+  return {{"start", format_utc(start.start)},
+          {"flights", start.flights.size()},
+          {"done", start.done},
+          {"probability", number(start.share_done())},
+          {"interval_95", {number(start.low), number(start.high)}},
+          {"narrow_enough", start.is_narrow},
+          {"by_the_limits",
+           {{"allows", limits.allows},
+            {"binding", limits.binding.empty() ? json(nullptr) : json(limits.binding)},
+            {"share", number(limits.share)}}},
+          {"disagreement", disagreement.empty() ? json(nullptr) : json(disagreement)},
+          {"stopped_by", causes},
+          {"duration_s", quantiles_json(duration_s)},
+          {"vehicles", vehicles},
+          {"members", flights},
+          {"verdict", verdict_of(start)}};
+}
+
+std::string clock_text(UtcTime time) { return format_utc(time).substr(0, 16) + "Z"; }
+
+/// "it holds in all", "in none", "in 22 of 24".
+std::string count_text(std::size_t done, std::size_t flights) {
+  return formatted("{} of {}", done, flights);
+}
+
+}  // namespace
+
+std::optional<double> quantile_of(std::vector<double> values, double share) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const double at = share * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(at);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
+std::string verdict_of(const StartOutcome& start) {
+  std::string text =
+      formatted("{}: done in {} futures, P(success) {:.0f} to {:.0f} %", clock_text(start.start),
+                count_text(start.done, start.flights.size()), 100 * start.low, 100 * start.high);
+  if (!start.stopped_by.empty())
+    text += "; stopped by " + start.stopped_by.front().cause +
+            formatted(" ({})", count_text(start.stopped_by.front().flights, start.flights.size()));
+  return text + ".";
+}
+
+std::string verdict_of(const Rehearsal& rehearsal) {
+  const auto best = std::max_element(
+      rehearsal.starts.begin(), rehearsal.starts.end(),
+      [](const StartOutcome& a, const StartOutcome& b) { return a.share_done() < b.share_done(); });
+  if (best == rehearsal.starts.end()) return "Nothing was flown.";
+  return (rehearsal.starts.size() > 1 ? "Best start " : "") + verdict_of(*best);
+}
+
+std::string disagreement_of(const StartOutcome& start) {
+  if (start.flights.empty()) return "";
+  const double share = start.share_done();
+  if (start.by_the_limits.allows && share < 0.5)
+    return "The limits allow it (" +
+           (start.by_the_limits.binding.empty() ? std::string("none is near")
+                                                : start.by_the_limits.binding) +
+           "), and the flights are stopped by " +
+           (start.stopped_by.empty() ? std::string("time") : start.stopped_by.front().cause) + ".";
+  if (!start.by_the_limits.allows && share >= 0.5)
+    return "The limits forbid it (" + start.by_the_limits.binding +
+           "), and most flights are done: they hold, or are elsewhere, while it is exceeded.";
+  return "";
+}
+
+Unchecked unchecked_of(const twin::Scenario& mission) {
+  std::set<std::string> not_checked, assumed;
+  for (const twin::ScenarioVehicle& vehicle : mission.vehicles) {
+    if (!vehicle.conduct) continue;
+    for (const twin::Limit& limit : vehicle.conduct->limits) {
+      if (twin::word_of(limit.variable).is_served) continue;
+      const auto found =
+          std::find_if(vehicle.conduct->assumed.begin(), vehicle.conduct->assumed.end(),
+                       [&](const twin::Assumption& a) { return a.variable == limit.variable; });
+      if (found == vehicle.conduct->assumed.end())
+        not_checked.insert(text_of(limit));
+      else
+        assumed.insert(formatted("{} {:g} {}", twin::word_of(limit.variable).meaning, found->value,
+                                 twin::word_of(limit.variable).unit));
+    }
+  }
+  return {{not_checked.begin(), not_checked.end()}, {assumed.begin(), assumed.end()}};
+}
+
+json rehearsal_json(const LoadedMission& mission, const RehearsalPlan& plan,
+                    const Rehearsal& rehearsal) {
+  const Unchecked unchecked = unchecked_of(mission.scenario);
+  json starts = json::array();
+  for (const StartOutcome& start : rehearsal.starts) starts.push_back(start_json(start));
+  return {
+      {"mission", mission.name},
+      {"tasks", mission.expanded.tasks},
+      {"turbines", mission.expanded.turbines},
+      {"site", mission.site},
+      {"forecast", mission.water.forecast_name},
+      {"forecast_sha256",
+       mission.water.forecast_sha256.empty() ? json(nullptr) : json(mission.water.forecast_sha256)},
+      {"seed", mission.scenario.seed},
+      {"members", plan.members},
+      {"narrow_enough", plan.narrow_enough > 0 ? json(plan.narrow_enough) : json(nullptr)},
+      {"not_checked", unchecked.not_checked},
+      {"assumed", unchecked.assumed},
+      {"warnings", mission.water.warnings},
+      {"wall_s", number(rehearsal.wall_s)},
+      {"first_answer_s", number(rehearsal.first_answer_s)},
+      {"verdict", verdict_of(rehearsal)},
+      {"starts", starts}};
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,30 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include "api/rehearse/mission_file.h"
+#include "api/rehearse/rehearsal.h"
+
+namespace slackwater::api {
+
+/// What a rehearsal says to programs: api/docs/rehearse.md has the schema.
+[[nodiscard]] nlohmann::json rehearsal_json(const LoadedMission& mission, const RehearsalPlan& plan,
+                                            const Rehearsal& rehearsal);
+
+/// The verdict in a sentence: "Go at 06:00: 22 of 24 futures done (75 to 98 %)."
+[[nodiscard]] std::string verdict_of(const Rehearsal& rehearsal);
+/// Of one start.
+[[nodiscard]] std::string verdict_of(const StartOutcome& start);
+/// Why the limits and the flights disagree about a start; empty where they do not.
+[[nodiscard]] std::string disagreement_of(const StartOutcome& start);
+
+/// Limits of a mission that nobody could check, and those held against what is assumed.
+struct Unchecked {
+  std::vector<std::string> not_checked;
+  std::vector<std::string> assumed;
+};
+[[nodiscard]] Unchecked unchecked_of(const twin::Scenario& mission);
+
+/// The value below which a share of them lies, linear between values; nothing of none.
+[[nodiscard]] std::optional<double> quantile_of(std::vector<double> values, double share);
+
+}  // namespace slackwater::api

@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+
+#include "api/rehearse/mission_file.h"
+#include "api/rehearse/rehearsal.h"
+
+namespace slackwater::api {
+
+/// A rehearsal for people: the verdict with its cause, the starts, and of one start what each
+/// vehicle does when, the plan, the charge left against what the way home takes, and the weather
+/// felt with the limits drawn in.
+[[nodiscard]] std::string rehearsal_page_html(const LoadedMission& mission,
+                                              const RehearsalPlan& plan, const Rehearsal& rehearsal,
+                                              std::string_view plotting_library);
+/// @throws Error(unavailable) where it cannot be written
+void write_rehearsal_page(const LoadedMission& mission, const RehearsalPlan& plan,
+                          const Rehearsal& rehearsal, const std::filesystem::path& file);
+
+}  // namespace slackwater::api

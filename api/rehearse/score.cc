@@ -1,0 +1,129 @@
+#include "api/rehearse/score.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "api/rehearse/mission_events.h"
+#include "api/rehearse/run_outcome.h"
+#include "api/rehearse/traffic_tables.h"
+#include "api/rehearse/vehicle_log.h"
+#include "fields/base/error.h"
+
+namespace slackwater::api {
+namespace {
+
+using ingest::TrajectoryFile;
+
+double rms_of(const VehicleLog& vehicle, const char* name) {
+  double squares = 0, count = 0;
+  for (std::size_t t = 0; t < vehicle.rows(); ++t) {
+    const double value = vehicle.at(name, t);
+    if (!std::isfinite(value)) continue;
+    squares += value * value;
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+double sailed_m(const VehicleLog& vehicle) {
+  double sum_m = 0;
+  for (std::size_t t = 1; t < vehicle.rows(); ++t)
+    sum_m += twin::length_of(vehicle.place_m(t) - vehicle.place_m(t - 1));
+  return sum_m;
+}
+
+/// What a vehicle was called away from its task for, by its log.
+void count_interventions(const std::vector<MissionEvent>& events, std::size_t vehicle, double end_s,
+                         VehicleScore& score) {
+  std::optional<double> away_since_s;
+  const auto come_back = [&](double t_s) {
+    if (!away_since_s) return;
+    const double away_s = t_s - *away_since_s;
+    score.takeover_s += away_s;
+    score.longest_takeover_s = std::max(score.longest_takeover_s, away_s);
+    away_since_s.reset();
+  };
+  for (const MissionEvent& event : events) {
+    if (event.vehicle != vehicle) continue;
+    if (event.kind == "hold_began" || event.kind == "turned_for_home") {
+      ++score.interventions;
+      if (event.cause == "limit") ++score.limit_violations;
+      if (!away_since_s) away_since_s = event.t_s;
+    } else if (event.kind == "resumed") {
+      come_back(event.t_s);
+    } else if (event.kind == "finished" || event.kind == "gave_up") {
+      come_back(event.t_s);
+      score.time_s = event.t_s;
+      score.is_done = event.kind == "finished" && event.cause == "none";
+    }
+  }
+  come_back(end_s);
+}
+
+/// In the plane, at the rows; the traffic where its track is known.
+std::optional<double> nearest_vessel_m(const TrajectoryFile& log, const VehicleLog& vehicle,
+                                       const std::vector<twin::TrafficVessel>& vessels) {
+  std::optional<double> least;
+  for (const twin::TrafficVessel& vessel : vessels)
+    for (std::size_t t = 0; t < vehicle.rows(); ++t) {
+      const twin::TrackState there = vessel.track.at(log.t_s[t]);
+      if (!there.is_known()) continue;
+      const auto apart = vehicle.place_m(t) - there.position_m;
+      const double distance_m = std::hypot(apart.x, apart.y);
+      if (!least || distance_m < *least) least = distance_m;
+    }
+  return least;
+}
+
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+Scorecard scorecard_of(const TrajectoryFile& log) {
+  if (log.find("x") == nullptr || log.find("y") == nullptr || log.find("z") == nullptr ||
+      log.t_s.empty())
+    throw Error(ErrorKind::invalid_input,
+                "the log holds no x, y and z over time; give one that `slackwater simulate` or "
+                "`rehearse --log` wrote");
+  Scorecard card{log.attribute("title"), log.attribute("seed"), {}};
+  const std::optional<twin::Scenario> scenario = scenario_of(log);
+  const std::vector<MissionEvent> events = mission_events_in(log);
+  const std::vector<twin::TrafficVessel> vessels = vessels_in(log);
+  std::vector<VehicleLog> vehicles;
+  for (std::size_t i = 0; i < log.names.size(); ++i) vehicles.emplace_back(log, i);
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    const VehicleLog& vehicle = vehicles[i];
+    VehicleScore score;
+    score.name = log.names[i];
+    score.time_s = log.t_s[vehicle.rows() - 1];
+    score.sailed_m = sailed_m(vehicle);
+    score.rms_across_track_m = rms_of(vehicle, "across_track");
+    if (const auto largest = vehicle.largest("across_track"))
+      score.largest_across_track_m = std::abs(largest->value);
+    score.rms_depth_error_m = rms_of(vehicle, "below_track");
+    if (const double drawn = vehicle.last("electrical_energy"); drawn > 0 && score.sailed_m > 1)
+      score.energy_per_metre_j = drawn / score.sailed_m;
+    if (scenario)
+      score.closest_structure_m = finite(nearest_structure(log, vehicle, *scenario).distance_m);
+    score.closest_vehicle_m = finite(nearest_vehicle(log, vehicles, i).distance_m);
+    score.closest_vessel_m = nearest_vessel_m(log, vehicle, vessels);
+    count_interventions(events, i, log.t_s.back(), score);
+    card.vehicles.push_back(score);
+  }
+  return card;
+}
+
+Spread spread_of(const std::vector<double>& values) {
+  Spread spread;
+  spread.runs = values.size();
+  for (const double value : values) spread.mean += value / static_cast<double>(values.size());
+  double squares = 0;
+  for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
+  if (values.size() > 1)
+    spread.deviation = std::sqrt(squares / static_cast<double>(values.size() - 1));
+  return spread;
+}
+
+}  // namespace slackwater::api

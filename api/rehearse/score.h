@@ -1,0 +1,48 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ingest/cf/trajectory_file.h"
+
+namespace slackwater::api {
+
+/// How well one vehicle of one logged run did, whatever steered it.
+struct VehicleScore {
+  std::string name;
+  double time_s = 0;     ///< until its last task ended; without an end, of the log
+  bool is_done = false;  ///< its log says that it finished without turning for home or halting
+  double sailed_m = 0;   ///< over ground
+  double rms_across_track_m = 0;
+  double largest_across_track_m = 0;
+  double rms_depth_error_m = 0;
+  std::optional<double> energy_per_metre_j;   ///< electrical; none: it draws or goes nothing
+  std::optional<double> closest_structure_m;  ///< to a face
+  std::optional<double> closest_vehicle_m;    ///< centre to centre
+  std::optional<double> closest_vessel_m;     ///< of the traffic, in the plane
+  std::size_t interventions = 0;              ///< times it left its task: holds and ways home
+  double takeover_s = 0;                      ///< spent away from it, until it was resumed
+  double longest_takeover_s = 0;
+  std::size_t limit_violations = 0;  ///< interventions that a limit called for
+};
+
+/// The scorecard of a run. Coverage and findings need instruments that a log does not hold: they
+/// are not in it.
+struct Scorecard {
+  std::string run;  ///< its title
+  std::string seed;
+  std::vector<VehicleScore> vehicles;
+};
+
+/// @throws Error(invalid_input) for a log without positions
+[[nodiscard]] Scorecard scorecard_of(const ingest::TrajectoryFile& log);
+
+/// Mean and standard deviation over runs.
+struct Spread {
+  double mean = 0;
+  double deviation = 0;  ///< of a sample; 0 for one
+  std::size_t runs = 0;
+};
+[[nodiscard]] Spread spread_of(const std::vector<double>& values);
+
+}  // namespace slackwater::api

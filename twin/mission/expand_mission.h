@@ -1,0 +1,51 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fields/base/config.h"
+#include "fields/geo/geo_point.h"
+#include "twin/mission/limit.h"
+#include "twin/mission/work_site.h"
+
+namespace slackwater::twin {
+
+/// What a mission needs from outside.
+struct MissionParts {
+  WorkSite site;
+  std::optional<GeoPoint> origin;   ///< of the site; absent: as the mission says
+  std::string site_id;              ///< whose forecast is the water where the mission names none
+  std::vector<Assumption> assumed;  ///< beside those of the mission
+  /// The description of a task by its id or path. @throws Error(not_found)
+  std::function<Config(const std::string& id)> task;
+};
+
+/// A mission made into a scenario.
+struct ExpandedMission {
+  std::string scenario_yaml;       ///< all that it comes to: runs and replays by itself
+  std::vector<std::string> tasks;  ///< names, for people
+  std::vector<std::string> turbines;
+  std::vector<std::string> workers;  ///< vehicles whose work counts for the success
+};
+
+/// Lays a mission's tasks out at its turbines.
+///
+///     name: Scour at A02
+///     tasks: [scour_survey]          # ids of data/tasks, or paths
+///     turbines: [A02]
+///     site: example_farm             # read by the caller
+///     start, duration, seed, step_s, log_every_s, water, waves, gusts, member, navigation,
+///     traffic, log: as of a scenario
+///     agents:                        # by role, what differs from the task's
+///       inspector: {model: ..., autonomy: shared, faults: [...], state_of_charge: 0.9}
+///     vehicles: [...]                # more vehicles, as of a scenario
+///     assume: {visibility_m: 5000}
+///
+/// Each agent of a task starts at its place by the first turbine, is launched, goes to each
+/// turbine in turn and does its work there, and comes back; between sorties it stands aboard and
+/// gets another battery.
+/// @throws Error(invalid_input) with file and line
+[[nodiscard]] ExpandedMission expand_mission(const Config& mission, const MissionParts& parts);
+
+}  // namespace slackwater::twin

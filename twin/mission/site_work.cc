@@ -1,0 +1,69 @@
+#include "twin/mission/site_work.h"
+
+#include <cmath>
+
+#include "fields/base/constants.h"
+#include "fields/base/error.h"
+#include "fields/geo/local_frame.h"
+
+namespace slackwater::twin {
+namespace {
+
+constexpr double degree = constants::pi / 180;
+
+[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
+
+WorkTurbine work_turbine_of(const Site& site, const TurbinePlace& place, const LocalFrame& frame) {
+  const std::string who = "site " + site.id + ": turbine " + place.id + " ";
+  WorkTurbine t;
+  t.id = place.id;
+  const Horizontal at = horizontal_of(frame.to_local(place.point));
+  t.north_m = at.imag();
+  t.east_m = at.real();
+  const auto depth_m = place.water_depth_m ? place.water_depth_m : site.water_depth_m;
+  if (!depth_m) refuse(who + "has no water_depth_m, and neither has the site; add one");
+  if (!place.foundation)
+    refuse(who +
+           "has no foundation, and neither has the site; add one, as in foundation: {kind: "
+           "monopile, diameter_m: 6, top_height_m: 20}");
+  if (!place.landing_deg)
+    refuse(who + "has no landing_deg, the bearing of its boat landing; add it");
+  t.bed_m = *depth_m;
+  t.radius_m = (place.foundation->kind == FoundationKind::jacket ? std::sqrt(0.5) : 0.5) *
+               place.foundation->diameter_m;
+  t.top_m = -place.foundation->top_height_m;
+  t.foot_m =
+      place.foundation->kind == FoundationKind::floating ? place.foundation->draught_m : t.bed_m;
+  if (t.foot_m > t.bed_m) refuse(who + "is deeper than the water; mend draught_m or water_depth_m");
+  if (place.hub_height_m) t.hub_m = -*place.hub_height_m;
+  if (place.rotor_diameter_m) t.rotor_radius_m = 0.5 * *place.rotor_diameter_m;
+  t.landing_rad = *place.landing_deg * degree;
+  for (const Mooring& line : place.moorings) {
+    const double bearing = line.bearing_deg * degree;
+    t.moorings.push_back({line.id, t.around(bearing, t.radius_m, line.fairlead_depth_m),
+                          t.around(bearing, line.anchor_distance_m, t.bed_m)});
+  }
+  return t;
+}
+
+}  // namespace
+
+WorkSite work_site_of(const Site& site) {
+  WorkSite work;
+  const LocalFrame frame(site.point);
+  if (site.turbines.empty())
+    refuse("site " + site.id + ": has no turbines; add their places (`turbines`, page on sites)");
+  for (const TurbinePlace& place : site.turbines)
+    work.turbines.push_back(work_turbine_of(site, place, frame));
+  for (const CableRoute& cable : site.cables) {
+    WorkCable& out = work.cables.emplace_back();
+    out.id = cable.id;
+    for (const GeoPoint& point : cable.route) {
+      const Horizontal at = horizontal_of(frame.to_local(point));
+      out.route_m.push_back({at.imag(), at.real(), work.turbines.front().bed_m});
+    }
+  }
+  return work;
+}
+
+}  // namespace slackwater::twin

@@ -1,0 +1,314 @@
+#include "twin/mission/work_pattern.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "fields/base/constants.h"
+#include "fields/base/text.h"
+#include "twin/control/patterns.h"
+#include "twin/mission/read_seconds.h"
+
+namespace slackwater::twin {
+namespace {
+
+constexpr double degree = constants::pi / 180;
+constexpr double turn = 2 * constants::pi;
+
+double hub_of(const Config& config, std::string_view key, const WorkTurbine& turbine) {
+  if (turbine.hub_m < 0) return turbine.hub_m;
+  config.refuse(key,
+                "the site gives turbine " + turbine.id + " no hub_height_m; add it to the site");
+}
+
+/// Places on a ring, no more than this apart.
+double chord_for(double radius_m) { return std::clamp(0.4 * radius_m, 1.0, 15.0); }
+
+struct Levels {
+  std::vector<double> down_m;
+};
+Levels read_levels(const Config& work, const WorkTurbine& turbine, double spacing_m) {
+  const double from = read_level(work.child("from"), turbine);
+  const double to = read_level(work.child("to"), turbine);
+  const int steps =
+      std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / spacing_m - 1e-6)));
+  Levels levels;
+  for (int i = 0; i <= steps; ++i) levels.down_m.push_back(from + (to - from) * i / steps);
+  if (std::abs(to - from) < 1e-9) levels.down_m.resize(1);
+  return levels;
+}
+
+/// A ring on a level, clockwise or against it.
+std::vector<Waypoint> ring(const WorkTurbine& turbine, double radius_m, double bearing_rad,
+                           double down_m, bool is_clockwise, double speed_m_s) {
+  std::vector<Waypoint> points = orbit({turbine.north_m, turbine.east_m, down_m}, radius_m,
+                                       bearing_rad, 1, down_m, chord_for(radius_m), speed_m_s);
+  if (!is_clockwise) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+/// As many rings one way as the other: the last level is done twice where they are odd.
+std::vector<WorkLeg> rings(const WorkTurbine& turbine, double radius_m, double bearing_rad,
+                           const Levels& levels, double speed_m_s) {
+  std::vector<WorkLeg> legs;
+  bool is_clockwise = true;
+  std::vector<double> down = levels.down_m;
+  if (down.size() % 2 == 1) down.push_back(down.back());
+  for (const double at_m : down) {
+    legs.push_back({ring(turbine, radius_m, bearing_rad, at_m, is_clockwise, speed_m_s), 0});
+    is_clockwise = !is_clockwise;
+  }
+  return legs;
+}
+
+double read_stand_off(const Config& work) { return work.number("stand_off_m", {0.2, 200}); }
+
+double read_bearing(const Config& work, const WorkTurbine& turbine) {
+  const auto bearing = work.optional_number("bearing_deg", {-360, 360});
+  return bearing ? *bearing * degree : turbine.landing_rad;
+}
+
+std::vector<WorkLeg> lay_rings(const Config& work, const WorkTurbine& turbine) {
+  const double radius_m = turbine.radius_m + read_stand_off(work);
+  const Levels levels = read_levels(work, turbine, work.number("spacing_m", {0.2, 100}));
+  return rings(turbine, radius_m, read_bearing(work, turbine), levels, 0);
+}
+
+/// The speed with which a tool of that width cleans an area in an hour.
+std::vector<WorkLeg> lay_bands(const Config& work, const WorkTurbine& turbine) {
+  const double swath_m = work.number("swath_m", {0.05, 5});
+  const double rate_m2_s = work.number("rate_m2_h", {0.1, 1000}) / 3600;
+  const double radius_m = turbine.radius_m + read_stand_off(work);
+  // The tool goes along the face, the vehicle on a wider circle.
+  const double speed_m_s = rate_m2_s / swath_m * radius_m / turbine.radius_m;
+  return rings(turbine, radius_m, read_bearing(work, turbine), read_levels(work, turbine, swath_m),
+               std::max(speed_m_s, 0.01));
+}
+
+std::vector<WorkLeg> lay_verticals(const Config& work, const WorkTurbine& turbine) {
+  const double radius_m = turbine.radius_m + read_stand_off(work);
+  const double from = read_level(work.child("from"), turbine);
+  const double to = read_level(work.child("to"), turbine);
+  const int bearings = work.optional_integer("bearings", 1, 72).value_or(4);
+  const int stops = work.optional_integer("stops", 0, 1000).value_or(0);
+  const double stop_s = stops > 0 ? read_seconds(work, "stop", {1, 86400}) : 0;
+  const double first = read_bearing(work, turbine);
+  std::vector<WorkLeg> legs;
+  std::vector<Waypoint> between;
+  double before = first;
+  for (int i = 0; i < bearings; ++i) {
+    const double bearing = first + turn * i / bearings;
+    const bool is_down = i % 2 == 0;
+    const double start = is_down ? from : to, end = is_down ? to : from;
+    for (double b = before; b < bearing - 1e-9; b += std::min(20 * degree, bearing - b))
+      between.push_back({turbine.around(b, radius_m / std::cos(10 * degree), start), 0, 0});
+    between.push_back({turbine.around(bearing, radius_m, start), 0, 0});
+    for (int stop = 1; stop <= stops; ++stop) {
+      const double at = start + (end - start) * stop / (stops + 1);
+      between.push_back({turbine.around(bearing, radius_m, at), 0, 0});
+      legs.push_back({between, stop_s});
+      between.clear();
+    }
+    between.push_back({turbine.around(bearing, radius_m, end), 0, 0});
+    before = bearing;
+  }
+  // Back the way it came, so that a line does not lie about the foundation.
+  const double last = between.back().position_m.z;
+  for (double b = before; b > first + 1e-9; b -= std::min(20 * degree, b - first))
+    between.push_back({turbine.around(b, radius_m / std::cos(10 * degree), last), 0, 0});
+  between.push_back({turbine.around(first, radius_m, last), 0, 0});
+  legs.push_back({between, 0});
+  return legs;
+}
+
+std::vector<WorkLeg> lay_circles(const Config& work, const WorkTurbine& turbine) {
+  const std::vector<double> radii = work.numbers("radii_m", {1, 10e3});
+  if (radii.empty()) work.refuse("radii_m", "missing; give the radii of the circles");
+  const double at = read_level(work.child("at"), turbine);
+  const double turns = work.optional_number("turns", {0.1, 1000}).value_or(1);
+  std::vector<WorkLeg> legs;
+  for (const double radius_m : radii) {
+    if (radius_m <= turbine.radius_m)
+      work.refuse("radii_m", formatted("found {:g} m, inside the foundation's {:g} m", radius_m,
+                                       turbine.radius_m));
+    legs.push_back(
+        {orbit({turbine.north_m, turbine.east_m, at}, radius_m, read_bearing(work, turbine), turns,
+               at, std::max(chord_for(radius_m), 0.2 * radius_m), 0),
+         0});
+  }
+  return legs;
+}
+
+/// Along a blade of a stopped rotor: out on one face, back on the next.
+std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine) {
+  constexpr double root_m = 4;      // where a blade begins, an estimate
+  constexpr double overhang_m = 5;  // of the rotor before the tower's axis, NREL 5 MW
+  const double hub = hub_of(work, "blade", turbine);
+  if (!(turbine.rotor_radius_m > 0))
+    work.refuse("blade", "the site gives no rotor_diameter_m; add it to the site");
+  const double stand_off_m = read_stand_off(work);
+  const int blade = work.integer("blade", 1, 3);
+  const double faces_rad = work.number("rotor_faces_deg", {-360, 360}) * degree;
+  const double azimuth =
+      work.optional_number("rotor_azimuth_deg", {-360, 360}).value_or(0) * degree +
+      turn / 3 * (blade - 1);
+  // Axes of the rotor's plane: up, and to the right as seen from upwind.
+  const Triple<double> upwind{std::cos(faces_rad), std::sin(faces_rad), 0};
+  const Triple<double> right{std::sin(faces_rad), -std::cos(faces_rad), 0};
+  const Triple<double> up{0, 0, -1};
+  const Triple<double> along = std::cos(azimuth) * up + std::sin(azimuth) * right;
+  const Triple<double> across = -std::sin(azimuth) * up + std::cos(azimuth) * right;
+  const Triple<double> hub_m =
+      Triple<double>{turbine.north_m, turbine.east_m, hub} + overhang_m * upwind;
+  std::vector<std::string> faces = work.texts("faces");
+  if (faces.empty()) faces = {"leading_edge", "pressure", "trailing_edge", "suction"};
+  WorkLeg leg;
+  bool is_out = true;
+  for (const std::string& face : faces) {
+    Triple<double> off;
+    if (face == "leading_edge") {
+      off = across;
+    } else if (face == "trailing_edge") {
+      off = -1.0 * across;
+    } else if (face == "pressure") {
+      off = upwind;
+    } else if (face == "suction") {
+      off = -1.0 * upwind;
+    } else {
+      work.refuse("faces",
+                  "found " + face + ", expected leading_edge, trailing_edge, pressure or suction");
+    }
+    const Triple<double> root = hub_m + root_m * along + stand_off_m * off;
+    const Triple<double> tip = hub_m + turbine.rotor_radius_m * along + stand_off_m * off;
+    leg.waypoints.push_back({is_out ? root : tip, 0, 0});
+    leg.waypoints.push_back({is_out ? tip : root, 0, 0});
+    is_out = !is_out;
+  }
+  return {leg};
+}
+
+std::vector<WorkLeg> lay_cable(const Config& work, const WorkSite& site,
+                               const WorkTurbine& turbine) {
+  const std::string id = work.text("cable");
+  const auto found = std::find_if(site.cables.begin(), site.cables.end(),
+                                  [&](const WorkCable& cable) { return cable.id == id; });
+  if (found == site.cables.end()) {
+    std::vector<std::string> known;
+    for (const WorkCable& cable : site.cables) known.push_back(cable.id);
+    work.refuse("cable", "found " + id + ", the site has " +
+                             (known.empty() ? std::string("no cables") : joined(known, ", ")));
+  }
+  const int lines = work.optional_integer("lines", 1, 100).value_or(1);
+  const double spacing_m = lines > 1 ? work.number("spacing_m", {0.5, 500}) : 0;
+  const double at = read_level(work.child("at"), turbine);
+  const double off_ends_m = work.optional_number("off_ends_m", {0, 500}).value_or(40);
+  WorkLeg leg;
+  for (int line = 0; line < lines; ++line) {
+    const double right_m = (line - 0.5 * (lines - 1)) * spacing_m;
+    std::vector<Waypoint> points;
+    const auto& route = found->route_m;
+    for (std::size_t i = 0; i < route.size(); ++i) {
+      const Triple<double> way =
+          i + 1 < route.size() ? route[i + 1] - route[i] : route[i] - route[i - 1];
+      const double length_m = std::hypot(way.x, way.y);
+      const double n = way.x / length_m, e = way.y / length_m;
+      // Not up to the foundations themselves.
+      const double ahead_m = i == 0 ? off_ends_m : i + 1 == route.size() ? -off_ends_m : 0;
+      points.push_back(
+          {{route[i].x + ahead_m * n - right_m * e, route[i].y + ahead_m * e + right_m * n, at},
+           0,
+           0});
+    }
+    if (line % 2 == 1) std::reverse(points.begin(), points.end());
+    leg.waypoints.insert(leg.waypoints.end(), points.begin(), points.end());
+  }
+  return {leg};
+}
+
+std::vector<WorkLeg> lay_mooring(const Config& work, const WorkTurbine& turbine) {
+  const std::string id = work.text("mooring");
+  const auto found = std::find_if(turbine.moorings.begin(), turbine.moorings.end(),
+                                  [&](const MooringLine& line) { return line.id == id; });
+  if (found == turbine.moorings.end())
+    work.refuse("mooring", "found " + id + ", which turbine " + turbine.id + " does not have");
+  const double stand_off_m = read_stand_off(work);
+  const double reach = work.optional_number("share", {0.05, 1}).value_or(1);
+  const Triple<double> way = found->anchor_m - found->fairlead_m;
+  const double length_m = std::hypot(way.x, way.y);
+  const Triple<double> aside{-stand_off_m * way.y / length_m, stand_off_m * way.x / length_m, 0};
+  WorkLeg leg;
+  constexpr int parts = 12;
+  for (int i = 0; i <= parts; ++i) {
+    Triple<double> at = found->fairlead_m + (reach * i / parts) * way + aside;
+    at.z = std::min(at.z, turbine.bed_m - 1.5);
+    leg.waypoints.push_back({at, 0, 0});
+  }
+  WorkLeg back = leg;
+  std::reverse(back.waypoints.begin(), back.waypoints.end());
+  return {leg, back};
+}
+
+std::vector<WorkLeg> lay_landing(const Config& work, const WorkTurbine& turbine) {
+  const double out_m =
+      turbine.radius_m + work.number("gap_m", {0.2, 100}) + work.number("bow_m", {0, 200});
+  WorkLeg leg;
+  // Speeds of an approach, estimates: the craft has to lose its way.
+  leg.waypoints.push_back({turbine.around(turbine.landing_rad, out_m + 150, 0), 0, 0});
+  leg.waypoints.push_back({turbine.around(turbine.landing_rad, out_m + 30, 0), 1.5, 0});
+  leg.waypoints.push_back({turbine.around(turbine.landing_rad, out_m, 0), 0.5, 0});
+  leg.stay_s = read_seconds(work, "stay", {1, 86400});
+  return {leg};
+}
+
+std::vector<WorkLeg> lay_square(const Config& work, const WorkTurbine& turbine) {
+  const Triple<double> datum =
+      turbine.around(read_bearing(work, turbine), work.number("distance_m", {5, 10e3}),
+                     read_level(work.child("at"), turbine));
+  return {
+      {expanding_square(datum, work.number("leg_m", {1, 5000}), work.integer("legs", 2, 200),
+                        work.optional_number("course_deg", {-360, 360}).value_or(0) * degree, 0),
+       0}};
+}
+
+}  // namespace
+
+double read_level(const Config& level, const WorkTurbine& turbine) {
+  constexpr Range range{0, 12000};
+  std::optional<double> down;
+  std::string named;
+  const auto take = [&](const char* key, double sign, double from) {
+    const auto value = level.optional_number(key, range);
+    if (!value) return;
+    if (down) level.refuse(key, "found beside " + named + "; give one of them");
+    named = key;
+    down = from + sign * *value;
+  };
+  take("depth_m", 1, 0);
+  take("height_m", -1, 0);
+  take("above_bed_m", -1, turbine.foot_m);
+  take("below_top_m", 1, turbine.top_m);
+  if (level.has("below_hub_m")) take("below_hub_m", 1, hub_of(level, "below_hub_m", turbine));
+  if (!down)
+    level.refuse("depth_m",
+                 "missing; give depth_m, height_m, above_bed_m, below_top_m or below_hub_m");
+  return *down;
+}
+
+std::vector<WorkLeg> lay_out(const Config& work, const WorkSite& site, const WorkTurbine& turbine) {
+  const std::string pattern = work.text("pattern");
+  if (pattern == "rings") return lay_rings(work, turbine);
+  if (pattern == "verticals") return lay_verticals(work, turbine);
+  if (pattern == "circles") return lay_circles(work, turbine);
+  if (pattern == "blade") return lay_blade(work, turbine);
+  if (pattern == "cable") return lay_cable(work, site, turbine);
+  if (pattern == "mooring") return lay_mooring(work, turbine);
+  if (pattern == "bands") return lay_bands(work, turbine);
+  if (pattern == "landing") return lay_landing(work, turbine);
+  if (pattern == "square") return lay_square(work, turbine);
+  work.refuse("pattern", "found " + pattern +
+                             ", expected rings, verticals, circles, blade, cable, mooring, bands, "
+                             "landing or square");
+}
+
+}  // namespace slackwater::twin

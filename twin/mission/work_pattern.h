@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fields/base/config.h"
+#include "twin/control/route.h"
+#include "twin/mission/work_site.h"
+
+namespace slackwater::twin {
+
+/// A stretch of work: a way, and how long the vehicle stays at its end.
+struct WorkLeg {
+  std::vector<Waypoint> waypoints;
+  double stay_s = 0;
+};
+
+/// One `work` entry of a task, laid out at a turbine. Places are by bearing, distance from the face
+/// of the foundation and depth; a level is
+///
+///     {depth_m: 5}  {height_m: 12}  {above_bed_m: 1.5}  {below_top_m: 2}  {below_hub_m: 10}
+///
+///     pattern: rings      stand_off_m, from: LEVEL, to: LEVEL, spacing_m, bearing_deg
+///         round the foundation and back the other way, level by level, so that a line does not wind
+///     pattern: verticals  stand_off_m, from, to, bearings: 4, stops: 0, stop_s: 0
+///         up and down at even bearings, with stops on the way, and back round the same side
+///     pattern: circles    radii_m: [...], at: LEVEL, turns: 1
+///         about the turbine, on one level
+///     pattern: blade      blade: 1, stand_off_m, faces: [...], rotor_faces_deg, rotor_azimuth_deg
+///         out and back along a blade of a stopped rotor, once for each face: leading_edge,
+///         trailing_edge, pressure, suction
+///     pattern: cable      cable: ID, lines, spacing_m, above_bed_m or at: LEVEL
+///     pattern: mooring    mooring: ID, stand_off_m
+///     pattern: bands      stand_off_m, from, to, swath_m, rate_m2_h
+///         rings as far apart as a tool is wide, as fast as it cleans
+///     pattern: landing    gap_m, bow_m, stay
+///         bow on the boat landing
+///     pattern: square     at: LEVEL, leg_m, legs: search by an expanding square
+///
+/// @throws Error(invalid_input) for what the site does not have (a hub, a rotor, a cable, a line)
+[[nodiscard]] std::vector<WorkLeg> lay_out(const Config& work, const WorkSite& site,
+                                           const WorkTurbine& turbine);
+
+/// z of a LEVEL at a turbine. @throws Error(invalid_input)
+[[nodiscard]] double read_level(const Config& level, const WorkTurbine& turbine);
+
+}  // namespace slackwater::twin

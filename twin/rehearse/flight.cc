@@ -1,0 +1,129 @@
+#include "twin/rehearse/flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/base/text.h"
+#include "twin/simulate/conduct.h"
+
+namespace slackwater::twin {
+namespace {
+
+/// The vehicles of several cases in one run, those of a case one after the other.
+struct Fleet {
+  std::vector<Agent> agents;
+  std::vector<AgentState> states;
+  std::size_t per_case = 0;
+};
+
+Fleet assembled(const Scenario& mission, const Surround& surround,
+                std::span<const FlightCase> cases) {
+  Fleet fleet;
+  std::vector<std::shared_ptr<const Vehicle>> vehicles;
+  for (const FlightCase& flown : cases) {
+    Scenario scenario = mission;
+    scenario.start = flown.start;
+    // Of made-up water futures differ in their seed alone.
+    if (!std::holds_alternative<MadeUpWater>(mission.water)) scenario.member = flown.member;
+    scenario.seed = seed_of(mission.seed, flown);
+    ReadyRun ready = set_up(scenario, surround);
+    const std::size_t first = fleet.agents.size();
+    fleet.per_case = ready.agents.size();
+    for (std::size_t i = 0; i < ready.agents.size(); ++i) {
+      Agent& agent = ready.agents[i];
+      if (agent.carrier) *agent.carrier += first;
+      // Of one kind they lie in one block.
+      if (first > 0) agent.vehicle = fleet.agents[i].vehicle;
+      fleet.agents.push_back(std::move(agent));
+      fleet.states.push_back(std::move(ready.states[i]));
+    }
+  }
+  return fleet;
+}
+
+FlightSample sample_of(const Agent& agent, const AgentState& state, double t_s) {
+  FlightSample sample;
+  const Triple<double>& at_m = state.vehicle.body.position_m;
+  sample.north_m = static_cast<float>(at_m.x);
+  sample.east_m = static_cast<float>(at_m.y);
+  sample.down_m = static_cast<float>(at_m.z);
+  sample.charge = static_cast<float>(state.vehicle.battery.charge);
+  const auto value = [&](LimitVariable variable, std::optional<double> down_m) {
+    Limit limit;
+    limit.variable = variable;
+    limit.down_m = down_m;
+    return static_cast<float>(value_of(limit, agent, t_s, state));
+  };
+  if (!agent.conduct) return sample;
+  const ReadyConduct& conduct = *agent.conduct;
+  const ConductState& own = state.conduct;
+  if (conduct.full_j > 0)
+    sample.needed =
+        static_cast<float>(conduct.plan.reserve.share +
+                           conduct.plan.reserve.margin * own.energy_home_j / conduct.full_j);
+  sample.current_m_s = value(LimitVariable::current_speed, std::nullopt);
+  sample.wind_m_s = value(LimitVariable::wind_speed, std::min(at_m.z, -10.0));
+  sample.wave_height_m = value(LimitVariable::significant_wave_height, std::nullopt);
+  sample.phase = static_cast<std::uint8_t>(own.phase);
+  sample.doing = static_cast<std::uint8_t>(own.doing);
+  return sample;
+}
+
+bool counts(const Agent& agent, const FlightSettings& settings) {
+  if (settings.workers.empty()) return agent.conduct != nullptr;
+  return std::find(settings.workers.begin(), settings.workers.end(), agent.name) !=
+         settings.workers.end();
+}
+
+}  // namespace
+
+std::uint64_t seed_of(std::uint64_t mission_seed, const FlightCase& flown) noexcept {
+  const auto start = static_cast<std::uint64_t>(flown.start.time_since_epoch().count());
+  return split_mix_64(split_mix_64(mission_seed ^ split_mix_64(start)) + flown.member) &
+         0x7FFFFFFFU;
+}
+
+std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
+                        std::span<const FlightCase> cases, const FlightSettings& settings) {
+  Fleet fleet = assembled(mission, surround, cases);
+  std::vector<Flight> flights(cases.size());
+  RunSettings run_settings;
+  run_settings.seed = mission.seed;
+  run_settings.step_s = mission.step_s;
+  const std::size_t per_case = fleet.per_case;
+  Run run(std::move(fleet.agents), std::move(fleet.states), run_settings);
+  const auto steps = static_cast<std::uint64_t>(std::llround(mission.duration_s / mission.step_s));
+  const auto sample_steps = std::max<std::uint64_t>(
+      1, static_cast<std::uint64_t>(std::llround(settings.sample_every_s / mission.step_s)));
+  for (Flight& flight : flights) flight.samples.resize(per_case);
+  const auto sample = [&] {
+    const auto states = run.states();
+    for (std::size_t i = 0; i < states.size(); ++i)
+      flights[i / per_case].samples[i % per_case].push_back(
+          sample_of(run.agents()[i], states[i], run.time_s()));
+  };
+  while (run.steps_made() < steps && !run.all_ended()) {
+    if (run.steps_made() % sample_steps == 0) sample();
+    run.step();
+  }
+  sample();
+  const auto states = run.states();
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    Flight& flight = flights[c];
+    flight.flown = cases[c];
+    flight.is_done = true;
+    for (std::size_t i = c * per_case; i < (c + 1) * per_case; ++i) {
+      const Agent& agent = run.agents()[i];
+      flight.vehicles.push_back(outcome_of(agent, states[i], run.time_s()));
+      const VehicleOutcome& outcome = flight.vehicles.back();
+      if (!counts(agent, settings)) continue;
+      flight.ended_s = std::max(flight.ended_s, outcome.ended_s);
+      if (outcome.is_done) continue;
+      if (flight.is_done) flight.stopped_by = outcome.name + ": " + outcome.stopped_by;
+      flight.is_done = false;
+    }
+  }
+  return flights;
+}
+
+}  // namespace slackwater::twin

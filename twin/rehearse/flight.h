@@ -1,0 +1,56 @@
+#pragma once
+#include <atomic>
+#include <span>
+#include <vector>
+
+#include "twin/rehearse/outcome.h"
+#include "twin/simulate/set_up.h"
+
+namespace slackwater::twin {
+
+/// One flight of a mission: when, and in which future.
+struct FlightCase {
+  UtcTime start;
+  std::size_t member = 0;
+};
+
+/// What is kept of a vehicle's flight, every `every_s`.
+struct FlightSample {
+  float north_m = 0;
+  float east_m = 0;
+  float down_m = 0;
+  float charge = 1;
+  float needed = 0;  ///< charge that the way home, its margin and the reserve take
+  float current_m_s = 0;
+  float wind_m_s = 0;
+  float wave_height_m = 0;
+  std::uint8_t phase = 0;
+  std::uint8_t doing = 0;
+};
+
+struct Flight {
+  FlightCase flown;
+  bool is_done = false;    ///< by all whose work counts
+  std::string stopped_by;  ///< "surveyor: limit: ..."; empty: nothing
+  double ended_s = 0;
+  std::vector<VehicleOutcome> vehicles;
+  std::vector<std::vector<FlightSample>> samples;  ///< of each vehicle
+};
+
+struct FlightSettings {
+  double sample_every_s = 60;
+  std::vector<std::string> workers;  ///< whose success counts; none: all that conduct themselves
+};
+
+/// The seed of a case: sea, gusts and pilots of a member are its own, and the same whatever other
+/// cases are flown. Below 2^31, as scenarios have it.
+[[nodiscard]] std::uint64_t seed_of(std::uint64_t mission_seed, const FlightCase& flown) noexcept;
+
+/// Flies some cases side by side in one run, eight vehicles of a kind at a time: the same to the
+/// last bit as each by itself.
+/// @throws Error(invalid_input) as `set_up`
+[[nodiscard]] std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
+                                      std::span<const FlightCase> cases,
+                                      const FlightSettings& settings);
+
+}  // namespace slackwater::twin

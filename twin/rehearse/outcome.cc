@@ -1,0 +1,135 @@
+#include "twin/rehearse/outcome.h"
+
+#include <cmath>
+#include <limits>
+
+#include "fields/base/text.h"
+#include "twin/simulate/conduct.h"
+
+namespace slackwater::twin {
+namespace {
+
+/// A cause in words, without numbers of this flight: those of many are counted by it.
+std::string cause_text(const Agent& agent, Cause cause, std::size_t detail) {
+  switch (cause) {
+    case Cause::limit:
+      return "limit: " + text_of(agent.conduct->plan.limits[detail]);
+    case Cause::reserve:
+      return "energy for the way home";
+    case Cause::link:
+      return "lost link";
+    case Cause::gnss:
+      return "lost GNSS";
+    case Cause::thruster:
+      return "lost thruster";
+    case Cause::tether:
+      return "fouled tether";
+    case Cause::held_too_long:
+      return "held too long";
+    case Cause::none:
+      break;
+  }
+  return "nothing";
+}
+
+std::string halt_text(const Agent& agent, const AgentState& state) {
+  switch (state.halt) {
+    case Halt::struck:
+      return "it struck something";
+    case Halt::capsized:
+      return "it capsized";
+    case Halt::aground:
+      return "it ran aground";
+    case Halt::no_headway:
+      return agent.vehicle->kind == VehicleKind::uav ? "the wind was faster than it"
+                                                     : "the water was faster than it";
+    case Halt::outside_area:
+      return "it left the area of the forecast";
+    case Halt::outside_time:
+      return "the forecast ended";
+    case Halt::no_data:
+      return "the forecast has a gap";
+    default:
+      return "it diverged";
+  }
+}
+
+std::string stopped_by(const Agent& agent, const AgentState& state) {
+  const ConductState& own = state.conduct;
+  const double ended_s = own.has_ended ? own.events.back().t_s : std::numeric_limits<double>::max();
+  if (state.milestones.power_lost_s < ended_s) return "empty battery";
+  if (state.halt != Halt::none) return halt_text(agent, state);
+  if (own.has_turned || own.doing == Doing::hold)
+    return cause_text(agent, own.cause, own.cause_detail);
+  if (!own.has_ended || !state.mission.is_done) return "out of time";
+  const double reserve = agent.conduct->plan.reserve.share;
+  if (agent.conduct->full_j > 0 && !own.is_aboard && state.vehicle.battery.charge < reserve)
+    return "reserve broken";
+  return "";
+}
+
+}  // namespace
+
+VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ran_s) {
+  VehicleOutcome out;
+  out.name = agent.name;
+  out.energy_j = state.vehicle.drawn_j;
+  out.fuel_kg = state.vehicle.fuel_kg;
+  out.state_of_charge = state.vehicle.battery.charge;
+  out.ended_s = state.halt != Halt::none ? state.halted_at_s : ran_s;
+  const std::size_t tasks = agent.mission.tasks.size();
+  out.work_share = tasks > 0 ? static_cast<double>(std::min(state.mission.task, tasks)) /
+                                   static_cast<double>(tasks)
+                             : 1;
+  if (!agent.conduct) {
+    out.is_done = state.halt == Halt::none;
+    if (!out.is_done) out.stopped_by = halt_text(agent, state);
+    return out;
+  }
+  const ConductState& own = state.conduct;
+  out.held_s = own.held_s;
+  out.worst_share = own.most_share;
+  out.least_charge = own.least_charge;
+  out.events = own.events;
+  if (own.has_ended && !own.events.empty()) out.ended_s = own.events.back().t_s;
+  out.stopped_by = stopped_by(agent, state);
+  out.is_done = out.stopped_by.empty();
+  return out;
+}
+
+std::string text_of(const ConductEvent& event, const Agent& agent) {
+  const auto because = [&](const char* what) {
+    std::string text = std::string(what) + ": " + cause_text(agent, event.cause, event.detail);
+    if (event.cause == Cause::limit) text += formatted(", found {:.3g}", event.value);
+    return text;
+  };
+  switch (event.kind) {
+    case ConductEventKind::phase_began:
+      return name_of(static_cast<Phase>(event.detail));
+    case ConductEventKind::hold_began:
+      return because("holds");
+    case ConductEventKind::went_back:
+      return "goes back to where it left off";
+    case ConductEventKind::resumed:
+      return "resumes";
+    case ConductEventKind::turned_for_home:
+      return because("comes home");
+    case ConductEventKind::came_home:
+      return "home";
+    case ConductEventKind::came_aboard:
+      return "aboard";
+    case ConductEventKind::launched:
+      return "launched";
+    case ConductEventKind::fault_began:
+    case ConductEventKind::fault_ended:
+      return std::string(event.kind == ConductEventKind::fault_began ? "fault: " : "over: ") +
+             name_of(agent.conduct->plan.faults[event.detail].kind);
+    case ConductEventKind::finished:
+      return "finished";
+    case ConductEventKind::gave_up:
+      return "gave up";
+  }
+  return "";
+}
+
+}  // namespace slackwater::twin
