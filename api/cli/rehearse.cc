@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -10,8 +11,10 @@
 #include "api/rehearse/rehearsal_file.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/rehearsal_page.h"
+#include "api/rehearse/zones.h"
 #include "fields/base/text.h"
 #include "ingest/cf/trajectory_file.h"
+#include "twin/rehearse/expect_fit.h"
 
 namespace slackwater::api {
 namespace {
@@ -72,7 +75,8 @@ void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal) {
   std::printf("%-18s %8s %12s %10s  %s\n", "start", "done", "P(success)", "limits", "stopped by");
   for (const StartOutcome& start : rehearsal.starts) {
     const std::string cause =
-        start.stopped_by.empty()
+        !start.forbidden.empty() ? start.forbidden
+        : start.stopped_by.empty()
             ? "-"
             : start.stopped_by.front().cause + formatted(" ({})", start.stopped_by.front().flights);
     std::printf("%-18s %8s %12s %10s  %s\n", format_utc(start.start).substr(0, 16).c_str(),
@@ -120,8 +124,14 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   plan.narrow_enough = arguments.narrow_enough;
   plan.threads = arguments.threads > 0 ? arguments.threads : 2;
   plan.flights.workers = mission.expanded.workers;
+  plan.forbidden = [&](UtcTime start) { return zone_in_the_way(mission, start); };
   ProgressBar progress("rehearse " + mission.name, context.json);
   bool is_first = true;
+  with_context(arguments.mission.string(), [&] {
+    twin::Scenario first = mission.scenario;
+    first.start = plan.starts.front();
+    twin::expect_fit(mission.expanded, twin::set_up(first, mission.water.surround));
+  });
   const Rehearsal rehearsal = with_context(arguments.mission.string(), [&] {
     return rehearse(mission.scenario, mission.water.surround, plan,
                     [&](double share, const Rehearsal& so_far) {
@@ -131,6 +141,11 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
                       progress.update(share);
                     });
   });
+  if (std::all_of(rehearsal.starts.begin(), rehearsal.starts.end(),
+                  [](const StartOutcome& start) { return !start.forbidden.empty(); }))
+    throw Error(ErrorKind::invalid_input, arguments.mission.string() + ": " +
+                                              rehearsal.starts.front().forbidden +
+                                              "; move the start, or the work");
   if (!arguments.scenario.empty()) write_text(arguments.scenario, mission.expanded.scenario_yaml);
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {

@@ -48,6 +48,7 @@ LoadedMission load_mission(const std::filesystem::path& file,
   const Site site = find_site(
       std::filesystem::exists(folder / named) ? (folder / named).string() : named, folders);
   out.site = site.id;
+  out.areas = site.areas;
   twin::MissionParts parts;
   parts.site = twin::work_site_of(site);
   parts.origin = site.point;

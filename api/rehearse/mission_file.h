@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "api/rehearse/scenario_run.h"
+#include "fields/site/constraint_area.h"
 #include "twin/mission/conduct.h"
 #include "twin/mission/expand_mission.h"
 
@@ -17,6 +18,7 @@ struct LoadedMission {
   twin::ExpandedMission expanded;
   twin::Scenario scenario;
   ScenarioWater water;
+  std::vector<ConstraintArea> areas;  ///< of the site
 };
 
 /// Reads a mission, the tasks and the site that it names, and finds its water.

@@ -32,7 +32,8 @@ std::vector<Due> round_of(const Rehearsal& rehearsal, std::size_t from, std::siz
   std::vector<Due> round;
   for (std::size_t member = from; member < to; ++member)
     for (std::size_t s = 0; s < rehearsal.starts.size(); ++s)
-      if (!rehearsal.starts[s].is_narrow) round.push_back({s, {rehearsal.starts[s].start, member}});
+      if (!rehearsal.starts[s].is_narrow && rehearsal.starts[s].forbidden.empty())
+        round.push_back({s, {rehearsal.starts[s].start, member}});
   return round;
 }
 
@@ -87,7 +88,7 @@ Rehearsal rehearse(const twin::Scenario& mission, const twin::Surround& surround
       rehearsal.starts[round[i].start].flights.push_back(
           std::move(flown[i / twin::block_lanes][i % twin::block_lanes]));
     for (StartOutcome& start : rehearsal.starts)
-      if (!start.is_narrow) conclude_round(plan, start);
+      if (!start.is_narrow && start.forbidden.empty()) conclude_round(plan, start);
     if (from == 0) rehearsal.first_answer_s = seconds_since(began);
     from = to;
     rehearsal.wall_s = seconds_since(began);

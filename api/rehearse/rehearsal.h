@@ -17,6 +17,8 @@ struct RehearsalPlan {
   double level = 0.95;       ///< of the interval
   int threads = 1;
   twin::FlightSettings flights;
+  /// Why a start may not be flown at all; empty: it may.
+  std::function<std::string(UtcTime start)> forbidden{};
 };
 
 /// Why flights were not done, and how many.
@@ -40,6 +42,7 @@ struct StartOutcome {
   double low = 0, high = 1;  ///< of P(success)
   bool is_narrow = false;    ///< it was flown no more because that is narrow enough
   ByTheLimits by_the_limits;
+  std::string forbidden;              ///< why it was not flown at all; empty: it was
   std::vector<StoppedBy> stopped_by;  ///< most frequent first
 
   [[nodiscard]] double share_done() const noexcept {

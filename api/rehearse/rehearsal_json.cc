@@ -77,6 +77,7 @@ json start_json(const StartOutcome& start) {
             {"binding", limits.binding.empty() ? json(nullptr) : json(limits.binding)},
             {"share", number(limits.share)}}},
           {"disagreement", disagreement.empty() ? json(nullptr) : json(disagreement)},
+          {"forbidden", start.forbidden.empty() ? json(nullptr) : json(start.forbidden)},
           {"stopped_by", causes},
           {"duration_s", quantiles_json(duration_s)},
           {"vehicles", vehicles},
@@ -104,6 +105,8 @@ std::optional<double> quantile_of(std::vector<double> values, double share) {
 }
 
 std::string verdict_of(const StartOutcome& start) {
+  if (!start.forbidden.empty())
+    return clock_text(start.start) + ": not to be flown, " + start.forbidden + ".";
   std::string text =
       formatted("{}: done in {} futures, P(success) {:.0f} to {:.0f} %", clock_text(start.start),
                 count_text(start.done, start.flights.size()), 100 * start.low, 100 * start.high);

@@ -139,6 +139,11 @@ json structures_json(const twin::Scenario& scenario) {
   return structures;
 }
 
+std::string cause_cell(const StartOutcome& start, const std::string& causes) {
+  if (!start.forbidden.empty()) return start.forbidden;
+  return causes.empty() ? "-" : causes;
+}
+
 std::string starts_html(const Rehearsal& rehearsal) {
   ReportTable table;
   table.title = "Starts";
@@ -164,7 +169,7 @@ std::string starts_html(const Rehearsal& rehearsal) {
          (start.by_the_limits.allows ? "allow" : "forbid") +
              (start.by_the_limits.binding.empty() ? std::string()
                                                   : " (" + start.by_the_limits.binding + ")"),
-         causes.empty() ? "-" : causes,
+         cause_cell(start, causes),
          least ? formatted("{:.0f} % of the battery (P10)", *least) : "-"});
     if (start.share_done() > best) {
       best = start.share_done();

@@ -334,8 +334,7 @@ ExpandedMission expand_mission(const Config& mission, const MissionParts& parts)
       if (!names.insert(role).second)
         mission.refuse("tasks", "two tasks have an agent called " + role +
                                     "; fly them one after the other, or rename a role");
-      (void)agent.texts("kinds");
-      (void)agent.texts("needs");
+      out.requirements.push_back({role, agent.texts("kinds"), agent.texts("needs")});
       const auto over = overs ? overs->optional_child(role) : std::nullopt;
       text += AgentWriter(agent, over, parts, turbines).write(role, assumed);
       out.workers.push_back(role);

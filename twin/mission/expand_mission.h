@@ -21,12 +21,20 @@ struct MissionParts {
   std::function<Config(const std::string& id)> task;
 };
 
+/// What a task asks of the vehicle that an agent of it is.
+struct Requirement {
+  std::string agent;
+  std::vector<std::string> kinds;  ///< rov, auv, uav, usv or vessel; none: any
+  std::vector<std::string> needs;  ///< instruments
+};
+
 /// A mission made into a scenario.
 struct ExpandedMission {
   std::string scenario_yaml;       ///< all that it comes to: runs and replays by itself
   std::vector<std::string> tasks;  ///< names, for people
   std::vector<std::string> turbines;
   std::vector<std::string> workers;  ///< vehicles whose work counts for the success
+  std::vector<Requirement> requirements;
 };
 
 /// Lays a mission's tasks out at its turbines.

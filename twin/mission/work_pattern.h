@@ -21,7 +21,7 @@ struct WorkLeg {
 ///     {depth_m: 5}  {height_m: 12}  {above_bed_m: 1.5}  {below_top_m: 2}  {below_hub_m: 10}
 ///
 ///     pattern: rings      stand_off_m, from: LEVEL, to: LEVEL, spacing_m, bearing_deg
-///         round the foundation and back the other way, level by level, so that a line does not wind
+///         round the foundation and back the other way, level by level: no line winds
 ///     pattern: verticals  stand_off_m, from, to, bearings: 4, stops: 0, stop_s: 0
 ///         up and down at even bearings, with stops on the way, and back round the same side
 ///     pattern: circles    radii_m: [...], at: LEVEL, turns: 1

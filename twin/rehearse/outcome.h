@@ -25,7 +25,8 @@ struct VehicleOutcome {
 /// As of a run's end. @param ran_s  how long the run was
 [[nodiscard]] VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ran_s);
 
-/// An event in words: "holds: current at most 0.5 m/s, found 0.62". @param agent  whose plan it is of
+/// An event in words: "holds: current at most 0.5 m/s, found 0.62".
+/// @param agent  whose plan it is of
 [[nodiscard]] std::string text_of(const ConductEvent& event, const Agent& agent);
 
 }  // namespace slackwater::twin

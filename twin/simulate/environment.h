@@ -66,7 +66,7 @@ class EnvironmentSampler {
   /// The same without the waves: what a craft that meets them by `waves_at_strips` has besides.
   [[nodiscard]] WaterSample current(const Triple<double>& position_m, double height_m,
                                     double t_s) const noexcept;
-  /// The current of the forecast at a point, as if no foundation stood in it: what limits are about.
+  /// The current of the forecast at a point, as if no foundation stood in it: limits are on that.
   [[nodiscard]] CurrentSample forecast_current(const Triple<double>& position_m,
                                                double t_s) const noexcept;
   /// The mean wind, NED, with what wakes leave of it. Heights are held within those of the profile.

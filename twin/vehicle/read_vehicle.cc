@@ -125,6 +125,7 @@ Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::p
     vehicle.battery = read_battery(*battery, data_folder);
   vehicle.hotel_w = config.number("hotel_w", {0, 1e6});
   vehicle.cruise_speed_m_s = config.number("cruise_speed_m_s", {0.01, 40});
+  vehicle.rated_depth_m = config.optional_number("rated_depth_m", {0.5, 12000});
   vehicle.autopilot = read_autopilot(config, vehicle.kind, vehicle.largest_step_s);
   vehicle.tether = read_tether(config);
   vehicle.sensors = read_sensors(config);

@@ -31,7 +31,8 @@ struct Vehicle {
   double wind_yaw_n_m_s2_m2 = 0;   ///< yaw moment per the product of its components along x and y
   std::optional<Battery> battery;  ///< nothing: fuel
   double hotel_w = 0;
-  double cruise_speed_m_s = 0;  ///< where nobody says otherwise
+  double cruise_speed_m_s = 0;          ///< where nobody says otherwise
+  std::optional<double> rated_depth_m;  ///< no deeper; absent: nobody says
   AutopilotSettings autopilot;
   std::optional<Tether> tether;
   Sensors sensors;

@@ -113,7 +113,8 @@ INSTANTIATE_TEST_SUITE_P(Tasks, TenTasks, testing::ValuesIn(trials),
                          [](const auto& tested) { return std::string(tested.param.task); });
 
 TEST(Flight, IsTheSameToTheBitInWhateverCompanyItIsFlown) {
-  const twin::Scenario mission = mission_of("tower_tp_check", "A01", {0.1, 3, 0.4});
+  twin::Scenario mission = mission_of("cp_anode", "A01", {0.1, 3, 0.4});
+  mission.duration_s = 400;
   twin::Surround surround = surround_of(mission);
   const UtcTime start = parse_utc("2025-06-02T06:00:00Z");
   surround.field = twin::made_up_field(std::get<twin::MadeUpWater>(mission.water), surround.site,
