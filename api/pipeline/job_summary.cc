@@ -59,6 +59,19 @@ json calibration_json(const calibration::Calibration& c) {
           {"warnings", c.warnings}};
 }
 
+/// How the spread of a weather ensemble stood to its error, by day of lead.
+json spread_json(const calibration::SpreadCheck& check) {
+  json list = json::array();
+  for (const calibration::CheckedLead& lead : check.lead) {
+    list.push_back({{"days", lead.days},
+                    {"checked", lead.is_checked()},
+                    {"rms_error_m_s", lead.rms_error_m_s},
+                    {"rms_spread_m_s", lead.rms_spread_m_s},
+                    {"factor", lead.factor}});
+  }
+  return list;
+}
+
 /// Whose winds the members have, member by member.
 json wind_members_json(const ColumnForecast& column) {
   if (!column.wind_ensemble) return nullptr;
@@ -67,6 +80,7 @@ json wind_members_json(const ColumnForecast& column) {
           {"dataset", run.dataset},
           {"reference_time", format_utc(run.reference_time)},
           {"of_members", run.number.size()},
+          {"spread_by_lead_day", spread_json(run.spread)},
           {"number", column.column.wind_member_number}};
 }
 

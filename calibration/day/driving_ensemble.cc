@@ -8,8 +8,31 @@
 
 namespace slackwater::calibration {
 
-WindDepartures departures_of(const HorizonWind& wind) {
+namespace {
+
+/// The mean of what the members say at a stamp; NaN where none says anything.
+Horizontal mean_at(const std::vector<WindMember>& members, std::size_t t) {
+  Horizontal sum{};
+  double count = 0;
+  for (const WindMember& member : members) {
+    if (std::isnan(member.wind_m_s[t].real())) continue;
+    sum += member.wind_m_s[t];
+    count += 1;
+  }
+  return sum / count;
+}
+
+}  // namespace
+
+WindDepartures departures_of(const HorizonWind& wind, std::span<const UtcTime> stamps) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> factor;
+  std::vector<Horizontal> mean;
+  for (std::size_t t = 0; t < wind.wind_m_s.size(); ++t) {
+    const double lead_h = hours_between(wind.member_run.reference_time, stamps[t]);
+    factor.push_back(wind.member_run.spread.factor_at(lead_h));
+    mean.push_back(mean_at(wind.members, t));
+  }
   WindDepartures departures;
   bool any = false;
   for (const WindMember& member : wind.members) {
@@ -17,8 +40,9 @@ WindDepartures departures_of(const HorizonWind& wind) {
     for (std::size_t t = 0; t < wind.wind_m_s.size(); ++t) {
       const bool is_over =
           wind.source[t] == DataStatus::analysis || wind.source[t] == DataStatus::observation;
-      departures.departure_m_s.push_back(is_over ? Horizontal(nan, nan)
-                                                 : member.wind_m_s[t] - wind.wind_m_s[t]);
+      const Horizontal said = factor[t] == 1 ? member.wind_m_s[t]
+                                             : mean[t] + factor[t] * (member.wind_m_s[t] - mean[t]);
+      departures.departure_m_s.push_back(is_over ? Horizontal(nan, nan) : said - wind.wind_m_s[t]);
       any = any || !std::isnan(departures.departure_m_s.back().real());
     }
   }
@@ -44,7 +68,7 @@ std::string note_on(const WindEnsembleRun& run, const WindDepartures& ensemble, 
   }
   std::string note = "wind of " + std::to_string(members) + " members from " +
                      std::to_string(run.number.size()) + " of " + text_of(run) +
-                     ", numbers recorded";
+                     ", numbers recorded; " + text_of(run.spread);
   if (raised > 0) {
     note += formatted("; at {} of {} hours its spread is raised to {:.1f} m/s, an analysis' error",
                       raised, after, least_ensemble_sigma_m_s());

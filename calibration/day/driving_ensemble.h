@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 
 #include "calibration/day/forecast_plan.h"
@@ -7,16 +8,22 @@
 
 namespace slackwater::calibration {
 
-/// How the ensemble's members depart from the wind of the horizon, at the stamps. Nothing where
-/// that wind was analysed or measured: a run from before is not what it is in doubt by. Empty where
-/// nothing is left.
-[[nodiscard]] WindDepartures departures_of(const HorizonWind& wind);
+/// How the ensemble's members depart from the wind of the horizon, at the stamps:
+///
+///   e_n = x_mean + f (x_n - x_mean) - wind
+///
+/// f: the factor on the spread that past runs ask for at that lead (`SpreadCheck::factor_at`).
+/// Nothing where the wind was analysed or measured: a run from before is not what it is in doubt
+/// by. Empty where nothing is left.
+/// @param stamps  of the horizon
+[[nodiscard]] WindDepartures departures_of(const HorizonWind& wind,
+                                           std::span<const UtcTime> stamps);
 
 /// "NWP_ecmf issued 2024-06-12T00:00:00Z".
 [[nodiscard]] std::string text_of(const WindEnsembleRun& run);
 
-/// One sentence on whose wind the members have, and at how many stamps after D its spread had to be
-/// raised or stood in for.
+/// One sentence on whose wind the members have, how its spread stands to its error, and at how many
+/// stamps after D it had to be raised or stood in for.
 /// @param members  of the forecast, beside the central one
 [[nodiscard]] std::string note_on(const WindEnsembleRun& run, const WindDepartures& ensemble,
                                   std::size_t members, const ForecastPlan& plan);

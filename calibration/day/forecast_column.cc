@@ -137,7 +137,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
   if (!fitted.problem.empty())
     result.notes.push_back("a form of the model could not be fitted: " + fitted.problem);
   attempt_this(Part::propagation, [&] {
-    const WindDepartures ensemble = departures_of(wind);
+    const WindDepartures ensemble = departures_of(wind, plan.stamps);
     const Propagated propagated = parts.propagation(
         fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
         whole_wind_error_of(data.wind, wind, plan), plan.spread, plan.seed, ensemble);

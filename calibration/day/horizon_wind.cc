@@ -38,12 +38,16 @@ void add_error_of_height(const Chosen<Horizontal>& known, std::span<const UtcTim
 
 /// Nothing of a weather forecast is looked at where the wind persists.
 void add_members(const VectorRecord& wind, WindPolicy policy, UtcTime end_of_day,
-                 std::span<const UtcTime> stamps, const BestInputs& best, HorizonWind& result) {
+                 std::span<const UtcTime> stamps, const BestInputs& best, const VectorColumn& known,
+                 HorizonWind& result) {
   if (policy == WindPolicy::persist) return;
-  const auto ensemble = newest_wind_ensemble(wind, knowledge_of(policy, end_of_day, best), stamps);
+  const Knowledge knowledge = knowledge_of(policy, end_of_day, best);
+  const auto ensemble = newest_wind_ensemble(wind, knowledge, stamps);
   if (!ensemble) return;
   result.members = members_at(*ensemble, stamps);
   result.member_run = ensemble->run;
+  result.member_run.spread =
+      check_spread(wind, ensemble->run.dataset, knowledge, known, end_of_day);
 }
 
 /// The wind as chosen, over the stamps.
@@ -85,7 +89,7 @@ HorizonWind horizon_wind(const VectorRecord& wind, WindPolicy policy, UtcTime en
     return result;
   }
   result.hindsight = looks_ahead(known, best);
-  add_members(wind, policy, end_of_day, stamps, best, result);
+  add_members(wind, policy, end_of_day, stamps, best, known.column, result);
   return result;
 }
 

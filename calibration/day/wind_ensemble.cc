@@ -62,14 +62,16 @@ void append(VectorColumn& series, UtcTime time, Horizontal value) {
   series.source.push_back(DataStatus::forecast);
 }
 
-/// One member's values in time, as far as they are known; where pieces overlap the last one holds.
-VectorColumn joined(const Pieces& pieces, const Knowledge& knowledge) {
+/// One member's values in time up to `until`, as far as they are known; where pieces overlap the
+/// last one holds.
+VectorColumn joined(const Pieces& pieces, const Knowledge& knowledge, UtcTime until) {
   std::map<UtcTime, Horizontal> values;
   for (const PieceColumn<Horizontal>* piece : pieces) {
     const VectorColumn& column = piece->column;
     for (std::size_t t = 0; t < column.times(); ++t) {
-      if (column.has(t) && is_known(*piece->origin, column.time[t], knowledge))
-        values[column.time[t].centre()] = column.value[column.offset(t, 0)];
+      const UtcTime time = column.time[t].centre();
+      if (time <= until && column.has(t) && is_known(*piece->origin, column.time[t], knowledge))
+        values[time] = column.value[column.offset(t, 0)];
     }
   }
   VectorColumn series = empty_series(pieces.front()->column.point);
@@ -95,14 +97,16 @@ bool reaches_far_enough(const VectorColumn& series, std::span<const UtcTime> sta
   return to - from >= shortest_reach || (first == values.begin() && end == values.end());
 }
 
+/// @param takes_part  whether a member says enough
+template <typename TakesPart>
 WindEnsemble ensemble_of(const RunKey& key, const std::map<int, Pieces>& members,
-                         const Knowledge& knowledge, std::span<const UtcTime> stamps) {
+                         const Knowledge& knowledge, UtcTime until, TakesPart takes_part) {
   WindEnsemble ensemble;
   ensemble.run.dataset = key.dataset;
   ensemble.run.reference_time = key.reference_time;
   for (const auto& [number, pieces] : members) {
-    VectorColumn series = joined(pieces, knowledge);
-    if (!reaches_far_enough(series, stamps)) continue;
+    VectorColumn series = joined(pieces, knowledge, until);
+    if (!takes_part(series)) continue;
     ensemble.run.number.push_back(number);
     ensemble.members.push_back(std::move(series));
     for (const auto* piece : pieces) ensemble.run.origins.push_back(piece->origin);
@@ -122,13 +126,28 @@ std::optional<WindEnsemble> newest_wind_ensemble(const VectorRecord& wind,
   for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
     const auto& [key, members] = *run;
     if (best && key.reference_time < best->run.reference_time) break;
-    WindEnsemble ensemble = ensemble_of(key, members, knowledge, stamps);
+    WindEnsemble ensemble =
+        ensemble_of(key, members, knowledge, UtcTime::max(),
+                    [&](const VectorColumn& series) { return reaches_far_enough(series, stamps); });
     // Datasets come in falling order: of equals the later one is first by name.
     if (ensemble.members.size() >= fewest_wind_members &&
         (!best || ensemble.members.size() >= best->members.size()))
       best = std::move(ensemble);
   }
   return best;
+}
+
+std::vector<WindEnsemble> wind_ensembles(const VectorRecord& wind, const std::string& dataset,
+                                         const Knowledge& knowledge, UtcTime until) {
+  std::vector<WindEnsemble> ensembles;
+  for (const auto& [key, members] : runs_of(wind)) {
+    if (key.dataset != dataset || key.reference_time >= until) continue;
+    WindEnsemble ensemble =
+        ensemble_of(key, members, knowledge, until,
+                    [](const VectorColumn& series) { return series.times() > 0; });
+    if (!ensemble.members.empty()) ensembles.push_back(std::move(ensemble));
+  }
+  return ensembles;
 }
 
 std::vector<WindMember> members_at(const WindEnsemble& ensemble, std::span<const UtcTime> stamps) {

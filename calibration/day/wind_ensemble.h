@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/day/spread_check.h"
 #include "fields/record/choose.h"
 #include "fields/record/record.h"
 
@@ -22,6 +23,7 @@ struct WindEnsembleRun {
   UtcTime reference_time{};
   std::vector<int> number;             ///< of its perturbed members, ascending
   std::vector<const Origin*> origins;  ///< of their pieces, owned by the data
+  SpreadCheck spread;                  ///< what its product's past runs have met
 };
 
 /// The perturbed members of a run at one place, as stored. The control is none of them: it is the
@@ -42,6 +44,12 @@ inline constexpr std::size_t fewest_wind_members = 5;
 [[nodiscard]] std::optional<WindEnsemble> newest_wind_ensemble(const VectorRecord& wind,
                                                                const Knowledge& knowledge,
                                                                std::span<const UtcTime> stamps);
+
+/// The runs of one dataset that are known and were issued before `until`, the earliest first, each
+/// with its perturbed members up to then.
+[[nodiscard]] std::vector<WindEnsemble> wind_ensembles(const VectorRecord& wind,
+                                                       const std::string& dataset,
+                                                       const Knowledge& knowledge, UtcTime until);
 
 /// The members at the stamps: linear in time within the run, NaN beyond a member's ends and across
 /// gaps of more than 12 h.

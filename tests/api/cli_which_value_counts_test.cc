@@ -186,8 +186,10 @@ TEST_F(WhichValueCounts, WindStatedAtTenMetresCountsAndAnotherHeightOnlyWhereThe
     ingest(store, {"wind.nc", product});
     const json made = forecast(store, {"--out", store.file("f.nc").string()});
     const Snapshot snapshot = ingest::read_forecast(store.file("f.nc"));
-    return std::pair(uses(made["columns"][0]["sources"], "wind").at(0),
-                     snapshot.columns[0].wind_m_s.front().real());
+    const std::vector<Horizontal>& winds = snapshot.columns[0].wind_m_s;
+    for (const Horizontal wind : winds)
+      EXPECT_NEAR(std::abs(wind - winds.front()), 0, 1e-5) << "one height at every hour";
+    return std::pair(uses(made["columns"][0]["sources"], "wind").at(0), winds.front().real());
   };
   const auto [both, at_both] = wind_of(wind_at_heights({{"10", 8.0}, {"100", 15.0}}));
   EXPECT_TRUE(both["from_height_m"].is_null()) << both;
@@ -195,6 +197,45 @@ TEST_F(WhichValueCounts, WindStatedAtTenMetresCountsAndAnotherHeightOnlyWhereThe
   const auto [high, at_high] = wind_of(wind_at_heights({{"100", 15.0}}));
   EXPECT_EQ(high["from_height_m"], 100.0);
   EXPECT_NEAR(at_high, 15.0 * log_profile_ratio(10, 100), 1e-5);
+}
+
+TEST_F(WhichValueCounts, OfTwoHeightsInTwoFilesTenMetresSpeaksAloneWhateverTheOrderAndCadence) {
+  ProductForTests low = wind_at_heights({{"10", 8.0}});
+  low.time = hourly_times(first_day, 11 * 24);
+  // Three-hourly: an hourly 100 m would stand in every gap, were gaps filled value by value.
+  std::erase_if(low.time,
+                [](UtcTime time) { return (time - UtcTime(first_day)) % hours(3) != Duration(0); });
+  ProductForTests high = wind_at_heights({{"100", 15.0}});
+  high.time = hourly_times(first_day, 11 * 24);
+  const NamedProduct files[] = {{"low.nc", low}, {"high.nc", high}};
+  std::vector<json> sources;
+  for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+    StoreForTests store;
+    ingest(store, {"currents.nc", titled(current_product(first_day, 7 * 24 + 1), regional)});
+    ingest(store, files[first]);
+    ingest(store, files[1 - first]);
+    const auto winds_at = [&](const std::string& time) {
+      return uses(ask(store, {"site", "sources", store.site(), "--at", time})["sources"], "wind");
+    };
+    const auto at_six = winds_at("2025-03-10T06:00:00Z");
+    ASSERT_EQ(at_six.size(), 1u) << "one height alone";
+    EXPECT_TRUE(at_six[0]["from_height_m"].is_null());
+    const auto at_five = winds_at("2025-03-10T05:00:00Z");
+    ASSERT_EQ(at_five.size(), 2u) << "the other goes on after the last value at 10 m";
+    EXPECT_EQ(at_five[0]["to"], "2025-03-10T03:00:00Z");
+    EXPECT_EQ(at_five[1]["from_height_m"], 100.0);
+    EXPECT_EQ(at_five[1]["from"], "2025-03-10T04:00:00Z");
+    const json made = forecast(store, {"--hindsight", "--out", store.file("f.nc").string()});
+    sources.push_back(made["columns"][0]["sources"]);
+    ASSERT_EQ(uses(sources.back(), "wind").size(), 1u) << sources.back().dump(1);
+    const Snapshot snapshot = ingest::read_forecast(store.file("f.nc"));
+    ASSERT_EQ(snapshot.columns[0].wind_m_s.size(), 73u);
+    for (std::size_t t = 0; t < 73; ++t) {
+      EXPECT_NEAR(std::abs(snapshot.columns[0].wind_m_s[t] - Horizontal(8, 0)), 0, 1e-5)
+          << "stamp " << t << ", single precision of the file";
+    }
+  }
+  EXPECT_EQ(sources[0], sources[1]) << "the order of ingest";
 }
 
 TEST_F(WhichValueCounts, UnderForecastTheRunOfTheIssueMorningCounts) {

@@ -286,22 +286,24 @@ TEST(DrivingEnsemble, IsLeftOutWhereTheWindIsNoForecastAnyMore) {
   // Analyses up to 12 h after D: the departures of a run from before are not what they are in doubt
   // by.
   HorizonWind wind;
-  const WindEnsembleRun run{"ens", "ens", end_of_day, {1, 2, 3, 4, 5}, {}};
+  std::vector<UtcTime> hourly;
+  const WindEnsembleRun run{"ens", "ens", end_of_day, {1, 2, 3, 4, 5}, {}, {}};
   wind.member_run = run;
   for (int h = 0; h <= 24; ++h) {
+    hourly.push_back(end_of_day + hours(h));
     wind.wind_m_s.emplace_back(5, 0);
     wind.source.push_back(h <= 12 ? DataStatus::analysis : DataStatus::forecast);
   }
   for (int n = 1; n <= 5; ++n)
     wind.members.push_back({n, std::vector<Horizontal>(25, Horizontal(5.0 + n, 1))});
-  const WindDepartures departures = departures_of(wind);
+  const WindDepartures departures = departures_of(wind, hourly);
   EXPECT_EQ(departures.number, run.number);
   for (std::size_t n = 0; n < 5; ++n) {
     EXPECT_TRUE(std::isnan(departures.departure_m_s[n * 25 + 12].real()));
     EXPECT_EQ(departures.departure_m_s[n * 25 + 13], Horizontal(static_cast<double>(n) + 1, 1));
   }
   std::fill(wind.source.begin(), wind.source.end(), DataStatus::observation);
-  EXPECT_TRUE(departures_of(wind).empty());
+  EXPECT_TRUE(departures_of(wind, hourly).empty());
 }
 
 TEST(DrivingEnsemble, BeyondItsEndTheNoteSaysSoAndTheSpreadGoesOn) {
@@ -330,7 +332,7 @@ TEST(DrivingEnsemble, BeyondItsEndTheNoteSaysSoAndTheSpreadGoesOn) {
 
 TEST(LooksAhead, IsARunThatWasIssuedAfterWhatIsKnown) {
   const Origin origin = member_origin(end_of_day + hours(6), 1);
-  const WindEnsembleRun run{"ens", "ens", *origin.reference_time, {1}, {&origin}};
+  const WindEnsembleRun run{"ens", "ens", *origin.reference_time, {1}, {&origin}, {}};
   ForecastPlan plan;
   plan.best.known_by = end_of_day + hours(5);
   EXPECT_TRUE(looks_ahead(run, plan));

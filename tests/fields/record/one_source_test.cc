@@ -146,53 +146,85 @@ TEST(OneSource, AHoleOfTheBestIsFilledByTheNextAndMeetsItAtBothEnds) {
   EXPECT_EQ(chosen.stretches.size(), 3u);
 }
 
-/// Runs of five products at drawn heights, cadences and times, with holes.
+/// Runs of five products, each at some of three heights, at drawn cadences and times, with holes.
+struct AnyWinds {
+  explicit AnyWinds(std::uint64_t seed) : rng(seed, "tests/record/joins") {
+    for (int p = 0; p < 5; ++p) {
+      const UtcTime issued = start - hours(6 * static_cast<int>(rng.uniform(0, 4)));
+      const Horizontal mean(rng.uniform(-9, 9), rng.uniform(-9, 9));
+      const double period_h = rng.uniform(20, 60);
+      const int from_h = static_cast<int>(rng.uniform(0, 30));
+      const int always = static_cast<int>(rng.uniform(0, 3));
+      for (int h = 0; h < 3; ++h) {
+        if (rng.uniform(0, 1) < 0.5 && h != always) continue;
+        add(p, h, issued, from_h, [=](UtcTime time, double) {
+          // What the profile misses of each height is of its own.
+          return (1 + 0.1 * h) * mean +
+                 3.0 * std::polar(1.0, 0.5 * h + 6.283 * hours_between(start, time) / period_h);
+        });
+        steepest_m_s_h = std::max(steepest_m_s_h, 3 * 6.283 / period_h);
+      }
+    }
+  }
+  void add(int product, int height, UtcTime issued, int from_h, const FlowForTests& flow) {
+    constexpr double height_m[] = {10, 100, 120};
+    const std::string name = "model " + std::to_string(product);
+    const int number = 3 * product + height;
+    origins.push_back(forecast_of(name + "@" + std::to_string(height), issued, number));
+    origins.back().product_id = name;
+    const int step_h = 1 << static_cast<int>(rng.uniform(0, 3));
+    const int first_h = from_h + static_cast<int>(rng.uniform(0, 12));
+    const int last_h = from_h + 48 + static_cast<int>(rng.uniform(0, 24));
+    std::vector<TimeCell> times =
+        instants(start + hours(first_h), start + hours(last_h), hours(step_h));
+    const int hole_h = from_h + static_cast<int>(rng.uniform(0, 60));
+    std::erase_if(times, [&](const TimeCell& cell) {
+      return cell.start > start + hours(hole_h) && cell.start < start + hours(hole_h + 9);
+    });
+    record.pieces.push_back(vector_piece(origins.back(), times, {}, flow));
+    if (height > 0) record.pieces.back().from_height_m = height_m[height];
+    for (const FlowForTests& other : flows) {
+      for (int h = 0; h < 100; ++h) {
+        const UtcTime time = start + hours(h);
+        apart_m_s = std::max(apart_m_s, std::abs(flow(time, 0) - other(time, 0)));
+      }
+    }
+    flows.push_back(flow);
+  }
+  [[nodiscard]] const PieceColumn<Horizontal>& piece_of(const Origin* origin) const {
+    return *std::find_if(record.pieces.begin(), record.pieces.end(),
+                         [&](const auto& piece) { return piece.origin == origin; });
+  }
+
+  Rng rng;
+  std::deque<Origin> origins;
+  VectorRecord record;
+  std::vector<FlowForTests> flows;
+  double steepest_m_s_h = 0;
+  double apart_m_s = 0;
+};
+
+/// From the first to the last value of each unbroken part of a piece.
+std::vector<TimeSpan> parts_of(const PieceColumn<Horizontal>& piece) {
+  std::vector<UtcTime> times;
+  for (const TimeCell& cell : piece.column.time) times.push_back(cell.centre());
+  return whole_parts(times);
+}
+
 TEST(OneSource, NoJumpAtAJoinIsLargerThanTheRunsOwnAndNobodySpeaksBeyondItsTime) {
   std::size_t joins = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    Rng rng(seed, "tests/record/joins");
-    std::deque<Origin> origins;
-    VectorRecord record;
-    double steepest = 0;
-    double apart = 0;
-    std::vector<FlowForTests> flows;
-    for (int p = 0; p < 5; ++p) {
-      const int step_h = 1 << static_cast<int>(rng.uniform(0, 3));
-      const UtcTime issued = start - hours(6 * static_cast<int>(rng.uniform(0, 4)));
-      origins.push_back(forecast_of("model " + std::to_string(p), issued, p));
-      const Horizontal mean(rng.uniform(-9, 9), rng.uniform(-9, 9));
-      const double period_h = rng.uniform(20, 60);
-      flows.push_back([=](UtcTime time, double) {
-        return mean + 3.0 * std::polar(1.0, 6.283 * hours_between(start, time) / period_h);
-      });
-      const int from = static_cast<int>(rng.uniform(0, 30));
-      std::vector<TimeCell> times =
-          instants(start + hours(from), start + hours(from + 60), hours(step_h));
-      const int hole_h = from + static_cast<int>(rng.uniform(0, 60));
-      std::erase_if(times, [&](const TimeCell& cell) {
-        return cell.start > start + hours(hole_h) && cell.start < start + hours(hole_h + 9);
-      });
-      record.pieces.push_back(vector_piece(origins.back(), times, {}, flows.back()));
-      if (rng.uniform(0, 1) < 0.5) record.pieces.back().from_height_m = 100;
-      steepest = std::max(steepest, 3 * 6.283 / period_h);
-      for (const FlowForTests& other : flows) {
-        for (int h = 0; h < 90; ++h)
-          apart = std::max(
-              apart, std::abs(flows.back()(start + hours(h), 0) - other(start + hours(h), 0)));
-      }
-    }
+    AnyWinds any(seed);
     Knowledge knowledge;
-    knowledge.forecasts_issued_by = start - hours(6 * static_cast<int>(rng.uniform(0, 3)));
-    const Chosen<Horizontal> chosen = choose(record, knowledge, joined_over(ramp));
+    knowledge.forecasts_issued_by = start - hours(6 * static_cast<int>(any.rng.uniform(0, 3)));
+    const Chosen<Horizontal> chosen = choose(any.record, knowledge, joined_over(ramp));
     joins += chosen.stretches.empty() ? 0 : chosen.stretches.size() - 1;
     for (const Stretch& stretch : chosen.stretches) {
       EXPECT_LE(*stretch.origin->reference_time, knowledge.forecasts_issued_by);
-      const auto piece = std::find_if(record.pieces.begin(), record.pieces.end(),
-                                      [&](const auto& p) { return p.origin == stretch.origin; });
-      ASSERT_NE(piece, record.pieces.end());
-      EXPECT_GE(stretch.from, piece->column.time.front().start) << "before its run begins";
-      EXPECT_LE(stretch.to, piece->column.time.back().start) << "beyond its run's end";
-      EXPECT_EQ(stretch.from_height_m, piece->from_height_m);
+      const PieceColumn<Horizontal>& piece = any.piece_of(stretch.origin);
+      EXPECT_GE(stretch.from, piece.column.time.front().start) << "before its run begins";
+      EXPECT_LE(stretch.to, piece.column.time.back().start) << "beyond its run's end";
+      EXPECT_EQ(stretch.from_height_m, piece.from_height_m);
     }
     for (std::size_t t = 1; t < chosen.column.times(); ++t) {
       // Across a hole that nobody fills no step is promised.
@@ -201,13 +233,51 @@ TEST(OneSource, NoJumpAtAJoinIsLargerThanTheRunsOwnAndNobodySpeaksBeyondItsTime)
           hours_between(chosen.column.time[t - 1].centre(), chosen.column.time[t].centre());
       const double step = std::abs(chosen.column.value[t] - chosen.column.value[t - 1]);
       // What the runs do themselves, and the ramp's share of how far they are apart, at both ends.
-      const double most = steepest * (h + 4) + 2 * apart * h / 6;
+      const double most = any.steepest_m_s_h * (h + 4) + 2 * any.apart_m_s * h / 6;
       EXPECT_LE(step, most) << "seed " << seed << " at " << t;
     }
-    std::reverse(record.pieces.begin(), record.pieces.end());
-    EXPECT_EQ(choose(record, knowledge, joined_over(ramp)).column.value, chosen.column.value);
+    std::reverse(any.record.pieces.begin(), any.record.pieces.end());
+    EXPECT_EQ(choose(any.record, knowledge, joined_over(ramp)).column.value, chosen.column.value);
   }
   EXPECT_GT(joins, 200u) << "the drawn runs do take over from each other";
+}
+
+TEST(OneSource, TwoHeightsOfARunNeverAlternateWhateverTheirCadences) {
+  std::size_t silenced = 0;
+  std::size_t taken_over = 0;
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+    const AnyWinds any(seed);
+    const Chosen<Horizontal> chosen = choose(any.record, {}, joined_over(ramp));
+    std::vector<std::vector<TimeSpan>> parts;
+    for (const PieceColumn<Horizontal>& piece : any.record.pieces) parts.push_back(parts_of(piece));
+    for (std::size_t t = 0; t < chosen.column.times(); ++t) {
+      const UtcTime time = chosen.column.time[t].centre();
+      const PieceColumn<Horizontal>& speaks = any.piece_of(chosen.origin[t]);
+      for (std::size_t p = 0; p < parts.size(); ++p) {
+        const PieceColumn<Horizontal>& other = any.record.pieces[p];
+        if (other.origin->product_id != speaks.origin->product_id) continue;
+        const bool is_nearer = other.from_height_m.value_or(10) < speaks.from_height_m.value_or(10);
+        const bool lasts = std::any_of(parts[p].begin(), parts[p].end(), [&](const TimeSpan& part) {
+          return part.from <= time && time <= part.to;
+        });
+        EXPECT_FALSE(is_nearer && lasts)
+            << "seed " << seed << ": " << speaks.from_height_m.value_or(10) << " m speaks at "
+            << format_utc(time) << " while " << other.from_height_m.value_or(10) << " m lasts";
+        if (&other != &speaks && lasts) ++silenced;
+        if (is_nearer) ++taken_over;
+      }
+    }
+    for (const Stretch& stretch : chosen.stretches) {
+      for (std::size_t t = 0; t < chosen.column.times(); ++t) {
+        const UtcTime time = chosen.column.time[t].centre();
+        if (time < stretch.from || time > stretch.to) continue;
+        EXPECT_EQ(any.piece_of(chosen.origin[t]).from_height_m, stretch.from_height_m)
+            << "seed " << seed << ": a stretch of two heights";
+      }
+    }
+  }
+  EXPECT_GT(silenced, 1000u) << "the heights do overlap";
+  EXPECT_GT(taken_over, 100u) << "and one goes on where a nearer one ends";
 }
 
 TEST(OneSource, StatedTenMetreWindBeforeAnyOtherHeightOfTheRun) {

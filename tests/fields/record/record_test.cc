@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -72,27 +73,39 @@ TEST(Choose, OfOneRunThatCameTwiceTheLaterIngestedBeatsTheEarlier) {
   EXPECT_EQ(winner(forecast_of("model", midnight, 7), forecast_of("model", midnight, 8)), 2);
 }
 
+/// The height that a made-up wind is stated at: "a@100" is 100 m; currents and waves have none.
+double height_m_of(const Origin& origin) {
+  const std::size_t at = origin.dataset.find('@');
+  return at == std::string::npos ? 10.0 : std::stod(origin.dataset.substr(at + 1));
+}
+
 /// Whether the run of one counts before that of the other; written down once more.
 bool beats(const Origin& a, const Origin& b) {
   const bool a_is_forecast = a.status == DataStatus::forecast;
   const bool b_is_forecast = b.status == DataStatus::forecast;
   if (a_is_forecast != b_is_forecast) return b_is_forecast;
   if (a.reference_time != b.reference_time) return a.reference_time > b.reference_time;
+  if (height_m_of(a) != height_m_of(b)) return height_m_of(a) < height_m_of(b);
   return a.dataset < b.dataset;
 }
 
 bool same_run(const Origin& a, const Origin& b) { return !beats(a, b) && !beats(b, a); }
 
-/// Pieces of analyses and runs of two products, hour by hour with holes; each piece is its value.
+/// Pieces of analyses and runs of two products at three heights, hour by hour with holes; each
+/// piece is its value.
 struct AnyPieces {
   explicit AnyPieces(std::uint64_t seed) : rng(seed, "tests/record/any_pieces") {
-    for (int p = 0; p < 12; ++p) {
+    for (int p = 0; p < 18; ++p) {
       const std::string name = draw(2) == 0 ? "a" : "b";
+      const std::string height_m = std::array{"10", "100", "120"}[std::size_t(draw(3))];
+      const std::string dataset = name + "@" + height_m;
       const UtcTime issued = midnight - hours(6 * draw(3));
-      origins.push_back(draw(3) == 0 ? analysis_of(name, p) : forecast_of(name, issued, p));
+      origins.push_back(draw(3) == 0 ? analysis_of(dataset, p) : forecast_of(dataset, issued, p));
+      origins.back().product_id = name;
       const UtcTime from = midnight + hours(draw(24));
       record.pieces.push_back(vector_piece(origins.back(), instants(from, from + hours(draw(12))),
-                                           {5.0}, steady({double(p), 0})));
+                                           {}, steady({double(p), 0})));
+      if (height_m != "10") record.pieces.back().from_height_m = std::stod(height_m);
     }
   }
   int draw(int count) { return static_cast<int>(rng.uniform(0, count)); }
@@ -128,6 +141,7 @@ struct AnyPieces {
 
 TEST(Choose, AtEachTimeTheBestRunThatLastsSpeaksWhateverTheOrderOfPieces) {
   int outdone = 0;
+  std::set<double> heights;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     AnyPieces any(seed);
     const Knowledge knowledge{midnight + hours(any.draw(30)), midnight - hours(6 * any.draw(3))};
@@ -151,6 +165,16 @@ TEST(Choose, AtEachTimeTheBestRunThatLastsSpeaksWhateverTheOrderOfPieces) {
       const auto& granules = chosen.origin[t]->granules;
       EXPECT_EQ(chosen.column.value[t].real(), double(granules.front())) << "its own value";
     }
+    for (const Stretch& stretch : chosen.stretches) {
+      const double height_m = height_m_of(*stretch.origin);
+      heights.insert(height_m);
+      EXPECT_EQ(stretch.from_height_m.value_or(10.0), height_m) << "seed " << seed;
+      for (std::size_t t = 0; t < chosen.column.times(); ++t) {
+        const UtcTime time = chosen.column.time[t].centre();
+        if (time < stretch.from || time > stretch.to) continue;
+        EXPECT_EQ(height_m_of(*chosen.origin[t]), height_m) << "two heights mixed, seed " << seed;
+      }
+    }
     for (std::size_t i = any.record.pieces.size() - 1; i > 0; --i)
       std::swap(any.record.pieces[i],
                 any.record.pieces[static_cast<std::size_t>(any.draw(int(i) + 1))]);
@@ -159,6 +183,7 @@ TEST(Choose, AtEachTimeTheBestRunThatLastsSpeaksWhateverTheOrderOfPieces) {
     EXPECT_EQ(shuffled.origin, chosen.origin) << "seed " << seed;
   }
   EXPECT_GT(outdone, 500) << "the drawn pieces do overlap";
+  EXPECT_EQ(heights.size(), 3u) << "every height speaks somewhere";
 }
 
 TEST(Choose, OfTheSameFileTwiceTheFirstPieceStays) {
