@@ -1,0 +1,227 @@
+// `slackwater rehearse` and `score`: a stranger's task at a stranger's farm, in made-up water and in
+// the members of an issued forecast.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "ingest/cf/trajectory_file.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/store_for_tests.h"
+
+namespace slackwater::tests {
+namespace {
+
+using nlohmann::json;
+
+/// A pile of 5 m with a closed area to the south of it from April to July.
+const std::string farm = R"(
+water_depth_m: 30
+hub_height_m: 80
+landing_deg: 0
+foundation: {kind: monopile, diameter_m: 5, top_height_m: 18}
+)";
+
+const std::string peek = R"(id: peek
+name: A peek at a pile
+agents:
+  - role: eye
+    kinds: [rov]
+    needs: [camera]
+    model: bluerov2_heavy
+    speed_m_s: 0.4
+    start: {distance_m: 12, depth_m: 3}
+    launch_s: 10
+    conduct:
+      limits:
+        - {current_speed_m_s: 0.9, phases: [work], source: nobody, status: estimate}
+        - {least_visibility_m: 500, if_missing: not_checked}
+    work:
+      - {pattern: verticals, stand_off_m: 3, from: {depth_m: 4}, to: {depth_m: 9}, bearings: 2}
+)";
+
+class RehearseCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    write("peek.yaml", peek);
+    write("farm.yaml", "id: farm\nlatitude_deg: 48.9\nlongitude_deg: -3.1\n" + farm +
+                           "turbines: [{id: T1, latitude_deg: 48.9, longitude_deg: -3.1}]\n"
+                           "areas:\n  - {id: terns, kind: exclusion, reason: breeding terns, "
+                           "months: [4, 7], polygon: [{latitude_deg: 48.8999, longitude_deg: "
+                           "-3.102}, {latitude_deg: 48.902, longitude_deg: -3.102}, {latitude_deg: "
+                           "48.902, longitude_deg: -3.098}]}\n");
+    write("mission.yaml", mission());
+  }
+  static std::string mission(const std::string& start = "2025-03-10T06:00:00Z") {
+    return "name: peek\nseed: 3\nsite: farm.yaml\ntasks: [peek.yaml]\nturbines: [T1]\nstart: " +
+           start +
+           "\nduration: 20min\nstep_s: 0.05\nwater: {made_up: {depth_m: 30, current: [{depth_m: 0, "
+           "east_m_s: 0.2, north_m_s: 0}], wind: {speed_m_s: 5, from_deg: 270}}}\nwaves: "
+           "{components: 8, partitions: [{significant_height_m: 0.4, peak_period_s: 5, from_deg: "
+           "270}]}\n";
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    const std::filesystem::path file = made_.file(name);
+    std::ofstream(file) << text;
+    return file.string();
+  }
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return made_.file(name).string();
+  }
+  StoreForTests made_;
+};
+
+TEST_F(RehearseCommand, FliesAStrangersTaskInSeveralFuturesAndSaysHowItWent) {
+  const ProgramResult run =
+      made_.run({"rehearse", path("mission.yaml"), "--members", "3", "--out", path("all.nc"),
+                 "--html", path("page.html"), "--scenario", path("laid_out.yaml"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json out = json::parse(run.out);
+  ASSERT_EQ(out.at("starts").size(), 1U);
+  const json& start = out.at("starts")[0];
+  EXPECT_EQ(start.at("done"), 3) << start.dump(1);
+  EXPECT_EQ(start.at("flights"), 3);
+  EXPECT_LT(start.at("interval_95")[0].get<double>(), 0.5);
+  EXPECT_EQ(start.at("interval_95")[1], 1.0);
+  EXPECT_TRUE(start.at("by_the_limits").at("allows").get<bool>());
+  EXPECT_TRUE(start.at("disagreement").is_null());
+  ASSERT_EQ(out.at("not_checked").size(), 1U);
+  EXPECT_NE(out.at("not_checked")[0].get<std::string>().find("visibility"), std::string::npos);
+  const ingest::TrajectoryFile all = ingest::read_trajectories(path("all.nc"));
+  EXPECT_EQ(all.names.size(), 3U);
+  EXPECT_NE(read_bytes(path("page.html")).find("done in 3 of 3 futures"), std::string::npos);
+  // What it was laid out as runs by itself.
+  EXPECT_EQ(made_.run({"simulate", path("laid_out.yaml")}).exit_code, 0);
+}
+
+TEST_F(RehearseCommand, TheLogOfAFlightReplaysAndIsScored) {
+  const ProgramResult run =
+      made_.run({"rehearse", path("mission.yaml"), "--members", "2", "--log", path("one.nc"),
+                 "--log-member", "1", "--assume", "visibility_m=2000", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out).at("not_checked").size(), 0U);
+  EXPECT_EQ(json::parse(run.out).at("assumed")[0], "visibility 2000 m");
+  EXPECT_EQ(made_.run({"replay", path("one.nc")}).exit_code, 0);
+  const ProgramResult scored = made_.run({"score", path("one.nc"), path("one.nc"), "--json"});
+  ASSERT_EQ(scored.exit_code, 0) << scored.err;
+  const json cards = json::parse(scored.out);
+  const json& eye = cards.at("runs")[0].at("vehicles")[0];
+  EXPECT_TRUE(eye.at("done").get<bool>());
+  EXPECT_EQ(eye.at("interventions"), 0);
+  EXPECT_GT(eye.at("closest_structure_m").get<double>(), 1.5);
+  EXPECT_GT(eye.at("energy_per_metre_j").get<double>(), 10);
+  EXPECT_EQ(cards.at("vehicles")[0].at("runs"), 2);
+  EXPECT_EQ(cards.at("vehicles")[0].at("time_s").at("deviation"), 0.0);
+  // The flight of the rehearsal and its log end at the same time.
+  const json flight = json::parse(run.out).at("starts")[0].at("members")[1];
+  EXPECT_NEAR(flight.at("ended_s").get<double>(), eye.at("time_s").get<double>(), 1e-6);
+}
+
+TEST_F(RehearseCommand, FliesInTheMembersOfAnIssuedForecastAndLeavesTheStoreAsItWas) {
+  made_.ingest_days(parse_day("2025-03-01"), 3);
+  std::string site = read_bytes(made_.site());
+  const auto value_of = [&](const std::string& key) {
+    const std::size_t at = site.find(key + ": ") + key.size() + 2;
+    return site.substr(at, site.find('\n', at) - at);
+  };
+  const std::string place =
+      "latitude_deg: " + value_of("latitude_deg") + ", longitude_deg: " + value_of("longitude_deg");
+  for (const char* key : {"water_depth_m", "hub_height_m", "turbines"})
+    if (const std::size_t at = site.find(std::string(key) + ":"); at != std::string::npos)
+      site.erase(at, site.find('\n', at) + 1 - at);
+  write("issued_farm.yaml", site + farm + "turbines: [{id: T1, " + place + "}]\n");
+  ASSERT_EQ(
+      made_.run({"forecast", "--site", path("issued_farm.yaml"), "--at", "2025-03-04T05:00:00Z"})
+          .exit_code,
+      0);
+  const std::string yaml =
+      "name: peek\nseed: 3\nsite: issued_farm.yaml\ntasks: [peek.yaml]\nturbines: [T1]\nduration: "
+      "20min\nstep_s: 0.05\nwaves: {components: 8}\nagents: {eye: {limits: [{current_speed_m_s: "
+      "3}]}}\n";
+  write("issued.yaml", yaml);
+  const auto before = made_.digests();
+  const ProgramResult run = made_.run({"rehearse", path("issued.yaml"), "--members", "3",
+                                       "--starts", "2", "--every", "6h", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(made_.digests(), before);
+  const json out = json::parse(run.out);
+  EXPECT_EQ(out.at("forecast_sha256").get<std::string>().size(), 64U);
+  ASSERT_EQ(out.at("starts").size(), 2U);
+  EXPECT_EQ(out.at("starts")[1].at("flights"), 3);
+  const ProgramResult again =
+      made_.run({"rehearse", path("issued.yaml"), "--members", "3", "--starts", "2", "--every",
+                 "6h", "--threads", "1", "--json"});
+  json first = out, second = json::parse(again.out);
+  for (json* one : {&first, &second}) {
+    one->erase("wall_s");
+    one->erase("first_answer_s");
+  }
+  EXPECT_EQ(first, second) << "whatever the number of threads";
+  const ProgramResult many = made_.run({"rehearse", path("issued.yaml"), "--members", "5000"});
+  EXPECT_EQ(many.exit_code, 2) << many.err;
+}
+
+TEST_F(RehearseCommand, KeepsOutOfZonesWhileTheyAreInForce) {
+  const ProgramResult march = made_.run({"rehearse", path("mission.yaml")});
+  EXPECT_EQ(march.exit_code, 0) << march.err;
+  const ProgramResult may = made_.run(
+      {"rehearse", write("may.yaml", mission("2025-05-10T06:00:00Z")), "--html", path("may.html")});
+  EXPECT_EQ(may.exit_code, 3);
+  EXPECT_NE(may.err.find("eye: starts in zone terns (breeding terns)"), std::string::npos)
+      << may.err;
+  EXPECT_FALSE(std::filesystem::exists(path("may.html")));
+}
+
+struct Bad {
+  const char* what;
+  const char* instead;
+  int exit_code;
+  const char* says;
+};
+
+TEST_F(RehearseCommand, RefusesWhatCannotBeFlownBeforeTheFirstStep) {
+  const Bad missions[] = {
+      {"tasks: [peek.yaml]", "tasks: [peak]", 4, "scour_survey"},
+      {"tasks: [peek.yaml]", "taks: [peek.yaml]", 3, "tasks"},
+      {"turbines: [T1]", "turbines: [T9]", 3, "the site has T1"},
+      {"site: farm.yaml", "site: nowhere", 4, "nowhere"},
+      {"seed: 3", "seed: 3\nagents: {eye: {model: lrauv_tethys}}", 3, "expected rov"},
+      {"seed: 3", "seed: 3\nagents: {eye: {limits: [{visibility_m: 4}]}}", 3, "--assume"},
+      {"seed: 3", "seed: 3\nagents: {eye: {behaviour: {do: dance}}}", 3, "dance"},
+      {"seed: 3",
+       "seed: 3\nagents: {eye: {trees: {a: {tree: b}, b: {tree: a}}, behaviour: {tree: a}}}", 3,
+       "back to itself"},
+      {"seed: 3", "seed: 3\nassume: {current_speed_m_s: 1}", 3, "cannot be assumed"},
+  };
+  for (const Bad& bad : missions) {
+    std::string yaml = mission();
+    yaml.replace(yaml.find(bad.what), std::string(bad.what).size(), bad.instead);
+    const ProgramResult run =
+        made_.run({"rehearse", write("bad.yaml", yaml), "--out", path("bad.nc")});
+    EXPECT_EQ(run.exit_code, bad.exit_code) << bad.instead << "\n" << run.err;
+    EXPECT_NE(run.err.find(bad.says), std::string::npos) << bad.instead << "\n-> " << run.err;
+    EXPECT_FALSE(std::filesystem::exists(path("bad.nc"))) << bad.instead;
+  }
+  const Bad tasks[] = {
+      {"needs: [camera]", "needs: [gnss]", 3, "has no gnss"},
+      {"    work:\n", "    play:\n", 3, "work"},
+      {"pattern: verticals", "pattern: spirals", 3, "spirals"},
+      {"to: {depth_m: 9}", "to: {below_hub_m: 9}", 3, "above the sea"},
+      {"bearings: 2", "bearings: 60, stops: 100, stop_s: 600", 3, "shorten the work"},
+      {"distance_m: 12, depth_m: 3", "distance_m: 12", 3, "depth_m"},
+      {"agents:", "agents: []\nagentz:", 3, "agent"},
+  };
+  for (const Bad& bad : tasks) {
+    std::string yaml = peek;
+    yaml.replace(yaml.find(bad.what), std::string(bad.what).size(), bad.instead);
+    write("peek.yaml", yaml);
+    const ProgramResult run =
+        made_.run({"rehearse", path("mission.yaml"), "--out", path("bad.nc")});
+    EXPECT_EQ(run.exit_code, bad.exit_code) << bad.instead << "\n" << run.err;
+    EXPECT_NE(run.err.find(bad.says), std::string::npos) << bad.instead << "\n-> " << run.err;
+    EXPECT_FALSE(std::filesystem::exists(path("bad.nc"))) << bad.instead;
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::tests
