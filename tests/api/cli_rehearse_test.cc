@@ -1,5 +1,5 @@
-// `slackwater rehearse` and `score`: a stranger's task at a stranger's farm, in made-up water and in
-// the members of an issued forecast.
+// `slackwater rehearse` and `score`: a stranger's task at a stranger's farm, in made-up water and
+// in the members of an issued forecast.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -58,28 +58,32 @@ TEST(Farm, RefusesWhatDoesNotFitTogether) {
     const std::string text = refusal(more);
     EXPECT_NE(text.find(words), std::string::npos) << more << "\n-> " << text;
   };
-  says("turbines: [{id: A, latitude_deg: 54, longitude_deg: 6}, {id: A, latitude_deg: 54, "
-       "longitude_deg: 6.1}]\n",
-       "A twice");
+  says(
+      "turbines: [{id: A, latitude_deg: 54, longitude_deg: 6}, {id: A, latitude_deg: 54, "
+      "longitude_deg: 6.1}]\n",
+      "A twice");
   says("foundation: {kind: tripod, top_height_m: 20}\n" + two_turbines, "expected monopile");
   says("foundation: {kind: monopile, diameter_m: 6, draught_m: 3, top_height_m: 20}\n" +
            two_turbines,
        "draught_m");
-  says("turbines: [{id: A, latitude_deg: 54, longitude_deg: 6, moorings: [{id: M, bearing_deg: 0, "
-       "anchor_distance_m: 100, fairlead_depth_m: 3}]}]\n",
-       "does not float");
+  says(
+      "turbines: [{id: A, latitude_deg: 54, longitude_deg: 6, moorings: [{id: M, bearing_deg: 0, "
+      "anchor_distance_m: 100, fairlead_depth_m: 3}]}]\n",
+      "does not float");
   says("hub_height_m: 15\nfoundation: {kind: monopile, diameter_m: 6, top_height_m: 20}\n" +
            two_turbines,
        "not above");
   says(two_turbines + "cables: [{id: C, from: A, to: Z}]\n", "no turbine of this site");
   says(two_turbines + "cables: [{id: C, from: A}]\n", "two ends");
-  says("areas: [{id: z, kind: exclusion, polygon: [{latitude_deg: 54, longitude_deg: 6}, "
-       "{latitude_deg: 55, longitude_deg: 6}]}]\n",
-       "three and more");
-  says("areas: [{id: z, kind: exclusion, polygon: [{latitude_deg: 54, longitude_deg: 6}, "
-       "{latitude_deg: 55, longitude_deg: 7}, {latitude_deg: 55, longitude_deg: 6}, "
-       "{latitude_deg: 54, longitude_deg: 7}]}]\n",
-       "cross");
+  says(
+      "areas: [{id: z, kind: exclusion, polygon: [{latitude_deg: 54, longitude_deg: 6}, "
+      "{latitude_deg: 55, longitude_deg: 6}]}]\n",
+      "three and more");
+  says(
+      "areas: [{id: z, kind: exclusion, polygon: [{latitude_deg: 54, longitude_deg: 6}, "
+      "{latitude_deg: 55, longitude_deg: 7}, {latitude_deg: 55, longitude_deg: 6}, "
+      "{latitude_deg: 54, longitude_deg: 7}]}]\n",
+      "cross");
   says("areas: [{id: z, kind: park, polygon: []}]\n", "expected exclusion");
 }
 
