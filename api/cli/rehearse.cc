@@ -124,6 +124,8 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   plan.narrow_enough = arguments.narrow_enough;
   plan.threads = arguments.threads > 0 ? arguments.threads : 2;
   plan.flights.workers = mission.expanded.workers;
+  // A page draws some hundreds of places of a way.
+  plan.flights.sample_every_s = std::clamp(mission.scenario.duration_s / 240, 5.0, 60.0);
   plan.forbidden = [&](UtcTime start) { return zone_in_the_way(mission, start); };
   ProgressBar progress("rehearse " + mission.name, context.json);
   bool is_first = true;
@@ -149,7 +151,7 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   if (!arguments.scenario.empty()) write_text(arguments.scenario, mission.expanded.scenario_yaml);
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
-      ingest::write_trajectories(rehearsal_file(mission, rehearsal), partial);
+      ingest::write_trajectories(rehearsal_file(mission, plan, rehearsal), partial);
     });
   }
   if (!arguments.html.empty()) {

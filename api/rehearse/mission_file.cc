@@ -43,16 +43,16 @@ LoadedMission load_mission(const std::filesystem::path& file,
   LoadedMission out;
   out.name = mission.text("name");
   const std::string named = mission.text("site");
-  std::vector<std::filesystem::path> folders = site_folders(store_folder);
-  folders.push_back(folder);
-  const Site site = find_site(
-      std::filesystem::exists(folder / named) ? (folder / named).string() : named, folders);
+  // A file beside the mission, or an id.
+  const std::filesystem::path beside = file.parent_path() / named;
+  const std::string where = std::filesystem::exists(beside) ? beside.string() : named;
+  const Site site = find_site(where, site_folders(store_folder));
   out.site = site.id;
   out.areas = site.areas;
   twin::MissionParts parts;
   parts.site = twin::work_site_of(site);
   parts.origin = site.point;
-  parts.site_id = site.id;
+  parts.site_id = where;
   parts.assumed = assumed;
   parts.task = [&](const std::string& id) { return find_task(id, folder); };
   out.expanded = twin::expand_mission(mission, parts);

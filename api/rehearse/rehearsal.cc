@@ -68,6 +68,8 @@ Rehearsal rehearse(const twin::Scenario& mission, const twin::Surround& surround
     outcome.start = start;
     const twin::LimitsSay say = twin::by_the_limits(mission, surround, start, plan.flights.workers);
     outcome.by_the_limits = {say.allows, say.binding, say.share};
+    if (plan.forbidden) outcome.forbidden = plan.forbidden(start);
+    if (!outcome.forbidden.empty()) outcome.high = 0;
   }
   const auto all = static_cast<double>(plan.members * plan.starts.size());
   // One member of each first, then as many as make blocks of eight.

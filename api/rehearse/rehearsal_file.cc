@@ -67,7 +67,8 @@ constexpr Kept kept[] = {
 
 }  // namespace
 
-TrajectoryFile rehearsal_file(const LoadedMission& mission, const Rehearsal& rehearsal) {
+TrajectoryFile rehearsal_file(const LoadedMission& mission, const RehearsalPlan& plan,
+                              const Rehearsal& rehearsal) {
   TrajectoryFile file;
   file.epoch = rehearsal.starts.front().start;
   std::size_t times = 0;
@@ -81,7 +82,8 @@ TrajectoryFile rehearsal_file(const LoadedMission& mission, const Rehearsal& reh
                              format_utc(outcome.start).substr(0, 16) +
                              formatted("Z #{}", flight.flown.member));
       }
-  for (std::size_t t = 0; t < times; ++t) file.t_s.push_back(60.0 * static_cast<double>(t));
+  for (std::size_t t = 0; t < times; ++t)
+    file.t_s.push_back(plan.flights.sample_every_s * static_cast<double>(t));
   for (const Kept& quantity : kept) {
     TrajectoryFile::Variable variable{quantity.name, "", quantity.units, quantity.long_name, 1, {}};
     for (const auto* track : tracks)

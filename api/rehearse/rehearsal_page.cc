@@ -150,7 +150,7 @@ std::string starts_html(const Rehearsal& rehearsal) {
   table.note =
       "P(success): bounds that hold at 95 % however many futures were flown. Limits: what they say "
       "of the central forecast alone, as a planner reads them.";
-  table.columns = {"Start (UTC)", "Done", "P(success)", "Limits", "Stopped by", "Left at least"};
+  table.columns = {"Start (UTC)", "Done", "P(success)", "Stopped by", "Left (P10)", "Limits"};
   std::size_t row = 0;
   double best = -1;
   for (const StartOutcome& start : rehearsal.starts) {
@@ -162,15 +162,13 @@ std::string starts_html(const Rehearsal& rehearsal) {
       for (const twin::VehicleOutcome& vehicle : flight.vehicles)
         if (vehicle.energy_j > 0) left.push_back(100 * vehicle.least_charge);
     const auto least = quantile_of(left, 0.1);
-    table.rows.push_back(
-        {format_utc(start.start).substr(0, 16),
-         formatted("{} of {}", start.done, start.flights.size()),
-         formatted("{:.0f} to {:.0f} %", 100 * start.low, 100 * start.high),
-         (start.by_the_limits.allows ? "allow" : "forbid") +
-             (start.by_the_limits.binding.empty() ? std::string()
-                                                  : " (" + start.by_the_limits.binding + ")"),
-         cause_cell(start, causes),
-         least ? formatted("{:.0f} % of the battery (P10)", *least) : "-"});
+    const ByTheLimits& limits = start.by_the_limits;
+    table.rows.push_back({format_utc(start.start).substr(0, 16),
+                          formatted("{} of {}", start.done, start.flights.size()),
+                          formatted("{:.0f} to {:.0f} %", 100 * start.low, 100 * start.high),
+                          cause_cell(start, causes), least ? formatted("{:.0f} %", *least) : "-",
+                          (limits.allows ? "allow" : "forbid") +
+                              (limits.binding.empty() ? std::string() : ": " + limits.binding)});
     if (start.share_done() > best) {
       best = start.share_done();
       table.highlighted_row = row;

@@ -116,8 +116,8 @@ class AgentWriter {
 
  private:
   std::optional<std::string> chosen(const char* key) const {
-    if (over_ && over_->has(key)) return over_->text(key);
-    return agent_.optional_text(key);
+    const auto of_task = agent_.optional_text(key);
+    return over_ && over_->has(key) ? over_->text(key) : of_task;
   }
   std::string model() const { return chosen("model").value_or(agent_.text("model")); }
 

@@ -1,0 +1,97 @@
+#include "twin/rehearse/by_the_limits.h"
+
+#include "tests/twin/mission/mission_for_tests.h"
+#include "tests/twin/simulate/run_for_tests.h"
+#include "twin/rehearse/flight.h"
+
+namespace slackwater::tests {
+namespace {
+
+const UtcTime start = parse_utc("2025-06-02T06:00:00Z");
+
+twin::Scenario scour(const std::string& agents) {
+  const std::string yaml =
+      "name: scour\nseed: 7\nduration: 3h\nstep_s: 0.05\nlog_every_s: 1\nwater: {made_up: "
+      "{depth_m: "
+      "35, current: [{depth_m: 0, east_m_s: 0.2, north_m_s: 0}], wind: {speed_m_s: 3, from_deg: "
+      "270}}}\ntasks: [scour_survey]\nturbines: [A01]\nagents: {surveyor: " +
+      agents + "}\n";
+  return twin::parse_scenario(
+      twin::expand_mission(Config::parse(yaml, "mission.yaml"), small_farm_parts()).scenario_yaml,
+      "laid_out.yaml");
+}
+
+/// Its water, with a current that grows evenly to `grown` times what it is within four hours.
+twin::Surround water_of(const twin::Scenario& mission, double grown) {
+  twin::Surround surround = surround_of(mission);
+  surround.field = twin::made_up_field(std::get<twin::MadeUpWater>(mission.water), surround.site,
+                                       start, start + std::chrono::hours(4));
+  auto snapshot = std::make_shared<Snapshot>(surround.field->snapshot());
+  const std::size_t times = snapshot->time.size();
+  for (ForecastColumn& column : snapshot->columns)
+    for (std::size_t i = 0; i < column.current_m_s.size(); ++i) {
+      const std::size_t t = i / (column.current_m_s.size() / times);
+      column.current_m_s[i] *=
+          1 + (grown - 1) * static_cast<double>(t) / static_cast<double>(times - 1);
+    }
+  surround.field = std::make_shared<Field>(std::move(snapshot));
+  return surround;
+}
+
+twin::Flight flown(const twin::Scenario& mission, const twin::Surround& surround) {
+  const twin::FlightCase flown{start, 0};
+  return twin::fly(mission, surround, {&flown, 1}, {}).front();
+}
+
+TEST(ByTheLimits, AreOfOneMindWithTheFlightsWhereNothingElseStopsThem) {
+  const twin::Scenario mission = scour("{}");
+  const twin::Surround surround = water_of(mission, 1);
+  const twin::LimitsSay say = twin::by_the_limits(mission, surround, start, {});
+  EXPECT_TRUE(say.allows);
+  EXPECT_NE(say.binding.find("current at most 0.5"), std::string::npos) << say.binding;
+  EXPECT_NEAR(say.share, 0.4, 0.01);
+  EXPECT_TRUE(flown(mission, surround).is_done);
+}
+
+TEST(ByTheLimits, AllowWhatTheBatteryRefuses) {
+  const twin::Scenario mission = scour("{state_of_charge: 0.23}");
+  const twin::Surround surround = water_of(mission, 1);
+  EXPECT_TRUE(twin::by_the_limits(mission, surround, start, {}).allows);
+  const twin::Flight flight = flown(mission, surround);
+  EXPECT_FALSE(flight.is_done);
+  EXPECT_EQ(flight.stopped_by, "surveyor: energy for the way home");
+  // Home with what it was to keep.
+  EXPECT_GT(flight.vehicles[0].state_of_charge, 0.2);
+  EXPECT_LT(flight.vehicles[0].work_share, 1);
+}
+
+TEST(ByTheLimits, ForbidWhatIsDoneBeforeTheyAreExceeded) {
+  const twin::Scenario mission = scour("{}");
+  const twin::Surround surround = water_of(mission, 4);
+  const twin::LimitsSay say = twin::by_the_limits(mission, surround, start, {});
+  EXPECT_FALSE(say.allows);
+  EXPECT_GT(say.share, 1);
+  const twin::Flight flight = flown(mission, surround);
+  EXPECT_TRUE(flight.is_done) << flight.stopped_by;
+  EXPECT_LT(flight.ended_s, 3600);
+}
+
+TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {
+  // From 0.2 to 2 m/s in four hours: 0.5 m/s after 40 minutes.
+  const twin::Scenario slow = scour("{speed_m_s: 0.15}");
+  const twin::Surround surround = water_of(slow, 10);
+  const twin::Flight flight = flown(slow, surround);
+  EXPECT_FALSE(flight.is_done);
+  EXPECT_NE(flight.stopped_by.find("limit: current at most 0.5 m/s"), std::string::npos)
+      << flight.stopped_by;
+  bool held = false, turned = false;
+  for (const twin::ConductEvent& event : flight.vehicles[0].events) {
+    held = held || event.kind == twin::ConductEventKind::hold_began;
+    turned = turned || event.kind == twin::ConductEventKind::turned_for_home;
+  }
+  EXPECT_TRUE(held);
+  EXPECT_TRUE(turned);
+}
+
+}  // namespace
+}  // namespace slackwater::tests
