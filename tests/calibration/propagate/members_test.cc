@@ -123,6 +123,9 @@ TEST(Members, AreTheSameBitsWhateverTheirNumber) {
                              most.wind_departure_m_s.begin()))
           << members;
     }
+    for (std::size_t i = 24 * times.size(); i < most.wind_departure_m_s.size(); ++i) {
+      EXPECT_NE(most.wind_departure_m_s[i], most.wind_departure_m_s[i % (24 * times.size())]);
+    }
     // Each set spreads as sigma says, and none repeats another.
     for (std::size_t i = 0; i < size; ++i) {
       double squares = 0;
