@@ -30,6 +30,7 @@ struct ForecastOptions {
   bool simulate_wind = false;
   int threads = 1;
   std::uint64_t seed = 1;    ///< of the members
+  int members = 24;          ///< beside the central one; a member is the same whatever their number
   std::string code_version;  ///< of the program that makes the forecast, for its provenance
   /// Rehearsed days to share between forecasts of the same data; null: the forecast's own.
   Rehearsals* rehearsals = nullptr;

@@ -79,6 +79,7 @@ ForecastPlan plan_of(const SiteData& data, const ForecastOptions& options,
   plan.best = {options.issued, options.hindsight, options.issued,
                options.hindsight ? UtcTime::max() : options.seen_by};
   plan.seed = options.seed;
+  plan.spread.members = options.members;
   if (options.simulate_wind) plan.best.simulated_seed = options.seed;
   plan.stamps = hourly(plan.end_of_day(), UtcTime(choice.wanted) + days(1) + options.horizon);
   plan.dataset = choice.dataset;

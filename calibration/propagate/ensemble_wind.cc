@@ -32,20 +32,30 @@ double squared(double x) noexcept { return x * x; }
 }  // namespace
 
 std::vector<std::size_t> choose_drivers(std::size_t ensemble, std::size_t members,
-                                        std::uint64_t seed) {
+                                        std::uint64_t seed, std::size_t set) {
   expects(ensemble > 0, "somebody drives");
+  // The round in which the first set ends has the stream that it had before there were further
+  // sets.
+  const std::size_t first_odd_round = members / ensemble;
   std::vector<std::size_t> drivers;
-  while (drivers.size() + ensemble <= members) {
-    for (std::size_t i = 0; i < ensemble; ++i) drivers.push_back(i);
+  const std::size_t end = (set + 1) * members;
+  for (std::size_t card = set * members; card < end;) {
+    const std::size_t round = card / ensemble;
+    const std::size_t next = std::min(end, (round + 1) * ensemble);
+    std::vector<std::size_t> drawn(ensemble);
+    std::iota(drawn.begin(), drawn.end(), 0U);
+    Rng random(seed, round == first_odd_round
+                         ? "calibration/wind_drivers"
+                         : "calibration/wind_drivers/" + std::to_string(round));
+    for (std::size_t i = ensemble - 1; i > 0; --i)
+      std::swap(drawn[i], drawn[random.bits() % (i + 1)]);
+    const auto at = [&](std::size_t c) {
+      return drawn.begin() + static_cast<std::ptrdiff_t>(c - round * ensemble);
+    };
+    std::sort(at(card), at(next));
+    drivers.insert(drivers.end(), at(card), at(next));
+    card = next;
   }
-  std::vector<std::size_t> drawn(ensemble);
-  std::iota(drawn.begin(), drawn.end(), 0U);
-  Rng random(seed, "calibration/wind_drivers");
-  for (std::size_t i = ensemble - 1; i > 0; --i)
-    std::swap(drawn[i], drawn[random.bits() % (i + 1)]);
-  drawn.resize(members - drivers.size());
-  std::sort(drawn.begin(), drawn.end());
-  drivers.insert(drivers.end(), drawn.begin(), drawn.end());
   return drivers;
 }
 
@@ -70,23 +80,22 @@ double least_ensemble_sigma_m_s() noexcept { return analysed_wind_error().initia
 
 EnsembleWind::EnsembleWind(const WindDepartures& ensemble, std::span<const UtcTime> times,
                            UtcTime end_of_day, std::span<const UtcTime> samples,
-                           const WindErrorGrowth& law, std::size_t members, std::uint64_t seed)
+                           const WindErrorGrowth& law, std::size_t members, std::uint64_t seed,
+                           std::size_t set)
     : samples_(samples.begin(), samples.end()),
       law_(law),
       seed_(seed),
+      first_(set * members),
       number_(ensemble.number),
-      driver_of_member_(choose_drivers(ensemble.number.size(), members, seed)) {
+      driver_of_member_(choose_drivers(ensemble.number.size(), members, seed, set)) {
   const std::vector<double> variance = ensemble_variance(ensemble, times.size());
   const std::span all(ensemble.departure_m_s);
   for (std::size_t n = 0; n < number_.size(); ++n) {
     drivers_.push_back(
         driver_of(all.subspan(n * times.size(), times.size()), variance, times, end_of_day));
   }
-  std::vector<bool> has_driven(number_.size());
-  for (const std::size_t n : driver_of_member_) {
-    is_repeated_.push_back(has_driven[n]);
-    has_driven[n] = true;
-  }
+  for (std::size_t m = 0; m < members; ++m)
+    is_repeated_.push_back(first_ + m >= number_.size());  // after the first round
 }
 
 EnsembleWind::Driver EnsembleWind::driver_of(std::span<const Horizontal> departure_m_s,
@@ -137,7 +146,7 @@ std::vector<Horizontal> EnsembleWind::departure(std::size_t m, Rng& random) cons
   if (!is_repeated_[m]) return departure;
   std::vector<double> sigma;
   for (const double spread : driver.spread_m_s) sigma.push_back(repeated_share * spread);
-  Rng own(seed_, "calibration/repeated_wind/" + std::to_string(m));
+  Rng own(seed_, "calibration/repeated_wind/" + std::to_string(first_ + m));
   const std::vector<Horizontal> more = draw_wind_departures(samples_, sigma, law_.memory_h, own);
   for (std::size_t k = 0; k < departure.size(); ++k) departure[k] += more[k];
   return departure;

@@ -19,8 +19,12 @@ struct WindDepartures {
 /// many as there are: each once; more: chosen without repetition by the seed, in ascending order;
 /// fewer: every one equally often, the odd ones out chosen by the seed. The same at all columns of
 /// a site, whose weather is one.
+///
+/// Sets of members follow one another as hands of cards: each set goes on where the one before it
+/// ended, in rounds of the whole ensemble shuffled anew, so that nobody drives again before all
+/// have driven; within a round a set's share is in ascending order.
 [[nodiscard]] std::vector<std::size_t> choose_drivers(std::size_t ensemble, std::size_t members,
-                                                      std::uint64_t seed);
+                                                      std::uint64_t seed, std::size_t set = 0);
 
 /// The mean square departure of a component from the wind that is used, m2/s2, per time, over the
 /// members that say something; NaN where none does. About the wind used, not about the ensemble's
@@ -56,10 +60,11 @@ class EnsembleWind {
  public:
   /// @param times    of the departures given, ascending
   /// @param samples  of the central wind, ascending, after the end of D
-  /// @param members  of the forecast
+  /// @param members  of one set of the forecast's
+  /// @param set      which of the sets: members are counted within it
   EnsembleWind(const WindDepartures& ensemble, std::span<const UtcTime> times, UtcTime end_of_day,
                std::span<const UtcTime> samples, const WindErrorGrowth& law, std::size_t members,
-               std::uint64_t seed);
+               std::uint64_t seed, std::size_t set = 0);
 
   /// The number of the member that drives each member of the forecast.
   [[nodiscard]] std::vector<int> numbers() const;
@@ -81,6 +86,7 @@ class EnsembleWind {
   std::vector<UtcTime> samples_;
   WindErrorGrowth law_;
   std::uint64_t seed_;
+  std::size_t first_;  ///< of the set's members, counted over all sets
   std::vector<int> number_;
   std::vector<std::size_t> driver_of_member_;
   std::vector<bool> is_repeated_;  ///< per member of the forecast: its driver has driven before

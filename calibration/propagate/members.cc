@@ -111,10 +111,11 @@ std::vector<std::size_t> form_of_pairs(const std::vector<double>& weight, std::s
 }  // namespace
 
 Members::Members(std::span<const Calibration> forms, const std::vector<double>& form_weight,
-                 int members, std::size_t size, std::uint64_t seed)
+                 int members, std::size_t size, std::uint64_t seed, std::size_t set)
     : forms_(forms),
       size_(size),
       seed_(seed),
+      set_(set),
       form_of_pair_(form_of_pairs(form_weight, static_cast<std::size_t>(std::max(0, members) / 2))),
       departure_(2 * form_of_pair_.size() * size) {}
 
@@ -126,13 +127,14 @@ void Members::draw_wind_driven(std::span<const UtcTime> times, const VectorColum
   std::optional<EnsembleWind> weather;
   if (!ensemble.empty() && !form_of_pair_.empty()) {
     weather.emplace(ensemble, times, end_of_day, samples, wind_error, 2 * form_of_pair_.size(),
-                    seed_);
+                    seed_, set_);
     wind_number_ = weather->numbers();
   }
   std::vector<Rng> random;
   std::vector<PairWind> blown(form_of_pair_.size());
   for (std::size_t p = 0; p < form_of_pair_.size(); ++p) {
-    random.emplace_back(seed_, "calibration/member_wind/" + std::to_string(p));
+    const std::size_t number = set_ * form_of_pair_.size() + p;
+    random.emplace_back(seed_, "calibration/member_wind/" + std::to_string(number));
     if (weather) {
       Rng same = random[p];
       blown[p].minus = weather->departure(2 * p + 1, same);
@@ -161,7 +163,9 @@ void Members::draw_memory(std::span<const UtcTime> times, std::span<const Column
   for (std::size_t f = 0; f < forms_.size(); ++f) {
     const auto count = static_cast<int>(std::count(form_of_pair_.begin(), form_of_pair_.end(), f));
     if (count == 0) continue;
-    Rng random(seed_, "calibration/member_memory/" + std::to_string(f));
+    std::string name = "calibration/member_memory/" + std::to_string(f);
+    if (set_ > 0) name += "/" + std::to_string(set_);
+    Rng random(seed_, name);
     std::vector<Horizontal> drawn(static_cast<std::size_t>(count) * size_);
     memory[f].likeliest().sample(times, central[f], random, count, drawn);
     std::size_t next = 0;

@@ -13,12 +13,17 @@ namespace slackwater::calibration {
 /// Departures of the members of an ensemble from its centre, in pairs of opposite sign: parameters
 /// and wind, then memory. Each pair follows one form, as often as the form's weight asks. Winds of
 /// a weather ensemble come in no pairs.
+///
+/// Members are drawn in sets: forms, the spread of the winds and the scale to sigma are those of a
+/// whole set, and the streams of a set have names of their own. So a member depends on the seed and
+/// its number, not on how many others are asked for.
 class Members {
  public:
-  /// @param members  even
+  /// @param members  of the set; even
   /// @param size     times x levels
+  /// @param set      which of them: 0, 1, ...
   Members(std::span<const Calibration> forms, const std::vector<double>& form_weight, int members,
-          std::size_t size, std::uint64_t seed);
+          std::size_t size, std::uint64_t seed, std::size_t set = 0);
 
   /// Adds the wind-driven departures: the wind drawn from its error, the parameters from their
   /// posterior. From eight pairs on the winds spread at each sample exactly as their error says.
@@ -54,6 +59,7 @@ class Members {
   std::span<const Calibration> forms_;
   std::size_t size_;
   std::uint64_t seed_;
+  std::size_t set_;
   std::vector<std::size_t> form_of_pair_;
   std::vector<Horizontal> departure_;
   std::vector<Horizontal> wind_;

@@ -81,6 +81,18 @@ std::vector<double> mix(const Outlook& outlook, Propagated& result) {
   return variance;
 }
 
+/// Adds the first members of a set to those that are there.
+void add_first(const Members& set, std::size_t members, std::size_t size, std::size_t times,
+               Propagated& result) {
+  const auto add = [&](auto& to, const auto& from, std::size_t each) {
+    const std::size_t count = std::min(from.size(), members * each);
+    to.insert(to.end(), from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
+  };
+  add(result.departure_m_s, set.departures(), size);
+  add(result.wind_departure_m_s, set.wind_departures(), times);
+  add(result.wind_member_number, set.wind_numbers(), 1);
+}
+
 }  // namespace
 
 Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime> times,
@@ -108,26 +120,28 @@ Propagated propagate(std::span<const Calibration> forms, std::span<const UtcTime
   }
   std::vector<double> variance = mix(outlook, result);
 
-  Members members(forms, result.form_weight, spread.members, variance.size(), seed);
-  if (uses_wind) {
-    const auto draw = [&](Members& of) {
-      of.draw_wind_driven(times, *wind, end_of_day, wind_error, outlook.driven, ensemble);
-    };
-    draw(members);
-    std::vector<double> driven = members.variance();
-    if (spread.members != spread.wind_draws) {
-      Members standard(forms, result.form_weight, spread.wind_draws, variance.size(), seed);
-      draw(standard);
-      driven = standard.variance();
+  expects(spread.set_of_members > 0 && spread.set_of_members % 2 == 0, "sets of whole pairs");
+  const auto of_set = static_cast<std::size_t>(spread.set_of_members);
+  const auto wanted = static_cast<std::size_t>(std::max(0, spread.members));
+  const std::size_t sets = std::max<std::size_t>(1, (wanted + of_set - 1) / of_set);
+  for (std::size_t set = 0; set < sets; ++set) {
+    if (wanted == 0 && !uses_wind) break;
+    Members members(forms, result.form_weight, spread.set_of_members, variance.size(), seed, set);
+    if (uses_wind)
+      members.draw_wind_driven(times, *wind, end_of_day, wind_error, outlook.driven, ensemble);
+    if (set == 0) {
+      const std::vector<double> driven = members.variance();
+      for (std::size_t i = 0; i < variance.size(); ++i) variance[i] += driven[i];
     }
-    for (std::size_t i = 0; i < variance.size(); ++i) variance[i] += driven[i];
+    if (wanted == 0) break;
+    members.draw_memory(times, memory, outlook.driven);
+    std::vector<double> sigma_m_s;
+    for (const double v : variance) sigma_m_s.push_back(std::sqrt(v));
+    members.scale_to(sigma_m_s);
+    add_first(members, std::min(of_set, wanted - set * of_set), variance.size(), times.size(),
+              result);
   }
-  members.draw_memory(times, memory, outlook.driven);
   for (const double v : variance) result.sigma_m_s.push_back(std::sqrt(v));
-  members.scale_to(result.sigma_m_s);
-  result.departure_m_s = members.departures();
-  result.wind_departure_m_s = members.wind_departures();
-  result.wind_member_number = members.wind_numbers();
   return result;
 }
 

@@ -41,13 +41,14 @@ struct Propagated {
 /// goes to the spread.
 ///
 ///   sigma^2 = posterior variance of the memory + variance of the wind-driven part, over
-///             `Spread::wind_draws` members whatever their number
+///             the first `Spread::set_of_members`, however many are asked for
 ///             + disagreement of the forms + the wind that may blow where none is known
 ///
 /// Members come in pairs of opposite sign: parameters drawn from the posterior, wind departures
 /// from the error of its source (wind_error.h), memory drawn from its posterior covariance in time.
-/// They are scaled to sigma at every time and level. Where a weather ensemble is known its members
-/// are their winds (ensemble_wind.h), and sigma is the mean square departure of `wind_draws` of
+/// They are scaled to sigma at every time and level, set by set: a member is the same whatever
+/// their number. Where a weather ensemble is known its members
+/// are their winds (ensemble_wind.h), and sigma is the mean square departure of the first set of
 /// them from member 0:
 /// neither winds nor currents are centred on it, so that each is the answer to its own wind, and a
 /// centre that stands off the ensemble's mean is doubted for it.

@@ -24,12 +24,13 @@ struct Spread {
   std::vector<double> inertial_scales{1.0, 3.0};
   /// Levels of a column that are independent witnesses of that: neighbours err together.
   double independent_levels = 2.0;
-  int members = 24;  ///< beside member 0; even
-  /// Members of the set that says how far an uncertain wind spreads the current: drawn for this
-  /// alone where another number is asked for, so that sigma is the same beside 0 members, 24 or 50,
-  /// and a rehearsed band that of the issued forecast. By the seed the wind's part varies by 13 %
+  int members = 24;  ///< beside member 0
+  /// Members are drawn in sets of so many, even: the first set says how far an uncertain wind
+  /// spreads the current, drawn for this alone where no members are asked for. So sigma is the same
+  /// beside 0 members, 24 or 50, a rehearsed band that of the issued forecast, and a member the
+  /// same whatever their number (members.h). By the seed the wind's part varies by 13 %
   /// (tests/calibration/propagate/members_test.cc).
-  int wind_draws = 24;
+  int set_of_members = 24;
 };
 
 }  // namespace slackwater::calibration

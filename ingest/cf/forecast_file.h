@@ -11,6 +11,10 @@ inline constexpr double member_step_m_s = 1.0 / 8192;
 /// The same for the wind of members: at most 0.49 mm/s.
 inline constexpr double wind_member_step_m_s = 1.0 / 1024;
 
+/// A member's velocity as the file holds it: each component a float, rounded to a multiple of a
+/// step.
+[[nodiscard]] Horizontal as_filed(Horizontal member_m_s, double step_m_s) noexcept;
+
 /// Writes an issued forecast as one CF-1.8 NetCDF-4 file, fsynced.
 ///
 /// Exactly one variable per component has the dimensions (time, depth) — (time, depth, column) for

@@ -23,7 +23,16 @@ std::string rounding(double step_m_s) {
          " m s-1; member 0 is the variable without realization";
 }
 
+float rounded(double velocity_m_s, double step_m_s) noexcept {
+  return static_cast<float>(std::round(velocity_m_s / step_m_s) * step_m_s);
+}
+
 }  // namespace
+
+Horizontal as_filed(Horizontal member_m_s, double step_m_s) noexcept {
+  return {static_cast<double>(rounded(member_m_s.real(), step_m_s)),
+          static_cast<double>(rounded(member_m_s.imag(), step_m_s))};
+}
 
 bool MemberWriter::has(const MemberVariable& variable) const {
   return variable.levels(s_) > 0 &&
@@ -148,8 +157,7 @@ std::vector<float> MemberWriter::block(const MemberVariable& variable, std::size
         const double value = variable.north ? member.imag() : member.real();
         // Up to 2^23 steps, 1024 m/s for the current, a float holds each multiple exactly.
         expects(std::abs(value) <= 1000, "a member has a velocity wherever the forecast has one");
-        values[(cell * columns + c) * members + m] =
-            static_cast<float>(std::round(value / variable.step_m_s) * variable.step_m_s);
+        values[(cell * columns + c) * members + m] = rounded(value, variable.step_m_s);
       }
     }
   }

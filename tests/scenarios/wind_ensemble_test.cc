@@ -7,6 +7,7 @@
 #include <set>
 
 #include "api/pipeline/daily_job.h"
+#include "api/pipeline/further_members.h"
 #include "api/pipeline/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/synthetic/product_files.h"
@@ -119,6 +120,14 @@ TEST(WindEnsemble, ItsNumbersStandInTheIssuedFileBesideTheWindsTheyName) {
   EXPECT_EQ(read.columns[0].wind_member_number,
             job.forecast.snapshot.columns[0].wind_member_number);
   EXPECT_EQ(read.wind_ensemble, job.forecast.snapshot.wind_ensemble);
+
+  // Further members have further winds, until all have blown once.
+  static_cast<void>(publish(store, job, ForecastOrigin::forecast));
+  const Snapshot more = with_further_members(store, store.list_forecasts().front(), members + 1);
+  const std::vector<int>& all = more.columns[0].wind_member_number;
+  ASSERT_EQ(all.size(), members);
+  EXPECT_EQ(std::set(all.begin(), all.end()).size(), members);
+  EXPECT_TRUE(std::equal(number.begin(), number.end(), all.begin()));
 }
 
 }  // namespace

@@ -249,6 +249,30 @@ TEST(DrivingEnsemble, TheOrderOfPiecesTheThreadsAndTheColumnsDoNotMatter) {
   EXPECT_EQ(other.snapshot.columns[0].wind_m_s, made.snapshot.columns[0].wind_m_s);
 }
 
+TEST(DrivingEnsemble, AMemberIsTheSameWhateverTheirNumber) {
+  const KnownSeriesForTests sea = sea_with({.members = 11});
+  const SiteData data = site_of({sea.data});
+  const auto made_with = [&](int members) {
+    ForecastOptions options = options_of();
+    options.horizon = hours(24);
+    options.members = members;
+    return make_forecast(data, options).snapshot;
+  };
+  const Snapshot usual = made_with(24);
+  const Snapshot more = made_with(60);
+  EXPECT_EQ(usual.members, 25u);
+  EXPECT_EQ(more.members, 61u);
+  EXPECT_EQ(usual.headline, more.headline);
+  const ForecastColumn& few = usual.columns[0];
+  ForecastColumn first = more.columns[0];
+  ASSERT_EQ(first.member_m_s.size(), 60 * first.current_m_s.size());
+  ASSERT_EQ(first.wind_member_number.size(), 60u);
+  first.member_m_s.resize(few.member_m_s.size());
+  first.wind_member_m_s.resize(few.wind_member_m_s.size());
+  first.wind_member_number.resize(24);
+  expect_same(first, few);
+}
+
 TEST(DrivingEnsemble, FourMembersOrOnesNotKnownLeaveTheForecastAsItWas) {
   const DailyForecast without = make_forecast(site_of({sea_with_control().data}), options_of());
   EXPECT_TRUE(without.snapshot.columns[0].wind_member_number.empty());

@@ -89,6 +89,24 @@ TEST(ChooseDrivers, OfFewerAllDriveEquallyOften) {
   }
 }
 
+TEST(ChooseDrivers, SetsGoOnWhereTheOneBeforeEndedAndNobodyDrivesAgainBeforeAllHave) {
+  for (const std::size_t ensemble : {5U, 11U, 24U, 30U, 50U}) {
+    std::vector<std::size_t> times_driven(ensemble);
+    std::vector<std::size_t> before;
+    for (std::size_t set = 0; set < 6; ++set) {
+      const std::vector<std::size_t> drivers = choose_drivers(ensemble, issued, 3, set);
+      ASSERT_EQ(drivers.size(), issued);
+      for (const std::size_t n : drivers) ++times_driven.at(n);
+      const auto [least, most] = std::minmax_element(times_driven.begin(), times_driven.end());
+      EXPECT_LE(*most - *least, 1U) << ensemble << " after set " << set;
+      if (ensemble > issued) {
+        EXPECT_NE(drivers, before);
+      }
+      before = drivers;
+    }
+  }
+}
+
 TEST(EnsembleVariance, IsTheMeanSquareOfWhoSpeaks) {
   WindDepartures ensemble{{1, 2, 3}, {}};
   const Horizontal nothing(nan, nan);

@@ -99,6 +99,45 @@ TEST(Members, SigmaIsTheSameBesideAnyNumberOfMembers) {
   for (const int members : {0, 2, 8, 50}) EXPECT_EQ(sigma_beside(members), usual) << members;
 }
 
+TEST(Members, AreTheSameBitsWhateverTheirNumber) {
+  const CalibrationInput input = unsteady_input(usual_day());
+  const Calibration fitted = calibrate_day(input);
+  const auto times = leads(1, 12);
+  const auto beside = [&](int members, bool has_wind) {
+    Spread spread;
+    spread.members = members;
+    return outlook(fitted, times, has_wind ? std::optional(input.wind) : std::nullopt,
+                   with_wind_error(), 1, spread);
+  };
+  for (const bool has_wind : {true, false}) {
+    const Propagated most = beside(60, has_wind);
+    const std::size_t size = most.mean_m_s.size();
+    ASSERT_EQ(most.departure_m_s.size(), 60 * size);
+    for (const int members : {1, 7, 24, 25, 48}) {
+      const Propagated fewer = beside(members, has_wind);
+      ASSERT_EQ(fewer.departure_m_s.size(), std::size_t(members) * size);
+      EXPECT_TRUE(std::equal(fewer.departure_m_s.begin(), fewer.departure_m_s.end(),
+                             most.departure_m_s.begin()))
+          << members;
+      EXPECT_TRUE(std::equal(fewer.wind_departure_m_s.begin(), fewer.wind_departure_m_s.end(),
+                             most.wind_departure_m_s.begin()))
+          << members;
+    }
+    for (std::size_t i = 24 * times.size(); i < most.wind_departure_m_s.size(); ++i) {
+      EXPECT_NE(most.wind_departure_m_s[i], most.wind_departure_m_s[i % (24 * times.size())]);
+    }
+    // Each set spreads as sigma says, and none repeats another.
+    for (std::size_t i = 0; i < size; ++i) {
+      double squares = 0;
+      for (std::size_t m = 24; m < 48; ++m)
+        squares += 0.5 * std::norm(most.departure_m_s[m * size + i]) / 24;
+      EXPECT_NEAR(std::sqrt(squares) / most.sigma_m_s[i], 1.0, 1e-12);
+      for (std::size_t m = 24; m < 60; ++m)
+        EXPECT_NE(most.departure_m_s[m * size + i], most.departure_m_s[m % 24 * size + i]);
+    }
+  }
+}
+
 TEST(Members, SigmaHardlyDependsOnTheSeed) {
   // What the wind leaves open on the second day, by sixteen seeds: 13 % of itself; 16 % where pairs
   // are left as they fall (24 independent squares alone: 1/sqrt(2 * 24) = 14 %; the parameters).
