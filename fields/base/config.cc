@@ -328,6 +328,12 @@ void Config::refuse(std::string_view key, std::string_view why) const {
 
 const std::string& Config::name() const noexcept { return node_->file; }
 
+std::string quoted_yaml(const std::string& text) {
+  YAML::Emitter out;
+  out << YAML::DoubleQuoted << text;
+  return out.c_str();
+}
+
 std::optional<std::string> nearest_word(std::string_view word,
                                         const std::vector<std::string>& known) {
   std::optional<std::string> best;

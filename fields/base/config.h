@@ -64,6 +64,9 @@ class Config {
   std::shared_ptr<Node> node_;
 };
 
+/// A text as YAML, quoted, for what is handed on to another file.
+[[nodiscard]] std::string quoted_yaml(const std::string& text);
+
 /// The known word closest to `word` by edit distance, or nothing if none is near.
 [[nodiscard]] std::optional<std::string> nearest_word(std::string_view word,
                                                       const std::vector<std::string>& known);

@@ -80,6 +80,36 @@ TEST(StrictConfig, DeepNestingIsRefusedBeforeTheParserSeesIt) {
             std::string::npos);
 }
 
+TEST(FlowYaml, OnOneLineIsReadBackAsWhatItWas) {
+  std::string many = "[0";
+  for (int i = 1; i < 400; ++i) many += ", " + std::to_string(i * 0.125);
+  const std::string yaml = "wanted:\n  text: 'it: is, {odd} #5 \"here\"'\n  many: " + many +
+                           "]\n  below:\n    - {a: yes, b: ''}\n    - {a: 1e-3}\nother: 1\n";
+  const Config config = Config::parse(yaml, "test.yaml");
+  const std::string line = config.flow_yaml("wanted");
+  EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  const Config again = Config::parse("wanted: " + line + "\n", "again.yaml").child("wanted");
+  EXPECT_EQ(again.text("text"), "it: is, {odd} #5 \"here\"");
+  const std::vector<double> numbers = again.numbers("many", {});
+  ASSERT_EQ(numbers.size(), 400U);
+  EXPECT_DOUBLE_EQ(numbers.back(), 399 * 0.125);
+  const auto below = again.children("below");
+  ASSERT_EQ(below.size(), 2U);
+  EXPECT_EQ(below[0].text("b"), "");
+  EXPECT_DOUBLE_EQ(below[1].number("a", {}), 1e-3);
+  // All of it counts as read, the rest does not.
+  EXPECT_NE(message_of([&] { config.expect_all_read(); }).find("unknown key 'other'"),
+            std::string::npos);
+}
+
+TEST(QuotedYaml, IsReadBackAsTheTextItWas) {
+  for (const std::string text :
+       {"a01", "A: 1, {b} #c", "it's \"here\"", "C:\\x\ty", "", "yes", "näher"}) {
+    const Config read = Config::parse("{a: " + quoted_yaml(text) + ", b: 1}", "test.yaml");
+    EXPECT_EQ(read.text("a"), text);
+  }
+}
+
 TEST(NearestWord, FindsTheSlipOfAFinger) {
   EXPECT_EQ(nearest_word("lattitude_deg", {"longitude_deg", "latitude_deg"}), "latitude_deg");
   EXPECT_EQ(nearest_word("xyz", {"longitude_deg", "latitude_deg"}), std::nullopt);

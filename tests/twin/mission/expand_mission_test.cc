@@ -197,5 +197,16 @@ TEST(WorkPattern, TheExpandingSquareGrowsByItsLeg) {
               10 * (1 + 1 + 2 + 2 + 3 + 3), 1e-9);
 }
 
+TEST(ExpandMission, NamesAreTakenAsTheyAreHoweverOddTheyLook) {
+  twin::MissionParts parts = small_farm_parts();
+  parts.site.turbines.front().id = "A: 1, {north} #2";
+  const Config config =
+      Config::parse(mission("scour_survey", "\"A: 1, {north} #2\""), "mission.yaml");
+  const twin::ExpandedMission out = twin::expand_mission(config, parts);
+  const twin::Scenario scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  ASSERT_FALSE(scenario.structures.empty());
+  EXPECT_EQ(scenario.structures.front().name, "A: 1, {north} #2");
+}
+
 }  // namespace
 }  // namespace slackwater::tests
