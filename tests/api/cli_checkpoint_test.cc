@@ -4,7 +4,6 @@
 #include <signal.h>
 
 #include <chrono>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -64,12 +63,9 @@ class CheckpointFile : public testing::Test {
  protected:
   void SetUp() override { write("run.yaml", scenario); }
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(made_.file(name), std::ios::binary) << text;
-    return path(name);
+    return made_.write(name, text);
   }
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return made_.file(name).string();
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return made_.path(name); }
   [[nodiscard]] bool exists(const std::string& name) const {
     return std::filesystem::exists(path(name));
   }

@@ -2,7 +2,6 @@
 // log and its page.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "ingest/cf/trajectory_file.h"
@@ -17,13 +16,9 @@ using nlohmann::json;
 class SimulateFates : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) const {
-    const std::filesystem::path file = made_.file(name);
-    std::ofstream(file) << text;
-    return file.string();
+    return made_.write(name, text);
   }
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return made_.file(name).string();
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return made_.path(name); }
   /// A bundled vehicle's file without its `battery` block.
   [[nodiscard]] std::string without_battery(const std::string& id) const {
     std::string yaml = read_bytes(source_folder() / "data" / "vehicles" / (id + ".yaml"));

@@ -35,13 +35,9 @@ class SimulateCommand : public testing::Test {
  protected:
   void SetUp() override { write("run.yaml", scenario); }
   std::string write(const std::string& name, const std::string& text) const {
-    const std::filesystem::path file = made_.file(name);
-    std::ofstream(file) << text;
-    return file.string();
+    return made_.write(name, text);
   }
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return made_.file(name).string();
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return made_.path(name); }
   StoreForTests made_;
 };
 

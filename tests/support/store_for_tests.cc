@@ -68,6 +68,11 @@ std::string read_bytes(const std::filesystem::path& file) {
   return text.str();
 }
 
+std::string StoreForTests::write(const std::string& name, const std::string& text) const {
+  write_bytes(file(name), text);
+  return path(name);
+}
+
 void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
   stream << bytes;

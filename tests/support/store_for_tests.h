@@ -20,6 +20,9 @@ class StoreForTests {
   [[nodiscard]] const std::filesystem::path& store() const noexcept { return store_; }
   /// A path for a product or site file.
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] std::string path(const std::string& name) const { return file(name).string(); }
+  /// Writes a file beside the store. @return its path
+  std::string write(const std::string& name, const std::string& text) const;
   /// Runs the program on this store.
   [[nodiscard]] ProgramResult run(std::vector<std::string> arguments) const;
   /// The same, started only; see `start_program`.

@@ -7,23 +7,11 @@
 #include "fields/base/error.h"
 #include "fields/base/random.h"
 #include "fields/site/site.h"
+#include "tests/fields/site/site_for_tests.h"
 #include "tests/support/shared_data.h"
 
 namespace slackwater::tests {
 namespace {
-
-Site site_with(const std::string& more) {
-  return parse_site("id: here\nlatitude_deg: 54\nlongitude_deg: 6.5\n" + more, "here.yaml");
-}
-
-std::string refusal(const std::string& more) {
-  try {
-    (void)site_with(more);
-  } catch (const Error& error) {
-    return error.message();
-  }
-  return "accepted";
-}
 
 const std::string two_turbines =
     "turbines:\n  - {id: A, latitude_deg: 54, longitude_deg: 6.5}\n"

@@ -2,24 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "fields/base/error.h"
+#include "tests/fields/site/site_for_tests.h"
 
-namespace slackwater {
+namespace slackwater::tests {
 namespace {
-
-Site site_with(const std::string& more) {
-  return parse_site("id: here\nlatitude_deg: 54\nlongitude_deg: 6.5\n" + more, "here.yaml");
-}
-
-std::string refusal(const std::string& more) {
-  try {
-    (void)site_with(more);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::invalid_input);
-    return error.message();
-  }
-  return "accepted";
-}
 
 bool says(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;
@@ -54,4 +40,4 @@ TEST(SiteFetch, WhatIsWrongWithItIsSaidWithFileAndLine) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::tests
