@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
 
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
@@ -55,17 +57,30 @@ std::vector<UtcTime> starts_of(const RehearseArguments& arguments, const LoadedM
   return starts;
 }
 
-/// How many futures there are to fly in.
-std::size_t members_of(const RehearseArguments& arguments, const LoadedMission& mission) {
-  const std::size_t held = mission.water.surround.field->snapshot().members;
-  const bool is_made_up = mission.water.forecast_sha256.empty();
-  if (arguments.members == 0) return is_made_up ? 1 : held;
-  if (!is_made_up && arguments.members > held)
-    throw Error(ErrorKind::usage,
-                formatted("--members: found {}, the forecast was issued with {}; ask for at most "
-                          "those",
-                          arguments.members, held));
+/// How many futures there are to fly in; of a forecast, further ones than issued are drawn.
+std::size_t hold_futures(const RehearseArguments& arguments, const Context& context, int threads,
+                         LoadedMission& mission) {
+  const std::size_t issued = mission.water.members_issued;
+  if (arguments.members == 0) return std::max<std::size_t>(issued, 1);
+  hold_members(mission.water, arguments.members, context.store_folder, threads);
   return arguments.members;
+}
+
+/// The flight that is to be logged. @throws Error(usage) where it is not among those flown
+std::optional<twin::FlightCase> logged_of(const RehearseArguments& arguments,
+                                          const RehearsalPlan& plan, const Context& context) {
+  if (arguments.log.empty()) return std::nullopt;
+  const UtcTime start = arguments.log_start.empty()
+                            ? plan.starts.front()
+                            : context.time_of("--log-start", arguments.log_start);
+  if (std::find(plan.starts.begin(), plan.starts.end(), start) == plan.starts.end())
+    throw Error(ErrorKind::usage, "--log-start: found " + format_utc(start) +
+                                      ", expected one of the starts that are flown");
+  if (arguments.log_member >= plan.members)
+    throw Error(ErrorKind::usage, formatted("--log-member: found {}, expected 0 to {}, those that "
+                                            "are flown",
+                                            arguments.log_member, plan.members - 1));
+  return twin::FlightCase{start, arguments.log_member};
 }
 
 void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal) {
@@ -96,12 +111,9 @@ void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal) {
 
 /// The flight of one start and member, logged as `simulate` logs.
 void write_flight(const RehearseArguments& arguments, const LoadedMission& mission,
-                  const RehearsalPlan& plan, const Context& context) {
-  const UtcTime start = arguments.log_start.empty()
-                            ? plan.starts.front()
-                            : context.time_of("--log-start", arguments.log_start);
-  const std::string yaml = scenario_of_flight(mission.expanded.scenario_yaml,
-                                              {start, arguments.log_member}, mission.scenario.seed);
+                  const twin::FlightCase& logged) {
+  const std::string yaml =
+      scenario_of_flight(mission.expanded.scenario_yaml, logged, mission.scenario.seed);
   LoadedMission flown = mission;
   flown.scenario = twin::parse_scenario(yaml, arguments.mission.filename().string());
   const ScenarioResult result = run_scenario(flown.scenario, flown.water, {});
@@ -117,12 +129,15 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   expect_output("--log", arguments.log, {".nc"});
   std::vector<twin::Assumption> assumed;
   for (const std::string& text : arguments.assume) assumed.push_back(twin::parse_assumption(text));
-  const LoadedMission mission = load_mission(arguments.mission, context.store_folder, assumed);
+  LoadedMission mission = load_mission(arguments.mission, context.store_folder, assumed);
   RehearsalPlan plan;
+  plan.threads = arguments.threads > 0
+                     ? arguments.threads
+                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   plan.starts = starts_of(arguments, mission, context);
-  plan.members = members_of(arguments, mission);
+  plan.members = hold_futures(arguments, context, plan.threads, mission);
+  const std::optional<twin::FlightCase> logged = logged_of(arguments, plan, context);
   plan.narrow_enough = arguments.narrow_enough;
-  plan.threads = arguments.threads > 0 ? arguments.threads : 2;
   plan.flights.workers = mission.expanded.workers;
   // A page draws some hundreds of places of a way.
   plan.flights.sample_every_s = std::clamp(mission.scenario.duration_s / 240, 5.0, 60.0);
@@ -159,7 +174,7 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
       write_rehearsal_page(mission, plan, rehearsal, partial);
     });
   }
-  if (!arguments.log.empty()) write_flight(arguments, mission, plan, context);
+  if (logged) write_flight(arguments, mission, *logged);
   for (const std::string& warning : mission.water.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   if (context.json)
@@ -178,7 +193,9 @@ void add_rehearse(CLI::App& app, Context& context) {
       "rehearse",
       "Fly a mission in every future of the forecast: done or not, and what stopped it");
   command->add_option("mission", arguments->mission, "YAML file")->required();
-  command->add_option("--members", arguments->members, "futures (default: all that were issued)")
+  command
+      ->add_option("--members", arguments->members,
+                   "futures (default: all that were issued; 1 in made-up water)")
       ->check(CLI::Range(1, 100000));
   command->add_option("--start", arguments->starts,
                       "UTC time, as often as wanted (default: the mission's)");
@@ -190,7 +207,7 @@ void add_rehearse(CLI::App& app, Context& context) {
       ->check(CLI::Range(0.001, 1.0));
   command->add_option("--assume", arguments->assume,
                       "what no forecast serves, e.g. visibility_m=5000");
-  command->add_option("--threads", arguments->threads, "1 to 64 (default 2)")
+  command->add_option("--threads", arguments->threads, "1 to 64 (default: one a core)")
       ->check(CLI::Range(1, 64));
   command->add_option("--out", arguments->out, "all flights, minute by minute, as FILE.nc");
   command->add_option("--html", arguments->html, "page as FILE.html");

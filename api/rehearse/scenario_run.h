@@ -20,9 +20,10 @@ namespace slackwater::api {
 /// The water of a scenario, with the name under which it is found again.
 struct ScenarioWater {
   twin::Surround surround;
-  std::string forecast_sha256;  ///< empty: made up
-  std::string forecast_name;    ///< "site 2025-06-01, issued ...", for people
-  std::string traffic_files;    ///< logs of AIS and their checksums; empty: none
+  std::string forecast_sha256;     ///< empty: made up
+  std::string forecast_name;       ///< "site 2025-06-01, issued ...", for people
+  std::size_t members_issued = 0;  ///< of it; the field may hold more, drawn since
+  std::string traffic_files;       ///< logs of AIS and their checksums; empty: none
   std::vector<std::string> warnings;
 };
 
@@ -31,6 +32,12 @@ struct ScenarioWater {
 [[nodiscard]] ScenarioWater water_of(const twin::Scenario& scenario,
                                      const std::filesystem::path& store_folder,
                                      const std::filesystem::path& scenario_folder);
+/// Gives a forecast at least so many members, the central one among them: those beyond what was
+/// issued are drawn from the stored calibration (`with_further_members`); neither its file nor the
+/// store is touched. Nothing for made-up water, whose futures differ in their seed alone.
+/// @throws Error(unavailable) where they cannot be drawn, saying why
+void hold_members(ScenarioWater& water, std::size_t members,
+                  const std::filesystem::path& store_folder, int threads);
 /// The forecast of a log: by its checksum, in the store. @param file  where given, this one
 [[nodiscard]] ScenarioWater water_of_log(const twin::Scenario& scenario,
                                          const std::string& forecast_sha256,

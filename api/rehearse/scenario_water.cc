@@ -1,12 +1,14 @@
 #include <algorithm>
 
 #include "api/issued/in_force.h"
+#include "api/pipeline/further_members.h"
 #include "api/program/paths.h"
 #include "api/rehearse/scenario_run.h"
 #include "data/store/store.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
 #include "fields/base/sha256.h"
+#include "fields/base/text.h"
 #include "fields/geo/local_frame.h"
 #include "fields/site/site.h"
 #include "ingest/cf/forecast_file.h"
@@ -38,6 +40,7 @@ ScenarioWater of_file(const std::filesystem::path& file) {
   water.forecast_sha256 = sha256_of_file(file);
   water.forecast_name = snapshot->site_id + " " + format_day(snapshot->day) + ", issued " +
                         format_utc(snapshot->issued);
+  water.members_issued = snapshot->members;
   water.surround.site = snapshot->columns.front().point;
   water.surround.field = std::make_shared<Field>(std::move(snapshot));
   return water;
@@ -55,7 +58,33 @@ void add_turbines(const Scenario& scenario, const Site& site, ScenarioWater& wat
       std::make_shared<Turbine>(Turbine::load(data_folder() / "turbines" / "nrel_5mw.yaml"));
 }
 
+/// Of the store, whose content is that of the forecast.
+store::ForecastRow row_of(store::Store& store, const ScenarioWater& water, std::size_t members) {
+  for (store::ForecastRow& row : store.list_forecasts())
+    if (row.content_sha256 == water.forecast_sha256) return std::move(row);
+  throw Error(ErrorKind::unavailable,
+              formatted("the forecast {} was issued with {} members and cannot be given {}: the "
+                        "store does not hold it; ask for at most those, or name the store that "
+                        "issued it (--store)",
+                        water.forecast_name, water.members_issued, members));
+}
+
+/// The members that a scenario names, beyond those that were issued if need be.
+void hold_member_of(const Scenario& scenario, const std::filesystem::path& store_folder,
+                    ScenarioWater& water) {
+  hold_members(water, scenario.member + 1, store_folder, 1);
+}
+
 }  // namespace
+
+void hold_members(ScenarioWater& water, std::size_t members,
+                  const std::filesystem::path& store_folder, int threads) {
+  if (water.forecast_sha256.empty() || members <= water.surround.field->snapshot().members) return;
+  store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
+  const store::ForecastRow row = row_of(store, water, members);
+  water.surround.field = std::make_shared<Field>(
+      std::make_shared<Snapshot>(with_further_members(store, row, members, threads)));
+}
 
 ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& store_folder,
                        const std::filesystem::path& scenario_folder) {
@@ -77,6 +106,7 @@ ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& st
       add_turbines(scenario, site, water);
     }
   }
+  hold_member_of(scenario, store_folder, water);
   water.surround.data_folder = data_folder();
   return water;
 }
@@ -107,6 +137,7 @@ ScenarioWater water_of_log(const Scenario& scenario, const std::string& forecast
   if (const auto* wanted = std::get_if<ForecastWater>(&scenario.water);
       wanted != nullptr && !wanted->site.empty())
     add_turbines(scenario, find_site(wanted->site, site_folders(store_folder)), water);
+  hold_member_of(scenario, store_folder, water);
   water.surround.data_folder = data_folder();
   return water;
 }
