@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "api/program/version.h"
+#include "api/rehearse/limit_bounds.h"
 #include "api/rehearse/rehearsal_json.h"
+#include "api/rehearse/run_page_traffic.h"
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
@@ -67,31 +69,10 @@ json tracks_json(const StartOutcome& start, std::size_t vehicle) {
   return tracks;
 }
 
-/// Bounds to draw into what is felt: the strictest of each variable.
-json bounds_json(const twin::ScenarioVehicle& vehicle) {
-  json bounds = json::object();
-  if (!vehicle.conduct) return bounds;
-  for (const twin::Limit& limit : vehicle.conduct->limits) {
-    const char* name = nullptr;
-    switch (limit.variable) {
-      case twin::LimitVariable::current_speed:
-        name = "current";
-        break;
-      case twin::LimitVariable::wind_speed:
-      case twin::LimitVariable::wind_speed_10m:
-        name = "wind";
-        break;
-      case twin::LimitVariable::significant_wave_height:
-        name = "waves";
-        break;
-      default:
-        break;
-    }
-    if (name == nullptr || limit.is_least) continue;
-    if (!bounds.contains(name) || bounds[name].get<double>() > limit.bound)
-      bounds[name] = limit.bound;
-  }
-  return bounds;
+/// Where the top of its line is, east and north of the origin; null: it has none.
+json tether_json(const twin::ScenarioVehicle& vehicle) {
+  if (!vehicle.tether) return nullptr;
+  return {number(vehicle.tether->top_m.y), number(vehicle.tether->top_m.x)};
 }
 
 json vehicle_json(const StartOutcome& start, std::size_t v, const twin::Scenario& scenario) {
@@ -108,7 +89,8 @@ json vehicle_json(const StartOutcome& start, std::size_t v, const twin::Scenario
           {"times", times},
           {"tracks", tracks_json(start, v)},
           {"flights", flights},
-          {"bounds", bounds_json(scenario.vehicles[v])},
+          {"tether", tether_json(scenario.vehicles[v])},
+          {"bounds", limit_bounds_json(scenario.vehicles[v])},
           {"charge", band([](const FlightSample& s) { return 100.0 * double{s.charge}; })},
           {"needed", band([](const FlightSample& s) { return 100.0 * double{s.needed}; })},
           {"current", band([](const FlightSample& s) { return double{s.current_m_s}; })},
@@ -118,9 +100,8 @@ json vehicle_json(const StartOutcome& start, std::size_t v, const twin::Scenario
 
 json start_json(const StartOutcome& start, const twin::Scenario& scenario) {
   json vehicles = json::array();
-  if (!start.flights.empty())
-    for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v)
-      vehicles.push_back(vehicle_json(start, v, scenario));
+  for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v)
+    vehicles.push_back(vehicle_json(start, v, scenario));
   return {{"label", format_utc(start.start).substr(0, 16) + "Z"},
           {"epoch",
            std::chrono::duration_cast<std::chrono::milliseconds>(start.start.time_since_epoch())
@@ -202,13 +183,37 @@ std::string plots() {
                    "holding; red: called home. Those not done stand at the top, with the cause.") +
          plot_html("plan", "Plan",
                    "East and north of the origin (m). Solid: ways of futures that were done; "
-                   "dotted: of others; circles: foundations.") +
+                   "dotted: of others; circles: foundations; triangle: the top of a tether, thin "
+                   "dashed: from there to where its vehicle came farthest; thin grey: other "
+                   "vessels.") +
          plot_html("reserve", "Charge left, and what the way home takes",
                    "State of charge (%), P10 to P90 over the futures, and the charge at which it "
                    "has to turn for home: way home, its margin and the reserve.") +
          plot_html("current", "Current felt", "At the vehicle (m/s), P10 to P90; red: its limit.") +
          plot_html("wind", "Wind felt", "Mean, at the vehicle (m/s), P10 to P90; red: its limit.") +
          plot_html("waves", "Waves", "Significant wave height (m), P10 to P90; red: its limit.");
+}
+
+std::string futures_text(const LoadedMission& mission, const RehearsalPlan& plan) {
+  const std::size_t issued = mission.water.members_issued;
+  std::string text = std::to_string(plan.members);
+  if (issued > 0 && plan.members > issued)
+    text += formatted(", {} issued and {} drawn since by its calibration", issued,
+                      plan.members - issued);
+  return text;
+}
+
+/// Of the starts that were flown, with the place of the one to look at first among them.
+json starts_json(const LoadedMission& mission, const Rehearsal& rehearsal, std::size_t best,
+                 std::size_t& best_flown) {
+  json starts = json::array();
+  for (std::size_t i = 0; i < rehearsal.starts.size(); ++i) {
+    const StartOutcome& start = rehearsal.starts[i];
+    if (start.flights.empty()) continue;
+    if (i == best) best_flown = starts.size();
+    starts.push_back(start_json(start, mission.scenario));
+  }
+  return starts;
 }
 
 /// The start that a coordinator looks at first.
@@ -228,23 +233,24 @@ std::string rehearsal_page_html(const LoadedMission& mission, const RehearsalPla
   page.site = joined(mission.expanded.tasks, ", ") + " at " +
               joined(mission.expanded.turbines, ", ") + ", " + mission.site;
   page.headline = verdict_of(rehearsal);
-  const StartOutcome& best = rehearsal.starts[best_of(rehearsal)];
-  if (best.share_done() < 0.5) page.alarm = "No-go.";
+  const std::size_t best = best_of(rehearsal);
+  if (rehearsal.starts[best].share_done() < 0.5) page.alarm = "No-go.";
   const Unchecked unchecked = unchecked_of(mission.scenario);
   page.facts = {{"forecast", mission.water.forecast_name},
-                {"futures", std::to_string(plan.members)},
+                {"futures", futures_text(mission, plan)},
                 {"vehicles", joined(mission.expanded.workers, ", ")},
                 {"seed", std::to_string(mission.scenario.seed)}};
   page.first_html = words_html(rehearsal, unchecked);
   page.plots_html = starts_html(rehearsal) + plots();
   page.instead_of_plots_html = starts_html(rehearsal);
-  json starts = json::array();
-  for (const StartOutcome& start : rehearsal.starts)
-    starts.push_back(start_json(start, mission.scenario));
-  page.data_json = script_safe({{"starts", starts},
-                                {"best", best_of(rehearsal)},
-                                {"every_s", plan.flights.sample_every_s},
-                                {"structures", structures_json(mission.scenario)}});
+  std::size_t best_flown = 0;
+  const json starts = starts_json(mission, rehearsal, best, best_flown);
+  page.data_json = script_safe(
+      {{"starts", starts},
+       {"best", best_flown},
+       {"every_s", plan.flights.sample_every_s},
+       {"structures", structures_json(mission.scenario)},
+       {"vessels", vessels_json(mission.water.surround.vessels, mission.scenario.duration_s)}});
   page.attributions = mission.water.surround.field->snapshot().attributions;
   page.generated = "slackwater " + code_version();
   page.script = rehearsal_script();

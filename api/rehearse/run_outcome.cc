@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "api/rehearse/fate.h"
@@ -147,14 +148,21 @@ std::string halt_in_words(const TrajectoryFile::Variable& halt, int number) {
 
 std::vector<RunEvent> events_of(const TrajectoryFile& log, const twin::Scenario* scenario) {
   std::vector<RunEvent> events;
+  std::set<std::size_t> with_mission;
+  for (const MissionEvent& event : mission_events_in(log)) {
+    with_mission.insert(event.vehicle);
+    events.push_back({event.t_s, event.vehicle, event.text});
+  }
   for (std::size_t i = 0; i < log.names.size(); ++i) {
     const twin::ScenarioVehicle* entry = entry_of(scenario, log.names[i]);
-    on_change(log, "task", i, [&](double t_s, int task, const auto&) {
-      const bool is_last =
-          entry != nullptr && static_cast<std::size_t>(task) >= entry->tasks.size();
-      events.push_back(
-          {t_s, i, is_last ? "all tasks done" : "task " + std::to_string(task + 1) + " begins"});
-    });
+    // Its phases say more than the numbers of its tasks.
+    if (!with_mission.contains(i))
+      on_change(log, "task", i, [&](double t_s, int task, const auto&) {
+        const bool is_last =
+            entry != nullptr && static_cast<std::size_t>(task) >= entry->tasks.size();
+        events.push_back(
+            {t_s, i, is_last ? "all tasks done" : "task " + std::to_string(task + 1) + " begins"});
+      });
     on_change(log, "battery_off", i, [&](double t_s, int off, const auto&) {
       events.push_back({t_s, i, off != 0 ? "battery cut off" : "battery on again"});
     });

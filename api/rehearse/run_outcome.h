@@ -29,7 +29,7 @@ struct VehicleOutcome {
 /// The scenario that a log holds; nothing where it holds none or one of another version.
 [[nodiscard]] std::optional<twin::Scenario> scenario_of(const ingest::TrajectoryFile& log);
 
-/// Tasks, cut-offs, halts and alarms, by time.
+/// Tasks, or what a mission says of them, cut-offs, halts and alarms, by time.
 [[nodiscard]] std::vector<RunEvent> events_of(const ingest::TrajectoryFile& log,
                                               const twin::Scenario* scenario);
 

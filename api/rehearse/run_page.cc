@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "api/rehearse/fate.h"
+#include "api/rehearse/limit_bounds.h"
+#include "api/rehearse/mission_timeline.h"
 #include "api/rehearse/run_outcome.h"
 #include "api/rehearse/run_page_traffic.h"
 #include "api/report/assets.h"
@@ -76,6 +78,34 @@ json vehicle_json(const TrajectoryFile& log, const Rows& rows, std::size_t i) {
           {"across", line("across_track")},
           {"water", {line("water_velocity", 0), line("water_velocity", 1)}},
           {"wind", {line("wind_velocity", 0), line("wind_velocity", 1)}}};
+}
+
+/// What the vehicles did, a row each: `[[from_s, to_s, phase, doing], ...]`.
+json timeline_json(const TrajectoryFile& log, const std::vector<MissionEvent>& events) {
+  json rows = json::array();
+  for (std::size_t i = 0; i < log.names.size(); ++i) {
+    json row = json::array();
+    for (const MissionStretch& s : stretches_of(events, i, log.t_s.back()))
+      row.push_back({number(s.from_s), number(s.to_s), s.phase, s.doing});
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Of each vehicle: the bounds of its limits and the charge that it keeps in reserve (%).
+json limits_json(const TrajectoryFile& log, const twin::Scenario* scenario) {
+  json all = json::array();
+  for (const std::string& name : log.names) {
+    json limits = json::object();
+    if (scenario != nullptr)
+      for (const twin::ScenarioVehicle& vehicle : scenario->vehicles) {
+        if (vehicle.name != name || !vehicle.conduct) continue;
+        limits = limit_bounds_json(vehicle);
+        limits["reserve"] = number(100 * vehicle.conduct->reserve.share);
+      }
+    all.push_back(std::move(limits));
+  }
+  return all;
 }
 
 /// What of the scenario a map shows: where each vehicle was to go, tops of tethers, structures.
@@ -155,13 +185,24 @@ std::string choice_html() {
          "id=\"vehicle\"></select></p>";
 }
 
-std::string plots() {
-  return plot_html(
+std::string plots(bool has_missions) {
+  return (has_missions
+              ? plot_html("missions", "What they did",
+                          "A row a vehicle. Grey: on its way; green: at work; orange: holding; "
+                          "red: coming home. Marks: its events.")
+              : std::string()) +
+         plot_html(
              "tracks", "Tracks from above",
              "East and north of the origin (m), a metre as long one way as the other. Solid: the "
              "way taken, the ring is its start; dashed: the way planned; triangle: the top of a "
              "tether; grey shapes: structures; thin grey lines: other vessels.") +
          choice_html() +
+         plot_html("charge", "Charge left",
+                   "Of the battery (%); red: what its mission keeps in reserve.") +
+         plot_html("felt", "Water and wind felt",
+                   "Speed of the water, current and waves, and of the wind at the vehicle (m/s). "
+                   "Red: its limits, which look at the forecast, without waves and gusts.") +
+         "<details><summary>Signals: depth, attitude, thrust, power</summary>" +
          plot_html(
              "height", "Height and distance from the track",
              "Height above mean sea level (m, negative below) and distance from the leg under "
@@ -170,8 +211,19 @@ std::string plots() {
          plot_html("thrust", "Thrust", "Of each thruster (N).") +
          plot_html("power", "Power and battery",
                    "Power drawn (W), state of charge (%) and voltage of the bus (V).") +
-         plot_html("felt", "Water and wind felt",
-                   "Speed of the water, current and waves, and of the wind at the vehicle (m/s).");
+         "</details>\n";
+}
+
+/// What befell vehicles first, then how their missions ended.
+void say_verdict(const TrajectoryFile& log, const std::vector<MissionEvent>& missions,
+                 HtmlPage& page) {
+  page.headline = fates_in(log);
+  if (!page.headline.empty()) page.alarm = "Not a normal run.";
+  bool is_done = true;
+  const std::string verdict = mission_headline(log, missions, is_done);
+  if (!is_done && page.alarm.empty()) page.alarm = "Held or called home.";
+  if (!page.headline.empty() && !verdict.empty()) page.headline += ". ";
+  page.headline += verdict;
 }
 
 }  // namespace
@@ -200,9 +252,9 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
                 {"origin", log.attribute("origin")},
                 {"seed", log.attribute("seed")},
                 {"member", log.attribute("member")}};
-  page.headline = fates_in(log);
-  if (!page.headline.empty()) page.alarm = "Not a normal run.";
-  page.plots_html = outcome_html(log, scenario) + plots();
+  const std::vector<MissionEvent> missions = mission_events_in(log);
+  say_verdict(log, missions, page);
+  page.plots_html = outcome_html(log, scenario) + plots(!missions.empty());
   page.instead_of_plots_html = outcome_html(log, scenario);
   page.tables_html = events_html(log, events) + fate_html(log) + traffic_html(log);
   page.data_json = script_safe(
@@ -213,6 +265,8 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
        {"plan", scenario == nullptr ? json::array() : plan_json(log, *scenario)},
        {"structures", scenario == nullptr ? json::array() : structures_json(*scenario)},
        {"events", events_json(events)},
+       {"timeline", timeline_json(log, missions)},
+       {"limits", limits_json(log, scenario)},
        {"vessels", vessels_json(log)}});
   if (!log.attribute("attribution").empty()) page.attributions = {log.attribute("attribution")};
   page.generated = log.attribute("source");

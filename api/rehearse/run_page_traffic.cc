@@ -47,14 +47,14 @@ std::string alarms_html(const ingest::TrajectoryFile& log) {
 
 }  // namespace
 
-json vessels_json(const ingest::TrajectoryFile& log) {
+json vessels_json(std::span<const twin::TrafficVessel> vessels, double until_s) {
   json out = json::array();
-  for (const twin::TrafficVessel& vessel : vessels_in(log)) {
+  for (const twin::TrafficVessel& vessel : vessels) {
     json x = json::array(), y = json::array();
     const auto points = vessel.track.points();
     for (std::size_t i = 0; i < points.size(); ++i) {
       const bool ends_before = i + 1 < points.size() && points[i + 1].t_s <= 0;
-      const bool begins_after = i > 0 && points[i - 1].t_s >= log.t_s.back();
+      const bool begins_after = i > 0 && points[i - 1].t_s >= until_s;
       if (ends_before || begins_after) continue;
       x.push_back(number(points[i].position_m.y));
       y.push_back(number(points[i].position_m.x));
@@ -65,6 +65,10 @@ json vessels_json(const ingest::TrajectoryFile& log) {
                    {"y", y}});
   }
   return out;
+}
+
+json vessels_json(const ingest::TrajectoryFile& log) {
+  return vessels_json(vessels_in(log), log.t_s.back());
 }
 
 std::string traffic_html(const ingest::TrajectoryFile& log) {

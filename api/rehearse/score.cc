@@ -94,10 +94,12 @@ Scorecard scorecard_of(const TrajectoryFile& log) {
   std::vector<VehicleLog> vehicles;
   for (std::size_t i = 0; i < log.names.size(); ++i) vehicles.emplace_back(log, i);
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
-    const VehicleLog& vehicle = vehicles[i];
     VehicleScore score;
     score.name = log.names[i];
-    score.time_s = log.t_s[vehicle.rows() - 1];
+    score.time_s = log.t_s[vehicles[i].rows() - 1];
+    count_interventions(events, i, log.t_s.back(), score);
+    // What it does when its work is over, hovering where others still work, is not scored.
+    const VehicleLog vehicle(log, i, score.time_s);
     score.sailed_m = sailed_m(vehicle);
     score.rms_across_track_m = rms_of(vehicle, "across_track");
     if (const auto largest = vehicle.largest("across_track"))
@@ -109,7 +111,6 @@ Scorecard scorecard_of(const TrajectoryFile& log) {
       score.closest_structure_m = finite(nearest_structure(log, vehicle, *scenario).distance_m);
     score.closest_vehicle_m = finite(nearest_vehicle(log, vehicles, i).distance_m);
     score.closest_vessel_m = nearest_vessel_m(log, vehicle, vessels);
-    count_interventions(events, i, log.t_s.back(), score);
     card.vehicles.push_back(score);
   }
   return card;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -20,10 +21,13 @@ struct Extreme {
 /// The rows of one vehicle's variables, up to the one at which it stopped.
 class VehicleLog {
  public:
-  VehicleLog(const ingest::TrajectoryFile& log, std::size_t vehicle)
+  /// @param until_s  the first row from then on is the last one
+  VehicleLog(const ingest::TrajectoryFile& log, std::size_t vehicle,
+             double until_s = std::numeric_limits<double>::infinity())
       : log_(&log), vehicle_(vehicle) {
     const ingest::TrajectoryFile::Variable* halt = log.find("halt");
-    rows_ = log.t_s.size();
+    const auto end = std::lower_bound(log.t_s.begin(), log.t_s.end(), until_s);
+    rows_ = std::min(static_cast<std::size_t>(end - log.t_s.begin()) + 1, log.t_s.size());
     for (std::size_t t = 0; halt != nullptr && t < rows_; ++t)
       if (of(*halt, t) > 0) rows_ = t + 1;
   }

@@ -79,6 +79,8 @@ const slackwaterPage = (() => {
     redraw();
     window.addEventListener('resize', resize);
     dark.addEventListener('change', redraw);
+    // What was folded away had no size to be drawn in.
+    document.querySelectorAll('details').forEach((folded) => folded.addEventListener('toggle', resize));
     // Paper cannot wait for an animation frame: sizes and colours are set and drawn at once. A4 less its margins is
     // 700 px wide at 96 dpi.
     window.addEventListener('beforeprint', () => {

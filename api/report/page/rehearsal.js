@@ -2,7 +2,7 @@
 // Draws the plots of `rehearse --html`.
 (() => {
   const {data, palette, theme, fixed, valueAxis, chartOf, drawn, start: begin} = slackwaterPage;
-  if (!data.starts.length || !data.starts[0].vehicles.length) return;
+  if (!data.starts.length) return;
   const startChoice = document.getElementById('start');
   const vehicleChoice = document.getElementById('vehicle');
   startChoice.replaceChildren(...data.starts.map((s, i) => new Option(s.label, i)));
@@ -32,7 +32,7 @@
       series: [{type: 'custom', data: bars, renderItem: (p, api) => {
         const [x0, y] = api.coord([api.value(0), api.value(2)]);
         const [x1] = api.coord([api.value(1), api.value(2)]);
-        const height = Math.max(2, api.size([0, 1])[1] * 0.72);
+        const height = Math.min(40, Math.max(2, api.size([0, 1])[1] * 0.72));
         return {type: 'rect', shape: {x: x0, y: y - height / 2, width: Math.max(1, x1 - x0), height}, style: {fill: bars[p.dataIndex].colour}};
       }, encode: {x: [0, 1], y: 2}}],
     };
@@ -42,7 +42,10 @@
   const planOption = (t, chart) => {
     const points = (track) => track.x.map((x, i) => [x, track.y[i]]);
     const lines = chosen().vehicles.flatMap((v, j) => v.tracks.map((track) => ({name: v.name, done: track.done, j, points: points(track)})));
-    const near = lines.flatMap((l) => l.points);
+    const tethers = chosen().vehicles.map((v, j) => ({j, top: v.tether, ways: lines.filter((l) => l.j === j)})).filter((x) => x.top);
+    const farthest = ({top, ways}) => ways.flatMap((l) => l.points).filter((p) => p[0] !== null)
+      .reduce((far, p) => (Math.hypot(p[0] - top[0], p[1] - top[1]) > Math.hypot(far[0] - top[0], far[1] - top[1]) ? p : far), top);
+    const near = [...lines.flatMap((l) => l.points), ...tethers.map((x) => x.top)];
     const low = [0, 1].map((k) => Math.min(...near.map((p) => p[k])));
     const high = [0, 1].map((k) => Math.max(...near.map((p) => p[k])));
     const sides = [chart.getWidth() - margins.left - margins.right, chart.getHeight() - margins.top - margins.bottom].map((s) => Math.max(50, s));
@@ -62,6 +65,9 @@
           const [cx, cy] = api.coord([s.x, s.y]);
           return {type: 'circle', shape: {cx, cy, r: Math.max(3, api.size([s.width, s.width])[0] / 2)}, style: {fill: t.quiet, opacity: 0.45, stroke: t.ink}};
         }},
+        ...data.vessels.map((v) => ({name: v.name, type: 'line', symbolSize: 3, data: points(v), itemStyle: {color: t.quiet}, lineStyle: {color: t.quiet, width: 0.8}})),
+        ...tethers.map((x) => ({name: 'tether', type: 'line', symbol: (_, p) => (p.dataIndex === 0 ? 'triangle' : 'none'), symbolSize: 12, data: [x.top, farthest(x)],
+          itemStyle: {color: palette[x.j % palette.length], borderColor: t.ink}, lineStyle: {color: palette[x.j % palette.length], width: 1, type: 'dashed'}})),
         ...lines.map((l) => ({name: l.name, type: 'line', symbol: 'none', data: l.points,
           itemStyle: {color: palette[l.j % palette.length]}, lineStyle: {color: palette[l.j % palette.length], width: 1.3, opacity: 0.6, type: l.done ? 'solid' : 'dotted'}})),
       ],
@@ -88,7 +94,7 @@
       grid: {left: 70, right: 20, top: 20, bottom: 46},
       tooltip: {trigger: 'axis', formatter: (xs) => xs.filter((x) => x.seriesName === name).map((x) => `${fixed(x.value[0], 0)} min: ${fixed(x.value[1], 2)} ${unit}`).join('')},
       xAxis: valueAxis(t, 'minutes since the start', {min: 0, nameGap: 30}),
-      yAxis: valueAxis(t, `${name} (${unit})`, {min: 0, max: bound === undefined ? null : (x) => Math.max(x.max, 1.1 * bound)}),
+      yAxis: valueAxis(t, `${name} (${unit})`, {min: 0, max: bound === undefined ? null : (x) => +Math.max(x.max, 1.1 * bound).toPrecision(3)}),
       series: lines,
     };
   };

@@ -72,7 +72,40 @@
       data: own.map((e) => ({name: e.what, xAxis: at(e.t)}))};
   };
 
-  /** Lines over time; those of the second axis carry `right`. */
+  const colours = {way: '#8a9aa8', work: '#009e73', hold: '#e69f00', home: '#d55e00'};
+  const colourOf = (phase, doing) => (doing === 'holds' ? colours.hold : doing === 'comes home' ? colours.home : phase === 'work' && !doing ? colours.work : colours.way);
+  const clock = (ms) => new Date(ms).toISOString().slice(11, 16);
+  /** What each vehicle did: a row each, its events above. */
+  const timelineOption = (t) => {
+    const rows = data.vehicles.map((v, i) => i).filter((i) => data.timeline[i].length);
+    const bars = rows.flatMap((i, row) => data.timeline[i].map(([from, to, phase, doing]) => ({value: [at(from), at(to), row], colour: colourOf(phase, doing),
+      text: `${data.vehicles[i].name}: ${doing || phase}, ${clock(at(from))} to ${clock(at(to))} UTC`})));
+    const marks = data.events.filter((e) => rows.includes(e.vehicle)).map((e) => ({value: [at(e.t), rows.indexOf(e.vehicle)],
+      text: `${data.vehicles[e.vehicle].name}: ${e.what}, ${clock(at(e.t))} UTC`}));
+    const said = (x) => echarts.format.encodeHTML((x.seriesIndex === 0 ? bars : marks)[x.dataIndex].text);
+    return {
+      animation: false,
+      useUTC: true,
+      grid: {left: 110, right: 20, top: 14, bottom: 50},
+      tooltip: {trigger: 'item', formatter: said},
+      xAxis: {type: 'time', name: 'UTC', nameLocation: 'middle', nameGap: 30, nameTextStyle: {color: t.ink, fontSize: 13}, min: at(data.t[0]), max: at(data.t[data.t.length - 1]),
+        axisLabel: {color: t.quiet, hideOverlap: true, formatter: {hour: '{HH}:{mm}', minute: '{HH}:{mm}', second: '{HH}:{mm}:{ss}'}}, axisLine: {lineStyle: {color: t.rule}}, splitLine: {show: false}},
+      yAxis: {type: 'category', data: rows.map((i) => data.vehicles[i].name), inverse: true, axisLabel: {color: t.ink, width: 95, overflow: 'truncate'}, axisTick: {show: false}, axisLine: {show: false}},
+      series: [{type: 'custom', data: bars, encode: {x: [0, 1], y: 2}, renderItem: (p, api) => {
+        const [x0, y] = api.coord([api.value(0), api.value(2)]);
+        const [x1] = api.coord([api.value(1), api.value(2)]);
+        const height = Math.min(34, api.size([0, 1])[1] * 0.5);
+        return {type: 'rect', shape: {x: x0, y: y - height / 2, width: Math.max(1, x1 - x0), height}, style: {fill: bars[p.dataIndex].colour}};
+      }}, {type: 'scatter', symbol: 'pin', symbolSize: 16, symbolOffset: [0, -14], data: marks, itemStyle: {color: t.ink, opacity: 0.7}}],
+    };
+  };
+
+  /** A bound that belongs to the axis of a line, in red. */
+  const bounded = (t, bounds) => ({silent: true, symbol: 'none', lineStyle: {color: colours.home, type: 'solid', width: 1.5},
+    data: bounds.filter(([, bound]) => bound !== undefined).map(([name, bound]) => ({yAxis: bound, label: {color: colours.home, formatter: `${name} ${+bound.toFixed(2)}`, position: 'insideEndTop'}}))});
+  const limits = () => data.limits[chosen()];
+
+  /** Lines over time; those of the second axis carry `right`, those with a bound `bound`. */
   const overTime = (t, lines, left, right) => ({
     animation: false,
     useUTC: true,
@@ -85,8 +118,13 @@
       axisLine: {lineStyle: {color: t.rule}, onZero: false}, splitLine: {show: false}},
     yAxis: [valueAxis(t, left, {scale: true}), ...(right ? [valueAxis(t, right, {scale: true, splitLine: {show: false}})] : [])],
     series: lines.map((line, j) => ({name: line.name, type: 'line', showSymbol: false, yAxisIndex: line.right ? 1 : 0, data: pairs(line.values),
-      itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 1.6, type: line.right ? 'dashed' : 'solid'}, ...(j === 0 ? {markLine: marks(t)} : {})})),
+      itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 1.6, type: line.right ? 'dashed' : 'solid'}, ...(line.bound ? {markLine: bounded(t, [line.bound])} : j === 0 ? {markLine: marks(t)} : {})})),
   });
+  /** An axis that shows its bound too. */
+  const upTo = (option, axis, bound) => {
+    if (bound !== undefined) Object.assign(option.yAxis[axis], {scale: false, min: 0, max: (x) => +Math.max(x.max, 1.1 * bound).toPrecision(3)});
+    return option;
+  };
 
   const plots = {
     height: (t) => overTime(t, [{name: 'height', values: vehicle().z}, {name: 'off the track', values: vehicle().across, right: true}], 'height (m)', 'off the track (m)'),
@@ -95,9 +133,16 @@
     thrust: (t) => overTime(t, vehicle().thrust.map((values, k) => ({name: `thruster ${k + 1}`, values})), 'thrust (N)'),
     power: (t) => overTime(t, [{name: 'power', values: vehicle().power}, {name: 'state of charge', values: vehicle().charge, right: true},
       {name: 'voltage', values: vehicle().voltage, right: true}], 'power (W)', 'charge (%), voltage (V)'),
-    felt: (t) => overTime(t, [{name: 'water', values: speed(vehicle().water)}, {name: 'wind', values: speed(vehicle().wind), right: true}], 'water (m/s)', 'wind (m/s)'),
+    felt: (t) => upTo(upTo(overTime(t, [{name: 'water', values: speed(vehicle().water), bound: limits().current && ['current at most', limits().current]},
+      {name: 'wind', values: speed(vehicle().wind), right: true, bound: limits().wind && ['wind at most', limits().wind]}], 'water (m/s)', 'wind (m/s)'), 0, limits().current), 1, limits().wind),
+    charge: (t) => {
+      const option = overTime(t, [{name: 'state of charge', values: vehicle().charge, bound: limits().reserve && ['reserve', limits().reserve]}], 'charge (%)');
+      return Object.assign(option, {yAxis: [Object.assign(option.yAxis[0], {scale: false, min: 0, max: 100})]});
+    },
   };
 
+  const missions = chartOf('missions');
+  if (missions) drawn.push(() => missions.setOption(timelineOption(theme()), true));
   const tracks = chartOf('tracks');
   const drawTracks = () => tracks.setOption(tracksOption(theme(), tracks), true);
   drawn.push(drawTracks);
