@@ -2,7 +2,6 @@
 // in the members of an issued forecast.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "ingest/cf/trajectory_file.h"
@@ -53,6 +52,31 @@ class RehearseCommand : public testing::Test {
                            "-3.098}]}\n");
     write("mission.yaml", mission());
   }
+  /// A mission in the forecast of a day, which is issued for it.
+  void write_issued() {
+    made_.ingest_days(parse_day("2025-03-01"), 3);
+    std::string site = read_bytes(made_.site());
+    const auto value_of = [&](const std::string& key) {
+      const std::size_t at = site.find(key + ": ") + key.size() + 2;
+      return site.substr(at, site.find('\n', at) - at);
+    };
+    const std::string place = "latitude_deg: " + value_of("latitude_deg") +
+                              ", longitude_deg: " + value_of("longitude_deg");
+    for (const char* key : {"water_depth_m", "hub_height_m", "turbines"})
+      if (const std::size_t at = site.find(std::string(key) + ":"); at != std::string::npos)
+        site.erase(at, site.find('\n', at) + 1 - at);
+    write("issued_farm.yaml", site + farm + "turbines: [{id: T1, " + place + "}]\n");
+    ASSERT_EQ(
+        made_.run({"forecast", "--site", path("issued_farm.yaml"), "--at", "2025-03-04T05:00:00Z"})
+            .exit_code,
+        0);
+    const std::string yaml =
+        "name: peek\nseed: 3\nsite: issued_farm.yaml\ntasks: [peek.yaml]\nturbines: "
+        "[T1]\nduration: "
+        "20min\nstep_s: 0.05\nwaves: {components: 8}\nagents: {eye: {limits: [{current_speed_m_s: "
+        "3}]}}\n";
+    write("issued.yaml", yaml);
+  }
   static std::string mission(const std::string& start = "2025-03-10T06:00:00Z") {
     return "name: peek\nseed: 3\nsite: farm.yaml\ntasks: [peek.yaml]\nturbines: [T1]\nstart: " +
            start +
@@ -62,13 +86,9 @@ class RehearseCommand : public testing::Test {
            "270}]}\n";
   }
   std::string write(const std::string& name, const std::string& text) const {
-    const std::filesystem::path file = made_.file(name);
-    std::ofstream(file) << text;
-    return file.string();
+    return made_.write(name, text);
   }
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return made_.file(name).string();
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return made_.path(name); }
   StoreForTests made_;
 };
 
@@ -119,27 +139,7 @@ TEST_F(RehearseCommand, TheLogOfAFlightReplaysAndIsScored) {
 }
 
 TEST_F(RehearseCommand, FliesInTheMembersOfAnIssuedForecastAndLeavesTheStoreAsItWas) {
-  made_.ingest_days(parse_day("2025-03-01"), 3);
-  std::string site = read_bytes(made_.site());
-  const auto value_of = [&](const std::string& key) {
-    const std::size_t at = site.find(key + ": ") + key.size() + 2;
-    return site.substr(at, site.find('\n', at) - at);
-  };
-  const std::string place =
-      "latitude_deg: " + value_of("latitude_deg") + ", longitude_deg: " + value_of("longitude_deg");
-  for (const char* key : {"water_depth_m", "hub_height_m", "turbines"})
-    if (const std::size_t at = site.find(std::string(key) + ":"); at != std::string::npos)
-      site.erase(at, site.find('\n', at) + 1 - at);
-  write("issued_farm.yaml", site + farm + "turbines: [{id: T1, " + place + "}]\n");
-  ASSERT_EQ(
-      made_.run({"forecast", "--site", path("issued_farm.yaml"), "--at", "2025-03-04T05:00:00Z"})
-          .exit_code,
-      0);
-  const std::string yaml =
-      "name: peek\nseed: 3\nsite: issued_farm.yaml\ntasks: [peek.yaml]\nturbines: [T1]\nduration: "
-      "20min\nstep_s: 0.05\nwaves: {components: 8}\nagents: {eye: {limits: [{current_speed_m_s: "
-      "3}]}}\n";
-  write("issued.yaml", yaml);
+  write_issued();
   const auto before = made_.digests();
   const ProgramResult run =
       made_.run({"rehearse", path("issued.yaml"), "--members", "2", "--json"});
@@ -157,8 +157,39 @@ TEST_F(RehearseCommand, FliesInTheMembersOfAnIssuedForecastAndLeavesTheStoreAsIt
     one->erase("first_answer_s");
   }
   EXPECT_EQ(first, second) << "whatever the number of threads";
-  const ProgramResult many = made_.run({"rehearse", path("issued.yaml"), "--members", "5000"});
-  EXPECT_EQ(many.exit_code, 2) << many.err;
+}
+
+TEST_F(RehearseCommand, DrawsFurtherMembersThanWereIssuedAndTheLogOfOneReplays) {
+  write_issued();
+  const auto before = made_.digests();
+  const ProgramResult issued =
+      made_.run({"rehearse", path("issued.yaml"), "--members", "2", "--json"});
+  const ProgramResult run = made_.run({"rehearse", path("issued.yaml"), "--members", "26", "--log",
+                                       path("25.nc"), "--log-member", "25", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json out = json::parse(run.out);
+  EXPECT_EQ(out.at("members"), 26);
+  EXPECT_EQ(out.at("members_issued"), 25);
+  const json flights = out.at("starts")[0].at("members");
+  const json first = json::parse(issued.out).at("starts")[0].at("members");
+  ASSERT_EQ(flights.size(), 26U);
+  EXPECT_EQ(flights[0], first[0]) << "those issued are what they were";
+  EXPECT_EQ(flights[1], first[1]);
+  EXPECT_NE(flights[25].at("ended_s"), flights[24].at("ended_s"));
+  const ProgramResult replayed = made_.run({"replay", path("25.nc")});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+  EXPECT_EQ(made_.digests(), before);
+}
+
+TEST_F(RehearseCommand, RefusesALogOfAFlightThatIsNotFlownBeforeItFlies) {
+  const ProgramResult member = made_.run({"rehearse", path("mission.yaml"), "--members", "2",
+                                          "--log", path("one.nc"), "--log-member", "2"});
+  EXPECT_EQ(member.exit_code, 2);
+  EXPECT_NE(member.err.find("expected 0 to 1"), std::string::npos) << member.err;
+  const ProgramResult start = made_.run({"rehearse", path("mission.yaml"), "--log", path("one.nc"),
+                                         "--log-start", "2025-03-10T07:00:00Z"});
+  EXPECT_EQ(start.exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(path("one.nc")));
 }
 
 TEST_F(RehearseCommand, KeepsOutOfZonesWhileTheyAreInForce) {
@@ -170,6 +201,26 @@ TEST_F(RehearseCommand, KeepsOutOfZonesWhileTheyAreInForce) {
   EXPECT_NE(may.err.find("eye: starts in zone terns (breeding terns)"), std::string::npos)
       << may.err;
   EXPECT_FALSE(std::filesystem::exists(path("may.html")));
+}
+
+TEST_F(RehearseCommand, BelowAboveAndAroundOneTurbineAtOnceInOneRun) {
+  const std::string three = (source_folder() / "data/missions/three_at_one_pile.yaml").string();
+  const ProgramResult run = made_.run({"rehearse", three, "--log", path("three.nc"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json out = json::parse(run.out);
+  EXPECT_EQ(out.at("starts")[0].at("done"), 1) << out.at("starts")[0].dump(1);
+  const ingest::TrajectoryFile log = ingest::read_trajectories(path("three.nc"));
+  EXPECT_EQ(log.names, (std::vector<std::string>{"inspector", "climber", "watch"}));
+  EXPECT_NE(log.attribute("track_deviation").find("watch followed 200000001"), std::string::npos);
+  const json scores = json::parse(made_.run({"score", path("three.nc"), "--json"}).out)
+                          .at("runs")[0]
+                          .at("vehicles");
+  ASSERT_EQ(scores.size(), 3U);
+  for (const json& score : scores) {
+    EXPECT_GT(score.at("closest_structure_m").get<double>(), 0.5) << score.dump(1);
+    EXPECT_GT(score.at("closest_vehicle_m").get<double>(), 3) << score.dump(1);
+  }
+  EXPECT_GT(scores[2].at("closest_structure_m").get<double>(), 50);
 }
 
 struct Bad {
@@ -191,6 +242,12 @@ TEST_F(RehearseCommand, RefusesWhatCannotBeFlownBeforeTheFirstStep) {
       {"seed: 3",
        "seed: 3\nagents: {eye: {trees: {a: {tree: b}, b: {tree: a}}, behaviour: {tree: a}}}", 3,
        "back to itself"},
+      {"seed: 3",
+       "seed: 3\nvehicles: [{name: dog, model: bluerov2_heavy, start: {north_m: 40, east_m: 0, "
+       "depth_m: 5}, tether: {top: {north_m: 40, east_m: 0, depth_m: 0}, length_m: 30}, conduct: "
+       "{}, "
+       "carrier: {name: eye, forward_m: 0}}]",
+       3, "stays where it is while a carrier moves"},
       {"seed: 3", "seed: 3\nassume: {current_speed_m_s: 1}", 3, "cannot be assumed"},
   };
   for (const Bad& bad : missions) {
@@ -209,6 +266,9 @@ TEST_F(RehearseCommand, RefusesWhatCannotBeFlownBeforeTheFirstStep) {
       {"to: {depth_m: 9}", "to: {below_hub_m: 9}", 3, "above the sea"},
       {"bearings: 2", "bearings: 60, stops: 100, stop_s: 600", 3, "shorten the work"},
       {"distance_m: 12, depth_m: 3", "distance_m: 12", 3, "depth_m"},
+      {"distance_m: 12, depth_m: 3}",
+       "distance_m: 12, depth_m: 3}\n    tether: {top: {distance_m: 13, depth_m: 0}, length_m: 12}",
+       3, "start it nearer"},
       {"agents:", "agents: []\nagentz:", 3, "agent"},
   };
   for (const Bad& bad : tasks) {

@@ -53,15 +53,27 @@ void expect_depth(const Requirement& wanted, const Agent& agent) {
                          at.position_m.z, agent.vehicle->name, *rated_m));
 }
 
+void expect_reach(const Requirement& wanted, const Agent& agent, const AgentState& start) {
+  if (!agent.tether) return;
+  const double length_m = start.tether.length_m;
+  for (const ScenarioTask& task : agent.mission.tasks)
+    for (const Waypoint& at : task.waypoints) {
+      const double away_m = length_of(at.position_m - agent.tether_top_m);
+      if (away_m > length_m)
+        refuse("agent " + wanted.agent +
+               formatted(": its work lies up to {:.0f} m from the top of its tether, which is "
+                         "{:.0f} m long; take a longer one, start it nearer, or fly the turbines "
+                         "one after the other",
+                         away_m, length_m));
+    }
+}
+
 /// What a straight way at its speed takes in still water.
 double way_j(const Agent& agent, double length_m, double asked_m_s) {
   const ReadyConduct& conduct = *agent.conduct;
   const double speed_m_s =
       std::min(asked_m_s > 0 ? asked_m_s : agent.mission.guidance.speed_m_s, conduct.top_speed_m_s);
-  const double at = speed_m_s / conduct.speed_step_m_s;
-  const auto i = static_cast<std::size_t>(
-      std::min(std::max(std::round(at), 0.0), static_cast<double>(conduct.cruise_w.size() - 1)));
-  return length_m / speed_m_s * conduct.cruise_w[i];
+  return length_m / speed_m_s * cruise_w_at(conduct, speed_m_s);
 }
 
 /// Sortie by sortie: from one battery to the next.
@@ -99,6 +111,7 @@ void expect_fit(const ExpandedMission& mission, const ReadyRun& ready) {
       expect_kind(wanted, *agent.vehicle);
       expect_instruments(wanted, *agent.vehicle);
       expect_depth(wanted, agent);
+      expect_reach(wanted, agent, ready.states[i]);
       expect_energy(wanted, agent, ready.states[i].vehicle.body.position_m);
     }
 }

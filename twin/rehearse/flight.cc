@@ -19,7 +19,6 @@ struct Fleet {
 Fleet assembled(const Scenario& mission, const Surround& surround,
                 std::span<const FlightCase> cases) {
   Fleet fleet;
-  std::vector<std::shared_ptr<const Vehicle>> vehicles;
   for (const FlightCase& flown : cases) {
     Scenario scenario = mission;
     scenario.start = flown.start;
@@ -75,6 +74,19 @@ bool counts(const Agent& agent, const FlightSettings& settings) {
          settings.workers.end();
 }
 
+/// A vehicle whose work does not count still must not be lost.
+bool is_lost(const AgentState& state) {
+  switch (state.halt) {
+    case Halt::struck:
+    case Halt::capsized:
+    case Halt::aground:
+    case Halt::diverged:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 std::uint64_t seed_of(std::uint64_t mission_seed, const FlightCase& flown) noexcept {
@@ -116,9 +128,10 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
       const Agent& agent = run.agents()[i];
       flight.vehicles.push_back(outcome_of(agent, states[i], run.time_s()));
       const VehicleOutcome& outcome = flight.vehicles.back();
-      if (!counts(agent, settings)) continue;
+      const bool has_work = counts(agent, settings);
+      if (!has_work && !is_lost(states[i])) continue;
       flight.ended_s = std::max(flight.ended_s, outcome.ended_s);
-      if (outcome.is_done) continue;
+      if (has_work && outcome.is_done) continue;
       if (flight.is_done) flight.stopped_by = outcome.name + ": " + outcome.stopped_by;
       flight.is_done = false;
     }

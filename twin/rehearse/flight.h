@@ -30,7 +30,7 @@ struct FlightSample {
 
 struct Flight {
   FlightCase flown;
-  bool is_done = false;    ///< by all whose work counts
+  bool is_done = false;    ///< by all whose work counts, and no other vehicle was lost
   std::string stopped_by;  ///< "surveyor: limit: ..."; empty: nothing
   double ended_s = 0;
   std::vector<VehicleOutcome> vehicles;

@@ -100,7 +100,9 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
 std::string text_of(const ConductEvent& event, const Agent& agent) {
   const auto because = [&](const char* what) {
     std::string text = std::string(what) + ": " + cause_text(agent, event.cause, event.detail);
-    if (event.cause == Cause::limit) text += formatted(", found {:.3g}", event.value);
+    if (event.cause == Cause::limit)
+      text += std::isnan(event.value) ? std::string(", found no value")
+                                      : formatted(", found {:.3g}", event.value);
     return text;
   };
   switch (event.kind) {

@@ -25,7 +25,11 @@ struct ReadyConduct {
   /// The structure that it works at, by its place in the environment; the line winds about it.
   std::optional<std::size_t> worked_at;
 };
-/// @param entry_start_m  where it starts
+/// What it draws at a speed of 0 or more: linear between those of its table, the last two carried on
+/// beyond.
+[[nodiscard]] double cruise_w_at(const ReadyConduct& conduct, double speed_m_s) noexcept;
+
+/// @param start_m  where it starts
 /// @throws Error(invalid_input) for a limit on what nobody knows there, a thruster that it does not
 ///         have, a tether fault without a tether
 [[nodiscard]] ReadyConduct ready_conduct(const Conduct& plan, const Agent& agent,

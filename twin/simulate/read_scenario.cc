@@ -181,6 +181,11 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
     vehicle.tether = {read_place(tether->child("top")), tether->number("length_m", {0.1, 10000})};
   }
   if (const auto carrier = config.optional_child("carrier")) {
+    if (vehicle.tether)
+      config.refuse(
+          "carrier",
+          "found beside a tether, whose top stays where it is while a carrier moves; leave "
+          "one of them out");
     constexpr Range on_board{-200, 200};
     vehicle.carrier = {carrier->text("name"),
                        {carrier->number("forward_m", on_board),
@@ -299,6 +304,8 @@ ScenarioStructure read_structure(const Config& config) {
 }
 
 Scenario read(const Config& config) {
+  if (config.has("tasks") && config.has("turbines"))
+    config.refuse("tasks", "a scenario has none; this is a mission, fly it with `rehearse`");
   Scenario s;
   s.name = config.text("name");
   s.seed = static_cast<std::uint64_t>(config.integer("seed", 0, 2147483647));

@@ -62,6 +62,7 @@ ReadyConduct ready_conduct(const Conduct& plan, const Agent& agent, const Triple
   ready.home_m = plan.home_m.value_or(start_m);
   ready.steps_per_tick =
       static_cast<std::uint64_t>(std::max(1.0, std::round(plan.tick_s / barrier_s)));
+  ready.plan.tick_s = static_cast<double>(ready.steps_per_tick) * barrier_s;
   ready.top_speed_m_s = agent.mission.pursuit.most_speed_m_s;
   constexpr std::size_t speeds = 17;
   ready.speed_step_m_s = ready.top_speed_m_s / (speeds - 1);

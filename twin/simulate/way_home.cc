@@ -12,14 +12,6 @@ namespace {
 
 constexpr double never_s = std::numeric_limits<double>::infinity();
 
-/// Linear between the speeds of the table, its last two carried on beyond.
-double cruise_w(const ReadyConduct& conduct, double speed_m_s) {
-  const std::vector<double>& table = conduct.cruise_w;
-  const double at = speed_m_s / conduct.speed_step_m_s;
-  const auto low = std::min(static_cast<std::size_t>(at), table.size() - 2);
-  return table[low] + (at - static_cast<double>(low)) * (table[low + 1] - table[low]);
-}
-
 /// The water, or the wind of one that flies, half on the way.
 Triple<double> stream_on_the_way(const Agent& agent, const Triple<double>& from_m,
                                  const Triple<double>& to_m, double t_s) {
@@ -37,6 +29,13 @@ double speed_made_good(double own_m_s, double along_m_s, double across_m_s) {
 }
 
 }  // namespace
+
+double cruise_w_at(const ReadyConduct& conduct, double speed_m_s) noexcept {
+  const std::vector<double>& table = conduct.cruise_w;
+  const double at = speed_m_s / conduct.speed_step_m_s;
+  const auto low = std::min(static_cast<std::size_t>(at), table.size() - 2);
+  return table[low] + (at - static_cast<double>(low)) * (table[low + 1] - table[low]);
+}
 
 std::vector<Waypoint> waypoints_home(const Agent& agent, const AgentState& state) {
   const ReadyConduct& conduct = *agent.conduct;
@@ -72,7 +71,7 @@ WayHome way_home(const Agent& agent, double t_s, const AgentState& state) {
       const double time_s = made_m_s > 0.01 ? length_m / made_m_s : never_s;
       out.length_m += length_m;
       out.time_s += time_s;
-      out.energy_j += time_s * (cruise_w(conduct, own_m_s) + state.conduct.extra_power_w);
+      out.energy_j += time_s * (cruise_w_at(conduct, own_m_s) + state.conduct.extra_power_w);
     }
     from_m = waypoint.position_m;
   }
@@ -83,8 +82,8 @@ double steady_power_w(const Agent& agent, const AgentState& state) {
   const BodyState<double>& body = state.vehicle.body;
   const Triple<double> over_ground = rotation_of(body.attitude).to_ned(body.nu.linear);
   const bool flies = agent.vehicle->kind == VehicleKind::uav;
-  return cruise_w(*agent.conduct,
-                  length_of(over_ground - (flies ? state.wind_m_s : state.water_m_s)));
+  return cruise_w_at(*agent.conduct,
+                     length_of(over_ground - (flies ? state.wind_m_s : state.water_m_s)));
 }
 
 }  // namespace slackwater::twin
