@@ -5,8 +5,8 @@
 
 namespace slackwater::api {
 
-/// Bounds to draw into what a vehicle feels: of `current`, `wind` (m/s) and `waves` (m) the strictest
-/// upper limit of its conduct; no key where there is none.
+/// Bounds to draw into what a vehicle feels: of `current`, `wind` (m/s) and `waves` (m) the
+/// strictest upper limit of its conduct; no key where there is none.
 [[nodiscard]] nlohmann::json limit_bounds_json(const twin::ScenarioVehicle& vehicle);
 
 }  // namespace slackwater::api

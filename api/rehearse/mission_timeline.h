@@ -32,8 +32,8 @@ struct MissionEnd {
 [[nodiscard]] std::optional<MissionEnd> mission_end_of(const std::vector<MissionEvent>& events,
                                                        std::size_t vehicle, double log_ends_s);
 
-/// "Done: eye by 06:12 UTC." or "Not done: eye comes home: limit: ... (06:05 UTC)."; empty for a run
-/// without missions. @param is_done  whether all of them are
+/// "Done: eye by 06:12 UTC." or "Not done: eye: comes home: limit: ... (ended 06:05 UTC)."; empty
+/// for a run without missions. @param is_done  whether all of them are
 [[nodiscard]] std::string mission_headline(const ingest::TrajectoryFile& log,
                                            const std::vector<MissionEvent>& events, bool& is_done);
 

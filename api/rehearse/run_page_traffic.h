@@ -8,8 +8,8 @@
 
 namespace slackwater::api {
 
-/// The ways of the vessels around, for the map of a page: `[{name, x[], y[]}]`, their reports from 0
-/// to `until_s` and the one on each side of it.
+/// The ways of the vessels around, for the map of a page: `[{name, x[], y[]}]`, their reports from
+/// 0 to `until_s` and the one on each side of it.
 [[nodiscard]] nlohmann::json vessels_json(std::span<const twin::TrafficVessel> vessels,
                                           double until_s);
 /// Those of a log.

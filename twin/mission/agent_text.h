@@ -9,8 +9,8 @@
 
 namespace slackwater::twin {
 
-/// One agent of a task, made into a vehicle of the scenario: where it starts, what it does turbine by
-/// turbine, and its conduct.
+/// One agent of a task, made into a vehicle of the scenario: where it starts, what it does turbine
+/// by turbine, and its conduct.
 /// @param agent    entry of the task
 /// @param over     what the mission says of it instead
 /// @param assumed  as YAML on one line; empty: nothing is

@@ -8,8 +8,8 @@
 namespace slackwater::twin {
 
 /// That each vehicle is one that the task can be done with: of its kinds, with the instruments that
-/// it needs, as deep as it may go, within its tether's length as the crow flies, and with the energy
-/// for each sortie in still water.
+/// it needs, as deep as it may go, within its tether's length as the crow flies, and with the
+/// energy for each sortie in still water.
 /// @throws Error(invalid_input) that says which, what was found and what to do
 void expect_fit(const ExpandedMission& mission, const ReadyRun& ready);
 

@@ -25,8 +25,8 @@ struct ReadyConduct {
   /// The structure that it works at, by its place in the environment; the line winds about it.
   std::optional<std::size_t> worked_at;
 };
-/// What it draws at a speed of 0 or more: linear between those of its table, the last two carried on
-/// beyond.
+/// What it draws at a speed of 0 or more: linear between those of its table, the last two carried
+/// on beyond.
 [[nodiscard]] double cruise_w_at(const ReadyConduct& conduct, double speed_m_s) noexcept;
 
 /// @param start_m  where it starts

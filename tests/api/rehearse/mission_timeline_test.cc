@@ -7,8 +7,8 @@ namespace {
 
 using namespace api;
 
-/// The first holds for a wave, goes on and finishes; the second is called home; the third is at work
-/// when the log ends.
+/// The first holds for a wave, goes on and finishes; the second is called home; the third is at
+/// work when the log ends.
 const std::vector<MissionEvent> events{
     {0, 0, "phase_began", "none", "launch"},
     {0, 60, "phase_began", "none", "work"},
