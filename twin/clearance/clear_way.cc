@@ -3,12 +3,10 @@
 namespace slackwater::twin {
 namespace {
 
-/// Motions are planned for a slower reaction than is promised, so that a vehicle slows down before
-/// it must stop.
-constexpr double slower = 1.25, steps_ahead = 2;
+constexpr double steps_ahead = 2;
 constexpr double touch_m = 1e-9;
-/// Nearer than promised by less than this is no alarm: what a gust or a swell does.
-constexpr double alarm_m = 0.05;
+/// Of a claim, beyond what the vehicle strays: no alarm is raised for rounding.
+constexpr double alarm_m = 0.01;
 
 struct Look {
   const Handling& handling;
@@ -22,7 +20,7 @@ struct Look {
   /// Of its middle: of one that circles that of its circle.
   [[nodiscard]] const Planar& here() const noexcept { return claim.stretch.from; }
   [[nodiscard]] double more_s() const noexcept {
-    return (slower - 1) * handling.reaction_s + steps_ahead * dt_s;
+    return handling.early * handling.reaction_s + steps_ahead * dt_s;
   }
   [[nodiscard]] double time_for(double speed_m_s) const noexcept {
     return handling.reaction_s + more_s() + speed_m_s / (2 * handling.deceleration_m_s2);
@@ -85,13 +83,32 @@ bool can_still_stop(const Look& look, const Planar& velocity_m_s) noexcept {
                      claim_of(h, moved(own, next, own.bow, look.dt_s)));
 }
 
-/// Whether its circle is still in its cell after a step in which it turns that way. The reaction is
-/// in the claim.
+/// Whether its circle is in its cell after a step in which it turns that way, and after it has gone
+/// on with that for as long as it takes to do otherwise. From beyond a plane only what leads back
+/// will do: beside others that come nearer, to go along it is not enough.
 bool can_still_circle(const Look& look, const Planar& towards) noexcept {
   const Handling& h = look.handling;
-  const OwnMotion& own = look.own;
-  const Planar bow = turned(own.bow, towards, h.most_yaw_rate_rad_s * look.dt_s);
-  return are_in_cell(look, look.claim, claim_of(h, moved(own, own.velocity_m_s, bow, look.dt_s)));
+  constexpr double leads_back = 0.3;
+  for (const double time_s : {look.dt_s, h.reaction_s}) {
+    OwnMotion next = look.own;
+    next.bow = turned(look.own.bow, towards, h.most_yaw_rate_rad_s * time_s);
+    next.position_m = look.own.position_m + time_s * look.own.velocity_m_s;
+    const Claim claim = claim_of(h, next);
+    const double way_m = leads_back * time_s * size_of(look.own.velocity_m_s);
+    for (const Plane& plane : look.cell.planes()) {
+      const double now = plane.room_m(look.here());
+      const double least = now < 0 ? std::min(now + way_m, 0.0) : 0.0;
+      if (plane.room_m(claim.stretch) < least - touch_m) return false;
+    }
+  }
+  return true;
+}
+
+/// Where the bow will point on that course: it leads by as much as it does now.
+Planar bow_on(const OwnMotion& own, const Planar& course) noexcept {
+  const Planar now = unit_of(own.velocity_m_s, own.bow);
+  const double sine = dot(to_the_right(now), course), cosine = dot(now, course);
+  return unit_of(cosine * own.bow + sine * to_the_right(own.bow), own.bow);
 }
 
 /// Out of the way of whoever has the right of way and is held up by this one.
@@ -245,7 +262,7 @@ ClearWay clear_way(const Handling& h, const StandOff& stand_off, const Lookout& 
   const bool circles = h.manner == Manner::circles;
   const Planar ahead = h.manner == Manner::turns ? wished * own.bow : wish.velocity_m_s;
   if (circles) {
-    out.is_as_wished_aside = !goes_off && can_still_circle(look, wish.velocity_m_s);
+    out.is_as_wished_aside = !goes_off && can_still_circle(look, bow_on(own, wish.velocity_m_s));
     if (!out.is_as_wished_aside)
       out.velocity_m_s = clear_circling(look, wanted_m, state);
     else
@@ -284,7 +301,8 @@ ClearWay clear_way(const Handling& h, const StandOff& stand_off, const Lookout& 
   }
 
   state.slack_m = std::min(look.cell.room_m(look.claim), 1e6);
-  const bool is_alarmed = state.slack_m < -alarm_m || look.cell.is_crowded() || is_too_late;
+  const bool is_alarmed =
+      state.slack_m < -h.stray_m - alarm_m || look.cell.is_crowded() || is_too_late;
   if (is_alarmed && state.is_alarmed == 0) ++state.alarms;
   state.is_alarmed = is_alarmed ? 1 : 0;
   if (!out.is_as_wished_aside || !out.is_as_wished_in_depth) state.changed_s += dt_s;

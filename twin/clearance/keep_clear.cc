@@ -53,6 +53,7 @@ Handling handling_of(const Autopilot& a, double radius_m, double above_m, double
     const double astern_m_s2 = a.allocation.most_astern[0] / a.mass.entry[0][0];
     h.deceleration_m_s2 = std::min(s.most_acceleration_m_s2, 0.5 * astern_m_s2);
     h.reaction_s = 2 * lag_s + barrier_s;
+    h.early = 1.25;
     h.stray_m = 0.5 * radius_m;
   }
   h.most_speed_m_s = s.most_speed_m_s;
@@ -60,7 +61,7 @@ Handling handling_of(const Autopilot& a, double radius_m, double above_m, double
   h.most_yaw_rate_rad_s = s.most_yaw_rate_rad_s;
   if (h.manner == Manner::circles) {
     h.turning_radius_m = 1.25 * s.most_speed_m_s / s.most_yaw_rate_rad_s;
-    h.reaction_s = 1 / a.heading.inner_per_s + barrier_s;
+    h.reaction_s = 2 / a.heading.inner_per_s + a.lag_s + barrier_s;
     h.stray_m = radius_m;
   }
   h.vertical_deceleration_m_s2 = 0.5 * s.most_acceleration_m_s2;
