@@ -27,7 +27,8 @@ struct ClearWay {
   bool is_as_wished_aside = true;
   bool is_as_wished_in_depth = true;
   /// Otherwise: at this velocity over ground. `turns`: with no way on, its bow that way, where
-  /// `only_turns`. `circles`: its bow that way, at the speed it has; nowhere: a circle to starboard.
+  /// `only_turns`. `circles`: its bow that way, at the speed it has; nowhere: a circle to
+  /// starboard.
   Planar velocity_m_s;
   bool only_turns = false;
   double least_depth_m = 0;  ///< z of its origin
@@ -72,8 +73,8 @@ struct ClearWay {
 /// stand-off the shortest way.
 ///
 /// **Deadlock.** One that cannot go on goes round to starboard, along the plane that stops it; two
-/// that meet leave each other to port. Right of way is the order of the run, but for one that leaves
-/// a vessel's way: whoever bars the way of one that has it moves out of it, square to it.
+/// that meet leave each other to port. Right of way is the order of the run, but for one that
+/// leaves a vessel's way: whoever bars the way of one that has it moves out of it, square to it.
 ///
 /// No allocation, no exception. @param dt_s  of a step of this vehicle
 [[nodiscard]] ClearWay clear_way(const Handling& handling, const StandOff& stand_off,

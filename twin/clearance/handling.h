@@ -18,8 +18,8 @@ struct Handling {
   /// Told to stop, it goes on for at most this long as if nobody had said so: the lag of loops and
   /// thrusters and a step of the barrier.
   double reaction_s = 0;
-  /// Until it slows down its claim goes on ahead of it. Motions are planned for a reaction slower by
-  /// this share, so that it slows down before it must stop.
+  /// Until it slows down its claim goes on ahead of it. Motions are planned for a reaction slower
+  /// by this share, so that it slows down before it must stop.
   double early = 0.25;
   double stray_m = 0;  ///< beside its way by no more than this, whatever pushes it: gusts, swell
   double most_speed_m_s = 0;

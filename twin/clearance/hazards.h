@@ -47,8 +47,8 @@ struct Encounter {
   Planar off_course;         ///< the direction away from its course, of length one
 };
 /// Its way is as broad as its beam and the stand-off, and as long as it sails in the time to leave
-/// it; it is not entered from aside. Who is in it as its end comes by is to leave it: no plane keeps
-/// that one from the way out.
+/// it; it is not entered from aside. Who is in it as its end comes by is to leave it: no plane
+/// keeps that one from the way out.
 [[nodiscard]] Encounter keep_clear_of(const Passer& passer, const Outlook& own,
                                       Cell& cell) noexcept;
 

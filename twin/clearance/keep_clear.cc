@@ -5,8 +5,8 @@
 namespace slackwater::twin {
 namespace {
 
-/// The distance of a place for which an autopilot goes at that speed: `approach_speed` the other way
-/// round.
+/// The distance of a place for which an autopilot goes at that speed: `approach_speed` the other
+/// way round.
 double distance_for_m(const Autopilot& a, double speed_m_s) noexcept {
   const double braking = 0.5 * a.settings.most_acceleration_m_s2, outer = a.station_per_s;
   const double bend_m_s = braking / outer;

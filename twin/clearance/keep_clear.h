@@ -20,11 +20,11 @@ namespace slackwater::twin {
 [[nodiscard]] Handling handling_of(const Autopilot& autopilot, double radius_m, double above_m,
                                    double below_m, bool is_afloat, double barrier_s) noexcept;
 
-/// What an autopilot is to do instead of `wanted`, so that the vehicle keeps clear: where the motion
-/// that is wanted does, `wanted` to the last bit. Else a station so far off that the autopilot goes
-/// for it at the speed that is clear; for craft that must turn first, their bow that way without way
-/// on; for AUVs a heading, or that of the circle to starboard. A depth is held within those that are
-/// clear.
+/// What an autopilot is to do instead of `wanted`, so that the vehicle keeps clear: where the
+/// motion that is wanted does, `wanted` to the last bit. Else a station so far off that the
+/// autopilot goes for it at the speed that is clear; for craft that must turn first, their bow that
+/// way without way on; for AUVs a heading, or that of the circle to starboard. A depth is held
+/// within those that are clear.
 ///
 /// What is measured is taken for true: errors of navigation belong into `stray_m`.
 [[nodiscard]] Reference keep_clear(const Handling& handling, const StandOff& stand_off,

@@ -28,9 +28,9 @@ struct Clearance {
 [[nodiscard]] Clearance clearance_of(const Agent& agent, const StandOff& stand_off,
                                      const ScenarioVehicle& entry, double barrier_s);
 
-/// What the vehicles of a run know of each other and of the traffic: as of the last barrier, so that
-/// neither order nor threads make a difference. Those of one environment know each other; futures
-/// that run beside each other do not. Nothing where nobody keeps clear.
+/// What the vehicles of a run know of each other and of the traffic: as of the last barrier, so
+/// that neither order nor threads make a difference. Those of one environment know each other;
+/// futures that run beside each other do not. Nothing where nobody keeps clear.
 ///
 /// Vehicles that do not keep clear are met as vessels that keep their course; so is the traffic
 /// while it is heard. What a report leaves out is an estimate: a vessel of unknown length has 50 m,
@@ -68,8 +68,8 @@ class CommonPicture {
   std::vector<Place> place_;  ///< of each vehicle of the run
 };
 
-/// The reference of a step that keeps clear. Where that is not the one that is wanted, the vehicle is
-/// not on its way, and the watch for its headway begins anew.
+/// The reference of a step that keeps clear. Where that is not the one that is wanted, the vehicle
+/// is not on its way, and the watch for its headway begins anew.
 [[nodiscard]] Reference cleared(const Agent& agent, const Lookout& around, const Measured& measured,
                                 const Reference& wanted, AgentState& state) noexcept;
 
