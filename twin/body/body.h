@@ -29,6 +29,7 @@ struct Body {
   std::array<Triple<double>, most_stations> station_m{};
   double fluid_density_kg_m3 = 0;
   double height_m = 0;  ///< of the hull, for its coming out of the water
+  double radius_m = 0;  ///< of the upright cylinder about its length and width
   FloatingHull hull;    ///< of a surface craft, which displaces no water of its own beside
 };
 

@@ -176,7 +176,8 @@ Measured known_of(const Agent& agent, const AgentState& state) {
   return measured;
 }
 
-bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input) {
+bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& state,
+             StepInput& input) {
   const Vehicle& vehicle = *agent.vehicle;
   const BodyState<double>& body = state.vehicle.body;
   const Rotation<double> r = rotation_of(body.attitude);
@@ -224,7 +225,8 @@ bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input
     if (!flies && !measured.has_log())
       measured.log_m_s = measured.nu.linear.x - r.to_body(current_m_s).x;
   }
-  const Reference reference = conducted_reference(agent, measured, t_s, state);
+  const Reference reference =
+      cleared(agent, seen, measured, conducted_reference(agent, measured, t_s, state), state);
   const bool has_power = std::isnan(state.milestones.power_lost_s);
   if (agent.headway && has_power &&
       has_lost_headway(*agent.headway, reference, way_of(state).route, body.position_m, t_s,

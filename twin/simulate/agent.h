@@ -6,6 +6,7 @@
 
 #include "fields/wind/dryden_gust.h"
 #include "twin/control/autopilot.h"
+#include "twin/simulate/common_picture.h"
 #include "twin/simulate/conduct_state.h"
 #include "twin/simulate/environment.h"
 #include "twin/simulate/headway.h"
@@ -51,6 +52,7 @@ struct Agent {
   std::optional<std::size_t> carrier;           ///< by its place in the run
   Triple<double> deck_m;                        ///< where on it, the carrier's body axes
   std::shared_ptr<const ReadyConduct> conduct;  ///< null: it does its tasks, come what may
+  std::optional<Clearance> clearance;           ///< nothing: it goes as if it were alone
 };
 
 /// All that changes of it: a value, copied for a checkpoint.
@@ -64,6 +66,7 @@ struct AgentState {
   NavigationState navigation;
   HeadwayState headway;
   ConductState conduct;
+  ClearanceState clearance;
   Milestones milestones;
   Halt halt = Halt::none;
   double halted_at_s = 0;
@@ -91,8 +94,10 @@ struct StepInput {
 /// Looks at the surroundings, asks the mission and the autopilot what to do, and lets the tether
 /// pull: all of a step but the motion itself, which follows with `step` or, eight at a time,
 /// `step_block`.
+/// @param seen  of a vehicle that keeps clear: what it looks at
 /// @return false where the agent halts
-[[nodiscard]] bool prepare(const Agent& agent, double t_s, AgentState& state, StepInput& input);
+[[nodiscard]] bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& state,
+                           StepInput& input);
 
 /// Whether a step left numbers that a vehicle can have.
 [[nodiscard]] inline bool is_sound(const BodyState<double>& body, double state_of_charge) noexcept {

@@ -9,6 +9,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/wave/scenario_sea.h"
+#include "twin/clearance/read_stand_off.h"
 #include "twin/control/patterns.h"
 #include "twin/mission/read_seconds.h"
 #include "twin/simulate/scenario.h"
@@ -194,6 +195,7 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
   }
   if (const auto conduct = config.optional_child("conduct"))
     vehicle.conduct = read_conduct(*conduct);
+  vehicle.keeps_clear = config.optional_flag("keeps_clear").value_or(true);
   for (const Config& task : config.children("tasks")) vehicle.tasks.push_back(read_task(task));
   const bool goes_aboard =
       vehicle.carrier || std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), [](const auto& t) {
@@ -360,6 +362,7 @@ Scenario read(const Config& config) {
   }
   if (s.vehicles.empty()) config.refuse("vehicles", "none; give at least one");
   s.traffic = read_traffic(config, s.duration_s);
+  if (const auto c = config.optional_child("clearance")) s.clearance = read_stand_off(*c);
   config.expect_all_read();
   return s;
 }

@@ -23,6 +23,7 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
     : agents_(std::move(agents)),
       states_(std::move(states)),
       seen_(states_.size()),
+      picture_(agents_),
       block_(settings.path ? step_block_on(*settings.path) : step_block()),
       scheduler_(settings.seed, settings.step_s, settings.threads) {
   expects(!agents_.empty() && agents_.size() == states_.size(), "a state for each vehicle");
@@ -64,6 +65,7 @@ void Run::publish() {
     seen_[i] = {body.position_m, rotation_of(body.attitude).to_ned(body.nu.linear),
                 states_[i].halt};
   }
+  picture_.publish(agents_, states_, time_s());
 }
 
 void Run::step_one(std::size_t index, const StepTime& time) {
@@ -73,7 +75,7 @@ void Run::step_one(std::size_t index, const StepTime& time) {
   for (std::size_t k = 0; k < agent.steps_per_barrier; ++k) {
     if (!moves(state)) return;
     const double t_s = time.start_s + static_cast<double>(k) * agent.plan.dt_s;
-    if (!prepare(agent, t_s, state, input)) return;
+    if (!prepare(agent, t_s, picture_.seen_by(agent, index), state, input)) return;
     VehicleState<double> next = state.vehicle;
     twin::step(*agent.vehicle, agent.plan, next, input.command, input.around);
     if (is_sound(next.body, next.battery.charge) && doubt_of(next) == 0) {
@@ -117,7 +119,9 @@ void Run::step_group(Group& group, const StepTime& time) {
     for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
       AgentState& state = states_[group.agents[lane]];
       if (!moves(state)) continue;
-      if (!prepare(agents_[group.agents[lane]], t_s, state, input)) {
+      const std::size_t index = group.agents[lane];
+      const Agent& agent = agents_[index];
+      if (!prepare(agent, t_s, picture_.seen_by(agent, index), state, input)) {
         halt_lane(group, lane, group.block);
         continue;
       }
@@ -233,8 +237,8 @@ void Run::restore(const Checkpoint& checkpoint) {
     group.is_loaded = false;
     group.is_ahead = false;
   }
-  publish();
   scheduler_.resume_at(checkpoint.steps_made);
+  publish();
 }
 
 }  // namespace slackwater::twin

@@ -100,6 +100,7 @@ class Run {
   std::vector<Agent> agents_;
   std::vector<AgentState> states_;
   std::vector<Seen> seen_;
+  CommonPicture picture_;
   std::deque<Group> groups_;  ///< that does not move its members
   StepBlock block_;
   CommandQueue commands_;

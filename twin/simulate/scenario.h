@@ -8,6 +8,7 @@
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
 #include "fields/wave/sea_state.h"
+#include "twin/clearance/lookout.h"
 #include "twin/control/route.h"
 #include "twin/mission/conduct.h"
 #include "twin/mission/phase.h"
@@ -103,6 +104,7 @@ struct ScenarioVehicle {
   };
   std::optional<Carrier> carrier;
   std::optional<Conduct> conduct;     ///< absent: it does its tasks, come what may
+  bool keeps_clear = true;            ///< where the scenario says from what and how far
   bool navigates_by_sensors = false;  ///< else its autopilot is told the truth
   bool logs_sensors = false;
 };
@@ -126,7 +128,8 @@ struct Scenario {
   std::vector<ScenarioStructure> structures;
   std::vector<ScenarioVehicle> vehicles;
   ScenarioTraffic traffic;
-  std::string yaml;  ///< the text it was read from
+  std::optional<StandOff> clearance;  ///< absent: nobody keeps clear of anybody
+  std::string yaml;                   ///< the text it was read from
 };
 
 /// Reads a scenario. Everything that can be known without the forecast is checked: throws

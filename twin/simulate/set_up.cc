@@ -270,6 +270,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   const std::shared_ptr<const EnvironmentSampler> water = sampler_of(ready.environment);
   std::map<std::filesystem::path, std::shared_ptr<const Vehicle>> vehicles;
   ready.vessels = vessels_of(scenario, surround);
+  const auto around = std::make_shared<const std::vector<TrafficVessel>>(ready.vessels);
   Autopilots autopilots;
   for (const ScenarioVehicle& listed : scenario.vehicles) {
     ScenarioVehicle entry;
@@ -292,6 +293,10 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     with_context("vehicle " + entry.name,
                  [&] { ready.states.push_back(first_state(agent, entry, scenario.seed)); });
     if (entry.carrier) agent.carrier = carrier_of(scenario, entry);
+    if (scenario.clearance && entry.keeps_clear) {
+      agent.clearance = clearance_of(agent, *scenario.clearance, entry, scenario.step_s);
+      agent.clearance->vessels = around;
+    }
     for (std::string& warning : too_fast_tracks(agent, scenario.duration_s))
       ready.warnings.push_back(std::move(warning));
   }

@@ -32,6 +32,8 @@ inline constexpr bool is_numbers<Shown> = true;
 template <>
 inline constexpr bool is_numbers<HeadwayState> = true;
 template <>
+inline constexpr bool is_numbers<ClearanceState> = true;
+template <>
 inline constexpr bool is_numbers<Milestones> = true;
 template <>
 inline constexpr bool is_numbers<DeckMotion> = true;
@@ -49,7 +51,7 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
-  auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, conduct,
+  auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, conduct, clearance,
          milestones, halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n] = s;
   visit("vehicle", vehicle);
   visit("control", control);
@@ -60,6 +62,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("navigation", navigation);
   visit("headway", headway);
   visit("conduct", conduct);
+  visit("clearance", clearance);
   visit("milestones", milestones);
   visit("halt", halt);
   visit("halted_at_s", halted_at_s);

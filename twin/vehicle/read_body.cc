@@ -149,6 +149,7 @@ Body read_body(const Config& vehicle) {
   Body body;
   const Dimensions d = read_dimensions(vehicle);
   body.height_m = d.height;
+  body.radius_m = 0.5 * std::hypot(d.length, d.width);
   const Config rigid = vehicle.child("rigid_body");
   body.mass_kg = rigid.number("mass_kg", {0.01, 1e7});
   body.centre_of_gravity_m = read_point(rigid, "centre_of_gravity_m", {});
