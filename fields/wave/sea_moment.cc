@@ -25,8 +25,8 @@ SeaMomentKernel kernel_of(KernelPath path) noexcept {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-MomentSample without_value(SampleStatus status, double elevation_m) noexcept {
-  return {{elevation_m, {nan, nan, nan}, status}, {nan, nan, nan}};
+MomentSample without_value(SampleStatus status, double elevation_m, double rise_m_s) noexcept {
+  return {{elevation_m, {nan, nan, nan}, status}, {nan, nan, nan}, rise_m_s};
 }
 
 /// ok, or why it is outside before the surface is known.
@@ -44,11 +44,14 @@ SampleStatus status_of(const MomentPlace& first, const MomentPlace& place, doubl
 MomentSample judged(const SeaMomentSums& sums, double up_m, double depth_m,
                     bool stretched) noexcept {
   const double top_m = stretched ? static_cast<double>(sums.elevation_m) : 0.0;
-  if (!(up_m <= top_m)) return without_value(SampleStatus::above_surface, sums.elevation_m);
-  if (up_m < -depth_m) return without_value(SampleStatus::below_bed, sums.elevation_m);
+  if (!(up_m <= top_m))
+    return without_value(SampleStatus::above_surface, sums.elevation_m, sums.rise_m_s);
+  if (up_m < -depth_m)
+    return without_value(SampleStatus::below_bed, sums.elevation_m, sums.rise_m_s);
   const float* const v = sums.velocity_m_s;
   const float* const a = sums.acceleration_m_s2;
-  return {{sums.elevation_m, {v[0], v[1], v[2]}, SampleStatus::ok}, {a[0], a[1], a[2]}};
+  return {
+      {sums.elevation_m, {v[0], v[1], v[2]}, SampleStatus::ok}, {a[0], a[1], a[2]}, sums.rise_m_s};
 }
 
 void sample_with(SeaMomentKernel kernel, const SeaRealisation& sea, double t_s,
@@ -62,12 +65,15 @@ void sample_with(SeaMomentKernel kernel, const SeaRealisation& sea, double t_s,
   for (std::size_t i = 0; i < places.size(); ++i) {
     const SampleStatus status = status_of(places[0], places[i], t_s);
     if (status != SampleStatus::ok) {
-      out[i] = without_value(status, nan);
+      out[i] = without_value(status, nan, nan);
       continue;
     }
     asked[count] = {static_cast<float>(places[i].east_m - places[0].east_m),
                     static_cast<float>(places[i].north_m - places[0].north_m),
-                    static_cast<float>(places[i].up_m)};
+                    static_cast<float>(places[i].up_m),
+                    static_cast<float>(places[i].velocity_m_s[0]),
+                    static_cast<float>(places[i].velocity_m_s[1]),
+                    static_cast<float>(places[i].velocity_m_s[2])};
     index[count++] = i;
   }
   if (count == 0) return;

@@ -6,18 +6,23 @@
 namespace slackwater {
 
 /// A place in the sea at a given moment: metres in ENU about the realisation's origin, up from
-/// still water.
+/// still water; and how it moves, ENU over ground.
 struct MomentPlace {
   double east_m = 0;
   double north_m = 0;
   double up_m = 0;
+  double velocity_m_s[3] = {};
 };
 
 /// The sea there. Numbers hold where `has_value(status)`; else they are NaN, but for the elevation,
 /// which holds above the surface and below the bed too.
 struct MomentSample {
   WaveMotion motion;
-  double acceleration_m_s2[3] = {};  ///< Du/Dt as in `WaveSample`
+  /// By how much the orbital velocity changes for one who moves so, ENU: du/dt at a place at rest,
+  /// and for one that goes with the sea's current Du/Dt of `WaveSample`, but for what the moving
+  /// surface stretches meanwhile.
+  double acceleration_m_s2[3] = {};
+  double rise_m_s = 0;  ///< of the elevation for one who moves so; holds where that does
 };
 
 /// The most places of one call, and how far from the first of them the others may lie: beyond, the

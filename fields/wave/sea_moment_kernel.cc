@@ -27,8 +27,12 @@ constexpr std::size_t floats = 8;
   return ((a[0] + a[4]) + (a[1] + a[5])) + ((a[2] + a[6]) + (a[3] + a[7]));
 }
 
+/// e^(-2kh) of waves that do not feel the bed: what it mirrors of them is e^(-kh), 1e-4, at most.
+constexpr double least_reflection = 1e-8;
+
 /// The waves at one moment: what all places share.
 struct Waves {
+  std::size_t feeling_bed = 0;                      ///< the first so many do
   alignas(64) float base_turns[most_kernel_waves];  ///< of the phase at the reference
   alignas(64) float east_turns_m[most_kernel_waves];
   alignas(64) float north_turns_m[most_kernel_waves];
@@ -38,10 +42,11 @@ struct Waves {
   alignas(64) float east_m_s[most_kernel_waves];
   alignas(64) float north_m_s[most_kernel_waves];
   alignas(64) float up_m_s[most_kernel_waves];
-  alignas(64) float intrinsic_rad_s[most_kernel_waves];
+  alignas(64) float passing_rad_s[most_kernel_waves];  ///< a place at rest
   // Of the place in hand.
   alignas(64) float sine[most_kernel_waves];
   alignas(64) float cosine[most_kernel_waves];
+  alignas(64) float met_rad_s[most_kernel_waves];
 };
 
 /// As floats. A phase of many turns is brought to its rest as a double first.
@@ -64,117 +69,183 @@ void convert(const SeaKernelWaves& from, const SeaKernelPlace& reference, Waves&
   as_floats(from.east_m_s, to.east_m_s);
   as_floats(from.north_m_s, to.north_m_s);
   as_floats(from.up_m_s, to.up_m_s);
-  as_floats(from.intrinsic_rad_s, to.intrinsic_rad_s);
-  // What would become subnormal mirrors nothing.
   for (std::size_t i = 0; i < from.count; ++i)
-    to.reflection[i] = from.reflection[i] < 1e-30 ? 0.0F : static_cast<float>(from.reflection[i]);
+    to.passing_rad_s[i] = static_cast<float>(2 * std::numbers::pi * from.turns_s[i]);
+  for (std::size_t i = 0; i < from.count; ++i)
+    to.reflection[i] =
+        from.reflection[i] < least_reflection ? 0.0F : static_cast<float>(from.reflection[i]);
+  to.feeling_bed = 0;
+  while (to.feeling_bed < from.count && from.reflection[to.feeling_bed] > least_reflection)
+    to.feeling_bed += floats;
 }
 
 constexpr float rounder = 12582912.0F;  ///< 1.5 2^23: a sum with it has no room for a fraction
 
-/// sin and cos of an angle in turns, |turns| < 2^22: Taylor's series of a quarter of what is left
-/// of whole turns, at most pi/4, doubled twice. Error below 3e-6.
+/// sin and cos of an angle in turns, |turns| < 2^22: by polynomials of the half of what is left of
+/// whole turns, at most pi/2, through the values at Chebyshev's nodes; doubled. Error below 2e-5.
 struct SineCosine {
   Floats sine;
   Floats cosine;
 };
 [[gnu::always_inline]] inline SineCosine sine_cosine_of_turns(const Floats& turns) {
-  constexpr double q = std::numbers::pi / 2;
-  constexpr auto s1 = static_cast<float>(q), s3 = static_cast<float>(-q * q * q / 6),
-                 s5 = static_cast<float>(q * q * q * q * q / 120),
-                 s7 = static_cast<float>(-q * q * q * q * q * q * q / 5040);
-  constexpr auto c2 = static_cast<float>(-q * q / 2), c4 = static_cast<float>(q * q * q * q / 24),
-                 c6 = static_cast<float>(-q * q * q * q * q * q / 720),
-                 c8 = static_cast<float>(q * q * q * q * q * q * q * q / 40320);
   const Floats rest = turns - ((turns + rounder) - rounder);
   const Floats square = rest * rest;
-  const Floats sine = rest * (((s7 * square + s5) * square + s3) * square + s1);
-  const Floats cosine = (((c8 * square + c6) * square + c4) * square + c2) * square + 1.0F;
+  const Floats sine =
+      rest *
+      (((-0.559435001F * square + 2.54400022F) * square - 5.16740577F) * square + 3.14159026F);
+  const Floats cosine =
+      ((-1.22193646F * square + 4.04121234F) * square - 4.93393131F) * square + 0.999993202F;
   const Floats twice = sine + sine;
-  const Floats half_sine = twice * cosine;
-  const Floats half_cosine = 1.0F - twice * sine;
-  const Floats twice_half = half_sine + half_sine;
-  return {twice_half * half_cosine, 1.0F - twice_half * half_sine};
+  return {twice * cosine, 1.0F - twice * sine};
 }
 
-/// 2^x and 2^-x for |x| <= 120 (a smaller x counts as -120): Taylor's series of what a whole number
-/// leaves, even and odd terms apart. Relative error below 1e-6.
+/// 2^n for the whole number n that a sum with `rounder` holds, and 2^-n.
+[[gnu::always_inline]] inline Floats whole_power(const Floats& shifted) {
+  return (Floats)(((Bits)shifted + 127U) << 23U);
+}
+[[gnu::always_inline]] inline Floats whole_power_of_half(const Floats& shifted) {
+  return (Floats)((127U - (Bits)shifted) << 23U);
+}
+
+/// Where nothing is left of a power, 120 halvings down.
+[[gnu::always_inline]] inline Floats bounded(const Floats& x) {
+  const Floats least = Floats{} - 120.0F;
+  return x > least ? x : least;
+}
+
+/// 2^x for -120 <= x <= 0: by a polynomial of what a whole number leaves, through the values at
+/// Chebyshev's nodes. Relative error below 4e-6.
+[[gnu::always_inline]] inline Floats power_of_two(const Floats& x) {
+  const Floats shifted = x + rounder;
+  const Floats rest = x - (shifted - rounder);
+  return ((((0.00966636852F * rest + 0.0559219758F) * rest + 0.24022349F) * rest + 0.693121045F) *
+              rest +
+          1.0F) *
+         whole_power(shifted);
+}
+
+/// 2^x and 2^-x likewise, by Taylor's series, even and odd terms apart.
 struct PowerAndInverse {
   Floats power;
   Floats inverse;
 };
 [[gnu::always_inline]] inline PowerAndInverse powers_of_two(const Floats& x) {
   constexpr double q = std::numbers::ln2;
-  constexpr auto e2 = static_cast<float>(q * q / 2), e4 = static_cast<float>(q * q * q * q / 24),
-                 e6 = static_cast<float>(q * q * q * q * q * q / 720);
+  constexpr auto e2 = static_cast<float>(q * q / 2), e4 = static_cast<float>(q * q * q * q / 24);
   constexpr auto o1 = static_cast<float>(q), o3 = static_cast<float>(q * q * q / 6),
                  o5 = static_cast<float>(q * q * q * q * q / 120);
-  const Floats least = Floats{} - 120.0F;
-  const Floats bounded = x > least ? x : least;
-  const Floats shifted = bounded + rounder;
-  const Floats rest = bounded - (shifted - rounder);
+  const Floats shifted = x + rounder;
+  const Floats rest = x - (shifted - rounder);
   const Floats square = rest * rest;
-  const Floats even = ((e6 * square + e4) * square + e2) * square + 1.0F;
+  const Floats even = (e4 * square + e2) * square + 1.0F;
   const Floats odd = rest * ((o5 * square + o3) * square + o1);
-  const auto up = (Floats)(((Bits)shifted + 127U) << 23U);
-  const auto down = (Floats)((127U - (Bits)shifted) << 23U);
-  return {(even + odd) * up, (even - odd) * down};
+  return {(even + odd) * whole_power(shifted), (even - odd) * whole_power_of_half(shifted)};
 }
 
-float elevation_at(Waves& waves, std::size_t count, const SeaMomentPlace& place) {
-  Floats sum{};
+/// The surface over a place and how fast it rises there.
+struct Surface {
+  float elevation_m = 0;
+  float rise_m_s = 0;
+};
+
+Surface surface_at(Waves& waves, std::size_t count, const SeaMomentPlace& place) {
+  constexpr float turn = 2 * std::numbers::pi_v<float>;
+  const float east_m = place.east_m, north_m = place.north_m;
+  const float east_rad_s = turn * place.east_m_s, north_rad_s = turn * place.north_m_s;
+  Floats elevation{}, rise{};
   for (std::size_t i = 0; i < count; i += floats) {
-    const Floats turns =
-        load(waves.base_turns + i) + (load(waves.east_turns_m + i) * place.east_m +
-                                      load(waves.north_turns_m + i) * place.north_m);
-    const SineCosine at = sine_cosine_of_turns(turns);
-    sum = sum + load(waves.amplitude_m + i) * at.cosine;
+    const Floats east = load(waves.east_turns_m + i);
+    const Floats north = load(waves.north_turns_m + i);
+    const SineCosine at =
+        sine_cosine_of_turns(load(waves.base_turns + i) + (east * east_m + north * north_m));
+    const Floats amplitude = load(waves.amplitude_m + i);
+    elevation = elevation + amplitude * at.cosine;
+    // How fast the phases pass one who moves so.
+    const Floats met = load(waves.passing_rad_s + i) - (east * east_rad_s + north * north_rad_s);
+    rise = rise + amplitude * (met * at.sine);
     store(at.sine, waves.sine + i);
     store(at.cosine, waves.cosine + i);
+    store(met, waves.met_rad_s + i);
   }
-  return sum_of(sum);
+  return {sum_of(elevation), sum_of(rise)};
+}
+
+/// Where the waves are evaluated, and how fast that level rises.
+struct Level {
+  float up_m = 0;
+  float rise_m_s = 0;
+};
+
+/// Wheeler's level h (z - eta)/(h + eta), held within the water.
+Level level_of(const SeaMomentPlace& place, const Surface& surface, float depth_m, bool stretched) {
+  Level level{place.up_m, place.up_m_s};
+  if (stretched) {
+    const float column_m = depth_m + surface.elevation_m;
+    level.up_m = depth_m * (place.up_m - surface.elevation_m) / column_m;
+    level.rise_m_s =
+        (depth_m * (place.up_m_s - surface.rise_m_s) - level.up_m * surface.rise_m_s) / column_m;
+  }
+  if (!(level.up_m < 0)) level.up_m = 0;
+  if (level.up_m < -depth_m) level.up_m = -depth_m;
+  return level;
 }
 
 /// 2^-14 = 6e-5 of a wave's motion at the surface, which has 0.1 m/s at most of its own.
 constexpr float unfelt_halvings = 14;
 
-void motion_at(const Waves& waves, std::size_t count, float up_m, SeaMomentSums& sums) {
+/// Sums over the waves.
+struct Motion {
   Floats u{}, v{}, w{}, du{}, dv{}, dw{};
-  for (std::size_t i = 0; i < count; i += floats) {
-    // The waves are sorted: these and all that follow do not reach down here.
-    if (waves.decay_per_m[i] * up_m < -unfelt_halvings) break;
-    // As in sea_kernel.cc.
-    const PowerAndInverse decay = powers_of_two(load(waves.decay_per_m + i) * up_m);
-    const Floats mirrored = load(waves.reflection + i) * decay.inverse;
-    const Floats sine = load(waves.sine + i);
-    const Floats cosine = load(waves.cosine + i);
-    const Floats level = decay.power + mirrored;
-    const Floats forward = level * cosine;
-    const Floats lift = load(waves.up_m_s + i) * (decay.power - mirrored);
-    const Floats east = load(waves.east_m_s + i);
-    const Floats north = load(waves.north_m_s + i);
-    const Floats sigma = load(waves.intrinsic_rad_s + i);
-    const Floats pushed = sigma * (level * sine);
-    u = u + east * forward;
-    v = v + north * forward;
-    w = w + lift * sine;
-    du = du + east * pushed;
-    dv = dv + north * pushed;
-    dw = dw - sigma * (lift * cosine);
-  }
-  sums.velocity_m_s[0] = sum_of(u);
-  sums.velocity_m_s[1] = sum_of(v);
-  sums.velocity_m_s[2] = sum_of(w);
-  sums.acceleration_m_s2[0] = sum_of(du);
-  sums.acceleration_m_s2[1] = sum_of(dv);
-  sums.acceleration_m_s2[2] = sum_of(dw);
+};
+
+/// Adds eight waves whose horizontal motion is there `level` of that at the surface in deep water,
+/// and whose vertical one is `upright`.
+[[gnu::always_inline]] inline void add(const Waves& waves, std::size_t i, const Floats& level,
+                                       const Floats& upright, float climb_m_s, Motion& motion) {
+  const Floats sine = load(waves.sine + i);
+  const Floats cosine = load(waves.cosine + i);
+  const Floats met = load(waves.met_rad_s + i);
+  const Floats east = load(waves.east_m_s + i);
+  const Floats north = load(waves.north_m_s + i);
+  const Floats up = load(waves.up_m_s + i);
+  const Floats climb = load(waves.decay_per_m + i) * climb_m_s;
+  const Floats forward = level * cosine;
+  const Floats crossing = level * sine;
+  const Floats standing = upright * cosine;
+  const Floats pushed = met * crossing + climb * standing;
+  motion.u = motion.u + east * forward;
+  motion.v = motion.v + north * forward;
+  motion.w = motion.w + up * (upright * sine);
+  motion.du = motion.du + east * pushed;
+  motion.dv = motion.dv + north * pushed;
+  motion.dw = motion.dw + up * (climb * crossing - met * standing);
 }
 
-/// Wheeler's level, held within the water.
-float level_of(float up_m, float elevation_m, float depth_m, bool stretched) {
-  const float up = stretched ? depth_m * (up_m - elevation_m) / (depth_m + elevation_m) : up_m;
-  if (!(up < 0)) return 0;
-  return up < -depth_m ? -depth_m : up;
+void motion_at(const Waves& waves, std::size_t count, const Level& at, SeaMomentSums& sums) {
+  const float up_m = at.up_m;
+  const float climb_m_s = std::numbers::ln2_v<float> * at.rise_m_s;
+  Motion motion;
+  // The waves are sorted: where one does not reach down to the place, nor do those that follow.
+  const auto reaches = [&](std::size_t i) -> bool {
+    return waves.decay_per_m[i] * up_m >= -unfelt_halvings;
+  };
+  std::size_t i = 0;
+  for (; i < waves.feeling_bed && reaches(i); i += floats) {
+    // As in sea_kernel.cc.
+    const PowerAndInverse decay = powers_of_two(bounded(load(waves.decay_per_m + i) * up_m));
+    const Floats mirrored = load(waves.reflection + i) * decay.inverse;
+    add(waves, i, decay.power + mirrored, decay.power - mirrored, climb_m_s, motion);
+  }
+  for (; i < count && reaches(i); i += floats) {
+    const Floats level = power_of_two(bounded(load(waves.decay_per_m + i) * up_m));
+    add(waves, i, level, level, climb_m_s, motion);
+  }
+  sums.velocity_m_s[0] = sum_of(motion.u);
+  sums.velocity_m_s[1] = sum_of(motion.v);
+  sums.velocity_m_s[2] = sum_of(motion.w);
+  sums.acceleration_m_s2[0] = sum_of(motion.du);
+  sums.acceleration_m_s2[1] = sum_of(motion.dv);
+  sums.acceleration_m_s2[2] = sum_of(motion.dw);
 }
 
 void evaluate(const SeaKernelWaves& from, const SeaKernelPlace& reference, bool stretched,
@@ -182,10 +253,11 @@ void evaluate(const SeaKernelWaves& from, const SeaKernelPlace& reference, bool 
   Waves waves;  // written before it is read: not cleared
   convert(from, reference, waves);
   for (std::size_t i = 0; i < count; ++i) {
-    sums[i].elevation_m = elevation_at(waves, from.count, places[i]);
-    const float up_m =
-        level_of(places[i].up_m, sums[i].elevation_m, static_cast<float>(from.depth_m), stretched);
-    motion_at(waves, from.count, up_m, sums[i]);
+    const Surface surface = surface_at(waves, from.count, places[i]);
+    sums[i].elevation_m = surface.elevation_m;
+    sums[i].rise_m_s = surface.rise_m_s;
+    const Level level = level_of(places[i], surface, static_cast<float>(from.depth_m), stretched);
+    motion_at(waves, from.count, level, sums[i]);
   }
 }
 

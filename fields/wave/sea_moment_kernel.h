@@ -3,16 +3,20 @@
 
 namespace slackwater {
 
-/// A place from the reference of a moment, metres.
+/// A place from the reference of a moment, metres, and how it moves.
 struct SeaMomentPlace {
   float east_m = 0;
   float north_m = 0;
   float up_m = 0;  ///< from still water, not from the reference
+  float east_m_s = 0;
+  float north_m_s = 0;
+  float up_m_s = 0;
 };
 
 /// Where the kernel puts its sums.
 struct SeaMomentSums {
   float elevation_m = 0;
+  float rise_m_s = 0;  ///< of the elevation along the way
   float velocity_m_s[3] = {};
   float acceleration_m_s2[3] = {};
 };
