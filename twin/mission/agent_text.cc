@@ -25,8 +25,8 @@ std::vector<Structure> structures_of(const WorkSite& site) {
 }
 
 /// What of an agent's entry in a mission is not of its conduct.
-const std::set<std::string> of_the_vehicle{"model", "state_of_charge", "navigation", "speed_m_s",
-                                           "start"};
+const std::set<std::string> of_the_vehicle{"model",     "state_of_charge", "navigation",
+                                           "speed_m_s", "start",           "detail"};
 
 /// One agent of a task, made into a vehicle of the scenario.
 class AgentWriter {
@@ -52,6 +52,9 @@ class AgentWriter {
     for (const char* key : {"speed_m_s", "state_of_charge", "navigation"})
       if (const auto value = chosen(key)) text += "    " + std::string(key) + ": " + *value + "\n";
     if (has_tether_) text += write_tether();
+    // A rehearsal asks for figures of a mission, in many futures.
+    if (const auto detail = chosen("detail"); detail || has_tether_)
+      text += "    detail: " + detail.value_or("coarse") + "\n";
     text += "    conduct: " + write_conduct(assumed) + "\n    tasks:\n" + tasks;
     return text;
   }

@@ -52,7 +52,8 @@ struct ExpandedMission {
 ///
 /// Each agent of a task starts at its place by the first turbine, is launched, goes to each
 /// turbine in turn and does its work there, and comes back; between sorties it stands aboard and
-/// gets another battery.
+/// gets another battery. One on a tether is stepped as twin/simulate/coarse.h says, unless
+/// `detail: full` stands at it.
 /// @throws Error(invalid_input) with file and line
 [[nodiscard]] ExpandedMission expand_mission(const Config& mission, const MissionParts& parts);
 

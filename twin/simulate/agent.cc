@@ -61,8 +61,10 @@ bool feel_water(const Agent& agent, double t_s, AgentState& state, const Rotatio
   const Triple<double> at = at_point(body, r, vehicle.body.centre_of_buoyancy_m);
   // A craft that floats has the current of the water that its hulls are in, and the waves at its
   // strips.
+  const CarriedWater& carried = state.coarse.water;
   const WaterSample water =
-      hull.strips > 0
+      agent.coarse && carried.holds > 0.5 ? vehicle_water(carried, t_s)
+      : hull.strips > 0
           ? agent.water->current({at.x, at.y, std::max(at.z, 0.0)}, vehicle.body.height_m, t_s)
           : agent.water->water(at, vehicle.body.height_m, t_s);
   if (!has_value(water.status)) {
@@ -78,6 +80,10 @@ bool feel_water(const Agent& agent, double t_s, AgentState& state, const Rotatio
 
 void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, AgentState& state,
                  Surroundings<double>& around) {
+  if (agent.coarse) {  // It has pulled already, see coarse_step.h.
+    around.pull_n = state.coarse.pull_n;
+    return;
+  }
   const BodyState<double>& body = state.vehicle.body;
   const Tether& tether = *agent.tether;
   TetherEnds<double> ends;
@@ -98,10 +104,7 @@ void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, Agen
   const TetherPull<double> felt = pull(tether, state.tether, ends, water, agent.plan.dt_s);
   around.pull_n = felt.on_vehicle_n;
   state.tether_n = felt.vehicle_tension_n;
-  if (state.conduct.is_snagged) {
-    state.tether.node_m[state.conduct.snag_node] = state.conduct.snag_m;
-    state.tether.velocity_m_s[state.conduct.snag_node] = {};
-  }
+  hold_snag(state);
 }
 
 /// Autopilots of measured thrusters command them by their curve at rest; what the flow takes from

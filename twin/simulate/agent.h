@@ -6,6 +6,7 @@
 
 #include "fields/wind/dryden_gust.h"
 #include "twin/control/autopilot.h"
+#include "twin/simulate/coarse.h"
 #include "twin/simulate/common_picture.h"
 #include "twin/simulate/conduct_state.h"
 #include "twin/simulate/environment.h"
@@ -53,6 +54,7 @@ struct Agent {
   Triple<double> deck_m;                        ///< where on it, the carrier's body axes
   std::shared_ptr<const ReadyConduct> conduct;  ///< null: it does its tasks, come what may
   std::optional<Clearance> clearance;           ///< nothing: it goes as if it were alone
+  std::optional<CoarsePlan> coarse;  ///< nothing: water and tether are met in full at each step
 };
 
 /// All that changes of it: a value, copied for a checkpoint.
@@ -67,6 +69,7 @@ struct AgentState {
   HeadwayState headway;
   ConductState conduct;
   ClearanceState clearance;
+  CoarseState coarse;
   Milestones milestones;
   Halt halt = Halt::none;
   double halted_at_s = 0;
@@ -80,6 +83,13 @@ struct AgentState {
 /// Whether it is stepped: it has not halted and stands on nobody's deck.
 [[nodiscard]] inline bool moves(const AgentState& state) noexcept {
   return state.halt == Halt::none && !state.conduct.is_aboard;
+}
+
+/// A node of the tether that is caught stays where it is.
+inline void hold_snag(AgentState& state) noexcept {
+  if (!state.conduct.is_snagged) return;
+  state.tether.node_m[state.conduct.snag_node] = state.conduct.snag_m;
+  state.tether.velocity_m_s[state.conduct.snag_node] = {};
 }
 
 /// What the vehicle goes by: the truth, or what it makes of its instruments.

@@ -13,7 +13,10 @@ void apply(const Reroute& reroute, const Agent& agent, AgentState& state) {
   replace_waypoints(state.mission, known_of(agent, state), reroute.waypoints);
 }
 
-void apply(const PutVehicle& put, const Agent&, AgentState& state) { state.vehicle = put.vehicle; }
+void apply(const PutVehicle& put, const Agent&, AgentState& state) {
+  state.vehicle = put.vehicle;
+  state.coarse = {};  // of the water where it was
+}
 
 }  // namespace
 

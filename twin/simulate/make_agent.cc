@@ -4,6 +4,7 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "twin/body/frame.h"
+#include "twin/simulate/coarse_step.h"
 #include "twin/simulate/conduct.h"
 #include "twin/simulate/set_up.h"
 #include "twin/tether/lay_tether.h"
@@ -95,6 +96,14 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
     // Only looked at, a vehicle without the instruments for it has nothing to show.
     if (entry.navigates_by_sensors || (sensors.imu && sensors.compass))
       agent.navigation = plan_navigation(*vehicle, agent.plan.dt_s, entry.navigates_by_sensors);
+  }
+  if (entry.detail == StepDetail::coarse) {
+    if (vehicle->kind == VehicleKind::uav || vehicle->body.hull.strips > 0) {
+      throw Error(ErrorKind::invalid_input,
+                  "detail: coarse is for what swims under water; a " + vehicle->name +
+                      " meets wind or waves at each step: leave `detail` out");
+    }
+    agent.coarse = plan_coarse(agent.plan.dt_s, water->environment().sea.get());
   }
   agent.vehicle = std::move(vehicle);
   agent.water = std::move(water);

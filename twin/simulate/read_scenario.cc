@@ -151,6 +151,13 @@ FollowerChoice read_follower(const Config& config) {
                 "found " + text + ", expected line_of_sight, no_feed_forward, paper or public");
 }
 
+StepDetail read_detail(const Config& config) {
+  const std::string text = config.optional_text("detail").value_or("full");
+  if (text != "full" && text != "coarse")
+    config.refuse("detail", "found " + text + ", expected full or coarse");
+  return text == "full" ? StepDetail::full : StepDetail::coarse;
+}
+
 /// What autopilots go by: `truth` or `sensors`. @param otherwise  where the file does not say
 bool read_navigation(const Config& config, bool otherwise) {
   const auto text = config.optional_text("navigation");
@@ -177,6 +184,7 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
     vehicle.speed_m_s = asked.m_s;
     vehicle.is_speed_over_ground = asked.is_over_ground;
   }
+  vehicle.detail = read_detail(config);
   vehicle.follower = read_follower(config);
   if (const auto tether = config.optional_child("tether")) {
     vehicle.tether = {read_place(tether->child("top")), tether->number("length_m", {0.1, 10000})};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
+#include "twin/simulate/coarse_step.h"
 #include "twin/simulate/conduct.h"
 #include "twin/simulate/soundness.h"
 #include "twin/simulate/vehicle_step.h"
@@ -14,7 +15,8 @@ namespace {
 /// Whether two vehicles make the same step, so that they may lie in one block.
 bool steps_alike(const Agent& a, const Agent& b) {
   return a.vehicle == b.vehicle && a.steps_per_barrier == b.steps_per_barrier &&
-         a.plan.dt_s == b.plan.dt_s && a.plan.held_voltage_v == b.plan.held_voltage_v;
+         a.plan.dt_s == b.plan.dt_s && a.plan.held_voltage_v == b.plan.held_voltage_v &&
+         a.coarse.has_value() == b.coarse.has_value();
 }
 
 }  // namespace
@@ -25,6 +27,7 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
       seen_(states_.size()),
       picture_(agents_),
       block_(settings.path ? step_block_on(*settings.path) : step_block()),
+      pull_(settings.path ? pull_block_on(*settings.path) : pull_block()),
       scheduler_(settings.seed, settings.step_s, settings.threads) {
   expects(!agents_.empty() && agents_.size() == states_.size(), "a state for each vehicle");
   for (const Agent& agent : agents_) {
@@ -75,6 +78,7 @@ void Run::step_one(std::size_t index, const StepTime& time) {
   for (std::size_t k = 0; k < agent.steps_per_barrier; ++k) {
     if (!moves(state)) return;
     const double t_s = time.start_s + static_cast<double>(k) * agent.plan.dt_s;
+    make_coarse_step(agents_, states_, {&index, 1}, t_s, nullptr);
     if (!prepare(agent, t_s, picture_.seen_by(agent, index), state, input)) return;
     VehicleState<double> next = state.vehicle;
     twin::step(*agent.vehicle, agent.plan, next, input.command, input.around);
@@ -115,6 +119,7 @@ void Run::step_group(Group& group, const StepTime& time) {
   StepInput input;
   for (std::size_t k = 0; k < first.steps_per_barrier; ++k) {
     const double t_s = time.start_s + static_cast<double>(k) * first.plan.dt_s;
+    make_coarse_step(agents_, states_, group.agents, t_s, pull_);
     bool any = false;
     for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
       AgentState& state = states_[group.agents[lane]];

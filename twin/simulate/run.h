@@ -103,6 +103,7 @@ class Run {
   CommonPicture picture_;
   std::deque<Group> groups_;  ///< that does not move its members
   StepBlock block_;
+  PullBlock pull_;
   CommandQueue commands_;
   std::vector<Command> taken_;
   std::vector<StatusChange> changes_;  ///< of a tick: scratch

@@ -78,6 +78,9 @@ struct ScenarioTask {
 /// Preset of the way waypoints are followed.
 enum class FollowerChoice { line_of_sight, no_feed_forward, paper, published_code };
 
+/// How closely water and tether of a vehicle are stepped: in full, or as coarse.h says.
+enum class StepDetail { full, coarse };
+
 struct ScenarioVehicle {
   std::string name;
   std::string model;  ///< id in data/vehicles, or the path of a file
@@ -88,6 +91,7 @@ struct ScenarioVehicle {
   double state_of_charge = 1;
   double held_voltage_v = 0;  ///< above 0: the bus is held there
   std::optional<double> step_s;
+  StepDetail detail = StepDetail::full;
   FollowerChoice follower = FollowerChoice::line_of_sight;
   std::optional<double> speed_m_s;
   bool is_speed_over_ground = false;  ///< `ground_speed_m_s` rather than `speed_m_s`

@@ -34,6 +34,8 @@ inline constexpr bool is_numbers<HeadwayState> = true;
 template <>
 inline constexpr bool is_numbers<ClearanceState> = true;
 template <>
+inline constexpr bool is_numbers<CoarseState> = true;
+template <>
 inline constexpr bool is_numbers<Milestones> = true;
 template <>
 inline constexpr bool is_numbers<DeckMotion> = true;
@@ -52,7 +54,7 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, conduct, clearance,
-         milestones, halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n] = s;
+         coarse, milestones, halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
@@ -63,6 +65,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("headway", headway);
   visit("conduct", conduct);
   visit("clearance", clearance);
+  visit("coarse", coarse);
   visit("milestones", milestones);
   visit("halt", halt);
   visit("halted_at_s", halted_at_s);

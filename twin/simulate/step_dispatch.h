@@ -1,5 +1,6 @@
 #pragma once
 #include "fields/current/kernel_dispatch.h"
+#include "twin/simulate/pull_kernel.h"
 #include "twin/simulate/step_kernel.h"
 
 namespace slackwater::twin {
@@ -9,5 +10,8 @@ namespace slackwater::twin {
 [[nodiscard]] StepBlock step_block() noexcept;
 /// The one of a path, which this machine must support.
 [[nodiscard]] StepBlock step_block_on(KernelPath path) noexcept;
+/// The same for eight tethers.
+[[nodiscard]] PullBlock pull_block() noexcept;
+[[nodiscard]] PullBlock pull_block_on(KernelPath path) noexcept;
 
 }  // namespace slackwater::twin

@@ -10,6 +10,14 @@ struct alignas(64) Eight {
   double lane[block_lanes];
 };
 
+/// Room for a value that is written before it is read, and so is not cleared.
+template <typename T>
+union Room {
+  T value;
+  char none;
+  Room() {}
+};
+
 /// Steps eight vehicles of one kind by one step: `step` of vehicle_step.h on vectors, compiled once
 /// per instruction set.
 using StepBlock = void (*)(const Vehicle&, const StepPlan&, VehicleState<Eight>&,

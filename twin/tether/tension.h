@@ -46,8 +46,8 @@ template <typename Real>
 /// when a line is thrown about, is a few newtons in one segment.
 template <typename Real>
 [[nodiscard]] std::array<Real, tether_segments> pulling_tensions(
-    const TensionSystem<Real>& s, const std::array<Real, tether_segments>& before) {
-  constexpr int mendings = 2;
+    const TensionSystem<Real>& s, const std::array<Real, tether_segments>& before,
+    int mendings = 2) {
   const Real none = Real{} + 0.0, one = Real{} + 1.0;
   std::array<Real, tether_segments> pulls{}, tension{};
   for (std::size_t j = 0; j < tether_segments; ++j) pulls[j] = select(before[j] > 0.0, one, none);

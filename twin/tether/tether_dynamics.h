@@ -83,7 +83,7 @@ template <typename Real>
 template <typename Real>
 [[nodiscard]] std::array<Real, tether_segments> tensions_of(
     const Tether& tether, const Chain<Real>& chain, const ChainMotion<Real>& motion,
-    const std::array<Real, tether_segments>& before_n, double dt_s) {
+    const std::array<Real, tether_segments>& before_n, double dt_s, int mendings = 2) {
   TensionSystem<Real> system;
   const Real compliance_m_n = chain.segment_m / tether.axial_stiffness_n;
   for (std::size_t j = 0; j < tether_segments; ++j) {
@@ -94,7 +94,7 @@ template <typename Real>
     system.stretch_m[j] = dot(along, chain.at_m[j + 1] - chain.at_m[j]) - chain.segment_m +
                           dt_s * dot(along, motion.free_m_s[j + 1] - motion.free_m_s[j]);
   }
-  return pulling_tensions(system, before_n);
+  return pulling_tensions(system, before_n, mendings);
 }
 
 /// Velocities of all nodes at the end of the step.
@@ -118,34 +118,13 @@ void turn(Chain<Real>& chain, const std::array<Triple<Real>, tether_nodes>& velo
                                   dt * (velocity_m_s[j + 1] - velocity_m_s[j]));
 }
 
-/// Moves the line on by one step and says how it pulled meanwhile.
-///
-/// A chain of lumped masses between two given ends. Each segment is an elastic that pulls but does
-/// not push, T = EA (l/l_0 - 1) >= 0, with the length that it will have at the end of the step: the
-/// tensions of all segments follow from one tridiagonal system, whatever the stiffness, so that
-/// nothing is iterated to some tolerance and nothing can fail to converge. At rest in steady water
-/// the chain is the quasi-static one: neither the step nor the inertia stands in that balance.
-/// Between, the line lags behind a vehicle as a line does.
-///
-/// Left out: stiffness in bending and torsion, the bed, structures in the way, the acceleration of
-/// the water (the line follows waves by its drag, within 0.05 s), and the inertia of the half
-/// segments at the ends.
-///
-/// Cost: 3.4 us for one line, 1.1 us per line in eight lanes of AVX-512, 1.7 of SSE2 (Xeon, 2.5
-/// GHz). No allocation.
+/// Moves the nodes by what the tensions make of their motion, and says how the line pulls.
 template <typename Real>
-TetherPull<Real> pull(const Tether& tether, TetherState<Real>& state, const TetherEnds<Real>& ends,
-                      const WaterAtNodes<Real>& water, double dt_s) {
+TetherPull<Real> move_on(const Tether& tether, TetherState<Real>& state,
+                         const TetherEnds<Real>& ends, const Chain<Real>& chain,
+                         const ChainMotion<Real>& motion,
+                         const std::array<Real, tether_segments>& tension, double dt_s) {
   constexpr std::size_t last = tether_segments;
-  Chain<Real> chain = chain_of(tether, state, ends, water);
-  ChainMotion<Real> motion = motion_of(tether, chain, state.tension_n, dt_s);
-  std::array<Real, tether_segments> tension =
-      tensions_of(tether, chain, motion, state.tension_n, dt_s);
-  // Once more, with the tensions of this step and along the segments as they lie at its end.
-  turn(chain, velocities_of(motion, tension), dt_s);
-  motion = motion_of(tether, chain, tension, dt_s);
-  tension = tensions_of(tether, chain, motion, tension, dt_s);
-
   Real most_n{};
   for (const Real& t : tension) most_n = larger_of(most_n, t);
   const Real none = Real{} + 0.0, one = Real{} + 1.0, dt = Real{} + dt_s;
@@ -169,6 +148,35 @@ TetherPull<Real> pull(const Tether& tether, TetherState<Real>& state, const Teth
   out.taut = select(out.slack_m < taut_slack_share * state.length_m, one, none);
   out.whole = state.whole;
   return out;
+}
+
+/// Moves the line on by one step and says how it pulled meanwhile.
+///
+/// A chain of lumped masses between two given ends. Each segment is an elastic that pulls but does
+/// not push, T = EA (l/l_0 - 1) >= 0, with the length that it will have at the end of the step: the
+/// tensions of all segments follow from one tridiagonal system, whatever the stiffness, so that
+/// nothing is iterated to some tolerance and nothing can fail to converge. At rest in steady water
+/// the chain is the quasi-static one: neither the step nor the inertia stands in that balance.
+/// Between, the line lags behind a vehicle as a line does.
+///
+/// Left out: stiffness in bending and torsion, the bed, structures in the way, the acceleration of
+/// the water (the line follows waves by its drag, within 0.05 s), and the inertia of the half
+/// segments at the ends.
+///
+/// Cost: 3.4 us for one line, 1.1 us per line in eight lanes of AVX-512, 1.7 of SSE2 (Xeon, 2.5
+/// GHz). No allocation.
+template <typename Real>
+TetherPull<Real> pull(const Tether& tether, TetherState<Real>& state, const TetherEnds<Real>& ends,
+                      const WaterAtNodes<Real>& water, double dt_s) {
+  Chain<Real> chain = chain_of(tether, state, ends, water);
+  ChainMotion<Real> motion = motion_of(tether, chain, state.tension_n, dt_s);
+  std::array<Real, tether_segments> tension =
+      tensions_of(tether, chain, motion, state.tension_n, dt_s);
+  // Once more, with the tensions of this step and along the segments as they lie at its end.
+  turn(chain, velocities_of(motion, tension), dt_s);
+  motion = motion_of(tether, chain, tension, dt_s);
+  tension = tensions_of(tether, chain, motion, tension, dt_s);
+  return move_on(tether, state, ends, chain, motion, tension, dt_s);
 }
 
 }  // namespace slackwater::twin

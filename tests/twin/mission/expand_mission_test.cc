@@ -66,6 +66,18 @@ INSTANTIATE_TEST_SUITE_P(Tasks, EachTask,
                                          "access_window", "mmez", "mob_drill"),
                          [](const auto& tested) { return std::string(tested.param); });
 
+TEST(ExpandMission, StepsATetherCoarselyUnlessTheMissionWantsItInFull) {
+  const auto detail_of = [](const std::string& yaml) {
+    return twin::parse_scenario(expanded(yaml).scenario_yaml, "expanded.yaml").vehicles[0].detail;
+  };
+  using twin::StepDetail;
+  EXPECT_EQ(detail_of(mission("scour_survey")), StepDetail::coarse);
+  EXPECT_EQ(detail_of(mission("scour_survey", "A01", "agents: {surveyor: {detail: full}}\n")),
+            StepDetail::full);
+  // No tether, nothing to save.
+  EXPECT_EQ(detail_of(mission("blade_scan")), StepDetail::full);
+}
+
 TEST(ExpandMission, GoesToSeveralTurbinesAndGetsABatteryBetweenThem) {
   const auto out = expanded(mission("tower_tp_check", "A01, A02"));
   const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");

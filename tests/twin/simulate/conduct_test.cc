@@ -209,29 +209,34 @@ TEST(Conduct, AMultirotorHoldsWhileItsReceiverIsLost) {
 }
 
 /// Beside a monopile of 6 m, on a line from 20 m south of it.
-std::string tethered(const std::string& conduct, const std::string& tasks) {
+std::string tethered(const std::string& conduct, const std::string& tasks,
+                     const std::string& detail = "full") {
   return head(0.05) +
          "  - {name: rov, model: bluerov2_heavy, start: {north_m: -16, east_m: 0, depth_m: 10}, "
          "speed_m_s: 0.4, tether: {top: {north_m: -22, east_m: 0, depth_m: 0}, length_m: 70}, "
-         "conduct: " +
-         conduct + ", tasks: [" + tasks +
+         "detail: " +
+         detail + ", conduct: " + conduct + ", tasks: [" + tasks +
          "]}\nstructures:\n  - {name: pile, kind: cylinder, north_m: 0, east_m: 0, diameter_m: 6, "
          "top_height_m: 20, bottom_depth_m: 60, turns_current: true}\n";
 }
 
 TEST(Conduct, AFouledLineIsCaughtAndTheVehicleHolds) {
-  Flown held = begun(tethered("{faults: [{fault: fouled_tether, at_s: 20, for_s: 60}]}",
-                              "{do: route, waypoints: [{north_m: -16, east_m: 12, depth_m: 14}]}"));
-  while (held.run->time_s() < 40) held.run->step();
-  ASSERT_TRUE(held.state().conduct.is_snagged);
-  const std::size_t node = held.state().conduct.snag_node;
-  const auto caught = held.state().tether.node_m[node];
-  while (held.run->time_s() < 70) held.run->step();
-  EXPECT_EQ(held.state().tether.node_m[node].x, caught.x);
-  EXPECT_EQ(held.state().conduct.doing, twin::Doing::hold);
-  while (held.run->time_s() < 400 && !held.run->all_ended()) held.run->step();
-  EXPECT_EQ(held.events(Kind::finished).size(), 1U);
-  EXPECT_FALSE(held.state().conduct.is_snagged);
+  for (const char* detail : {"full", "coarse"}) {
+    SCOPED_TRACE(detail);
+    Flown held = begun(tethered("{faults: [{fault: fouled_tether, at_s: 20, for_s: 60}]}",
+                                "{do: route, waypoints: [{north_m: -16, east_m: 12, depth_m: 14}]}",
+                                detail));
+    while (held.run->time_s() < 40) held.run->step();
+    ASSERT_TRUE(held.state().conduct.is_snagged);
+    const std::size_t node = held.state().conduct.snag_node;
+    const auto caught = held.state().tether.node_m[node];
+    while (held.run->time_s() < 70) held.run->step();
+    EXPECT_EQ(held.state().tether.node_m[node].x, caught.x);
+    EXPECT_EQ(held.state().conduct.doing, twin::Doing::hold);
+    while (held.run->time_s() < 400 && !held.run->all_ended()) held.run->step();
+    EXPECT_EQ(held.events(Kind::finished).size(), 1U);
+    EXPECT_FALSE(held.state().conduct.is_snagged);
+  }
 }
 
 TEST(Conduct, AVehicleOnALineGoesBackRoundThePileTheWayItCame) {

@@ -16,6 +16,11 @@ TEST(NoAllocation, InAThousandStepsOfAFleetOnItsLegs) {
             "length_m: 60}, "
             "tasks: [{do: route, waypoints: [{north_m: " +
             n + "0, east_m: 300, depth_m: 12}]}]}\n";
+    yaml += "  - {name: coarse" + n +
+            ", model: bluerov2_heavy, detail: coarse, start: {north_m: " + n +
+            "0, east_m: 0, depth_m: 10}, tether: {top: {north_m: 0, east_m: 0, depth_m: 1}, "
+            "length_m: 60}, tasks: [{do: route, waypoints: [{north_m: " +
+            n + "0, east_m: 300, depth_m: 12}]}]}\n";
     yaml += "  - {name: auv" + n + ", model: lrauv_tethys, start: {north_m: " + n +
             "0, east_m: 0, depth_m: 10}, tasks: [{do: route, waypoints: [{north_m: " + n +
             "0, east_m: 300, depth_m: 12}]}]}\n";

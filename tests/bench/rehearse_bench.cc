@@ -1,0 +1,274 @@
+// Rehearsing a tethered inspection of a monopile in 1200 waters (24 starts, 50 members): the coarse
+// step holds the figures of the full one; then how long it takes, on the way that `slackwater
+// rehearse` goes.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "api/rehearse/rehearsal.h"
+#include "fields/base/config.h"
+#include "tests/bench/bench_report.h"
+#include "tests/bench/coarse_beside_full.h"
+#include "tests/support/shared_data.h"
+#include "tests/twin/mission/mission_for_tests.h"
+#include "twin/simulate/made_up_field.h"
+#include "twin/simulate/run.h"
+
+using namespace slackwater;
+using namespace slackwater::bench;
+using namespace slackwater::twin;
+
+namespace {
+
+constexpr double hour_s = 3600;
+constexpr std::size_t all_starts = 24, all_members = 50;
+
+/// An hour and more up and down a monopile in 35 m, as cp_anode has it, in limits that are looked
+/// at and that the current of some starts exceeds.
+constexpr const char* inspection = R"(
+id: inspection
+name: Inspection of a monopile
+agents:
+  - role: inspector
+    kinds: [rov]
+    needs: [depth]
+    model: bluerov2_heavy
+    speed_m_s: 0.3
+    start: {distance_m: 18, depth_m: 3}
+    tether: {top: {distance_m: 22, depth_m: 0}, length_m: 90}
+    launch_s: 180
+    clear_m: 1.5
+    conduct:
+      reserve: {share: 0.2, margin: 1.3}
+      holding: {resume_after_s: 120, overlap_m: 1}
+      limits:
+        - {significant_wave_height_m: 1.5}
+        - {current_speed_m_s: 0.5, phases: [transit, work]}
+        - {wind_speed_10m_m_s: 12}
+    work:
+      - {pattern: verticals, stand_off_m: 1.5, from: {depth_m: 4}, to: {above_bed_m: 2},
+         bearings: 16, stops: 3, stop_s: 30}
+)";
+constexpr const char* mission_yaml = R"(
+name: bench
+seed: 7
+duration: 1h
+step_s: 0.05
+tasks: [inspection]
+turbines: [A01]
+water:
+  made_up:
+    depth_m: 35
+    current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0}]
+    wind: {speed_m_s: 5, from_deg: 270}
+waves: {partitions: [{significant_height_m: 1, peak_period_s: 6, from_deg: 270}]}
+)";
+
+UtcTime first_start() { return parse_utc("2025-06-02T06:00:00Z"); }
+
+/// @param agents  more of the mission; empty: as every mission is
+Scenario inspection_mission(const std::string& agents) {
+  WorkSite site = tests::small_farm();
+  MissionParts parts;
+  parts.site = std::move(site);
+  parts.task = [](const std::string&) { return Config::parse(inspection, "inspection.yaml"); };
+  const Config mission = Config::parse(mission_yaml + agents, "mission.yaml");
+  Scenario scenario = parse_scenario(expand_mission(mission, parts).scenario_yaml, "laid_out.yaml");
+  scenario.origin = GeoPoint::from_degrees(54, 6.6);
+  scenario.has_origin = true;
+  return scenario;
+}
+
+/// A sheared tide of 0.55 m/s at most: a current of its own for each start. The members of a start
+/// differ in their seas.
+Surround tidal_water(const Scenario& mission) {
+  const std::vector<double> depths_m{0, 5, 10, 15, 20, 30, 35};
+  std::vector<UtcTime> times;
+  std::vector<Horizontal> current;
+  for (int hour = 0; hour <= static_cast<int>(all_starts) + 2; ++hour) {
+    times.push_back(first_start() + std::chrono::hours(hour));
+    const double tide_m_s = 0.55 * std::cos(2 * constants::pi * hour / 12.42);
+    for (const double depth_m : depths_m)
+      current.push_back(tide_m_s * Horizontal(1 - depth_m / 60, 0.1));
+  }
+  Surround surround;
+  surround.site = mission.origin;
+  surround.data_folder = tests::source_folder() / "data";
+  surround.field = made_up_field(times, depths_m, current, {5, 0}, mission.origin, 35);
+  return surround;
+}
+
+double cpu_s() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+struct Flown {
+  std::size_t flights = 0;
+  double flown_s = 0;  ///< of all of them together
+  double cpu_s = 0;
+  double wall_s = 0;
+  double first_answer_s = 0;
+  bool none_broke = true;  ///< they went on, or stopped for what stops a mission
+  std::vector<double> energy_j;
+};
+Flown flown(const Scenario& mission, std::size_t starts, std::size_t members, int threads) {
+  api::RehearsalPlan plan;
+  for (std::size_t i = 0; i < starts; ++i)
+    plan.starts.push_back(first_start() +
+                          std::chrono::hours(static_cast<int>(i * all_starts / starts)));
+  plan.members = members;
+  plan.threads = threads;
+  const Surround surround = tidal_water(mission);
+  const double before_s = cpu_s();
+  const api::Rehearsal rehearsal = api::rehearse(mission, surround, plan);
+  Flown out;
+  out.cpu_s = cpu_s() - before_s;
+  out.wall_s = rehearsal.wall_s;
+  out.first_answer_s = rehearsal.first_answer_s;
+  for (const api::StartOutcome& start : rehearsal.starts) {
+    for (const Flight& flight : start.flights) {
+      ++out.flights;
+      out.flown_s += flight.ended_s;
+      const VehicleOutcome& outcome = flight.vehicles.front();
+      out.energy_j.push_back(outcome.energy_j);
+      out.none_broke = out.none_broke && (flight.is_done || outcome.stopped_by == "out of time" ||
+                                          outcome.stopped_by.find("limit") == 0);
+    }
+  }
+  return out;
+}
+
+/// That the way of a rehearsal is the coarse one, holds the energy of the full one, and does not
+/// depend on the number of threads.
+void check_rehearsal(BenchReport& report) {
+  Scenario coarse = inspection_mission("");
+  Scenario full = inspection_mission("agents: {inspector: {detail: full}}\n");
+  report.answer("a mission's tether is stepped coarsely, if it does not say full",
+                coarse.vehicles[0].detail == StepDetail::coarse &&
+                    full.vehicles[0].detail == StepDetail::full,
+                "detail");
+  coarse.duration_s = full.duration_s = 600;
+  const Flown a = flown(coarse, 8, 2, 2);
+  const Flown b = flown(coarse, 8, 2, 1);
+  report.answer("two threads as one", a.energy_j == b.energy_j, "to the bit");
+  const Flown c = flown(full, 8, 2, 2);
+  double worst = 0;
+  for (std::size_t i = 0; i < a.flights; ++i)
+    worst = std::max(worst, 100 * std::abs(a.energy_j[i] / c.energy_j[i] - 1));
+  char text[100];
+  std::snprintf(text, sizeof text, "%.2f %% at most in %zu flights", worst, a.flights);
+  report.answer("energy of a coarse flight beside a full one, at most 2 %", worst <= 2, text);
+  report.answer("no flight broke", a.none_broke && c.none_broke, "limits and time alone end them");
+}
+
+/// A tenth of the rehearsal: all 24 starts, 5 members of 50.
+void time_rehearsal(BenchReport& report) {
+  const Scenario mission = inspection_mission("");
+  constexpr std::size_t members = all_members / 10;
+  std::vector<double> wall_s, step_us, first_s;
+  bool whole = true;
+  for (int i = 0; i < 3; ++i) {
+    const Flown found = flown(mission, all_starts, members, 2);
+    whole = whole && found.none_broke && found.flights == all_starts * members;
+    const double hours = found.flown_s / hour_s;
+    wall_s.push_back(found.wall_s * all_starts * all_members / hours);
+    step_us.push_back(1e6 * found.cpu_s * tether_step_s / found.flown_s);
+    first_s.push_back(found.first_answer_s);
+  }
+  report.answer("120 flights of an hour", whole, whole ? "all flown" : "one broke");
+  report.figure({"first answer for 24 starts", "s", first_s, 10, "one flight of each"});
+  report.figure({"a flight's step, with setting up", "us", step_us, 3.4, "of one core"});
+  report.figure({"1200 flights of an hour on 2 cores, from 120", "s", wall_s, 150,
+                 "as `slackwater rehearse` flies them"});
+}
+
+/// Eight in a run on one thread, without conduct: microseconds of one core, a step of a vehicle.
+double bare_step_us(const TetherCase& c, StepDetail detail) {
+  constexpr double duration_s = 120;
+  std::vector<Agent> agents;
+  std::vector<AgentState> states;
+  for (std::size_t i = 0; i < block_lanes; ++i) {
+    const Scenario scenario = tether_scenario(c, detail, 100 + i, duration_s);
+    ReadyRun ready = set_up(scenario, tether_surround(scenario));
+    agents.push_back(std::move(ready.agents[0]));
+    states.push_back(std::move(ready.states[0]));
+    agents.back().vehicle = agents.front().vehicle;
+  }
+  RunSettings settings;
+  settings.seed = 7;
+  settings.step_s = tether_step_s;
+  Run run(std::move(agents), std::move(states), settings);
+  const double before_s = cpu_s();
+  const auto steps = std::llround(duration_s / tether_step_s);
+  for (long long i = 0; i < steps; ++i) run.step();
+  return 1e6 * (cpu_s() - before_s) / static_cast<double>(steps * block_lanes);
+}
+
+double set_up_ms(StepDetail detail) {
+  Scenario mission = inspection_mission("");
+  mission.vehicles[0].detail = detail;
+  const Surround surround = tidal_water(mission);
+  constexpr int times = 24;
+  const double before_s = cpu_s();
+  for (int i = 0; i < times; ++i) {
+    mission.start = first_start() + std::chrono::hours(i);
+    (void)set_up(mission, surround);
+  }
+  return 1e3 * (cpu_s() - before_s) / times;
+}
+
+void time_parts(BenchReport& report) {
+  constexpr TetherCase usual{0.4, 1, 6, 60, 10};
+  const Scenario scenario = tether_scenario(usual, StepDetail::coarse, 1, 60);
+  const ReadyRun ready = set_up(scenario, tether_surround(scenario));
+  const CoarsePlan plan = *ready.agents[0].coarse;
+  std::printf(
+      "step %g s; %zu waves, looked at each %g s; %zu segments of tether, stepped each %g s\n",
+      tether_step_s, ready.environment->sea->waves().size(), plan.look_s, tether_segments,
+      plan.pull_s);
+  struct Part {
+    const char* name;
+    TetherCase water;
+  };
+  for (const StepDetail detail : {StepDetail::coarse, StepDetail::full}) {
+    const std::string of = detail == StepDetail::coarse ? "coarse" : "full";
+    for (const Part& part :
+         {Part{"waves and tether", usual}, Part{"no waves", {0.4, 0, 6, 60, 10}},
+          Part{"no tether", {0.4, 1, 6, 0, 10}}, Part{"neither", {0.4, 0, 6, 0, 10}}}) {
+      std::vector<double> samples;
+      for (int i = 0; i < 3; ++i) samples.push_back(bare_step_us(part.water, detail));
+      report.figure({"vehicle step, " + of + ": " + part.name, "us", samples, std::nullopt,
+                     "of one core, in a block of eight"});
+    }
+    std::vector<double> samples;
+    for (int i = 0; i < 3; ++i) samples.push_back(set_up_ms(detail));
+    report.figure({"setting up a flight, " + of, "ms", samples, std::nullopt, "of one core"});
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  BenchReport report(bench_options(argc, argv));
+  try {
+    check_coarse_beside_full(report);
+    check_rehearsal(report);
+    if (!report.options().check_only && report.all_right()) {
+      time_rehearsal(report);
+      time_parts(report);
+    }
+  } catch (const std::exception& problem) {
+    report.answer("rehearse", false, problem.what());
+  }
+  return report.exit_code();
+}
