@@ -30,7 +30,8 @@ struct LeewayObject {
 /// Reads data/leeway/NAME.yaml, where NAME is the value of `key`:
 ///
 ///     name, source, status, seen_as: person
-///     downwind: {slope_percent, offset_cm_s, std_cm_s}, crosswind_right: {..}, crosswind_left: {..}
+///     downwind: {slope_percent, offset_cm_s, std_cm_s}
+///     crosswind_right, crosswind_left: the same
 ///     jibe_percent_per_h: 4
 ///
 /// @throws Error(invalid_input) for a name that is not there, numbers that nothing drifts by
