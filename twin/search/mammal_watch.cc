@@ -83,7 +83,7 @@ void step_noise(const NoiseRule& rule, double t_s, double dt_s, bool is_seen, bo
   if (gate.is_on != 0) {
     gate.noise_s += dt_s;
     if (is_seen) gate.stops += 1;
-    if (is_seen || gate.noise_s >= rule.wanted_s) gate.is_on = 0;
+    if (is_seen || !watched || gate.noise_s >= rule.wanted_s) gate.is_on = 0;
     return;
   }
   if (watched && !is_seen && t_s - gate.clear_since_s >= rule.watch_s &&

@@ -79,7 +79,7 @@ struct NoiseGate {
 ///
 /// @param t_s      at the end of the step
 /// @param is_seen  an animal within the radius, in the step
-/// @param watched  somebody watches: without a watch none of its time counts
+/// @param watched  somebody watches: a time without counts for nothing, noise ends with the watch
 void step_noise(const NoiseRule& rule, double t_s, double dt_s, bool is_seen, bool watched,
                 NoiseGate& gate) noexcept;
 
