@@ -10,8 +10,8 @@ namespace slackwater::twin {
 /// Somebody in the water, and who of a vehicle looks out for him, beside whatever it does.
 ///
 /// Vehicles of a mission that search for one person each carry the same search: they draw the same
-/// drifter from the seed, and he drifts alike in all their states while their conducts last and tick
-/// alike. A vehicle that found him goes on with what it does.
+/// drifter from the seed, and he drifts alike in all their states while their conducts last and
+/// tick alike. A vehicle that found him goes on with what it does.
 struct PersonSearch {
   std::string person = "person";  ///< whom: names the streams he is drawn from
   std::string object;             ///< in data/leeway
