@@ -163,7 +163,7 @@ TEST(SearchLookout, HasTheWidthsOfTheTable) {
 }
 
 TEST(SearchLookout, NeverSeesFartherInWorseWeather) {
-  for (const char* name : {"small_boat", "crew_vessel", "drone_camera"})
+  for (const char* name : {"small_boat", "crew_vessel", "usv_camera", "drone_camera"})
     for (const char* object : {"person", "life_raft", "boat"}) {
       const SearchLookout lookout = lookout_named(name, object);
       for (double wind = 0; wind < 20; wind += 1.7)
