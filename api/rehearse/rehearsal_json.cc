@@ -45,10 +45,16 @@ json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
 }
 
 json flight_json(const twin::Flight& flight) {
-  return {{"member", flight.flown.member},
-          {"done", flight.is_done},
-          {"stopped_by", flight.is_done ? json(nullptr) : json(flight.stopped_by)},
-          {"ended_s", number(flight.ended_s)}};
+  json out{{"member", flight.flown.member},
+           {"done", flight.is_done},
+           {"stopped_by", flight.is_done ? json(nullptr) : json(flight.stopped_by)},
+           {"ended_s", number(flight.ended_s)}};
+  if (flight.found_s) out["found_s"] = number(*flight.found_s);
+  if (const auto& noise = flight.noise)
+    out["noise"] = {{"made_s", number(noise->noise_s)},
+                    {"stops", number(noise->stops)},
+                    {"mammal_within_s", number(noise->exposed_s)}};
+  return out;
 }
 
 json start_json(const StartOutcome& start) {

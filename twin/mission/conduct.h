@@ -6,6 +6,8 @@
 #include "twin/mission/fault.h"
 #include "twin/mission/limit.h"
 #include "twin/mission/standard_behaviour.h"
+#include "twin/search/mammal_duty.h"
+#include "twin/search/person_search.h"
 
 namespace slackwater::twin {
 
@@ -60,6 +62,8 @@ struct Conduct {
   std::vector<Limit> limits;
   std::vector<Fault> faults;
   std::vector<Assumption> assumed;
+  std::optional<PersonSearch> search;  ///< whom it looks out for
+  std::optional<MammalDuty> mammals;   ///< which animals it watches for
 };
 
 /// `conduct` of a vehicle's YAML, all keys optional:
@@ -74,7 +78,7 @@ struct Conduct {
 ///       pilot: {wander_m: 0.3, memory_s: 5, haste: 1.2}     # of shared and teleop
 ///       envelope: {most_speed_m_s: 0.5, stand_off_m: 3, fence_m: 100}   # of shared
 ///       deck_point: {forward_m, starboard_m, up_m}
-///       limits, faults, assume: see there
+///       limits, faults, assume, search, mammals: see there
 ///       behaviour, trees: see read_behaviour_tree.h; absent: `standard_behaviour`
 ///
 /// @throws Error(invalid_input)

@@ -1,4 +1,5 @@
 #include "twin/mission/conduct.h"
+#include "twin/mission/read_look_out.h"
 #include "twin/mission/read_seconds.h"
 
 namespace slackwater::twin {
@@ -87,6 +88,10 @@ Conduct read_conduct(const Config& config) {
   conduct.limits = read_limits(config);
   conduct.faults = read_faults(config);
   conduct.assumed = read_assumptions(config);
+  if (const auto search = config.optional_child("search"))
+    conduct.search = read_person_search(*search);
+  if (const auto mammals = config.optional_child("mammals"))
+    conduct.mammals = read_mammal_duty(*mammals);
   if (config.has("behaviour"))
     conduct.behaviour = read_behaviour_tree(config, conduct_leaves());
   else if (config.has("trees"))

@@ -87,6 +87,44 @@ bool is_lost(const AgentState& state) {
   }
 }
 
+/// A search is done when somebody was found, by whichever vehicle.
+void note_search(Flight& flight) {
+  bool is_search = false;
+  for (const VehicleOutcome& vehicle : flight.vehicles) {
+    is_search |= vehicle.searches;
+    if (vehicle.found_s) flight.found_s = std::min(flight.found_s.value_or(1e99), *vehicle.found_s);
+  }
+  if (!is_search || flight.found_s) return;
+  if (flight.is_done) flight.stopped_by = "not found";
+  flight.is_done = false;
+}
+
+bool any_sighting(std::span<const MammalDutyState* const> watches) {
+  return std::any_of(watches.begin(), watches.end(),
+                     [](const MammalDutyState* watch) { return !watch->sightings_s.empty(); });
+}
+
+/// Noisy work is done when the watches of all vehicles together let there be as much as wanted.
+void note_noise(std::span<const Agent> agents, std::span<const AgentState> states, double ran_s,
+                Flight& flight) {
+  std::vector<const MammalDutyState*> watches;
+  const ReadyConduct* first = nullptr;
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    if (!agents[i].conduct || !agents[i].conduct->plan.mammals) continue;
+    if (first == nullptr) first = agents[i].conduct.get();
+    watches.push_back(&states[i].conduct.mammals);
+  }
+  if (first == nullptr) return;
+  const NoiseRule& rule = first->plan.mammals->noise;
+  flight.noise = noise_under(rule, watches, ran_s, first->plan.tick_s);
+  if (flight.noise->is_done(rule)) return;
+  if (flight.is_done)
+    flight.stopped_by = flight.noise->stops > 0 || any_sighting(watches)
+                            ? "marine mammals within the radius"
+                            : "the watch for marine mammals was too short";
+  flight.is_done = false;
+}
+
 }  // namespace
 
 std::uint64_t seed_of(std::uint64_t mission_seed, const FlightCase& flown) noexcept {
@@ -135,6 +173,9 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
       if (flight.is_done) flight.stopped_by = outcome.name + ": " + outcome.stopped_by;
       flight.is_done = false;
     }
+    note_search(flight);
+    note_noise(run.agents().subspan(c * per_case, per_case), states.subspan(c * per_case, per_case),
+               run.time_s(), flight);
   }
   return flights;
 }

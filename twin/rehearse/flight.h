@@ -30,9 +30,13 @@ struct FlightSample {
 
 struct Flight {
   FlightCase flown;
-  bool is_done = false;    ///< by all whose work counts, and no other vehicle was lost
+  /// By all whose work counts, and no other vehicle was lost; whom they searched for was found, and
+  /// the noise under their watch was made.
+  bool is_done = false;
   std::string stopped_by;  ///< "surveyor: limit: ..."; empty: nothing
   double ended_s = 0;
+  std::optional<double> found_s;     ///< when any vehicle found whom they search for
+  std::optional<NoiseRecord> noise;  ///< of work that their watches for mammals let go on
   std::vector<VehicleOutcome> vehicles;
   std::vector<std::vector<FlightSample>> samples;  ///< of each vehicle
 };

@@ -91,6 +91,8 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
   out.worst_share = own.most_share;
   out.least_charge = own.least_charge;
   out.events = own.events;
+  out.searches = agent.conduct->plan.search.has_value();
+  if (own.search.is_found) out.found_s = own.search.found_s;
   if (own.has_ended && !own.events.empty()) out.ended_s = own.events.back().t_s;
   out.stopped_by = stopped_by(agent, state);
   out.is_done = out.stopped_by.empty();
@@ -130,6 +132,8 @@ std::string text_of(const ConductEvent& event, const Agent& agent) {
       return "finished";
     case ConductEventKind::gave_up:
       return "gave up";
+    case ConductEventKind::found:
+      return formatted("finds who it looks for, {:.0f} m off", event.value);
   }
   return "";
 }

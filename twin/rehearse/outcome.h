@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct VehicleOutcome {
   double energy_j = 0;  ///< electrical
   double fuel_kg = 0;
   double worst_share = 0;  ///< of any limit while it was at its task; above 1 it was exceeded
+  bool searches = false;   ///< for somebody
+  std::optional<double> found_s;  ///< when it found him
   std::vector<ConductEvent> events;
 };
 

@@ -28,6 +28,8 @@ const char* name_of(ConductEventKind kind) noexcept {
       return "finished";
     case ConductEventKind::gave_up:
       return "gave_up";
+    case ConductEventKind::found:
+      return "found";
   }
   return "unknown";
 }

@@ -7,6 +7,8 @@
 #include "twin/mission/deck_motion.h"
 #include "twin/mission/phase.h"
 #include "twin/mission/tick.h"
+#include "twin/search/mammal_duty.h"
+#include "twin/search/person_search.h"
 #include "twin/simulate/mission.h"
 
 namespace slackwater::twin {
@@ -33,6 +35,7 @@ enum class ConductEventKind : std::uint8_t {
   fault_ended,
   finished,  ///< all its tasks
   gave_up,   ///< its tree had nothing left to do
+  found,     ///< whom it looks out for; `value`: from how far, m
 };
 [[nodiscard]] const char* name_of(ConductEventKind kind) noexcept;
 
@@ -88,6 +91,8 @@ struct ConductState {
   bool has_turned = false;  ///< for home, before its tasks were done
   bool is_snagged = false;
   bool is_aboard = false;  ///< its carrier, or at home on something firm: it is not stepped
+  SearchState search;
+  MammalDutyState mammals;
   std::vector<ConductEvent> events;
 };
 

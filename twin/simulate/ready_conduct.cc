@@ -7,6 +7,7 @@
 #include "twin/body/frame.h"
 #include "twin/mission/way_round.h"
 #include "twin/simulate/conduct.h"
+#include "twin/simulate/look_out.h"
 #include "twin/vehicle/cruise_power.h"
 #include "twin/vehicle/hover.h"
 
@@ -111,6 +112,7 @@ ConductState begun(const ReadyConduct& conduct, const Agent& agent, const AgentS
                            : formatted(", or assume a value, as in --assume {}=...",
                                        word_of(limit.variable).key))));
   }
+  begin_look_outs(agent, conduct, seed, out);
   out.events.reserve(32);
   return out;
 }

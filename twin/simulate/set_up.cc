@@ -12,6 +12,7 @@
 #include "twin/scene/structure.h"
 #include "twin/simulate/expect_speeds.h"
 #include "twin/simulate/follow_tracks.h"
+#include "twin/simulate/look_out.h"
 
 namespace slackwater::twin {
 namespace {
@@ -283,6 +284,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
           ready.warnings.push_back(file.filename().string() + ": " + warning);
       }
       entry = with_tracks(listed, *vehicle, ready.vessels, scenario.duration_s);
+      if (entry.conduct) load_look_outs(*entry.conduct, surround.data_folder);
       ready.agents.push_back(make_agent(vehicle, water, entry, scenario.step_s));
       share_autopilot(autopilots, entry, ready.agents.back());
       expect_speeds(entry, ready.agents.back());

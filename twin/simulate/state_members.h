@@ -47,6 +47,10 @@ template <>
 inline constexpr bool is_numbers<Course> = true;
 template <>
 inline constexpr bool is_numbers<Waypoint> = true;
+template <>
+inline constexpr bool is_numbers<Drifter> = true;
+template <>
+inline constexpr bool is_numbers<Mammal> = true;
 
 template <typename S, typename T>
 concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
@@ -98,7 +102,7 @@ void for_each_member(S& s, Visit&& visit) {
   auto& [tree, doing, way, left_m, phase, cause, cause_detail, cause_value, exceeded_s, faults,
          extra_power_w, drawn_j, wound_rad, bearing_rad, deck, energy_left_j, energy_home_j, held_s,
          least_charge, most_share, boarding_m, snag_m, snag_node, aim_m, pilot_rng, has_ended,
-         has_turned, is_snagged, is_aboard, events] = s;
+         has_turned, is_snagged, is_aboard, search, mammals, events] = s;
   visit("tree", tree);
   visit("doing", doing);
   visit("way", way);
@@ -128,7 +132,50 @@ void for_each_member(S& s, Visit&& visit) {
   visit("has_turned", has_turned);
   visit("is_snagged", is_snagged);
   visit("is_aboard", is_aboard);
+  visit("search", search);
+  visit("mammals", mammals);
   visit("events", events);
+}
+
+template <MaybeConst<SearchState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [drifter, person, eyes_rng, off_m, is_looking, is_lost, is_found, found_s, found_at_m] = s;
+  visit("drifter", drifter);
+  visit("person", person);
+  visit("eyes_rng", eyes_rng);
+  visit("off_m", off_m);
+  visit("is_looking", is_looking);
+  visit("is_lost", is_lost);
+  visit("is_found", is_found);
+  visit("found_s", found_s);
+  visit("found_at_m", found_at_m);
+}
+
+template <MaybeConst<MammalDutyState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [mammals, watch_rng, noise_m, sightings_s, watched_s, inside_s, until_s] = s;
+  visit("mammals", mammals);
+  visit("watch_rng", watch_rng);
+  visit("noise_m", noise_m);
+  visit("sightings_s", sightings_s);
+  visit("watched_s", watched_s);
+  visit("inside_s", inside_s);
+  visit("until_s", until_s);
+}
+
+template <MaybeConst<MammalsState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [animals, rng] = s;
+  visit("animals", animals);
+  visit("rng", rng);
+}
+
+template <MaybeConst<DrifterState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [position_m, is_left, rng] = s;
+  visit("position_m", position_m);
+  visit("is_left", is_left);
+  visit("rng", rng);
 }
 
 template <MaybeConst<ConductEvent> S, typename Visit>

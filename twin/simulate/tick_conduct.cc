@@ -3,6 +3,7 @@
 #include "twin/simulate/aboard.h"
 #include "twin/simulate/conduct.h"
 #include "twin/simulate/look_about.h"
+#include "twin/simulate/look_out.h"
 #include "twin/simulate/waypoints_home.h"
 
 namespace slackwater::twin {
@@ -178,6 +179,7 @@ bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Agent
   ConductState& own = state.conduct;
   if (state.halt != Halt::none) return false;
   if (own.has_ended) return own.is_aboard && carry(agent, carrier, state);
+  look_out(agent, t_s, state);
   look_about(agent, t_s, state, carrier);
   Leaves leaves(agent, t_s, state);
   const NodeStatus status = tick(agent.conduct->plan.behaviour, own.tree, t_s, leaves, changes);
