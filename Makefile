@@ -35,6 +35,7 @@ soak: test-packages venv
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
 	  -R 'Probabilities|MemberSpread|TwinTargets|RealPairs|PublishedProfiles'
+	ctest --preset release -V -R 'Encounters'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	$(MAKE) fuzz
