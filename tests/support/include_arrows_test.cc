@@ -91,11 +91,12 @@ const Arrows& allowed_arrows_of_api() {
       {"api/edr/write", {"api/edr/sample", "api/edr/read", "api/issued", "api/program"}},
       {"api/edr", {"api/edr/write", "api/edr/sample", "api/edr/read", "api/issued", "api/http"}},
       {"api/pipeline", {"api/issued", "api/program"}},
+      {"api/history", {"api/pipeline", "api/program"}},
       {"api/rehearse", {"api/issued", "api/pipeline", "api/program", "api/report"}},
       {"api/demo", {"api/pipeline", "api/program", "api/report", "api/synthetic"}},
       {"api/cli",
-       {"api/demo", "api/edr", "api/http", "api/issued", "api/pipeline", "api/program",
-        "api/rehearse", "api/report"}}};
+       {"api/demo", "api/edr", "api/history", "api/http", "api/issued", "api/pipeline",
+        "api/program", "api/rehearse", "api/report"}}};
   return arrows;
 }
 

@@ -1,0 +1,240 @@
+#include "ingest/history/cf_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/base/advice.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+#include "ingest/cf/units.h"
+#include "ingest/history/beyond_belief.h"
+#include "ingest/insitu/series_times.h"
+#include "ingest/insitu/series_values.h"
+
+namespace slackwater::ingest {
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
+
+bool is_number(const netcdf::Variable& variable) {
+  return variable.type != netcdf::Type::character && variable.type != netcdf::Type::string;
+}
+
+bool is_time(const netcdf::Variable& variable) {
+  return is_number(variable) && variable.dimensions.size() == 1 &&
+         contains_ignoring_case(variable.text("units").value_or(""), " since ");
+}
+
+class CfHistory {
+ public:
+  CfHistory(const std::filesystem::path& path, const HistoryOptions& options,
+            const Vocabulary& vocabulary)
+      : file_(netcdf::File::open(path)), options_(options), vocabulary_(vocabulary) {
+    for (const NamedColumn& named : options.columns) {
+      const netcdf::Variable* variable = file_.find(named.column);
+      if (variable != nullptr && !named.unit.empty()) file_.settle(*variable, "units", named.unit);
+    }
+    find_offers();
+  }
+
+  HistoryOfFile read(const std::vector<std::string>& wanted) {
+    HistoryOfFile answer;
+    for (const netcdf::Variable& variable : file_.variables())
+      answer.columns.push_back(variable.name);
+    for (const Offer& offer : offers_) answer.offered.push_back(offer.standard_name);
+    for (const NamedColumn& named : options_.columns) answer.offered.push_back(named.column);
+    for (const std::string& name : wanted) {
+      const auto making = making_of(name, offers_, vocabulary_);
+      if (!making) {
+        answer.series.emplace_back();
+        continue;
+      }
+      HistorySeries series = read_one(making->first, answer.warnings);
+      if (making->second) make_speed(series, *making->second, answer.warnings);
+      const std::string told = reject_beyond_belief(series, vocabulary_);
+      if (!told.empty()) answer.warnings.push_back(told);
+      answer.series.push_back(std::move(series));
+    }
+    return answer;
+  }
+
+ private:
+  /// The axis that a variable runs along; null where it has none.
+  [[nodiscard]] const netcdf::Variable* time_of(const netcdf::Variable& variable) const {
+    const netcdf::Variable* found = nullptr;
+    for (const netcdf::Variable& time : file_.variables()) {
+      if (!is_time(time) || &time == &variable) continue;
+      if (!options_.time_column.empty() && time.name != options_.time_column) continue;
+      if (std::find(variable.dimensions.begin(), variable.dimensions.end(), time.dimensions[0]) ==
+          variable.dimensions.end())
+        continue;
+      const bool is_coordinate = time.name == time.dimensions[0];
+      if (found == nullptr || is_coordinate) found = &time;
+    }
+    return found;
+  }
+
+  void find_offers() {
+    bool has_times = false;
+    for (const netcdf::Variable& variable : file_.variables()) {
+      has_times |= is_time(variable);
+      if (!is_number(variable) || is_time(variable) || time_of(variable) == nullptr) continue;
+      const auto named =
+          std::find_if(options_.columns.begin(), options_.columns.end(),
+                       [&](const NamedColumn& column) { return column.column == variable.name; });
+      std::string name = variable.text("standard_name").value_or("");
+      if (const auto blank = name.find(' '); blank != std::string::npos) {
+        continue;  // "… status_flag": what is said about values, not values
+      }
+      if (named != options_.columns.end())
+        name = named->standard_name;
+      else if (const Quantity* known = vocabulary_.by_alias(variable.name);
+               name.empty() && known != nullptr)
+        name = known->standard_name;
+      if (name.empty()) continue;
+      offers_.push_back(
+          {variable.name, current_name(name, vocabulary_), variable.text("units").value_or("")});
+    }
+    if (!has_times) refuse("found no time axis, a variable over one dimension in 'days since …'");
+    if (!options_.time_column.empty() && file_.find(options_.time_column) == nullptr) {
+      std::vector<std::string> names;
+      for (const netcdf::Variable& variable : file_.variables()) names.push_back(variable.name);
+      refuse("found no time axis '" + options_.time_column + "'" +
+             did_you_mean(options_.time_column, names) + "; leave --time-column away");
+    }
+  }
+
+  HistorySeries read_one(std::size_t index, std::vector<std::string>& warnings) {
+    const Offer& offer = offers_[index];
+    const netcdf::Variable& variable = *file_.find(offer.name);
+    StationAxes axes;
+    axes.time = time_of(variable);
+    axes.time_dimension = axes.time->dimensions[0];
+    expect_one_place(variable, axes.time_dimension);
+    const SeriesDimensions dimensions = dimensions_of(variable, axes.time_dimension, "");
+    const SeriesValues read =
+        read_series(file_, variable, dimensions, 0, unit_of(offer, variable), warnings);
+    const std::vector<double> weight = level_weights(variable, dimensions, read.levels);
+    const SeriesTimes times = series_times_of(file_, axes, warnings);
+    HistorySeries series;
+    series.name = offer.name;
+    series.standard_name = offer.standard_name;
+    series.unit = read.unit;
+    series.source = file_.path().string();
+    series.is_single_precision = true;
+    std::size_t flagged = 0;
+    for (std::size_t t = 0; t < read.times; ++t) {
+      if (!times.usable[t]) continue;
+      double value = 0;
+      for (std::size_t k = 0; k < read.levels; ++k) {
+        if (weight[k] == 0) continue;
+        const SampleStatus status = read.status[read.at(t, k)];
+        if (status != SampleStatus::missing && !has_value(status)) ++flagged;
+        value += has_value(status) ? weight[k] * read.values[read.at(t, k)] : missing;
+      }
+      series.time.push_back(times.cells[t].start);
+      series.value.push_back(value);
+    }
+    if (flagged > 0)
+      warnings.push_back(formatted("{} values of '{}' are flagged bad; they count as missing",
+                                   flagged, offer.name));
+    return series;
+  }
+
+  static std::string unit_of(const Offer& offer, const netcdf::Variable& variable) {
+    if (!offer.unit.empty()) return offer.unit;
+    refuse("variable '" + variable.name + "': found no units; name them, as --column '" +
+           offer.name + "=" + offer.standard_name + ":UNIT'");
+  }
+
+  void make_speed(HistorySeries& east, std::size_t index, std::vector<std::string>& warnings) {
+    const HistorySeries north = read_one(index, warnings);
+    if (north.time != east.time || north.unit != east.unit)
+      refuse("components '" + east.name + "' and '" + north.name +
+             "': found other times or units, expected the same for both");
+    for (std::size_t t = 0; t < east.value.size(); ++t)
+      east.value[t] = static_cast<float>(std::hypot(east.value[t], north.value[t]));
+    east.standard_name = east.standard_name == "eastward_wind" ? "wind_speed" : "sea_water_speed";
+    east.name += " and " + north.name;
+  }
+
+  /// A grid, or several stations, is more than one place.
+  void expect_one_place(const netcdf::Variable& variable, const std::string& time) const {
+    for (std::size_t d = 0; d < variable.dimensions.size(); ++d) {
+      const std::string& name = variable.dimensions[d];
+      if (name == time || variable.shape[d] == 1 || has_metres(name)) continue;
+      refuse(
+          formatted("variable '{}': found {} places along '{}', expected a series of one place; "
+                    "cut it to one (cdo remapnn,lon=…/lat=…, or ncks -d), or `slackwater "
+                    "ingest` it and say --site",
+                    variable.name, variable.shape[d], name));
+    }
+  }
+
+  /// Whether a dimension counts levels: its coordinate is in metres.
+  [[nodiscard]] bool has_metres(const std::string& dimension) const {
+    const netcdf::Variable* levels = file_.find(dimension);
+    if (levels == nullptr || levels->dimensions != std::vector<std::string>{dimension})
+      return false;
+    try {
+      static_cast<void>(unit_conversion(levels->text("units").value_or(""), "m", dimension));
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  }
+
+  /// How much each level counts at the depth that was asked for.
+  [[nodiscard]] std::vector<double> level_weights(const netcdf::Variable& variable,
+                                                  const SeriesDimensions& dimensions,
+                                                  std::size_t levels) const {
+    std::vector<double> weight(levels, 0);
+    if (levels == 1) return {1.0};
+    const std::string& name = variable.dimensions[*dimensions.level];
+    const netcdf::Variable& coordinate = *file_.find(name);
+    const UnitConversion unit =
+        unit_conversion(coordinate.text("units").value_or(""), "m", "axis '" + name + "'");
+    std::vector<double> metres = file_.read_all(coordinate);
+    for (double& level : metres) level = std::abs(unit.scale * level + unit.offset);
+    if (!options_.depth_m)
+      refuse(
+          formatted("variable '{}': found {} levels along '{}', from {:g} to {:g} m; say which "
+                    "with --depth METRES",
+                    variable.name, levels, name, metres.front(), metres.back()));
+    const double wanted = *options_.depth_m;
+    for (std::size_t k = 0; k < levels; ++k) {
+      if (metres[k] == wanted) {
+        weight[k] = 1;
+        return weight;
+      }
+    }
+    for (std::size_t k = 0; k + 1 < levels; ++k) {
+      const double share = (wanted - metres[k]) / (metres[k + 1] - metres[k]);
+      if (!(share > 0 && share < 1)) continue;
+      weight[k] = 1 - share;
+      weight[k + 1] = share;
+      return weight;
+    }
+    refuse(formatted("variable '{}': found --depth {:g}, expected {:g} to {:g} m", variable.name,
+                     wanted, *std::min_element(metres.begin(), metres.end()),
+                     *std::max_element(metres.begin(), metres.end())));
+  }
+
+  netcdf::File file_;
+  const HistoryOptions& options_;
+  const Vocabulary& vocabulary_;
+  std::vector<Offer> offers_;
+};
+
+}  // namespace
+
+HistoryOfFile read_cf_history(const std::filesystem::path& file,
+                              const std::vector<std::string>& wanted, const HistoryOptions& options,
+                              const Vocabulary& vocabulary) {
+  return CfHistory(file, options, vocabulary).read(wanted);
+}
+
+}  // namespace slackwater::ingest

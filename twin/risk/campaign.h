@@ -1,0 +1,48 @@
+#pragma once
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "twin/risk/calendar.h"
+#include "twin/risk/task_history.h"
+
+namespace slackwater::twin {
+
+/// A task of a campaign, done some times one after the other.
+struct CampaignTask {
+  TaskHistory history;
+  std::size_t times = 1;
+};
+
+/// The end of a campaign that begins at a step: each task begins once the one before is done.
+/// Nothing where the history ends before it.
+[[nodiscard]] std::optional<std::size_t> end_of(const std::vector<CampaignTask>& tasks,
+                                                std::size_t begin);
+
+/// A campaign begun in one year of a history.
+struct CampaignYear {
+  int year = 0;
+  std::size_t begin = 0;
+  std::optional<std::size_t> end;  ///< absent: the history ends first
+};
+
+/// A campaign begun on one date of every year.
+struct CampaignSeason {
+  std::chrono::month_day date;
+  std::vector<CampaignYear> years;
+  std::size_t censored = 0;  ///< years without an end: left out of the percentiles
+  /// Hours from the beginning to the end, over the years with an end; NaN of none.
+  double p10_h = std::numeric_limits<double>::quiet_NaN();
+  double p50_h = std::numeric_limits<double>::quiet_NaN();
+  double p80_h = std::numeric_limits<double>::quiet_NaN();
+  double p90_h = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Simulates a campaign over a history, once for each year that holds the date.
+[[nodiscard]] CampaignSeason season_of(const std::vector<CampaignTask>& tasks,
+                                       const StepClock& clock, const std::chrono::month_day& date,
+                                       const std::optional<TimeZone>& zone);
+
+}  // namespace slackwater::twin
