@@ -14,14 +14,6 @@ using Floats [[gnu::vector_size(32)]] = float;
 using Bits [[gnu::vector_size(32)]] = std::uint32_t;
 constexpr std::size_t floats = 8;
 
-[[gnu::always_inline]] inline Floats load(const float* from) {
-  Floats value;
-  std::memcpy(&value, from, sizeof value);
-  return value;
-}
-[[gnu::always_inline]] inline void store(const Floats& value, float* to) {
-  std::memcpy(to, &value, sizeof value);
-}
 /// In one order.
 [[gnu::always_inline]] inline float sum_of(const Floats& a) {
   return ((a[0] + a[4]) + (a[1] + a[5])) + ((a[2] + a[6]) + (a[3] + a[7]));
@@ -30,53 +22,69 @@ constexpr std::size_t floats = 8;
 /// e^(-2kh) of waves that do not feel the bed: what it mirrors of them is e^(-kh), 1e-4, at most.
 constexpr double least_reflection = 1e-8;
 
+/// Eight waves side by side. Arrays of all waves, one after the other, would lie a power of two
+/// apart and push each other out of the cache.
+struct EightWaves {
+  Floats base_turns;  ///< of the phase at the reference
+  Floats east_turns_m;
+  Floats north_turns_m;
+  Floats amplitude_m;
+  Floats decay_per_m;
+  Floats reflection;
+  Floats east_m_s;
+  Floats north_m_s;
+  Floats up_m_s;
+  Floats passing_rad_s;  ///< a place at rest
+  // Of the place in hand.
+  Floats sine;
+  Floats cosine;
+  Floats met_rad_s;
+};
+
 /// The waves at one moment: what all places share.
 struct Waves {
-  std::size_t feeling_bed = 0;                      ///< the first so many do
-  alignas(64) float base_turns[most_kernel_waves];  ///< of the phase at the reference
-  alignas(64) float east_turns_m[most_kernel_waves];
-  alignas(64) float north_turns_m[most_kernel_waves];
-  alignas(64) float amplitude_m[most_kernel_waves];
-  alignas(64) float decay_per_m[most_kernel_waves];
-  alignas(64) float reflection[most_kernel_waves];
-  alignas(64) float east_m_s[most_kernel_waves];
-  alignas(64) float north_m_s[most_kernel_waves];
-  alignas(64) float up_m_s[most_kernel_waves];
-  alignas(64) float passing_rad_s[most_kernel_waves];  ///< a place at rest
-  // Of the place in hand.
-  alignas(64) float sine[most_kernel_waves];
-  alignas(64) float cosine[most_kernel_waves];
-  alignas(64) float met_rad_s[most_kernel_waves];
+  std::size_t groups = 0;
+  std::size_t feeling_bed = 0;  ///< the first so many groups do
+  EightWaves eight[most_kernel_waves / floats];
 };
 
 /// As floats. A phase of many turns is brought to its rest as a double first.
 void convert(const SeaKernelWaves& from, const SeaKernelPlace& reference, Waves& to) {
   constexpr double rounder = 6755399441055744.0;  // 1.5 2^52, see fields/base/lanes.h
-  for (std::size_t i = 0; i < from.count; ++i) {
-    const double turns =
-        ((from.east_turns_m[i] * reference.east_m + from.north_turns_m[i] * reference.north_m) -
-         from.turns_s[i] * reference.t_s) +
-        from.phase_turns[i];
-    to.base_turns[i] = static_cast<float>(turns - ((turns + rounder) - rounder));
-  }
-  const auto as_floats = [count = from.count](const double* values, float* out) {
-    for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<float>(values[i]);
+  using Doubles [[gnu::vector_size(64)]] = double;
+  const auto doubles = [](const double* values) {
+    Doubles out;
+    std::memcpy(&out, values, sizeof out);
+    return out;
   };
-  as_floats(from.east_turns_m, to.east_turns_m);
-  as_floats(from.north_turns_m, to.north_turns_m);
-  as_floats(from.amplitude_m, to.amplitude_m);
-  as_floats(from.decay_per_m, to.decay_per_m);
-  as_floats(from.east_m_s, to.east_m_s);
-  as_floats(from.north_m_s, to.north_m_s);
-  as_floats(from.up_m_s, to.up_m_s);
-  for (std::size_t i = 0; i < from.count; ++i)
-    to.passing_rad_s[i] = static_cast<float>(2 * std::numbers::pi * from.turns_s[i]);
-  for (std::size_t i = 0; i < from.count; ++i)
-    to.reflection[i] =
-        from.reflection[i] < least_reflection ? 0.0F : static_cast<float>(from.reflection[i]);
+  to.groups = from.count / floats;
+  for (std::size_t g = 0; g < to.groups; ++g) {
+    const std::size_t i = g * floats;
+    EightWaves& eight = to.eight[g];
+    const auto as_floats = [&](const double* values) {
+      return __builtin_convertvector(doubles(values + i), Floats);
+    };
+    const Doubles turns = ((doubles(from.east_turns_m + i) * reference.east_m +
+                            doubles(from.north_turns_m + i) * reference.north_m) -
+                           doubles(from.turns_s + i) * reference.t_s) +
+                          doubles(from.phase_turns + i);
+    eight.base_turns = __builtin_convertvector(turns - ((turns + rounder) - rounder), Floats);
+    eight.east_turns_m = as_floats(from.east_turns_m);
+    eight.north_turns_m = as_floats(from.north_turns_m);
+    eight.amplitude_m = as_floats(from.amplitude_m);
+    eight.decay_per_m = as_floats(from.decay_per_m);
+    eight.east_m_s = as_floats(from.east_m_s);
+    eight.north_m_s = as_floats(from.north_m_s);
+    eight.up_m_s = as_floats(from.up_m_s);
+    eight.passing_rad_s =
+        __builtin_convertvector(2 * std::numbers::pi * doubles(from.turns_s + i), Floats);
+    const Doubles reflection = doubles(from.reflection + i);
+    eight.reflection =
+        __builtin_convertvector(reflection < least_reflection ? Doubles{} : reflection, Floats);
+  }
   to.feeling_bed = 0;
-  while (to.feeling_bed < from.count && from.reflection[to.feeling_bed] > least_reflection)
-    to.feeling_bed += floats;
+  while (to.feeling_bed < to.groups && from.reflection[to.feeling_bed * floats] > least_reflection)
+    ++to.feeling_bed;
 }
 
 constexpr float rounder = 12582912.0F;  ///< 1.5 2^23: a sum with it has no room for a fraction
@@ -148,24 +156,24 @@ struct Surface {
   float rise_m_s = 0;
 };
 
-Surface surface_at(Waves& waves, std::size_t count, const SeaMomentPlace& place) {
+Surface surface_at(Waves& waves, const SeaMomentPlace& place) {
   constexpr float turn = 2 * std::numbers::pi_v<float>;
   const float east_m = place.east_m, north_m = place.north_m;
   const float east_rad_s = turn * place.east_m_s, north_rad_s = turn * place.north_m_s;
   Floats elevation{}, rise{};
-  for (std::size_t i = 0; i < count; i += floats) {
-    const Floats east = load(waves.east_turns_m + i);
-    const Floats north = load(waves.north_turns_m + i);
+  for (std::size_t g = 0; g < waves.groups; ++g) {
+    EightWaves& eight = waves.eight[g];
+    const Floats east = eight.east_turns_m;
+    const Floats north = eight.north_turns_m;
     const SineCosine at =
-        sine_cosine_of_turns(load(waves.base_turns + i) + (east * east_m + north * north_m));
-    const Floats amplitude = load(waves.amplitude_m + i);
-    elevation = elevation + amplitude * at.cosine;
+        sine_cosine_of_turns(eight.base_turns + (east * east_m + north * north_m));
+    elevation = elevation + eight.amplitude_m * at.cosine;
     // How fast the phases pass one who moves so.
-    const Floats met = load(waves.passing_rad_s + i) - (east * east_rad_s + north * north_rad_s);
-    rise = rise + amplitude * (met * at.sine);
-    store(at.sine, waves.sine + i);
-    store(at.cosine, waves.cosine + i);
-    store(met, waves.met_rad_s + i);
+    const Floats met = eight.passing_rad_s - (east * east_rad_s + north * north_rad_s);
+    rise = rise + eight.amplitude_m * (met * at.sine);
+    eight.sine = at.sine;
+    eight.cosine = at.cosine;
+    eight.met_rad_s = met;
   }
   return {sum_of(elevation), sum_of(rise)};
 }
@@ -200,45 +208,41 @@ struct Motion {
 
 /// Adds eight waves whose horizontal motion is there `level` of that at the surface in deep water,
 /// and whose vertical one is `upright`.
-[[gnu::always_inline]] inline void add(const Waves& waves, std::size_t i, const Floats& level,
+[[gnu::always_inline]] inline void add(const EightWaves& eight, const Floats& level,
                                        const Floats& upright, float climb_m_s, Motion& motion) {
-  const Floats sine = load(waves.sine + i);
-  const Floats cosine = load(waves.cosine + i);
-  const Floats met = load(waves.met_rad_s + i);
-  const Floats east = load(waves.east_m_s + i);
-  const Floats north = load(waves.north_m_s + i);
-  const Floats up = load(waves.up_m_s + i);
-  const Floats climb = load(waves.decay_per_m + i) * climb_m_s;
-  const Floats forward = level * cosine;
-  const Floats crossing = level * sine;
-  const Floats standing = upright * cosine;
-  const Floats pushed = met * crossing + climb * standing;
-  motion.u = motion.u + east * forward;
-  motion.v = motion.v + north * forward;
-  motion.w = motion.w + up * (upright * sine);
-  motion.du = motion.du + east * pushed;
-  motion.dv = motion.dv + north * pushed;
-  motion.dw = motion.dw + up * (climb * crossing - met * standing);
+  const Floats climb = eight.decay_per_m * climb_m_s;
+  const Floats forward = level * eight.cosine;
+  const Floats crossing = level * eight.sine;
+  const Floats standing = upright * eight.cosine;
+  const Floats pushed = eight.met_rad_s * crossing + climb * standing;
+  motion.u = motion.u + eight.east_m_s * forward;
+  motion.v = motion.v + eight.north_m_s * forward;
+  motion.w = motion.w + eight.up_m_s * (upright * eight.sine);
+  motion.du = motion.du + eight.east_m_s * pushed;
+  motion.dv = motion.dv + eight.north_m_s * pushed;
+  motion.dw = motion.dw + eight.up_m_s * (climb * crossing - eight.met_rad_s * standing);
 }
 
-void motion_at(const Waves& waves, std::size_t count, const Level& at, SeaMomentSums& sums) {
+void motion_at(const Waves& waves, const Level& at, SeaMomentSums& sums) {
   const float up_m = at.up_m;
   const float climb_m_s = std::numbers::ln2_v<float> * at.rise_m_s;
   Motion motion;
   // The waves are sorted: where one does not reach down to the place, nor do those that follow.
-  const auto reaches = [&](std::size_t i) -> bool {
-    return waves.decay_per_m[i] * up_m >= -unfelt_halvings;
+  const auto reaches = [&](const EightWaves& eight) -> bool {
+    return eight.decay_per_m[0] * up_m >= -unfelt_halvings;
   };
-  std::size_t i = 0;
-  for (; i < waves.feeling_bed && reaches(i); i += floats) {
+  std::size_t g = 0;
+  for (; g < waves.feeling_bed && reaches(waves.eight[g]); ++g) {
     // As in sea_kernel.cc.
-    const PowerAndInverse decay = powers_of_two(bounded(load(waves.decay_per_m + i) * up_m));
-    const Floats mirrored = load(waves.reflection + i) * decay.inverse;
-    add(waves, i, decay.power + mirrored, decay.power - mirrored, climb_m_s, motion);
+    const EightWaves& eight = waves.eight[g];
+    const PowerAndInverse decay = powers_of_two(bounded(eight.decay_per_m * up_m));
+    const Floats mirrored = eight.reflection * decay.inverse;
+    add(eight, decay.power + mirrored, decay.power - mirrored, climb_m_s, motion);
   }
-  for (; i < count && reaches(i); i += floats) {
-    const Floats level = power_of_two(bounded(load(waves.decay_per_m + i) * up_m));
-    add(waves, i, level, level, climb_m_s, motion);
+  for (; g < waves.groups && reaches(waves.eight[g]); ++g) {
+    const EightWaves& eight = waves.eight[g];
+    const Floats level = power_of_two(bounded(eight.decay_per_m * up_m));
+    add(eight, level, level, climb_m_s, motion);
   }
   sums.velocity_m_s[0] = sum_of(motion.u);
   sums.velocity_m_s[1] = sum_of(motion.v);
@@ -253,11 +257,11 @@ void evaluate(const SeaKernelWaves& from, const SeaKernelPlace& reference, bool 
   Waves waves;  // written before it is read: not cleared
   convert(from, reference, waves);
   for (std::size_t i = 0; i < count; ++i) {
-    const Surface surface = surface_at(waves, from.count, places[i]);
+    const Surface surface = surface_at(waves, places[i]);
     sums[i].elevation_m = surface.elevation_m;
     sums[i].rise_m_s = surface.rise_m_s;
     const Level level = level_of(places[i], surface, static_cast<float>(from.depth_m), stretched);
-    motion_at(waves, from.count, level, sums[i]);
+    motion_at(waves, level, sums[i]);
   }
 }
 

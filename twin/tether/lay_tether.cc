@@ -5,6 +5,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "twin/tether/long_step.h"
 #include "twin/tether/tether_dynamics.h"
 
 namespace slackwater::twin {
@@ -89,13 +90,13 @@ namespace {
 /// Dynamic relaxation (Day 1965): the line moves, and is stopped whenever its kinetic energy has
 /// passed a peak.
 /// @return whether no node was faster than `still_m_s` for a second
-bool relax(const Tether& tether, TetherState<double>& state, const TetherEnds<double>& ends,
-           const SteadyWater& water, double still_m_s, int most_steps) {
-  constexpr double dt_s = 0.05;
+template <typename Pull>
+bool relax(TetherState<double>& state, const TetherEnds<double>& ends, const SteadyWater& water,
+           double still_m_s, int most_steps, double dt_s, const Pull& pulled) {
   double before = 0;
   int quiet = 0;
   for (int step = 0; step < most_steps; ++step) {
-    (void)pull(tether, state, ends, water_at_nodes(state, ends.top_m, ends.vehicle_m, water), dt_s);
+    pulled(water_at_nodes(state, ends.top_m, ends.vehicle_m, water));
     double energy = 0;
     double fastest = 0;
     for (const Triple<double>& v : state.velocity_m_s) {
@@ -103,7 +104,7 @@ bool relax(const Tether& tether, TetherState<double>& state, const TetherEnds<do
       fastest = std::max(fastest, length_of(v));
     }
     quiet = fastest < still_m_s ? quiet + 1 : 0;
-    if (quiet > 20) return true;
+    if (quiet * dt_s > 1) return true;
     if (energy < before) {
       state.velocity_m_s = {};
       energy = 0;
@@ -119,7 +120,11 @@ TetherState<double> settled(const Tether& tether, TetherState<double> state,
                             const Triple<double>& top_m, const Triple<double>& vehicle_m,
                             const SteadyWater& water) {
   constexpr int most_steps = 400000;
-  if (relax(tether, state, {top_m, {}, vehicle_m, {}}, water, 1e-12, most_steps)) return state;
+  constexpr double dt_s = 0.05;
+  const TetherEnds<double> ends{top_m, {}, vehicle_m, {}};
+  if (relax(state, ends, water, 1e-12, most_steps, dt_s,
+            [&](const WaterAtNodes<double>& at) { (void)pull(tether, state, ends, at, dt_s); }))
+    return state;
   throw Error(ErrorKind::not_converged,
               "the tether did not come to rest in the given water; check that the water is steady");
 }
@@ -127,7 +132,22 @@ TetherState<double> settled(const Tether& tether, TetherState<double> state,
 TetherState<double> hung(const Tether& tether, TetherState<double> state,
                          const Triple<double>& top_m, const Triple<double>& vehicle_m,
                          const SteadyWater& water, int most_steps) {
-  (void)relax(tether, state, {top_m, {}, vehicle_m, {}}, water, 1e-4, most_steps);
+  constexpr double dt_s = 0.05;
+  const TetherEnds<double> ends{top_m, {}, vehicle_m, {}};
+  (void)relax(state, ends, water, 1e-4, most_steps, dt_s,
+              [&](const WaterAtNodes<double>& at) { (void)pull(tether, state, ends, at, dt_s); });
+  state.velocity_m_s = {};
+  return state;
+}
+
+TetherState<double> hung_roughly(const Tether& tether, TetherState<double> state,
+                                 const Triple<double>& top_m, const Triple<double>& vehicle_m,
+                                 const SteadyWater& water, int most_steps) {
+  constexpr double dt_s = 0.2;
+  const TetherEnds<double> ends{top_m, {}, vehicle_m, {}};
+  (void)relax(state, ends, water, 1e-4, most_steps, dt_s, [&](const WaterAtNodes<double>& at) {
+    (void)pull_long(tether, state, ends, at, at, dt_s);
+  });
   state.velocity_m_s = {};
   return state;
 }
