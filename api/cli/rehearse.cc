@@ -8,6 +8,7 @@
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
 #include "api/cli/progress.h"
+#include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/mission_file.h"
 #include "api/rehearse/rehearsal.h"
 #include "api/rehearse/rehearsal_file.h"
@@ -100,6 +101,7 @@ void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal) {
                 start.by_the_limits.allows ? "allow" : "forbid", cause.c_str());
     if (const std::string why = disagreement_of(start); !why.empty())
       std::printf("  %s\n", why.c_str());
+    for (const std::string& cleaned : cleaning_texts(start)) std::printf("  %s\n", cleaned.c_str());
   }
   const Unchecked unchecked = unchecked_of(mission.scenario);
   for (const std::string& limit : unchecked.not_checked)

@@ -26,6 +26,7 @@ json score_json(const VehicleScore& s) {
           {"closest_structure_m", maybe(s.closest_structure_m)},
           {"closest_vehicle_m", maybe(s.closest_vehicle_m)},
           {"closest_vessel_m", maybe(s.closest_vessel_m)},
+          {"closest_tether_m", maybe(s.closest_tether_m)},
           {"interventions", s.interventions},
           {"takeover_s", s.takeover_s},
           {"longest_takeover_s", s.longest_takeover_s},

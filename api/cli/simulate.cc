@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "api/cli/clearance_print.h"
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
 #include "api/cli/progress.h"
 #include "api/cli/traffic_print.h"
+#include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/log_csv.h"
 #include "api/rehearse/run_page.h"
@@ -93,8 +95,11 @@ json summary_json(const VehicleSummary& s) {
           {"navigation", s.by_sensors ? "sensors" : "truth"},
           {"navigation_error_m", s.by_sensors ? json(s.navigation_error_m) : json(nullptr)},
           {"rms_navigation_error_m", s.by_sensors ? json(s.rms_navigation_error_m) : json(nullptr)},
+          {"cleaning", s.cleaning ? cleaning_json(*s.cleaning) : json(nullptr)},
           {"fate", s.fate.empty() ? json(nullptr) : json(s.fate)},
           {"events", events_json(s)},
+          {"closest", closest_json(s.closest)},
+          {"clearance", clearance_json(s)},
           {"halt", s.halt},
           {"halted_at_s", s.halt == "none" ? json(nullptr) : json(s.halted_at_s)}};
 }
@@ -120,6 +125,8 @@ void print_summary(const ScenarioResult& result, const std::filesystem::path& ou
     std::printf("%s took itself to be %.2f m from where it was at the end, %.2f m rms\n",
                 s.name.c_str(), s.navigation_error_m, s.rms_navigation_error_m);
   }
+  for (const VehicleSummary& s : result.vehicles)
+    if (s.cleaning) std::printf("%s: %s\n", s.name.c_str(), cleaning_text(*s.cleaning).c_str());
   std::printf("%g s from %s in %.2f s (%.0f x real time)%s%s\n", result.duration_s,
               format_utc(result.start).c_str(), result.wall_s, result.duration_s / result.wall_s,
               out.empty() ? "" : "; log ", out.c_str());
@@ -154,6 +161,7 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   if (!context.json) {
     print_summary(result, arguments.out);
+    print_clearance(result);
     print_traffic(result);
     return;
   }

@@ -3,6 +3,8 @@
 #include <map>
 
 #include "api/program/version.h"
+#include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/closest.h"
 #include "api/rehearse/mission_events.h"
 #include "api/rehearse/traffic_tables.h"
 #include "fields/base/sha256.h"
@@ -97,6 +99,9 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   file.tables = traffic_tables(result.vessels, result.alarms);
   file.tables.push_back(fate_table(result.vehicles));
   file.tables.push_back(mission_table(agents, result.vehicles));
+  file.tables.push_back(approach_table(result.vehicles));
+  file.tables.push_back(clearance_table(result.vehicles));
+  file.tables.push_back(cleaning_table(result.vehicles));
   return file;
 }
 

@@ -27,13 +27,15 @@ struct Due {
   twin::FlightCase flown;
 };
 
-/// Members [from, to) of every start that needs them, a member of each start in turn.
+/// Members [from, to) of every start that needs them, those of a start one after the other: side by
+/// side they come to their ends about together, and no lane of a block goes empty.
 std::vector<Due> round_of(const Rehearsal& rehearsal, std::size_t from, std::size_t to) {
   std::vector<Due> round;
-  for (std::size_t member = from; member < to; ++member)
-    for (std::size_t s = 0; s < rehearsal.starts.size(); ++s)
-      if (!rehearsal.starts[s].is_narrow && rehearsal.starts[s].forbidden.empty())
-        round.push_back({s, {rehearsal.starts[s].start, member}});
+  for (std::size_t s = 0; s < rehearsal.starts.size(); ++s) {
+    if (rehearsal.starts[s].is_narrow || !rehearsal.starts[s].forbidden.empty()) continue;
+    for (std::size_t member = from; member < to; ++member)
+      round.push_back({s, {rehearsal.starts[s].start, member}});
+  }
   return round;
 }
 
@@ -58,10 +60,11 @@ void conclude_round(const RehearsalPlan& plan, StartOutcome& start) {
 
 }  // namespace
 
-Rehearsal rehearse(const twin::Scenario& mission, const twin::Surround& surround,
+Rehearsal rehearse(const twin::Scenario& mission, twin::Surround surround,
                    const RehearsalPlan& plan,
                    const std::function<void(double, const Rehearsal&)>& on_progress) {
   const Clock::time_point began = Clock::now();
+  surround.vehicles = twin::read_vehicles(mission, surround.data_folder);
   Rehearsal rehearsal;
   for (const UtcTime start : plan.starts) {
     StartOutcome& outcome = rehearsal.starts.emplace_back();
@@ -72,9 +75,10 @@ Rehearsal rehearse(const twin::Scenario& mission, const twin::Surround& surround
     if (!outcome.forbidden.empty()) outcome.high = 0;
   }
   const auto all = static_cast<double>(plan.members * plan.starts.size());
-  // One member of each first, then as many as make blocks of eight.
+  // One member of each first, then as many as make blocks, two at the least for two threads.
+  const std::size_t more = (plan.starts.size() > 1 ? 1 : 2) * twin::block_lanes;
   for (std::size_t from = 0; from < plan.members;) {
-    const std::size_t to = std::min(from == 0 ? 1 : from + 4, plan.members);
+    const std::size_t to = std::min(from == 0 ? 1 : from + more, plan.members);
     const std::vector<Due> round = round_of(rehearsal, from, to);
     if (round.empty()) break;
     const std::size_t batches = (round.size() + twin::block_lanes - 1) / twin::block_lanes;

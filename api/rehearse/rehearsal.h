@@ -63,7 +63,7 @@ struct Rehearsal {
 /// @param on_progress  share of all flights, and the outcome so far after each round
 /// @throws Error(invalid_input) as `set_up`, also for a start outside the forecast
 [[nodiscard]] Rehearsal rehearse(
-    const twin::Scenario& mission, const twin::Surround& surround, const RehearsalPlan& plan,
+    const twin::Scenario& mission, twin::Surround surround, const RehearsalPlan& plan,
     const std::function<void(double share, const Rehearsal& so_far)>& on_progress = {});
 
 }  // namespace slackwater::api

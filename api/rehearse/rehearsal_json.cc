@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "api/rehearse/cleaning_report.h"
 #include "api/report/plot_json.h"
 #include "fields/base/text.h"
 
@@ -13,13 +14,32 @@ namespace {
 
 using nlohmann::json;
 
-json quantiles_json(const std::vector<double>& values) {
+/// How near a vehicle came to what was around it, over all flights of a start; null where there was
+/// nothing of a kind in any.
+json closest_json(const StartOutcome& start, std::size_t vehicle) {
   json out = json::object();
-  for (const auto& [name, share] : {std::pair{"p10", 0.1}, {"p50", 0.5}, {"p90", 0.9}}) {
-    const auto value = quantile_of(values, share);
-    out[name] = value ? number(*value) : json(nullptr);
+  bool any = false;
+  for (const auto& [name, of] : {std::pair{"vehicle", &twin::NearestPasses::vehicle},
+                                 {"structure", &twin::NearestPasses::structure},
+                                 {"vessel", &twin::NearestPasses::vessel},
+                                 {"tether", &twin::NearestPasses::line}}) {
+    std::vector<double> distance_m;
+    for (const twin::Flight& flight : start.flights) {
+      const twin::NearestPass& pass = flight.vehicles[vehicle].nearest.*of;
+      if (pass.is_any()) distance_m.push_back(pass.distance_m);
+    }
+    any |= !distance_m.empty();
+    out[name] = distance_m.empty() ? json(nullptr) : quantiles_json(distance_m);
   }
-  return out;
+  return any ? out : json(nullptr);
+}
+
+/// In how many flights a vehicle that keeps clear raised an alarm.
+json alarmed_json(const StartOutcome& start, std::size_t vehicle) {
+  if (!start.flights.front().vehicles[vehicle].clearance_alarms) return nullptr;
+  return std::count_if(start.flights.begin(), start.flights.end(), [&](const twin::Flight& f) {
+    return f.vehicles[vehicle].clearance_alarms.value_or(0) > 0;
+  });
 }
 
 /// Of one vehicle over all flights of a start.
@@ -41,7 +61,10 @@ json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
           {"energy_wh", quantiles_json(energy_wh)},
           {"fuel_kg", quantiles_json(fuel_kg)},
           {"held_s", quantiles_json(held_s)},
-          {"most_of_a_limit", quantiles_json(worst)}};
+          {"most_of_a_limit", quantiles_json(worst)},
+          {"cleaning", cleaning_json(start, vehicle)},
+          {"closest_m", closest_json(start, vehicle)},
+          {"flights_with_clearance_alarms", alarmed_json(start, vehicle)}};
 }
 
 json flight_json(const twin::Flight& flight) {
@@ -53,7 +76,10 @@ json flight_json(const twin::Flight& flight) {
   if (const auto& noise = flight.noise)
     out["noise"] = {{"made_s", number(noise->noise_s)},
                     {"stops", number(noise->stops)},
-                    {"mammal_within_s", number(noise->exposed_s)}};
+                    {"mammal_within_s", number(noise->exposed_s)},
+                    {"by", noise->by.empty() ? json(nullptr) : json(noise->by)}};
+  for (const twin::VehicleOutcome& vehicle : flight.vehicles)
+    if (vehicle.cleaning) out["cleaned_share"][vehicle.name] = number(vehicle.cleaning->share());
   return out;
 }
 
@@ -108,6 +134,15 @@ std::optional<double> quantile_of(std::vector<double> values, double share) {
   const auto low = static_cast<std::size_t>(at);
   const std::size_t high = std::min(low + 1, values.size() - 1);
   return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
+json quantiles_json(const std::vector<double>& values) {
+  json out = json::object();
+  for (const auto& [name, share] : {std::pair{"p10", 0.1}, {"p50", 0.5}, {"p90", 0.9}}) {
+    const auto value = quantile_of(values, share);
+    out[name] = value ? number(*value) : json(nullptr);
+  }
+  return out;
 }
 
 std::string verdict_of(const StartOutcome& start) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/program/version.h"
+#include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/limit_bounds.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/run_page_traffic.h"
@@ -165,6 +166,9 @@ std::string words_html(const Rehearsal& rehearsal, const Unchecked& unchecked) {
   for (const StartOutcome& start : rehearsal.starts)
     if (const std::string why = disagreement_of(start); !why.empty())
       say(format_utc(start.start).substr(0, 16) + "Z: " + why);
+  for (const StartOutcome& start : rehearsal.starts)
+    for (const std::string& cleaned : cleaning_texts(start))
+      say(format_utc(start.start).substr(0, 16) + "Z: " + cleaned + ".");
   for (const std::string& limit : unchecked.not_checked) say("Not checked: " + limit + ".");
   for (const std::string& value : unchecked.assumed) say("Assumed, not forecast: " + value + ".");
   return html.empty() ? html : "<section class=\"words\">" + html + "</section>\n";

@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/closest.h"
 #include "api/rehearse/fate.h"
 #include "api/rehearse/mission_events.h"
 #include "api/rehearse/vehicle_log.h"
@@ -63,11 +65,19 @@ void add_largest(const TrajectoryFile& log, const VehicleLog& vehicle, Margins& 
   add("Largest pull of the tether", "tether_tension", 1, " N");
 }
 
-void add_approach(const TrajectoryFile& log, const char* what, const Approach& approach,
-                  Margins& margins) {
-  if (!std::isfinite(approach.distance_m)) return;
-  margins.emplace_back(what, formatted("{:.1f} m, {} at {}", std::max(0.0, approach.distance_m),
-                                       approach.to, clock_text(log, approach.t_s)));
+void add_approach(const TrajectoryFile& log, const char* what,
+                  const std::optional<Approach>& approach, Margins& margins) {
+  if (!approach) return;
+  const std::string who = approach->to.empty() ? std::to_string(approach->mmsi) : approach->to;
+  margins.emplace_back(what, formatted("{:.1f} m, {} at {}", std::max(0.0, approach->distance_m),
+                                       who, clock_text(log, approach->t_s)));
+}
+
+void add_closest(const TrajectoryFile& log, const Closest& closest, Margins& margins) {
+  add_approach(log, "Closest to a structure", closest.structure, margins);
+  add_approach(log, "Closest to another vehicle", closest.vehicle, margins);
+  add_approach(log, "Closest to a vessel", closest.vessel, margins);
+  add_approach(log, "Closest to another's tether", closest.tether, margins);
 }
 
 const twin::ScenarioVehicle* entry_of(const twin::Scenario* scenario, const std::string& name) {
@@ -199,12 +209,11 @@ std::vector<VehicleOutcome> outcomes_of(const TrajectoryFile& log, const twin::S
       verdict += "; " + tasks_text(static_cast<std::size_t>(task), entry->tasks.size());
     outcome.verdict = verdict + ".";
     add_energy(vehicle, outcome.margins);
-    if (scenario != nullptr) {
-      add_approach(log, "Closest to a structure", nearest_structure(log, vehicle, *scenario),
-                   outcome.margins);
-    }
-    add_approach(log, "Closest to another vehicle", nearest_vehicle(log, vehicles, i),
-                 outcome.margins);
+    if (std::string cleaned = cleaned_in(log, i); !cleaned.empty())
+      outcome.margins.emplace_back("Cleaned", std::move(cleaned));
+    add_closest(log, closest_in(log, vehicles, i, scenario), outcome.margins);
+    if (const auto alarms = clearance_alarms_in(log, i))
+      outcome.margins.emplace_back("Clearance alarms", *alarms);
     add_largest(log, vehicle, outcome.margins);
     outcomes.push_back(std::move(outcome));
   }

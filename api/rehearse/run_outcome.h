@@ -33,9 +33,8 @@ struct VehicleOutcome {
 [[nodiscard]] std::vector<RunEvent> events_of(const ingest::TrajectoryFile& log,
                                               const twin::Scenario* scenario);
 
-/// Energy left, largest errors, attitudes and tensions, closest approaches to structures and to
-/// other vehicles: extremes of the logged rows up to the one at which the vehicle stopped;
-/// distances to structures along the straight ways between the rows.
+/// Energy left, largest errors, attitudes and tensions: extremes of the logged rows up to the one
+/// at which the vehicle stopped. Closest approaches as `closest_in` has them, clearance alarms.
 [[nodiscard]] std::vector<VehicleOutcome> outcomes_of(const ingest::TrajectoryFile& log,
                                                       const twin::Scenario* scenario);
 

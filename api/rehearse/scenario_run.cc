@@ -12,6 +12,7 @@
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
+#include "twin/simulate/conduct.h"
 #include "twin/simulate/follow_tracks.h"
 
 namespace slackwater::api {
@@ -49,7 +50,10 @@ VehicleSummary summary_of(const Agent& agent, const AgentState& state, const Run
   s.halted_at_s = state.halted_at_s;
   s.events = fate_of(agent, state);
   s.mission_events = state.conduct.events;
+  if (agent.conduct && agent.conduct->cleaning)
+    s.cleaning = twin::cleaning_outcome(*agent.conduct->cleaning, state.conduct.cleaning);
   s.fate = fate_text(s.events, start);
+  if (agent.clearance) s.clearance = state.clearance;
   return s;
 }
 
@@ -77,6 +81,7 @@ struct WatchedRun {
   twin::Run& run;
   twin::TrafficWatch& watch;
   ScenarioResult& so_far;
+  const twin::Scenario& scenario;
 };
 
 void save(const WatchedRun& watched, const CheckpointOrigin& origin,
@@ -90,7 +95,7 @@ void save(const WatchedRun& watched, const CheckpointOrigin& origin,
 /// Puts a run where a checkpoint stands, with what was logged until then.
 void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
              const WatchedRun& watched) {
-  auto& [run, watch, result] = watched;
+  auto& [run, watch, result, scenario] = watched;
   const std::size_t vehicles = run.agents().size();
   StandingRun standing = read_checkpoint(file, origin);
   if (standing.checkpoint.states.size() != vehicles || standing.log.rows.size() != vehicles ||
@@ -153,12 +158,14 @@ ScenarioResult begun(const ScenarioWater& water, const twin::ReadyRun& ready) {
 
 /// What is known after the last one.
 void conclude(const WatchedRun& watched) {
-  auto& [run, watch, result] = watched;
+  auto& [run, watch, result, scenario] = watched;
   result.duration_s = run.time_s();
   const auto states = run.states();
   for (std::size_t i = 0; i < states.size(); ++i) {
     result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i, result.start));
     add_navigation(run.agents()[i], result.sensed, i, result.vehicles[i]);
+    result.vehicles[i].closest =
+        closest_of(states[i].nearest, run.agents(), scenario, result.vessels);
   }
   result.alarms.assign(watch.records().begin(), watch.records().end());
   result.followed = tracks_followed(run.agents(), result.log);
@@ -180,7 +187,7 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   result.log.reserve(run.agents().size(), steps / every + 2);
   result.sensed = twin::SensorLog(run.agents(), scenario.logs_sensors, scenario.seed);
 
-  const WatchedRun watched{run, watch, result};
+  const WatchedRun watched{run, watch, result, scenario};
   const CheckpointOrigin origin = checkpoint_origin(scenario, water, ready.vessels);
   const Recorder recorder{run, result.log, result.sensed};
   if (choice.restore.empty())

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "api/rehearse/closest.h"
 #include "api/rehearse/fate.h"
 #include "api/rehearse/track_following.h"
 #include "ingest/cf/trajectory_file.h"
@@ -14,6 +15,7 @@
 #include "twin/simulate/sensor_log.h"
 #include "twin/simulate/set_up.h"
 #include "twin/simulate/traffic_watch.h"
+#include "twin/surface/cleaning_outcome.h"
 
 namespace slackwater::api {
 
@@ -65,7 +67,10 @@ struct VehicleSummary {
   double halted_at_s = 0;
   std::vector<FateEvent> events;                   ///< what befell it, causes first
   std::vector<twin::ConductEvent> mission_events;  ///< of one that conducts itself
+  std::optional<twin::CleaningOutcome> cleaning;   ///< of one that cleans
   std::string fate;  ///< the same in a sentence; empty for a normal run
+  Closest closest;   ///< to what was around it, over all steps of the barrier
+  std::optional<twin::ClearanceState> clearance;  ///< of one that keeps clear, at the end
   bool has_battery = false;
   bool is_electric = false;  ///< something on board draws from a bus
   bool burns_fuel = false;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/rehearse/closest.h"
 #include "api/rehearse/mission_events.h"
 #include "api/rehearse/run_outcome.h"
-#include "api/rehearse/traffic_tables.h"
 #include "api/rehearse/vehicle_log.h"
 #include "fields/base/error.h"
 
@@ -60,23 +60,8 @@ void count_interventions(const std::vector<MissionEvent>& events, std::size_t ve
   come_back(end_s);
 }
 
-/// In the plane, at the rows; the traffic where its track is known.
-std::optional<double> nearest_vessel_m(const TrajectoryFile& log, const VehicleLog& vehicle,
-                                       const std::vector<twin::TrafficVessel>& vessels) {
-  std::optional<double> least;
-  for (const twin::TrafficVessel& vessel : vessels)
-    for (std::size_t t = 0; t < vehicle.rows(); ++t) {
-      const twin::TrackState there = vessel.track.at(log.t_s[t]);
-      if (!there.is_known()) continue;
-      const auto apart = vehicle.place_m(t) - there.position_m;
-      const double distance_m = std::hypot(apart.x, apart.y);
-      if (!least || distance_m < *least) least = distance_m;
-    }
-  return least;
-}
-
-std::optional<double> finite(double value) {
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+std::optional<double> distance_m(const std::optional<Approach>& approach) {
+  return approach ? std::optional(approach->distance_m) : std::nullopt;
 }
 
 }  // namespace
@@ -90,7 +75,6 @@ Scorecard scorecard_of(const TrajectoryFile& log) {
   Scorecard card{log.attribute("title"), log.attribute("seed"), {}};
   const std::optional<twin::Scenario> scenario = scenario_of(log);
   const std::vector<MissionEvent> events = mission_events_in(log);
-  const std::vector<twin::TrafficVessel> vessels = vessels_in(log);
   std::vector<VehicleLog> vehicles;
   for (std::size_t i = 0; i < log.names.size(); ++i) vehicles.emplace_back(log, i);
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
@@ -107,10 +91,11 @@ Scorecard scorecard_of(const TrajectoryFile& log) {
     score.rms_depth_error_m = rms_of(vehicle, "below_track");
     if (const double drawn = vehicle.last("electrical_energy"); drawn > 0 && score.sailed_m > 1)
       score.energy_per_metre_j = drawn / score.sailed_m;
-    if (scenario)
-      score.closest_structure_m = finite(nearest_structure(log, vehicle, *scenario).distance_m);
-    score.closest_vehicle_m = finite(nearest_vehicle(log, vehicles, i).distance_m);
-    score.closest_vessel_m = nearest_vessel_m(log, vehicle, vessels);
+    const Closest closest = closest_in(log, vehicles, i, scenario ? &*scenario : nullptr);
+    score.closest_structure_m = distance_m(closest.structure);
+    score.closest_vehicle_m = distance_m(closest.vehicle);
+    score.closest_vessel_m = distance_m(closest.vessel);
+    score.closest_tether_m = distance_m(closest.tether);
     card.vehicles.push_back(score);
   }
   return card;

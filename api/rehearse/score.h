@@ -16,12 +16,14 @@ struct VehicleScore {
   double rms_across_track_m = 0;
   double largest_across_track_m = 0;
   double rms_depth_error_m = 0;
-  std::optional<double> energy_per_metre_j;   ///< electrical; none: it draws or goes nothing
-  std::optional<double> closest_structure_m;  ///< to a face
-  std::optional<double> closest_vehicle_m;    ///< centre to centre
-  std::optional<double> closest_vessel_m;     ///< of the traffic, in the plane
-  std::size_t interventions = 0;              ///< times it left its task: holds and ways home
-  double takeover_s = 0;                      ///< spent away from it, until it was resumed
+  std::optional<double> energy_per_metre_j;  ///< electrical; none: it draws or goes nothing
+  /// Over the whole run, as its log says it (`closest_in`).
+  std::optional<double> closest_structure_m;
+  std::optional<double> closest_vehicle_m;
+  std::optional<double> closest_vessel_m;
+  std::optional<double> closest_tether_m;
+  std::size_t interventions = 0;  ///< times it left its task: holds and ways home
+  double takeover_s = 0;          ///< spent away from it, until it was resumed
   double longest_takeover_s = 0;
   std::size_t limit_violations = 0;  ///< interventions that a limit called for
 };

@@ -18,7 +18,8 @@ Approach nearest_structure(const TrajectoryFile& log, const VehicleLog& vehicle,
     for (std::size_t t = 0; t < vehicle.rows(); ++t) {
       const double distance =
           twin::least_distance_m(shape, vehicle.place_m(t == 0 ? 0 : t - 1), vehicle.place_m(t));
-      if (distance < nearest.distance_m) nearest = Approach{distance, log.t_s[t], structure.name};
+      if (distance < nearest.distance_m)
+        nearest = Approach{distance, log.t_s[t], structure.name, 0};
     }
   }
   return nearest;
@@ -33,7 +34,7 @@ Approach nearest_vehicle(const TrajectoryFile& log, const std::vector<VehicleLog
     for (std::size_t t = 0; t < rows; ++t) {
       const auto apart = vehicles[i].place_m(t) - vehicles[j].place_m(t);
       const double distance = std::sqrt(dot(apart, apart));
-      if (distance < nearest.distance_m) nearest = Approach{distance, log.t_s[t], log.names[j]};
+      if (distance < nearest.distance_m) nearest = Approach{distance, log.t_s[t], log.names[j], 0};
     }
   }
   return nearest;

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -68,6 +69,8 @@ struct Approach {
   double distance_m = std::numeric_limits<double>::infinity();
   double t_s = 0;
   std::string to;
+  std::uint32_t mmsi = 0;  ///< of a vessel
+  friend bool operator==(const Approach&, const Approach&) = default;
 };
 /// Along the straight ways between the rows; to a face. Infinite where there is none.
 [[nodiscard]] Approach nearest_structure(const ingest::TrajectoryFile& log,

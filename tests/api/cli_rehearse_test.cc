@@ -115,6 +115,31 @@ TEST_F(RehearseCommand, FliesAStrangersTaskInSeveralFuturesAndSaysHowItWent) {
   EXPECT_EQ(made_.run({"simulate", path("laid_out.yaml")}).exit_code, 0);
 }
 
+TEST_F(RehearseCommand, SaysHowNearEachCameOverTheFlightsAndTheLogOfOneSaysTheSameOfIt) {
+  const ProgramResult run =
+      made_.run({"rehearse", path("mission.yaml"), "--members", "1", "--log", path("one.nc"),
+                 "--log-member", "0", "--assume", "visibility_m=2000", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json eye = json::parse(run.out).at("starts")[0].at("vehicles")[0];
+  const json& pile = eye.at("closest_m").at("structure");
+  const json score =
+      json::parse(made_.run({"score", path("one.nc"), "--json"}).out).at("runs")[0].at("vehicles");
+  // The task keeps 3 m from the pile.
+  EXPECT_NEAR(pile.at("p50").get<double>(), 3, 1);
+  EXPECT_NEAR(pile.at("p50").get<double>(), score[0].at("closest_structure_m").get<double>(), 1e-4);
+  EXPECT_EQ(pile.at("p10"), pile.at("p90")) << "of one flight";
+  EXPECT_TRUE(eye.at("closest_m").at("vehicle").is_null()) << "it is alone";
+  EXPECT_TRUE(eye.at("flights_with_clearance_alarms").is_null()) << "it does not keep clear";
+  // Nearer than it promises, in every flight.
+  write("clear.yaml", mission() + "clearance: {structure_m: 20}\n");
+  const ProgramResult clear = made_.run({"rehearse", path("clear.yaml"), "--members", "2",
+                                         "--assume", "visibility_m=2000", "--json"});
+  ASSERT_EQ(clear.exit_code, 0) << clear.err;
+  EXPECT_EQ(
+      json::parse(clear.out).at("starts")[0].at("vehicles")[0].at("flights_with_clearance_alarms"),
+      2);
+}
+
 TEST_F(RehearseCommand, TheLogOfAFlightReplaysAndIsScored) {
   const ProgramResult run =
       made_.run({"rehearse", path("mission.yaml"), "--members", "2", "--log", path("one.nc"),

@@ -14,11 +14,16 @@ void Cell::add(const Plane& plane, const Stretch& own) noexcept {
   if (plane.room_m(own) < farthest->room_m(own)) *farthest = plane;
 }
 
-double Cell::room_m(const Claim& claim) const noexcept {
-  double room = std::min(claim.top_m - top_m_, bottom_m_ - claim.bottom_m);
+RoomLeft Cell::room_of(const Claim& claim) const noexcept {
+  RoomLeft least;
+  const auto take = [&](double room_m, Hazard hazard) {
+    if (room_m < least.room_m) least = {room_m, hazard};
+  };
+  take(claim.top_m - top_m_, above_);
+  take(bottom_m_ - claim.bottom_m, below_);
   for (const Plane& plane : planes())
-    if (plane.whose != Plane::course) room = std::min(room, plane.room_m(claim.stretch));
-  return room;
+    if (plane.whose != Plane::course) take(plane.room_m(claim.stretch), plane.hazard);
+  return least;
 }
 
 bool nearest_in(const Cell& cell, const Planar& wanted, Planar& nearest) noexcept {

@@ -208,7 +208,44 @@ Planar velocity_for(const Look& look, const Planar& way_m) noexcept {
   return (std::min(speed, way / look.time_for(faster)) / way) * way_m;
 }
 
+AlarmCause cause_of(Hazard hazard) noexcept {
+  switch (hazard) {
+    case Hazard::vehicle:
+      return AlarmCause::vehicle;
+    case Hazard::line:
+      return AlarmCause::line;
+    case Hazard::vessel:
+      return AlarmCause::vessel;
+    case Hazard::structure:
+    case Hazard::none:
+      break;
+  }
+  return AlarmCause::structure;
+}
+
+/// Raises an alarm, lets it go on or ends it.
+void note_alarm(const Look& look, bool is_too_late, ClearanceState& state) noexcept {
+  const RoomLeft room = look.cell.room_of(look.claim);
+  state.slack_m = std::min(room.room_m, 1e6);
+  const bool is_outside = state.slack_m < -look.handling.stray_m - alarm_m;
+  const bool is_alarmed = is_outside || look.cell.is_crowded() || is_too_late;
+  if (is_alarmed && state.is_alarmed == 0) {
+    const AlarmCause cause = is_outside    ? cause_of(room.hazard)
+                             : is_too_late ? AlarmCause::no_warning
+                                           : AlarmCause::crowded;
+    ++state.alarms;
+    ++state.alarms_from[static_cast<std::size_t>(cause)];
+  }
+  state.is_alarmed = is_alarmed ? 1 : 0;
+}
+
 }  // namespace
+
+const char* name_of(AlarmCause cause) noexcept {
+  constexpr std::array<const char*, alarm_causes> names{"vehicle", "structure",  "tether",
+                                                        "vessel",  "no_warning", "crowded"};
+  return names[static_cast<std::size_t>(cause)];
+}
 
 ClearWay clear_way(const Handling& h, const StandOff& stand_off, const Lookout& lookout,
                    const OwnMotion& own, const Wish& wish, double dt_s,
@@ -300,11 +337,7 @@ ClearWay clear_way(const Handling& h, const StandOff& stand_off, const Lookout& 
     out.is_as_wished_in_depth = top_m >= look.cell.top_m() && bottom_m <= look.cell.bottom_m();
   }
 
-  state.slack_m = std::min(look.cell.room_m(look.claim), 1e6);
-  const bool is_alarmed =
-      state.slack_m < -h.stray_m - alarm_m || look.cell.is_crowded() || is_too_late;
-  if (is_alarmed && state.is_alarmed == 0) ++state.alarms;
-  state.is_alarmed = is_alarmed ? 1 : 0;
+  note_alarm(look, is_too_late, state);
   if (!out.is_as_wished_aside || !out.is_as_wished_in_depth) state.changed_s += dt_s;
   return out;
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "twin/clearance/hazards.h"
 
 namespace slackwater::twin {
@@ -8,6 +10,18 @@ struct Wish {
   Planar velocity_m_s;
   double down_m_s = 0;
 };
+
+/// What an alarm began with.
+enum class AlarmCause : std::uint8_t {
+  vehicle,     ///< its claim is not in its cell: for another vehicle
+  structure,   ///< the same for what stands there
+  line,        ///< or for a tether
+  vessel,      ///< or for the hull of one of the traffic
+  no_warning,  ///< in the way of a vessel, with less time left than it takes to leave it
+  crowded,     ///< more hazards than planes
+};
+inline constexpr std::size_t alarm_causes = 6;
+[[nodiscard]] const char* name_of(AlarmCause cause) noexcept;
 
 /// What a vehicle remembers of keeping clear. Numbers only, stored and compared as a block of them.
 struct ClearanceState {
@@ -19,7 +33,8 @@ struct ClearanceState {
   double slack_m = 0;     ///< of its claim at the last look; negative: nearer than promised
   double is_alarmed = 0;  ///< the bound is not promised now
   double alarms = 0;      ///< how often that began
-  double changed_s = 0;   ///< for how long in all it was made to do otherwise
+  std::array<double, alarm_causes> alarms_from{};  ///< the same by `AlarmCause`
+  double changed_s = 0;  ///< for how long in all it was made to do otherwise
 };
 
 /// What a vehicle may do.

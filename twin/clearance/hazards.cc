@@ -19,18 +19,25 @@ double between_depths_m(const Claim& own, double top_m, double bottom_m) noexcep
   return std::max(top_m - own.bottom_m, own.top_m - bottom_m);
 }
 
-void keep_depth(const Claim& claim, double top_m, double bottom_m, double stand_off_m, double share,
+/// What one has its depth from.
+struct Depths {
+  double top_m = 0;
+  double bottom_m = 0;
+  Hazard hazard = Hazard::none;
+};
+
+void keep_depth(const Claim& claim, const Depths& of, double stand_off_m, double share,
                 Cell& cell) noexcept {
-  const double above = top_m - claim.bottom_m, below = claim.top_m - bottom_m;
+  const double above = of.top_m - claim.bottom_m, below = claim.top_m - of.bottom_m;
   if (above > below)
-    cell.keep_above(claim.bottom_m + share * (above - stand_off_m));
+    cell.keep_above(claim.bottom_m + share * (above - stand_off_m), of.hazard);
   else
-    cell.keep_below(claim.top_m - share * (below - stand_off_m));
+    cell.keep_below(claim.top_m - share * (below - stand_off_m), of.hazard);
 }
 
 /// From the place of the claim that is nearest to it; of a claim that lies across it, from where
 /// the vehicle is.
-void keep_aside(const Upright& hazard, double stand_off_m, const Outlook& own,
+void keep_aside(const Upright& hazard, Hazard what, double stand_off_m, const Outlook& own,
                 Cell& cell) noexcept {
   const double apart_m = stand_off_m + hazard.radius_m + own.claim.radius_m;
   NearestPlaces near = nearest_places(own.claim.stretch, hazard.stretch);
@@ -42,12 +49,14 @@ void keep_aside(const Upright& hazard, double stand_off_m, const Outlook& own,
   if (slack.aside_m > own.reach_m) return;
   if (slack.is_by_depth()) {
     if (!own.handling->is_afloat)
-      keep_depth(own.claim, hazard.top_m, hazard.bottom_m, own.stand_off.vertical_m, 1, cell);
+      keep_depth(own.claim, {hazard.top_m, hazard.bottom_m, what}, own.stand_off.vertical_m, 1,
+                 cell);
     return;
   }
   Plane plane;
   plane.normal = unit_of(near.on_b - near.on_a, {1, 0});
   plane.limit_m = dot(plane.normal, near.on_b) - apart_m;
+  plane.hazard = what;
   cell.add(plane, own.claim.stretch);
 }
 
@@ -87,10 +96,11 @@ Upright nearest_side(const Box& b, const Stretch& from) noexcept {
 void keep_clear_of(const Structure& structure, const Outlook& own, Cell& cell) noexcept {
   const auto* cylinder = std::get_if<Cylinder>(&structure);
   const auto* box = std::get_if<Box>(&structure);
-  if (cylinder != nullptr) keep_aside(upright(*cylinder), own.stand_off.structure_m, own, cell);
-  if (box != nullptr) {
-    keep_aside(nearest_side(*box, own.claim.stretch), own.stand_off.structure_m, own, cell);
-  }
+  if (cylinder != nullptr)
+    keep_aside(upright(*cylinder), Hazard::structure, own.stand_off.structure_m, own, cell);
+  if (box != nullptr)
+    keep_aside(nearest_side(*box, own.claim.stretch), Hazard::structure, own.stand_off.structure_m,
+               own, cell);
 }
 
 void keep_clear_of(const Line& line, bool is_own, const Outlook& own, Cell& cell) noexcept {
@@ -103,7 +113,7 @@ void keep_clear_of(const Line& line, bool is_own, const Outlook& own, Cell& cell
     from_end_m += std::sqrt(dot(along, along));
     if (is_own && from_end_m < attached_m) continue;
     const Upright piece{{planar(a), planar(b)}, 0, std::min(a.z, b.z), std::max(a.z, b.z)};
-    keep_aside(piece, own.stand_off.tether_m, own, cell);
+    keep_aside(piece, Hazard::line, own.stand_off.tether_m, own, cell);
   }
 }
 
@@ -120,14 +130,15 @@ void keep_clear_of(const Craft& other, std::ptrdiff_t whose, const Craft& self, 
   if (share * slack.aside_m > own.reach_m) return;
   if (slack.is_by_depth()) {
     if (!own.handling->is_afloat)
-      keep_depth(self.claim, other.claim.top_m, other.claim.bottom_m, own.stand_off.vertical_m,
-                 other.keeps_level ? 1 : share, cell);
+      keep_depth(self.claim, {other.claim.top_m, other.claim.bottom_m, Hazard::vehicle},
+                 own.stand_off.vertical_m, other.keeps_level ? 1 : share, cell);
     return;
   }
   Plane plane;
   plane.normal = unit_of(near.on_b - near.on_a, {1, 0});
   plane.limit_m = dot(plane.normal, near.on_a) + share * slack.aside_m;
   plane.whose = whose;
+  plane.hazard = Hazard::vehicle;
   cell.add(plane, own.claim.stretch);
 }
 
@@ -143,6 +154,7 @@ Encounter keep_clear_of(const Passer& passer, const Outlook& own, Cell& cell) no
   const double apart_m = own.stand_off.vessel_m + own.claim.radius_m + passer.half_beam_m;
   const double in_depth_m =
       between_depths_m(own.claim, passer.top_m, passer.bottom_m) - own.stand_off.vertical_m;
+  const Hazard what = passer.is_of_run ? Hazard::vehicle : Hazard::vessel;
   const double speed = size_of(passer.velocity_m_s);
   const Planar ahead = unit_of(passer.velocity_m_s, {1, 0}), right = to_the_right(ahead);
   const double leaving_s = leaving_time_s(*own.handling, apart_m);
@@ -161,7 +173,7 @@ Encounter keep_clear_of(const Passer& passer, const Outlook& own, Cell& cell) no
                  sails ? passer.half_beam_m : passer.half_length_m,
                  passer.top_m,
                  passer.bottom_m};
-    keep_aside(hull, own.stand_off.vessel_m, own, cell);
+    keep_aside(hull, what, own.stand_off.vessel_m, own, cell);
     return encounter;
   }
   if (least_along > end_m) return encounter;
@@ -173,7 +185,8 @@ Encounter keep_clear_of(const Passer& passer, const Outlook& own, Cell& cell) no
   if (slack.aside_m > own.reach_m) return encounter;
   if (slack.is_by_depth()) {
     if (!own.handling->is_afloat)
-      keep_depth(own.claim, passer.top_m, passer.bottom_m, own.stand_off.vertical_m, 1, cell);
+      keep_depth(own.claim, {passer.top_m, passer.bottom_m, what}, own.stand_off.vertical_m, 1,
+                 cell);
     return encounter;
   }
   encounter.is_ahead = true;
@@ -187,6 +200,7 @@ Encounter keep_clear_of(const Passer& passer, const Outlook& own, Cell& cell) no
   plane.normal = -side * right;
   plane.limit_m = dot(plane.normal, passer.position_m) - apart_m;
   plane.whose = Plane::course;
+  plane.hazard = what;
   // Near the edge of it the vehicle goes no deeper; farther in, it may have to go round something.
   constexpr double edge = 0.25;
   if (missing_m > edge * apart_m) return encounter;

@@ -49,7 +49,8 @@ struct Passer {
   double half_beam_m = 0;
   double top_m = 0;  ///< z, of its masts
   double bottom_m = 0;
-  std::uint32_t id = 0;  ///< its MMSI; 0: none
+  std::uint32_t id = 0;    ///< its MMSI; 0: none
+  bool is_of_run = false;  ///< a vehicle that does not keep clear
 };
 
 /// All that a vehicle keeps clear of. Borrowed for the length of a call.

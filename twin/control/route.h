@@ -37,6 +37,11 @@ class Route {
   std::size_t advance(const Triple<double>& position_m, double tolerance_m,
                       double depth_tolerance_m, double passing_m);
 
+  /// Leaves out the waypoint of the leg under way.
+  void skip() noexcept {
+    if (!is_done()) ++next_;
+  }
+
   /// Names each member to a visitor, for what stores a route and takes it up again.
   template <typename Self, typename Visit>
   static void for_each_member(Self& self, Visit&& visit) {

@@ -163,7 +163,7 @@ class AgentWriter {
     for (const WorkLeg& leg : legs) {
       if (is_first) go_to(leg.waypoints.front().position_m, Phase::transit, text);
       is_first = false;
-      text += route_text(clear_of_piles(leg.waypoints), Phase::work);
+      text += route_text(clear_of_piles(leg.waypoints), Phase::work, leg.drifts);
       is_at_m_ = leg.waypoints.back().position_m;
       if (leg.stay_s > 0) text += hold_text(leg.stay_s, Phase::work);
     }

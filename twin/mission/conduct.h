@@ -8,6 +8,7 @@
 #include "twin/mission/standard_behaviour.h"
 #include "twin/search/mammal_duty.h"
 #include "twin/search/person_search.h"
+#include "twin/surface/cleaning.h"
 
 namespace slackwater::twin {
 
@@ -62,8 +63,9 @@ struct Conduct {
   std::vector<Limit> limits;
   std::vector<Fault> faults;
   std::vector<Assumption> assumed;
-  std::optional<PersonSearch> search;  ///< whom it looks out for
-  std::optional<MammalDuty> mammals;   ///< which animals it watches for
+  std::optional<PersonSearch> search;    ///< whom it looks out for
+  std::optional<MammalDuty> mammals;     ///< which animals it watches for
+  std::optional<CleaningPlan> cleaning;  ///< what it takes growth off
 };
 
 /// `conduct` of a vehicle's YAML, all keys optional:
@@ -78,7 +80,8 @@ struct Conduct {
 ///       pilot: {wander_m: 0.3, memory_s: 5, haste: 1.2}     # of shared and teleop
 ///       envelope: {most_speed_m_s: 0.5, stand_off_m: 3, fence_m: 100}   # of shared
 ///       deck_point: {forward_m, starboard_m, up_m}
-///       limits, faults, assume, search, mammals: see there
+///       limits, faults, assume, search, mammals, cleaning: see there
+///       noise_by: NAME      # beside mammals: the vehicle whose work is the noise
 ///       behaviour, trees: see read_behaviour_tree.h; absent: `standard_behaviour`
 ///
 /// @throws Error(invalid_input)

@@ -46,6 +46,18 @@ void read_envelope(const Config& config, Conduct& conduct) {
   conduct.envelope.fence_m = envelope->optional_number("fence_m", {1, 50e3});
 }
 
+void read_mammals(const Config& config, Conduct& conduct) {
+  const auto noisy = config.optional_text("noise_by");
+  const auto mammals = config.optional_child("mammals");
+  if (noisy && !mammals)
+    config.refuse("noise_by", "found without mammals, the watch whose word it hears");
+  if (!mammals) return;
+  conduct.mammals = read_mammal_duty(*mammals);
+  conduct.mammals->noise_by = noisy.value_or("");
+  // Without a vehicle that makes it nobody knows how long the noise lasts.
+  if (!noisy) (void)read_seconds(*mammals, "noise_for", {0, 86400});
+}
+
 }  // namespace
 
 const char* name_of(Autonomy autonomy) noexcept {
@@ -90,8 +102,9 @@ Conduct read_conduct(const Config& config) {
   conduct.assumed = read_assumptions(config);
   if (const auto search = config.optional_child("search"))
     conduct.search = read_person_search(*search);
-  if (const auto mammals = config.optional_child("mammals"))
-    conduct.mammals = read_mammal_duty(*mammals);
+  read_mammals(config, conduct);
+  if (const auto cleaning = config.optional_child("cleaning"))
+    conduct.cleaning = read_cleaning(*cleaning);
   if (config.has("behaviour"))
     conduct.behaviour = read_behaviour_tree(config, conduct_leaves());
   else if (config.has("trees"))

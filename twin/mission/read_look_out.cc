@@ -38,7 +38,10 @@ MammalDuty read_mammal_duty(const Config& config) {
   if (const auto place = config.optional_child("noise")) duty.noise_m = read_surface_place(*place);
   duty.noise.radius_m = config.number("radius_m", {1, 20e3});
   duty.noise.watch_s = read_seconds(config, "clear_for", {0, 86400});
-  duty.noise.wanted_s = read_seconds(config, "noise_for", {0, 86400});
+  if (has_seconds(config, "noise_for"))
+    duty.noise.wanted_s = read_seconds(config, "noise_for", {0, 86400});
+  if (has_seconds(config, "again_after"))
+    duty.again_after_s = read_seconds(config, "again_after", {0, 86400});
   if (duty.noise.radius_m > duty.half_side_m)
     config.refuse("radius_m", "is beyond half_side_m, the square that the animals swim in");
   return duty;

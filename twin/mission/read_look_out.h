@@ -16,7 +16,11 @@ namespace slackwater::twin {
 /// `mammals` of a vehicle's conduct:
 ///
 ///     mammals: {animal: harbour_porpoise, watch: observer, count: 4, half_side_m: 2000,
-///               radius_m: 500, clear_for: 30min, noise_for: 15min, noise: {north_m, east_m}}
+///               radius_m: 500, clear_for: 30min, noise_for: 15min, noise: {north_m, east_m},
+///               again_after: 20min}
+///
+/// `noise_for` is how long a schedule of the watch's own lasts; where a vehicle's work is the noise
+/// (`noise_by` of the conduct), that is as long as it is, and `again_after` counts.
 ///
 /// @throws Error(invalid_input)
 [[nodiscard]] MammalDuty read_mammal_duty(const Config& config);

@@ -19,8 +19,9 @@ std::string place_text(const Triple<double>& at_m) {
                      : ", depth_m: " + number_text(std::max(at_m.z, 0.0)));
 }
 
-std::string route_text(std::span<const Waypoint> waypoints, Phase phase) {
-  std::string text = "      - {do: route, phase: " + std::string(name_of(phase)) + ", waypoints: [";
+std::string route_text(std::span<const Waypoint> waypoints, Phase phase, bool drifts) {
+  std::string text = "      - {do: route, phase: " + std::string(name_of(phase)) +
+                     (drifts ? ", frame: drifting" : "") + ", waypoints: [";
   bool is_first = true;
   for (const Waypoint& at : waypoints) {
     text += (is_first ? "{" : ", {") + place_text(at.position_m);

@@ -18,7 +18,8 @@ namespace slackwater::twin {
 [[nodiscard]] std::string place_text(const Triple<double>& at_m);
 
 // Tasks, each a line of the list.
-[[nodiscard]] std::string route_text(std::span<const Waypoint> waypoints, Phase phase);
+[[nodiscard]] std::string route_text(std::span<const Waypoint> waypoints, Phase phase,
+                                     bool drifts = false);
 [[nodiscard]] std::string hold_text(double duration_s, Phase phase);
 [[nodiscard]] std::string aboard_text(double duration_s, bool is_swapped, Phase phase);
 

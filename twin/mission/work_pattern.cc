@@ -80,10 +80,16 @@ std::vector<WorkLeg> lay_bands(const Config& work, const WorkTurbine& turbine) {
   const double swath_m = work.number("swath_m", {0.05, 5});
   const double rate_m2_s = work.number("rate_m2_h", {0.1, 1000}) / 3600;
   const double radius_m = turbine.radius_m + read_stand_off(work);
+  const double overlap_m = work.optional_number("overlap_m", {0, 0.9 * swath_m}).value_or(0);
+  const int passes = work.optional_integer("passes", 1, 100).value_or(1);
   // The tool goes along the face, the vehicle on a wider circle.
   const double speed_m_s = rate_m2_s / swath_m * radius_m / turbine.radius_m;
-  return rings(turbine, radius_m, read_bearing(work, turbine), read_levels(work, turbine, swath_m),
-               std::max(speed_m_s, 0.01));
+  const std::vector<WorkLeg> once =
+      rings(turbine, radius_m, read_bearing(work, turbine),
+            read_levels(work, turbine, swath_m - overlap_m), std::max(speed_m_s, 0.01));
+  std::vector<WorkLeg> legs;
+  for (int pass = 0; pass < passes; ++pass) legs.insert(legs.end(), once.begin(), once.end());
+  return legs;
 }
 
 std::vector<WorkLeg> lay_verticals(const Config& work, const WorkTurbine& turbine) {
@@ -265,10 +271,15 @@ std::vector<WorkLeg> lay_square(const Config& work, const WorkTurbine& turbine) 
   const Triple<double> datum =
       turbine.around(read_bearing(work, turbine), work.number("distance_m", {5, 10e3}),
                      read_level(work.child("at"), turbine));
-  return {
-      {expanding_square(datum, work.number("leg_m", {1, 5000}), work.integer("legs", 2, 200),
-                        work.optional_number("course_deg", {-360, 360}).value_or(0) * degree, 0),
-       0}};
+  WorkLeg leg;
+  leg.waypoints =
+      expanding_square(datum, work.number("leg_m", {1, 5000}), work.integer("legs", 2, 200),
+                       work.optional_number("course_deg", {-360, 360}).value_or(0) * degree, 0);
+  const std::string frame = work.optional_text("frame").value_or("fixed");
+  if (frame != "fixed" && frame != "drifting")
+    work.refuse("frame", "found " + frame + ", expected fixed or drifting");
+  leg.drifts = frame == "drifting";
+  return {leg};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace slackwater::twin {
 struct WorkLeg {
   std::vector<Waypoint> waypoints;
   double stay_s = 0;
+  bool drifts = false;  ///< with whom it searches for
 };
 
 /// One `work` entry of a task, laid out at a turbine. Places are by bearing, distance from the face
@@ -31,11 +32,14 @@ struct WorkLeg {
 ///         trailing_edge, pressure, suction
 ///     pattern: cable      cable: ID, lines, spacing_m, above_bed_m or at: LEVEL
 ///     pattern: mooring    mooring: ID, stand_off_m
-///     pattern: bands      stand_off_m, from, to, swath_m, rate_m2_h
-///         rings as far apart as a tool is wide, as fast as it cleans
+///     pattern: bands      stand_off_m, from, to, swath_m, rate_m2_h, overlap_m: 0, passes: 1
+///         rings as far apart as a tool is wide, less an overlap, as fast as it cleans; all of them
+///         as often as there are passes
 ///     pattern: landing    gap_m, bow_m, stay
 ///         bow on the boat landing
-///     pattern: square     at: LEVEL, leg_m, legs: search by an expanding square
+///     pattern: square     at: LEVEL, distance_m, leg_m, legs, frame: fixed
+///         search by an expanding square; with `frame: drifting` about where whom the vehicle
+///         searches for is thought to have drifted to
 ///
 /// @throws Error(invalid_input) for what the site does not have (a hub, a rotor, a cable, a line)
 [[nodiscard]] std::vector<WorkLeg> lay_out(const Config& work, const WorkSite& site,

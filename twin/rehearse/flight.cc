@@ -16,9 +16,10 @@ struct Fleet {
   std::size_t per_case = 0;
 };
 
-Fleet assembled(const Scenario& mission, const Surround& surround,
-                std::span<const FlightCase> cases) {
+Fleet assembled(const Scenario& mission, Surround surround, std::span<const FlightCase> cases) {
   Fleet fleet;
+  // Vehicles of one kind lie in one block.
+  if (surround.vehicles.empty()) surround.vehicles = read_vehicles(mission, surround.data_folder);
   for (const FlightCase& flown : cases) {
     Scenario scenario = mission;
     scenario.start = flown.start;
@@ -31,8 +32,8 @@ Fleet assembled(const Scenario& mission, const Surround& surround,
     for (std::size_t i = 0; i < ready.agents.size(); ++i) {
       Agent& agent = ready.agents[i];
       if (agent.carrier) *agent.carrier += first;
-      // Of one kind they lie in one block.
-      if (first > 0) agent.vehicle = fleet.agents[i].vehicle;
+      if (agent.zone)
+        for (std::size_t& watcher : agent.zone->watchers) watcher += first;
       fleet.agents.push_back(std::move(agent));
       fleet.states.push_back(std::move(ready.states[i]));
     }
@@ -66,6 +67,18 @@ FlightSample sample_of(const Agent& agent, const AgentState& state, double t_s) 
   sample.phase = static_cast<std::uint8_t>(own.phase);
   sample.doing = static_cast<std::uint8_t>(own.doing);
   return sample;
+}
+
+/// A flight that is over is not flown on while others last.
+void retire_ended(Run& run, std::size_t per_case) {
+  const std::size_t count = run.agents().size();
+  for (std::size_t first = 0; first < count; first += per_case) {
+    const auto ended = [&](std::size_t i) { return run.has_ended(i); };
+    std::size_t last = first;
+    while (last < first + per_case && ended(last)) ++last;
+    if (last < first + per_case) continue;
+    for (std::size_t i = first; i < last; ++i) run.retire(i);
+  }
 }
 
 bool counts(const Agent& agent, const FlightSettings& settings) {
@@ -104,13 +117,36 @@ bool any_sighting(std::span<const MammalDutyState* const> watches) {
                      [](const MammalDutyState* watch) { return !watch->sightings_s.empty(); });
 }
 
-/// Noisy work is done when the watches of all vehicles together let there be as much as wanted.
+/// The noise of vehicles whose work it is; whether that was done is theirs to say.
+/// @param first, end  of the vehicles of a flight in the run
+void note_noisy_work(std::span<const Agent> agents, std::span<const AgentState> states,
+                     std::size_t first, std::size_t end, double ran_s, Flight& flight) {
+  for (std::size_t i = first; i < end; ++i) {
+    if (!agents[i].zone) continue;
+    std::vector<const MammalDutyState*> watches;
+    for (const std::size_t watcher : agents[i].zone->watchers)
+      watches.push_back(&states[watcher].conduct.mammals);
+    const double end_s = states[i].halt == Halt::none ? ran_s : states[i].halted_at_s;
+    const NoiseRecord own =
+        noise_made(states[i].conduct.noisy, watches, end_s, agents[i].conduct->plan.tick_s);
+    if (!flight.noise) flight.noise.emplace();
+    flight.noise->noise_s += own.noise_s;
+    flight.noise->stops += own.stops;
+    flight.noise->exposed_s += own.exposed_s;
+    flight.noise->by += (flight.noise->by.empty() ? "" : ", ") + agents[i].name;
+  }
+}
+
+/// Noisy work on a schedule is done when the watches of all vehicles together let there be as much
+/// as wanted.
 void note_noise(std::span<const Agent> agents, std::span<const AgentState> states, double ran_s,
                 Flight& flight) {
   std::vector<const MammalDutyState*> watches;
   const ReadyConduct* first = nullptr;
   for (std::size_t i = 0; i < agents.size(); ++i) {
-    if (!agents[i].conduct || !agents[i].conduct->plan.mammals) continue;
+    if (!agents[i].conduct || !agents[i].conduct->plan.mammals ||
+        !agents[i].conduct->plan.mammals->noise_by.empty())
+      continue;
     if (first == nullptr) first = agents[i].conduct.get();
     watches.push_back(&states[i].conduct.mammals);
   }
@@ -153,7 +189,10 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
           sample_of(run.agents()[i], states[i], run.time_s()));
   };
   while (run.steps_made() < steps && !run.all_ended()) {
-    if (run.steps_made() % sample_steps == 0) sample();
+    if (run.steps_made() % sample_steps == 0) {
+      sample();
+      retire_ended(run, per_case);
+    }
     run.step();
   }
   sample();
@@ -162,10 +201,12 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
     Flight& flight = flights[c];
     flight.flown = cases[c];
     flight.is_done = true;
+    double over_s = 0;  // for all of its vehicles, of work or not
     for (std::size_t i = c * per_case; i < (c + 1) * per_case; ++i) {
       const Agent& agent = run.agents()[i];
       flight.vehicles.push_back(outcome_of(agent, states[i], run.time_s()));
       const VehicleOutcome& outcome = flight.vehicles.back();
+      over_s = std::max(over_s, outcome.ended_s);
       const bool has_work = counts(agent, settings);
       if (!has_work && !is_lost(states[i])) continue;
       flight.ended_s = std::max(flight.ended_s, outcome.ended_s);
@@ -174,8 +215,9 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
       flight.is_done = false;
     }
     note_search(flight);
+    note_noisy_work(run.agents(), states, c * per_case, (c + 1) * per_case, over_s, flight);
     note_noise(run.agents().subspan(c * per_case, per_case), states.subspan(c * per_case, per_case),
-               run.time_s(), flight);
+               over_s, flight);
   }
   return flights;
 }

@@ -31,7 +31,7 @@ struct FlightSample {
 struct Flight {
   FlightCase flown;
   /// By all whose work counts, and no other vehicle was lost; whom they searched for was found, and
-  /// the noise under their watch was made.
+  /// the noise under their watch was made where it is not the work of one of them.
   bool is_done = false;
   std::string stopped_by;  ///< "surveyor: limit: ..."; empty: nothing
   double ended_s = 0;

@@ -26,6 +26,10 @@ std::string cause_text(const Agent& agent, Cause cause, std::size_t detail) {
       return "fouled tether";
     case Cause::held_too_long:
       return "held too long";
+    case Cause::mammal:
+      return "marine mammal in the zone";
+    case Cause::no_watch:
+      return "nobody has watched the zone for long enough";
     case Cause::none:
       break;
   }
@@ -63,9 +67,15 @@ std::string stopped_by(const Agent& agent, const AgentState& state) {
     return cause_text(agent, own.cause, own.cause_detail);
   if (!own.has_ended || !state.mission.is_done) return "out of time";
   const double reserve = agent.conduct->plan.reserve.share;
-  if (agent.conduct->full_j > 0 && !own.is_aboard && state.vehicle.battery.charge < reserve)
+  if (agent.conduct->full_j > 0 && !own.is_aboard && own.at_end.charge < reserve)
     return "reserve broken";
   return "";
+}
+
+/// All it did, and the face is not clean for all that.
+std::string left_text(const CleaningOutcome& cleaning) {
+  if (cleaning.is_done()) return "";
+  return formatted("less than {:g} % of the surface is clean", 100 * cleaning.done_at);
 }
 
 }  // namespace
@@ -76,6 +86,8 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
   out.energy_j = state.vehicle.drawn_j;
   out.fuel_kg = state.vehicle.fuel_kg;
   out.state_of_charge = state.vehicle.battery.charge;
+  out.nearest = state.nearest;
+  if (agent.clearance) out.clearance_alarms = state.clearance.alarms;
   out.ended_s = state.halt != Halt::none ? state.halted_at_s : ran_s;
   const std::size_t tasks = agent.mission.tasks.size();
   out.work_share = tasks > 0 ? static_cast<double>(std::min(state.mission.task, tasks)) /
@@ -87,6 +99,11 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
     return out;
   }
   const ConductState& own = state.conduct;
+  if (own.has_ended) {
+    out.energy_j = own.at_end.drawn_j;
+    out.fuel_kg = own.at_end.fuel_kg;
+    out.state_of_charge = own.at_end.charge;
+  }
   out.held_s = own.held_s;
   out.worst_share = own.most_share;
   out.least_charge = own.least_charge;
@@ -95,6 +112,10 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
   if (own.search.is_found) out.found_s = own.search.found_s;
   if (own.has_ended && !own.events.empty()) out.ended_s = own.events.back().t_s;
   out.stopped_by = stopped_by(agent, state);
+  if (const auto& cleaning = agent.conduct->cleaning) {
+    out.cleaning = cleaning_outcome(*cleaning, own.cleaning);
+    if (out.stopped_by.empty()) out.stopped_by = left_text(*out.cleaning);
+  }
   out.is_done = out.stopped_by.empty();
   return out;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "twin/simulate/agent.h"
+#include "twin/surface/cleaning_outcome.h"
 
 namespace slackwater::twin {
 
@@ -17,15 +18,19 @@ struct VehicleOutcome {
   double work_share = 0;  ///< of its tasks that are done
   double state_of_charge = 1;
   double least_charge = 1;
-  double energy_j = 0;  ///< electrical
+  double energy_j = 0;  ///< electrical, until it ended
   double fuel_kg = 0;
   double worst_share = 0;  ///< of any limit while it was at its task; above 1 it was exceeded
   bool searches = false;   ///< for somebody
-  std::optional<double> found_s;  ///< when it found him
+  std::optional<double> found_s;            ///< when it found him
+  NearestPasses nearest;                    ///< to what was around it
+  std::optional<double> clearance_alarms;   ///< of one that keeps clear
+  std::optional<CleaningOutcome> cleaning;  ///< of one that cleans
   std::vector<ConductEvent> events;
 };
 
-/// As of a run's end. @param ran_s  how long the run was
+/// As of a run's end, or of the vehicle's own where that was before.
+/// @param ran_s  how long the run was
 [[nodiscard]] VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ran_s);
 
 /// An event in words: "holds: current at most 0.5 m/s, found 0.62".

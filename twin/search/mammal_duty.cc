@@ -8,19 +8,18 @@
 namespace slackwater::twin {
 namespace {
 
-void note(Stretches& stretches, bool is_on, double from_s, double to_s) {
-  const bool was_on = stretches.size() % 2 == 1;
-  if (is_on && !was_on) stretches.push_back(from_s);
-  if (!is_on && was_on) stretches.push_back(to_s);
-}
-
-/// Whether the step that ends at t lies in one of them; `until_s` ends one that goes on.
-bool is_within(const Stretches& stretches, double t_s, double until_s) {
-  const auto after = std::lower_bound(stretches.begin(), stretches.end(), t_s);
-  return t_s <= until_s && (after - stretches.begin()) % 2 == 1;
+void note(Stretches& stretches, bool is_now, double from_s, double to_s) {
+  const bool was_on = is_on(stretches);
+  if (is_now && !was_on) stretches.push_back(from_s);
+  if (!is_now && was_on) stretches.push_back(to_s);
 }
 
 }  // namespace
+
+bool is_within(const Stretches& stretches, double t_s, double until_s) noexcept {
+  const auto after = std::lower_bound(stretches.begin(), stretches.end(), t_s);
+  return t_s <= until_s && (after - stretches.begin()) % 2 == 1;
+}
 
 void load(MammalDuty& duty, const std::filesystem::path& data_folder) {
   const Config names =

@@ -19,6 +19,11 @@ struct MammalDuty {
   double half_side_m = 0;                 ///< of the square about the noise
   std::optional<Triple<double>> noise_m;  ///< NED; absent: the structure the vehicle is nearest to
   NoiseRule noise;
+  /// The vehicle whose work is the noise; empty: a schedule of the watch's own, as `noise` says.
+  std::string noise_by;
+  /// For how long the zone has to be clear before that work goes on after a sighting; absent: as
+  /// long as before it begins.
+  std::optional<double> again_after_s;
   MammalKind kind;    ///< the animal, once `load` has read it
   MammalWatch sight;  ///< the watch, likewise
 };
@@ -29,9 +34,16 @@ void load(MammalDuty& duty, const std::filesystem::path& data_folder);
 /// Stretches of time: each begins at an even place of the list and ends at the next; one that goes
 /// on has no end yet.
 using Stretches = std::vector<double>;
+/// Whether one goes on.
+[[nodiscard]] inline bool is_on(const Stretches& stretches) noexcept {
+  return stretches.size() % 2 == 1;
+}
+/// Whether t lies in one of them; `until_s` ends one that goes on.
+[[nodiscard]] bool is_within(const Stretches& stretches, double t_s, double until_s) noexcept;
 
-/// What a watch has come to. Noise moves neither vehicles nor animals, so that when it was made is
-/// worked out afterwards, of what all watches noticed.
+/// What a watch has come to. Noise on a schedule moves neither vehicles nor animals, so that when
+/// it was made is worked out afterwards, of what all watches noticed; a vehicle whose work is the
+/// noise hears of it while it works (`noisy_work.h`).
 struct MammalDutyState {
   MammalsState mammals;
   Rng watch_rng{0, ""};
@@ -56,6 +68,7 @@ struct NoiseRecord {
   double stops = 0;      ///< for an animal
   double exposed_s = 0;  ///< noise with an animal within the radius, seen or not
   Stretches noisy_s;
+  std::string by;  ///< the vehicle whose work it was; empty: a schedule of the watch's own
   [[nodiscard]] bool is_done(const NoiseRule& rule) const { return noise_s >= rule.wanted_s; }
 };
 

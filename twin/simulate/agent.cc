@@ -7,6 +7,7 @@
 #include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
 #include "twin/simulate/conduct.h"
+#include "twin/simulate/follow_datum.h"
 #include "twin/tether/tether_dynamics.h"
 #include "twin/thruster/thrust_curve.h"
 
@@ -137,6 +138,16 @@ void lose_thruster(const Agent& agent, double t_s, VehicleCommand<double>& comma
       command.thruster[fault.thruster] = 0;
 }
 
+/// Its tool works where it is, whatever it knows of that.
+void work_on_surface(const Agent& agent, AgentState& state) {
+  if (!agent.conduct || !agent.conduct->cleaning) return;
+  ConductState& own = state.conduct;
+  const bool is_at_work = own.phase == Phase::work && own.doing == Doing::task && !own.has_ended &&
+                          std::isnan(state.milestones.power_lost_s);
+  clean(*agent.conduct->cleaning, is_at_work, state.vehicle.body.position_m, agent.plan.dt_s,
+        own.cleaning);
+}
+
 bool is_inside_a_structure(const Agent& agent, const Triple<double>& position_m) {
   for (const Structure& structure : agent.water->environment().structures)
     if (signed_distance_m(structure, position_m) < 0) return true;
@@ -201,6 +212,7 @@ bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& st
     halt(state, Halt::struck, t_s);
     return false;
   }
+  work_on_surface(agent, state);
   Surroundings<double>& around = input.around;
   around.water = {};
   around.wind_m_s = {};
@@ -228,17 +240,17 @@ bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& st
     if (!flies && !measured.has_log())
       measured.log_m_s = measured.nu.linear.x - r.to_body(current_m_s).x;
   }
-  const Reference reference =
-      cleared(agent, seen, measured, conducted_reference(agent, measured, t_s, state), state);
+  const Asked asked = asked_of(agent, seen, measured, t_s, state);
+  const Reference& reference = asked.reference;
   const bool has_power = std::isnan(state.milestones.power_lost_s);
   if (agent.headway && has_power &&
-      has_lost_headway(*agent.headway, reference, way_of(state).route, body.position_m, t_s,
+      has_lost_headway(*agent.headway, reference, way_of(state).route, asked.position_m, t_s,
                        state.headway)) {
     halt(state, Halt::no_headway, t_s);
     return false;
   }
   const Effort effort =
-      effort_of(*agent.autopilot, measured, reference, agent.plan.dt_s, state.control);
+      effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
   command_thrusters(agent, effort, state, measured, r, around.height_above_m, input.command);
   lose_thruster(agent, t_s, input.command);
   input.command.rudder_rad = effort.rudder_rad;

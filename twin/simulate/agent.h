@@ -5,7 +5,9 @@
 #include <string>
 
 #include "fields/wind/dryden_gust.h"
+#include "twin/clearance/nearest_pass.h"
 #include "twin/control/autopilot.h"
+#include "twin/search/noisy_work.h"
 #include "twin/simulate/coarse.h"
 #include "twin/simulate/common_picture.h"
 #include "twin/simulate/conduct_state.h"
@@ -35,6 +37,12 @@ enum class Halt {
 
 struct ReadyConduct;
 
+/// Of a vehicle whose work is noisy: whose word it waits for.
+struct NoiseZone {
+  std::vector<std::size_t> watchers;  ///< by their places in the run
+  ZoneRule rule;
+};
+
 /// A vehicle of a run: what does not change while it runs. Shared by any threads.
 struct Agent {
   std::string name;
@@ -53,7 +61,10 @@ struct Agent {
   std::optional<std::size_t> carrier;           ///< by its place in the run
   Triple<double> deck_m;                        ///< where on it, the carrier's body axes
   std::shared_ptr<const ReadyConduct> conduct;  ///< null: it does its tasks, come what may
+  std::optional<NoiseZone> zone;                ///< nothing: it may be as noisy as it likes
   std::optional<Clearance> clearance;           ///< nothing: it goes as if it were alone
+  /// That pass by and keep their courses; shared by all vehicles of the run, null: none.
+  std::shared_ptr<const std::vector<TrafficVessel>> vessels;
   std::optional<CoarsePlan> coarse;  ///< nothing: water and tether are met in full at each step
 };
 
@@ -69,6 +80,7 @@ struct AgentState {
   HeadwayState headway;
   ConductState conduct;
   ClearanceState clearance;
+  NearestPasses nearest;
   CoarseState coarse;
   Milestones milestones;
   Halt halt = Halt::none;
@@ -78,11 +90,12 @@ struct AgentState {
   Triple<double> wind_m_s;   ///< NED, gusts and all
   double elevation_m = 0;
   double tether_n = 0;
+  bool is_retired = false;  ///< from a run that goes on without it
 };
 
-/// Whether it is stepped: it has not halted and stands on nobody's deck.
+/// Whether it is stepped: it has not halted, is not retired and stands on nobody's deck.
 [[nodiscard]] inline bool moves(const AgentState& state) noexcept {
-  return state.halt == Halt::none && !state.conduct.is_aboard;
+  return state.halt == Halt::none && !state.conduct.is_aboard && !state.is_retired;
 }
 
 /// A node of the tether that is caught stays where it is.

@@ -19,8 +19,9 @@ struct MovingPlaces {
   double vehicle_height_m = 0;
 };
 
-/// What was found at one moment, NED. Numbers only.
+/// What was found at one look at each place, NED. Numbers only.
 struct WaterLook {
+  std::array<double, carried_places> at_s{};  ///< when; all nodes are not looked at each time
   std::array<Triple<double>, carried_places> orbital_m_s{};
   std::array<Triple<double>, carried_places> orbital_m_s2{};
   Triple<double> current_m_s;  ///< at the vehicle
@@ -35,8 +36,7 @@ struct WaterLook {
 struct CarriedWater {
   double looks = 0;  ///< made; 0: nothing is known yet
   double holds = 0;  ///< 1, or 0 where the vehicle had no water at one of both looks
-  double from_s = 0;
-  double to_s = 0;
+  double to_s = 0;   ///< until when: that of the vehicle, the nodes' is not earlier
   WaterLook before;
   WaterLook after;
   /// At the nodes; an eighth of them is looked at anew each time.
@@ -48,8 +48,11 @@ struct CarriedWater {
 /// hold. No allocation.
 ///
 /// Error of the orbital velocity, for a wave of angular frequency w: (w h)^4/384 of it for h =
-/// `ahead_s`, 0.01 % for 4 s and 0.3 s; waves of a second it cannot follow. A place that gains
-/// speed on the way is some centimetres from where it was looked for.
+/// `ahead_s`, 0.01 % for 4 s and 0.3 s; waves of a second it cannot follow. Nodes at a depth z,
+/// where waves have decayed by exp(-w^2 z/g), are looked at for 2, 4 or 8 times as long ahead,
+/// h, where no wave errs by more than 0.14 % of its motion at the surface for that: from
+/// w^2 = 2 g/z, which errs most, z > 10 m/s^2 h^2. A place that gains speed on the way is some
+/// centimetres from where it was looked for.
 void look_ahead(const EnvironmentSampler& water, const MovingPlaces& places, double t_s,
                 double ahead_s, CarriedWater& carried);
 

@@ -12,6 +12,10 @@ namespace {
 constexpr double longest_pull_s = 0.1;
 constexpr double longest_look_s = 0.5;
 constexpr double looks_in_period = 10;
+constexpr double pulls_in_period = 20;
+/// A node that goes a metre a second turns its segment by 0.04 rad in a pull, not more.
+constexpr double fastest_turn_m_s = 25;
+constexpr double longest_period_s = 30;  ///< beyond, the period asks for nothing
 
 double mean_period_s(const SeaRealisation& sea) {
   double variance = 0, curvature = 0;
@@ -21,7 +25,7 @@ double mean_period_s(const SeaRealisation& sea) {
     curvature += share * wave.absolute_rad_s * wave.absolute_rad_s;
   }
   // A calm sea, or one that stands still.
-  if (!(curvature > 0)) return looks_in_period * longest_look_s;
+  if (!(curvature > 0)) return longest_period_s;
   return 2 * constants::pi * std::sqrt(variance / curvature);
 }
 
@@ -97,12 +101,13 @@ void pull_eight(std::span<const Agent> agents, std::span<AgentState> states,
 
 }  // namespace
 
-CoarsePlan plan_coarse(double dt_s, const SeaRealisation* sea) noexcept {
-  const double look_s = sea == nullptr
-                            ? longest_look_s
-                            : std::min(longest_look_s, mean_period_s(*sea) / looks_in_period);
+CoarsePlan plan_coarse(double dt_s, const SeaRealisation* sea, double line_m) noexcept {
+  const double period_s = sea == nullptr ? longest_period_s : mean_period_s(*sea);
+  const double look_s = std::min(longest_look_s, period_s / looks_in_period);
+  const double turned_s = line_m > 0 ? line_m / tether_segments / fastest_turn_m_s : longest_pull_s;
+  const double pull_s = std::min({longest_pull_s, period_s / pulls_in_period, turned_s});
   CoarsePlan plan;
-  plan.pull_s = dt_s * parts_within(longest_pull_s, dt_s);
+  plan.pull_s = dt_s * parts_within(pull_s, dt_s);
   plan.look_s = plan.pull_s * parts_within(look_s, plan.pull_s);
   plan.late_s = 0.5 * dt_s;
   return plan;

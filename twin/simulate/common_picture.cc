@@ -1,6 +1,7 @@
 #include "twin/simulate/common_picture.h"
 
 #include "twin/simulate/agent.h"
+#include "twin/simulate/hung_line.h"
 
 namespace slackwater::twin {
 namespace {
@@ -50,7 +51,7 @@ CommonPicture::CommonPicture(std::span<const Agent> agents) : place_(agents.size
     if (!agent.clearance || world_of(agent) != worlds_.end()) continue;
     World& world = worlds_.emplace_back();
     world.water = agent.water.get();
-    world.vessels = agent.clearance->vessels;
+    world.vessels = agent.vessels;
   }
   for (std::size_t i = 0; i < agents.size(); ++i) {
     const auto world = world_of(agents[i]);
@@ -89,13 +90,10 @@ void CommonPicture::publish_craft(std::span<const Agent> agents, std::span<const
     craft.is_there = !is_aboard && (agent.clearance || is_halted);
     if (!agent.clearance && !is_halted && !is_aboard)
       world.passers.push_back({motion.position_m, motion.velocity_m_s, craft.radius_m,
-                               craft.radius_m, craft.claim.top_m, craft.claim.bottom_m, 0});
+                               craft.radius_m, craft.claim.top_m, craft.claim.bottom_m, 0, true});
     if (!agent.tether || is_aboard) continue;
-    auto& nodes = world.nodes[i];
-    nodes.front() = agent.tether_top_m;
-    std::copy(state.tether.node_m.begin(), state.tether.node_m.end(), nodes.begin() + 1);
-    nodes.back() = body.position_m + r.to_ned(agent.tether->attachment_m);
-    world.lines.push_back({nodes, i, state.tether.whole > 0.5});
+    world.nodes[i] = hung_line(agent, state);
+    world.lines.push_back({world.nodes[i], i, state.tether.whole > 0.5});
   }
 }
 
@@ -113,6 +111,12 @@ Lookout CommonPicture::seen_by(const Agent& agent, std::size_t place) const noex
   if (!agent.clearance) return {};
   const Place& at = place_[place];
   const World& world = worlds_[at.world];
+  if (agent.clearance->only_structures)
+    return {std::span(world.craft).subspan(at.in_it, 1),
+            0,
+            agent.water->environment().structures,
+            {},
+            {}};
   return {world.craft, at.in_it,      agent.water->environment().structures,
           world.lines, world.passers, agent.clearance->not_of_concern};
 }

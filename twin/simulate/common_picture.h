@@ -18,9 +18,8 @@ struct AgentState;
 struct Clearance {
   Handling handling;
   StandOff stand_off;
-  /// That keep their courses; shared by all vehicles of the run, null: none.
-  std::shared_ptr<const std::vector<TrafficVessel>> vessels;
   std::vector<std::uint32_t> not_of_concern;  ///< whose tracks it follows
+  bool only_structures = false;               ///< it looks at nothing that moves
 };
 
 /// The clearance of a vehicle: its handling by its autopilot, its upright cylinder by its length,

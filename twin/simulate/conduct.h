@@ -10,6 +10,12 @@ namespace slackwater::twin {
 // says what the vehicle does (its tasks, a hold, the way home); in each step `conducted_reference`
 // gives the reference for that.
 
+/// Where somebody was last known to be, and what he is thought to drift in.
+struct DatumSource {
+  Triple<double> last_known_m;
+  std::shared_ptr<const EnvironmentSampler> water;  ///< the central forecast's
+};
+
 /// A plan for one vehicle with all that is worked out once.
 struct ReadyConduct {
   Conduct plan;
@@ -24,6 +30,8 @@ struct ReadyConduct {
   std::array<double, most_mounts> idle_thruster{};  ///< as they turn when it is launched
   /// The structure that it works at, by its place in the environment; the line winds about it.
   std::optional<std::size_t> worked_at;
+  std::optional<Cleaning> cleaning;
+  std::optional<DatumSource> datum;  ///< of one whose search follows the drift
 };
 /// What it draws at a speed of 0 or more: linear between those of its table, the last two carried
 /// on beyond.
@@ -47,8 +55,10 @@ bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Agent
                   std::vector<StatusChange>& changes);
 
 /// The reference of a step for what it is doing; that of its mission where it has no conduct.
+/// @param datum  the frame of what drifts; the reference of such a task is in it
 [[nodiscard]] Reference conducted_reference(const Agent& agent, const Measured& measured,
-                                            double t_s, AgentState& state);
+                                            const MovingFrame& datum, double t_s,
+                                            AgentState& state);
 /// The route and place that it follows in that.
 [[nodiscard]] const MissionState& way_of(const AgentState& state) noexcept;
 

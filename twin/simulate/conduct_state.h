@@ -7,9 +7,11 @@
 #include "twin/mission/deck_motion.h"
 #include "twin/mission/phase.h"
 #include "twin/mission/tick.h"
-#include "twin/search/mammal_duty.h"
+#include "twin/search/datum.h"
+#include "twin/search/noisy_work.h"
 #include "twin/search/person_search.h"
 #include "twin/simulate/mission.h"
+#include "twin/surface/cleaning.h"
 
 namespace slackwater::twin {
 
@@ -48,7 +50,9 @@ enum class Cause : std::uint8_t {
   gnss,
   thruster,
   tether,
-  held_too_long
+  held_too_long,
+  mammal,    ///< seen in the zone about its work
+  no_watch,  ///< nobody has watched that zone for long enough
 };
 [[nodiscard]] const char* name_of(Cause cause) noexcept;
 
@@ -60,12 +64,19 @@ struct ConductEvent {
   double value = 0;        ///< of that limit's variable then
 };
 
+/// What a mission has taken. Numbers only: they are copied into a checkpoint and back.
+struct Spent {
+  double drawn_j = 0;  ///< electrical
+  double fuel_kg = 0;
+  double charge = 1;  ///< of the battery, left
+};
+
 /// How far a vehicle that conducts itself has come.
 struct ConductState {
   BehaviourState tree;
   Doing doing = Doing::task;
   MissionState way;       ///< of a hold, the way back and the way home
-  Triple<double> left_m;  ///< where its task is taken up again
+  Triple<double> left_m;  ///< where its task is taken up again, in the frame of that
   Phase phase = Phase::transit;
   Cause cause = Cause::none;  ///< of what it does instead of its task
   std::size_t cause_detail = 0;
@@ -87,12 +98,17 @@ struct ConductState {
   std::size_t snag_node = 0;  ///< of the line's inner nodes; meaningless where it is free
   Triple<double> aim_m;       ///< how far off the plan the pilot aims
   Rng pilot_rng{0, ""};
+  Spent at_end;             ///< once it has ended: what comes then is no part of the mission
   bool has_ended = false;   ///< its tree: nothing more comes
   bool has_turned = false;  ///< for home, before its tasks were done
   bool is_snagged = false;
   bool is_aboard = false;  ///< its carrier, or at home on something firm: it is not stepped
   SearchState search;
+  DatumState datum;          ///< of a search that follows the drift
+  Triple<double> frame_m_s;  ///< velocity of the frame that its autopilot goes by
   MammalDutyState mammals;
+  NoisyWorkState noisy;
+  CleaningState cleaning;
   std::vector<ConductEvent> events;
 };
 

@@ -58,10 +58,10 @@ const MissionState& way_of(const AgentState& state) noexcept {
   return state.conduct.doing == Doing::task ? state.mission : state.conduct.way;
 }
 
-Reference conducted_reference(const Agent& agent, const Measured& measured, double t_s,
-                              AgentState& state) {
+Reference conducted_reference(const Agent& agent, const Measured& measured,
+                              const MovingFrame& datum, double t_s, AgentState& state) {
   const bool is_at_task = state.conduct.doing == Doing::task;
-  Reference reference = next_reference(agent.mission, measured, t_s, agent.plan.dt_s,
+  Reference reference = next_reference(agent.mission, measured, datum, t_s, agent.plan.dt_s,
                                        is_at_task ? state.mission : state.conduct.way);
   // Whoever holds or comes home does so by itself.
   if (!agent.conduct || !is_at_task) return reference;
@@ -71,7 +71,12 @@ Reference conducted_reference(const Agent& agent, const Measured& measured, doub
       agent.mission.tasks[state.mission.task].kind == ScenarioTask::Kind::aboard;
   if (plan.autonomy == Autonomy::automatic || comes_aboard) return reference;
   let_pilot_aim(plan.pilot, agent, reference, state.conduct);
-  if (plan.autonomy == Autonomy::shared) keep_inside(*agent.conduct, agent, reference);
+  if (plan.autonomy != Autonomy::shared) return reference;
+  // Structures and fences are of the ground.
+  const Triple<double> offset_m = state.mission.offset_m;
+  reference.position_m = reference.position_m + offset_m;
+  keep_inside(*agent.conduct, agent, reference);
+  reference.position_m = reference.position_m - offset_m;
   return reference;
 }
 

@@ -133,4 +133,15 @@ BedSample EnvironmentSampler::bed(const Triple<double>& position_m) const noexce
   return sample;
 }
 
+std::shared_ptr<const EnvironmentSampler> sampler_of(
+    const std::shared_ptr<const Environment>& environment) {
+  struct Kept {
+    std::shared_ptr<const Environment> environment;
+    EnvironmentSampler sampler;
+  };
+  const auto kept =
+      std::make_shared<const Kept>(Kept{environment, EnvironmentSampler(*environment)});
+  return {kept, &kept->sampler};
+}
+
 }  // namespace slackwater::twin

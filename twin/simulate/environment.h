@@ -93,4 +93,8 @@ class EnvironmentSampler {
   DegreesPerMetre per_m_;
 };
 
+/// A sampler that keeps its environment alive, so that agents outlive what they were set up from.
+[[nodiscard]] std::shared_ptr<const EnvironmentSampler> sampler_of(
+    const std::shared_ptr<const Environment>& environment);
+
 }  // namespace slackwater::twin

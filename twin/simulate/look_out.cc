@@ -23,15 +23,6 @@ std::optional<SearchWater> water_at(const EnvironmentSampler& environment,
   return SearchWater{water.current_m_s, wind.velocity_m_s, sea.sea.significant_height_m};
 }
 
-Triple<double> last_known_m(const PersonSearch& search, const Agent& agent,
-                            const Triple<double>& start_m) {
-  if (search.last_known_m) return *search.last_known_m;
-  for (const ScenarioTask& task : agent.mission.tasks)
-    if (task.phase == Phase::work && !task.waypoints.empty())
-      return task.waypoints.front().position_m;
-  return start_m;
-}
-
 Triple<double> noise_m(const MammalDuty& duty, const Agent& agent, const ReadyConduct& conduct,
                        const Triple<double>& start_m) {
   if (duty.noise_m) return *duty.noise_m;
@@ -69,6 +60,15 @@ void watch(const Agent& agent, const MammalDuty& duty, double t_s, AgentState& s
 void load_look_outs(Conduct& plan, const std::filesystem::path& data_folder) {
   if (plan.search) load(*plan.search, data_folder);
   if (plan.mammals) load(*plan.mammals, data_folder);
+}
+
+Triple<double> last_known_m(const PersonSearch& search, const Agent& agent,
+                            const Triple<double>& start_m) {
+  if (search.last_known_m) return *search.last_known_m;
+  for (const ScenarioTask& task : agent.mission.tasks)
+    if (task.phase == Phase::work && !task.waypoints.empty())
+      return task.waypoints.front().position_m;
+  return start_m;
 }
 
 void begin_look_outs(const Agent& agent, const ReadyConduct& conduct, std::uint64_t seed,

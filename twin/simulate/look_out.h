@@ -9,9 +9,13 @@ namespace slackwater::twin {
 /// @throws Error(invalid_input)
 void load_look_outs(Conduct& plan, const std::filesystem::path& data_folder);
 
-/// The search and the watch of a vehicle at the start of a run, in the water that it lives in. A
-/// search without a last known position has it at the first waypoint of the vehicle's work, or
-/// where it starts; noise without a place is at the structure that it works at, or where it starts.
+/// Where whom a vehicle searches for was last known to be: as its plan says, or at the first
+/// waypoint of its work, or where it starts.
+[[nodiscard]] Triple<double> last_known_m(const PersonSearch& search, const Agent& agent,
+                                          const Triple<double>& start_m);
+
+/// The search and the watch of a vehicle at the start of a run, in the water that it lives in.
+/// Noise without a place is at the structure that it works at, or where it starts.
 /// @param begun  with the start as `left_m`
 /// @throws Error(invalid_input) where the forecast has no water or wind at the last known position
 void begin_look_outs(const Agent& agent, const ReadyConduct& conduct, std::uint64_t seed,

@@ -44,15 +44,35 @@ ThrustRange range_of(const Thruster& thruster, double voltage_v) {
           most.thrust_n > 0 ? most.torque_n_m / most.thrust_n : 0};
 }
 
+/// Steady water looked up each half metre down and taken in a straight line between: a line is
+/// moved hundreds of times before it is at rest.
+SteadyWater tabulated(const SteadyWater& water, double deepest_m) {
+  constexpr double step_m = 0.5;
+  std::vector<Triple<double>> at;
+  for (double depth_m = 0; depth_m < deepest_m + step_m; depth_m += step_m)
+    at.push_back(water(depth_m));
+  return [at = std::move(at)](double depth_m) {
+    const double last = static_cast<double>(at.size() - 1);
+    const double place = std::clamp(depth_m / step_m, 0.0, last);
+    const auto above = std::min(static_cast<std::size_t>(place), at.size() - 2);
+    const double share = place - static_cast<double>(above);
+    return (1 - share) * at[above] + share * at[above + 1];
+  };
+}
+
 /// The tether as it has come to rest in the current of the start, above and below the vehicle.
 TetherState<double> hung_out(const Agent& agent, const Triple<double>& end_m, double length_m) {
-  const auto current_m_s = [&](double depth_m) {
+  const SteadyWater found_m_s = [&](double depth_m) {
     // No water at the bed and beyond: the line lies still there.
     return agent.water->current({end_m.x, end_m.y, depth_m}, 0, 0).current_m_s;
   };
   const Triple<double>& top_m = agent.tether_top_m;
-  return hung(*agent.tether, laid_out(*agent.tether, top_m, end_m, length_m, current_m_s(end_m.z)),
-              top_m, end_m, current_m_s);
+  const TetherState<double> laid =
+      laid_out(*agent.tether, top_m, end_m, length_m, found_m_s(end_m.z));
+  if (!agent.coarse) return hung(*agent.tether, laid, top_m, end_m, found_m_s);
+  // No node hangs deeper.
+  const double deepest_m = std::max({top_m.z, end_m.z, 0.0}) + 0.5 * length_m;
+  return hung_roughly(*agent.tether, laid, top_m, end_m, tabulated(found_m_s, deepest_m));
 }
 
 }  // namespace
@@ -103,7 +123,8 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
                   "detail: coarse is for what swims under water; a " + vehicle->name +
                       " meets wind or waves at each step: leave `detail` out");
     }
-    agent.coarse = plan_coarse(agent.plan.dt_s, water->environment().sea.get());
+    agent.coarse = plan_coarse(agent.plan.dt_s, water->environment().sea.get(),
+                               entry.tether ? entry.tether->length_m : 0);
   }
   agent.vehicle = std::move(vehicle);
   agent.water = std::move(water);

@@ -63,7 +63,8 @@ bool waits(const ScenarioTask& task) {
   return task.kind == ScenarioTask::Kind::hold || task.kind == ScenarioTask::Kind::aboard;
 }
 
-void begin_task(const Mission& mission, const Measured& measured, MissionState& state) {
+void begin_task(const Mission& mission, const Measured& measured, const Triple<double>& offset_m,
+                MissionState& state) {
   const ScenarioTask& task = mission.tasks[state.task];
   state.has_begun = true;
   state.held_s = 0;
@@ -76,7 +77,8 @@ void begin_task(const Mission& mission, const Measured& measured, MissionState& 
     state.track_drift_m_s = {};
     return;
   }
-  state.route = Route(state.task == 0 ? measured.position_m : state.kept_m, task.waypoints);
+  const Triple<double>& from_m = state.task == 0 ? measured.position_m : state.kept_m;
+  state.route = Route(task.drifts ? from_m - offset_m : from_m, task.waypoints);
   state.followed_yaw_rad = euler_angles(measured.attitude).yaw_rad;
   state.follower = {};
 }
@@ -96,13 +98,23 @@ MissionState begun(const Measured& measured) {
   return state;
 }
 
-Reference next_reference(const Mission& mission, const Measured& measured, double t_s, double dt_s,
-                         MissionState& state) {
+bool drifts(const Mission& mission, const MissionState& state) noexcept {
+  return !state.is_rerouted && state.task < mission.tasks.size() &&
+         mission.tasks[state.task].drifts;
+}
+
+Reference next_reference(const Mission& mission, const Measured& over_ground,
+                         const MovingFrame& datum, double t_s, double dt_s, MissionState& state) {
   // Each pass ends a task or a route, and there are finitely many.
   while (true) {
+    const bool is_adrift = drifts(mission, state);
+    // What a route is followed by: places and attitude, which do without the water.
+    const Measured in_datum = is_adrift ? seen_from(datum, over_ground, false) : Measured{};
+    const Measured& measured = is_adrift ? in_datum : over_ground;
+    state.offset_m = is_adrift ? datum.offset_m : Triple<double>{};
     state.is_done = state.task >= mission.tasks.size();
     if (!state.is_done && !state.has_begun && !state.is_rerouted)
-      begin_task(mission, measured, state);
+      begin_task(mission, over_ground, datum.offset_m, state);
     const ScenarioTask* task = state.is_done ? nullptr : &mission.tasks[state.task];
     const bool follows = task != nullptr && task->kind == ScenarioTask::Kind::follow_track;
     if (follows && !state.is_rerouted) {
@@ -136,7 +148,8 @@ Reference next_reference(const Mission& mission, const Measured& measured, doubl
       state.waypoints_taken += state.route.next() - before;
       if (!state.route.is_done()) return reference;
     }
-    state.kept_m = state.route.is_empty() ? measured.position_m : state.route.to().position_m;
+    state.kept_m = state.route.is_empty() ? over_ground.position_m : state.route.to().position_m;
+    if (is_adrift && !state.route.is_empty()) state.kept_m = state.kept_m + datum.offset_m;
     state.kept_heading = bow_course(measured.attitude);
     state.is_rerouted = false;
     if (!holds && !follows) end_task(mission, state);
@@ -151,9 +164,10 @@ void replace_waypoints(MissionState& state, const Measured& measured,
   state.followed_yaw_rad = euler_angles(measured.attitude).yaw_rad;
 }
 
-TrackError track_error(const MissionState& state, const Triple<double>& position_m) noexcept {
+TrackError track_error(const MissionState& state, const Triple<double>& at_m) noexcept {
   const bool has_leg = state.is_rerouted || (!state.is_done && state.has_begun);
-  if (!has_leg || state.route.is_done()) return {0, position_m.z - state.kept_m.z};
+  if (!has_leg || state.route.is_done()) return {0, at_m.z - state.kept_m.z};
+  const Triple<double> position_m = at_m - state.offset_m;
   const Triple<double>& from = state.route.from();
   const Triple<double> to = state.route.to().position_m;
   const LegPlace place = place_on_leg(from, to, position_m);

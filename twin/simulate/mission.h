@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "twin/control/guidance.h"
+#include "twin/control/moving_frame.h"
 #include "twin/control/waypoint_follower.h"
 #include "twin/simulate/scenario.h"
 #include "twin/traffic/pursuit.h"
@@ -34,6 +35,7 @@ struct MissionState {
   FollowerState follower;
   double followed_yaw_rad = 0;
   Triple<double> track_drift_m_s;  ///< learned while a track is followed
+  Triple<double> offset_m;         ///< of the frame that the route is in
 };
 
 /// The vehicle before its first task, which is to begin where it is.
@@ -42,14 +44,21 @@ struct MissionState {
 /// Ends the task under way.
 void end_task(const Mission& mission, MissionState& state);
 
+/// Whether what is done now is in the frame of the vehicle's datum.
+[[nodiscard]] bool drifts(const Mission& mission, const MissionState& state) noexcept;
+
 /// The reference of a step, and moves the mission on: takes waypoints that are reached, goes to the
 /// next task when one is done. On a route the place is the foot of the vehicle on its leg and the
 /// velocity that of the leg; after its end, and in a hold, it is a station. A track is followed in
 /// time while it is known: before it begins and where it is silent the vehicle waits, and where it
 /// ends so does the task.
-/// @param t_s  since the run's epoch
-[[nodiscard]] Reference next_reference(const Mission& mission, const Measured& measured, double t_s,
-                                       double dt_s, MissionState& state);
+/// A task that drifts is done in the frame of the datum, and so is its reference; the place that is
+/// kept after it is over ground.
+/// @param t_s    since the run's epoch
+/// @param datum  the frame that drifting tasks are in
+[[nodiscard]] Reference next_reference(const Mission& mission, const Measured& measured,
+                                       const MovingFrame& datum, double t_s, double dt_s,
+                                       MissionState& state);
 
 /// Puts other waypoints in the place of what is left of the route under way; a hold goes on at the
 /// last of them, and so does a vehicle that has done all its tasks. The leg starts at the vehicle.

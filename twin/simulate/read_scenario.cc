@@ -133,6 +133,13 @@ ScenarioTask read_task(const Config& config) {
                     "found " + *word + ", expected transit, launch, work, recovery or return");
     task.phase = *phase;
   }
+  if (const auto frame = config.optional_text("frame")) {
+    if (*frame != "fixed" && *frame != "drifting")
+      config.refuse("frame", "found " + *frame + ", expected fixed or drifting");
+    if (task.waypoints.empty())
+      config.refuse("frame", "found at a task without waypoints, which have a frame; leave it out");
+    task.drifts = *frame == "drifting";
+  }
   if (!task.waypoints.empty()) {
     const AskedSpeed asked = read_speed(config);
     for (Waypoint& waypoint : task.waypoints)
@@ -205,6 +212,12 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
     vehicle.conduct = read_conduct(*conduct);
   vehicle.keeps_clear = config.optional_flag("keeps_clear").value_or(true);
   for (const Config& task : config.children("tasks")) vehicle.tasks.push_back(read_task(task));
+  const bool drifts = std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(),
+                                  [](const auto& task) { return task.drifts; });
+  if (drifts && (!vehicle.conduct || !vehicle.conduct->search))
+    config.refuse("tasks",
+                  "found frame: drifting, and nobody is searched for whose drift it would be; "
+                  "give the vehicle's conduct a search, or say frame: fixed");
   const bool goes_aboard =
       vehicle.carrier || std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), [](const auto& t) {
         return t.kind == ScenarioTask::Kind::aboard;

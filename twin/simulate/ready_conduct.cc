@@ -7,6 +7,7 @@
 #include "twin/body/frame.h"
 #include "twin/mission/way_round.h"
 #include "twin/simulate/conduct.h"
+#include "twin/simulate/follow_datum.h"
 #include "twin/simulate/look_out.h"
 #include "twin/vehicle/cruise_power.h"
 #include "twin/vehicle/hover.h"
@@ -44,6 +45,19 @@ std::optional<std::size_t> worked_at(const Agent& agent, const Triple<double>& s
   return nearest;
 }
 
+/// Where its work leads, with the speed on the way to each place.
+std::vector<Waypoint> way_of_work(const Agent& agent) {
+  std::vector<Waypoint> way;
+  for (const ScenarioTask& task : agent.mission.tasks) {
+    if (task.phase != Phase::work) continue;
+    for (Waypoint at : task.waypoints) {
+      if (!(at.speed_m_s > 0)) at.speed_m_s = agent.mission.guidance.speed_m_s;
+      way.push_back(at);
+    }
+  }
+  return way;
+}
+
 /// Of the hull with the water that moves along: its mass matrix, heave and pitch.
 double bow_mass_of(const Agent& agent, const Triple<double>& deck_point_m) {
   const Body& body = agent.vehicle->body;
@@ -76,6 +90,10 @@ ReadyConduct ready_conduct(const Conduct& plan, const Agent& agent, const Triple
   if (plan.deck_point_m && agent.vehicle->body.hull.strips > 0)
     ready.bow_mass_kg = bow_mass_of(agent, *plan.deck_point_m);
   ready.worked_at = worked_at(agent, start_m);
+  ready.datum = datum_source(agent, plan, start_m);
+  if (plan.cleaning)
+    ready.cleaning =
+        ready_cleaning(*plan.cleaning, agent.water->environment().structures, way_of_work(agent));
   return ready;
 }
 
@@ -113,6 +131,11 @@ ConductState begun(const ReadyConduct& conduct, const Agent& agent, const AgentS
                                        word_of(limit.variable).key))));
   }
   begin_look_outs(agent, conduct, seed, out);
+  if (conduct.datum) out.datum = begin_datum(*conduct.datum, *conduct.plan.search);
+  // What begins in the frame of its datum has learned nothing in another.
+  if (drifts(agent.mission, state.mission)) out.frame_m_s = out.datum.velocity_m_s;
+  if (conduct.cleaning) out.cleaning = begin_cleaning(*conduct.cleaning);
+  out.noisy.noisy_s.reserve(32);
   out.events.reserve(32);
   return out;
 }

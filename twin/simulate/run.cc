@@ -26,6 +26,7 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
       states_(std::move(states)),
       seen_(states_.size()),
       picture_(agents_),
+      approaches_(agents_),
       block_(settings.path ? step_block_on(*settings.path) : step_block()),
       pull_(settings.path ? pull_block_on(*settings.path) : pull_block()),
       scheduler_(settings.seed, settings.step_s, settings.threads) {
@@ -59,7 +60,12 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
     tick_behaviours(time);
   });
   publish();
-  scheduler_.at_barrier([this](const StepTime&) { publish(); });
+  approaches_.begin(states_, 0);
+  approaches_.look(agents_, states_, 0);
+  scheduler_.at_barrier([this](const StepTime&) {
+    publish();
+    approaches_.look(agents_, states_, time_s());
+  });
 }
 
 void Run::publish() {
@@ -189,27 +195,55 @@ void Run::take_commands(std::uint64_t step) {
   }
   for (Command& command : due) {
     apply(command, agents_[command.agent], states_[command.agent]);
+    approaches_.put(command.agent, states_[command.agent]);
     command.step = step;
     taken_.push_back(std::move(command));
   }
 }
 
+/// Before anybody decides anything: what a watch sees in a tick is heard at the next, whoever of
+/// the two stands first in the run.
+void Run::hear_watches(const StepTime& time) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_[i];
+    if (!agent.zone || time.step % agent.conduct->steps_per_tick != 0) continue;
+    ZoneReport report;
+    for (const std::size_t watcher : agent.zone->watchers) {
+      const AgentState& watch = states_[watcher];
+      add_to(report, watch.conduct.mammals, watch.halt == Halt::none && !watch.conduct.has_ended);
+    }
+    hear(agent.zone->rule, report, time.start_s, states_[i].conduct.noisy);
+  }
+}
+
 void Run::tick_behaviours(const StepTime& time) {
+  hear_watches(time);
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const Agent& agent = agents_[i];
     if (!agent.conduct || time.step % agent.conduct->steps_per_tick != 0) continue;
+    if (states_[i].is_retired) continue;
     (void)states();
     const AgentState* carrier = agent.carrier ? &states_[*agent.carrier] : nullptr;
-    if (tick_conduct(agent, time.start_s, states_[i], carrier, changes_))
-      for (Group& group : groups_) group.is_loaded = false;
+    if (!tick_conduct(agent, time.start_s, states_[i], carrier, changes_)) continue;
+    approaches_.put(i, states_[i]);
+    for (Group& group : groups_) group.is_loaded = false;
   }
+}
+
+bool Run::has_ended(std::size_t index) const noexcept {
+  const AgentState& state = states_[index];
+  return !agents_[index].conduct || state.halt != Halt::none || state.conduct.has_ended;
 }
 
 bool Run::all_ended() const noexcept {
   for (std::size_t i = 0; i < states_.size(); ++i)
-    if (agents_[i].conduct && states_[i].halt == Halt::none && !states_[i].conduct.has_ended)
-      return false;
+    if (!has_ended(i)) return false;
   return true;
+}
+
+void Run::retire(std::size_t index) {
+  (void)states();
+  states_[index].is_retired = true;
 }
 
 Run::Checkpoint Run::checkpoint() {
@@ -243,6 +277,7 @@ void Run::restore(const Checkpoint& checkpoint) {
     group.is_ahead = false;
   }
   scheduler_.resume_at(checkpoint.steps_made);
+  approaches_.begin(states_, time_s());
   publish();
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "twin/simulate/approach_watch.h"
 #include "twin/simulate/command_queue.h"
 #include "twin/simulate/scheduler.h"
 #include "twin/simulate/step_dispatch.h"
@@ -60,8 +61,11 @@ class Run {
   [[nodiscard]] std::span<const AgentState> states();
   [[nodiscard]] double time_s() const noexcept;
   [[nodiscard]] std::uint64_t steps_made() const noexcept { return scheduler_.steps_made(); }
+  /// Between steps: a vehicle that is not stepped from now on. What it met, drew and felt stays.
+  void retire(std::size_t index);
   [[nodiscard]] bool all_halted() const noexcept;
-  /// Those that conduct themselves: halted, or at the end of it.
+  /// One that conducts itself: halted, or at the end of it; of others there is nothing to wait for.
+  [[nodiscard]] bool has_ended(std::size_t index) const noexcept;
   [[nodiscard]] bool all_ended() const noexcept;
 
   /// All that a run needs to go on as it would have.
@@ -92,6 +96,7 @@ class Run {
   void unload(Group& group);
   void halt_lane(Group& group, std::size_t lane, const VehicleState<Eight>& last);
   void take_commands(std::uint64_t step);
+  void hear_watches(const StepTime& time);
   void tick_behaviours(const StepTime& time);
   void publish();
   void step_group(Group& group, const StepTime& time);
@@ -101,6 +106,7 @@ class Run {
   std::vector<AgentState> states_;
   std::vector<Seen> seen_;
   CommonPicture picture_;
+  ApproachWatch approaches_;
   std::deque<Group> groups_;  ///< that does not move its members
   StepBlock block_;
   PullBlock pull_;

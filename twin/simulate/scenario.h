@@ -67,8 +67,10 @@ struct ScenarioTask {
   enum class Kind { route, hold, lawn_mower, orbit, depth_sweep, follow_track, aboard };
   Phase phase = Phase::work;  ///< what it belongs to
   Kind kind = Kind::route;
-  std::vector<Waypoint> waypoints;      ///< of routes and patterns, these already laid out
-  double hold_s = 0;                    ///< of `hold` and `aboard`; infinite: to the end
+  std::vector<Waypoint> waypoints;  ///< of routes and patterns, these already laid out
+  double hold_s = 0;                ///< of `hold` and `aboard`; infinite: to the end
+  /// Its waypoints are places about the datum of the vehicle's search, and drift with that.
+  bool drifts = false;
   std::optional<TrackToFollow> follow;  ///< of `follow_track`
   /// Of `aboard`, where it goes at its carrier's, or at home: what becomes of its battery. Charged
   /// with so much power; infinite: another one is put in at the end; 0: it stays as it is.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "fields/base/error.h"
@@ -87,18 +88,6 @@ std::shared_ptr<const FarmFlow> wakes_of(const Scenario& scenario, const Surroun
                                     FarmSettings{});
 }
 
-/// A sampler that keeps its environment alive, so that agents outlive what they were set up from.
-std::shared_ptr<const EnvironmentSampler> sampler_of(
-    const std::shared_ptr<const Environment>& environment) {
-  struct Kept {
-    std::shared_ptr<const Environment> environment;
-    EnvironmentSampler sampler;
-  };
-  const auto kept =
-      std::make_shared<const Kept>(Kept{environment, EnvironmentSampler(*environment)});
-  return {kept, &kept->sampler};
-}
-
 /// A way that touches a structure does not lead through it.
 bool leads_through(const ScenarioStructure& s, const Triple<double>& from_m,
                    const Triple<double>& to_m) {
@@ -176,6 +165,12 @@ void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const
   }
 }
 
+/// A pattern that comes along over ground comes to what stands there.
+bool has_drifting_task(const ScenarioVehicle& entry) {
+  return std::any_of(entry.tasks.begin(), entry.tasks.end(),
+                     [](const ScenarioTask& task) { return task.drifts; });
+}
+
 /// The place of a vehicle's carrier in the run.
 std::size_t carrier_of(const Scenario& scenario, const ScenarioVehicle& entry) {
   for (std::size_t i = 0; i < scenario.vehicles.size(); ++i)
@@ -184,6 +179,53 @@ std::size_t carrier_of(const Scenario& scenario, const ScenarioVehicle& entry) {
       return i;
   refuse("vehicle " + entry.name + ": carrier: found " + entry.carrier->name +
          ", expected the name of another vehicle that nobody carries");
+}
+
+/// Put there first, where it is missing.
+const std::shared_ptr<const Vehicle>& taken_from(VehicleShelf& shelf,
+                                                 const std::filesystem::path& file,
+                                                 const std::filesystem::path& data_folder) {
+  auto& vehicle = shelf[file];
+  if (!vehicle) vehicle = std::make_shared<const Vehicle>(read_vehicle(file, data_folder));
+  return vehicle;
+}
+
+/// The place of the vehicle whose work the watch of another one hears.
+std::size_t noisy_of(const Scenario& scenario, const ScenarioVehicle& watch) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
+    const ScenarioVehicle& other = scenario.vehicles[i];
+    const bool works =
+        other.conduct && std::any_of(other.tasks.begin(), other.tasks.end(),
+                                     [](const auto& task) { return task.phase == Phase::work; });
+    if (!works || other.name == watch.name) continue;
+    if (other.name == watch.conduct->mammals->noise_by) return i;
+    others.push_back(other.name);
+  }
+  refuse("vehicle " + watch.name + ": noise_by: found " + watch.conduct->mammals->noise_by +
+         ", expected another vehicle that conducts itself and has work to do" +
+         (others.empty() ? std::string(", of which there is none") : ": " + joined(others, ", ")));
+}
+
+/// Whose work is noisy waits for the word of all who watch for that.
+void tie_watches(const Scenario& scenario, std::vector<Agent>& agents) {
+  std::string tied, loose;
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
+    const ScenarioVehicle& watch = scenario.vehicles[i];
+    if (!watch.conduct || !watch.conduct->mammals) continue;
+    const MammalDuty& duty = *watch.conduct->mammals;
+    (duty.noise_by.empty() ? loose : tied) = watch.name;
+    if (duty.noise_by.empty()) continue;
+    auto& zone = agents[noisy_of(scenario, watch)].zone;
+    if (!zone) zone.emplace();
+    zone->watchers.push_back(i);
+    zone->rule.clear_for_s = std::max(zone->rule.clear_for_s, duty.noise.watch_s);
+    zone->rule.again_after_s =
+        std::max(zone->rule.again_after_s, duty.again_after_s.value_or(duty.noise.watch_s));
+  }
+  if (!tied.empty() && !loose.empty())
+    refuse("vehicle " + loose + ": watches for mammals without noise_by, and " + tied +
+           " with it; say at both whose work is the noise, or at none");
 }
 
 /// By what an autopilot is worked out from.
@@ -217,6 +259,15 @@ std::filesystem::path vehicle_file(const std::string& model,
   std::sort(ids.begin(), ids.end());
   refuse("model: found " + model + ", expected one of " + joined(ids, ", ") +
          ", or the path of a file");
+}
+
+VehicleShelf read_vehicles(const Scenario& scenario, const std::filesystem::path& data_folder) {
+  VehicleShelf shelf;
+  for (const ScenarioVehicle& entry : scenario.vehicles)
+    with_context("vehicle " + entry.name, [&] {
+      (void)taken_from(shelf, vehicle_file(entry.model, data_folder), data_folder);
+    });
+  return shelf;
 }
 
 GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept {
@@ -269,7 +320,8 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   }
   ready.environment = std::make_shared<const Environment>(std::move(environment));
   const std::shared_ptr<const EnvironmentSampler> water = sampler_of(ready.environment);
-  std::map<std::filesystem::path, std::shared_ptr<const Vehicle>> vehicles;
+  VehicleShelf vehicles = surround.vehicles;
+  std::set<const Vehicle*> named;  // whose warnings are told
   ready.vessels = vessels_of(scenario, surround);
   const auto around = std::make_shared<const std::vector<TrafficVessel>>(ready.vessels);
   Autopilots autopilots;
@@ -277,12 +329,10 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     ScenarioVehicle entry;
     with_context("vehicle " + listed.name, [&] {
       const std::filesystem::path file = vehicle_file(listed.model, surround.data_folder);
-      auto& vehicle = vehicles[file];
-      if (!vehicle) {
-        vehicle = std::make_shared<const Vehicle>(read_vehicle(file, surround.data_folder));
+      const auto& vehicle = taken_from(vehicles, file, surround.data_folder);
+      if (named.insert(vehicle.get()).second)
         for (const std::string& warning : vehicle->warnings)
           ready.warnings.push_back(file.filename().string() + ": " + warning);
-      }
       entry = with_tracks(listed, *vehicle, ready.vessels, scenario.duration_s);
       if (entry.conduct) load_look_outs(*entry.conduct, surround.data_folder);
       ready.agents.push_back(make_agent(vehicle, water, entry, scenario.step_s));
@@ -295,13 +345,17 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     with_context("vehicle " + entry.name,
                  [&] { ready.states.push_back(first_state(agent, entry, scenario.seed)); });
     if (entry.carrier) agent.carrier = carrier_of(scenario, entry);
+    agent.vessels = around;
     if (scenario.clearance && entry.keeps_clear) {
       agent.clearance = clearance_of(agent, *scenario.clearance, entry, scenario.step_s);
-      agent.clearance->vessels = around;
+    } else if (entry.keeps_clear && has_drifting_task(entry)) {
+      agent.clearance = clearance_of(agent, {}, entry, scenario.step_s);
+      agent.clearance->only_structures = true;
     }
     for (std::string& warning : too_fast_tracks(agent, scenario.duration_s))
       ready.warnings.push_back(std::move(warning));
   }
+  tie_watches(scenario, ready.agents);
   return ready;
 }
 

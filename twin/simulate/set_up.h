@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,9 @@
 
 namespace slackwater::twin {
 
+/// Vehicles by their files.
+using VehicleShelf = std::map<std::filesystem::path, std::shared_ptr<const Vehicle>>;
+
 /// What a scenario needs from outside.
 struct Surround {
   std::shared_ptr<const Field> field;
@@ -17,6 +21,7 @@ struct Surround {
   std::shared_ptr<const Turbine> turbine;  ///< of all of them
   std::filesystem::path data_folder;       ///< vehicles/, thrusters/, batteries/
   std::vector<TrafficVessel> vessels;      ///< of the logs of AIS, on the plane of the origin
+  VehicleShelf vehicles;  ///< read already, for many runs of a scenario; others are read
 };
 
 /// A scenario made ready: everything is checked, nothing has moved yet.
@@ -35,6 +40,10 @@ struct ReadyRun {
 /// start on land, below the bed or in a structure, a way through a structure, an unphysical
 /// vehicle.
 [[nodiscard]] ReadyRun set_up(const Scenario& scenario, const Surround& surround);
+
+/// The vehicles of a scenario, read. @throws Error(invalid_input) that names the vehicle
+[[nodiscard]] VehicleShelf read_vehicles(const Scenario& scenario,
+                                         const std::filesystem::path& data_folder);
 
 /// The file of a vehicle: data_folder/vehicles/MODEL.yaml, or the path that `model` is.
 /// @throws Error(invalid_input) that lists the known ones where there is neither

@@ -34,9 +34,13 @@ inline constexpr bool is_numbers<HeadwayState> = true;
 template <>
 inline constexpr bool is_numbers<ClearanceState> = true;
 template <>
+inline constexpr bool is_numbers<NearestPasses> = true;
+template <>
 inline constexpr bool is_numbers<CoarseState> = true;
 template <>
 inline constexpr bool is_numbers<Milestones> = true;
+template <>
+inline constexpr bool is_numbers<Spent> = true;
 template <>
 inline constexpr bool is_numbers<DeckMotion> = true;
 template <>
@@ -51,6 +55,8 @@ template <>
 inline constexpr bool is_numbers<Drifter> = true;
 template <>
 inline constexpr bool is_numbers<Mammal> = true;
+template <>
+inline constexpr bool is_numbers<DatumState> = true;
 
 template <typename S, typename T>
 concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
@@ -58,7 +64,8 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, conduct, clearance,
-         coarse, milestones, halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n] = s;
+         nearest, coarse, milestones, halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n,
+         is_retired] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
@@ -69,6 +76,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("headway", headway);
   visit("conduct", conduct);
   visit("clearance", clearance);
+  visit("nearest", nearest);
   visit("coarse", coarse);
   visit("milestones", milestones);
   visit("halt", halt);
@@ -77,12 +85,13 @@ void for_each_member(S& s, Visit&& visit) {
   visit("wind_m_s", wind_m_s);
   visit("elevation_m", elevation_m);
   visit("tether_n", tether_n);
+  visit("is_retired", is_retired);
 }
 
 template <MaybeConst<MissionState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [task, has_begun, is_done, held_s, kept_m, kept_heading, route, is_rerouted,
-         waypoints_taken, follower, followed_yaw_rad, track_drift_m_s] = s;
+         waypoints_taken, follower, followed_yaw_rad, track_drift_m_s, offset_m] = s;
   visit("task", task);
   visit("has_begun", has_begun);
   visit("is_done", is_done);
@@ -95,14 +104,16 @@ void for_each_member(S& s, Visit&& visit) {
   visit("follower", follower);
   visit("followed_yaw_rad", followed_yaw_rad);
   visit("track_drift_m_s", track_drift_m_s);
+  visit("offset_m", offset_m);
 }
 
 template <MaybeConst<ConductState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [tree, doing, way, left_m, phase, cause, cause_detail, cause_value, exceeded_s, faults,
          extra_power_w, drawn_j, wound_rad, bearing_rad, deck, energy_left_j, energy_home_j, held_s,
-         least_charge, most_share, boarding_m, snag_m, snag_node, aim_m, pilot_rng, has_ended,
-         has_turned, is_snagged, is_aboard, search, mammals, events] = s;
+         least_charge, most_share, boarding_m, snag_m, snag_node, aim_m, pilot_rng, at_end,
+         has_ended, has_turned, is_snagged, is_aboard, search, datum, frame_m_s, mammals, noisy,
+         cleaning, events] = s;
   visit("tree", tree);
   visit("doing", doing);
   visit("way", way);
@@ -128,12 +139,17 @@ void for_each_member(S& s, Visit&& visit) {
   visit("snag_node", snag_node);
   visit("aim_m", aim_m);
   visit("pilot_rng", pilot_rng);
+  visit("at_end", at_end);
   visit("has_ended", has_ended);
   visit("has_turned", has_turned);
   visit("is_snagged", is_snagged);
   visit("is_aboard", is_aboard);
   visit("search", search);
+  visit("datum", datum);
+  visit("frame_m_s", frame_m_s);
   visit("mammals", mammals);
+  visit("noisy", noisy);
+  visit("cleaning", cleaning);
   visit("events", events);
 }
 
@@ -161,6 +177,34 @@ void for_each_member(S& s, Visit&& visit) {
   visit("watched_s", watched_s);
   visit("inside_s", inside_s);
   visit("until_s", until_s);
+}
+
+template <MaybeConst<NoisyWorkState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [clear_since_s, noisy_s, stops, is_clear, is_seen] = s;
+  visit("clear_since_s", clear_since_s);
+  visit("noisy_s", noisy_s);
+  visit("stops", stops);
+  visit("is_clear", is_clear);
+  visit("is_seen", is_seen);
+}
+
+template <MaybeConst<CleaningState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [patches, along_m, down_m, worked_s, patch, is_on] = s;
+  visit("patches", patches);
+  visit("along_m", along_m);
+  visit("down_m", down_m);
+  visit("worked_s", worked_s);
+  visit("patch", patch);
+  visit("is_on", is_on);
+}
+
+template <MaybeConst<PatchState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [growth_nm, removed_nm] = s;
+  visit("growth_nm", growth_nm);
+  visit("removed_nm", removed_nm);
 }
 
 template <MaybeConst<MammalsState> S, typename Visit>

@@ -2,6 +2,7 @@
 
 #include "twin/simulate/aboard.h"
 #include "twin/simulate/conduct.h"
+#include "twin/simulate/follow_datum.h"
 #include "twin/simulate/look_about.h"
 #include "twin/simulate/look_out.h"
 #include "twin/simulate/waypoints_home.h"
@@ -27,6 +28,8 @@ class Leaves {
     const auto condition = static_cast<ConductCondition>(leaf.number);
     const bool holds = answer(condition);
     if (!holds) missing_ = cause_of(condition);
+    if (missing_ == Cause::limit && !holds && are_limits_kept())
+      missing_ = own_.noisy.is_seen ? Cause::mammal : Cause::no_watch;
     return holds;
   }
 
@@ -76,7 +79,7 @@ class Leaves {
         own_.doing != Doing::task)
       return;
     const MissionState& mission = state_.mission;
-    const Triple<double>& here_m = state_.vehicle.body.position_m;
+    const Triple<double> here_m = state_.vehicle.body.position_m - mission.offset_m;
     own_.left_m = here_m;
     if (mission.route.is_empty() || mission.route.is_done() || !mission.has_begun) return;
     const Triple<double>&from_m = mission.route.from(), to_m = mission.route.to().position_m;
@@ -98,7 +101,12 @@ class Leaves {
     return fault_at(conduct_.plan.faults, kind, t_s_) != nullptr;
   }
 
-  [[nodiscard]] bool are_within_limits() const {
+  /// Noise is made under a watch of its zone alone.
+  [[nodiscard]] bool may_make_noise() const {
+    return !agent_.zone || own_.phase != Phase::work || own_.noisy.is_clear;
+  }
+
+  [[nodiscard]] bool are_limits_kept() const {
     for (std::size_t i = 0; i < own_.exceeded_s.size(); ++i) {
       if (!conduct_.plan.limits[i].phases.has(own_.phase)) continue;
       const double since_s = t_s_ - own_.exceeded_s[i];
@@ -110,7 +118,7 @@ class Leaves {
   [[nodiscard]] bool answer(ConductCondition condition) const {
     switch (condition) {
       case ConductCondition::within_limits:
-        return are_within_limits();
+        return are_limits_kept() && may_make_noise();
       case ConductCondition::reserve_holds: {
         const Reserve& reserve = conduct_.plan.reserve;
         return !(conduct_.full_j > 0) || own_.is_aboard ||
@@ -150,11 +158,13 @@ class Leaves {
   void carry_on() {
     if (own_.doing == Doing::task) return;
     constexpr double near_m = 0.5;
-    if (length_of(own_.left_m - state_.vehicle.body.position_m) <= near_m) return resume();
+    Triple<double> left_m = own_.left_m;
+    if (drifts(agent_.mission, state_.mission))
+      left_m = left_m + datum_frame(agent_, state_, t_s_).offset_m;
+    if (length_of(left_m - state_.vehicle.body.position_m) <= near_m) return resume();
     own_.doing = Doing::way_back;
     own_.way = nothing_to_do(known_of(agent_, state_));
-    replace_waypoints(own_.way, known_of(agent_, state_),
-                      std::vector<Waypoint>{{own_.left_m, 0, 0}});
+    replace_waypoints(own_.way, known_of(agent_, state_), std::vector<Waypoint>{{left_m, 0, 0}});
     tell(ConductEventKind::went_back);
   }
 
@@ -172,6 +182,12 @@ class Leaves {
   Cause missing_ = Cause::held_too_long;  ///< the last condition of this tick that did not hold
 };
 
+/// Its work is what is heard.
+bool is_noisy(const AgentState& state) {
+  const ConductState& own = state.conduct;
+  return own.phase == Phase::work && own.doing == Doing::task && !own.has_ended && moves(state);
+}
+
 }  // namespace
 
 bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const AgentState* carrier,
@@ -180,12 +196,15 @@ bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Agent
   if (state.halt != Halt::none) return false;
   if (own.has_ended) return own.is_aboard && carry(agent, carrier, state);
   look_out(agent, t_s, state);
+  follow_datum(agent, t_s, state);
   look_about(agent, t_s, state, carrier);
   Leaves leaves(agent, t_s, state);
   const NodeStatus status = tick(agent.conduct->plan.behaviour, own.tree, t_s, leaves, changes);
   const bool is_moved = come_and_go(agent, t_s, carrier, state);
-  if (status == NodeStatus::running) return is_moved;
-  own.has_ended = true;
+  own.has_ended = status != NodeStatus::running;
+  if (agent.zone) note_noise(is_noisy(state), t_s, own.noisy);
+  if (!own.has_ended) return is_moved;
+  own.at_end = {state.vehicle.drawn_j, state.vehicle.fuel_kg, state.vehicle.battery.charge};
   const bool is_well = status == NodeStatus::success;
   own.events.push_back(
       {t_s, is_well ? ConductEventKind::finished : ConductEventKind::gave_up, own.cause, 0, 0});

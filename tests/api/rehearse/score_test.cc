@@ -61,6 +61,34 @@ TEST(Score, OfAStackWithoutMissionsIsThatOfTheWholeLog) {
   EXPECT_EQ(score.interventions, 0U);
 }
 
+TEST(Score, ClosestApproachesAreThoseThatTheLogTells) {
+  ingest::TrajectoryFile log = log_of_one(true);
+  log.names = {"eye", "other"};
+  for (auto& variable : log.variables) {
+    const std::vector<double> eye = variable.values;
+    variable.values.insert(variable.values.end(), eye.begin(), eye.end());
+  }
+  // By its rows it goes through the other.
+  EXPECT_EQ(scorecard_of(log).vehicles.front().closest_vehicle_m, 0.0);
+  log.attributes.emplace_back("log_format", "3");
+  EXPECT_FALSE(scorecard_of(log).vehicles.front().closest_vehicle_m) << "they were aboard, say";
+  ingest::TrajectoryTable approach;
+  approach.name = "approach";
+  approach.columns = {{"vehicle", "1", "", {0, 0, 1}},
+                      {"distance", "m", "", {4.5, 2.5, 9}},
+                      {"time", "s", "", {3, 30, 4}},
+                      {"mmsi", "1", "", {0, 0, 7}}};
+  approach.texts = {{"kind", "", {"vehicle", "tether", "vessel"}},
+                    {"to", "", {"other", "other", ""}}};
+  log.tables.push_back(approach);
+  const auto scores = scorecard_of(log).vehicles;
+  EXPECT_EQ(scores[0].closest_vehicle_m, 4.5);
+  EXPECT_EQ(scores[0].closest_tether_m, 2.5) << "of the whole run, also when its work is over";
+  EXPECT_FALSE(scores[0].closest_vessel_m);
+  EXPECT_EQ(scores[1].closest_vessel_m, 9.0);
+  EXPECT_FALSE(scores[1].closest_structure_m);
+}
+
 TEST(Score, ALogWithoutPlacesIsAnError) {
   ingest::TrajectoryFile log = log_of_one(false);
   log.variables.erase(log.variables.begin());

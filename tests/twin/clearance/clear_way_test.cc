@@ -278,6 +278,72 @@ TEST(AVehicleThatIsPlacedTooNear, RaisesAnAlarmAndMovesOff) {
   EXPECT_LT(scene.state.slack_m, 0);
 }
 
+TEST(AnAlarm, IsCountedByWhatItBeganWith) {
+  const auto nodes = hanging(0.5, 0);
+  const auto raised = [&](AlarmCause cause, const auto& put) {
+    Scene scene;
+    put(scene);
+    // Twice: it goes on, and is one alarm.
+    for (int i = 0; i < 2; ++i) (void)scene.way(rov(), at(0, 0), {1.5, 0});
+    std::array<double, alarm_causes> expected{};
+    expected[static_cast<std::size_t>(cause)] = 1;
+    EXPECT_EQ(scene.state.alarms_from, expected) << name_of(cause);
+    EXPECT_EQ(scene.state.alarms, 1) << name_of(cause);
+  };
+  raised(AlarmCause::structure, [](Scene& s) { s.structures = {Cylinder{4, 0, 3, -20, 60}}; });
+  raised(AlarmCause::structure, [](Scene& s) {
+    s.structures = {box_of({4, 0, 10}, {3, 9, 30}, 0)};
+  });
+  raised(AlarmCause::vehicle, [](Scene& s) { s.craft = {craft_of(rov(), at(3, 0), {})}; });
+  raised(AlarmCause::line, [&](Scene& s) { s.lines = {{nodes, 7, true}}; });
+  Passer drifts = ship(0, 60, 0);
+  raised(AlarmCause::vessel, [&](Scene& s) { s.passers = {drifts}; });
+  drifts.is_of_run = true;
+  raised(AlarmCause::vehicle, [&](Scene& s) { s.passers = {drifts}; });
+  raised(AlarmCause::no_warning, [](Scene& s) { s.passers = {ship(60 + 5 * 20, 10, 5)}; });
+  // Far enough off each of them; one more than there are planes.
+  raised(AlarmCause::crowded, [](Scene& s) {
+    for (std::size_t i = 0; i <= most_planes; ++i) {
+      const double angle = 6.28 * double(i) / double(most_planes);
+      s.structures.push_back(Cylinder{6 * std::cos(angle), 6 * std::sin(angle), 0.1, -20, 60});
+    }
+  });
+  // Of two it is the one that is farther within.
+  raised(AlarmCause::vehicle, [](Scene& s) {
+    s.structures = {Cylinder{5, 0, 3, -20, 60}};
+    s.craft = {craft_of(rov(), at(-1, 0), {})};
+  });
+}
+
+TEST(ACarrierAndWhatItCarries, HoldNobodyUpAndRaiseNoAlarmHoweverNear) {
+  const OwnMotion below = at(0, 0, {1, 0}, 2);
+  Handling under_way = vessel();
+  std::vector<Craft> craft{craft_of(under_way, at(1, 0, {1, 0}, 0), {}),
+                           craft_of(rov(), below, {})};
+  const auto looked = [&](std::size_t own) {
+    const Handling& h = own == 0 ? under_way : rov();
+    const OwnMotion& motion = own == 0 ? at(1, 0, {1, 0}, 0) : below;
+    ClearanceState state;
+    const ClearWay way =
+        clear_way(h, stand_off, {craft, own, {}, {}, {}}, motion, {{1, 0}, 0}, dt_s, state);
+    return std::pair{state.alarms, way.is_as_wished_aside && way.is_as_wished_in_depth};
+  };
+  // Strangers, so near.
+  EXPECT_EQ(looked(0), (std::pair{1.0, false}));
+  EXPECT_EQ(looked(1), (std::pair{1.0, false}));
+  craft[1].carrier = 0;
+  EXPECT_EQ(looked(0), (std::pair{0.0, true}));
+  EXPECT_EQ(looked(1), (std::pair{0.0, true}));
+  // Another's carrier is a stranger.
+  craft.push_back(craft_of(vessel(), at(400, 0, {}, 0), {}));
+  craft[1].carrier = 2;
+  EXPECT_EQ(looked(1), (std::pair{1.0, false}));
+  // On its deck it is not there for anybody.
+  craft[1].carrier = Craft::nobody;
+  craft[1].is_there = false;
+  EXPECT_EQ(looked(0), (std::pair{0.0, true}));
+}
+
 TEST(RightOfWay, IsGivenByTheLaterInTheRunSquareToTheOthersWish) {
   Craft first = craft_of(rov(), at(-8, 0), {});
   first.wish_m = {6, 0};

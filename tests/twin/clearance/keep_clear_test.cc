@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 
 #include "fields/base/random.h"
@@ -60,31 +61,67 @@ TEST(AReferenceThatKeepsClear, IsTheSameToTheLastBit) {
   }
 }
 
-TEST(AReferenceIntoAStructure, BecomesAStationThatIsGoneForAtTheClearSpeed) {
-  for (const char* model : {"bluerov2_heavy", "x500", "wamv16", "ctv24"}) {
-    const Autopilot a = autopilot_of(model);
-    const Handling h = handling_of(a, 0.4, 0.2, 0.2, false, 0.1);
-    const std::vector<Structure> structures{Cylinder{12, 0, 3, -200, 600}};
-    std::vector<Craft> craft{Craft{}};
+constexpr std::array four_models{"bluerov2_heavy", "x500", "wamv16", "ctv24"};
+
+/// A vehicle at rest whose reference leads north into a pile.
+struct IntoAPile {
+  Autopilot autopilot;
+  Handling handling;
+  double more_s = 0;  ///< of reaction, that it plans for
+  static constexpr double dt_s = 0.05;
+  static constexpr double room_m = 2;  ///< from its hull, and what it strays, to the stand-off
+
+  explicit IntoAPile(const char* model)
+      : autopilot(autopilot_of(model)),
+        handling(handling_of(autopilot, 0.4, 0.2, 0.2, false, 0.1)),
+        more_s(handling.early * handling.reaction_s + 2 * dt_s) {}
+  /// The velocity that the reference asks for which it becomes: a station, for all four.
+  [[nodiscard]] Triple<double> asked_m_s(double wished_m_s) const {
+    constexpr double radius_m = 3;
+    const double north_m =
+        room_m + handling.stray_m + handling.radius_m + stand_off.structure_m + radius_m;
+    const std::vector<Structure> structures{Cylinder{north_m, 0, radius_m, -200, 600}};
+    const std::vector<Craft> craft{Craft{}};
     Reference wanted;
     wanted.target = Target::path;
-    const double room_m = 12 - 3 - 2 - 0.4 - h.stray_m;
-    wanted.velocity_m_s = {speed_for_way_m_s(h, 1.5 * room_m, 0), 0, 0};
+    wanted.velocity_m_s = {wished_m_s, 0, 0};
     const Measured measured = still_at(0, 0, 0);
     ClearanceState state;
-    const Reference clear =
-        keep_clear(h, stand_off, {craft, 0, structures, {}, {}}, a, measured, wanted, 0.05, state);
-    ASSERT_EQ(clear.target, Target::station) << model;
+    const Reference clear = keep_clear(handling, stand_off, {craft, 0, structures, {}, {}},
+                                       autopilot, measured, wanted, dt_s, state);
+    EXPECT_EQ(clear.target, Target::station);
+    EXPECT_EQ(state.alarms, 0);
     Outset outset;
     outset.r = rotation_of(measured.attitude);
-    const Triple<double> asked = wanted_velocity(a, measured, clear, outset);
-    EXPECT_LE(stopping_way_m(h, asked.x), room_m) << model;
-    if (h.manner == Manner::turns) {
-      EXPECT_GT(std::hypot(asked.x, asked.y), 0.1) << model << " goes round it at once";
-      continue;
-    }
-    EXPECT_GT(stopping_way_m(h, asked.x), 0.5 * room_m) << model;
+    return wanted_velocity(autopilot, measured, clear, outset);
+  }
+};
+
+TEST(AReferenceIntoAStructure, BecomesAStationThatIsGoneForAtTheClearSpeed) {
+  for (const char* model : four_models) {
+    const IntoAPile pile(model);
+    const Handling& h = pile.handling;
+    // As fast as it plans for one and a half times its room: what is clear is more than half of its
+    // way, so that it goes on as far as that.
+    const Triple<double> asked =
+        pile.asked_m_s(speed_for_way_m_s(h, 1.5 * pile.room_m, pile.more_s));
+    EXPECT_NEAR(asked.x, speed_for_way_m_s(h, pile.room_m, pile.more_s), 1e-9) << model;
     EXPECT_NEAR(asked.y, 0, 1e-9) << model;
+    EXPECT_GT(asked.x, 0) << model;
+    // It is told to stop as late as its reaction and the share of it that it plans ahead.
+    EXPECT_NEAR(stopping_way_m(h, asked.x) + asked.x * pile.more_s, pile.room_m, 1e-9) << model;
+  }
+}
+
+TEST(AReferenceFarIntoAStructure, BecomesAStationBesideItToStarboardAtTheWishedSpeed) {
+  for (const char* model : four_models) {
+    const IntoAPile pile(model);
+    // Three times its room: it goes round at once, along the plane before the pile.
+    const double wished_m_s = speed_for_way_m_s(pile.handling, 3 * pile.room_m, pile.more_s);
+    ASSERT_LT(wished_m_s, pile.handling.most_speed_m_s) << model;
+    const Triple<double> asked = pile.asked_m_s(wished_m_s);
+    EXPECT_NEAR(asked.x, 0, 1e-9) << model;
+    EXPECT_NEAR(asked.y, wished_m_s, 1e-9) << model;
   }
 }
 

@@ -30,11 +30,14 @@ RunLog log_of(const ReadyRun& ready, const RunSettings& settings, int steps) {
 }
 
 TEST(CoarseStep, LooksAndPullsAfterWholeSteps) {
-  const CoarsePlan plan = plan_coarse(0.05, nullptr);
+  const CoarsePlan plan = plan_coarse(0.05, nullptr, 100);
   EXPECT_DOUBLE_EQ(plan.pull_s, 0.1);
   EXPECT_DOUBLE_EQ(plan.look_s, 0.5);
+  // A segment of 1.25 m turns twice as fast as one of 2.5 m.
+  EXPECT_DOUBLE_EQ(plan_coarse(0.05, nullptr, 40).pull_s, 0.1);
+  EXPECT_DOUBLE_EQ(plan_coarse(0.05, nullptr, 20).pull_s, 0.05);
   for (const double dt_s : {0.004, 0.03, 0.04, 0.07, 0.1, 0.25}) {
-    const CoarsePlan other = plan_coarse(dt_s, nullptr);
+    const CoarsePlan other = plan_coarse(dt_s, nullptr, 90);
     EXPECT_NEAR(std::remainder(other.pull_s, dt_s), 0, 1e-12);
     EXPECT_NEAR(std::remainder(other.look_s, other.pull_s), 0, 1e-12);
     EXPECT_LE(other.look_s, std::max(0.5, dt_s) + 1e-12);
@@ -49,12 +52,14 @@ TEST(CoarseStep, LooksTenTimesInTheMeanPeriodOfTheSea) {
     return SeaRealisation({{0.5, omega, omega, k, 0}}, water, UtcTime{});
   };
   for (const auto& [period_s, look_s] :
-       {std::pair{3.05, 0.3}, {2.05, 0.2}, {1.0, 0.1}, {0.5, 0.1}, {4.5, 0.4}, {12.0, 0.5}}) {
+       {std::pair{3.05, 0.3}, {2.05, 0.2}, {1.0, 0.1}, {0.5, 0.05}, {4.5, 0.4}, {12.0, 0.5}}) {
     const SeaRealisation sea = swell(period_s);
-    EXPECT_NEAR(plan_coarse(0.05, &sea).look_s, look_s, 1e-12) << period_s;
+    const CoarsePlan plan = plan_coarse(0.05, &sea, 0);
+    EXPECT_NEAR(plan.look_s, look_s, 1e-12) << period_s;
+    EXPECT_LE(plan.pull_s, std::max(period_s / 20, 0.05) + 1e-12) << period_s;
   }
   const SeaRealisation calm({}, water, UtcTime{});
-  EXPECT_NEAR(plan_coarse(0.05, &calm).look_s, 0.5, 1e-12);
+  EXPECT_NEAR(plan_coarse(0.05, &calm, 0).look_s, 0.5, 1e-12);
 }
 
 TEST(CoarseStep, HasTheSameBitsByEightOnAnyInstructionSetThreadsAndCompany) {

@@ -96,6 +96,51 @@ TEST(KeepingClearTogether, IsOffUnlessAskedFor) {
   EXPECT_FALSE(ready.agents.front().clearance);
 }
 
+/// A multirotor that is launched from a vessel under way, flies off and comes back aboard; or one
+/// that only hovers where its deck would be.
+ReadyRun vessel_and_multirotor(bool is_carried) {
+  const std::string uav =
+      is_carried
+          ? "carrier: {name: usv, forward_m: 0, up_m: 3}, conduct: {}, tasks: [{do: aboard, "
+            "duration_s: 30}, {do: route, waypoints: [{north_m: 60, east_m: 30, height_m: 20}]}, "
+            "{do: aboard, duration_s: 10}]}\n"
+          : "tasks: [{do: hold}]}\n";
+  return tests::ready_of(
+      tests::calm_head(0.02) +
+      "  - {name: usv, model: wamv16, start: {north_m: 0, east_m: 0, depth_m: 0}, speed_m_s: 1, "
+      "tasks: [{do: route, waypoints: [{north_m: 400, east_m: 0, depth_m: 0}]}]}\n"
+      "  - {name: uav, model: x500, start: {north_m: 0, east_m: 0, height_m: 3}, " +
+      uav + clearance("craft_m: 10, vertical_m: 5"));
+}
+
+TEST(KeepingClearOfACarrier, AboardLaunchedAndTakenBackNobodyIsAlarmedOrHeldUp) {
+  const ReadyRun ready = vessel_and_multirotor(true);
+  ASSERT_TRUE(ready.agents[0].clearance && ready.agents[1].clearance);
+  twin::Run run(ready.agents, ready.states, tests::settings_of(0.02));
+  double nearest_in_the_air_m = 1e9;
+  while (run.time_s() < 250 && !run.states()[1].conduct.has_ended) {
+    run.step();
+    const Triple<double> apart = run.seen(1).position_m - run.seen(0).position_m;
+    if (!run.states()[1].conduct.is_aboard)
+      nearest_in_the_air_m = std::min(nearest_in_the_air_m, length_of(apart));
+  }
+  EXPECT_TRUE(run.states()[1].conduct.has_ended && run.states()[1].conduct.is_aboard);
+  EXPECT_LT(nearest_in_the_air_m, 6) << "within the stand-off, on its way off and on";
+  for (const AgentState& state : run.states()) {
+    EXPECT_EQ(state.clearance.alarms, 0);
+    EXPECT_EQ(state.clearance.changed_s, 0);
+    EXPECT_FALSE(state.nearest.vehicle.is_any()) << "the two do not count as passing each other";
+  }
+  // A stranger there alarms both.
+  const ReadyRun strangers = vessel_and_multirotor(false);
+  twin::Run other(strangers.agents, strangers.states, tests::settings_of(0.02));
+  for (int i = 0; i < 20; ++i) other.step();
+  for (const AgentState& state : other.states()) {
+    EXPECT_EQ(state.clearance.alarms, 1);
+    EXPECT_EQ(state.clearance.alarms_from[static_cast<std::size_t>(AlarmCause::vehicle)], 1);
+  }
+}
+
 struct Kind {
   const char* model;
   const char* vertical;

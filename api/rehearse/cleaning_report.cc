@@ -1,0 +1,162 @@
+#include "api/rehearse/cleaning_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "api/rehearse/rehearsal_json.h"
+#include "api/rehearse/scenario_run.h"
+#include "api/report/plot_json.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+using ingest::TrajectoryTable;
+using nlohmann::json;
+using twin::CleaningOutcome;
+
+json mass_json(const CleaningOutcome& cleaning, double volume_m3) {
+  return cleaning.density_kg_m3 > 0 ? number(cleaning.density_kg_m3 * volume_m3) : json(nullptr);
+}
+
+/// Of those flights in which the vehicle cleans, that is of all or none.
+std::vector<const CleaningOutcome*> outcomes_of(const StartOutcome& start, std::size_t vehicle) {
+  std::vector<const CleaningOutcome*> all;
+  for (const twin::Flight& flight : start.flights)
+    if (const auto& cleaning = flight.vehicles[vehicle].cleaning) all.push_back(&*cleaning);
+  return all;
+}
+
+template <typename Of>
+std::vector<double> values_of(const std::vector<const CleaningOutcome*>& outcomes, const Of& of) {
+  std::vector<double> values;
+  for (const CleaningOutcome* outcome : outcomes) values.push_back(of(*outcome));
+  return values;
+}
+
+template <typename Of>
+json over_flights(const std::vector<const CleaningOutcome*>& outcomes, const Of& of) {
+  return quantiles_json(values_of(outcomes, of));
+}
+
+std::string area_text(double cleaned_m2, double area_m2) {
+  return formatted("{:.1f} of {:.1f} m2", cleaned_m2, area_m2);
+}
+
+}  // namespace
+
+std::string cleaning_text(const CleaningOutcome& c) {
+  return area_text(c.cleaned_m2, c.area_m2) +
+         formatted(
+             " clean ({:.1f} %, asked for {:g} %), {:.3f} m3 of growth off, {:.3f} m3 left, "
+             "{} {} needed",
+             100 * c.share(), 100 * c.done_at, c.removed_m3, c.left_m3, c.passes_needed,
+             c.passes_needed == 1 ? "pass" : "passes");
+}
+
+json cleaning_json(const CleaningOutcome& c) {
+  json bands = json::array();
+  for (const CleaningOutcome::Band& band : c.bands)
+    bands.push_back({{"from_depth_m", number(band.top_m)},
+                     {"to_depth_m", number(band.bottom_m)},
+                     {"area_m2", number(band.area_m2)},
+                     {"cleaned_m2", number(band.cleaned_m2)},
+                     {"growth_removed_m3", number(band.removed_m3)},
+                     {"growth_left_m3", number(band.left_m3)}});
+  return {{"area_m2", number(c.area_m2)},
+          {"cleaned_m2", number(c.cleaned_m2)},
+          {"share", number(c.share())},
+          {"done_at", number(c.done_at)},
+          {"done", c.is_done()},
+          {"growth_removed_m3", number(c.removed_m3)},
+          {"growth_left_m3", number(c.left_m3)},
+          {"growth_removed_kg", mass_json(c, c.removed_m3)},
+          {"passes_needed", c.passes_needed},
+          {"tool_time_s", number(c.worked_s)},
+          {"by_depth", bands}};
+}
+
+json cleaning_json(const StartOutcome& start, std::size_t vehicle) {
+  const auto all = outcomes_of(start, vehicle);
+  if (all.empty()) return nullptr;
+  const CleaningOutcome& first = *all.front();
+  json bands = json::array();
+  for (std::size_t b = 0; b < first.bands.size(); ++b)
+    bands.push_back(
+        {{"from_depth_m", number(first.bands[b].top_m)},
+         {"to_depth_m", number(first.bands[b].bottom_m)},
+         {"area_m2", number(first.bands[b].area_m2)},
+         {"cleaned_m2", over_flights(all, [b](const auto& c) { return c.bands[b].cleaned_m2; })},
+         {"growth_left_m3", over_flights(all, [b](const auto& c) { return c.bands[b].left_m3; })}});
+  return {{"area_m2", number(first.area_m2)},
+          {"done_at", number(first.done_at)},
+          {"passes_needed", first.passes_needed},
+          {"cleaned_m2", over_flights(all, [](const auto& c) { return c.cleaned_m2; })},
+          {"share", over_flights(all, [](const auto& c) { return c.share(); })},
+          {"growth_removed_m3", over_flights(all, [](const auto& c) { return c.removed_m3; })},
+          {"growth_left_m3", over_flights(all, [](const auto& c) { return c.left_m3; })},
+          {"growth_removed_kg",
+           first.density_kg_m3 > 0
+               ? over_flights(all, [](const auto& c) { return c.density_kg_m3 * c.removed_m3; })
+               : json(nullptr)},
+          {"tool_time_s", over_flights(all, [](const auto& c) { return c.worked_s; })},
+          {"by_depth", bands}};
+}
+
+std::vector<std::string> cleaning_texts(const StartOutcome& start) {
+  std::vector<std::string> texts;
+  if (start.flights.empty()) return texts;
+  for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v) {
+    const auto all = outcomes_of(start, v);
+    if (all.empty()) continue;
+    const auto share = [&](double at) {
+      return 100 *
+             quantile_of(values_of(all, [](const auto& c) { return c.share(); }), at).value_or(0);
+    };
+    texts.push_back(start.flights.front().vehicles[v].name +
+                    formatted(": {:.0f} % of {:.1f} m2 clean (P10 {:.0f} %, P90 {:.0f} %, asked "
+                              "for {:g} %)",
+                              share(0.5), all.front()->area_m2, share(0.1), share(0.9),
+                              100 * all.front()->done_at));
+  }
+  return texts;
+}
+
+TrajectoryTable cleaning_table(std::span<const VehicleSummary> vehicles) {
+  TrajectoryTable table;
+  table.name = "cleaning";
+  table.columns = {{"vehicle", "1", "which of the trajectories, from 0", {}},
+                   {"upper_depth", "m", "of the band, below mean sea level", {}},
+                   {"lower_depth", "m", "of the band", {}},
+                   {"area", "m2", "with growth to take off", {}},
+                   {"cleaned_area", "m2", "of it that is clean", {}},
+                   {"growth_removed", "m3", "from the band", {}},
+                   {"growth_left", "m3", "on the band", {}}};
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    if (!vehicles[i].cleaning) continue;
+    for (const CleaningOutcome::Band& band : vehicles[i].cleaning->bands) {
+      const double row[] = {static_cast<double>(i), band.top_m,      band.bottom_m, band.area_m2,
+                            band.cleaned_m2,        band.removed_m3, band.left_m3};
+      for (std::size_t c = 0; c < table.columns.size(); ++c)
+        table.columns[c].values.push_back(row[c]);
+    }
+  }
+  return table;
+}
+
+std::string cleaned_in(const ingest::TrajectoryFile& log, std::size_t vehicle) {
+  const TrajectoryTable* table = log.find_table("cleaning");
+  if (table == nullptr) return {};
+  const auto *who = table->column("vehicle"), *area = table->column("area"),
+             *cleaned = table->column("cleaned_area");
+  if (who == nullptr || area == nullptr || cleaned == nullptr) return {};
+  double area_m2 = 0, cleaned_m2 = 0;
+  for (std::size_t i = 0; i < table->rows(); ++i) {
+    if ((*who)[i] != static_cast<double>(vehicle)) continue;
+    area_m2 += (*area)[i];
+    cleaned_m2 += (*cleaned)[i];
+  }
+  if (!(area_m2 > 0)) return {};
+  return area_text(cleaned_m2, area_m2) + formatted(" ({:.0f} %)", 100 * cleaned_m2 / area_m2);
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,60 @@
+#include "twin/rehearse/flight.h"
+
+#include <gtest/gtest.h>
+
+#include "fields/base/text.h"
+#include "tests/twin/simulate/run_for_tests.h"
+
+namespace slackwater::tests {
+namespace {
+
+UtcTime first_start() { return parse_utc("2025-06-02T06:00:00Z"); }
+
+/// An ROV that swims 20 m into a current that has set in an hour later.
+twin::Scenario against_the_current() {
+  return twin::parse_scenario(
+      "name: test\nseed: 3\nduration: 4min\nstep_s: 0.05\nlog_every_s: 1\n"
+      "water: {made_up: {depth_m: 40, current: [{depth_m: 0, east_m_s: 0, north_m_s: 0}], "
+      "wind: {speed_m_s: 0, from_deg: 0}}}\nwaves: {from: calm}\nvehicles:\n"
+      "  - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, depth_m: 10}, "
+      "speed_m_s: 0.4, conduct: {limits: [{current_speed_m_s: 0.6}]}, tasks: [{do: route, phase: "
+      "work, waypoints: [{north_m: 0, east_m: 20, depth_m: 10}]}]}\n",
+      "test.yaml");
+}
+
+twin::Surround rising_current(const twin::Scenario& mission) {
+  std::vector<UtcTime> times;
+  std::vector<Horizontal> current;
+  for (int hour = 0; hour <= 3; ++hour) {
+    times.push_back(first_start() + std::chrono::hours(hour));
+    const double west_m_s = hour == 0 ? 0 : 0.8;
+    for (int level = 0; level < 2; ++level) current.emplace_back(-west_m_s, 0);
+  }
+  twin::Surround surround = surround_of(mission);
+  surround.field = twin::made_up_field(times, {0, 40}, current, {0, 0}, surround.site, 40);
+  return surround;
+}
+
+TEST(Flight, IsOverForItselfWhileOthersLast) {
+  const twin::Scenario mission = against_the_current();
+  const twin::Surround surround = rising_current(mission);
+  const std::vector<twin::FlightCase> both{{first_start(), 0},
+                                           {first_start() + std::chrono::hours(1), 0}};
+  const std::vector<twin::Flight> together = twin::fly(mission, surround, both, {});
+  ASSERT_TRUE(together[0].is_done) << together[0].stopped_by;
+  ASSERT_FALSE(together[1].is_done);
+  ASSERT_LT(together[0].ended_s + 60, together[1].ended_s);
+  const twin::Flight alone = twin::fly(mission, surround, {both.data(), 1}, {}).front();
+  const twin::VehicleOutcome &a = together[0].vehicles[0], &b = alone.vehicles[0];
+  EXPECT_EQ(a.energy_j, b.energy_j);
+  EXPECT_EQ(a.state_of_charge, b.state_of_charge);
+  EXPECT_EQ(a.least_charge, b.least_charge);
+  EXPECT_EQ(together[0].ended_s, alone.ended_s);
+  // What stood still meanwhile is where it was.
+  const twin::FlightSample &early = alone.samples[0].back(), &late = together[0].samples[0].back();
+  EXPECT_NEAR(late.east_m, early.east_m, 1);
+  EXPECT_NEAR(late.charge, early.charge, 1e-3);
+}
+
+}  // namespace
+}  // namespace slackwater::tests
