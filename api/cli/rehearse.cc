@@ -8,12 +8,14 @@
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
 #include "api/cli/progress.h"
+#include "api/rehearse/advice.h"
 #include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/mission_file.h"
 #include "api/rehearse/rehearsal.h"
 #include "api/rehearse/rehearsal_file.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/rehearsal_page.h"
+#include "api/rehearse/risk_report.h"
 #include "api/rehearse/zones.h"
 #include "fields/base/text.h"
 #include "ingest/cf/trajectory_file.h"
@@ -23,6 +25,9 @@ namespace slackwater::api {
 namespace {
 
 using nlohmann::json;
+
+/// Futures in which a mission is flown otherwise, for advice.
+constexpr std::size_t most_advised = 24;
 
 struct RehearseArguments {
   std::filesystem::path mission;
@@ -35,6 +40,7 @@ struct RehearseArguments {
   int threads = 0;
   std::filesystem::path out, html, scenario, log;
   std::string log_start;
+  bool advice = false;
   std::size_t log_member = 0;
 };
 
@@ -84,7 +90,8 @@ std::optional<twin::FlightCase> logged_of(const RehearseArguments& arguments,
   return twin::FlightCase{start, arguments.log_member};
 }
 
-void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal) {
+void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal,
+                     const std::vector<Advice>& advice) {
   std::printf("%s\n", verdict_of(rehearsal).c_str());
   std::printf("%s at %s, %s\n\n", joined(mission.expanded.tasks, ", ").c_str(),
               joined(mission.expanded.turbines, ", ").c_str(), mission.water.forecast_name.c_str());
@@ -102,7 +109,11 @@ void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal) {
     if (const std::string why = disagreement_of(start); !why.empty())
       std::printf("  %s\n", why.c_str());
     for (const std::string& cleaned : cleaning_texts(start)) std::printf("  %s\n", cleaned.c_str());
+    for (const std::string& risk : risk_texts(risks_of(start, mission.consequences)))
+      std::printf("  risk: %s\n", risk.c_str());
   }
+  if (!advice.empty()) std::printf("\nDone otherwise:\n");
+  for (const Advice& one : advice) std::printf("  %s\n", text_of(one).c_str());
   const Unchecked unchecked = unchecked_of(mission.scenario);
   for (const std::string& limit : unchecked.not_checked)
     std::printf("not checked: %s\n", limit.c_str());
@@ -165,6 +176,9 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
     throw Error(ErrorKind::invalid_input, arguments.mission.string() + ": " +
                                               rehearsal.starts.front().forbidden +
                                               "; move the start, or the work");
+  std::vector<Advice> advice;
+  if (arguments.advice)
+    advice = advice_for(mission, plan, rehearsal.starts[rehearsal.best()], most_advised);
   if (!arguments.scenario.empty()) write_text(arguments.scenario, mission.expanded.scenario_yaml);
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
@@ -173,18 +187,18 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   }
   if (!arguments.html.empty()) {
     write_beside(arguments.html, [&](const std::filesystem::path& partial) {
-      write_rehearsal_page(mission, plan, rehearsal, partial);
+      write_rehearsal_page(mission, plan, rehearsal, advice, partial);
     });
   }
   if (logged) write_flight(arguments, mission, *logged);
   for (const std::string& warning : mission.water.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   if (context.json)
-    std::printf("%s\n", rehearsal_json(mission, plan, rehearsal)
+    std::printf("%s\n", rehearsal_json(mission, plan, rehearsal, advice)
                             .dump(2, ' ', false, json::error_handler_t::replace)
                             .c_str());
   else
-    print_rehearsal(mission, rehearsal);
+    print_rehearsal(mission, rehearsal, advice);
 }
 
 }  // namespace
@@ -209,6 +223,9 @@ void add_rehearse(CLI::App& app, Context& context) {
       ->check(CLI::Range(0.001, 1.0));
   command->add_option("--assume", arguments->assume,
                       "what no forecast serves, e.g. visibility_m=5000");
+  command->add_flag("--advice", arguments->advice,
+                    "fly the best start otherwise too: an hour off, other side of the tide, half "
+                    "speed, more battery, other vehicles");
   command->add_option("--threads", arguments->threads, "1 to 64 (default: one a core)")
       ->check(CLI::Range(1, 64));
   command->add_option("--out", arguments->out, "all flights, minute by minute, as FILE.nc");

@@ -54,6 +54,7 @@ std::vector<FateEvent> fate_of(const twin::Agent& agent, const twin::AgentState&
   if (lost_power)
     events.push_back({m.is_empty > 0 ? "battery empty" : "battery cut off at its least voltage",
                       m.power_lost_s});
+  if (!std::isnan(m.line_parted_s)) events.push_back({"its tether parted", m.line_parted_s});
   // One that falls tumbles, which is told by its falling; of one that floats its halt tells.
   const bool fell_first = flies && lost_power && m.capsized_s >= m.power_lost_s;
   if (!std::isnan(m.capsized_s) && state.halt != Halt::capsized && !fell_first)

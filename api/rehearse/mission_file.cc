@@ -54,7 +54,12 @@ LoadedMission load_mission(const std::filesystem::path& file,
   parts.origin = site.point;
   parts.site_id = where;
   parts.assumed = assumed;
-  parts.task = [&](const std::string& id) { return find_task(id, folder); };
+  parts.task = [&](const std::string& id) {
+    Config task = find_task(id, folder);
+    for (twin::Consequence& one : twin::read_consequences(task))
+      out.consequences.push_back(std::move(one));
+    return task;
+  };
   out.expanded = twin::expand_mission(mission, parts);
   mission.expect_all_read();
   out.scenario =

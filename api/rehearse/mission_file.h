@@ -8,6 +8,7 @@
 #include "fields/site/constraint_area.h"
 #include "twin/mission/conduct.h"
 #include "twin/mission/expand_mission.h"
+#include "twin/risk/consequence.h"
 
 namespace slackwater::api {
 
@@ -18,7 +19,8 @@ struct LoadedMission {
   twin::ExpandedMission expanded;
   twin::Scenario scenario;
   ScenarioWater water;
-  std::vector<ConstraintArea> areas;  ///< of the site
+  std::vector<ConstraintArea> areas;            ///< of the site
+  std::vector<twin::Consequence> consequences;  ///< of what can go wrong, as the tasks say it
 };
 
 /// Reads a mission, the tasks and the site that it names, and finds its water.

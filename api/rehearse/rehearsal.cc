@@ -60,11 +60,19 @@ void conclude_round(const RehearsalPlan& plan, StartOutcome& start) {
 
 }  // namespace
 
+std::size_t Rehearsal::best() const noexcept {
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    if (starts[i].share_done() > starts[best].share_done()) best = i;
+  return best;
+}
+
 Rehearsal rehearse(const twin::Scenario& mission, twin::Surround surround,
                    const RehearsalPlan& plan,
                    const std::function<void(double, const Rehearsal&)>& on_progress) {
   const Clock::time_point began = Clock::now();
-  surround.vehicles = twin::read_vehicles(mission, surround.data_folder);
+  if (surround.vehicles.empty())
+    surround.vehicles = twin::read_vehicles(mission, surround.data_folder);
   Rehearsal rehearsal;
   for (const UtcTime start : plan.starts) {
     StartOutcome& outcome = rehearsal.starts.emplace_back();

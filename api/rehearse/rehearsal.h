@@ -52,6 +52,9 @@ struct StartOutcome {
 
 struct Rehearsal {
   std::vector<StartOutcome> starts;
+
+  /// The start that a coordinator looks at first: the first of those done most often.
+  [[nodiscard]] std::size_t best() const noexcept;
   double wall_s = 0;
   double first_answer_s = 0;  ///< of the clock: until every start had been flown once
 };

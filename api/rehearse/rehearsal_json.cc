@@ -6,6 +6,7 @@
 #include <set>
 
 #include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/risk_report.h"
 #include "api/report/plot_json.h"
 #include "fields/base/text.h"
 
@@ -44,7 +45,7 @@ json alarmed_json(const StartOutcome& start, std::size_t vehicle) {
 
 /// Of one vehicle over all flights of a start.
 json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
-  std::vector<double> left, energy_wh, fuel_kg, held_s, worst;
+  std::vector<double> left, energy_wh, fuel_kg, held_s, worst, thrust, line;
   std::size_t done = 0;
   for (const twin::Flight& flight : start.flights) {
     const twin::VehicleOutcome& v = flight.vehicles[vehicle];
@@ -54,6 +55,8 @@ json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
     fuel_kg.push_back(v.fuel_kg);
     held_s.push_back(v.held_s);
     worst.push_back(v.worst_share);
+    thrust.push_back(1 - v.thrust_used);
+    line.push_back(v.line_used > 0 ? 1 - v.line_used : std::nan(""));
   }
   return {{"name", start.flights.front().vehicles[vehicle].name},
           {"done", done},
@@ -62,6 +65,8 @@ json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
           {"fuel_kg", quantiles_json(fuel_kg)},
           {"held_s", quantiles_json(held_s)},
           {"most_of_a_limit", quantiles_json(worst)},
+          {"thrust_margin", quantiles_json(thrust)},
+          {"tether_margin", quantiles_json(line)},
           {"cleaning", cleaning_json(start, vehicle)},
           {"closest_m", closest_json(start, vehicle)},
           {"flights_with_clearance_alarms", alarmed_json(start, vehicle)}};
@@ -83,7 +88,7 @@ json flight_json(const twin::Flight& flight) {
   return out;
 }
 
-json start_json(const StartOutcome& start) {
+json start_json(const StartOutcome& start, const std::vector<twin::Consequence>& consequences) {
   json causes = json::array();
   for (const StoppedBy& cause : start.stopped_by)
     causes.push_back({{"cause", cause.cause}, {"flights", cause.flights}});
@@ -113,6 +118,7 @@ json start_json(const StartOutcome& start) {
           {"stopped_by", causes},
           {"duration_s", quantiles_json(duration_s)},
           {"vehicles", vehicles},
+          {"risks", risks_json(risks_of(start, consequences))},
           {"members", flights},
           {"verdict", verdict_of(start)}};
 }
@@ -200,10 +206,11 @@ Unchecked unchecked_of(const twin::Scenario& mission) {
 }
 
 json rehearsal_json(const LoadedMission& mission, const RehearsalPlan& plan,
-                    const Rehearsal& rehearsal) {
+                    const Rehearsal& rehearsal, const std::vector<Advice>& advice) {
   const Unchecked unchecked = unchecked_of(mission.scenario);
   json starts = json::array();
-  for (const StartOutcome& start : rehearsal.starts) starts.push_back(start_json(start));
+  for (const StartOutcome& start : rehearsal.starts)
+    starts.push_back(start_json(start, mission.consequences));
   return {
       {"mission", mission.name},
       {"tasks", mission.expanded.tasks},
@@ -222,7 +229,8 @@ json rehearsal_json(const LoadedMission& mission, const RehearsalPlan& plan,
       {"wall_s", number(rehearsal.wall_s)},
       {"first_answer_s", number(rehearsal.first_answer_s)},
       {"verdict", verdict_of(rehearsal)},
-      {"starts", starts}};
+      {"starts", starts},
+      {"advice", advice_json(advice)}};
 }
 
 }  // namespace slackwater::api

@@ -1,6 +1,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
+#include "api/rehearse/advice.h"
 #include "api/rehearse/mission_file.h"
 #include "api/rehearse/rehearsal.h"
 
@@ -8,7 +9,8 @@ namespace slackwater::api {
 
 /// What a rehearsal says to programs: api/docs/rehearse.md has the schema.
 [[nodiscard]] nlohmann::json rehearsal_json(const LoadedMission& mission, const RehearsalPlan& plan,
-                                            const Rehearsal& rehearsal);
+                                            const Rehearsal& rehearsal,
+                                            const std::vector<Advice>& advice);
 
 /// The verdict in a sentence: "Go at 06:00: 22 of 24 futures done (75 to 98 %)."
 [[nodiscard]] std::string verdict_of(const Rehearsal& rehearsal);

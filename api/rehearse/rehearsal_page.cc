@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "api/program/version.h"
+#include "api/rehearse/advice.h"
 #include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/limit_bounds.h"
 #include "api/rehearse/rehearsal_json.h"
+#include "api/rehearse/risk_report.h"
 #include "api/rehearse/run_page_traffic.h"
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
@@ -160,6 +162,11 @@ std::string starts_html(const Rehearsal& rehearsal) {
   return table_html(table);
 }
 
+std::string risks_html(const LoadedMission& mission, const StartOutcome& start) {
+  return risk_table_html("Risks of a start at " + format_utc(start.start).substr(0, 16) + "Z",
+                         risks_of(start, mission.consequences));
+}
+
 std::string words_html(const Rehearsal& rehearsal, const Unchecked& unchecked) {
   std::string html;
   const auto say = [&](const std::string& text) { html += "<p>" + escaped_html(text) + "</p>"; };
@@ -220,24 +227,17 @@ json starts_json(const LoadedMission& mission, const Rehearsal& rehearsal, std::
   return starts;
 }
 
-/// The start that a coordinator looks at first.
-std::size_t best_of(const Rehearsal& rehearsal) {
-  std::size_t best = 0;
-  for (std::size_t i = 0; i < rehearsal.starts.size(); ++i)
-    if (rehearsal.starts[i].share_done() > rehearsal.starts[best].share_done()) best = i;
-  return best;
-}
-
 }  // namespace
 
 std::string rehearsal_page_html(const LoadedMission& mission, const RehearsalPlan& plan,
-                                const Rehearsal& rehearsal, std::string_view plotting_library) {
+                                const Rehearsal& rehearsal, const std::vector<Advice>& advice,
+                                std::string_view plotting_library) {
   HtmlPage page;
   page.title = mission.name;
   page.site = joined(mission.expanded.tasks, ", ") + " at " +
               joined(mission.expanded.turbines, ", ") + ", " + mission.site;
   page.headline = verdict_of(rehearsal);
-  const std::size_t best = best_of(rehearsal);
+  const std::size_t best = rehearsal.best();
   if (rehearsal.starts[best].share_done() < 0.5) page.alarm = "No-go.";
   const Unchecked unchecked = unchecked_of(mission.scenario);
   page.facts = {{"forecast", mission.water.forecast_name},
@@ -245,8 +245,10 @@ std::string rehearsal_page_html(const LoadedMission& mission, const RehearsalPla
                 {"vehicles", joined(mission.expanded.workers, ", ")},
                 {"seed", std::to_string(mission.scenario.seed)}};
   page.first_html = words_html(rehearsal, unchecked);
-  page.plots_html = starts_html(rehearsal) + plots();
-  page.instead_of_plots_html = starts_html(rehearsal);
+  const std::string tables = starts_html(rehearsal) + risks_html(mission, rehearsal.starts[best]) +
+                             advice_table_html("What would change the answer", advice);
+  page.plots_html = tables + plots();
+  page.instead_of_plots_html = tables;
   std::size_t best_flown = 0;
   const json starts = starts_json(mission, rehearsal, best, best_flown);
   page.data_json = script_safe(
@@ -262,8 +264,10 @@ std::string rehearsal_page_html(const LoadedMission& mission, const RehearsalPla
 }
 
 void write_rehearsal_page(const LoadedMission& mission, const RehearsalPlan& plan,
-                          const Rehearsal& rehearsal, const std::filesystem::path& file) {
-  write_page(rehearsal_page_html(mission, plan, rehearsal, report_plotting_library()), file);
+                          const Rehearsal& rehearsal, const std::vector<Advice>& advice,
+                          const std::filesystem::path& file) {
+  write_page(rehearsal_page_html(mission, plan, rehearsal, advice, report_plotting_library()),
+             file);
 }
 
 }  // namespace slackwater::api

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 
+#include "api/rehearse/advice.h"
 #include "api/rehearse/mission_file.h"
 #include "api/rehearse/rehearsal.h"
 
@@ -9,11 +10,14 @@ namespace slackwater::api {
 /// A rehearsal for people: the verdict with its cause, the starts, and of one start what each
 /// vehicle does when, the plan, the charge left against what the way home takes, and the weather
 /// felt with the limits drawn in.
+/// @param advice  for its best start; may be empty
 [[nodiscard]] std::string rehearsal_page_html(const LoadedMission& mission,
                                               const RehearsalPlan& plan, const Rehearsal& rehearsal,
+                                              const std::vector<Advice>& advice,
                                               std::string_view plotting_library);
 /// @throws Error(unavailable) where it cannot be written
 void write_rehearsal_page(const LoadedMission& mission, const RehearsalPlan& plan,
-                          const Rehearsal& rehearsal, const std::filesystem::path& file);
+                          const Rehearsal& rehearsal, const std::vector<Advice>& advice,
+                          const std::filesystem::path& file);
 
 }  // namespace slackwater::api

@@ -163,13 +163,33 @@ bool stays(const Look& look, const Plane& bar) noexcept {
          size_of(other.velocity_m_s) < passing * look.handling.most_speed_m_s;
 }
 
+/// Whether a place is too near to a structure to be gone to, at the depth that the vehicle has.
+bool is_too_near(const Look& look, const StandOff& stand_off, const Planar& place_m) noexcept {
+  const Triple<double> there_m{place_m.north, place_m.east, look.own.depth_m};
+  const double least_m = stand_off.structure_m + look.handling.radius_m;
+  return std::any_of(
+      look.lookout.structures.begin(), look.lookout.structures.end(),
+      [&](const Structure& structure) { return signed_distance_m(structure, there_m) < least_m; });
+}
+
+/// Whether what is wished for lies beyond what bars the way, and can be gone to at all. A vehicle
+/// that is near its place is not to be sent round a pile for a last half metre.
+bool leads_past(const Look& look, const StandOff& stand_off, const Wish& wish,
+                const Planar& wanted_m) noexcept {
+  const Plane* bar = look.bar_of(wanted_m);
+  if (!wish.place_m || bar == nullptr) return true;
+  const Planar place_m = *wish.place_m + look.time_for(size_of(wish.velocity_m_s)) * wish.place_m_s;
+  return bar->room_m(place_m) < 0 && !is_too_near(look, stand_off, place_m);
+}
+
 /// Takes up going round, goes on with it, or leaves it.
-void choose_side(const Look& look, const Planar& wanted_m, const Planar& way_m,
+/// @param is_past  what is wished for lies beyond what bars the way
+void choose_side(const Look& look, const Planar& wanted_m, const Planar& way_m, bool is_past,
                  ClearanceState& state) noexcept {
   constexpr double enough = 0.5, clearly = 0.3, patience_s = 120;
   const Plane* bar = look.bar_of(wanted_m);
   const double size = size_of(wanted_m);
-  if (bar == nullptr || !(size > 0) || !stays(look, *bar)) {
+  if (bar == nullptr || !(size > 0) || !is_past || !stays(look, *bar)) {
     state.side = 0;
     state.side_s = 0;
     return;
@@ -187,7 +207,7 @@ void choose_side(const Look& look, const Planar& wanted_m, const Planar& way_m,
 }
 
 Planar clear_circling(const Look& look, const Planar& wanted_m, ClearanceState& state) noexcept {
-  choose_side(look, wanted_m, {}, state);
+  choose_side(look, wanted_m, {}, true, state);
   const double side = state.side == 0 ? 1 : state.side;
   for (const Planar& way :
        {wanted_m, round_it(look, wanted_m, side), round_it(look, wanted_m, -side), way_out(look)}) {
@@ -309,7 +329,7 @@ ClearWay clear_way(const Handling& h, const StandOff& stand_off, const Lookout& 
     Planar end = look.at(wanted_m);
     const bool has_room = nearest_in(look.cell, end, end);
     Planar way = has_room ? end - own.position_m : way_out(look);
-    choose_side(look, wanted_m, way, state);
+    choose_side(look, wanted_m, way, leads_past(look, stand_off, wish, wanted_m), state);
     if (!out.is_as_wished_aside) {
       if (has_room && state.side != 0) {
         end = look.at(round_it(look, wanted_m, state.side));

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 
 #include "twin/clearance/hazards.h"
 
@@ -9,6 +10,10 @@ namespace slackwater::twin {
 struct Wish {
   Planar velocity_m_s;
   double down_m_s = 0;
+  /// The place that is gone for, or the one on a way beside the vehicle, and how that moves on;
+  /// nowhere: the velocity is all that is wanted.
+  std::optional<Planar> place_m{};
+  Planar place_m_s{};
 };
 
 /// What an alarm began with.
@@ -87,8 +92,9 @@ struct ClearWay {
 /// hazards than planes, less time than T. What can be done is done all the same: out of the
 /// stand-off the shortest way.
 ///
-/// **Deadlock.** One that cannot go on goes round to starboard, along the plane that stops it; two
-/// that meet leave each other to port. Right of way is the order of the run, but for one that
+/// **Deadlock.** One that cannot go on goes round to starboard, along the plane that stops it, but
+/// only for a place beyond that plane, and one that a way round leads to, not too near to a
+/// structure itself. Two that meet leave each other to port. Right of way is the order of the run, but for one that
 /// leaves a vessel's way: whoever bars the way of one that has it moves out of it, square to it.
 ///
 /// No allocation, no exception. @param dt_s  of a step of this vehicle

@@ -95,8 +95,10 @@ Reference keep_clear(const Handling& handling, const StandOff& stand_off, const 
                              : wanted.position_m.z - measured.position_m.z;
   const OwnMotion own = own_motion(measured.position_m, outset.r, outset.velocity_m_s);
   const Triple<double> wish = wanted_velocity(a, measured, wanted, outset);
-  const ClearWay way =
-      clear_way(handling, stand_off, lookout, own, {planar(wish), wish.z}, dt_s, state);
+  Wish wished{planar(wish), wish.z};
+  if (wanted.target != Target::cruise) wished.place_m = planar(wanted.position_m);
+  if (wanted.target == Target::path) wished.place_m_s = planar(wanted.velocity_m_s);
+  const ClearWay way = clear_way(handling, stand_off, lookout, own, wished, dt_s, state);
   if (way.is_as_wished_aside && way.is_as_wished_in_depth) return wanted;
 
   Reference clear = wanted;

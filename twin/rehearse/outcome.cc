@@ -1,5 +1,6 @@
 #include "twin/rehearse/outcome.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -58,18 +59,47 @@ std::string halt_text(const Agent& agent, const AgentState& state) {
   }
 }
 
+bool broke_reserve(const Agent& agent, const AgentState& state) {
+  const ConductState& own = state.conduct;
+  return agent.conduct->full_j > 0 && own.has_ended && !own.is_aboard &&
+         own.at_end.charge < agent.conduct->plan.reserve.share;
+}
+
 std::string stopped_by(const Agent& agent, const AgentState& state) {
   const ConductState& own = state.conduct;
   const double ended_s = own.has_ended ? own.events.back().t_s : std::numeric_limits<double>::max();
   if (state.milestones.power_lost_s < ended_s) return "empty battery";
   if (state.halt != Halt::none) return halt_text(agent, state);
+  if (state.milestones.line_parted_s < ended_s) return "its tether parted";
   if (own.has_turned || own.doing == Doing::hold)
     return cause_text(agent, own.cause, own.cause_detail);
   if (!own.has_ended || !state.mission.is_done) return "out of time";
-  const double reserve = agent.conduct->plan.reserve.share;
-  if (agent.conduct->full_j > 0 && !own.is_aboard && own.at_end.charge < reserve)
-    return "reserve broken";
-  return "";
+  return broke_reserve(agent, state) ? "reserve broken" : "";
+}
+
+bool had_cause(const ConductState& own, Cause cause) {
+  return std::any_of(own.events.begin(), own.events.end(),
+                     [&](const ConductEvent& event) { return event.cause == cause; });
+}
+
+/// @param out  all else of the outcome
+RiskCauses risk_causes_of(const Agent& agent, const AgentState& state, const VehicleOutcome& out) {
+  RiskCauses set;
+  if (out.worst_share > 1) set.add(RiskCause::limit);
+  if (agent.conduct) {
+    const ConductState& own = state.conduct;
+    if (had_cause(own, Cause::reserve) || broke_reserve(agent, state)) set.add(RiskCause::energy);
+    if (had_cause(own, Cause::tether)) set.add(RiskCause::tether);
+    if (had_cause(own, Cause::limit)) set.add(RiskCause::limit);
+  }
+  if (state.milestones.power_lost_s < out.ended_s) set.add(RiskCause::energy);
+  if (out.line_parted_s && *out.line_parted_s < out.ended_s) set.add(RiskCause::tether);
+  if (state.halt == Halt::no_headway || state.halt == Halt::capsized) set.add(RiskCause::station);
+  if (state.halt == Halt::struck || state.halt == Halt::aground ||
+      out.clearance_alarms.value_or(0) > 0)
+    set.add(RiskCause::collision);
+  if (!out.is_done && set.none()) set.add(RiskCause::work);
+  return set;
 }
 
 /// All it did, and the face is not clean for all that.
@@ -87,6 +117,10 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
   out.fuel_kg = state.vehicle.fuel_kg;
   out.state_of_charge = state.vehicle.battery.charge;
   out.nearest = state.nearest;
+  out.thrust_used = state.thrust.most;
+  if (agent.tether) out.line_used = state.milestones.most_line_n / agent.tether->breaking_load_n;
+  if (!std::isnan(state.milestones.line_parted_s))
+    out.line_parted_s = state.milestones.line_parted_s;
   if (agent.clearance) out.clearance_alarms = state.clearance.alarms;
   out.ended_s = state.halt != Halt::none ? state.halted_at_s : ran_s;
   const std::size_t tasks = agent.mission.tasks.size();
@@ -96,6 +130,7 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
   if (!agent.conduct) {
     out.is_done = state.halt == Halt::none;
     if (!out.is_done) out.stopped_by = halt_text(agent, state);
+    out.risks = risk_causes_of(agent, state, out);
     return out;
   }
   const ConductState& own = state.conduct;
@@ -117,6 +152,7 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
     if (out.stopped_by.empty()) out.stopped_by = left_text(*out.cleaning);
   }
   out.is_done = out.stopped_by.empty();
+  out.risks = risk_causes_of(agent, state, out);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "twin/risk/risk_cause.h"
 #include "twin/simulate/agent.h"
 #include "twin/surface/cleaning_outcome.h"
 
@@ -22,10 +23,14 @@ struct VehicleOutcome {
   double fuel_kg = 0;
   double worst_share = 0;  ///< of any limit while it was at its task; above 1 it was exceeded
   bool searches = false;   ///< for somebody
-  std::optional<double> found_s;            ///< when it found him
+  std::optional<double> found_s;  ///< when it found him
+  double thrust_used = 0;         ///< at most, of what its thrusters can (`ThrustUse`)
+  double line_used = 0;           ///< at most, of what its tether bears; 0: it has none
+  std::optional<double> line_parted_s;
   NearestPasses nearest;                    ///< to what was around it
   std::optional<double> clearance_alarms;   ///< of one that keeps clear
   std::optional<CleaningOutcome> cleaning;  ///< of one that cleans
+  RiskCauses risks;                         ///< what befell it
   std::vector<ConductEvent> events;
 };
 

@@ -105,6 +105,7 @@ void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, Agen
   const TetherPull<double> felt = pull(tether, state.tether, ends, water, agent.plan.dt_s);
   around.pull_n = felt.on_vehicle_n;
   state.tether_n = felt.vehicle_tension_n;
+  note_line(state.milestones, state.tether.whole, felt.vehicle_tension_n, t_s + agent.plan.dt_s);
   hold_snag(state);
 }
 
@@ -251,6 +252,7 @@ bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& st
   }
   const Effort effort =
       effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
+  note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
   command_thrusters(agent, effort, state, measured, r, around.height_above_m, input.command);
   lose_thruster(agent, t_s, input.command);
   input.command.rudder_rad = effort.rudder_rad;

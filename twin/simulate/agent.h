@@ -16,6 +16,7 @@
 #include "twin/simulate/milestones.h"
 #include "twin/simulate/mission.h"
 #include "twin/simulate/sense.h"
+#include "twin/simulate/thrust_use.h"
 #include "twin/simulate/vehicle_state.h"
 #include "twin/tether/tether.h"
 
@@ -83,6 +84,7 @@ struct AgentState {
   NearestPasses nearest;
   CoarseState coarse;
   Milestones milestones;
+  ThrustUse thrust;
   Halt halt = Halt::none;
   double halted_at_s = 0;
   /// Of the last step, for logs and observers.

@@ -65,6 +65,7 @@ void note_pull(const Triple<double>& on_vehicle_n, double vehicle_tension_n, dou
   state.coarse.pull_n = on_vehicle_n;
   state.coarse.pulled_to_s = t_s + pull_s;
   state.tether_n = vehicle_tension_n;
+  note_line(state.milestones, state.tether.whole, vehicle_tension_n, t_s + pull_s);
   hold_snag(state);
 }
 

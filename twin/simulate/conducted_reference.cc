@@ -7,6 +7,15 @@
 namespace slackwater::twin {
 namespace {
 
+/// The part of it across the way. On a path the place beside the vehicle goes along with it: what
+/// one aims ahead of that would only make it faster.
+Triple<double> across(const Triple<double>& aim_m, const Reference& reference) {
+  const Triple<double>& way = reference.velocity_m_s;
+  const double squared = dot(way, way);
+  if (reference.target != Target::path || !(squared > 0)) return aim_m;
+  return aim_m - (dot(aim_m, way) / squared) * way;
+}
+
 /// Where the pilot aims instead of where the plan says.
 void let_pilot_aim(const PilotHand& pilot, const Agent& agent, Reference& reference,
                    ConductState& state) {
@@ -19,7 +28,7 @@ void let_pilot_aim(const PilotHand& pilot, const Agent& agent, Reference& refere
   wander(state.aim_m.y);
   // What floats has no depth to aim at.
   if (agent.vehicle->body.hull.strips == 0) wander(state.aim_m.z);
-  reference.position_m = reference.position_m + state.aim_m;
+  reference.position_m = reference.position_m + across(state.aim_m, reference);
   reference.velocity_m_s = pilot.haste * reference.velocity_m_s;
 }
 

@@ -14,6 +14,8 @@ struct Milestones {
   double power_lost_s = never;
   double is_empty = 0;  ///< 1: the battery had nothing left; 0: its voltage was too low
   double capsized_s = never;
+  double line_parted_s = never;
+  double most_line_n = 0;         ///< of its tether, at the vehicle
   double largest_pitch_sine = 0;  ///< of its size
   /// Of the largest roll: sine squared of it up to a right angle, 2 less that beyond: grows with
   /// it, without a call of atan2.
@@ -49,6 +51,12 @@ inline void note_power(Milestones& m, double off, double charge, double t_s) noe
   if (off < 0.5 || !std::isnan(m.power_lost_s)) return;
   m.power_lost_s = t_s;
   m.is_empty = charge < 1e-9 ? 1 : 0;
+}
+
+/// @param whole  of the tether: less than a half once it has parted
+inline void note_line(Milestones& m, double whole, double tension_n, double t_s) noexcept {
+  m.most_line_n = std::max(m.most_line_n, tension_n);
+  if (whole < 0.5 && std::isnan(m.line_parted_s)) m.line_parted_s = t_s;
 }
 
 }  // namespace slackwater::twin

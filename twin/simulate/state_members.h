@@ -40,6 +40,8 @@ inline constexpr bool is_numbers<CoarseState> = true;
 template <>
 inline constexpr bool is_numbers<Milestones> = true;
 template <>
+inline constexpr bool is_numbers<ThrustUse> = true;
+template <>
 inline constexpr bool is_numbers<Spent> = true;
 template <>
 inline constexpr bool is_numbers<DeckMotion> = true;
@@ -64,8 +66,8 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, conduct, clearance,
-         nearest, coarse, milestones, halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n,
-         is_retired] = s;
+         nearest, coarse, milestones, thrust, halt, halted_at_s, water_m_s, wind_m_s, elevation_m,
+         tether_n, is_retired] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
@@ -79,6 +81,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("nearest", nearest);
   visit("coarse", coarse);
   visit("milestones", milestones);
+  visit("thrust", thrust);
   visit("halt", halt);
   visit("halted_at_s", halted_at_s);
   visit("water_m_s", water_m_s);

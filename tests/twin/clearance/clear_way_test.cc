@@ -49,12 +49,15 @@ struct Scene {
   std::vector<Passer> passers;
   ClearanceState state;
 
-  ClearWay way(const Handling& h, const OwnMotion& own, const Planar& wish_m_s, double down_m_s = 0,
-               std::size_t place = 0) {
+  ClearWay way(const Handling& h, const OwnMotion& own, const Wish& wish, std::size_t place = 0) {
     std::vector<Craft> all = craft;
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), craft_of(h, own, state));
-    return clear_way(h, stand_off, {all, place, structures, lines, passers}, own,
-                     {wish_m_s, down_m_s}, dt_s, state);
+    return clear_way(h, stand_off, {all, place, structures, lines, passers}, own, wish, dt_s,
+                     state);
+  }
+  ClearWay way(const Handling& h, const OwnMotion& own, const Planar& wish_m_s, double down_m_s = 0,
+               std::size_t place = 0) {
+    return way(h, own, Wish{wish_m_s, down_m_s}, place);
   }
 };
 
@@ -182,6 +185,32 @@ TEST(AWishIntoAStructure, IsSlowedToWhatStillStops) {
   const double room_m = 10 - 3 - 2 - 0.4;
   EXPECT_LT(stopping_way_m(rov(), size_of(way.velocity_m_s)), room_m);
   EXPECT_GT(size_of(way.velocity_m_s), 0);
+}
+
+TEST(AWishIntoAStructure, LeadsRoundItOnlyToAPlaceBeyondItThatIsClear) {
+  // Radius 3 at the origin; the origin of the vehicle comes no nearer to its axis than 5.4.
+  const Cylinder pile{.north_m = 0, .east_m = 0, .radius_m = 3, .top_m = -20, .bottom_m = 60};
+  struct Case {
+    const char* what;
+    Planar place_m;
+    Planar goes_m_s;
+    bool leads_round;
+  };
+  for (const Case& c : {Case{"beyond it", {0, -9}, {}, true},
+                        {"on its way past it", {0, 5.5}, {0, -2}, true},
+                        {"at its face", {0, 4.2}, {}, false},
+                        {"at its far face", {0, -4.2}, {}, false},
+                        {"half a metre ahead", {0, 5.45}, {}, false},
+                        {"along it", {0, 5.5}, {0.3, 0}, false}}) {
+    SCOPED_TRACE(c.what);
+    Scene scene;
+    scene.structures = {pile};
+    Wish wish{{0, -0.5}, 0};
+    wish.place_m = c.place_m;
+    wish.place_m_s = c.goes_m_s;
+    for (int i = 0; i < 50; ++i) (void)scene.way(rov(), at(0, 5.5), wish);
+    EXPECT_EQ(scene.state.side != 0, c.leads_round);
+  }
 }
 
 TEST(AnRovUnderAVessel, IsClearOfItByItsDepth) {

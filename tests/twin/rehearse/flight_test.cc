@@ -4,6 +4,7 @@
 
 #include "fields/base/text.h"
 #include "tests/twin/simulate/run_for_tests.h"
+#include "twin/simulate/milestones.h"
 
 namespace slackwater::tests {
 namespace {
@@ -54,6 +55,74 @@ TEST(Flight, IsOverForItselfWhileOthersLast) {
   const twin::FlightSample &early = alone.samples[0].back(), &late = together[0].samples[0].back();
   EXPECT_NEAR(late.east_m, early.east_m, 1);
   EXPECT_NEAR(late.charge, early.charge, 1e-3);
+}
+
+/// The outcome of the flight above, over after 100 s, with something befallen it.
+template <typename Change>
+twin::VehicleOutcome outcome_with(Change&& change) {
+  const twin::Scenario mission = against_the_current();
+  twin::ReadyRun ready = twin::set_up(mission, surround_of(mission));
+  twin::AgentState& state = ready.states[0];
+  state.conduct.has_ended = true;
+  state.mission.is_done = true;
+  state.conduct.events.push_back({100, twin::ConductEventKind::finished});
+  change(state);
+  return twin::outcome_of(ready.agents[0], state, 240);
+}
+
+TEST(Outcome, NamesWhatBefellAVehicle) {
+  using twin::AgentState;
+  using twin::RiskCause;
+  const auto one = [](RiskCause cause) {
+    twin::RiskCauses causes;
+    causes.add(cause);
+    return causes;
+  };
+  const auto risks = [](auto&& change) { return outcome_with(change).risks; };
+  EXPECT_TRUE(risks([](AgentState&) {}).none());
+  EXPECT_TRUE(outcome_with([](AgentState&) {}).is_done);
+  EXPECT_EQ(risks([](AgentState& s) { s.conduct.most_share = 1.1; }), one(RiskCause::limit));
+  EXPECT_EQ(risks([](AgentState& s) { s.milestones.power_lost_s = 50; }), one(RiskCause::energy));
+  EXPECT_EQ(risks([](AgentState& s) { s.conduct.at_end.charge = 0.01; }), one(RiskCause::energy));
+  EXPECT_EQ(risks([](AgentState& s) { s.halt = twin::Halt::no_headway; }), one(RiskCause::station));
+  EXPECT_EQ(risks([](AgentState& s) { s.halt = twin::Halt::struck; }), one(RiskCause::collision));
+  EXPECT_EQ(risks([](AgentState& s) { s.mission.is_done = false; }), one(RiskCause::work));
+  // After the end it is no part of the mission.
+  EXPECT_TRUE(risks([](AgentState& s) { s.milestones.line_parted_s = 120; }).none());
+  const twin::VehicleOutcome parted =
+      outcome_with([](AgentState& s) { s.milestones.line_parted_s = 60; });
+  EXPECT_EQ(parted.risks, one(RiskCause::tether));
+  EXPECT_FALSE(parted.is_done);
+  EXPECT_EQ(parted.stopped_by, "its tether parted");
+  EXPECT_EQ(parted.line_parted_s, 60.0);
+}
+
+TEST(Outcome, HasLessThrustToSpareInMoreCurrent) {
+  const auto used = [](double current_m_s) {
+    twin::Scenario mission = against_the_current();
+    twin::Surround surround = surround_of(mission);
+    const std::vector<Horizontal> current(4, Horizontal(-current_m_s, 0));
+    surround.field = twin::made_up_field({first_start(), first_start() + std::chrono::hours(1)},
+                                         {0, 40}, current, {0, 0}, surround.site, 40);
+    const std::vector<twin::FlightCase> once{{first_start(), 0}};
+    return twin::fly(mission, surround, once, {}).front().vehicles[0].thrust_used;
+  };
+  const double calm = used(0), tide = used(0.5);
+  EXPECT_GT(calm, 0);
+  // Drag goes with the square of 0.4 and of 0.9 m/s through the water, or nearly.
+  EXPECT_GT(tide, 3 * calm);
+  EXPECT_LT(tide, 1);
+}
+
+TEST(Milestones, HaveTheHardestPullAndTheFirstPartingOfALine) {
+  twin::Milestones m;
+  twin::note_line(m, 1, 40, 1);
+  twin::note_line(m, 1, 20, 2);
+  EXPECT_EQ(m.most_line_n, 40);
+  EXPECT_TRUE(std::isnan(m.line_parted_s));
+  twin::note_line(m, 0, 0, 3);
+  twin::note_line(m, 0, 0, 4);
+  EXPECT_EQ(m.line_parted_s, 3);
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+#include "api/rehearse/advice.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "api/report/html_page.h"
+#include "api/report/plot_json.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+#include "twin/rehearse/expect_fit.h"
+#include "twin/rehearse/variation.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+using twin::Variation;
+
+std::vector<Variation> variations_of(const LoadedMission& mission, UtcTime start) {
+  const twin::Scenario& as_is = mission.scenario;
+  const twin::Surround& surround = mission.water.surround;
+  std::vector<Variation> out;
+  const auto hour = std::chrono::hours(1);
+  out.push_back({"an hour earlier", as_is, surround, start - hour});
+  out.push_back({"an hour later", as_is, surround, start + hour});
+  for (auto& one : {twin::from_the_other_tide(as_is, surround, start),
+                    twin::at_half_speed(as_is, surround, start),
+                    twin::with_another_battery(as_is, surround, start)})
+    if (one) out.push_back(*one);
+  for (Variation& one : twin::with_other_vehicles(as_is, surround, start, mission.expanded))
+    out.push_back(std::move(one));
+  return out;
+}
+
+Advice as_is(const StartOutcome& flown, std::size_t members) {
+  Advice out;
+  out.flights = members;
+  for (std::size_t i = 0; i < members; ++i) out.done_as_is += flown.flights[i].is_done ? 1 : 0;
+  return out;
+}
+
+void fly_changed(const LoadedMission& mission, const RehearsalPlan& plan, const Variation& changed,
+                 const StartOutcome& flown, Advice& out) {
+  if (plan.forbidden) out.impossible = plan.forbidden(changed.start);
+  if (!out.impossible.empty()) return;
+  twin::Scenario first = changed.mission;
+  first.start = changed.start;
+  twin::expect_fit(mission.expanded, twin::set_up(first, changed.surround));
+  RehearsalPlan once = plan;
+  once.starts = {changed.start};
+  once.members = out.flights;
+  once.narrow_enough = 0;
+  const StartOutcome result = rehearse(changed.mission, changed.surround, once).starts.front();
+  out.done = result.done;
+  out.low = result.low;
+  out.high = result.high;
+  for (std::size_t i = 0; i < out.flights; ++i) {
+    const bool is_done = result.flights[i].is_done, was_done = flown.flights[i].is_done;
+    out.gained += is_done && !was_done ? 1 : 0;
+    out.lost += was_done && !is_done ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+std::vector<Advice> advice_for(const LoadedMission& mission, const RehearsalPlan& plan,
+                               const StartOutcome& flown, std::size_t members) {
+  const Advice before = as_is(flown, std::min(members, flown.flights.size()));
+  std::vector<Advice> all;
+  if (before.flights == 0) return all;
+  for (const Variation& changed : variations_of(mission, flown.start)) {
+    Advice& out = all.emplace_back(before);
+    out.what = changed.what;
+    try {
+      fly_changed(mission, plan, changed, flown, out);
+    } catch (const Error& error) {
+      // A vehicle that does not fit, a start outside of the forecast: no answer is one too.
+      if (error.kind() != ErrorKind::invalid_input && error.kind() != ErrorKind::not_found) throw;
+      out.impossible = error.what();
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Advice& a, const Advice& b) {
+    if (a.impossible.empty() != b.impossible.empty()) return a.impossible.empty();
+    return a.gain() > b.gain();
+  });
+  return all;
+}
+
+json advice_json(const std::vector<Advice>& advice) {
+  json out = json::array();
+  for (const Advice& one : advice) {
+    json entry{{"what", one.what}};
+    if (!one.impossible.empty()) {
+      entry["impossible"] = one.impossible;
+    } else {
+      entry["flights"] = one.flights;
+      entry["done"] = one.done;
+      entry["done_as_is"] = one.done_as_is;
+      entry["gained"] = one.gained;
+      entry["lost"] = one.lost;
+      entry["interval_95"] = {number(one.low), number(one.high)};
+    }
+    out.push_back(std::move(entry));
+  }
+  return out;
+}
+
+std::string text_of(const Advice& advice) {
+  if (!advice.impossible.empty()) return advice.what + ": not possible, " + advice.impossible;
+  return advice.what +
+         formatted(": {} of {} done instead of {}", advice.done, advice.flights, advice.done_as_is);
+}
+
+std::string advice_table_html(const std::string& title, const std::vector<Advice>& advice) {
+  if (advice.empty()) return "";
+  ReportTable table;
+  table.title = title;
+  table.note =
+      "The same futures, one thing changed. Gained and lost: futures that are done only with the "
+      "change, or only without it.";
+  table.columns = {"Change", "Done", "Instead of", "Gained", "Lost"};
+  for (const Advice& one : advice) {
+    if (!one.impossible.empty()) {
+      table.rows.push_back({one.what, "not possible: " + one.impossible, "-", "-", "-"});
+      continue;
+    }
+    table.rows.push_back({one.what, formatted("{} of {}", one.done, one.flights),
+                          formatted("{}", one.done_as_is), formatted("{}", one.gained),
+                          formatted("{}", one.lost)});
+  }
+  return table_html(table);
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,44 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "api/rehearse/mission_file.h"
+#include "api/rehearse/rehearsal.h"
+
+namespace slackwater::api {
+
+/// What would come of a mission done otherwise in one way, in the same futures.
+struct Advice {
+  std::string what;         ///< "an hour later"
+  std::string impossible;   ///< why it was not flown; empty: it was
+  std::size_t flights = 0;  ///< of the mission as it is and of the changed one, each
+  std::size_t done = 0;     ///< of the changed one
+  std::size_t done_as_is = 0;
+  std::size_t gained = 0;  ///< futures that are done only if it is changed
+  std::size_t lost = 0;    ///< and those that are done only as it is
+  double low = 0, high = 1;
+
+  [[nodiscard]] double gain() const noexcept {
+    return flights > 0 ? (static_cast<double>(gained) - static_cast<double>(lost)) /
+                             static_cast<double>(flights)
+                       : 0;
+  }
+};
+
+/// Flies a start of a mission an hour earlier and later, from the other side of the tide, at half
+/// the speed, with another battery and with other vehicles, each in the futures that the start was
+/// flown in, and says what changes the answer most: best first, what is impossible last.
+/// @param flown    the start as it was flown
+/// @param members  how many of its futures at most
+[[nodiscard]] std::vector<Advice> advice_for(const LoadedMission& mission,
+                                             const RehearsalPlan& plan, const StartOutcome& flown,
+                                             std::size_t members);
+
+[[nodiscard]] nlohmann::json advice_json(const std::vector<Advice>& advice);
+/// "an hour later: 22 of 24 done instead of 10".
+[[nodiscard]] std::string text_of(const Advice& advice);
+[[nodiscard]] std::string advice_table_html(const std::string& title,
+                                            const std::vector<Advice>& advice);
+
+}  // namespace slackwater::api

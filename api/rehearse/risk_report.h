@@ -1,0 +1,27 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "api/rehearse/rehearsal.h"
+#include "twin/risk/risk_register.h"
+
+namespace slackwater::api {
+
+/// The register of a start, over all vehicles of each of its flights; empty where nothing was
+/// flown.
+[[nodiscard]] std::vector<twin::RiskEntry> risks_of(
+    const StartOutcome& start, const std::vector<twin::Consequence>& consequences);
+
+/// `risks` of a start in JSON: api/docs/rehearse.md has the schema.
+[[nodiscard]] nlohmann::json risks_json(const std::vector<twin::RiskEntry>& risks);
+
+/// For people, the gravest first: "the tether parts or is fouled: 2 of 24 (1 to 24 %), asset 4 of
+/// 5: medium, high at worst". What befell no flight and is low at worst is left out.
+[[nodiscard]] std::vector<std::string> risk_texts(const std::vector<twin::RiskEntry>& risks);
+
+/// The register as a table of a page; empty of none.
+[[nodiscard]] std::string risk_table_html(const std::string& title,
+                                          const std::vector<twin::RiskEntry>& risks);
+
+}  // namespace slackwater::api

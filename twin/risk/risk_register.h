@@ -1,0 +1,48 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "twin/chance/success_interval.h"
+#include "twin/risk/consequence.h"
+#include "twin/risk/risk_cause.h"
+
+namespace slackwater::twin {
+
+/// How likely, in classes: below 1 %, 5 %, 20 %, 50 %, and more. A convention of this program.
+enum class Likelihood : std::uint8_t { rare, unlikely, possible, likely, expected };
+[[nodiscard]] Likelihood likelihood_of(double probability) noexcept;
+/// "rare (below 1 %)".
+[[nodiscard]] std::string_view text_of(Likelihood likelihood) noexcept;
+
+/// Likelihood (1 to 5) times the worst consequence (1 to 5): below 6 low, below 15 medium, else
+/// high. A convention of this program.
+enum class RiskLevel : std::uint8_t { low, medium, high };
+[[nodiscard]] RiskLevel level_of(Likelihood likelihood, int worst_grade) noexcept;
+[[nodiscard]] std::string_view name_of(RiskLevel level) noexcept;
+
+/// A line of a register of risks.
+struct RiskEntry {
+  RiskCause cause{};
+  std::size_t flights = 0;
+  std::size_t befell = 0;
+  SuccessInterval probability;             ///< of the cause; holds however many flights there were
+  std::optional<Consequence> consequence;  ///< absent: the task says none
+  RiskLevel level = RiskLevel::low;        ///< by the share that it befell
+  RiskLevel at_worst = RiskLevel::low;     ///< by the upper bound of its probability
+
+  [[nodiscard]] double share() const noexcept {
+    return flights > 0 ? static_cast<double>(befell) / static_cast<double>(flights) : 0;
+  }
+};
+
+/// All risks, the gravest first: by level, then by how bad it would be at worst, then by share.
+/// A cause whose consequence nobody states is taken to be of the middle class.
+/// @param flights       what befell each
+/// @param consequences  of the tasks of the mission, the worse of two counts
+/// @param level         of the intervals
+[[nodiscard]] std::vector<RiskEntry> risk_register(std::span<const RiskCauses> flights,
+                                                   std::span<const Consequence> consequences,
+                                                   double level = 0.95);
+
+}  // namespace slackwater::twin
