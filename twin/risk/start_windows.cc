@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fields/base/check.h"
+#include "twin/chance/success_interval.h"
 
 namespace slackwater::twin {
 
@@ -16,11 +17,11 @@ std::vector<StartWindow> windows_of(std::span<const StartChance> chances,
     window.last = run.end - 1;
     window.least = 1;
     for (std::size_t s = run.begin; s < run.end; ++s) {
-      const double share = static_cast<double>(chances[s].held) / static_cast<double>(members);
-      window.least = std::min(window.least, share);
-      window.mean += share / static_cast<double>(run.steps());
-      if (share > window.most) {
-        window.most = share;
+      const double probability = next_success(chances[s].held, members);
+      window.least = std::min(window.least, probability);
+      window.mean += probability / static_cast<double>(run.steps());
+      if (probability > window.most) {
+        window.most = probability;
         window.best = s;
       }
       window.by_threshold += chances[s].by_threshold ? 1 : 0;
@@ -43,9 +44,9 @@ std::string_view name_of(Verdict verdict) noexcept {
   return "";
 }
 
-Verdict verdict_of(double share, const VerdictRule& rule) noexcept {
-  if (share >= rule.go) return Verdict::go;
-  return share >= rule.marginal ? Verdict::marginal : Verdict::no_go;
+Verdict verdict_of(double probability, const VerdictRule& rule) noexcept {
+  if (probability >= rule.go) return Verdict::go;
+  return probability >= rule.marginal ? Verdict::marginal : Verdict::no_go;
 }
 
 }  // namespace slackwater::twin

@@ -13,7 +13,7 @@ namespace slackwater::twin {
 struct StartWindow {
   std::size_t first = 0;  ///< of the starts
   std::size_t last = 0;   ///< the latest one
-  double least = 0;       ///< share of members that keep all limits
+  double least = 0;       ///< probability that all limits hold (`next_success` of the members)
   double mean = 0;
   double most = 0;
   std::size_t best = 0;          ///< the first of the starts that have it
@@ -33,12 +33,12 @@ enum class Verdict { go, marginal, no_go };
 /// "go", "marginal", "no-go".
 [[nodiscard]] std::string_view name_of(Verdict verdict) noexcept;
 
-/// From which share of members on a start is one to take, or to think about.
+/// From which probability on a start is one to take, or to think about.
 struct VerdictRule {
   double go = 0.9;
   double marginal = 0.5;
 };
-/// Of the best start. @param share  of members; none: 0
-[[nodiscard]] Verdict verdict_of(double share, const VerdictRule& rule) noexcept;
+/// Of the best start. @param probability  of it; of none 0
+[[nodiscard]] Verdict verdict_of(double probability, const VerdictRule& rule) noexcept;
 
 }  // namespace slackwater::twin
