@@ -85,9 +85,9 @@ void run_windows(const WindowsArguments& arguments, const Context& context) {
   const WindowsQuestion question = question_of(arguments, context);
   const WindowsAnswer answer = windows_of(question, context.store_folder);
   if (context.json)
-    std::printf("%s\n", windows_json(question, answer)
-                            .dump(2, ' ', false, json::error_handler_t::replace)
-                            .c_str());
+    std::printf(
+        "%s\n",
+        windows_json(question, answer).dump(2, ' ', false, json::error_handler_t::replace).c_str());
   else
     std::fputs(windows_text(question, answer).c_str(), stdout);
   for (const std::string& note : answer.notes)
@@ -105,7 +105,8 @@ void add_windows(CLI::App& app, Context& context) {
   command->add_option("--day", arguments->day,
                       "day D of the forecast (default: the one in force); starts are those of the "
                       "first full UTC day after its issue");
-  command->add_option("--forecast", arguments->forecast, "a forecast's file instead of the store's");
+  command->add_option("--forecast", arguments->forecast,
+                      "a forecast's file instead of the store's");
   command->add_option("--task", arguments->tasks,
                       "id of data/tasks or a file, as often as wanted (default: the site's)");
   command->add_option("--turbine", arguments->turbines,
@@ -127,8 +128,9 @@ void add_windows(CLI::App& app, Context& context) {
   command->add_option("--light", arguments->light,
                       "sun_up, civil or nautical: the task is done in that light");
   command->add_option("--shift", arguments->shift, "06:00-18:00: the task is done in these hours");
-  command->add_option("--timezone,--zone", arguments->zone,
-                      "of the shift and the table, e.g. Europe/Paris (default: the site's, else UTC)");
+  command->add_option(
+      "--timezone,--zone", arguments->zone,
+      "of the shift and the table, e.g. Europe/Paris (default: the site's, else UTC)");
   command->add_option("--alpha", arguments->alpha,
                       "FILE.yaml of factors, as often as wanted, or: errors, worked out from those "
                       "of wave forecasts (default: DNV-OS-H101 table 4-1)");

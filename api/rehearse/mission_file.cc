@@ -62,8 +62,8 @@ LoadedMission load_mission(const std::filesystem::path& file,
                            const std::filesystem::path& store_folder,
                            const std::vector<twin::Assumption>& assumed) {
   const auto folder = std::filesystem::absolute(file).parent_path();
-  LoadedMission out = lay_out_mission(Config::load(file), folder, file.filename().string(),
-                                      store_folder, assumed);
+  LoadedMission out =
+      lay_out_mission(Config::load(file), folder, file.filename().string(), store_folder, assumed);
   out.water = water_of(out.scenario, store_folder, folder);
   with_context(file.string(), [&] { add_heard_traffic(out.scenario, folder, out.water); });
   return out;

@@ -20,9 +20,9 @@ AlphaPractice AlphaPractice::of_tables(const std::vector<std::filesystem::path>&
     AlphaTable table = twin::read_alpha_table(Config::load(file));
     for (const AlphaTable& other : practice.tables_)
       if (other.variable == table.variable)
-        throw Error(ErrorKind::invalid_input,
-                    file.string() + ": found a second table for " +
-                        twin::word_of(table.variable).key + "; give one for each variable");
+        throw Error(ErrorKind::invalid_input, file.string() + ": found a second table for " +
+                                                  twin::word_of(table.variable).key +
+                                                  "; give one for each variable");
     practice.tables_.push_back(std::move(table));
   }
   return practice;

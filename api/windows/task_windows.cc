@@ -30,12 +30,12 @@ std::string yaml_list(const std::vector<std::string>& values) {
 
 LoadedMission laid_out_at(const SharedOutlook& outlook, const WindowsQuestion& question,
                           const std::string& task, const std::vector<std::string>& turbines) {
-  const std::string yaml = "name: windows\nsite: " + quoted_yaml(question.site) + "\ntasks: " +
-                           yaml_list({task}) + "\nturbines: " + yaml_list(turbines) +
+  const std::string yaml = "name: windows\nsite: " + quoted_yaml(question.site) +
+                           "\ntasks: " + yaml_list({task}) + "\nturbines: " + yaml_list(turbines) +
                            "\nduration: 30d\nstep_s: 0.05\nseed: 1\nwaves: {components: 1}\n";
-  LoadedMission mission =
-      lay_out_mission(Config::parse(yaml, "the mission of task " + task), std::filesystem::current_path(),
-                      "task " + task, outlook.store_folder, question.assumed);
+  LoadedMission mission = lay_out_mission(Config::parse(yaml, "the mission of task " + task),
+                                          std::filesystem::current_path(), "task " + task,
+                                          outlook.store_folder, question.assumed);
   // It is not flown, and what set_up asks of the forecast is its first minute.
   mission.scenario.duration_s = 60;
   return mission;
@@ -103,11 +103,12 @@ void lay_grid(const WindowsQuestion& question, const SharedOutlook& shared, Outl
                             hours_text(out.contingency_s) + " of contingency";
   if (shared.is_one_day && needed_s > 86400)
     throw Error(ErrorKind::invalid_input,
-                takes + ", which is longer than the day; ask for the hours of several days with "
-                        "--from and --to, or for less with --contingency");
-  const auto parts = std::max<Duration::rep>(
-      1, (question.every.count() + Duration(longest_step).count() - 1) /
-             Duration(longest_step).count());
+                takes +
+                    ", which is longer than the day; ask for the hours of several days with "
+                    "--from and --to, or for less with --contingency");
+  const auto parts =
+      std::max<Duration::rep>(1, (question.every.count() + Duration(longest_step).count() - 1) /
+                                     Duration(longest_step).count());
   const Duration step = question.every / parts;
   const double step_s = std::chrono::duration<double>(step).count();
   const auto needed = static_cast<std::size_t>(std::ceil(needed_s / step_s - 1e-6));
@@ -119,15 +120,17 @@ void lay_grid(const WindowsQuestion& question, const SharedOutlook& shared, Outl
   }
   if (fitting == 0)
     throw Error(ErrorKind::invalid_input,
-                takes + "; begun at " + format_utc(shared.from) + " it ends after the forecast, "
-                        "which ends at " + format_utc(end) +
-                        "; move --from, or take a forecast with a longer --horizon");
+                takes + "; begun at " + format_utc(shared.from) +
+                    " it ends after the forecast, "
+                    "which ends at " +
+                    format_utc(end) + "; move --from, or take a forecast with a longer --horizon");
   outlook.starts = {0, static_cast<std::size_t>(parts), fitting};
-  outlook.clock = {shared.from, step, outlook.starts.step_of(fitting - 1) + std::max<std::size_t>(needed, 1)};
+  outlook.clock = {shared.from, step,
+                   outlook.starts.step_of(fitting - 1) + std::max<std::size_t>(needed, 1)};
   if (fitting < asked)
-    out.notes.push_back(formatted("{} starts after {} are left out: they end after the forecast",
-                                  asked - fitting,
-                                  format_utc(outlook.clock.time_of(outlook.starts.step_of(fitting - 1)))));
+    out.notes.push_back(
+        formatted("{} starts after {} are left out: they end after the forecast", asked - fitting,
+                  format_utc(outlook.clock.time_of(outlook.starts.step_of(fitting - 1)))));
 }
 
 LimitText text_of_limit(const std::string& worker, const twin::Limit& limit) {
@@ -189,8 +192,8 @@ void watch_limits(const WindowsQuestion& question, const SharedOutlook& shared, 
       if (twin::only_a_run_shows(limit.variable))
         not_checked.insert(agent.name + ": " + twin::text_of(limit) + " (only a run shows it)");
     }
-    for (twin::LimitAhead& ahead : twin::limits_ahead(outlook.ready, a, outlook.clock,
-                                                      shared.members, shared.waves)) {
+    for (twin::LimitAhead& ahead :
+         twin::limits_ahead(outlook.ready, a, outlook.clock, shared.members, shared.waves)) {
       const twin::Limit& limit = agent.conduct->plan.limits[ahead.limit];
       twin::PhaseSet phase;
       phase.bits = 0;
@@ -229,8 +232,8 @@ void add_gate(const std::string& text, const twin::StepRanges& open, Outlook& ou
   watched.bound = {twin::BoundSide::at_least, 1};
   watched.is_gate = true;
   const double step_s = std::chrono::duration<double>(outlook.clock.step).count();
-  watched.when = {
-      {0, static_cast<std::size_t>(std::ceil((out.planned_s + out.contingency_s) / step_s - 1e-6))}};
+  watched.when = {{0, static_cast<std::size_t>(
+                          std::ceil((out.planned_s + out.contingency_s) / step_s - 1e-6))}};
   // The values move with the vector that holds them, their place does not.
   watched.members.emplace_back(outlook.gates.back());
   outlook.question.watched.push_back(std::move(watched));
@@ -245,13 +248,13 @@ void note_light(const SharedOutlook& shared, const WindowsQuestion& question, tw
   const auto day = twin::light_of(shared.site->point, day_of(shared.from), light, question.zone);
   if (day.kind == twin::DayOfLight::Kind::comes_and_goes) return;
   out.notes.push_back("daylight (" + std::string(twin::name_of(light)) + ") at " +
-                      formatted("{:.1f}", shared.site->point.latitude_deg()) + " degrees north on " +
-                      format_day(day_of(shared.from)) + ": " +
+                      formatted("{:.1f}", shared.site->point.latitude_deg()) +
+                      " degrees north on " + format_day(day_of(shared.from)) + ": " +
                       twin::text_of(day, question.zone));
 }
 
-void add_gates(const WindowsQuestion& question, const SharedOutlook& shared,
-               const TaskSheet& sheet, Outlook& outlook, TaskWindows& out) {
+void add_gates(const WindowsQuestion& question, const SharedOutlook& shared, const TaskSheet& sheet,
+               Outlook& outlook, TaskWindows& out) {
   std::set<twin::Light> lights;
   if (question.light) lights.insert(*question.light);
   if (sheet.daylight) lights.insert(*sheet.daylight);
@@ -294,8 +297,7 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
       start.interval = intervals[held];
       start.probability = twin::next_success(held, outlook.question.members);
     }
-    if (start.chance.binding)
-      start.binds_at = outlook.clock.time_of(start.chance.binding->step);
+    if (start.chance.binding) start.binds_at = outlook.clock.time_of(start.chance.binding->step);
     out.starts.push_back(std::move(start));
   }
   const auto windows = [&](auto is_open) {

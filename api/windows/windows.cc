@@ -98,11 +98,11 @@ WindowsAnswer windows_of(const WindowsQuestion& question,
   if (field.snapshot().degraded)
     answer.notes.push_back("the forecast is degraded: " + field.snapshot().headline);
   answer.tasks.resize(tasks.size());
-  for_all(tasks.size(), question.threads, [&](std::size_t i) {
-    answer.tasks[i] = task_windows(question, shared, tasks[i]);
-  });
+  for_all(tasks.size(), question.threads,
+          [&](std::size_t i) { answer.tasks[i] = task_windows(question, shared, tasks[i]); });
   answer.verdict = twin::Verdict::go;
-  for (const TaskWindows& task : answer.tasks) answer.verdict = std::max(answer.verdict, task.verdict);
+  for (const TaskWindows& task : answer.tasks)
+    answer.verdict = std::max(answer.verdict, task.verdict);
   answer.notes.insert(answer.notes.end(), answer.water.warnings.begin(),
                       answer.water.warnings.end());
   return answer;

@@ -18,23 +18,23 @@ namespace slackwater::api {
 
 /// Which windows are asked for.
 struct WindowsQuestion {
-  std::string site;                      ///< id, or the path of its file
-  std::optional<UtcDay> day;             ///< day D of the forecast; absent: the one in force
-  std::filesystem::path forecast;        ///< a forecast's file instead; empty: of the store
-  std::vector<std::string> tasks;        ///< empty: those of the site
-  std::vector<std::string> turbines;     ///< empty: the first that the task can be done at
-  std::optional<UtcTime> from;           ///< of the starts; absent: the first full UTC day
-  std::optional<UtcTime> to;             ///< not itself a start
+  std::string site;                   ///< id, or the path of its file
+  std::optional<UtcDay> day;          ///< day D of the forecast; absent: the one in force
+  std::filesystem::path forecast;     ///< a forecast's file instead; empty: of the store
+  std::vector<std::string> tasks;     ///< empty: those of the site
+  std::vector<std::string> turbines;  ///< empty: the first that the task can be done at
+  std::optional<UtcTime> from;        ///< of the starts; absent: the first full UTC day
+  std::optional<UtcTime> to;          ///< not itself a start
   Duration every = std::chrono::minutes(30);
-  std::optional<Duration> contingency;   ///< absent: that of the task's sheet
-  std::size_t members = 0;               ///< 0: as issued
-  bool waves_as_forecast = false;        ///< in all members; else each has an error of its own
+  std::optional<Duration> contingency;  ///< absent: that of the task's sheet
+  std::size_t members = 0;              ///< 0: as issued
+  bool waves_as_forecast = false;       ///< in all members; else each has an error of its own
   std::vector<twin::Assumption> assumed;
-  std::optional<twin::Light> light;      ///< beside what the sheets say
+  std::optional<twin::Light> light;  ///< beside what the sheets say
   std::optional<twin::DayHours> shift;
-  std::optional<TimeZone> zone;          ///< of the shift and of what people read; absent: UTC
+  std::optional<TimeZone> zone;  ///< of the shift and of what people read; absent: UTC
   AlphaPractice practice;
-  bool period_from_start = false;        ///< TPOP from the start, not from the issue
+  bool period_from_start = false;  ///< TPOP from the start, not from the issue
   twin::VerdictRule rule;
   int threads = 1;
 };
@@ -86,8 +86,8 @@ struct TaskWindows {
   std::vector<std::string> assumed;
   std::vector<std::string> notes;
   std::vector<TaskStart> starts;
-  std::vector<twin::StartWindow> windows;       ///< whose probability is worth a thought
-  std::vector<twin::StartWindow> by_threshold;  ///< where the central forecast allows
+  std::vector<twin::StartWindow> windows;                  ///< whose probability is worth a thought
+  std::vector<twin::StartWindow> by_threshold;             ///< where the central forecast allows
   std::optional<std::vector<twin::StartWindow>> by_alpha;  ///< absent: practice says nothing
   std::string no_alpha;                                    ///< why
   twin::Verdict verdict = twin::Verdict::no_go;

@@ -119,32 +119,33 @@ json windows_json(const WindowsQuestion& question, const WindowsAnswer& answer) 
   const std::size_t members = question.members > 0 ? question.members : forecast.members;
   json tasks = json::array();
   for (const TaskWindows& task : answer.tasks) tasks.push_back(task_json(task, members));
-  return {{"site", answer.site_id},
-          {"site_name", answer.site_name},
-          {"forecast",
-           {{"name", answer.water.forecast_name},
-            {"sha256", answer.water.forecast_sha256},
-            {"day", format_day(forecast.day)},
-            {"issued", format_utc(forecast.issued)},
-            {"degraded", forecast.degraded},
-            {"hindsight", forecast.hindsight}}},
-          {"from", format_utc(answer.from)},
-          {"to", format_utc(answer.to)},
-          {"every_min", number(std::chrono::duration<double, std::ratio<60>>(question.every).count())},
-          {"timezone", question.zone ? json(question.zone->name()) : json(nullptr)},
-          {"members", members},
-          {"members_issued", answer.water.members_issued},
-          {"waves", question.waves_as_forecast || members == 1 ? "as forecast in all members"
-                                                               : "with the published error"},
-          {"rules",
-           {{"go", number(question.rule.go)},
-            {"marginal", number(question.rule.marginal)},
-            {"alpha", question.practice.name()},
-            {"alpha_source", question.practice.source()},
-            {"alpha_period_from", question.period_from_start ? "start" : "issue"}}},
-          {"verdict", twin::name_of(answer.verdict)},
-          {"tasks", tasks},
-          {"notes", answer.notes}};
+  return {
+      {"site", answer.site_id},
+      {"site_name", answer.site_name},
+      {"forecast",
+       {{"name", answer.water.forecast_name},
+        {"sha256", answer.water.forecast_sha256},
+        {"day", format_day(forecast.day)},
+        {"issued", format_utc(forecast.issued)},
+        {"degraded", forecast.degraded},
+        {"hindsight", forecast.hindsight}}},
+      {"from", format_utc(answer.from)},
+      {"to", format_utc(answer.to)},
+      {"every_min", number(std::chrono::duration<double, std::ratio<60>>(question.every).count())},
+      {"timezone", question.zone ? json(question.zone->name()) : json(nullptr)},
+      {"members", members},
+      {"members_issued", answer.water.members_issued},
+      {"waves", question.waves_as_forecast || members == 1 ? "as forecast in all members"
+                                                           : "with the published error"},
+      {"rules",
+       {{"go", number(question.rule.go)},
+        {"marginal", number(question.rule.marginal)},
+        {"alpha", question.practice.name()},
+        {"alpha_source", question.practice.source()},
+        {"alpha_period_from", question.period_from_start ? "start" : "issue"}}},
+      {"verdict", twin::name_of(answer.verdict)},
+      {"tasks", tasks},
+      {"notes", answer.notes}};
 }
 
 }  // namespace slackwater::api

@@ -64,13 +64,12 @@ std::string window_text(const TaskWindows& task, const twin::StartWindow& window
   const TaskStart& best = task.starts[window.best];
   std::string text = "  start " + clock(first.start);
   if (window.starts() > 1) text += " to " + clock(task.starts[window.last].start);
-  text += window.most - window.least < 0.005
-              ? formatted("   P {:.2f}", window.mean)
-              : formatted("   P {:.2f} to {:.2f}, mean {:.2f}", window.least, window.most,
-                          window.mean);
+  text += window.most - window.least < 0.005 ? formatted("   P {:.2f}", window.mean)
+                                             : formatted("   P {:.2f} to {:.2f}, mean {:.2f}",
+                                                         window.least, window.most, window.mean);
   text += formatted("   threshold {}/{}", window.by_threshold, window.starts());
-  text += task.by_alpha ? formatted("   alpha {}/{}", window.by_alpha, window.starts())
-                        : "   alpha -";
+  text +=
+      task.by_alpha ? formatted("   alpha {}/{}", window.by_alpha, window.starts()) : "   alpha -";
   return text + "\n    best " + clock(best.start) + ": " + chance_text(best) + "; " +
          binding_text(task, best, members, clock) + "\n";
 }
@@ -84,8 +83,8 @@ std::string rule_text(const TaskWindows& task, const std::vector<twin::StartWind
   return parts.empty() ? "no start" : joined(parts, ", ");
 }
 
-std::string task_text(const WindowsQuestion& question, const TaskWindows& task,
-                      std::size_t members, const PeoplesClock& clock) {
+std::string task_text(const WindowsQuestion& question, const TaskWindows& task, std::size_t members,
+                      const PeoplesClock& clock) {
   std::string text = formatted("{:<9}", std::string(twin::name_of(task.verdict))) + task.name +
                      " at " + joined(task.turbines, ", ") +
                      formatted(", {:.1f} h and {:.1f} h of contingency\n", task.planned_s / 3600,
@@ -96,10 +95,11 @@ std::string task_text(const WindowsQuestion& question, const TaskWindows& task,
     text += formatted("  no start with P of {:g} or more; best ", question.rule.marginal) +
             clock(best->start) + ": " + chance_text(*best) + "\n    stopped by " +
             binding_text(task, *best, members, clock) + "\n";
-  text += "  the central forecast alone: " + rule_text(task, task.by_threshold, clock) +
-          "; with alpha: " +
-          (task.by_alpha ? rule_text(task, *task.by_alpha, clock) : "says nothing, " + task.no_alpha) +
-          "\n";
+  text +=
+      "  the central forecast alone: " + rule_text(task, task.by_threshold, clock) +
+      "; with alpha: " +
+      (task.by_alpha ? rule_text(task, *task.by_alpha, clock) : "says nothing, " + task.no_alpha) +
+      "\n";
   for (const std::string& limit : task.not_checked) text += "  not checked: " + limit + "\n";
   for (const std::string& value : task.assumed) text += "  assumed: " + value + "\n";
   for (const std::string& note : task.notes) text += "  " + note + "\n";
@@ -112,14 +112,15 @@ std::string windows_text(const WindowsQuestion& question, const WindowsAnswer& a
   const Snapshot& forecast = answer.water.surround.field->snapshot();
   const std::size_t members = question.members > 0 ? question.members : forecast.members;
   const PeoplesClock clock(question.zone, answer.from, answer.to);
-  std::string text = std::string(twin::name_of(answer.verdict)) + ": " + answer.site_name + ", starts from " +
-                     clock.with_date(answer.from) + " to " + clock.with_date(answer.to) + " " +
-                     clock.name(answer.from) + "\n\n";
+  std::string text = std::string(twin::name_of(answer.verdict)) + ": " + answer.site_name +
+                     ", starts from " + clock.with_date(answer.from) + " to " +
+                     clock.with_date(answer.to) + " " + clock.name(answer.from) + "\n\n";
   for (const TaskWindows& task : answer.tasks)
     text += task_text(question, task, members, clock) + "\n";
-  text += formatted("go: a start with P of {:g} or more; marginal: of {:g}. P: that all limits hold to the way "
-                    "home, as {} futures say.\n",
-                    question.rule.go, question.rule.marginal, members);
+  text += formatted(
+      "go: a start with P of {:g} or more; marginal: of {:g}. P: that all limits hold to the way "
+      "home, as {} futures say.\n",
+      question.rule.go, question.rule.marginal, members);
   text += "forecast " + answer.water.forecast_name +
           (members > 1 ? question.waves_as_forecast
                              ? "; waves as forecast in all futures"

@@ -78,8 +78,8 @@ HeightError HeightErrors::at(double height_m, double lead_h) const noexcept {
     const auto& errors = by_height[row];
     return mixed(errors[l.index], errors[std::min(l.index + 1, errors.size() - 1)], l.share);
   };
-  HeightError error = mixed(at_height(h.index),
-                            at_height(std::min(h.index + 1, by_height.size() - 1)), h.share);
+  HeightError error =
+      mixed(at_height(h.index), at_height(std::min(h.index + 1, by_height.size() - 1)), h.share);
   const double part = std::min(1.0, std::max(0.0, height_m) / heights_m.front());
   error.bias_m *= part;
   error.sigma_m *= part;

@@ -18,8 +18,8 @@ struct HeightErrors {
   std::string name;
   std::string source;
   std::string status;
-  std::vector<double> leads_h;    ///< ascending
-  std::vector<double> heights_m;  ///< ascending
+  std::vector<double> leads_h;                      ///< ascending
+  std::vector<double> heights_m;                    ///< ascending
   std::vector<std::vector<HeightError>> by_height;  ///< heights x leads
 
   [[nodiscard]] HeightError at(double height_m, double lead_h) const noexcept;

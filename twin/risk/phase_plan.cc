@@ -48,8 +48,7 @@ StepRanges steps_of(const PhasePlan& plan, PhaseSet phases, double contingency_s
     const double to_s = from_s + phase.duration_s;
     if (phases.has(phase.phase) && phase.duration_s > 0) {
       const auto begin = static_cast<std::size_t>(std::floor(from_s / step_s + hair));
-      const auto end =
-          static_cast<std::size_t>(std::ceil((to_s + contingency_s) / step_s - hair));
+      const auto end = static_cast<std::size_t>(std::ceil((to_s + contingency_s) / step_s - hair));
       if (!ranges.empty() && begin <= ranges.back().end)
         ranges.back().end = std::max(ranges.back().end, end);
       else

@@ -49,9 +49,9 @@ struct BindingLimit {
 
 /// What a start may hope for.
 struct StartChance {
-  bool by_threshold = false;      ///< the central forecast keeps all limits
-  std::optional<bool> by_alpha;   ///< and with the margins of practice; absent: it says nothing
-  std::size_t held = 0;           ///< members that keep all limits
+  bool by_threshold = false;     ///< the central forecast keeps all limits
+  std::optional<bool> by_alpha;  ///< and with the margins of practice; absent: it says nothing
+  std::size_t held = 0;          ///< members that keep all limits
   std::optional<BindingLimit> binding;  ///< absent: it has no limit that says how near it is
 };
 

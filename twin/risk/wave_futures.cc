@@ -33,8 +33,8 @@ double WaveFutures::height_m(std::size_t member, double central_m, UtcTime time)
   const double share = lead_h - static_cast<double>(low);
   // Between two nodes a mean of them is narrower than either: made as wide again.
   const double kept = high > low ? std::exp(-1 / memory_h) : 1;
-  const double width = std::sqrt((1 - share) * (1 - share) + share * share +
-                                 2 * share * (1 - share) * kept);
+  const double width =
+      std::sqrt((1 - share) * (1 - share) + share * share + 2 * share * (1 - share) * kept);
   const double z = ((1 - share) * path[low] + share * path[high]) / width;
   const double height_m = central_m + wave_height_sigma_m(central_m, lead_h) * z;
   return std::isnan(central_m) ? central_m : std::max(0.0, height_m);

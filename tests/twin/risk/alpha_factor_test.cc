@@ -61,9 +61,9 @@ TEST(AlphaTable, RefusesWhatIsNoTable) {
   EXPECT_NE(text_of("limits: [1, 2]\nrows: [{up_to_h: 12, alpha: [0.6]}]\n", head)
                 .find("found 1 factors, expected 2"),
             std::string::npos);
-  EXPECT_NE(text_of("limits: [2, 1]\nrows: [{up_to_h: 12, alpha: [0.6, 0.7]}]\n", head)
-                .find("ascending"),
-            std::string::npos);
+  EXPECT_NE(
+      text_of("limits: [2, 1]\nrows: [{up_to_h: 12, alpha: [0.6, 0.7]}]\n", head).find("ascending"),
+      std::string::npos);
   EXPECT_NE(text_of("limits: [1]\nrows: [{up_to_h: 12, alpha: [1.6]}]\n", head).find("alpha"),
             std::string::npos);
   EXPECT_NE(

@@ -200,11 +200,9 @@ Counted counted(const RandomCase& one, std::size_t start) {
       for (std::size_t i = at + when.begin; i < at + when.end; ++i) {
         const double value = one.values[w][0][i];
         if (std::isnan(value)) continue;
-        if (!watched.alpha.empty())
-          allows &= value <= watched.bound.value * watched.alpha[start];
-        const double share = watched.bound.side == BoundSide::at_most
-                                 ? value / watched.bound.value
-                                 : watched.bound.value / value;
+        if (!watched.alpha.empty()) allows &= value <= watched.bound.value * watched.alpha[start];
+        const double share = watched.bound.side == BoundSide::at_most ? value / watched.bound.value
+                                                                      : watched.bound.value / value;
         if (share > out.share) {
           out.share = share;
           out.nearest = watched.limit;
@@ -243,7 +241,8 @@ TEST(StartChances, AreThoseOfAStepByStepCountOnRandomCases) {
       for (std::vector<double>& values : one.values[w])
         for (std::size_t i = 0; i < q.steps; ++i) {
           // Mostly within, and now and then the bound itself.
-          const double value = (is_upper ? 0.9 : 1.1) + (is_upper ? 1 : -1) * 0.15 * random.normal();
+          const double value =
+              (is_upper ? 0.9 : 1.1) + (is_upper ? 1 : -1) * 0.15 * random.normal();
           const double kind = random.uniform();
           values.push_back(kind < 0.03 ? unknown : kind < 0.06 ? 1.0 : std::max(0.05, value));
         }
