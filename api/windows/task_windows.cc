@@ -70,10 +70,6 @@ struct Outlook {
 
 double hours_of(double seconds) { return seconds / 3600; }
 
-Duration milliseconds_of(double seconds) {
-  return Duration(static_cast<Duration::rep>(std::llround(seconds * 1000)));
-}
-
 std::string hours_text(double seconds) { return formatted("{:.1f} h", hours_of(seconds)); }
 
 /// Phases, planned time and contingency of every worker.

@@ -1,5 +1,5 @@
-// `slackwater windows`: when a task can be begun in an issued forecast, for people and for programs,
-// and all that can be wrong with the question.
+// `slackwater windows`: when a task can be begun in an issued forecast, for people and for
+// programs, and all that can be wrong with the question.
 #include <gtest/gtest.h>
 
 #include <algorithm>
