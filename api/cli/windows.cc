@@ -33,9 +33,11 @@ Duration positive(std::string_view option, const std::string& text) {
   return found;
 }
 
-AlphaPractice practice_of(const std::vector<std::string>& named) {
+AlphaPractice practice_of(const std::vector<std::string>& named, const Site& site,
+                          const Context& context, int threads) {
   if (named.size() == 1 && named.front() == "errors")
-    return AlphaPractice::of_errors(published_height_errors());
+    return AlphaPractice::of_errors(twin::with_verified(
+        published_height_errors(), verified_heights(site, context.store_folder, threads)));
   std::vector<std::filesystem::path> files;
   for (const std::string& name : named) {
     if (name == "errors")
@@ -68,9 +70,8 @@ WindowsQuestion question_of(const WindowsArguments& arguments, const Context& co
   if (!arguments.zone.empty())
     question.zone = option_value("--timezone", arguments.zone,
                                  [](const std::string& name) { return TimeZone::named(name); });
-  else
-    question.zone = find_site(arguments.site, site_folders(context.store_folder)).time_zone;
-  question.practice = practice_of(arguments.alpha);
+  const Site site = find_site(arguments.site, site_folders(context.store_folder));
+  if (arguments.zone.empty()) question.zone = site.time_zone;
   question.period_from_start = arguments.period_from == "start";
   if (arguments.marginal > arguments.go)
     throw Error(ErrorKind::usage, "found --marginal above --go, expected at most as much");
@@ -78,6 +79,7 @@ WindowsQuestion question_of(const WindowsArguments& arguments, const Context& co
   question.threads = arguments.threads > 0
                          ? arguments.threads
                          : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  question.practice = practice_of(arguments.alpha, site, context, question.threads);
   return question;
 }
 
@@ -133,7 +135,7 @@ void add_windows(CLI::App& app, Context& context) {
       "of the shift and the table, e.g. Europe/Paris (default: the site's, else UTC)");
   command->add_option("--alpha", arguments->alpha,
                       "FILE.yaml of factors, as often as wanted, or: errors, worked out from those "
-                      "of wave forecasts (default: DNV-OS-H101 table 4-1)");
+                      "of the site's wave forecasts (default: DNV-OS-H101 table 4-1)");
   command
       ->add_option("--alpha-from", arguments->period_from,
                    "issue or start: from when the planned period of alpha counts (default issue)")

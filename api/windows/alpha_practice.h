@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fields/site/site.h"
 #include "twin/risk/alpha_factor.h"
 #include "twin/risk/height_errors.h"
 
@@ -33,5 +34,10 @@ class AlphaPractice {
 
 /// The record of data/alpha: the errors of forecast wave heights where nothing nearer is known.
 [[nodiscard]] twin::HeightErrors published_height_errors();
+
+/// How the wave heights of a site's issued forecasts erred so far, by day of lead, scored anew from
+/// what the store holds (`verify`); none where nothing was issued or no truth is in.
+[[nodiscard]] std::vector<twin::VerifiedHeights> verified_heights(
+    const Site& site, const std::filesystem::path& store_folder, int threads);
 
 }  // namespace slackwater::api

@@ -32,10 +32,10 @@ LoadedMission laid_out_at(const SharedOutlook& outlook, const WindowsQuestion& q
                           const std::string& task, const std::vector<std::string>& turbines) {
   const std::string yaml = "name: windows\nsite: " + quoted_yaml(question.site) +
                            "\ntasks: " + yaml_list({task}) + "\nturbines: " + yaml_list(turbines) +
-                           "\nduration: 30d\nstep_s: 0.05\nseed: 1\nwaves: {components: 1}\n";
-  LoadedMission mission = lay_out_mission(Config::parse(yaml, "the mission of task " + task),
-                                          std::filesystem::current_path(), "task " + task,
-                                          outlook.store_folder, question.assumed);
+                           "\nduration: 30d\nstep_s: 0.05\nseed: 1\nwaves: {components: 8}\n";
+  LoadedMission mission =
+      lay_out_mission(Config::parse(yaml, "its mission"), std::filesystem::current_path(),
+                      "its mission", outlook.store_folder, question.assumed);
   // It is not flown, and what set_up asks of the forecast is its first minute.
   mission.scenario.duration_s = 60;
   return mission;

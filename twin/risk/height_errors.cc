@@ -111,6 +111,36 @@ HeightErrors read_height_errors(const Config& config) {
   return errors;
 }
 
+HeightErrors with_verified(HeightErrors published, const std::vector<VerifiedHeights>& verified) {
+  const HeightErrors prior = published;
+  std::vector<std::string> named;
+  for (const VerifiedHeights& own : verified) {
+    if (own.forecasts < enough_forecasts || !(own.mean_height_m > 0) || !(own.sigma_m > 0))
+      continue;
+    const HeightError there = prior.at(own.mean_height_m, 0.5 * (own.from_h + own.to_h));
+    bool is_used = false;
+    for (std::size_t l = 0; l < prior.leads_h.size(); ++l) {
+      if (prior.leads_h[l] <= own.from_h || prior.leads_h[l] > own.to_h) continue;
+      is_used = true;
+      for (auto& row : published.by_height) {
+        row[l].sigma_m *= own.sigma_m / there.sigma_m;
+        row[l].bias_m += own.bias_m - there.bias_m;
+      }
+    }
+    if (is_used)
+      named.push_back(
+          formatted("{} own forecasts at {:g} to {:g} h", own.forecasts, own.from_h, own.to_h));
+  }
+  if (named.empty()) {
+    published.name +=
+        " (fewer than " + std::to_string(enough_forecasts) + " own forecasts are verified)";
+    return published;
+  }
+  published.name = joined(named, ", ") + "; otherwise " + prior.name;
+  published.source = "verification of own forecasts; " + prior.source;
+  return published;
+}
+
 double alpha_by_errors(double limit_m, const HeightError& error) {
   expects(limit_m > 0, "a limit above 0");
   const double bias_m = error.bias_m > 0 ? 0.5 * error.bias_m : error.bias_m;

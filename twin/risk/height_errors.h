@@ -34,6 +34,27 @@ struct HeightErrors {
 /// @throws Error(invalid_input) with file and line
 [[nodiscard]] HeightErrors read_height_errors(const Config& config);
 
+/// How the wave heights of own forecasts erred, over some leads.
+struct VerifiedHeights {
+  double from_h = 0;  ///< (from, to] of the lead
+  double to_h = 24;
+  std::size_t forecasts = 0;
+  std::size_t pairs = 0;  ///< hours of all of them
+  double bias_m = 0;      ///< forecast minus truth
+  double sigma_m = 0;
+  double mean_height_m = 0;  ///< of the truth
+};
+
+/// From how many forecasts on the errors of some leads stand in the place of the published ones.
+inline constexpr std::size_t enough_forecasts = 20;
+
+/// The published errors brought to what own forecasts had, lead by lead: at the leads of which
+/// enough forecasts were verified deviations are multiplied, and biases moved, so that at the mean
+/// height of those forecasts they are theirs. How errors change with the height stays as published:
+/// verification does not tell.
+[[nodiscard]] HeightErrors with_verified(HeightErrors published,
+                                         const std::vector<VerifiedHeights>& verified);
+
 /// The factor alpha that a forecast with such errors wants at a limit, by the published method of
 /// the standard's table: the height that the largest of n waves surpasses with probability 1e-4, if
 /// the significant height is the limit, over the same if it is the limit but for the error,

@@ -76,8 +76,10 @@ TEST(LimitAhead, IsWhatARunOfThatMemberLooksAtAtThatPlace) {
         twin::AgentState there = run.states[0];
         there.vehicle.body.position_m = ahead.place_m;
         for (const std::size_t i : {0U, 7U, 23U}) {
-          const double a = twin::value_of(limit, run.agents[0], 600.0 * i, there);
-          const double b = twin::value_of(limit, run.agents[0], 600.0 * (i + 1), there);
+          const double a =
+              twin::value_of(limit, run.agents[0], 600.0 * static_cast<double>(i), there);
+          const double b =
+              twin::value_of(limit, run.agents[0], 600.0 * static_cast<double>(i + 1), there);
           const double worse = limit.is_least ? std::min(a, b) : std::max(a, b);
           if (std::isnan(a)) {
             EXPECT_TRUE(std::isnan(ahead.members[m][i]));

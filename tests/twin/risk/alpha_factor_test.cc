@@ -108,5 +108,26 @@ TEST(HeightErrors, AForecastWithoutErrorsNeedsNoMargin) {
   EXPECT_LT(twin::alpha_by_errors(1.5, {0, 0.4}), twin::alpha_by_errors(1.5, {0, 0.3}));
 }
 
+TEST(HeightErrors, OwnForecastsTakeTheirPlaceWhereEnoughAreVerified) {
+  const twin::HeightErrors prior = record();
+  const twin::HeightError there = prior.at(1.5, 12);
+  // The first day twice as good as published, the second with too few.
+  twin::VerifiedHeights first{0, 24, 30, 720, 0.05, 0.5 * there.sigma_m, 1.5};
+  twin::VerifiedHeights second{24, 48, 19, 456, 1, 1, 1.5};
+  const twin::HeightErrors own = twin::with_verified(prior, {first, second});
+  EXPECT_NEAR(own.at(1.5, 12).sigma_m, 0.5 * there.sigma_m, 1e-12);
+  EXPECT_NEAR(own.at(1.5, 12).bias_m, 0.05, 1e-12);
+  EXPECT_NEAR(own.at(4, 24).sigma_m, 0.5 * prior.at(4, 24).sigma_m, 1e-12);
+  EXPECT_EQ(own.at(2, 36).sigma_m, prior.at(2, 36).sigma_m);
+  EXPECT_EQ(own.at(2, 72).bias_m, prior.at(2, 72).bias_m);
+  EXPECT_NE(own.name.find("30 own forecasts at 0 to 24 h"), std::string::npos) << own.name;
+  EXPECT_EQ(own.name.find("19 own"), std::string::npos);
+  EXPECT_GT(twin::alpha_by_errors(1.5, own.at(1.5, 12)),
+            twin::alpha_by_errors(1.5, prior.at(1.5, 12)));
+  const twin::HeightErrors none = twin::with_verified(prior, {second});
+  EXPECT_NE(none.name.find("fewer than 20"), std::string::npos);
+  EXPECT_EQ(none.at(1, 12).sigma_m, prior.at(1, 12).sigma_m);
+}
+
 }  // namespace
 }  // namespace slackwater::tests
