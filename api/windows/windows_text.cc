@@ -106,6 +106,20 @@ std::string task_text(const WindowsQuestion& question, const TaskWindows& task, 
   return text;
 }
 
+/// A line a task: what is asked first of ten.
+std::string summary_text(const std::vector<TaskWindows>& tasks, const PeoplesClock& clock) {
+  std::string text;
+  for (const TaskWindows& task : tasks) {
+    const TaskStart* best = best_of(task);
+    text += formatted("{:<9}", std::string(twin::name_of(task.verdict)));
+    text += best == nullptr
+                ? std::string("no start       ")
+                : "best " + clock(best->start) + formatted("  P {:.2f}", best->probability);
+    text += "  " + task.name + " at " + joined(task.turbines, ", ") + "\n";
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string windows_text(const WindowsQuestion& question, const WindowsAnswer& answer) {
@@ -115,6 +129,7 @@ std::string windows_text(const WindowsQuestion& question, const WindowsAnswer& a
   std::string text = std::string(twin::name_of(answer.verdict)) + ": " + answer.site_name +
                      ", starts from " + clock.with_date(answer.from) + " to " +
                      clock.with_date(answer.to) + " " + clock.name(answer.from) + "\n\n";
+  if (answer.tasks.size() > 1) text += summary_text(answer.tasks, clock);
   for (const TaskWindows& task : answer.tasks)
     text += task_text(question, task, members, clock) + "\n";
   text += formatted(

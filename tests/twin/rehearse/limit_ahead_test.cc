@@ -97,16 +97,18 @@ TEST(LimitAhead, IsWhatARunOfThatMemberLooksAtAtThatPlace) {
 TEST(LimitAhead, MembersHoldAsOneCountsByHand) {
   const twin::Scenario mission = mission_of("scour_survey");
   const twin::ReadyRun ready = ready_of(mission, water_of(mission), 0);
-  // At the end of the first step 0.2 x 0.5 m/s (a sixth of the way to 0.2 x 1.5) is 0.133 m/s in
-  // the central member: 0.267, 0.4 and 0.533 in the others, of which the last is above 0.5.
+  // From 0.1 to 0.3 m/s in six hours, times 1, 2, 3 and 4: the last member passes 0.5 m/s after 45
+  // minutes, in the fifth step; the others do not within the first hour.
   for (const twin::LimitAhead& ahead :
        twin::limits_ahead(ready, 0, clock_of_four_hours, members, nullptr)) {
     const twin::Limit& limit = ready.agents[0].conduct->plan.limits[ahead.limit];
     if (limit.variable != twin::LimitVariable::current_speed) continue;
     ASSERT_EQ(ahead.members.size(), members);
     for (std::size_t m = 0; m < members; ++m) {
-      EXPECT_NEAR(ahead.members[m][0], 0.1333 * static_cast<double>(1 + m), 0.003);
-      EXPECT_EQ(limit.holds(ahead.members[m][0]), m < 3);
+      const double times = static_cast<double>(1 + m);
+      EXPECT_NEAR(ahead.members[m][4], times * (0.1 + 0.2 * 50 / 360), 1e-6);
+      EXPECT_TRUE(limit.holds(ahead.members[m][3]));
+      EXPECT_EQ(limit.holds(ahead.members[m][4]), m < 3);
     }
   }
 }
