@@ -143,6 +143,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_replay(app, context);
   add_rehearse(app, context);
   add_score(app, context);
+  add_windows(app, context);
   add_workability(app, context);
   add_ais(app, context);
   add_serve(app, context);
@@ -165,7 +166,7 @@ int run_command_line(int argc, const char* const* argv) {
                   std::string("internal error: ") + problem.what() +
                       "; please report it with the command you ran");
   }
-  return 0;
+  return context.exit_code;
 }
 
 }  // namespace slackwater::api

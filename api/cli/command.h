@@ -23,6 +23,7 @@ struct Context {
   std::string at;  ///< `--at`, else the clock
   mutable bool answered =
       false;  ///< the JSON document is printed: trouble after it goes to stderr alone
+  mutable int exit_code = 0;  ///< of a command that went well and was asked for its verdict
 
   [[nodiscard]] UtcTime now() const;
   /// The value of an option that is a UTC time; "now" is the clock's, to the second.
@@ -68,6 +69,7 @@ void add_simulate(CLI::App& app, Context& context);
 void add_replay(CLI::App& app, Context& context);
 void add_rehearse(CLI::App& app, Context& context);
 void add_score(CLI::App& app, Context& context);
+void add_windows(CLI::App& app, Context& context);
 void add_workability(CLI::App& app, Context& context);
 
 }  // namespace slackwater::api

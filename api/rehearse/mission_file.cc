@@ -4,6 +4,7 @@
 
 #include "api/program/paths.h"
 #include "api/rehearse/heard_traffic.h"
+#include "fields/base/advice.h"
 #include "fields/base/config.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -12,20 +13,18 @@
 #include "twin/mission/site_work.h"
 
 namespace slackwater::api {
-namespace {
-
-Config find_task(const std::string& id, const std::filesystem::path& mission_folder) {
+Config load_task(const std::string& id, const std::filesystem::path& folder) {
   const std::filesystem::path named = data_folder() / "tasks" / (id + ".yaml");
   if (id.find('/') == std::string::npos && std::filesystem::exists(named))
     return Config::load(named);
   const std::filesystem::path file = id;
-  const std::filesystem::path beside = file.is_absolute() ? file : mission_folder / file;
+  const std::filesystem::path beside = file.is_absolute() ? file : folder / file;
   if (std::filesystem::exists(beside)) return Config::load(beside);
+  const std::vector<std::string> known = known_tasks();
   throw Error(ErrorKind::not_found, "tasks: found " + id + ", expected one of " +
-                                        joined(known_tasks(), ", ") + ", or the path of a file");
+                                        joined(known, ", ") + ", or the path of a file" +
+                                        did_you_mean(id, known));
 }
-
-}  // namespace
 
 std::vector<std::string> known_tasks() {
   std::vector<std::string> ids;
@@ -35,16 +34,14 @@ std::vector<std::string> known_tasks() {
   return ids;
 }
 
-LoadedMission load_mission(const std::filesystem::path& file,
-                           const std::filesystem::path& store_folder,
-                           const std::vector<twin::Assumption>& assumed) {
-  const Config mission = Config::load(file);
-  const auto folder = std::filesystem::absolute(file).parent_path();
+LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path& folder,
+                              const std::string& name, const std::filesystem::path& store_folder,
+                              const std::vector<twin::Assumption>& assumed) {
   LoadedMission out;
   out.name = mission.text("name");
   const std::string named = mission.text("site");
   // A file beside the mission, or an id.
-  const std::filesystem::path beside = file.parent_path() / named;
+  const std::filesystem::path beside = folder / named;
   const std::string where = std::filesystem::exists(beside) ? beside.string() : named;
   const Site site = find_site(where, site_folders(store_folder));
   out.site = site.id;
@@ -55,15 +52,23 @@ LoadedMission load_mission(const std::filesystem::path& file,
   parts.site_id = where;
   parts.assumed = assumed;
   parts.task = [&](const std::string& id) {
-    Config task = find_task(id, folder);
+    Config task = load_task(id, folder);
     for (twin::Consequence& one : twin::read_consequences(task))
       out.consequences.push_back(std::move(one));
     return task;
   };
   out.expanded = twin::expand_mission(mission, parts);
   mission.expect_all_read();
-  out.scenario =
-      twin::parse_scenario(out.expanded.scenario_yaml, file.filename().string() + " (laid out)");
+  out.scenario = twin::parse_scenario(out.expanded.scenario_yaml, name + " (laid out)");
+  return out;
+}
+
+LoadedMission load_mission(const std::filesystem::path& file,
+                           const std::filesystem::path& store_folder,
+                           const std::vector<twin::Assumption>& assumed) {
+  const auto folder = std::filesystem::absolute(file).parent_path();
+  LoadedMission out =
+      lay_out_mission(Config::load(file), folder, file.filename().string(), store_folder, assumed);
   out.water = water_of(out.scenario, store_folder, folder);
   with_context(file.string(), [&] { add_heard_traffic(out.scenario, folder, out.water); });
   return out;

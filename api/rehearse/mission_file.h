@@ -23,6 +23,17 @@ struct LoadedMission {
   std::vector<twin::Consequence> consequences;  ///< of what can go wrong, as the tasks say it
 };
 
+/// Lays out a mission: reads the tasks and the site that it names. Its water is not looked for.
+/// @param folder   that the files it names count from
+/// @param name     of the mission's file, for errors
+/// @param assumed  beside those of the mission
+/// @throws Error(invalid_input), Error(not_found)
+[[nodiscard]] LoadedMission lay_out_mission(const Config& mission,
+                                            const std::filesystem::path& folder,
+                                            const std::string& name,
+                                            const std::filesystem::path& store_folder,
+                                            const std::vector<twin::Assumption>& assumed);
+
 /// Reads a mission, the tasks and the site that it names, and finds its water.
 /// @param assumed  beside those of the mission
 /// @throws Error(invalid_input), Error(not_found)
@@ -30,6 +41,9 @@ struct LoadedMission {
                                          const std::filesystem::path& store_folder,
                                          const std::vector<twin::Assumption>& assumed);
 
+/// The sheet of a task: of data/tasks by its id, else a file, counted from a folder.
+/// @throws Error(not_found) that lists the ids and names the nearest
+[[nodiscard]] Config load_task(const std::string& id, const std::filesystem::path& folder);
 /// Ids of the tasks that come with the program, sorted.
 [[nodiscard]] std::vector<std::string> known_tasks();
 

@@ -93,10 +93,11 @@ const Arrows& allowed_arrows_of_api() {
       {"api/pipeline", {"api/issued", "api/program"}},
       {"api/history", {"api/pipeline", "api/program"}},
       {"api/rehearse", {"api/issued", "api/pipeline", "api/program", "api/report"}},
+      {"api/windows", {"api/pipeline", "api/program", "api/rehearse"}},
       {"api/demo", {"api/pipeline", "api/program", "api/report", "api/synthetic"}},
       {"api/cli",
        {"api/demo", "api/edr", "api/history", "api/http", "api/issued", "api/pipeline",
-        "api/program", "api/rehearse", "api/report"}}};
+        "api/program", "api/rehearse", "api/report", "api/windows"}}};
   return arrows;
 }
 

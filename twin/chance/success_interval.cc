@@ -37,4 +37,9 @@ SuccessInterval success_interval(std::size_t successes, std::size_t trials, doub
   return {edge(0), edge(1)};
 }
 
+double next_success(std::size_t successes, std::size_t trials) {
+  expects(successes <= trials, "no more successes than trials");
+  return (static_cast<double>(successes) + 1) / (static_cast<double>(trials) + 2);
+}
+
 }  // namespace slackwater::twin

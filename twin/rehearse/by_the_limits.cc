@@ -4,31 +4,14 @@
 #include <cmath>
 
 #include "fields/base/text.h"
+#include "twin/rehearse/limit_ahead.h"
+#include "twin/rehearse/planned_work.h"
 #include "twin/simulate/conduct.h"
 
 namespace slackwater::twin {
 namespace {
 
 constexpr double look_every_s = 600;
-
-bool is_of_the_run(LimitVariable variable) {
-  return variable == LimitVariable::deck_motion || variable == LimitVariable::fender_force;
-}
-
-/// The middle of what a vehicle does in a phase; nothing where it does nothing.
-std::optional<Triple<double>> middle_of(const Mission& mission, Phase phase) {
-  Triple<double> sum_m;
-  double count = 0;
-  for (const ScenarioTask& task : mission.tasks) {
-    if (task.phase != phase) continue;
-    for (const Waypoint& at : task.waypoints) {
-      sum_m = sum_m + at.position_m;
-      ++count;
-    }
-  }
-  if (!(count > 0)) return std::nullopt;
-  return (1 / count) * sum_m;
-}
 
 }  // namespace
 
@@ -44,16 +27,16 @@ LimitsSay by_the_limits(const Scenario& mission, const Surround& surround, UtcTi
     const bool counts =
         workers.empty() || std::find(workers.begin(), workers.end(), agent.name) != workers.end();
     if (!agent.conduct || !counts) continue;
+    const Triple<double>& agent_start_m = ready.states[i].vehicle.body.position_m;
     for (const Limit& limit : agent.conduct->plan.limits) {
-      if (is_of_the_run(limit.variable)) continue;
+      if (only_a_run_shows(limit.variable)) continue;
       for (std::size_t p = 0; p < phase_count; ++p) {
         const auto phase = static_cast<Phase>(p);
-        const auto middle_m = middle_of(agent.mission, phase);
-        if (!limit.phases.has(phase) || !middle_m) continue;
+        const auto place_m = place_in(agent_start_m, agent.mission, phase);
+        if (!limit.phases.has(phase) || !place_m) continue;
         AgentState there = ready.states[i];
-        there.vehicle.body.position_m = *middle_m;
         for (double t_s = 0; t_s <= mission.duration_s; t_s += look_every_s) {
-          const double value = value_of(limit, agent, t_s, there);
+          const double value = value_at(limit, agent, *place_m, t_s, there);
           if (std::isnan(value)) continue;
           const double share = limit.share(value);
           if (!limit.holds(value)) say.allows = false;

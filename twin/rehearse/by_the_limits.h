@@ -15,8 +15,8 @@ struct LimitsSay {
   double share = 0;  ///< how much of it is taken up; above 1: exceeded
 };
 
-/// Looks every ten minutes over the length of the mission, at the middle of each phase's way and
-/// its depth or height. Limits on what only a run can show (the motion of a deck) are left out.
+/// Looks every ten minutes over the length of the mission, at the place of each phase
+/// (`place_in`). Limits on what only a run can show (the motion of a deck) are left out.
 /// @param workers  whose limits count; none: those of all
 /// @throws Error(invalid_input) as `set_up`
 [[nodiscard]] LimitsSay by_the_limits(const Scenario& mission, const Surround& surround,

@@ -1,0 +1,118 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/rehearse/mission_file.h"
+#include "api/windows/alpha_practice.h"
+#include "fields/base/local_time.h"
+#include "twin/chance/success_interval.h"
+#include "twin/risk/calendar.h"
+#include "twin/risk/daylight.h"
+#include "twin/risk/phase_plan.h"
+#include "twin/risk/start_chances.h"
+#include "twin/risk/start_windows.h"
+
+namespace slackwater::api {
+
+/// Which windows are asked for.
+struct WindowsQuestion {
+  std::string site;                   ///< id, or the path of its file
+  std::optional<UtcDay> day;          ///< day D of the forecast; absent: the one in force
+  std::filesystem::path forecast;     ///< a forecast's file instead; empty: of the store
+  std::vector<std::string> tasks;     ///< empty: those of the site
+  std::vector<std::string> turbines;  ///< empty: the first that the task can be done at
+  std::optional<UtcTime> from;        ///< of the starts; absent: the first full UTC day
+  std::optional<UtcTime> to;          ///< not itself a start
+  Duration every = std::chrono::minutes(30);
+  std::optional<Duration> contingency;  ///< absent: that of the task's sheet
+  std::size_t members = 0;              ///< 0: as issued
+  bool waves_as_forecast = false;       ///< in all members; else each has an error of its own
+  std::vector<twin::Assumption> assumed;
+  std::optional<twin::Light> light;  ///< beside what the sheets say
+  std::optional<twin::DayHours> shift;
+  std::optional<TimeZone> zone;  ///< of the shift and of what people read; absent: UTC
+  AlphaPractice practice;
+  bool period_from_start = false;  ///< TPOP from the start, not from the issue
+  twin::VerdictRule rule;
+  int threads = 1;
+};
+
+/// What the twin says of a start: filled by a rehearsal.
+struct TwinChance {
+  double probability = 0;  ///< of success with the reserve kept
+  twin::SuccessInterval interval;
+  std::size_t flights = 0;
+};
+
+/// One limit of a task, in words.
+struct LimitText {
+  std::string worker;  ///< empty: of the task as a whole
+  std::string text;
+  std::vector<std::string> phases;
+  std::optional<double> bound;
+  std::string unit;
+  std::string variable;
+  std::string source;
+  std::string status;
+};
+
+struct TaskStart {
+  UtcTime start;
+  twin::StartChance chance;
+  double probability = 0;           ///< that all limits hold to the way home (`next_success`)
+  twin::SuccessInterval interval;   ///< 95 %, of what infinitely many members would say
+  std::optional<UtcTime> binds_at;  ///< of the binding limit
+  std::string forbidden;            ///< why it may not be begun at all, whatever comes
+  std::optional<TwinChance> twin;
+};
+
+struct WorkerPlan {
+  std::string name;
+  twin::PhasePlan plan;
+};
+
+/// The windows of one task.
+struct TaskWindows {
+  std::string id;
+  std::string name;
+  std::vector<std::string> turbines;
+  std::vector<WorkerPlan> workers;
+  double planned_s = 0;      ///< from the start to the way home
+  double contingency_s = 0;  ///< beyond it
+  std::vector<LimitText> limits;
+  std::vector<std::string> not_checked;
+  std::vector<std::string> assumed;
+  std::vector<std::string> notes;
+  std::vector<TaskStart> starts;
+  std::vector<twin::StartWindow> windows;                  ///< whose probability is worth a thought
+  std::vector<twin::StartWindow> by_threshold;             ///< where the central forecast allows
+  std::optional<std::vector<twin::StartWindow>> by_alpha;  ///< absent: practice says nothing
+  std::string no_alpha;                                    ///< why
+  twin::Verdict verdict = twin::Verdict::no_go;
+};
+
+struct WindowsAnswer {
+  std::string site_id;
+  std::string site_name;
+  ScenarioWater water;
+  UtcTime from;
+  UtcTime to;
+  std::vector<TaskWindows> tasks;
+  twin::Verdict verdict = twin::Verdict::no_go;  ///< the worst of the tasks
+  std::vector<std::string> notes;
+};
+
+/// When each task can be begun, from the forecast in force: by the threshold rule, by practice, and
+/// in which share of the members.
+/// @throws Error(not_found) for sites, forecasts and tasks that there are not, Error(invalid_input)
+///         for times outside the forecast, tasks that are longer than it or than the day, limits on
+///         what nobody knows
+[[nodiscard]] WindowsAnswer windows_of(const WindowsQuestion& question,
+                                       const std::filesystem::path& store_folder);
+
+/// The start that most members keep, the first of them; nothing where there is no start.
+[[nodiscard]] const TaskStart* best_of(const TaskWindows& task);
+
+}  // namespace slackwater::api

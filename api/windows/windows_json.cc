@@ -1,0 +1,151 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "api/windows/windows_answer.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+/// Numbers that are none are null.
+json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::round(value * 1e6) / 1e6;
+}
+
+json limit_json(const LimitText& limit) {
+  return {{"worker", limit.worker.empty() ? json(nullptr) : json(limit.worker)},
+          {"limit", limit.text},
+          {"variable", limit.variable.empty() ? json(nullptr) : json(limit.variable)},
+          {"bound", limit.bound ? number(*limit.bound) : json(nullptr)},
+          {"unit", limit.unit},
+          {"phases", limit.phases},
+          {"source", limit.source},
+          {"status", limit.status}};
+}
+
+json binding_json(const TaskWindows& task, const TaskStart& start) {
+  if (!start.chance.binding) return nullptr;
+  const twin::BindingLimit& binding = *start.chance.binding;
+  const LimitText& limit = task.limits[binding.limit];
+  return {{"index", binding.limit},
+          {"worker", limit.worker.empty() ? json(nullptr) : json(limit.worker)},
+          {"limit", limit.text},
+          {"exceeded", binding.is_exceeded},
+          {"members", binding.members},
+          {"time", format_utc(*start.binds_at)},
+          {"share", number(binding.share)}};
+}
+
+json twin_json(const std::optional<TwinChance>& twin) {
+  if (!twin) return nullptr;
+  return {{"probability", number(twin->probability)},
+          {"interval_95", {number(twin->interval.low), number(twin->interval.high)}},
+          {"flights", twin->flights}};
+}
+
+json start_json(const TaskWindows& task, const TaskStart& start, std::size_t members) {
+  return {{"start", format_utc(start.start)},
+          {"probability", number(start.probability)},
+          {"interval_95", {number(start.interval.low), number(start.interval.high)}},
+          {"members_held", start.chance.held},
+          {"members", members},
+          {"threshold", start.chance.by_threshold},
+          {"alpha", start.chance.by_alpha ? json(*start.chance.by_alpha) : json(nullptr)},
+          {"forbidden", start.forbidden.empty() ? json(nullptr) : json(start.forbidden)},
+          {"binding", binding_json(task, start)},
+          {"twin", twin_json(start.twin)}};
+}
+
+json windows_json(const TaskWindows& task, const std::vector<twin::StartWindow>& windows) {
+  json list = json::array();
+  for (const twin::StartWindow& window : windows)
+    list.push_back({{"from", format_utc(task.starts[window.first].start)},
+                    {"to", format_utc(task.starts[window.last].start)},
+                    {"starts", window.starts()},
+                    {"probability",
+                     {{"min", number(window.least)},
+                      {"mean", number(window.mean)},
+                      {"max", number(window.most)}}},
+                    {"best", format_utc(task.starts[window.best].start)},
+                    {"threshold_starts", window.by_threshold},
+                    {"alpha_starts", task.by_alpha ? json(window.by_alpha) : json(nullptr)}});
+  return list;
+}
+
+json phases_json(const TaskWindows& task) {
+  json list = json::array();
+  for (const WorkerPlan& worker : task.workers) {
+    double from_s = 0;
+    for (const twin::PlannedPhase& phase : worker.plan.phases) {
+      list.push_back({{"worker", worker.name},
+                      {"phase", twin::name_of(phase.phase)},
+                      {"from_min", number(from_s / 60)},
+                      {"to_min", number((from_s + phase.duration_s) / 60)}});
+      from_s += phase.duration_s;
+    }
+  }
+  return list;
+}
+
+json task_json(const TaskWindows& task, std::size_t members) {
+  json limits = json::array();
+  for (const LimitText& limit : task.limits) limits.push_back(limit_json(limit));
+  json starts = json::array();
+  for (const TaskStart& start : task.starts) starts.push_back(start_json(task, start, members));
+  return {{"task", task.id},
+          {"name", task.name},
+          {"turbines", task.turbines},
+          {"verdict", twin::name_of(task.verdict)},
+          {"planned_h", number(task.planned_s / 3600)},
+          {"contingency_h", number(task.contingency_s / 3600)},
+          {"phases", phases_json(task)},
+          {"limits", limits},
+          {"not_checked", task.not_checked},
+          {"assumed", task.assumed},
+          {"notes", task.notes},
+          {"windows", windows_json(task, task.windows)},
+          {"windows_by_threshold", windows_json(task, task.by_threshold)},
+          {"windows_by_alpha", task.by_alpha ? windows_json(task, *task.by_alpha) : json(nullptr)},
+          {"no_alpha", task.no_alpha.empty() ? json(nullptr) : json(task.no_alpha)},
+          {"starts", starts}};
+}
+
+}  // namespace
+
+json windows_json(const WindowsQuestion& question, const WindowsAnswer& answer) {
+  const Snapshot& forecast = answer.water.surround.field->snapshot();
+  const std::size_t members = question.members > 0 ? question.members : forecast.members;
+  json tasks = json::array();
+  for (const TaskWindows& task : answer.tasks) tasks.push_back(task_json(task, members));
+  return {
+      {"site", answer.site_id},
+      {"site_name", answer.site_name},
+      {"forecast",
+       {{"name", answer.water.forecast_name},
+        {"sha256", answer.water.forecast_sha256},
+        {"day", format_day(forecast.day)},
+        {"issued", format_utc(forecast.issued)},
+        {"degraded", forecast.degraded},
+        {"hindsight", forecast.hindsight}}},
+      {"from", format_utc(answer.from)},
+      {"to", format_utc(answer.to)},
+      {"every_min", number(std::chrono::duration<double, std::ratio<60>>(question.every).count())},
+      {"timezone", question.zone ? json(question.zone->name()) : json(nullptr)},
+      {"members", members},
+      {"members_issued", answer.water.members_issued},
+      {"waves", question.waves_as_forecast || members == 1 ? "as forecast in all members"
+                                                           : "with the published error"},
+      {"rules",
+       {{"go", number(question.rule.go)},
+        {"marginal", number(question.rule.marginal)},
+        {"alpha", question.practice.name()},
+        {"alpha_source", question.practice.source()},
+        {"alpha_period_from", question.period_from_start ? "start" : "issue"}}},
+      {"verdict", twin::name_of(answer.verdict)},
+      {"tasks", tasks},
+      {"notes", answer.notes}};
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,285 @@
+// The probability that all limits hold, as the members give it, beside what came: on made-up
+// task-days whose truth is known and exchangeable with the members.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "fields/base/random.h"
+#include "twin/chance/success_interval.h"
+#include "twin/risk/phase_plan.h"
+#include "twin/risk/start_chances.h"
+
+namespace slackwater::tests {
+namespace {
+
+constexpr std::size_t members = 25;  // the central one among them
+constexpr std::size_t steps = 72;    // of half an hour, a day and a half
+constexpr std::size_t starts = 48;
+constexpr std::size_t cases_a_day = 4;
+constexpr double step_s = 1800;
+
+struct Variable {
+  double limit = 1;
+  double sigma = 0;  ///< of a forecast's error after a day, in the unit of the limit
+  double memory_h = 12;
+  double swing = 0;  ///< of the day about its mean
+  double period_h = 24;
+};
+
+/// Waves, a tidal current, wind.
+constexpr std::array<Variable, 3> variables{Variable{1.5, 0.3, 12, 0.35, 30},
+                                            Variable{0.5, 0.05, 8, 0.15, 6.2},
+                                            Variable{12, 1.8, 10, 2.5, 22}};
+
+using Paths = std::vector<std::vector<double>>;
+
+/// The central forecast near its limit, truth and members about it, all drawn alike: futures 1, 2,
+/// ... are members, the last one is what comes.
+Paths paths_of(const Variable& variable, Rng& random) {
+  Paths paths(members + 1);
+  const double mean = variable.limit * random.uniform(0.2, 0.9);
+  const double phase = random.uniform(0, 6.283185307179586);
+  for (std::size_t i = 0; i < steps; ++i)
+    paths[0].push_back(std::max(
+        0.0,
+        mean + variable.swing * std::sin(phase + 6.283185307179586 * 0.5 * static_cast<double>(i) /
+                                                     variable.period_h)));
+  const double kept = std::exp(-0.5 / variable.memory_h);
+  const double fresh = std::sqrt(1 - kept * kept);
+  for (std::size_t f = 1; f <= members; ++f) {
+    double z = random.normal();
+    for (std::size_t i = 0; i < steps; ++i) {
+      // It grows with the lead, by half from the first hour to the end of the day.
+      const double sigma = variable.sigma * (0.8 + 0.4 * static_cast<double>(i) / steps);
+      paths[f].push_back(std::max(0.0, paths[0][i] + sigma * z));
+      z = kept * z + fresh * random.normal();
+    }
+  }
+  return paths;
+}
+
+/// A start of a day: what was said, and what came.
+struct Case {
+  double probability = 0;
+  bool by_threshold = false;
+  bool by_alpha = false;
+  bool held = false;
+};
+using Day = std::vector<Case>;
+
+/// A task of four hours: waves count at launch and recovery, current at work, wind throughout.
+twin::StartQuestion task_of(const std::vector<Paths>& futures, bool is_truth) {
+  const twin::PhasePlan plan{
+      {{twin::Phase::launch, 1200}, {twin::Phase::work, 3 * 3600}, {twin::Phase::recovery, 1800}}};
+  twin::StartQuestion question;
+  question.steps = steps;
+  question.members = is_truth ? 1 : members;
+  question.limits = variables.size();
+  question.starts = {0, 1, starts};
+  for (std::size_t v = 0; v < variables.size(); ++v) {
+    twin::PhaseSet phases;
+    phases.bits = 0;
+    if (v != 1) phases.add(twin::Phase::launch);
+    if (v != 0) phases.add(twin::Phase::work);
+    if (v != 1) phases.add(twin::Phase::recovery);
+    twin::WatchedLimit watched;
+    watched.limit = v;
+    watched.bound = {twin::BoundSide::at_most, variables[v].limit};
+    watched.when = twin::steps_of(plan, phases, 1800, step_s);
+    if (is_truth)
+      watched.members = {futures[v].back()};
+    else
+      for (std::size_t m = 0; m < members; ++m) watched.members.emplace_back(futures[v][m]);
+    if (v == 0) watched.alpha.assign(starts, 0.705);  // DNV-OS-H101 table 4-1, 12 h
+    question.watched.push_back(watched);
+  }
+  return question;
+}
+
+/// Starts that come near a limit oversampled: far from it every rule is right.
+Day day_of(Rng& random) {
+  std::vector<Paths> futures;
+  for (const Variable& variable : variables) futures.push_back(paths_of(variable, random));
+  const auto said = twin::start_chances(task_of(futures, false));
+  const auto came = twin::start_chances(task_of(futures, true));
+  std::vector<std::size_t> near;
+  for (std::size_t s = 0; s < starts; ++s)
+    if (const double share = said[s].binding->share; share > 0.7 && share < 1.5) near.push_back(s);
+  Day day;
+  for (std::size_t i = 0; i < cases_a_day && !near.empty(); ++i) {
+    const std::size_t s = i == 0 ? random.bits() % starts : near[random.bits() % near.size()];
+    day.push_back({twin::next_success(said[s].held, members), said[s].by_threshold,
+                   said[s].by_alpha.value_or(false), came[s].by_threshold});
+  }
+  return day;
+}
+
+double brier(double said, bool held) { return (said - (held ? 1 : 0)) * (said - (held ? 1 : 0)); }
+
+/// The p-quantile of some numbers in order.
+double quantile(std::vector<double>& values, double p) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(p * static_cast<double>(values.size() - 1))];
+}
+
+/// An interval by drawing the days anew.
+template <typename Statistic>
+std::pair<double, double> by_day(const std::vector<Day>& days, double level,
+                                 const Statistic& statistic) {
+  Rng random(11, "window_probabilities/bootstrap");
+  std::vector<double> drawn;
+  std::vector<const Day*> sample(days.size());
+  for (int round = 0; round < 600; ++round) {
+    for (const Day*& day : sample) day = &days[random.bits() % days.size()];
+    if (const double value = statistic(sample); !std::isnan(value)) drawn.push_back(value);
+  }
+  return {quantile(drawn, 0.5 * (1 - level)), quantile(drawn, 0.5 * (1 + level))};
+}
+
+std::size_t decile_of(double probability) {
+  return std::min<std::size_t>(9, static_cast<std::size_t>(probability * 10));
+}
+
+/// What came less what was said, of the cases of a decile.
+double off_in(const std::vector<const Day*>& days, std::size_t decile) {
+  double sum = 0, count = 0;
+  for (const Day* day : days)
+    for (const Case& one : *day)
+      if (decile_of(one.probability) == decile) {
+        sum += (one.held ? 1 : 0) - one.probability;
+        ++count;
+      }
+  return count > 0 ? sum / count : std::nan("");
+}
+
+template <typename Rule>
+double brier_beyond(const std::vector<const Day*>& days, const Rule& rule) {
+  double sum = 0, count = 0;
+  for (const Day* day : days)
+    for (const Case& one : *day) {
+      sum += brier(one.probability, one.held) - brier(rule(one) ? 1 : 0, one.held);
+      ++count;
+    }
+  return sum / count;
+}
+
+/// What a decision maker saves by a rule, as a share of what perfect knowledge saves, beyond always
+/// going or always staying: staying costs `ratio`, going into a broken limit 1.
+template <typename Stays>
+double value_of(const std::vector<Day>& days, double ratio, const Stays& stays) {
+  double rule = 0, broken = 0, count = 0;
+  for (const Day& day : days)
+    for (const Case& one : day) {
+      rule += stays(one) ? ratio : one.held ? 0 : 1;
+      broken += one.held ? 0 : 1;
+      ++count;
+    }
+  const double always = std::min(ratio * count, broken);
+  const double perfect = ratio * broken;
+  return (always - rule) / (always - perfect);
+}
+
+template <typename Goes>
+std::pair<double, double> false_go_and_no_go(const std::vector<Day>& days, const Goes& goes) {
+  double go = 0, false_go = 0, stay = 0, false_stay = 0;
+  for (const Day& day : days)
+    for (const Case& one : day) {
+      (goes(one) ? go : stay) += 1;
+      if (goes(one) && !one.held) ++false_go;
+      if (!goes(one) && one.held) ++false_stay;
+    }
+  return {go > 0 ? false_go / go : 0, stay > 0 ? false_stay / stay : 0};
+}
+
+std::size_t wanted_days() {
+  const char* asked = std::getenv("SLACKWATER_TASK_DAYS");
+  return asked == nullptr ? 2000 : std::strtoull(asked, nullptr, 10);
+}
+
+class WindowProbabilities : public testing::Test {
+ protected:
+  static const std::vector<Day>& days() {
+    static const std::vector<Day> made = [] {
+      std::vector<Day> all;
+      Rng random(2025, "window_probabilities");
+      for (std::size_t i = 0; i < wanted_days(); ++i) all.push_back(day_of(random));
+      return all;
+    }();
+    return made;
+  }
+};
+
+TEST_F(WindowProbabilities, ComeTrueAsOftenAsTheySay) {
+  std::size_t cases = 0, deciles = 0;
+  std::printf("%zu task-days; P said, came true, cases, 99 %% interval of the difference\n",
+              days().size());
+  for (std::size_t decile = 0; decile < 10; ++decile) {
+    std::size_t count = 0;
+    double said = 0, came = 0;
+    for (const Day& day : days())
+      for (const Case& one : day)
+        if (decile_of(one.probability) == decile) {
+          ++count;
+          said += one.probability;
+          came += one.held ? 1 : 0;
+        }
+    cases += count;
+    if (count < 100) continue;
+    ++deciles;
+    const auto [low, high] =
+        by_day(days(), 0.99, [&](const auto& sample) { return off_in(sample, decile); });
+    const auto n = static_cast<double>(count);
+    std::printf("  %.3f  %.3f  %5zu  %+.3f to %+.3f\n", said / n, came / n, count, low, high);
+    EXPECT_LE(low, 0) << "decile " << decile;
+    EXPECT_GE(high, 0) << "decile " << decile;
+  }
+  EXPECT_GE(deciles, 6U);
+  EXPECT_GT(cases, 3 * days().size());
+}
+
+TEST_F(WindowProbabilities, BeatTheThresholdAndTheAlphaRule) {
+  const auto threshold = [](const Case& one) { return one.by_threshold; };
+  const auto alpha = [](const Case& one) { return one.by_alpha; };
+  for (const auto& [name, low_high] :
+       {std::pair{"threshold",
+                  by_day(days(), 0.95, [&](const auto& s) { return brier_beyond(s, threshold); })},
+        std::pair{"alpha",
+                  by_day(days(), 0.95, [&](const auto& s) { return brier_beyond(s, alpha); })}}) {
+    std::printf("Brier score less that of the %s rule: %.4f to %.4f\n", name, low_high.first,
+                low_high.second);
+    EXPECT_LT(low_high.second, 0) << name;
+  }
+  const auto ours =
+      false_go_and_no_go(days(), [](const Case& one) { return one.probability >= 0.9; });
+  const auto by_threshold = false_go_and_no_go(days(), threshold);
+  const auto by_alpha = false_go_and_no_go(days(), alpha);
+  std::printf(
+      "of those who go, into a broken limit; of those who stay, for nothing:\n"
+      "  P >= 0.9   %.3f  %.3f\n  threshold  %.3f  %.3f\n  alpha      %.3f  %.3f\n",
+      ours.first, ours.second, by_threshold.first, by_threshold.second, by_alpha.first,
+      by_alpha.second);
+  EXPECT_LT(ours.first, by_threshold.first);
+  EXPECT_LT(ours.first, by_alpha.first);
+}
+
+TEST_F(WindowProbabilities, AreWorthMoreThanARuleAtAnyRatioOfCostToLoss) {
+  std::printf("cost/loss   value by P, by threshold, by alpha\n");
+  for (const double ratio : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+    const double ours =
+        value_of(days(), ratio, [&](const Case& one) { return 1 - one.probability > ratio; });
+    const double threshold =
+        value_of(days(), ratio, [](const Case& one) { return !one.by_threshold; });
+    const double alpha = value_of(days(), ratio, [](const Case& one) { return !one.by_alpha; });
+    std::printf("  %.2f      %.3f  %6.3f  %6.3f\n", ratio, ours, threshold, alpha);
+    EXPECT_GT(ours, 0) << ratio;
+    EXPECT_GT(ours, threshold - 0.02) << ratio;
+    EXPECT_GT(ours, alpha - 0.02) << ratio;
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::tests

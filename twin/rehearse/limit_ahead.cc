@@ -1,0 +1,97 @@
+#include "twin/rehearse/limit_ahead.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "twin/rehearse/planned_work.h"
+#include "twin/simulate/conduct.h"
+
+namespace slackwater::twin {
+namespace {
+
+/// Waves of the forecast, and what is assumed, are the same in all members.
+bool has_members(LimitVariable variable, const WaveFutures* waves) {
+  if (variable == LimitVariable::significant_wave_height) return waves != nullptr;
+  return variable != LimitVariable::wave_peak_period && word_of(variable).is_served;
+}
+
+/// The water of each member, as the run has that of its own.
+std::vector<std::shared_ptr<const EnvironmentSampler>> waters_of(const ReadyRun& ready,
+                                                                 std::size_t members) {
+  std::vector<std::shared_ptr<const EnvironmentSampler>> waters;
+  for (std::size_t m = 0; m < members; ++m) {
+    Environment environment = *ready.environment;
+    environment.member = m;
+    waters.push_back(sampler_of(std::make_shared<const Environment>(std::move(environment))));
+  }
+  return waters;
+}
+
+/// The worse of two; what nobody knows is the worst.
+double worse_of(const Limit& limit, double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::nan("");
+  return limit.is_least ? std::min(a, b) : std::max(a, b);
+}
+
+}  // namespace
+
+bool only_a_run_shows(LimitVariable variable) noexcept {
+  return variable == LimitVariable::deck_motion || variable == LimitVariable::fender_force;
+}
+
+double value_at(const Limit& limit, const Agent& agent, const Triple<double>& place_m, double t_s,
+                AgentState& there) {
+  there.vehicle.body.position_m = place_m;
+  return value_of(limit, agent, t_s, there);
+}
+
+std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
+                                     const StepClock& clock, std::size_t members,
+                                     const WaveFutures* waves) {
+  const Agent& planned = ready.agents[agent];
+  std::vector<LimitAhead> all;
+  if (!planned.conduct) return all;
+  const Triple<double>& start_m = ready.states[agent].vehicle.body.position_m;
+  const std::vector<Limit>& limits = planned.conduct->plan.limits;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (only_a_run_shows(limits[i].variable)) continue;
+    for (std::size_t p = 0; p < phase_count; ++p) {
+      const auto phase = static_cast<Phase>(p);
+      const auto place_m = place_in(start_m, planned.mission, phase);
+      if (!limits[i].phases.has(phase) || !place_m) continue;
+      LimitAhead ahead{agent, i, phase, *place_m, {}};
+      ahead.members.resize(has_members(limits[i].variable, waves) ? members : 1);
+      all.push_back(std::move(ahead));
+    }
+  }
+  const double step_s = std::chrono::duration<double>(clock.step).count();
+  const double first_s = seconds_between(ready.start, clock.first);
+  const auto waters = waters_of(ready, members);
+  Agent living = planned;
+  AgentState there = ready.states[agent];
+  for (std::size_t m = 0; m < members; ++m) {
+    living.water = waters[m];
+    for (LimitAhead& ahead : all) {
+      if (m >= ahead.members.size()) continue;
+      const Limit& limit = limits[ahead.limit];
+      const auto value = [&](std::size_t i) {
+        const double t_s = first_s + static_cast<double>(i) * step_s;
+        const double found = value_at(limit, living, ahead.place_m, t_s, there);
+        const bool is_spread =
+            waves != nullptr && limit.variable == LimitVariable::significant_wave_height;
+        return is_spread ? waves->height_m(m, found, clock.time_of(i)) : found;
+      };
+      std::vector<double>& values = ahead.members[m];
+      values.reserve(clock.steps);
+      double before = value(0);
+      for (std::size_t i = 0; i < clock.steps; ++i) {
+        const double after = value(i + 1);
+        values.push_back(worse_of(limit, before, after));
+        before = after;
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace slackwater::twin

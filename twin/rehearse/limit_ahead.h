@@ -1,0 +1,38 @@
+#pragma once
+#include <vector>
+
+#include "fields/base/step_clock.h"
+#include "twin/risk/wave_futures.h"
+#include "twin/simulate/set_up.h"
+
+namespace slackwater::twin {
+
+/// What nothing but a run can show: the motion of a deck, the force on a fender.
+[[nodiscard]] bool only_a_run_shows(LimitVariable variable) noexcept;
+
+/// What the variable of a limit is for a vehicle at a place: what a run that has it there looks at.
+/// @param there  scratch: a state of the agent; its position is set
+[[nodiscard]] double value_at(const Limit& limit, const Agent& agent, const Triple<double>& place_m,
+                              double t_s, AgentState& there);
+
+/// The values of one limit over the steps of a grid, at the place of one phase.
+struct LimitAhead {
+  std::size_t agent = 0;  ///< of the run
+  std::size_t limit = 0;  ///< of its conduct
+  Phase phase = Phase::work;
+  Triple<double> place_m;
+  /// By member; one where all members have the same.
+  std::vector<std::vector<double>> members;
+};
+
+/// Reads the limits of a vehicle, each at the place of each of its phases (`place_in`), in every
+/// member. The value of a step is the worse of those at its two ends: between its stamps a forecast
+/// is linear, so that speeds and heights are nowhere worse in between. Limits that only a run can
+/// show are left out.
+/// @param ready    set up at the first time of the clock, in any member
+/// @param waves    futures of the waves; null: all members have those of the forecast
+[[nodiscard]] std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
+                                                   const StepClock& clock, std::size_t members,
+                                                   const WaveFutures* waves);
+
+}  // namespace slackwater::twin

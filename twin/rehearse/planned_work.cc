@@ -1,0 +1,45 @@
+#include "twin/rehearse/planned_work.h"
+
+#include <cmath>
+
+namespace slackwater::twin {
+
+PhasePlan plan_of(const Triple<double>& start_m, const Mission& mission) {
+  PhasePlan plan;
+  Triple<double> is_at_m = start_m;
+  for (const ScenarioTask& task : mission.tasks) {
+    double duration_s = std::isfinite(task.hold_s) ? task.hold_s : 0;
+    for (const Waypoint& to : task.waypoints) {
+      const double speed_m_s = to.speed_m_s > 0 ? to.speed_m_s : mission.guidance.speed_m_s;
+      if (speed_m_s > 0) duration_s += length_of(to.position_m - is_at_m) / speed_m_s;
+      is_at_m = to.position_m;
+    }
+    if (!plan.phases.empty() && plan.phases.back().phase == task.phase)
+      plan.phases.back().duration_s += duration_s;
+    else
+      plan.phases.push_back({task.phase, duration_s});
+  }
+  return plan;
+}
+
+std::optional<Triple<double>> place_in(const Triple<double>& start_m, const Mission& mission,
+                                       Phase phase) {
+  Triple<double> sum_m;
+  double count = 0;
+  std::optional<Triple<double>> stands_m;
+  Triple<double> is_at_m = start_m;
+  for (const ScenarioTask& task : mission.tasks) {
+    if (task.phase == phase) {
+      if (!stands_m) stands_m = is_at_m;
+      for (const Waypoint& at : task.waypoints) {
+        sum_m = sum_m + at.position_m;
+        ++count;
+      }
+    }
+    if (!task.waypoints.empty()) is_at_m = task.waypoints.back().position_m;
+  }
+  if (count > 0) return (1 / count) * sum_m;
+  return stands_m;
+}
+
+}  // namespace slackwater::twin
