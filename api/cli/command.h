@@ -69,5 +69,6 @@ void add_replay(CLI::App& app, Context& context);
 void add_rehearse(CLI::App& app, Context& context);
 void add_score(CLI::App& app, Context& context);
 void add_workability(CLI::App& app, Context& context);
+void add_plan(CLI::App& app, Context& context);
 
 }  // namespace slackwater::api

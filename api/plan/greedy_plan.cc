@@ -80,8 +80,7 @@ void tidy(const PlanProblem& problem, PlanDraft& draft) {
   std::vector<Charge> soonest = earliest_charges(problem, draft.assignments);
   if (!breach_of_packs(problem, draft.assignments, soonest)) draft.charges = std::move(soonest);
   sort_by_time(problem, draft.assignments);
-  for (std::size_t i = 0; i < draft.assignments.size(); ++i)
-    move_earlier(problem, kits, i, draft);
+  for (std::size_t i = 0; i < draft.assignments.size(); ++i) move_earlier(problem, kits, i, draft);
   for (std::size_t job = 0; job < problem.jobs.size(); ++job)
     if (!has_job(draft, job)) add_where_it_fits(problem, job, draft);
   sort_by_time(problem, draft.assignments);

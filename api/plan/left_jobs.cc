@@ -67,10 +67,9 @@ std::string hindrance_text(const PlanProblem& problem, const Plan& plan,
 }
 
 const StartChance& best_start(const PlanJob& job) {
-  return *std::max_element(job.starts.begin(), job.starts.end(),
-                           [](const StartChance& a, const StartChance& b) {
-                             return a.probability < b.probability;
-                           });
+  return *std::max_element(
+      job.starts.begin(), job.starts.end(),
+      [](const StartChance& a, const StartChance& b) { return a.probability < b.probability; });
 }
 
 /// Where no way to do it breaks no rule by itself.
@@ -130,8 +129,8 @@ std::string chance_text(double probability) {
 std::string taken_text(const PlanProblem& problem, const Breach& breach, const Assignment& by) {
   const PlanJob& job = problem.jobs[by.job];
   const std::string& place = problem.places[job.place];
-  const std::string hours =
-      "from " + clock_text(problem, begin_of(problem, by)) + " to " + clock_text(problem, end_of(problem, by));
+  const std::string hours = "from " + clock_text(problem, begin_of(problem, by)) + " to " +
+                            clock_text(problem, end_of(problem, by));
   switch (breach.rule) {
     case Rule::vehicle_twice:
       return problem.vehicles[breach.resource].id + " is at " + place + " " + hours + " (" +
@@ -140,8 +139,8 @@ std::string taken_text(const PlanProblem& problem, const Breach& breach, const A
       return problem.crews[breach.resource].id + " are at " + place + " " + hours + " (" + job.id +
              ")";
     case Rule::vessel_twice:
-      return problem.vessels[breach.resource].id + " is at " + place + " " + hours + " (" +
-             job.id + ")";
+      return problem.vessels[breach.resource].id + " is at " + place + " " + hours + " (" + job.id +
+             ")";
     case Rule::place_aboard:
       return "those who could do it are on " + problem.vessels[by.vessel].id + " (" + job.id + ")";
     case Rule::crew_hours:

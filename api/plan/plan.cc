@@ -18,11 +18,10 @@ double value_of(const PlanProblem& problem, const std::vector<Assignment>& assig
 }
 
 void sort_by_time(const PlanProblem& problem, std::vector<Assignment>& assignments) {
-  std::sort(assignments.begin(), assignments.end(),
-            [&](const Assignment& a, const Assignment& b) {
-              return std::tuple(start_of(problem, a).slot, a.job) <
-                     std::tuple(start_of(problem, b).slot, b.job);
-            });
+  std::sort(assignments.begin(), assignments.end(), [&](const Assignment& a, const Assignment& b) {
+    return std::tuple(start_of(problem, a).slot, a.job) <
+           std::tuple(start_of(problem, b).slot, b.job);
+  });
 }
 
 }  // namespace slackwater::api

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "api/plan/plan_rules.h"
+#include "api/plan/pools.h"
 
 namespace slackwater::api {
 namespace {
@@ -20,7 +21,11 @@ struct Taking {
 
 class ModelBuilder {
  public:
-  explicit ModelBuilder(const PlanProblem& problem) : problem_(problem), kits_(kits_of(problem)) {}
+  explicit ModelBuilder(const PlanProblem& problem)
+      : problem_(problem),
+        kits_(kits_of(problem)),
+        crews_(crew_pools(problem)),
+        vehicles_(vehicle_pools(problem)) {}
 
   PlanModel build() {
     add_options();
@@ -63,8 +68,8 @@ class ModelBuilder {
 
   bool has_packs(std::size_t vehicle, const StartChance& start) const {
     const auto battery = problem_.vehicles[vehicle].battery;
-    return !battery || packs_for(problem_.batteries[*battery], start) <=
-                           problem_.batteries[*battery].count;
+    return !battery ||
+           packs_for(problem_.batteries[*battery], start) <= problem_.batteries[*battery].count;
   }
 
   /// Whether each need can have a vehicle of its own.
@@ -86,7 +91,8 @@ class ModelBuilder {
       const PlanJob& job = problem_.jobs[j];
       for (std::size_t v = 0; v < problem_.vessels.size(); ++v) {
         const auto fit = fitting(j, v);
-        for (std::size_t c = 0; c < problem_.crews.size(); ++c) {
+        for (std::size_t pool = 0; pool < crews_.size(); ++pool) {
+          const std::size_t c = crews_[pool].front();
           const PlanCrew& crew = problem_.crews[c];
           if (crew.vessel.value_or(v) != v || !is_skilled(crew, job)) continue;
           for (std::size_t s = 0; s < job.starts.size(); ++s) {
@@ -100,7 +106,7 @@ class ModelBuilder {
                 model_.linear.add({job.priority * start.probability, 0, 1, true});
             model_.options.push_back({j, s, v, c});
             of_job_[j].push_back(column);
-            of_crew_[{c, v}].push_back(column);
+            of_crew_[{pool, v}].push_back(column);
             of_place_[{v, job.place}].push_back(column);
             of_start_[{j, v, s}].push_back(column);
           }
@@ -109,40 +115,38 @@ class ModelBuilder {
     }
   }
 
-  /// Each vehicle that may serve gets its columns: those of the crews where it is the only one,
-  /// else one of its own, the sum over the vehicles being the sum over the crews.
+  /// Each pool of vehicles that may serve gets its columns: those of the crews where it is the only
+  /// one, else one of its own, the sum over the vehicles being the sum over the crews.
   void add_vehicle_options() {
     for (const auto& [where, columns] : of_start_) {
       const auto [j, v, s] = where;
       const auto fit = fitting(j, v);
       for (std::size_t need = 0; need < fit.size(); ++need) {
         std::vector<std::size_t> ones;
-        for (const std::size_t k : fit[need])
-          if (has_packs(k, problem_.jobs[j].starts[s])) ones.push_back(k);
+        for (std::size_t pool = 0; pool < vehicles_.size(); ++pool) {
+          const std::size_t k = vehicles_[pool].front();
+          if (has_packs(k, problem_.jobs[j].starts[s]) &&
+              std::find(fit[need].begin(), fit[need].end(), k) != fit[need].end())
+            ones.push_back(pool);
+        }
         if (ones.size() == 1) {
-          for (const std::size_t column : columns)
-            use_vehicle(ones.front(), v, column, columns.front());
-          if (fit[need].size() > 1)
-            for (const std::size_t column : columns)
-              model_.vehicle_options.push_back({column, j, need, ones.front()});
+          for (const std::size_t column : columns) {
+            of_vehicle_[{ones.front(), v}].push_back({column, column});
+            model_.vehicle_options.push_back({column, j, need, vehicles_[ones.front()].front()});
+          }
           continue;
         }
         LinearTerms sum;
         for (const std::size_t column : columns) sum.push_back({column, 1});
-        for (const std::size_t k : ones) {
+        for (const std::size_t pool : ones) {
           const std::size_t column = model_.linear.add({0, 0, 1, true});
-          model_.vehicle_options.push_back({column, j, need, k});
+          model_.vehicle_options.push_back({column, j, need, vehicles_[pool].front()});
           sum.push_back({column, -1});
-          use_vehicle(k, v, column, columns.front());
+          of_vehicle_[{pool, v}].push_back({column, columns.front()});
         }
         model_.linear.equal(std::move(sum), 0);
       }
     }
-  }
-
-  /// @param option  a column of the same job, vessel and start
-  void use_vehicle(std::size_t k, std::size_t v, std::size_t column, std::size_t option) {
-    of_vehicle_[{k, v}].push_back({column, option});
   }
 
   void add_jobs() {
@@ -155,30 +159,33 @@ class ModelBuilder {
     model_.linear.at_most(std::move(terms), most);
   }
 
-  /// At each instant at most one of them, or as many as a further column says. Only instants at
-  /// which one begins: what goes on at others goes on at one of these.
-  void add_cliques(const std::vector<Taking>& takings, std::optional<std::size_t> most) {
+  /// At each instant at most one of them, or as many times `each` as a further column says. Only
+  /// instants at which one begins: what goes on at others goes on at one of these.
+  void add_cliques(const std::vector<Taking>& takings, std::optional<std::size_t> most,
+                   double each = 1) {
     std::set<std::size_t> begins;
     for (const Taking& taking : takings) begins.insert(taking.from);
     for (const std::size_t slot : begins) {
       std::map<std::size_t, double> at_once;
       for (const Taking& taking : takings)
-        if (taking.from <= slot && slot < taking.to) at_once[taking.column] = 1;
+        if (taking.from <= slot && slot < taking.to) at_once[taking.column] += 1;
       if (at_once.size() < 2 && !most) continue;
       LinearTerms terms;
       for (const auto& [column, factor] : at_once) terms.push_back({column, factor});
-      if (most) terms.push_back({*most, -1});
+      if (most) terms.push_back({*most, -each});
       model_.linear.at_most(std::move(terms), most ? 0 : 1);
     }
   }
 
+  static double size_of(const Pool& pool) { return static_cast<double>(pool.size()); }
+
   void add_aboard() {
     std::map<std::size_t, LinearTerms> vessels_of_crew, crews_of_vessel;
     for (const auto& [pair, columns] : of_crew_) {
-      const auto [c, v] = pair;
-      const std::size_t aboard = model_.linear.add({0, 0, 1, true});
+      const auto [pool, v] = pair;
+      const std::size_t aboard = model_.linear.add({0, 0, size_of(crews_[pool]), true});
       crew_aboard_[pair] = aboard;
-      vessels_of_crew[c].push_back({aboard, 1});
+      vessels_of_crew[pool].push_back({aboard, 1});
       crews_of_vessel[v].push_back({aboard, 1});
       std::map<std::size_t, LinearTerms> by_job;
       for (const std::size_t column : columns)
@@ -188,7 +195,8 @@ class ModelBuilder {
         model_.linear.at_most(std::move(terms), 0);
       }
     }
-    for (auto& [crew, terms] : vessels_of_crew) model_.linear.at_most(std::move(terms), 1);
+    for (auto& [pool, terms] : vessels_of_crew)
+      model_.linear.at_most(std::move(terms), size_of(crews_[pool]));
     for (auto& [v, terms] : crews_of_vessel)
       model_.linear.at_most(std::move(terms), static_cast<double>(problem_.vessels[v].crews));
   }
@@ -201,22 +209,32 @@ class ModelBuilder {
     }
   }
 
+  /// Those that share packs are aboard together, or not; others are counted.
   void add_vehicles() {
-    std::map<Pair, std::size_t> kit_aboard;
-    std::map<std::size_t, LinearTerms> vessels_of_kit;
+    std::map<Pair, std::size_t> aboard;
+    std::map<std::size_t, LinearTerms> vessels_of;
     for (const auto& [pair, uses] : of_vehicle_) {
-      const auto [k, v] = pair;
-      const Pair kit{kits_[k], v};
-      if (!kit_aboard.contains(kit)) {
-        kit_aboard[kit] = model_.linear.add({0, 0, 1, true});
-        vessels_of_kit[kit.first].push_back({kit_aboard[kit], 1});
+      const auto [pool, v] = pair;
+      const PlanVehicle& vehicle = problem_.vehicles[vehicles_[pool].front()];
+      const double count = size_of(vehicles_[pool]);
+      // A name that no kit has for what is counted pool by pool.
+      const std::size_t group =
+          vehicle.battery ? kits_[vehicles_[pool].front()] : problem_.vehicles.size() + pool;
+      if (!aboard.contains({group, v})) {
+        const std::size_t column = model_.linear.add({0, 0, vehicle.battery ? 1 : count, true});
+        aboard[{group, v}] = column;
+        vessels_of[group].push_back({column, 1});
       }
       std::vector<Taking> takings;
       for (const auto& [column, option] : uses)
-        takings.push_back(taking(column, option, problem_.vehicles[k].swap_min));
-      add_cliques(takings, kit_aboard[kit]);
+        takings.push_back(taking(column, option, vehicle.swap_min));
+      add_cliques(takings, aboard[{group, v}], vehicle.battery ? count : 1);
     }
-    for (auto& [kit, terms] : vessels_of_kit) model_.linear.at_most(std::move(terms), 1);
+    for (auto& [group, terms] : vessels_of) {
+      const std::size_t most =
+          group < problem_.vehicles.size() ? 1 : vehicles_[group - problem_.vehicles.size()].size();
+      model_.linear.at_most(std::move(terms), static_cast<double>(most));
+    }
   }
 
   /// What takes a vessel at a place: its jobs, until the vessel could be elsewhere. Where several
@@ -267,23 +285,28 @@ class ModelBuilder {
           shortest[a] = here;
         }
       }
+      std::map<std::size_t, std::vector<Taking>> at_least;
       std::vector<Taking> all;
       for (const std::size_t a : places) {
-        const std::vector<Taking> here = takings_at(v, a, shortest[a]);
-        all.insert(all.end(), here.begin(), here.end());
+        at_least[a] = takings_at(v, a, shortest[a]);
+        all.insert(all.end(), at_least[a].begin(), at_least[a].end());
       }
       add_cliques(all, std::nullopt);
-      // Longer ways bind pair by pair, where they take another slot.
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        for (std::size_t k = 0; k < i; ++k) {
-          const std::size_t a = places[i], b = places[k];
-          if (!takes_longer(v, a, way[a][b], shortest[a]) &&
-              !takes_longer(v, b, way[b][a], shortest[b]))
-            continue;
-          std::vector<Taking> two = takings_at(v, a, way[a][b]);
-          const std::vector<Taking> other = takings_at(v, b, way[b][a]);
-          two.insert(two.end(), other.begin(), other.end());
-          add_cliques(two, std::nullopt);
+      // Longer ways bind a place and those that are as far from it, where they take another slot.
+      for (const std::size_t a : places) {
+        std::set<Minute> ways;
+        for (const std::size_t b : places)
+          if (a != b) ways.insert(way[a][b]);
+        Minute bound = shortest[a];
+        for (const Minute longer : ways) {
+          if (!takes_longer(v, a, longer, bound)) continue;
+          bound = longer;
+          const std::vector<Taking> here = takings_at(v, a, longer);
+          std::vector<Taking> far = here;
+          for (const std::size_t b : places)
+            if (a != b && way[a][b] >= longer)
+              far.insert(far.end(), at_least[b].begin(), at_least[b].end());
+          add_cliques(far, std::nullopt);
         }
       }
     }
@@ -299,19 +322,20 @@ class ModelBuilder {
   /// A vessel keeps to the shifts of all who are aboard.
   void add_shifts_of_others() {
     for (const auto& [pair, aboard] : crew_aboard_) {
-      const auto [c, v] = pair;
+      const auto [pool, v] = pair;
+      const PlanCrew& crew = problem_.crews[crews_[pool].front()];
+      const double count = size_of(crews_[pool]);
       std::map<std::size_t, LinearTerms> beyond;
       for (const auto& [other, columns] : of_crew_) {
-        if (other.second != v || other.first == c) continue;
+        if (other.second != v || other.first == pool) continue;
         for (const std::size_t column : columns) {
-          if (!shift_holds(problem_, problem_.vessels[v], problem_.crews[c], job_of(column),
-                           start_of(column)))
-            beyond[model_.options[column].job].push_back({column, 1});
+          if (!shift_holds(problem_, problem_.vessels[v], crew, job_of(column), start_of(column)))
+            beyond[model_.options[column].job].push_back({column, count});
         }
       }
       for (auto& [job, terms] : beyond) {
         terms.push_back({aboard, 1});
-        model_.linear.at_most(std::move(terms), 1);
+        model_.linear.at_most(std::move(terms), count);
       }
     }
   }
@@ -322,13 +346,12 @@ class ModelBuilder {
     std::vector<LinearTerms> taken(problem_.slots), back(problem_.slots);
     std::map<std::size_t, std::size_t> most_of_job;
     for (const auto& [pair, uses] : of_vehicle_) {
-      if (problem_.vehicles[pair.first].battery != b) continue;
+      if (problem_.vehicles[vehicles_[pair.first].front()].battery != b) continue;
       for (const auto& [column, option] : uses) {
         const std::size_t packs = packs_for(battery, start_of(option));
         const Taking used = taking(column, option, 0);
         taken[used.from].push_back({column, static_cast<double>(packs)});
-        if (used.to < problem_.slots)
-          back[used.to].push_back({column, static_cast<double>(packs)});
+        if (used.to < problem_.slots) back[used.to].push_back({column, static_cast<double>(packs)});
         std::size_t& most = most_of_job[model_.options[option].job];
         most = std::max(most, packs * problem_.jobs[model_.options[option].job].vehicles.size());
       }
@@ -386,20 +409,21 @@ class ModelBuilder {
         for (const Taking& taking : takings)
           if (taking.from <= slot && slot < taking.to) terms.push_back({taking.column, 1});
         if (!terms.empty())
-          model_.linear.at_most(std::move(terms),
-                                static_cast<double>(problem_.chargers[g].places));
+          model_.linear.at_most(std::move(terms), static_cast<double>(problem_.chargers[g].places));
       }
     }
   }
 
   const PlanProblem& problem_;
   std::vector<std::size_t> kits_;
+  std::vector<Pool> crews_;
+  std::vector<Pool> vehicles_;
   PlanModel model_;
   std::map<std::size_t, std::vector<std::size_t>> of_job_;
-  std::map<Pair, std::vector<std::size_t>> of_crew_;   ///< crew, vessel
-  std::map<Pair, std::vector<std::size_t>> of_place_;  ///< vessel, place
+  std::map<Pair, std::vector<std::size_t>> of_crew_;                         ///< crew pool, vessel
+  std::map<Pair, std::vector<std::size_t>> of_place_;                        ///< vessel, place
   std::map<std::array<std::size_t, 3>, std::vector<std::size_t>> of_start_;  ///< job, vessel, start
-  std::map<Pair, std::vector<Pair>> of_vehicle_;  ///< vehicle, vessel: column, option
+  std::map<Pair, std::vector<Pair>> of_vehicle_;  ///< vehicle pool, vessel: column, option
   std::map<Pair, std::size_t> crew_aboard_;
   std::map<std::size_t, std::vector<Taking>> charging_;
 };
@@ -430,6 +454,7 @@ PlanDraft draft_of(const PlanProblem& problem, const PlanModel& model,
     for (int n = static_cast<int>(std::lround(values[option.column])); n > 0; --n)
       draft.charges.push_back(option.charge);
   sort_by_time(problem, draft.assignments);
+  share_out(problem, draft.assignments);
   return draft;
 }
 

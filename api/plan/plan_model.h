@@ -10,8 +10,9 @@ namespace slackwater::api {
 /// A day's plan as a linear model in 0s and 1s.
 ///
 /// Columns: x(job, vessel, crew, start) = 1 where it is so done, worth priority x probability;
-/// z(job, need, vessel, vehicle, start) where there is a choice of vehicles; aboard(crew, vessel)
-/// and (vehicles that share packs, vessel); the packs of a battery slot by slot.
+/// z(job, need, vessel, vehicle, start) where there is a choice of vehicles; how many of a pool of
+/// crews or vehicles are aboard a vessel; the packs of a battery slot by slot. Crews and vehicles
+/// that nothing tells apart are one pool: members are given out afterwards.
 ///
 /// Rows are cliques in time, which bind tighter than pairs (Sousa and Wolsey 1992): of all that
 /// takes a crew, a vehicle or a vessel at one instant, one. A vessel is taken until it can be
@@ -24,16 +25,16 @@ struct PlanModel {
     std::size_t job = 0;
     std::size_t start = 0;
     std::size_t vessel = 0;
-    std::size_t crew = 0;
+    std::size_t crew = 0;  ///< the first of its pool
   };
   std::vector<Option> options;  ///< of columns 0 to options.size() - 1
   struct VehicleOption {
     std::size_t column = 0;
     std::size_t job = 0;
     std::size_t need = 0;
-    std::size_t vehicle = 0;
+    std::size_t vehicle = 0;  ///< the first of its pool
   };
-  std::vector<VehicleOption> vehicle_options;  ///< where there is a choice
+  std::vector<VehicleOption> vehicle_options;
   struct ChargeOption {
     std::size_t column = 0;
     Charge charge;

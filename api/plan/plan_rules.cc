@@ -126,8 +126,8 @@ std::optional<Breach> breach_between(const PlanProblem& problem,
   if (a.vessel == b.vessel) {
     const PlanVessel& vessel = problem.vessels[a.vessel];
     const std::size_t place_a = problem.jobs[a.job].place, place_b = problem.jobs[b.job].place;
-    if (place_a != place_b && !apart(vessel.way_min[place_a][place_b],
-                                     vessel.way_min[place_b][place_a]))
+    if (place_a != place_b &&
+        !apart(vessel.way_min[place_a][place_b], vessel.way_min[place_b][place_a]))
       return Breach{Rule::vessel_twice, a.vessel};
     if (!shift_holds(problem, a.crew, b)) return Breach{Rule::crew_hours, a.crew};
     if (!shift_holds(problem, b.crew, a)) return Breach{Rule::crew_hours, b.crew};
@@ -173,8 +173,8 @@ std::optional<Breach> breach_of_packs(const PlanProblem& problem,
     for (std::size_t slot = 0; slot < problem.slots; ++slot) {
       std::size_t busy = 0;
       for (const Charge& charge : charges) {
-        const std::size_t end = charge.slot + charge_slots(problem,
-                                                           problem.batteries[charge.battery]);
+        const std::size_t end =
+            charge.slot + charge_slots(problem, problem.batteries[charge.battery]);
         busy += charge.charger == g && charge.slot <= slot && slot < end ? 1 : 0;
       }
       if (busy > problem.chargers[g].places) return Breach{Rule::charger, g};
@@ -188,8 +188,7 @@ std::optional<Breach> breach_of_packs(const PlanProblem& problem,
   return std::nullopt;
 }
 
-std::optional<Breach> breach_in(const PlanProblem& problem,
-                                std::span<const Assignment> assignments,
+std::optional<Breach> breach_in(const PlanProblem& problem, std::span<const Assignment> assignments,
                                 std::span<const Charge> charges) {
   const std::vector<std::size_t> kits = kits_of(problem);
   for (std::size_t i = 0; i < assignments.size(); ++i) {

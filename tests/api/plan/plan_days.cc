@@ -310,8 +310,8 @@ PlanProblem small_random_day(Rng& random) {
   }
   const std::size_t vehicles = pick(random, 1, 3);
   if (random.uniform() < 0.7) {
-    day.batteries.push_back({"lipo", pick(random, 1, 3), 100,
-                             static_cast<Minute>(random.uniform(30, 200)), {}});
+    day.batteries.push_back(
+        {"lipo", pick(random, 1, 3), 100, static_cast<Minute>(random.uniform(30, 200)), {}});
     if (random.uniform() < 0.7) {
       day.chargers.push_back({"deck", pick(random, 1, 2)});
       day.batteries.front().chargers.push_back(0);
@@ -397,7 +397,8 @@ PlanProblem farm_day(std::size_t jobs, std::size_t teams, Rng& random) {
     job.vehicles = {{flies ? "uav" : "rov"}};
     job.skills = {flies ? "uav" : "rov"};
     job.contingency_min = 30;
-    const auto hold = static_cast<Minute>(flies ? random.uniform(80, 140) : random.uniform(150, 260));
+    const auto hold =
+        static_cast<Minute>(flies ? random.uniform(80, 140) : random.uniform(150, 260));
     const double calmest = random.uniform(300, 1100), width = random.uniform(120, 400);
     for (std::size_t slot = 0; slot < day.slots; ++slot) {
       const double off = (day.minute_of(slot) - calmest) / width;
