@@ -60,6 +60,14 @@ std::string hindrance_text(const PlanProblem& problem, const Plan& plan,
     if (std::find(why.begin(), why.end(), text) == why.end()) why.push_back(std::move(text));
   }
   if (nearest->of_all) why.push_back(in_all_text(problem, *nearest->of_all));
+  if (nearest->by.size() > 2) {
+    why.clear();
+    for (const auto& [breach, i] : nearest->by)
+      why.push_back(problem.jobs[plan.assignments[i].job].id);
+    return "its best place, " + clock_text(problem, begin_of(problem, nearest->wanted)) + " (" +
+           chance_text(start_of(problem, nearest->wanted).probability) + "), would cost " +
+           joined(why, ", ");
+  }
   return "at " + clock_text(problem, begin_of(problem, nearest->wanted)) + " (" +
          chance_text(start_of(problem, nearest->wanted).probability) + ") " +
          (why.empty() ? "it would fit, which the search had no time to find"

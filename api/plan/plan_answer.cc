@@ -125,12 +125,16 @@ std::string ways_text(const PlanProblem& problem, const Plan& plan, std::size_t 
 
 std::string charges_text(const PlanProblem& problem, const Plan& plan) {
   std::string text;
-  for (const Charge& charge : plan.charges) {
+  for (std::size_t i = 0; i < plan.charges.size();) {
+    const Charge& charge = plan.charges[i];
+    std::size_t packs = 0;
+    for (; i < plan.charges.size() && plan.charges[i] == charge; ++i) ++packs;
+    const PlanBattery& battery = problem.batteries[charge.battery];
     const Minute begin = problem.minute_of(charge.slot);
-    text +=
-        formatted("{}: a pack charges on {} from {} to {}\n", problem.batteries[charge.battery].id,
-                  problem.chargers[charge.charger].id, clock_text(problem, begin),
-                  clock_text(problem, begin + problem.batteries[charge.battery].charge_min));
+    text += formatted("{}: {} on {} from {} to {}\n", battery.id,
+                      packs == 1 ? "a pack charges" : formatted("{} packs charge", packs),
+                      problem.chargers[charge.charger].id, clock_text(problem, begin),
+                      clock_text(problem, begin + battery.charge_min));
   }
   return text;
 }
