@@ -1,6 +1,7 @@
 #include "api/plan/make_plan.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "api/plan/branch_and_cut.h"
 #include "api/plan/greedy_plan.h"
@@ -39,6 +40,9 @@ Plan make_plan(const PlanProblem& problem, double time_limit_s) {
   if (plan.is_proven) plan.bound = plan.value;
   plan.assignments = std::move(best.assignments);
   plan.charges = std::move(best.charges);
+  std::sort(plan.charges.begin(), plan.charges.end(), [](const Charge& a, const Charge& b) {
+    return std::tie(a.slot, a.battery, a.charger) < std::tie(b.slot, b.battery, b.charger);
+  });
   plan.left = left_jobs(problem, plan);
   return plan;
 }

@@ -48,7 +48,8 @@ bool packs_suffice(const PlanProblem& problem, const std::vector<Assignment>& as
       for (const std::size_t k : one.vehicles) {
         if (problem.vehicles[k].battery != b) continue;
         int wanted = std::max(1, static_cast<int>(std::ceil(start.energy_wh / battery.usable_wh)));
-        const double back = (slot * problem.slot_min + start.hold_min) / double(problem.slot_min);
+        const double back =
+            (static_cast<double>(slot) * problem.slot_min + start.hold_min) / problem.slot_min;
         for (Pack& pack : packs) {
           if (wanted == 0 || pack.charged_from > slot) continue;
           pack = {never, static_cast<std::size_t>(std::ceil(back))};
@@ -173,7 +174,7 @@ std::vector<Charge> charged_at_once(const PlanProblem& problem,
       const StartChance& start = problem.jobs[one.job].starts[one.start];
       for (const std::size_t k : one.vehicles) {
         if (problem.vehicles[k].battery != b) continue;
-        const double end = start.slot * problem.slot_min + start.hold_min;
+        const double end = static_cast<double>(start.slot) * problem.slot_min + start.hold_min;
         const int packs = std::max(1, int(std::ceil(start.energy_wh / battery.usable_wh)));
         back.insert(back.end(), static_cast<std::size_t>(packs),
                     static_cast<std::size_t>(std::ceil(end / problem.slot_min)));
