@@ -58,3 +58,12 @@ add_library(slackwater_lib_udunits INTERFACE)
 target_include_directories(slackwater_lib_udunits SYSTEM INTERFACE ${UDUNITS_INCLUDE})
 target_link_libraries(slackwater_lib_udunits INTERFACE ${UDUNITS_LIBRARY})
 set_property(GLOBAL APPEND PROPERTY SLACKWATER_LIBRARIES slackwater_lib_udunits)
+
+# The pkg-config file of CBC asks for the sources of half of COIN-OR; its C interface needs none.
+find_path(CBC_INCLUDE coin/Cbc_C_Interface.h REQUIRED)
+find_library(CBC_SOLVER_LIBRARY CbcSolver REQUIRED)
+find_library(CBC_LIBRARY Cbc REQUIRED)
+add_library(slackwater_lib_cbc INTERFACE)
+target_include_directories(slackwater_lib_cbc SYSTEM INTERFACE ${CBC_INCLUDE}/coin)
+target_link_libraries(slackwater_lib_cbc INTERFACE ${CBC_SOLVER_LIBRARY} ${CBC_LIBRARY})
+set_property(GLOBAL APPEND PROPERTY SLACKWATER_LIBRARIES slackwater_lib_cbc)

@@ -71,5 +71,6 @@ void add_rehearse(CLI::App& app, Context& context);
 void add_score(CLI::App& app, Context& context);
 void add_windows(CLI::App& app, Context& context);
 void add_workability(CLI::App& app, Context& context);
+void add_plan(CLI::App& app, Context& context);
 
 }  // namespace slackwater::api
