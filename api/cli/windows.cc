@@ -4,7 +4,9 @@
 #include <thread>
 
 #include "api/cli/command.h"
+#include "api/cli/progress.h"
 #include "api/program/paths.h"
+#include "api/windows/fly_windows.h"
 #include "api/windows/windows_answer.h"
 #include "fields/site/site.h"
 
@@ -22,6 +24,7 @@ struct WindowsArguments {
   std::size_t members = 0;
   double go = 0.9, marginal = 0.5;
   bool verdict_exit = false;
+  std::string fly, fly_every = "1h";
   int threads = 0;
 };
 
@@ -83,9 +86,22 @@ WindowsQuestion question_of(const WindowsArguments& arguments, const Context& co
   return question;
 }
 
+/// Flies the starts that are left open, for as long as was asked for.
+void fly_within(const WindowsArguments& arguments, const WindowsQuestion& question,
+                const Context& context, WindowsAnswer& answer) {
+  FlyWindows settings;
+  settings.most_wall_s = std::chrono::duration<double>(positive("--fly", arguments.fly)).count();
+  settings.every = positive("--fly-every", arguments.fly_every);
+  if (!context.json) std::fputs(windows_text(question, answer).c_str(), stderr);
+  ProgressBar progress("flying " + answer.site_name, context.json);
+  fly_windows(question, settings, context.store_folder, answer,
+              [&](double share) { progress.update(share); });
+}
+
 void run_windows(const WindowsArguments& arguments, const Context& context) {
   const WindowsQuestion question = question_of(arguments, context);
-  const WindowsAnswer answer = windows_of(question, context.store_folder);
+  WindowsAnswer answer = windows_of(question, context.store_folder);
+  if (!arguments.fly.empty()) fly_within(arguments, question, context, answer);
   if (context.json)
     std::printf(
         "%s\n",
@@ -140,6 +156,11 @@ void add_windows(CLI::App& app, Context& context) {
       ->add_option("--alpha-from", arguments->period_from,
                    "issue or start: from when the planned period of alpha counts (default issue)")
       ->check(CLI::IsMember({"issue", "start"}));
+  command->add_option("--fly", arguments->fly,
+                      "fly the starts that the limits leave open too, for so long at most, e.g. "
+                      "15min: the twin's probability of success with its reserve");
+  command->add_option("--fly-every", arguments->fly_every,
+                      "from one start that is flown to the next (default 1h)");
   command->add_option("--go", arguments->go, "P of a start that is a go (default 0.9)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--marginal", arguments->marginal, "P of a marginal one (default 0.5)")

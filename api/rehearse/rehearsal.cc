@@ -89,6 +89,7 @@ Rehearsal rehearse(const twin::Scenario& mission, twin::Surround surround,
     const std::size_t to = std::min(from == 0 ? 1 : from + more, plan.members);
     const std::vector<Due> round = round_of(rehearsal, from, to);
     if (round.empty()) break;
+    if (plan.most_wall_s > 0 && from > 0 && seconds_since(began) > plan.most_wall_s) break;
     const std::size_t batches = (round.size() + twin::block_lanes - 1) / twin::block_lanes;
     std::vector<std::vector<twin::Flight>> flown(batches);
     for_all(batches, plan.threads, [&](std::size_t b) {

@@ -15,6 +15,7 @@ struct RehearsalPlan {
   std::size_t members = 24;  ///< at most, of each start
   double narrow_enough = 0;  ///< width of the interval at which a start needs no more; 0: all
   double level = 0.95;       ///< of the interval
+  double most_wall_s = 0;    ///< of the clock: no round begins after that; 0: however long it takes
   int threads = 1;
   twin::FlightSettings flights;
   /// Why a start may not be flown at all; empty: it may.
@@ -60,7 +61,8 @@ struct Rehearsal {
 };
 
 /// Flies a mission from each start in each member, members side by side and starts in turn, so that
-/// there is a first answer for all starts early. Nothing of it depends on the number of threads.
+/// there is a first answer for all starts early. Nothing of it depends on the number of threads,
+/// unless the clock ends it.
 ///
 /// The interval holds at its level whenever the flights are stopped (`success_interval`).
 /// @param on_progress  share of all flights, and the outcome so far after each round

@@ -28,14 +28,22 @@ std::string yaml_list(const std::vector<std::string>& values) {
   return "[" + joined(quoted, ", ") + "]";
 }
 
-LoadedMission laid_out_at(const SharedOutlook& outlook, const WindowsQuestion& question,
-                          const std::string& task, const std::vector<std::string>& turbines) {
+/// @param more  of its YAML
+LoadedMission mission_of(const WindowsQuestion& question, const std::string& task,
+                         const std::vector<std::string>& turbines, const std::string& more,
+                         const std::filesystem::path& store_folder) {
   const std::string yaml = "name: windows\nsite: " + quoted_yaml(question.site) +
                            "\ntasks: " + yaml_list({task}) + "\nturbines: " + yaml_list(turbines) +
-                           "\nduration: 30d\nstep_s: 0.05\nseed: 1\nwaves: {components: 8}\n";
+                           "\nstep_s: 0.05\n" + more;
+  return lay_out_mission(Config::parse(yaml, "its mission"), std::filesystem::current_path(),
+                         "its mission", store_folder, question.assumed);
+}
+
+LoadedMission laid_out_at(const SharedOutlook& outlook, const WindowsQuestion& question,
+                          const std::string& task, const std::vector<std::string>& turbines) {
   LoadedMission mission =
-      lay_out_mission(Config::parse(yaml, "its mission"), std::filesystem::current_path(),
-                      "its mission", outlook.store_folder, question.assumed);
+      mission_of(question, task, turbines, "duration: 30d\nseed: 1\nwaves: {components: 8}\n",
+                 outlook.store_folder);
   // It is not flown, and what set_up asks of the forecast is its first minute.
   mission.scenario.duration_s = 60;
   return mission;
@@ -321,6 +329,17 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
 }
 
 }  // namespace
+
+LoadedMission mission_to_fly(const WindowsQuestion& question, const TaskWindows& task,
+                             std::uint64_t seed, std::size_t wave_components,
+                             const std::filesystem::path& store_folder) {
+  const double minutes = std::ceil((task.planned_s + task.contingency_s) / 60);
+  return mission_of(question, task.id, task.turbines,
+                    formatted("duration: {:.0f}min\nseed: {}\nwaves: {{components: {}}}\ngusts: "
+                              "dryden\n",
+                              minutes, seed & 0x7fffffff, wave_components),
+                    store_folder);
+}
 
 TaskWindows task_windows(const WindowsQuestion& question, const SharedOutlook& shared,
                          const std::string& task) {

@@ -22,4 +22,10 @@ struct SharedOutlook {
 [[nodiscard]] TaskWindows task_windows(const WindowsQuestion& question,
                                        const SharedOutlook& outlook, const std::string& task);
 
+/// The task as it is flown: where it was asked about, for as long as it was planned with its
+/// contingency.
+[[nodiscard]] LoadedMission mission_to_fly(const WindowsQuestion& question, const TaskWindows& task,
+                                           std::uint64_t seed, std::size_t wave_components,
+                                           const std::filesystem::path& store_folder);
+
 }  // namespace slackwater::api

@@ -11,6 +11,7 @@
 #include "twin/risk/calendar.h"
 #include "twin/risk/daylight.h"
 #include "twin/risk/phase_plan.h"
+#include "twin/risk/risk_register.h"
 #include "twin/risk/start_chances.h"
 #include "twin/risk/start_windows.h"
 
@@ -41,9 +42,13 @@ struct WindowsQuestion {
 
 /// What the twin says of a start: filled by a rehearsal.
 struct TwinChance {
-  double probability = 0;  ///< of success with the reserve kept
-  twin::SuccessInterval interval;
+  double probability = 0;          ///< of success with the reserve kept: the share that was done
+  twin::SuccessInterval interval;  ///< 95 %, whenever the flights were stopped
   std::size_t flights = 0;
+  std::string stopped_by;          ///< what stopped most; empty: nothing
+  std::vector<double> duration_s;  ///< of those that were done
+  std::vector<double> energy_wh;   ///< electrical, of all vehicles, by flight
+  std::vector<twin::RiskEntry> risks;
 };
 
 /// One limit of a task, in words.

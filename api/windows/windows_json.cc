@@ -1,6 +1,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/rehearse/rehearsal_json.h"
+#include "api/rehearse/risk_report.h"
 #include "api/windows/windows_answer.h"
 
 namespace slackwater::api {
@@ -42,7 +44,11 @@ json twin_json(const std::optional<TwinChance>& twin) {
   if (!twin) return nullptr;
   return {{"probability", number(twin->probability)},
           {"interval_95", {number(twin->interval.low), number(twin->interval.high)}},
-          {"flights", twin->flights}};
+          {"flights", twin->flights},
+          {"stopped_by", twin->stopped_by.empty() ? json(nullptr) : json(twin->stopped_by)},
+          {"duration_s", quantiles_json(twin->duration_s)},
+          {"energy_wh", quantiles_json(twin->energy_wh)},
+          {"risks", risks_json(twin->risks)}};
 }
 
 json start_json(const TaskWindows& task, const TaskStart& start, std::size_t members) {
@@ -94,22 +100,25 @@ json task_json(const TaskWindows& task, std::size_t members) {
   for (const LimitText& limit : task.limits) limits.push_back(limit_json(limit));
   json starts = json::array();
   for (const TaskStart& start : task.starts) starts.push_back(start_json(task, start, members));
-  return {{"task", task.id},
-          {"name", task.name},
-          {"turbines", task.turbines},
-          {"verdict", twin::name_of(task.verdict)},
-          {"planned_h", number(task.planned_s / 3600)},
-          {"contingency_h", number(task.contingency_s / 3600)},
-          {"phases", phases_json(task)},
-          {"limits", limits},
-          {"not_checked", task.not_checked},
-          {"assumed", task.assumed},
-          {"notes", task.notes},
-          {"windows", windows_json(task, task.windows)},
-          {"windows_by_threshold", windows_json(task, task.by_threshold)},
-          {"windows_by_alpha", task.by_alpha ? windows_json(task, *task.by_alpha) : json(nullptr)},
-          {"no_alpha", task.no_alpha.empty() ? json(nullptr) : json(task.no_alpha)},
-          {"starts", starts}};
+  json out{{"task", task.id},
+           {"name", task.name},
+           {"turbines", task.turbines},
+           {"verdict", twin::name_of(task.verdict)},
+           {"duration_h", number(task.planned_s / 3600)},
+           {"contingency_h", number(task.contingency_s / 3600)},
+           {"phases", phases_json(task)},
+           {"limits", limits},
+           {"not_checked", task.not_checked},
+           {"assumed", task.assumed},
+           {"notes", task.notes},
+           {"windows", windows_json(task, task.windows)},
+           {"windows_by_threshold", windows_json(task, task.by_threshold)},
+           {"windows_by_alpha", task.by_alpha ? windows_json(task, *task.by_alpha) : json(nullptr)},
+           {"no_alpha", task.no_alpha.empty() ? json(nullptr) : json(task.no_alpha)},
+           {"starts", starts}};
+  // As the plan of a day reads it.
+  if (task.turbines.size() == 1) out["turbine"] = task.turbines.front();
+  return out;
 }
 
 }  // namespace
@@ -129,6 +138,7 @@ json windows_json(const WindowsQuestion& question, const WindowsAnswer& answer) 
         {"issued", format_utc(forecast.issued)},
         {"degraded", forecast.degraded},
         {"hindsight", forecast.hindsight}}},
+      {"day", format_day(day_of(answer.from))},
       {"from", format_utc(answer.from)},
       {"to", format_utc(answer.to)},
       {"every_min", number(std::chrono::duration<double, std::ratio<60>>(question.every).count())},

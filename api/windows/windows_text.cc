@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "api/rehearse/rehearsal_json.h"
 #include "api/windows/windows_answer.h"
 #include "fields/base/text.h"
 
@@ -58,6 +59,27 @@ std::string chance_text(const TaskStart& start) {
                    start.interval.high);
 }
 
+/// "flown 12:00: 22 of 24 done (0.72 to 0.99), stopped by ..., 41 to 55 min": of the starts within a
+/// window that were flown, the best.
+std::string flown_text(const TaskWindows& task, const twin::StartWindow& window,
+                       const PeoplesClock& clock) {
+  const TaskStart* best = nullptr;
+  for (std::size_t i = window.first; i <= window.last; ++i) {
+    const TaskStart& start = task.starts[i];
+    if (start.twin && (best == nullptr || start.twin->probability > best->twin->probability))
+      best = &start;
+  }
+  if (best == nullptr) return "";
+  const TwinChance& twin = *best->twin;
+  std::string text = "    flown " + clock(best->start) +
+                     formatted(": P {:.2f} ({:.2f} to {:.2f}) of {} flights", twin.probability,
+                               twin.interval.low, twin.interval.high, twin.flights);
+  if (const auto longest = quantile_of(twin.duration_s, 0.9))
+    text += formatted(", home after {:.0f} min", *longest / 60);
+  if (!twin.stopped_by.empty()) text += "; stopped by " + twin.stopped_by;
+  return text + "\n";
+}
+
 std::string window_text(const TaskWindows& task, const twin::StartWindow& window,
                         std::size_t members, const PeoplesClock& clock) {
   const TaskStart& first = task.starts[window.first];
@@ -71,7 +93,7 @@ std::string window_text(const TaskWindows& task, const twin::StartWindow& window
   text +=
       task.by_alpha ? formatted("   alpha {}/{}", window.by_alpha, window.starts()) : "   alpha -";
   return text + "\n    best " + clock(best.start) + ": " + chance_text(best) + "; " +
-         binding_text(task, best, members, clock) + "\n";
+         binding_text(task, best, members, clock) + "\n" + flown_text(task, window, clock);
 }
 
 std::string rule_text(const TaskWindows& task, const std::vector<twin::StartWindow>& windows,

@@ -137,7 +137,7 @@ TEST_F(WindowsCommand, LooksAtTheFirstFullDayAfterTheIssueInEveryMember) {
   EXPECT_EQ(out.at("forecast").at("issued"), "2025-03-04T05:00:00Z");
   const json& task = out.at("tasks")[0];
   EXPECT_EQ(task.at("task"), "scour_survey");
-  EXPECT_EQ(task.at("planned_h"), 1.5);
+  EXPECT_EQ(task.at("duration_h"), 1.5);
   EXPECT_EQ(task.at("contingency_h"), 0.5);
   const json& starts = task.at("starts");
   ASSERT_EQ(starts.size(), 48U);

@@ -97,8 +97,8 @@ const Arrows& allowed_arrows_of_api() {
       {"api/plan", {"api/program"}},
       {"api/demo", {"api/pipeline", "api/program", "api/report", "api/synthetic"}},
       {"api/cli",
-       {"api/demo", "api/edr", "api/history", "api/http", "api/issued", "api/pipeline",
-        "api/plan", "api/program", "api/rehearse", "api/report", "api/windows"}}};
+       {"api/demo", "api/edr", "api/history", "api/http", "api/issued", "api/pipeline", "api/plan",
+        "api/program", "api/rehearse", "api/report", "api/windows"}}};
   return arrows;
 }
 

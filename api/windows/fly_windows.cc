@@ -1,0 +1,83 @@
+#include "api/windows/fly_windows.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "api/rehearse/rehearsal.h"
+#include "api/rehearse/rehearsal_json.h"
+#include "api/rehearse/risk_report.h"
+#include "api/windows/task_windows.h"
+#include "twin/simulate/set_up.h"
+
+namespace slackwater::api {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t wave_components = 32;
+
+/// The starts of a task that are worth flying, some time apart.
+std::vector<std::size_t> starts_to_fly(const TaskWindows& task, Duration every) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < task.starts.size(); ++i) {
+    const TaskStart& start = task.starts[i];
+    if (start.chance.held == 0 || !start.forbidden.empty()) continue;
+    if (!out.empty() && start.start - task.starts[out.back()].start < every) continue;
+    out.push_back(i);
+  }
+  return out;
+}
+
+TwinChance chance_of(const StartOutcome& flown, const std::vector<twin::Consequence>& harms) {
+  TwinChance out;
+  out.probability = flown.share_done();
+  out.interval = {flown.low, flown.high};
+  out.flights = flown.flights.size();
+  if (!flown.stopped_by.empty()) out.stopped_by = flown.stopped_by.front().cause;
+  for (const twin::Flight& flight : flown.flights) {
+    if (flight.is_done) out.duration_s.push_back(flight.ended_s);
+    double energy_j = 0;
+    for (const twin::VehicleOutcome& vehicle : flight.vehicles) energy_j += vehicle.energy_j;
+    out.energy_wh.push_back(energy_j / 3600);
+  }
+  out.risks = risks_of(flown, harms);
+  return out;
+}
+
+void fly_task(const WindowsQuestion& question, const FlyWindows& settings, double most_wall_s,
+              const std::filesystem::path& store_folder, WindowsAnswer& answer, TaskWindows& task) {
+  const std::vector<std::size_t> starts = starts_to_fly(task, settings.every);
+  if (starts.empty()) return;
+  const Field& field = *answer.water.surround.field;
+  const LoadedMission mission =
+      mission_to_fly(question, task, field.snapshot().seed, wave_components, store_folder);
+  RehearsalPlan plan;
+  for (const std::size_t i : starts) plan.starts.push_back(task.starts[i].start);
+  plan.members = question.members > 0 ? question.members : field.snapshot().members;
+  plan.narrow_enough = settings.narrow_enough;
+  plan.most_wall_s = most_wall_s;
+  plan.threads = question.threads;
+  plan.flights.workers = mission.expanded.workers;
+  plan.flights.sample_every_s = mission.scenario.duration_s;
+  const Rehearsal flown = rehearse(mission.scenario, answer.water.surround, plan);
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    task.starts[starts[i]].twin = chance_of(flown.starts[i], mission.consequences);
+}
+
+}  // namespace
+
+void fly_windows(const WindowsQuestion& question, const FlyWindows& settings,
+                 const std::filesystem::path& store_folder, WindowsAnswer& answer,
+                 const std::function<void(double)>& on_progress) {
+  const Clock::time_point began = Clock::now();
+  for (std::size_t i = 0; i < answer.tasks.size(); ++i) {
+    const double left_s =
+        settings.most_wall_s - std::chrono::duration<double>(Clock::now() - began).count();
+    const double share_s = std::max(left_s, 1.0) / static_cast<double>(answer.tasks.size() - i);
+    fly_task(question, settings, share_s, store_folder, answer, answer.tasks[i]);
+    if (on_progress)
+      on_progress(static_cast<double>(i + 1) / static_cast<double>(answer.tasks.size()));
+  }
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,25 @@
+#pragma once
+#include <functional>
+
+#include "api/windows/windows.h"
+
+namespace slackwater::api {
+
+/// How much is flown.
+struct FlyWindows {
+  double most_wall_s = 1200;   ///< of the clock, for all tasks together
+  double narrow_enough = 0.3;  ///< width of the interval at which a start needs no more flights
+  Duration every = std::chrono::hours(1);  ///< from one start that is flown to the next, at least
+};
+
+/// Flies the starts of each task that the limits leave open in a member at least, in the members of
+/// the forecast, and fills `TaskStart::twin`. First every start once, then those of whose success
+/// least is known, until the intervals are narrow enough or the time of the task is over: what is
+/// left of the time is shared by the tasks that are left.
+/// @param on_progress  share of the tasks
+/// @throws as `windows_of`
+void fly_windows(const WindowsQuestion& question, const FlyWindows& settings,
+                 const std::filesystem::path& store_folder, WindowsAnswer& answer,
+                 const std::function<void(double share)>& on_progress = {});
+
+}  // namespace slackwater::api
