@@ -102,7 +102,8 @@ CampaignAnswer answer_of(const History& history, const CampaignFile& campaign,
   }
   answer.missing = twin::outside(known, clock.steps);
   for (const std::chrono::month_day& date : campaign.begin)
-    answer.seasons.push_back(twin::season_of(tasks, clock, date, campaign.zone));
+    for (const std::size_t teams : campaign.teams)
+      answer.seasons.push_back(twin::season_of(tasks, clock, date, campaign.zone, teams));
   return answer;
 }
 
@@ -145,6 +146,7 @@ json campaign_json(const History& history, const CampaignFile& campaign,
       years.push_back(std::move(one));
     }
     document["seasons"].push_back({{"begin", date_text(season.date)},
+                                   {"teams", season.teams},
                                    {"years", season.years.size()},
                                    {"censored_years", season.censored},
                                    {"elapsed_h", percentiles_json(season)},
@@ -161,6 +163,9 @@ std::string campaign_text(const History& history, const CampaignFile& campaign,
   std::string text =
       formatted("{}: {:g} h of work without the weather.\n{}: {}.\n\n", campaign.name,
                 hours(answer.work), history.source, extent_text(clock, answer.missing));
+  // One team is what is meant where nothing is said.
+  const bool says_teams = campaign.teams != std::vector<std::size_t>{1};
+  if (says_teams) text += formatted("{:>5}  ", "teams");
   text += formatted("{:<7} {:>5}   {:>9} {:>9} {:>9}   {:>8} {:>8} {:>8}\n", "begun", "years",
                     "done P10", "P50", "P90", "days P10", "P50", "P90");
   std::size_t censored = 0;
@@ -168,6 +173,7 @@ std::string campaign_text(const History& history, const CampaignFile& campaign,
     const auto days = [](double hours_found) {
       return std::isfinite(hours_found) ? formatted("{:.1f}", hours_found / 24) : std::string("-");
     };
+    if (says_teams) text += formatted("{:>5}  ", season.teams);
     text +=
         formatted("{:<7} {:>5}   {:>9} {:>9} {:>9}   {:>8} {:>8} {:>8}\n", date_text(season.date),
                   season.years.size() - season.censored, date_after(season.date, season.p10_h),

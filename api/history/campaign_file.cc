@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "fields/base/config.h"
 #include "fields/base/error.h"
@@ -106,6 +107,14 @@ CampaignFile load_campaign(const std::filesystem::path& file) {
     for (unsigned month = 1; month <= 12; ++month)
       campaign.begin.emplace_back(std::chrono::month(month), std::chrono::day(1));
   }
+  for (const double teams : config.numbers("teams", {1, 1000})) {
+    if (teams != std::floor(teams))
+      config.refuse("teams", "found a fraction where whole numbers were expected");
+    campaign.teams.push_back(static_cast<std::size_t>(teams));
+    if (std::count(campaign.teams.begin(), campaign.teams.end(), campaign.teams.back()) > 1)
+      config.refuse("teams", formatted("found {} twice; keep one", campaign.teams.back()));
+  }
+  if (campaign.teams.empty()) campaign.teams = {1};
   const std::vector<SeriesLimit> of_all = read_limits(config);
   for (const Config& task : config.children("tasks"))
     campaign.tasks.push_back(read_task(task, of_all));

@@ -29,11 +29,12 @@ struct CampaignTaskText {
   std::optional<Split> split;
 };
 
-/// Tasks that are done one after the other, as `--campaign FILE.yaml` has them:
+/// Tasks that are done one after the other, by one team or several beside each other, as `--campaign FILE.yaml` has them:
 ///
 ///     name: Anodes of ten foundations
 ///     timezone: Europe/Berlin                  # of dates and hours; absent: UTC
 ///     begin: [04-01, 07-01]                    # absent: the first of each month
+///     teams: [1, 2]                            # that work beside each other; absent: 1
 ///     limits: [sea_surface_wave_significant_height<=1.5, wind_speed<=12 m/s]
 ///     tasks:
 ///       - {name: anodes, times: 10, duration: 4h, contingency: 1h, start_hours: 6-18}
@@ -47,6 +48,7 @@ struct CampaignFile {
   std::string name;
   std::optional<TimeZone> zone;
   std::vector<std::chrono::month_day> begin;
+  std::vector<std::size_t> teams;  ///< fleets to compare, each by how many teams it has
   std::vector<CampaignTaskText> tasks;
 
   /// Of all tasks.
@@ -57,8 +59,8 @@ struct CampaignFile {
 
 /// What came of a campaign over a history.
 struct CampaignAnswer {
-  std::vector<twin::CampaignSeason> seasons;
-  Duration work{};  ///< that all tasks take together
+  std::vector<twin::CampaignSeason> seasons;  ///< date by date, of each fleet
+  Duration work{};                            ///< that all tasks take together
   std::vector<std::string> notes;
   twin::StepRanges missing;  ///< steps without a value that some task asks for
 };

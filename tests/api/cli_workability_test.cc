@@ -223,6 +223,28 @@ TEST_F(WorkabilityCommand, ACampaignIsSimulatedInEveryYear) {
             std::string::npos);
 }
 
+TEST_F(WorkabilityCommand, ACampaignComparesFleets) {
+  const std::string file = store_.write("daily.csv", daily_calm(60));
+  const std::string campaign = store_.write("fleets.yaml",
+                                            "name: Six jobs\n"
+                                            "begin: [01-10]\n"
+                                            "teams: [1, 2, 6]\n"
+                                            "limits: [Hs<=1.5]\n"
+                                            "tasks: [{name: job, times: 6, duration: 5h}]\n");
+  const Arguments arguments{file, "--column", "Hs=" + height + ":m", "--campaign", campaign};
+  const json seasons = answer(arguments).at("seasons");
+  ASSERT_EQ(seasons.size(), 3U);
+  // Two jobs a team and day, from 06:00 to 16:00: three days, then two with the third job of each
+  // ending at 11:00, then one.
+  const std::vector<int> elapsed_h{2 * 24 + 16, 24 + 11, 11};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(seasons[i].at("teams"), (std::vector<int>{1, 2, 6}[i]));
+    EXPECT_EQ(seasons[i].at("elapsed_h").at("p50"), elapsed_h[i]);
+  }
+  const ProgramResult text = run(arguments);
+  EXPECT_NE(text.out.find("teams  begun"), std::string::npos) << text.out;
+}
+
 TEST_F(WorkabilityCommand, BadCampaignsAreRefusedWithFileAndKey) {
   const std::string file = store_.write("example.csv", example);
   const auto refused = [&](const std::string& yaml, const std::vector<std::string>& words) {
@@ -238,6 +260,9 @@ TEST_F(WorkabilityCommand, BadCampaignsAreRefusedWithFileAndKey) {
   refused(limits + "begin: [april]\ntasks: [{name: a, duration: 3h}]\n", {"04-01"});
   refused(limits + "tasks: [{name: a, duration: 3h, split: {shortest_visit: 1h, lost: 1h}}]\n",
           {"lost"});
+  refused(limits + "teams: [0]\ntasks: [{name: a, duration: 3h}]\n", {"teams: found 0"});
+  refused(limits + "teams: [1.5]\ntasks: [{name: a, duration: 3h}]\n", {"teams", "fraction"});
+  refused(limits + "teams: [2, 2]\ntasks: [{name: a, duration: 3h}]\n", {"found 2 twice"});
   refused("limits: [Hs]\ntasks: [{name: a, duration: 3h}]\n", {"limits", "without <="});
   expect_refused({file, "--campaign", store_.path("none.yaml")}, 4, {"none.yaml"});
   expect_refused({file, "--campaign",

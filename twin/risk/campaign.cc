@@ -2,29 +2,35 @@
 
 #include <algorithm>
 
+#include "fields/base/check.h"
 #include "twin/risk/order_statistics.h"
 
 namespace slackwater::twin {
 
-std::optional<std::size_t> end_of(const std::vector<CampaignTask>& tasks, std::size_t begin) {
-  std::size_t at = begin;
+std::optional<std::size_t> end_of(const std::vector<CampaignTask>& tasks, std::size_t begin,
+                                  std::size_t teams) {
+  expects(teams > 0, "somebody does the work");
+  std::vector<std::size_t> free_from(teams, begin);
   for (const CampaignTask& task : tasks) {
     for (std::size_t i = 0; i < task.times; ++i) {
-      const std::optional<StepRange> done = task.history.done_from(at);
+      const auto first = std::min_element(free_from.begin(), free_from.end());
+      const std::optional<StepRange> done = task.history.done_from(*first);
       if (!done) return std::nullopt;
-      at = done->end;
+      *first = done->end;
     }
   }
-  return at;
+  return *std::max_element(free_from.begin(), free_from.end());
 }
 
 CampaignSeason season_of(const std::vector<CampaignTask>& tasks, const StepClock& clock,
-                         const std::chrono::month_day& date, const std::optional<TimeZone>& zone) {
+                         const std::chrono::month_day& date, const std::optional<TimeZone>& zone,
+                         std::size_t teams) {
   CampaignSeason season;
   season.date = date;
+  season.teams = teams;
   std::vector<double> hours;
   for (const YearDate& begin : dates_of(clock, date, zone)) {
-    const CampaignYear one{begin.year, begin.step, end_of(tasks, begin.step)};
+    const CampaignYear one{begin.year, begin.step, end_of(tasks, begin.step, teams)};
     if (one.end)
       hours.push_back(static_cast<double>(*one.end - one.begin) * clock.step_h());
     else

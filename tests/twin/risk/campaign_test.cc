@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "fields/base/random.h"
@@ -116,6 +118,74 @@ TEST(Campaign, TasksFollowEachOther) {
     }
     before = end;
   }
+}
+
+/// Hour by hour: whoever is free takes the next task and waits for its first workable start.
+std::optional<std::size_t> end_hour_by_hour(const std::vector<CampaignTask>& tasks,
+                                            const std::vector<Marks>& starts,
+                                            const std::vector<std::size_t>& work, std::size_t begin,
+                                            std::size_t teams) {
+  struct Team {
+    std::optional<std::size_t> waits_for;  ///< a task
+    std::size_t busy_until = 0;
+  };
+  std::vector<Team> all(teams);
+  std::vector<std::size_t> queue;
+  for (std::size_t i = 0; i < tasks.size(); ++i) queue.insert(queue.end(), tasks[i].times, i);
+  std::size_t next = 0;
+  std::size_t last = begin;
+  for (std::size_t hour = begin; hour <= starts.front().size(); ++hour) {
+    for (Team& team : all) {
+      if (team.busy_until > hour) continue;
+      if (!team.waits_for && next < queue.size()) team.waits_for = queue[next++];
+    }
+    for (Team& team : all) {
+      if (team.busy_until > hour || !team.waits_for) continue;
+      if (hour == starts.front().size() || starts[*team.waits_for][hour] == 0) continue;
+      team.busy_until = hour + work[*team.waits_for];
+      last = std::max(last, team.busy_until);
+      team.waits_for.reset();
+    }
+  }
+  const bool is_done = next == queue.size() && std::none_of(all.begin(), all.end(), [](auto& team) {
+                         return team.waits_for.has_value();
+                       });
+  return is_done ? std::optional(last) : std::nullopt;
+}
+
+TEST(Campaign, SeveralTeamsEndWhenASimulationHourByHourDoes) {
+  Rng random(14, "campaign");
+  int ends = 0;
+  int sooner = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Marks usable = random_weather(random, 400);
+    std::vector<CampaignTask> tasks;
+    std::vector<Marks> starts;
+    std::vector<std::size_t> work;
+    for (std::size_t i = 0; i < 3; ++i) {
+      work.push_back(static_cast<std::size_t>(random.uniform(1, 9)));
+      starts.push_back(oracle::starts(usable, work.back(), Marks(usable.size(), 1)));
+      tasks.push_back(
+          {TaskHistory::whole(workable_starts(runs_of(usable), work.back()), work.back()),
+           static_cast<std::size_t>(random.uniform(1, 5))});
+    }
+    const auto begin = static_cast<std::size_t>(random.uniform(0, 200));
+    std::optional<std::size_t> of_fewer;
+    for (std::size_t teams = 1; teams <= 4; ++teams) {
+      const auto end = end_of(tasks, begin, teams);
+      ASSERT_EQ(end, end_hour_by_hour(tasks, starts, work, begin, teams)) << trial << " " << teams;
+      // More teams never end later.
+      if (of_fewer) {
+        ASSERT_TRUE(end.has_value());
+        EXPECT_LE(*end, *of_fewer);
+        sooner += *end < *of_fewer ? 1 : 0;
+      }
+      ends += end ? 1 : 0;
+      of_fewer = end;
+    }
+  }
+  EXPECT_GT(ends, 100);
+  EXPECT_GT(sooner, 100);
 }
 
 /// Weather that is calm from the n-th day of each April on: the campaign of a year takes n days and
