@@ -1,12 +1,16 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "api/cli/command.h"
 #include "api/plan/make_plan.h"
 #include "api/plan/plan_answer.h"
 #include "api/plan/plan_setup.h"
+#include "api/windows/windows_answer.h"
 
 namespace slackwater::api {
 namespace {
@@ -17,6 +21,7 @@ struct PlanArguments {
   std::filesystem::path plan;
   std::filesystem::path windows;
   std::filesystem::path since;
+  std::vector<std::string> assume;
   double chance = 0;
   std::string time_limit = "60";
 };
@@ -36,15 +41,46 @@ double time_limit_s_of(const std::string& text) {
   return limit_s;
 }
 
+/// What the forecast in force says of the plan's tasks, at each of their turbines by itself.
+WindowsFile windows_in_force(const PlanFile& plan, const PlanArguments& arguments,
+                             const Context& context) {
+  std::map<std::string, std::vector<std::string>> tasks_at;
+  for (const PlanFile::Work& work : plan.work)
+    for (const std::size_t turbine : work.turbines) {
+      std::vector<std::string>& tasks = tasks_at[plan.site.turbines[turbine].id];
+      if (std::find(tasks.begin(), tasks.end(), work.task) == tasks.end())
+        tasks.push_back(work.task);
+    }
+  WindowsQuestion question;
+  question.site = plan.site_place;
+  if (plan.day) {
+    question.from = *plan.day;
+    question.to = *plan.day + std::chrono::days(1);
+  }
+  question.every = std::chrono::minutes(plan.grid_min);
+  for (const std::string& text : arguments.assume)
+    question.assumed.push_back(twin::parse_assumption(text));
+  question.practice = AlphaPractice::of_tables({});
+  question.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  json all;
+  for (const auto& [turbine, tasks] : tasks_at) {
+    question.tasks = tasks;
+    question.turbines = {turbine};
+    json at_turbine = windows_json(question, windows_of(question, context.store_folder));
+    if (all.is_null())
+      all = std::move(at_turbine);
+    else
+      for (json& task : at_turbine["tasks"]) all["tasks"].push_back(std::move(task));
+  }
+  return parse_windows(all.dump(), "the forecast in force");
+}
+
 void run_plan(const PlanArguments& arguments, const Context& context) {
   PlanAnswer answer;
   answer.time_limit_s = time_limit_s_of(arguments.time_limit);
-  if (arguments.windows.empty())
-    throw Error(ErrorKind::usage,
-                "found no --windows; expected the file of `slackwater windows --json`, or - for "
-                "standard input");
   const PlanFile file = load_plan_file(arguments.plan, context.store_folder);
-  const WindowsFile windows = load_windows(arguments.windows);
+  const WindowsFile windows = arguments.windows.empty() ? windows_in_force(file, arguments, context)
+                                                        : load_windows(arguments.windows);
   std::optional<EarlierPlan> earlier;
   if (!arguments.since.empty()) earlier = load_earlier_plan(arguments.since);
   const PlanProblem problem = problem_of(file, windows, arguments.chance);
@@ -75,7 +111,9 @@ void add_plan(CLI::App& app, Context& context) {
       ->required();
   command->add_option("--windows", arguments->windows,
                       "the chances of each start, as `slackwater windows --json` has them; - for "
-                      "standard input");
+                      "standard input (default: of the forecast in force)");
+  command->add_option("--assume", arguments->assume,
+                      "what no forecast serves, e.g. visibility_m=5000; without --windows");
   command
       ->add_option("--chance", arguments->chance,
                    "take no start of a smaller probability, e.g. 0.8 (default: any, weighed by it)")

@@ -278,8 +278,8 @@ PlanFile load_plan_file(const std::filesystem::path& file,
   plan.name = config.optional_text("name").value_or(file.stem().string());
   const std::string named = config.text("site");
   const std::filesystem::path beside = file.parent_path() / named;
-  plan.site = find_site(std::filesystem::is_regular_file(beside) ? beside.string() : named,
-                        site_folders(store_folder));
+  plan.site_place = std::filesystem::is_regular_file(beside) ? beside.string() : named;
+  plan.site = find_site(plan.site_place, site_folders(store_folder));
   if (const auto day = config.optional_text("day"))
     plan.day = read(config, "day", *day, [](const std::string& text) { return parse_day(text); });
   if (const auto grid =

@@ -66,6 +66,7 @@ struct PlanFile {
   };
   std::string name;
   Site site;
+  std::string site_place;  ///< its id, or the path of its file
   std::optional<UtcDay> day;
   Minute grid_min = 15;
   std::vector<Vessel> vessels;

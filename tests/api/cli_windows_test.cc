@@ -423,5 +423,50 @@ TEST_F(WindowsCommand, OnTheDayTheClocksGoForwardTheShiftBeginsAnHourEarlier) {
   EXPECT_EQ(windows[0].at("to"), "2025-03-30T14:00:00Z");
 }
 
+TEST_F(WindowsCommand, FliesTheStartsThatTheLimitsLeaveOpen) {
+  const std::string at = "2025-03-05T06:00:00Z";
+  const auto flown = [&](const std::string& limits) {
+    return task_of({"--task", write("peek.yaml", peek(limits)), "--from", at, "--to",
+                    "2025-03-05T08:00:00Z", "--members", "2", "--fly", "10min"});
+  };
+  const json open = flown(loose);
+  ASSERT_EQ(open.at("starts").size(), 4U);
+  // An hour apart, all of them in both futures, which are too few for a narrow interval.
+  for (std::size_t i = 0; i < 4; ++i) {
+    const json& twin = open.at("starts")[i].at("twin");
+    ASSERT_EQ(twin.is_null(), i % 2 == 1) << i;
+    if (twin.is_null()) continue;
+    EXPECT_EQ(twin.at("flights"), 2);
+    EXPECT_EQ(twin.at("probability"), 1);
+    EXPECT_LT(twin.at("interval_95")[0].get<double>(), 0.5);
+    EXPECT_GT(twin.at("duration_s").at("p50").get<double>(), 240);
+    EXPECT_GT(twin.at("energy_wh").at("p90").get<double>(), 1);
+    EXPECT_EQ(twin.at("risks").size(), 6U);
+  }
+  for (const json& start : flown(never).at("starts")) EXPECT_TRUE(start.at("twin").is_null());
+}
+
+TEST_F(WindowsCommand, AreWhatThePlanOfADayIsMadeOf) {
+  const std::string task = write("peek.yaml", peek(loose));
+  const std::string plan = write("plan.yaml",
+                                 "name: A day\nsite: farm.yaml\nday: 2025-03-05\nvessels: [{id: "
+                                 "boat, crews: 1, speed_kn: 20, hours: 06:00-18:00}]\ncrews: [{id: "
+                                 "blue, skills: [rov], shift: 06:00-18:00}]\nvehicles: [{id: rov1, "
+                                 "kind: rov}]\ntasks: [{task: " +
+                                     task + ", turbines: [T1], vehicles: [rov], skills: [rov]}]\n");
+  const auto planned = [&](Arguments more) {
+    more.insert(more.begin(), {"plan", plan, "--json"});
+    const ProgramResult result = made_->run(more);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json::accept(result.out) ? json::parse(result.out) : json();
+  };
+  const json of_forecast = planned({});
+  const std::string file =
+      write("windows.json", answer({"--task", task, "--every", "15min"}).dump());
+  const json of_file = planned({"--windows", file});
+  ASSERT_EQ(of_forecast.at("jobs").size(), 1U) << of_forecast.dump(1);
+  EXPECT_EQ(of_forecast.at("jobs"), of_file.at("jobs"));
+}
+
 }  // namespace
 }  // namespace slackwater::tests
