@@ -41,8 +41,8 @@ Truth drawn(const Weather& weather, Rng& random) {
 PlanProblem day_in(const Weather& weather, Rng& random) {
   PlanProblem day;
   day.begin = parse_utc("2025-06-02T00:00:00Z");
-  day.slot_min = 30;
-  day.slots = 48;
+  day.slot_min = 60;
+  day.slots = 24;
   day.places = {"A01", "A02", "A03"};
   day.vessels.push_back({"ctv", 1, {240, 1260}, {}, ways_of(3, 20)});
   day.crews.push_back({"crew", {}, {240, 1260}, {}});
@@ -100,24 +100,27 @@ Tally tally_of(int days, double least, double overstated) {
   return tally;
 }
 
-TEST(PlanChances, AtTheLeastProbabilityPlannedStartsHoldAsOftenAsIsSaidOnTwoThousandDays) {
-  const int days = 2000;
-  for (const double least : {0.8, 0.95}) {
-    const Tally tally = tally_of(days, least, 0);
-    const double rate = static_cast<double>(tally.done) / tally.planned;
-    const double promised = tally.promised / tally.planned;
-    // Three jobs of a day fail together at worst: as few independent cases as days.
-    const double sd = std::sqrt(rate * (1 - rate) / days);
-    std::cout << "least " << least << ": " << tally.planned << " planned starts, promised "
-              << promised << ", held " << rate << "\n";
-    EXPECT_GT(tally.planned, days);
-    EXPECT_GE(rate, least);
-    EXPECT_NEAR(rate, promised, 3.3 * sd);
-  }
+void expect_to_hold(int days, double least) {
+  const Tally tally = tally_of(days, least, 0);
+  const double rate = static_cast<double>(tally.done) / tally.planned;
+  const double promised = tally.promised / tally.planned;
+  // The jobs of a day fail together at worst: as few independent cases as days.
+  const double sd = std::sqrt(rate * (1 - rate) / days);
+  std::cout << "least " << least << ", " << days << " days: " << tally.planned
+            << " planned starts, promised " << promised << ", held " << rate << "\n";
+  EXPECT_GT(tally.planned, days / 2);
+  EXPECT_GE(rate, least);
+  EXPECT_NEAR(rate, promised, 3.3 * sd);
 }
 
+TEST(PlanChances, PlannedStartsHoldAsOftenAsIsAskedForOnTwoThousandDays) {
+  expect_to_hold(2000, 0.8);
+}
+
+TEST(PlanChances, PlannedStartsHoldAsOftenAsIsAskedForWhereMuchIs) { expect_to_hold(500, 0.95); }
+
 TEST(PlanChances, WhatAPlanIsWorthIsWhatComesOfItOnAverage) {
-  const int days = 2000;
+  const int days = 500;
   const Tally tally = tally_of(days, 0, 0);
   const double sd = std::sqrt(tally.worth_2) / days;  // of the mean of a day
   std::cout << "expected " << tally.expected / days << " a day, came " << tally.worth / days
@@ -126,7 +129,7 @@ TEST(PlanChances, WhatAPlanIsWorthIsWhatComesOfItOnAverage) {
 }
 
 TEST(PlanChances, ProbabilitiesThatAreTooHighAreSeen) {
-  const Tally tally = tally_of(2000, 0.8, 0.15);
+  const Tally tally = tally_of(300, 0.8, 0.15);
   const double rate = static_cast<double>(tally.done) / tally.planned;
   EXPECT_LT(rate, tally.promised / tally.planned - 0.02);
 }

@@ -42,7 +42,7 @@ TEST(PlanRules, TwoJudgesAgreeOnAnyPlan) {
   Rng random(2025, "plan/any plans");
   int right = 0;
   int wrong = 0;
-  for (int i = 0; i < 8000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const PlanProblem day = small_random_day(random);
     const std::vector<Assignment> all = any_assignments(day, random);
     std::vector<Charge> charges = earliest_charges(day, all);
@@ -53,14 +53,14 @@ TEST(PlanRules, TwoJudgesAgreeOnAnyPlan) {
                                                   << (breach ? static_cast<int>(breach->rule) : -1);
     (breach ? wrong : right) += 1;
   }
-  EXPECT_GT(right, 400);
-  EXPECT_GT(wrong, 400);
+  EXPECT_GT(right, 200);
+  EXPECT_GT(wrong, 200);
 }
 
 TEST(PlanRules, EveryPlanIsRightAndAnythingTakenTwiceIsSeen) {
   Rng random(2025, "plan/planted");
   int planted = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 6; ++i) {
     const PlanProblem day = farm_day(8, 4, random);
     const Plan plan = make_plan(day, 0.5);
     ASSERT_EQ(what_is_wrong(day, plan.assignments, plan.charges), "");
@@ -73,7 +73,7 @@ TEST(PlanRules, EveryPlanIsRightAndAnythingTakenTwiceIsSeen) {
       ++planted;
     }
   }
-  EXPECT_GT(planted, 40);
+  EXPECT_GT(planted, 15);
 }
 
 }  // namespace
