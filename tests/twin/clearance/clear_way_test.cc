@@ -49,7 +49,8 @@ struct Scene {
   std::vector<Passer> passers;
   ClearanceState state;
 
-  ClearWay way(const Handling& h, const OwnMotion& own, const Wish& wish, std::size_t place = 0) {
+  ClearWay way_for(const Handling& h, const OwnMotion& own, const Wish& wish,
+                   std::size_t place = 0) {
     std::vector<Craft> all = craft;
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), craft_of(h, own, state));
     return clear_way(h, stand_off, {all, place, structures, lines, passers}, own, wish, dt_s,
@@ -57,7 +58,7 @@ struct Scene {
   }
   ClearWay way(const Handling& h, const OwnMotion& own, const Planar& wish_m_s, double down_m_s = 0,
                std::size_t place = 0) {
-    return way(h, own, Wish{wish_m_s, down_m_s}, place);
+    return way_for(h, own, Wish{wish_m_s, down_m_s}, place);
   }
 };
 
@@ -208,7 +209,7 @@ TEST(AWishIntoAStructure, LeadsRoundItOnlyToAPlaceBeyondItThatIsClear) {
     Wish wish{{0, -0.5}, 0};
     wish.place_m = c.place_m;
     wish.place_m_s = c.goes_m_s;
-    for (int i = 0; i < 50; ++i) (void)scene.way(rov(), at(0, 5.5), wish);
+    for (int i = 0; i < 50; ++i) (void)scene.way_for(rov(), at(0, 5.5), wish);
     EXPECT_EQ(scene.state.side != 0, c.leads_round);
   }
 }
