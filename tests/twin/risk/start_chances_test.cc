@@ -283,7 +283,8 @@ TEST(StartChances, AreThoseOfAStepByStepCountOnRandomCases) {
   EXPECT_LT(unlike, stopped / 10) << "but for ties the same limit binds";
 }
 
-/// Visits as one would make them: from the start on, in every run of usable steps that is long enough.
+/// Visits as one would make them: from the start on, in every run of usable steps that is long
+/// enough.
 bool is_done_in_visits(const std::vector<std::uint8_t>& usable, std::size_t start,
                        const twin::SplitWork& split) {
   std::size_t worked = 0;
