@@ -55,6 +55,11 @@ TaskSheet read_task_sheet(const Config& task, const twin::WorkSite& site) {
       task.refuse("daylight", problem.message());
     }
   }
+  sheet.is_splittable = task.optional_flag("splittable").value_or(false);
+  const auto least_visit_h = task.optional_number("least_visit_h", {0.1, 24});
+  if (least_visit_h && !sheet.is_splittable)
+    task.refuse("least_visit_h", "found without splittable: true; say both, or neither");
+  sheet.least_visit_h = least_visit_h.value_or(0);
   sheet.cable_km = cable_km(task, site);
   return sheet;
 }

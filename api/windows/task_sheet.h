@@ -15,7 +15,9 @@ struct TaskSheet {
   std::string per;                   ///< "foundation", "km"
   std::optional<double> min_window_h;
   std::optional<twin::Light> daylight;
-  double cable_km = 0;  ///< that its work follows
+  double cable_km = 0;         ///< that its work follows
+  bool is_splittable = false;  ///< it may be done over several visits
+  double least_visit_h = 0;    ///< that one is worth making for
 
   /// How long it is planned to take at so many turbines; nothing where the sheet says nothing.
   [[nodiscard]] std::optional<double> planned_h(std::size_t turbines) const;

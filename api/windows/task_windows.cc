@@ -7,135 +7,15 @@
 
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/zones.h"
-#include "api/windows/task_sheet.h"
+#include "api/windows/task_outlook.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/mission/site_work.h"
 #include "twin/rehearse/expect_fit.h"
-#include "twin/rehearse/limit_ahead.h"
-#include "twin/rehearse/planned_work.h"
 #include "twin/simulate/conduct.h"
 
 namespace slackwater::api {
 namespace {
-
-/// The grid is as fine as this or finer.
-constexpr auto longest_step = std::chrono::minutes(10);
-
-std::string yaml_list(const std::vector<std::string>& values) {
-  std::vector<std::string> quoted;
-  for (const std::string& value : values) quoted.push_back(quoted_yaml(value));
-  return "[" + joined(quoted, ", ") + "]";
-}
-
-/// @param more  of its YAML
-LoadedMission mission_of(const WindowsQuestion& question, const std::string& task,
-                         const std::vector<std::string>& turbines, const std::string& more,
-                         const std::filesystem::path& store_folder) {
-  const std::string yaml = "name: windows\nsite: " + quoted_yaml(question.site) +
-                           "\ntasks: " + yaml_list({task}) + "\nturbines: " + yaml_list(turbines) +
-                           "\nstep_s: 0.05\n" + more;
-  return lay_out_mission(Config::parse(yaml, "its mission"), std::filesystem::current_path(),
-                         "its mission", store_folder, question.assumed);
-}
-
-LoadedMission laid_out_at(const SharedOutlook& outlook, const WindowsQuestion& question,
-                          const std::string& task, const std::vector<std::string>& turbines) {
-  LoadedMission mission =
-      mission_of(question, task, turbines, "duration: 30d\nseed: 1\nwaves: {components: 8}\n",
-                 outlook.store_folder);
-  // It is not flown, and what set_up asks of the forecast is its first minute.
-  mission.scenario.duration_s = 60;
-  return mission;
-}
-
-/// At the turbines that were asked for, else at the first at which there is such work.
-LoadedMission laid_out(const SharedOutlook& outlook, const WindowsQuestion& question,
-                       const std::string& task) {
-  if (!question.turbines.empty() || outlook.site->turbines.empty())
-    return laid_out_at(outlook, question, task, question.turbines);
-  std::optional<Error> first;
-  for (const TurbinePlace& turbine : outlook.site->turbines) {
-    try {
-      return laid_out_at(outlook, question, task, {turbine.id});
-    } catch (const Error& problem) {
-      if (!first) first = problem;
-    }
-  }
-  throw Error(*first);
-}
-
-/// Everything of one task that the chances are worked out from.
-struct Outlook {
-  LoadedMission mission;
-  twin::ReadyRun ready;
-  StepClock clock;
-  twin::StartSteps starts;
-  twin::StartQuestion question;
-  std::vector<twin::LimitAhead> ahead;
-  std::vector<std::vector<double>> gates;
-};
-
-double hours_of(double seconds) { return seconds / 3600; }
-
-std::string hours_text(double seconds) { return formatted("{:.1f} h", hours_of(seconds)); }
-
-/// Phases, planned time and contingency of every worker.
-void plan_work(const WindowsQuestion& question, const TaskSheet& sheet, const Outlook& outlook,
-               TaskWindows& out) {
-  for (std::size_t i = 0; i < outlook.ready.agents.size(); ++i) {
-    const twin::Agent& agent = outlook.ready.agents[i];
-    out.workers.push_back(
-        {agent.name,
-         twin::plan_of(outlook.ready.states[i].vehicle.body.position_m, agent.mission)});
-  }
-  out.planned_s = 3600 * sheet.planned_h(out.turbines.size()).value_or(0);
-  for (const WorkerPlan& worker : out.workers)
-    out.planned_s = std::max(out.planned_s, worker.plan.duration_s());
-  for (WorkerPlan& worker : out.workers)
-    worker.plan = twin::stretched(std::move(worker.plan), out.planned_s);
-  out.contingency_s = question.contingency
-                          ? std::chrono::duration<double>(*question.contingency).count()
-                          : 3600 * sheet.contingency_h();
-}
-
-/// The grid of the starts, as many as the forecast holds from beginning to end.
-void lay_grid(const WindowsQuestion& question, const SharedOutlook& shared, Outlook& outlook,
-              TaskWindows& out) {
-  const double needed_s = out.planned_s + out.contingency_s;
-  const std::string takes = "takes " + hours_text(needed_s) + " with " +
-                            hours_text(out.contingency_s) + " of contingency";
-  if (shared.is_one_day && needed_s > 86400)
-    throw Error(ErrorKind::invalid_input,
-                takes +
-                    ", which is longer than the day; ask for the hours of several days with "
-                    "--from and --to, or for less with --contingency");
-  const auto parts =
-      std::max<Duration::rep>(1, (question.every.count() + Duration(longest_step).count() - 1) /
-                                     Duration(longest_step).count());
-  const Duration step = question.every / parts;
-  const double step_s = std::chrono::duration<double>(step).count();
-  const auto needed = static_cast<std::size_t>(std::ceil(needed_s / step_s - 1e-6));
-  const UtcTime end = shared.water->surround.field->range().to;
-  std::size_t fitting = 0, asked = 0;
-  for (UtcTime start = shared.from; start < shared.to; start += question.every) {
-    ++asked;
-    if (start + step * static_cast<Duration::rep>(needed) <= end) ++fitting;
-  }
-  if (fitting == 0)
-    throw Error(ErrorKind::invalid_input,
-                takes + "; begun at " + format_utc(shared.from) +
-                    " it ends after the forecast, "
-                    "which ends at " +
-                    format_utc(end) + "; move --from, or take a forecast with a longer --horizon");
-  outlook.starts = {0, static_cast<std::size_t>(parts), fitting};
-  outlook.clock = {shared.from, step,
-                   outlook.starts.step_of(fitting - 1) + std::max<std::size_t>(needed, 1)};
-  if (fitting < asked)
-    out.notes.push_back(
-        formatted("{} starts after {} are left out: they end after the forecast", asked - fitting,
-                  format_utc(outlook.clock.time_of(outlook.starts.step_of(fitting - 1)))));
-}
 
 LimitText text_of_limit(const std::string& worker, const twin::Limit& limit) {
   LimitText text;
@@ -159,16 +39,20 @@ bool is_unknown(const std::vector<double>& values) {
 
 /// Factors by start, each period rounded up to the hour; empty where practice has none for such
 /// limits.
-std::vector<double> factors_of(const WindowsQuestion& question, const Outlook& outlook,
-                               UtcTime issued, const twin::Limit& limit, const TaskWindows& task,
-                               std::string& why) {
+std::vector<double> factors_of(const WindowsQuestion& question, const SharedOutlook& shared,
+                               const Outlook& outlook, const twin::Limit& limit,
+                               const TaskWindows& task, std::string& why) {
+  const UtcTime issued = shared.water->surround.field->snapshot().issued;
   std::vector<double> factors;
   std::map<double, twin::AlphaFactor> known;
   for (std::size_t s = 0; s < outlook.starts.count; ++s) {
     const UtcTime start = outlook.clock.time_of(outlook.starts.step_of(s));
     const double waits_h =
         question.period_from_start ? 0 : std::max(0.0, hours_between(issued, start));
-    const double period_h = std::ceil(waits_h + hours_of(task.planned_s) - 1e-9);
+    const UtcTime visits_from = question.period_from_start ? shared.from : issued;
+    const double period_h = std::ceil(
+        (task.is_split ? hours_between(visits_from, shared.to) : waits_h + task.planned_s / 3600) -
+        1e-9);
     if (!known.contains(period_h)) {
       const auto factor = question.practice.at(limit, period_h);
       if (!factor) return {};
@@ -185,7 +69,6 @@ std::vector<double> factors_of(const WindowsQuestion& question, const Outlook& o
 void watch_limits(const WindowsQuestion& question, const SharedOutlook& shared, Outlook& outlook,
                   TaskWindows& out) {
   const double step_s = std::chrono::duration<double>(outlook.clock.step).count();
-  const UtcTime issued = shared.water->surround.field->snapshot().issued;
   std::set<std::string> not_checked;
   for (std::size_t a = 0; a < outlook.ready.agents.size(); ++a) {
     const twin::Agent& agent = outlook.ready.agents[a];
@@ -209,7 +92,8 @@ void watch_limits(const WindowsQuestion& question, const SharedOutlook& shared, 
       watched.may_be_missing = limit.may_be_missing;
       watched.when = twin::steps_of(out.workers[a].plan, phase, out.contingency_s, step_s);
       if (watched.when.empty()) continue;
-      watched.alpha = factors_of(question, outlook, issued, limit, out, out.no_alpha);
+      if (out.is_split) watched.when = whole_stay(outlook, out);
+      watched.alpha = factors_of(question, shared, outlook, limit, out, out.no_alpha);
       if (limit.may_be_missing &&
           std::any_of(ahead.members.begin(), ahead.members.end(), is_unknown))
         not_checked.insert(agent.name + ": " + twin::text_of(limit));
@@ -235,9 +119,7 @@ void add_gate(const std::string& text, const twin::StepRanges& open, Outlook& ou
   watched.limit = out.limits.size();
   watched.bound = {twin::BoundSide::at_least, 1};
   watched.is_gate = true;
-  const double step_s = std::chrono::duration<double>(outlook.clock.step).count();
-  watched.when = {{0, static_cast<std::size_t>(
-                          std::ceil((out.planned_s + out.contingency_s) / step_s - 1e-6))}};
+  watched.when = whole_stay(outlook, out);
   // The values move with the vector that holds them, their place does not.
   watched.members.emplace_back(outlook.gates.back());
   outlook.question.watched.push_back(std::move(watched));
@@ -274,6 +156,15 @@ void add_gates(const WindowsQuestion& question, const SharedOutlook& shared, con
              twin::steps_at(outlook.clock, *question.shift, question.zone), outlook, out);
 }
 
+/// What stops a start of split work from which there is too little time left.
+void add_too_little_time(const SharedOutlook& shared, Outlook& outlook, TaskWindows& out) {
+  if (!outlook.question.split) return;
+  outlook.question.split->limit = out.limits.size();
+  LimitText limit;
+  limit.text = "hours enough for the work by " + format_utc(shared.to);
+  out.limits.push_back(std::move(limit));
+}
+
 /// The chances in order, zones laid over them.
 void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& out) {
   outlook.question.steps = outlook.clock.steps;
@@ -281,7 +172,8 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
   outlook.question.starts = outlook.starts;
   const std::vector<twin::StartChance> chances = twin::start_chances(outlook.question);
   std::map<std::size_t, twin::SuccessInterval> intervals;
-  outlook.mission.scenario.duration_s = out.planned_s + out.contingency_s;
+  outlook.mission.scenario.duration_s =
+      out.is_split ? out.least_visit_s : out.planned_s + out.contingency_s;
   for (std::size_t s = 0; s < chances.size(); ++s) {
     TaskStart start;
     start.start = outlook.clock.time_of(outlook.starts.step_of(s));
@@ -330,17 +222,6 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
 
 }  // namespace
 
-LoadedMission mission_to_fly(const WindowsQuestion& question, const TaskWindows& task,
-                             std::uint64_t seed, std::size_t wave_components,
-                             const std::filesystem::path& store_folder) {
-  const double minutes = std::ceil((task.planned_s + task.contingency_s) / 60);
-  return mission_of(question, task.id, task.turbines,
-                    formatted("duration: {:.0f}min\nseed: {}\nwaves: {{components: {}}}\ngusts: "
-                              "dryden\n",
-                              minutes, seed & 0x7fffffff, wave_components),
-                    store_folder);
-}
-
 TaskWindows task_windows(const WindowsQuestion& question, const SharedOutlook& shared,
                          const std::string& task) {
   return with_context("task " + task, [&] {
@@ -358,9 +239,10 @@ TaskWindows task_windows(const WindowsQuestion& question, const SharedOutlook& s
     twin::expect_fit(outlook.mission.expanded, outlook.ready);
     outlook.question.members = shared.members;
     plan_work(question, sheet, outlook, out);
-    lay_grid(question, shared, outlook, out);
+    lay_grid(question, shared, sheet, outlook, out);
     watch_limits(question, shared, outlook, out);
     add_gates(question, shared, sheet, outlook, out);
+    add_too_little_time(shared, outlook, out);
     out.assumed = unchecked_of(outlook.mission.scenario).assumed;
     add_starts(question, outlook, out);
     return out;

@@ -86,6 +86,8 @@ struct TaskWindows {
   std::vector<WorkerPlan> workers;
   double planned_s = 0;      ///< from the start to the way home
   double contingency_s = 0;  ///< beyond it
+  bool is_split = false;     ///< over several visits, each of this and more
+  double least_visit_s = 0;
   std::vector<LimitText> limits;
   std::vector<std::string> not_checked;
   std::vector<std::string> assumed;

@@ -106,6 +106,8 @@ json task_json(const TaskWindows& task, std::size_t members) {
            {"verdict", twin::name_of(task.verdict)},
            {"duration_h", number(task.planned_s / 3600)},
            {"contingency_h", number(task.contingency_s / 3600)},
+           {"split", task.is_split ? json{{"least_visit_h", number(task.least_visit_s / 3600)}}
+                                   : json(nullptr)},
            {"phases", phases_json(task)},
            {"limits", limits},
            {"not_checked", task.not_checked},

@@ -107,10 +107,14 @@ std::string rule_text(const TaskWindows& task, const std::vector<twin::StartWind
 
 std::string task_text(const WindowsQuestion& question, const TaskWindows& task, std::size_t members,
                       const PeoplesClock& clock) {
-  std::string text = formatted("{:<9}", std::string(twin::name_of(task.verdict))) + task.name +
-                     " at " + joined(task.turbines, ", ") +
-                     formatted(", {:.1f} h and {:.1f} h of contingency\n", task.planned_s / 3600,
-                               task.contingency_s / 3600);
+  std::string text =
+      formatted("{:<9}", std::string(twin::name_of(task.verdict))) + task.name + " at " +
+      joined(task.turbines, ", ") +
+      formatted(", {:.1f} h and {:.1f} h of contingency", task.planned_s / 3600,
+                task.contingency_s / 3600) +
+      (task.is_split ? formatted(", in visits of {:.1f} h and more", task.least_visit_s / 3600)
+                     : std::string()) +
+      "\n";
   for (const twin::StartWindow& window : task.windows)
     text += window_text(task, window, members, clock);
   if (const TaskStart* best = best_of(task); best != nullptr && task.windows.empty())

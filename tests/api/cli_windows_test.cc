@@ -408,6 +408,39 @@ TEST_F(WindowsCommand, RefusesWhatCannotBeAnswered) {
   expect_refused({"--task", write("wrong.yaml", wrong)}, 3, {"expected uav"});
 }
 
+TEST_F(WindowsCommand, SplitWorkIsDoneOverSeveralVisits) {
+  const auto sheet = [](const std::string& limits) {
+    std::string text = peek(limits, "splittable: true\nleast_visit_h: 1\n");
+    text.replace(text.find("value: 1.5"), 10, "value: 6.0");
+    return text;
+  };
+  const json open = task_of({"--task", write("split.yaml", sheet(loose)), "--contingency", "0h"});
+  EXPECT_EQ(open.at("split").at("least_visit_h"), 1.0);
+  // Six hours of work and way are left until 18:00, or the step before, in one visit.
+  ASSERT_EQ(open.at("windows").size(), 1U);
+  EXPECT_EQ(open.at("windows")[0].at("from"), "2025-03-05T00:00:00Z");
+  EXPECT_GE(open.at("windows")[0].at("to"), "2025-03-05T17:30:00Z");
+  EXPECT_LE(open.at("windows")[0].at("to"), "2025-03-05T18:00:00Z");
+  const json& late = open.at("starts").back().at("binding");
+  EXPECT_EQ(late.at("limit"), "hours enough for the work by 2025-03-06T00:00:00Z");
+  EXPECT_EQ(late.at("members"), 25);
+  // In one go six hours of a slack tide there are not.
+  const std::string slack = "{current_speed_m_s: 0.3}";
+  const json split = task_of({"--task", write("split.yaml", sheet(slack)), "--contingency", "0h"});
+  std::string whole = peek(slack);
+  whole.replace(whole.find("value: 1.5"), 10, "value: 6.0");
+  const json at_once = task_of({"--task", write("whole.yaml", whole), "--contingency", "0h"});
+  EXPECT_TRUE(at_once.at("split").is_null());
+  const auto held = [](const json& task) {
+    int sum = 0;
+    for (const json& start : task.at("starts")) sum += start.at("members_held").get<int>();
+    return sum;
+  };
+  EXPECT_GT(held(split), held(at_once));
+  expect_refused({"--task", write("bad.yaml", peek(loose, "least_visit_h: 1\n"))}, 3,
+                 {"least_visit_h", "splittable"});
+}
+
 TEST_F(WindowsCommand, OnTheDayTheClocksGoForwardTheShiftBeginsAnHourEarlier) {
   const StoreForTests spring;
   spring.ingest_days(parse_day("2025-03-26"), 3);

@@ -91,7 +91,7 @@ ExpandedMission expand_mission(const Config& mission, const MissionParts& parts)
     out.tasks.push_back(task.text("name"));
     for (const char* about :
          {"id", "category", "sources", "demonstrated", "duration_h", "min_window_h", "daylight",
-          "status", "autonomy", "sensors", "notes", "risks"})
+          "splittable", "least_visit_h", "status", "autonomy", "sensors", "notes", "risks"})
       if (task.has(about)) (void)task.flow_yaml(about);
     const std::vector<Config> agents = task.children("agents");
     if (agents.empty()) task.refuse("agents", "missing; a task has at least one agent");

@@ -2,90 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "fields/base/check.h"
+#include "twin/risk/first_stops.h"
 #include "twin/risk/peak_after.h"
 
 namespace slackwater::twin {
 namespace {
-
-constexpr std::uint32_t never = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint16_t none = std::numeric_limits<std::uint16_t>::max();
-
-/// The first thing that stops each start, of one member.
-struct FirstStops {
-  std::vector<std::uint32_t> step;   ///< of the grid; `never`
-  std::vector<std::uint16_t> limit;  ///< `none`
-};
-
-FirstStops no_stops(std::size_t starts) {
-  return {std::vector<std::uint32_t>(starts, never), std::vector<std::uint16_t>(starts, none)};
-}
-
-/// For each step the next one, itself among them, at which a value is not within the bound.
-void note_next_stop(const WatchedLimit& watched, std::span<const double> values,
-                    std::vector<std::uint32_t>& next) {
-  const auto note = [&](auto stops) {
-    std::uint32_t found = never;
-    for (std::size_t i = values.size(); i-- > 0;) {
-      if (stops(values[i])) found = static_cast<std::uint32_t>(i);
-      next[i] = found;
-    }
-  };
-  const Bound bound = watched.bound;
-  if (watched.may_be_missing)
-    note([&](double value) { return !bound.holds(value) && !std::isnan(value); });
-  else
-    note([&](double value) { return !bound.holds(value); });
-}
-
-/// Of two that stop at the same step the one that was listed first stays.
-void add_stops(const StartQuestion& question, const WatchedLimit& watched,
-               const std::vector<std::uint32_t>& next, FirstStops& first) {
-  for (std::size_t s = 0; s < question.starts.count; ++s) {
-    const std::size_t from = question.starts.step_of(s);
-    for (const StepRange& when : watched.when) {
-      const std::uint32_t stop = next[from + when.begin];
-      if (stop >= from + when.end) continue;
-      if (stop < first.step[s]) {
-        first.step[s] = stop;
-        first.limit[s] = static_cast<std::uint16_t>(watched.limit);
-      }
-      break;
-    }
-  }
-}
-
-void merge(const FirstStops& other, FirstStops& first) {
-  for (std::size_t s = 0; s < first.step.size(); ++s) {
-    if (other.step[s] >= first.step[s]) continue;
-    first.step[s] = other.step[s];
-    first.limit[s] = other.limit[s];
-  }
-}
-
-/// By member. What is the same in all is worked out once.
-std::vector<FirstStops> first_stops(const StartQuestion& question) {
-  std::vector<std::uint32_t> next(question.steps);
-  FirstStops shared = no_stops(question.starts.count);
-  for (const WatchedLimit& watched : question.watched) {
-    if (watched.members.size() > 1) continue;
-    note_next_stop(watched, watched.members.front(), next);
-    add_stops(question, watched, next, shared);
-  }
-  std::vector<FirstStops> all(question.members, no_stops(question.starts.count));
-  for (std::size_t m = 0; m < question.members; ++m) {
-    for (const WatchedLimit& watched : question.watched) {
-      if (watched.members.size() <= 1) continue;
-      note_next_stop(watched, watched.members[m], next);
-      add_stops(question, watched, next, all[m]);
-    }
-    merge(shared, all[m]);
-  }
-  return all;
-}
 
 /// The limit that is the first to stop most members of a start, and the median of when.
 class Tally {
@@ -95,7 +19,7 @@ class Tally {
   std::optional<BindingLimit> of(const std::vector<FirstStops>& stops, std::size_t start) {
     std::fill(members_.begin(), members_.end(), 0);
     for (const FirstStops& member : stops)
-      if (member.limit[start] != none) ++members_[member.limit[start]];
+      if (member.limit[start] != no_limit) ++members_[member.limit[start]];
     const auto most = std::max_element(members_.begin(), members_.end());
     if (most == members_.end() || *most == 0) return std::nullopt;
     BindingLimit binding;
@@ -182,10 +106,26 @@ std::optional<bool> by_alpha(const std::vector<Nearness>& all, std::size_t start
   return allows;
 }
 
+/// The same of work that is done over several visits, whose factors are the same for all starts.
+std::optional<bool> split_by_alpha(const StartQuestion& question, const FirstStops& practice,
+                                   std::size_t start) {
+  bool has_factor = false;
+  for (const WatchedLimit& watched : question.watched) {
+    if (watched.alpha.empty()) continue;
+    has_factor = true;
+    if (std::isnan(watched.alpha[start])) return std::nullopt;
+  }
+  if (!has_factor) return std::nullopt;
+  return practice.limit[start] == no_limit;
+}
+
 void expect_question(const StartQuestion& question) {
   expects(question.members > 0, "a forecast has a member");
-  expects(question.steps < never, "a grid whose steps can be counted");
-  expects(question.limits < none, "fewer limits than can be counted");
+  expects(question.steps < never_stopped, "a grid whose steps can be counted");
+  expects(question.limits < no_limit, "fewer limits than can be counted");
+  if (question.split)
+    expects(question.split->by_step <= question.steps && question.split->limit < question.limits,
+            "visits end within the grid, and too little time is a limit of its own");
   for (const WatchedLimit& watched : question.watched) {
     expects(watched.limit < question.limits, "a watched limit is one of the task's");
     expects(watched.members.size() == 1 || watched.members.size() == question.members,
@@ -208,13 +148,15 @@ std::vector<StartChance> start_chances(const StartQuestion& question) {
   expect_question(question);
   const std::vector<FirstStops> stops = first_stops(question);
   const std::vector<Nearness> nearness = nearness_of(question);
+  const FirstStops practice = question.split ? central_stops_with_alpha(question) : FirstStops();
   Tally tally(question.limits);
   std::vector<StartChance> chances(question.starts.count);
   for (std::size_t s = 0; s < chances.size(); ++s) {
     StartChance& chance = chances[s];
-    chance.by_threshold = stops.front().limit[s] == none;
-    for (const FirstStops& member : stops) chance.held += member.limit[s] == none ? 1 : 0;
-    chance.by_alpha = by_alpha(nearness, s, chance.by_threshold);
+    chance.by_threshold = stops.front().limit[s] == no_limit;
+    for (const FirstStops& member : stops) chance.held += member.limit[s] == no_limit ? 1 : 0;
+    chance.by_alpha = question.split ? split_by_alpha(question, practice, s)
+                                     : by_alpha(nearness, s, chance.by_threshold);
     chance.binding = tally.of(stops, s);
     add_share(nearness, s, chance.binding);
   }

@@ -7,6 +7,7 @@
 #include "twin/risk/bound.h"
 #include "twin/risk/start_steps.h"
 #include "twin/risk/step_range.h"
+#include "twin/risk/task_history.h"
 
 namespace slackwater::twin {
 
@@ -25,6 +26,14 @@ struct WatchedLimit {
   std::vector<double> alpha{};
 };
 
+/// Work that may be done over several visits.
+struct SplitWork {
+  std::size_t work = 1;  ///< steps of it
+  TaskHistory::Visits visits;
+  std::size_t by_step = 0;  ///< of the grid: when it has to be done
+  std::size_t limit = 0;    ///< what stops a start where time alone is too short
+};
+
 /// A task, held against a forecast.
 struct StartQuestion {
   std::size_t steps = 0;    ///< of the grid
@@ -32,6 +41,7 @@ struct StartQuestion {
   std::size_t limits = 0;   ///< how many the task has
   StartSteps starts;
   std::vector<WatchedLimit> watched;
+  std::optional<SplitWork> split{};  ///< absent: it is done in one go
 };
 
 /// The limit that a start comes up against first.
@@ -61,6 +71,10 @@ struct StartChance {
 /// From the end of a series backwards the next step that is not is noted for each step, so that a
 /// start asks once for each stretch at which a limit counts: time proportional to
 /// (steps + starts) x watched limits x members, whatever the task's length.
+///
+/// Split work is kept from a start if a visit can begin then, and the visits from then on come to
+/// all of it in time; every limit counts at every step of a visit, whatever phases it names, and
+/// `when` says for how long after the start it is asked how near a limit is.
 ///
 /// @throws ContractViolation for series that are shorter than the grid, and starts from which a
 ///         limit counts beyond it

@@ -283,6 +283,91 @@ TEST(StartChances, AreThoseOfAStepByStepCountOnRandomCases) {
   EXPECT_LT(unlike, stopped / 10) << "but for ties the same limit binds";
 }
 
+/// Visits as one would make them: from the start on, in every run of usable steps that is long
+/// enough.
+bool is_done_in_visits(const std::vector<std::uint8_t>& usable, std::size_t start,
+                       const twin::SplitWork& split) {
+  std::size_t worked = 0;
+  bool begins_at_once = false;
+  for (std::size_t i = start; i < split.by_step;) {
+    std::size_t end = i;
+    while (end < split.by_step && usable[end] == 1) ++end;
+    if (end - i >= split.visits.shortest) {
+      if (i == start) begins_at_once = true;
+      worked += end - i - split.visits.lost;
+    }
+    i = end + 1;
+  }
+  return begins_at_once && worked >= split.work;
+}
+
+TEST(StartChances, OfSplitWorkAreThoseOfVisitsMadeOneByOne) {
+  Rng random(9, "start_chances_test/split");
+  std::size_t kept = 0, refused = 0, too_late = 0;
+  for (int round = 0; round < 300; ++round) {
+    const std::size_t steps = 60, members = 3;
+    std::vector<std::vector<double>> height, wind;
+    for (std::size_t m = 0; m < members; ++m) {
+      height.emplace_back();
+      wind.emplace_back();
+      double rough = 0;
+      for (std::size_t i = 0; i < steps; ++i) {
+        rough = 0.9 * rough + 0.4 * random.normal();
+        height.back().push_back(1 + 0.4 * rough);
+        wind.back().push_back(8 + random.normal());
+      }
+    }
+    WatchedLimit waves, gusts;
+    waves.bound = {BoundSide::at_most, 1.5};
+    gusts.bound = {BoundSide::at_most, 10};
+    gusts.limit = 1;
+    waves.when = gusts.when = {{0, 4}};
+    for (std::size_t m = 0; m < members; ++m) {
+      waves.members.emplace_back(height[m]);
+      gusts.members.emplace_back(wind[m]);
+    }
+    StartQuestion question;
+    question.steps = steps;
+    question.members = members;
+    question.limits = 3;
+    question.starts = {0, 2, 25};
+    waves.alpha.assign(question.starts.count, 0.8);
+    question.watched = {waves, gusts};
+    twin::SplitWork split;
+    split.work = 5 + random.bits() % 20;
+    split.visits = {4, 1};
+    split.by_step = 55;
+    split.limit = 2;
+    question.split = split;
+    const auto chances = twin::start_chances(question);
+    for (std::size_t s = 0; s < chances.size(); ++s) {
+      const std::size_t from = question.starts.step_of(s);
+      std::size_t held = 0;
+      bool central = false, practice = false;
+      for (std::size_t m = 0; m < members; ++m) {
+        std::vector<std::uint8_t> usable, careful;
+        for (std::size_t i = 0; i < steps; ++i) {
+          usable.push_back(height[m][i] <= 1.5 && wind[m][i] <= 10 ? 1 : 0);
+          careful.push_back(height[m][i] <= 0.8 * 1.5 && wind[m][i] <= 10 ? 1 : 0);
+        }
+        const bool done = is_done_in_visits(usable, from, split);
+        held += done ? 1 : 0;
+        if (m == 0) central = done;
+        if (m == 0) practice = is_done_in_visits(careful, from, split);
+      }
+      EXPECT_EQ(chances[s].held, held) << "round " << round << ", start " << s;
+      EXPECT_EQ(chances[s].by_threshold, central);
+      EXPECT_EQ(chances[s].by_alpha, practice);
+      kept += held;
+      refused += members - held;
+      if (chances[s].binding->is_exceeded && chances[s].binding->limit == 2) ++too_late;
+    }
+  }
+  EXPECT_GT(kept, 1000U);
+  EXPECT_GT(refused, 1000U);
+  EXPECT_GT(too_late, 10U) << "time alone may be too short";
+}
+
 TEST(StartWindows, CountWhatTheRulesSayWithinThem) {
   std::vector<StartChance> chances(5);
   const std::size_t held[] = {2, 8, 10, 6, 9};
