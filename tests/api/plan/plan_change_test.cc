@@ -29,7 +29,7 @@ PlanProblem two_jobs() {
     day.jobs.push_back(std::move(job));
   }
   day.jobs[0].starts = {{32, 0.93, 60, 0}, {48, 0.8, 60, 0}};
-  day.jobs[1].starts = {{37, 0.9, 60, 0}, {60, 0.5, 60, 0}};
+  day.jobs[1].starts = {{38, 0.9, 60, 0}, {60, 0.5, 60, 0}};
   return day;
 }
 
@@ -84,8 +84,8 @@ TEST(PlanChanges, SayWhatWasDroppedAddedAndNoLongerAskedFor) {
   EXPECT_EQ(
       found[1],
       (PlanChange{"cp_anode@A02", PlanChange::Kind::added,
-                  "at 09:15 (90 %): it was left before, since no start reaches 85 %: the best "
-                  "is 60 % at 09:15"}));
+                  "at 09:30 (90 %): it was left before, since no start reaches 85 %: the best "
+                  "is 60 % at 09:30"}));
   now = two_jobs();
   now.jobs.erase(now.jobs.begin());
   found = changes(printed(two_jobs()), now);
