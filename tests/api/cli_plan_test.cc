@@ -1,4 +1,4 @@
-// `slackwater plan`: what to do when, for people and for programs, and all that can be wrong with it.
+// `slackwater plan`: what to do when, for people and programs, and all that can be wrong with it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

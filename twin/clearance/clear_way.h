@@ -92,9 +92,9 @@ struct ClearWay {
 /// hazards than planes, less time than T. What can be done is done all the same: out of the
 /// stand-off the shortest way.
 ///
-/// **Deadlock.** One that cannot go on goes round to starboard, along the plane that stops it, but
-/// only for a place beyond that plane, and one that a way round leads to, not too near to a
-/// structure itself. Two that meet leave each other to port. Right of way is the order of the run, but for one that
+/// **Deadlock.** One that cannot go on goes round to starboard, along the plane that stops it, for
+/// a place beyond that plane which is not itself too near to a structure. Two that meet leave each
+/// other to port. Right of way is the order of the run, but for one that
 /// leaves a vessel's way: whoever bars the way of one that has it moves out of it, square to it.
 ///
 /// No allocation, no exception. @param dt_s  of a step of this vehicle

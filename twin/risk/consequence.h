@@ -28,7 +28,7 @@ struct Consequence {
 /// `risks` of a task, one entry a cause:
 ///
 ///     risks:
-///       - {cause: tether, people: 1, environment: 2, asset: 4, schedule: 4, cost: 3, status: estimate}
+///       - {cause: tether, people: 1, environment: 2, asset: 4, schedule: 4, cost: 3}
 ///
 /// None of the five is left out. @throws Error(invalid_input) also for two of a cause
 [[nodiscard]] std::vector<Consequence> read_consequences(const Config& task);

@@ -15,8 +15,8 @@ namespace slackwater::tests {
                                         const std::vector<api::Assignment>& assignments,
                                         const std::vector<api::Charge>& charges);
 
-/// The most that a plan of this day can be worth, found by trying them all. For days in which no two
-/// batteries share a charger.
+/// The most that a plan of this day can be worth, found by trying them all. For days in which no
+/// two batteries share a charger.
 [[nodiscard]] double best_value_by_trying(const api::PlanProblem& problem);
 
 /// A small day of everything that a plan has to mind: two to four jobs, an hour a slot.
