@@ -95,6 +95,9 @@ WindowsAnswer windows_of(const WindowsQuestion& question,
   if (shared.members == 1)
     answer.notes.emplace_back(
         "the forecast has one future, the central one: no start of it is more probable than 0.67");
+  if (field.snapshot().hindsight)
+    answer.notes.emplace_back(
+        "the forecast was made in hindsight: nobody could have had it at its issue time");
   if (field.snapshot().degraded)
     answer.notes.push_back("the forecast is degraded: " + field.snapshot().headline);
   answer.tasks.resize(tasks.size());
