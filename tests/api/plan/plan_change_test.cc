@@ -110,7 +110,7 @@ TEST(PlanChanges, SayWhoTookOverAndWhatMakesRoomForWhat) {
   now.jobs.push_back(urgent);
   found = changes(before, now);
   EXPECT_EQ(found[0].kind, PlanChange::Kind::moved);
-  EXPECT_NE(found[0].why.find("makes room: ctv is at A02 from 08:00 to 09:00 (repair@A02)"),
+  EXPECT_NE(found[0].why.find("makes room: crew are at A02 from 08:00 to 09:00 (repair@A02)"),
             std::string::npos)
       << found[0].why;
   EXPECT_EQ(found[2].why, "at 08:00 (90 %): it was not asked for before");
