@@ -15,8 +15,8 @@ using Pool = std::vector<std::size_t>;
 /// Vehicles of the same kind, vessel, battery and swap.
 [[nodiscard]] std::vector<Pool> vehicle_pools(const PlanProblem& problem);
 
-/// Gives assignments, whose crews and vehicles are any of their pools, members who are free: each on
-/// one vessel all day, the fewest that will do.
+/// Gives assignments, whose crews and vehicles are any of their pools, members who are free: each
+/// on one vessel all day, the fewest that will do.
 /// @param assignments  by time
 void share_out(const PlanProblem& problem, std::span<Assignment> assignments);
 

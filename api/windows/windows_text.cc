@@ -59,7 +59,7 @@ std::string chance_text(const TaskStart& start) {
                    start.interval.high);
 }
 
-/// "flown 12:00: 22 of 24 done (0.72 to 0.99), stopped by ..., 41 to 55 min": of the starts within a
+/// "flown 12:00: P 0.92 (0.72 to 0.99) of 24 flights, home after 55 min": of the starts within a
 /// window that were flown, the best.
 std::string flown_text(const TaskWindows& task, const twin::StartWindow& window,
                        const PeoplesClock& clock) {
