@@ -29,7 +29,8 @@ struct CampaignTaskText {
   std::optional<Split> split;
 };
 
-/// Tasks that are done one after the other, by one team or several beside each other, as `--campaign FILE.yaml` has them:
+/// Tasks that are done one after the other, by one team or several beside each other, as
+/// `--campaign FILE.yaml` has them:
 ///
 ///     name: Anodes of ten foundations
 ///     timezone: Europe/Berlin                  # of dates and hours; absent: UTC

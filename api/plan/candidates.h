@@ -5,8 +5,8 @@
 
 namespace slackwater::api {
 
-/// Every way to do a job that breaks no rule by itself: each start with each vessel, crew and choice
-/// of vehicles.
+/// Every way to do a job that breaks no rule by itself: each start with each vessel, crew and
+/// choice of vehicles.
 [[nodiscard]] std::vector<Assignment> candidates_of(const PlanProblem& problem, std::size_t job);
 
 /// Every vessel, crew and choice of vehicles that could do a job at some time, the times aside.

@@ -6,8 +6,8 @@
 namespace slackwater::api {
 
 /// A value of a JSON document that somebody else wrote, and where it stands there:
-/// "tasks[2].starts[0].probability". All that it refuses is an Error(invalid_input) that begins with
-/// the document's name and the place.
+/// "tasks[2].starts[0].probability". All that it refuses is an Error(invalid_input) that begins
+/// with the document's name and the place.
 class JsonPlace {
  public:
   JsonPlace(const nlohmann::json& value, std::string name)

@@ -33,8 +33,8 @@ namespace slackwater::api {
 ///       - {task: scour_survey, turbines: [B01], vehicles: [rov or auv], duration: 90min,
 ///          contingency: 30min, energy_wh: 150, daylight: civil}
 ///
-/// Hours are of the site's clocks. What a task takes is that of data/tasks where `vehicles` does not
-/// say; how long it takes and how likely it is done, the windows say.
+/// Hours are of the site's clocks. What a task takes is that of data/tasks where `vehicles` does
+/// not say; how long it takes and how likely it is done, the windows say.
 struct PlanFile {
   struct Port {
     std::string name;

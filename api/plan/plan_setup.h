@@ -11,8 +11,8 @@ namespace slackwater::api {
 ///   longer of their durations, where they are no more than an hour apart.
 /// - A start is left out whose work, with its contingency, goes beyond the daylight that is asked
 ///   for, or goes on in an exclusion area that is in force.
-/// - Vessels keep out of exclusion areas that are in force at any time of the day (`sea_way_m`), and
-///   their ways are rounded up to whole minutes.
+/// - Vessels keep out of exclusion areas that are in force at any time of the day (`sea_way_m`),
+///   and their ways are rounded up to whole minutes.
 ///
 /// @param least_probability  see PlanProblem
 /// @throws Error(invalid_input) for windows of another site or day, without one of the tasks; for
