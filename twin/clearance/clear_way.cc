@@ -178,8 +178,9 @@ bool leads_past(const Look& look, const StandOff& stand_off, const Wish& wish,
                 const Planar& wanted_m) noexcept {
   const Plane* bar = look.bar_of(wanted_m);
   if (!wish.place_m || bar == nullptr) return true;
-  const Planar place_m = *wish.place_m + look.time_for(size_of(wish.velocity_m_s)) * wish.place_m_s;
-  return bar->room_m(place_m) < 0 && !is_too_near(look, stand_off, place_m);
+  const double time_s = look.time_for(size_of(wish.velocity_m_s));
+  return bar->room_m(*wish.place_m + time_s * wish.place_m_s) < 0 &&
+         !is_too_near(look, stand_off, *wish.place_m);
 }
 
 /// Takes up going round, goes on with it, or leaves it.

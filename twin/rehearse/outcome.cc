@@ -68,7 +68,9 @@ bool broke_reserve(const Agent& agent, const AgentState& state) {
 std::string stopped_by(const Agent& agent, const AgentState& state) {
   const ConductState& own = state.conduct;
   const double ended_s = own.has_ended ? own.events.back().t_s : std::numeric_limits<double>::max();
-  if (state.milestones.power_lost_s < ended_s) return "empty battery";
+  if (state.milestones.power_lost_s < ended_s)
+    return state.milestones.is_empty > 0.5 ? "empty battery"
+                                           : "battery cut off at its least voltage";
   if (state.halt != Halt::none) return halt_text(agent, state);
   if (state.milestones.line_parted_s < ended_s) return "its tether parted";
   if (own.has_turned || own.doing == Doing::hold)

@@ -78,7 +78,7 @@ TEST(ByTheLimits, ForbidWhatIsDoneBeforeTheyAreExceeded) {
 
 TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {
   // From 0.2 to 2.8 m/s in four hours: 0.5 m/s after half an hour.
-  const twin::Scenario slow = scour("{speed_m_s: 0.15}");
+  const twin::Scenario slow = scour("{speed_m_s: 0.15, state_of_charge: 0.8}");
   const twin::Surround surround = water_of(slow, 14);
   const twin::Flight flight = flown(slow, surround);
   EXPECT_FALSE(flight.is_done);
