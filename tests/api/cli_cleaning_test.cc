@@ -82,7 +82,7 @@ TEST_F(CleaningCommand, RehearseTellsWhatIsCleanOverTheFuturesAndSimulateOfOne) 
   EXPECT_TRUE(own.at("done").get<bool>());
   const double removed_m3 = own.at("growth_removed_m3"), left_m3 = own.at("growth_left_m3");
   EXPECT_NEAR(removed_m3 + left_m3, 0.04 * area_m2, 2e-4 * 0.04 * area_m2);
-  EXPECT_NEAR(own.at("growth_removed_kg").get<double>(), 1000 * removed_m3, 0.1 * removed_m3);
+  EXPECT_NEAR(own.at("growth_removed_kg").get<double>(), 1000 * removed_m3, 0.2 * removed_m3);
   // The log has the same, and the page of the log.
   const ingest::TrajectoryFile log = ingest::read_trajectories(path("one.nc"));
   const ingest::TrajectoryTable* table = log.find_table("cleaning");
