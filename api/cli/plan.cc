@@ -79,8 +79,11 @@ void run_plan(const PlanArguments& arguments, const Context& context) {
   PlanAnswer answer;
   answer.time_limit_s = time_limit_s_of(arguments.time_limit);
   const PlanFile file = load_plan_file(arguments.plan, context.store_folder);
-  const WindowsFile windows = arguments.windows.empty() ? windows_in_force(file, arguments, context)
-                                                        : load_windows(arguments.windows);
+  const WindowsFile windows =
+      arguments.windows.empty()
+          ? with_context("no --windows were given",
+                         [&] { return windows_in_force(file, arguments, context); })
+          : load_windows(arguments.windows);
   std::optional<EarlierPlan> earlier;
   if (!arguments.since.empty()) earlier = load_earlier_plan(arguments.since);
   const PlanProblem problem = problem_of(file, windows, arguments.chance);

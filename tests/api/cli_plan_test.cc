@@ -146,7 +146,7 @@ TEST_F(PlanCommand, SaysWhatChangedSinceAnEarlierPlan) {
 }
 
 TEST_F(PlanCommand, RefusesACommandLineThatMakesNoSense) {
-  expect_refused({plan_}, 4, {"example_farm"});
+  expect_refused({plan_}, 4, {"no --windows", "no store"});
   expect_refused({plan_, "--windows", windows_, "--chance", "80"}, 2, {"--chance"});
   expect_refused({plan_, "--windows", windows_, "--time-limit", "0"}, 2, {"--time-limit 0"});
   expect_refused({plan_, "--windows", windows_, "--time-limit", "-5"}, 2, {"--time-limit"});

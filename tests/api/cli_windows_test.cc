@@ -476,7 +476,8 @@ TEST_F(WindowsCommand, FliesTheStartsThatTheLimitsLeaveOpen) {
     EXPECT_GT(twin.at("energy_wh").at("p90").get<double>(), 1);
     EXPECT_EQ(twin.at("risks").size(), 6U);
   }
-  for (const json& start : flown(never).at("starts")) EXPECT_TRUE(start.at("twin").is_null());
+  const json shut = flown(never);
+  for (const json& start : shut.at("starts")) EXPECT_TRUE(start.at("twin").is_null());
 }
 
 TEST_F(WindowsCommand, AreWhatThePlanOfADayIsMadeOf) {
