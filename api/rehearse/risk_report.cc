@@ -73,7 +73,7 @@ json risks_json(const std::vector<RiskEntry>& risks) {
 std::vector<std::string> risk_texts(const std::vector<RiskEntry>& risks) {
   std::vector<std::string> texts;
   for (const RiskEntry& risk : risks) {
-    if (risk.befell == 0 && risk.at_worst == twin::RiskLevel::low) continue;
+    if (risk.befell == 0) continue;
     texts.push_back(std::string(meaning_of(risk.cause)) + ": " + share_text(risk) + ", " +
                     harm_text(risk) + ": " + level_text(risk));
   }

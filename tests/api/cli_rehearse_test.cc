@@ -140,6 +140,34 @@ TEST_F(RehearseCommand, SaysHowNearEachCameOverTheFlightsAndTheLogOfOneSaysTheSa
       2);
 }
 
+TEST_F(RehearseCommand, SaysWhatWouldChangeTheAnswerAndHowBadItIs) {
+  // What is left of its battery is a little too little.
+  write("mission.yaml", mission() + "agents: {eye: {state_of_charge: 0.23}}\n");
+  write(
+      "peek.yaml",
+      peek +
+          "risks: [{cause: energy, people: 1, environment: 1, asset: 4, schedule: 2, cost: 2}]\n");
+  const ProgramResult run = made_.run({"rehearse", path("mission.yaml"), "--members", "2",
+                                       "--advice", "--json", "--html", path("page.html")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json out = json::parse(run.out);
+  const json& risk = out.at("starts")[0].at("risks")[0];
+  EXPECT_EQ(risk.at("cause"), "energy");
+  EXPECT_EQ(risk.at("befell"), 2);
+  EXPECT_EQ(risk.at("level"), "high");
+  EXPECT_EQ(risk.at("consequence").at("asset"), 4);
+  const json& advice = out.at("advice");
+  ASSERT_GE(advice.size(), 4U);
+  EXPECT_EQ(advice[0].at("what"), "with another battery beside each");
+  EXPECT_EQ(advice[0].at("done_as_is"), 0);
+  EXPECT_EQ(advice[0].at("gained"), 2);
+  // An hour later there is no water.
+  EXPECT_TRUE(advice.back().contains("impossible")) << advice.dump(1);
+  const std::string page = read_bytes(path("page.html"));
+  EXPECT_NE(page.find("What would change the answer"), std::string::npos);
+  EXPECT_NE(page.find("asset 4 of 5"), std::string::npos);
+}
+
 TEST_F(RehearseCommand, TheLogOfAFlightReplaysAndIsScored) {
   const ProgramResult run =
       made_.run({"rehearse", path("mission.yaml"), "--members", "2", "--log", path("one.nc"),
