@@ -94,10 +94,8 @@ Reference reference_along(const Guidance& guidance, Route& route, const Measured
     return towards({here.x, here.y, to.position_m.z},
                    {speed / away * back.x, speed / away * back.y, 0}, measured, is_over_ground);
   }
+  const double along = std::max(share, 0.0);
   const double length = std::sqrt(length2);
-  // A leg is taken up within the tolerance of its beginning: there it is prolonged backwards, so
-  // that nobody hurries to the corner.
-  const double along = std::max(share, -guidance.tolerance_m / length);
   double pace = speed;
   if (guidance.slows_at_corners) {
     const double corner = corner_speed_m_s(route, leg, speed);
