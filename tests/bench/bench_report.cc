@@ -131,4 +131,14 @@ int BenchReport::exit_code() const noexcept {
   return slow_ ? 3 : 0;
 }
 
+int run_bench(int argc, char** argv, const char* name, void (*run)(BenchReport&)) {
+  BenchReport report(bench_options(argc, argv));
+  try {
+    run(report);
+  } catch (const std::exception& problem) {
+    report.answer(name, false, problem.what());
+  }
+  return report.exit_code();
+}
+
 }  // namespace slackwater::bench

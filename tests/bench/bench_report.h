@@ -48,4 +48,7 @@ class BenchReport {
   bool slow_ = false;
 };
 
+/// The `main` of a benchmark. What `run` throws is a wrong answer of that name.
+[[nodiscard]] int run_bench(int argc, char** argv, const char* name, void (*run)(BenchReport&));
+
 }  // namespace slackwater::bench

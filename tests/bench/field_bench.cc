@@ -241,12 +241,4 @@ void run(BenchReport& report) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  BenchReport report(bench_options(argc, argv));
-  try {
-    run(report);
-  } catch (const std::exception& problem) {
-    report.answer("field", false, problem.what());
-  }
-  return report.exit_code();
-}
+int main(int argc, char** argv) { return run_bench(argc, argv, "field", run); }

@@ -79,12 +79,4 @@ void run(BenchReport& report) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  BenchReport report(bench_options(argc, argv));
-  try {
-    run(report);
-  } catch (const std::exception& problem) {
-    report.answer("plan", false, problem.what());
-  }
-  return report.exit_code();
-}
+int main(int argc, char** argv) { return run_bench(argc, argv, "plan", run); }
