@@ -146,6 +146,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_windows(app, context);
   add_workability(app, context);
   add_plan(app, context);
+  add_report(app, context);
   add_ais(app, context);
   add_serve(app, context);
   add_demo(app, context);

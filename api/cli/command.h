@@ -72,5 +72,6 @@ void add_score(CLI::App& app, Context& context);
 void add_windows(CLI::App& app, Context& context);
 void add_workability(CLI::App& app, Context& context);
 void add_plan(CLI::App& app, Context& context);
+void add_report(CLI::App& app, Context& context);
 
 }  // namespace slackwater::api

@@ -5,7 +5,8 @@
 
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
-#include "api/cli/past_skill.h"
+#include "api/cli/morning_of_forecast.h"
+#include "api/morning/make_morning.h"
 #include "api/issued/as_issued.h"
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/downloads.h"
@@ -35,6 +36,7 @@ struct ForecastArguments {
   std::optional<double> html_depth_m;
   std::optional<double> slack_below_m_s;
   bool print_downloads = false;
+  MorningAsked morning;
 };
 
 void print_calibration(const calibration::ColumnForecast& column) {
@@ -143,20 +145,10 @@ void print_days(const Snapshot& snapshot, const std::optional<TimeZone>& zone) {
 
 void write_html(const ForecastArguments& arguments, const Context& context, const Site& site,
                 const DailyJob& job, const PastSkill& past) {
-  ForecastPage page;
-  page.forecast = std::make_shared<const Snapshot>(job.forecast.snapshot);
-  page.summary_json = job.summary_json;
+  ForecastPage page = page_of(std::make_shared<const Snapshot>(job.forecast.snapshot), site,
+                              job.summary_json, past, made_by(context));
   page.depth_m = arguments.html_depth_m;
   page.slack_below_m_s = arguments.slack_below_m_s.value_or(page.slack_below_m_s);
-  page.time_zone = site.time_zone;
-  page.verified = past.verified;
-  page.skill = past.entries;
-  page.skill_note =
-      "Root mean square vector error of the forecasts of the last two weeks whose truth is in, all "
-      "levels; lower is better, pairs of days weigh the same. A baseline \"in part\" has fewer "
-      "days or values than the forecast, whose error over the same ones stands beside it. "
-      "oracle-mean knows the day itself: a yardstick, not a forecast.";
-  page.generated = format_utc(context.now()) + " by slackwater " + code_version();
   write_report(forecast_page(page), arguments.html);
 }
 
@@ -203,6 +195,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   }
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
+  expect_readable(arguments.morning);
   if (arguments.html.empty() && (arguments.html_depth_m || arguments.slack_below_m_s)) {
     throw Error(ErrorKind::usage,
                 std::string("found ") +
@@ -230,6 +223,10 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   }
   const PastSkill past = verify_past(store, site, data, snapshot, options.wind);
   if (!arguments.html.empty()) write_html(arguments, context, site, job, past);
+  MorningDone morning;
+  if (origin == ForecastOrigin::forecast)
+    morning = morning_of_forecast(site, snapshot, arguments.morning, context);
+  std::fputs(morning.notes.c_str(), stderr);
   if (context.json) {
     json out = json::parse(job.summary_json);
     out["id"] = id;
@@ -242,6 +239,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     out["valid_from"] = format_utc(snapshot.time.front());
     out["valid_to"] = format_utc(snapshot.time.back());
     out["attributions"] = snapshot.attributions;
+    out["morning"] = morning.json;
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     return;
   }
@@ -265,6 +263,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     std::printf("from %s\n", text_of(use).c_str());
   print_days(snapshot, site.time_zone);
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
+  if (!morning.text.empty()) std::printf("\n%s", morning.text.c_str());
 }
 
 }  // namespace
@@ -293,6 +292,11 @@ void add_forecast(CLI::App& app, Context& context) {
       ->add_option("--slack-below", arguments->slack_below_m_s,
                    "the page calls the current slack below this speed, m/s (default 0.5)")
       ->check(CLI::Range(0.01, 5.0));
+  command->add_option("--fly", arguments->morning.fly,
+                      "of a site that lists tasks: fly the starts that the limits leave open, for "
+                      "so long at most, e.g. 15min");
+  command->add_flag("--pdf", arguments->morning.is_pdf,
+                    "of a site that lists tasks: print the morning report too (with Chromium)");
   command->add_option("--at", context.at,
                       "issue time, e.g. 2025-03-10T05:00:00Z (default: the clock)");
   command->add_flag(

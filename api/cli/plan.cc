@@ -2,15 +2,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "api/cli/command.h"
+#include "api/morning/plan_windows.h"
 #include "api/plan/make_plan.h"
 #include "api/plan/plan_answer.h"
 #include "api/plan/plan_setup.h"
-#include "api/windows/windows_answer.h"
 
 namespace slackwater::api {
 namespace {
@@ -41,38 +40,15 @@ double time_limit_s_of(const std::string& text) {
   return limit_s;
 }
 
-/// What the forecast in force says of the plan's tasks, at each of their turbines by itself.
+/// What the forecast in force says.
 WindowsFile windows_in_force(const PlanFile& plan, const PlanArguments& arguments,
                              const Context& context) {
-  std::map<std::string, std::vector<std::string>> tasks_at;
-  for (const PlanFile::Work& work : plan.work)
-    for (const std::size_t turbine : work.turbines) {
-      std::vector<std::string>& tasks = tasks_at[plan.site.turbines[turbine].id];
-      if (std::find(tasks.begin(), tasks.end(), work.task) == tasks.end())
-        tasks.push_back(work.task);
-    }
   WindowsQuestion question;
-  question.site = plan.site_place;
-  if (plan.day) {
-    question.from = *plan.day;
-    question.to = *plan.day + std::chrono::days(1);
-  }
-  question.every = std::chrono::minutes(plan.grid_min);
   for (const std::string& text : arguments.assume)
     question.assumed.push_back(twin::parse_assumption(text));
   question.practice = AlphaPractice::of_tables({});
   question.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  json all;
-  for (const auto& [turbine, tasks] : tasks_at) {
-    question.tasks = tasks;
-    question.turbines = {turbine};
-    json at_turbine = windows_json(question, windows_of(question, context.store_folder));
-    if (all.is_null())
-      all = std::move(at_turbine);
-    else
-      for (json& task : at_turbine["tasks"]) all["tasks"].push_back(std::move(task));
-  }
-  return parse_windows(all.dump(), "the forecast in force");
+  return windows_for_plan(plan, std::move(question), context.store_folder);
 }
 
 void run_plan(const PlanArguments& arguments, const Context& context) {

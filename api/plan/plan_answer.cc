@@ -67,19 +67,6 @@ json vessel_json(const PlanProblem& problem, const Plan& plan, std::size_t v) {
   return {{"vessel", problem.vessels[v].id}, {"crews", crews}, {"ways", ways}};
 }
 
-std::string value_text(const PlanProblem& problem, const Plan& plan) {
-  double all = 0;
-  for (const PlanJob& job : problem.jobs) all += job.priority;
-  std::string text =
-      formatted("{} of {} jobs planned, worth {:.2f} of {:g} (priority x probability)",
-                plan.assignments.size(), problem.jobs.size(), plan.value, all);
-  if (plan.is_proven) return text + "; no plan is worth more.\n";
-  return text + formatted(
-                    "; stopped at the time limit: no plan is worth more than {:.2f}, {:.1f} % "
-                    "above this one.\n",
-                    plan.bound, 100 * plan.gap());
-}
-
 /// As wide as the widest of them.
 struct Width {
   std::size_t most = 0;
@@ -140,6 +127,19 @@ std::string charges_text(const PlanProblem& problem, const Plan& plan) {
 }
 
 }  // namespace
+
+std::string worth_text(const PlanProblem& problem, const Plan& plan) {
+  double all = 0;
+  for (const PlanJob& job : problem.jobs) all += job.priority;
+  std::string text =
+      formatted("{} of {} jobs planned, worth {:.2f} of {:g} (priority x probability)",
+                plan.assignments.size(), problem.jobs.size(), plan.value, all);
+  if (plan.is_proven) return text + "; no plan is worth more.";
+  return text + formatted(
+                    "; stopped at the time limit: no plan is worth more than {:.2f}, {:.1f} % "
+                    "above this one.",
+                    plan.bound, 100 * plan.gap());
+}
 
 std::vector<VesselWay> ways_of_vessel(const PlanProblem& problem,
                                       const std::vector<Assignment>& assignments,
@@ -221,7 +221,7 @@ std::string plan_text(const PlanProblem& problem, const PlanAnswer& answer) {
   text += problem.least_probability > 0
               ? "; no start of less than " + chance_text(problem.least_probability) + ".\n"
               : std::string(".\n");
-  text += value_text(problem, plan);
+  text += worth_text(problem, plan) + "\n";
   if (!plan.assignments.empty()) text += "\n" + table_text(problem, plan) + "\n";
   for (std::size_t v = 0; v < problem.vessels.size(); ++v) text += ways_text(problem, plan, v);
   text += charges_text(problem, plan);

@@ -24,18 +24,21 @@ std::filesystem::path data_folder() {
               "found no data folder with product descriptors; set SLACKWATER_DATA to it");
 }
 
-std::vector<std::filesystem::path> own_product_folders() {
+std::optional<std::filesystem::path> own_config_folder() {
   // A relative path is to be taken for none (XDG Base Directory Specification).
-  std::filesystem::path config;
   const char* named = std::getenv("XDG_CONFIG_HOME");
+  if (named != nullptr && std::filesystem::path(named).is_absolute())
+    return std::filesystem::path(named) / "slackwater";
   const char* home = std::getenv("HOME");
-  if (named != nullptr && std::filesystem::path(named).is_absolute()) {
-    config = named;
-  } else if (home != nullptr && std::filesystem::path(home).is_absolute()) {
-    config = std::filesystem::path(home) / ".config";
-  }
-  if (config.empty()) return {};
-  const std::filesystem::path folder = config / "slackwater" / "products";
+  if (home != nullptr && std::filesystem::path(home).is_absolute())
+    return std::filesystem::path(home) / ".config" / "slackwater";
+  return std::nullopt;
+}
+
+std::vector<std::filesystem::path> own_product_folders() {
+  const auto config = own_config_folder();
+  if (!config) return {};
+  const std::filesystem::path folder = *config / "products";
   std::error_code unreadable;
   if (!std::filesystem::is_directory(folder, unreadable)) return {};
   return {folder};

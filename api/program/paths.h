@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace slackwater::api {
@@ -8,9 +9,12 @@ namespace slackwater::api {
 /// the installed program, else the source tree it was built from. Throws Error(not_found).
 [[nodiscard]] std::filesystem::path data_folder();
 
-/// Where product descriptors are looked for beside the data folder's `products/`: the user's
-/// `$XDG_CONFIG_HOME/slackwater/products`, else `~/.config/slackwater/products`; nothing where
-/// there is no such folder.
+/// The user's `$XDG_CONFIG_HOME/slackwater`, else `~/.config/slackwater`, whether it is there or
+/// not; nothing where the user has no home.
+[[nodiscard]] std::optional<std::filesystem::path> own_config_folder();
+
+/// Where product descriptors are looked for beside the data folder's `products/`: `products` in the
+/// user's own folder; nothing where there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> own_product_folders();
 
 /// Where sites are looked for: the store's own `sites/`, then the data folder's.

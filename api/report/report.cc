@@ -133,8 +133,9 @@ std::string report_html(const ReportInput& input, std::string_view plotting_libr
   page.headline = input.headline;
   if (input.degraded) page.alarm = "Degraded forecast.";
   page.facts = input.facts;
-  page.first_html = answer_html(input);
+  page.first_html = input.decisions_html + answer_html(input);
   page.plots_html = plots_html(input);
+  page.tables_html = input.after_plots_html;
   for (const ReportTable& table : input.tables) page.tables_html += table_html(table);
   page.tables_html += folded_html(input);
   page.attributions = input.attributions;

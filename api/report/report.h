@@ -83,6 +83,7 @@ struct ReportInput {
   std::string time_zone;                   ///< its name: local time beside UTC; may be empty
   std::vector<ClockChange> clock_changes;  ///< of that zone over the page's times
   std::optional<UtcTime> issued;  ///< drawn as a vertical line where it falls into the plots
+  std::string decisions_html;     ///< before the answer, escaped already; may be empty
   std::string answer_title;       ///< "At 10 m on 2025-03-11 (UTC)"; empty: no answer
   std::vector<std::pair<std::string, std::string>> answer;  ///< ("Strongest", "0.82 m/s ..."), ...
   std::optional<ReportSpeed> speed;
@@ -92,6 +93,7 @@ struct ReportInput {
   std::vector<UtcTime> series_time;  ///< of all series
   std::vector<ReportSeries> series;
   std::string series_note;  ///< what lines and bands are; empty: the page's own words
+  std::string after_plots_html;  ///< before the tables, escaped already; may be empty
   std::vector<ReportTable> tables;
   std::string folded_title;         ///< of the part that is folded away
   std::vector<ReportTable> folded;  ///< its tables; none: no such part

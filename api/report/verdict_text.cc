@@ -50,13 +50,13 @@ std::string baseline_text(const calibration::Verdict& verdict) {
   if (!verdict.best) return {};
   const calibration::BestBaseline& best = *verdict.best;
   std::string text = "best baseline " + std::string(name_of(best.method)) +
-                     formatted(" {:.3f} m/s", best.rmse_m_s);
+                     formatted(" {:.3f} m/s", best.rmse);
   if (best.pairs < verdict.forecast.score.pairs) {
     text += formatted(" (over {} of these pairs, there the forecast has {:.3f} m/s)", best.pairs,
-                      best.forecast_rmse_m_s);
-  } else if (std::abs(best.forecast_rmse_m_s - verdict.forecast.score.rmse) > not_shown_m_s) {
+                      best.forecast_rmse);
+  } else if (std::abs(best.forecast_rmse - verdict.forecast.score.rmse) > not_shown_m_s) {
     text += formatted(" (over the values that both have, there the forecast has {:.3f} m/s)",
-                      best.forecast_rmse_m_s);
+                      best.forecast_rmse);
   }
   return text;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -9,6 +10,12 @@ namespace slackwater::api {
 /// For programs: api/docs/json.md has the schema.
 [[nodiscard]] nlohmann::json windows_json(const WindowsQuestion& question,
                                           const WindowsAnswer& answer);
+/// What stops a start, or comes nearest to it: "surveyor: current at most 0.5 m/s, exceeded at 09:10
+/// in 20 of 25 futures (forecast up to 118 % of it)".
+/// @param clock  how people read a time
+[[nodiscard]] std::string binding_text(const TaskWindows& task, const TaskStart& start,
+                                       std::size_t members,
+                                       const std::function<std::string(UtcTime)>& clock);
 /// For people: the answer of each task first, then what it rests on.
 [[nodiscard]] std::string windows_text(const WindowsQuestion& question,
                                        const WindowsAnswer& answer);

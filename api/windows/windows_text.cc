@@ -36,24 +36,6 @@ std::string owner_and(const LimitText& limit) {
   return limit.worker.empty() ? limit.text : limit.worker + ": " + limit.text;
 }
 
-/// "surveyor: current at most 0.5 m/s, exceeded at 09:10 in 20 of 25 futures (forecast 118 %)".
-std::string binding_text(const TaskWindows& task, const TaskStart& start, std::size_t members,
-                         const PeoplesClock& clock) {
-  if (!start.forbidden.empty()) return start.forbidden;
-  if (!start.chance.binding) return "no limit is near";
-  const twin::BindingLimit& binding = *start.chance.binding;
-  std::string text = owner_and(task.limits[binding.limit]);
-  if (binding.is_exceeded)
-    text += formatted(", exceeded at {} in {} of {} futures", clock(*start.binds_at),
-                      binding.members, members);
-  if (!std::isnan(binding.share))
-    text += formatted(binding.is_exceeded ? FormatOf<double>(" (forecast up to {:.0f} % of it)")
-                                          : FormatOf<double>(", {:.0f} % taken up at "),
-                      100 * binding.share) +
-            (binding.is_exceeded ? std::string() : clock(*start.binds_at));
-  return text;
-}
-
 std::string chance_text(const TaskStart& start) {
   return formatted("P {:.2f} ({:.2f} to {:.2f})", start.probability, start.interval.low,
                    start.interval.high);
@@ -147,6 +129,23 @@ std::string summary_text(const std::vector<TaskWindows>& tasks, const PeoplesClo
 }
 
 }  // namespace
+
+std::string binding_text(const TaskWindows& task, const TaskStart& start, std::size_t members,
+                         const std::function<std::string(UtcTime)>& clock) {
+  if (!start.forbidden.empty()) return start.forbidden;
+  if (!start.chance.binding) return "no limit is near";
+  const twin::BindingLimit& binding = *start.chance.binding;
+  std::string text = owner_and(task.limits[binding.limit]);
+  if (binding.is_exceeded)
+    text += formatted(", exceeded at {} in {} of {} futures", clock(*start.binds_at),
+                      binding.members, members);
+  if (!std::isnan(binding.share))
+    text += formatted(binding.is_exceeded ? FormatOf<double>(" (forecast up to {:.0f} % of it)")
+                                          : FormatOf<double>(", {:.0f} % taken up at "),
+                      100 * binding.share) +
+            (binding.is_exceeded ? std::string() : clock(*start.binds_at));
+  return text;
+}
 
 std::string windows_text(const WindowsQuestion& question, const WindowsAnswer& answer) {
   const Snapshot& forecast = answer.water.surround.field->snapshot();

@@ -107,12 +107,12 @@ bool is_better(const SkillSet& a, const SkillSet& b) noexcept {
 
 bool is_hour(const LeadBin& lead) noexcept { return lead.to_h - lead.from_h <= 1; }
 
-std::vector<SkillEntry> whole_current(const std::vector<SkillEntry>& entries, WindPolicy wind,
-                                      ForecastOrigin origin) {
+std::vector<SkillEntry> whole_of(const std::vector<SkillEntry>& entries, std::string_view variable,
+                                 WindPolicy wind, ForecastOrigin origin) {
   std::vector<SkillEntry> found;
   std::optional<DepthBand> widest;
   for (const SkillEntry& e : entries) {
-    if (e.variable != current_variable || e.wind != wind || e.origin != origin) continue;
+    if (e.variable != variable || e.wind != wind || e.origin != origin) continue;
     if (e.column || is_hour(e.lead)) continue;
     found.push_back(e);
     if (!widest || width_of(e.band) > width_of(widest) ||
@@ -121,6 +121,11 @@ std::vector<SkillEntry> whole_current(const std::vector<SkillEntry>& entries, Wi
   }
   std::erase_if(found, [&](const SkillEntry& e) { return e.band != widest; });
   return found;
+}
+
+std::vector<SkillEntry> whole_current(const std::vector<SkillEntry>& entries, WindPolicy wind,
+                                      ForecastOrigin origin) {
+  return whole_of(entries, current_variable, wind, origin);
 }
 
 std::string band_text(const std::optional<DepthBand>& band) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibration/verify/skill_entry.h"
@@ -42,9 +43,13 @@ struct SkillSets {
 /// Whether a lead bin is one hour of lead rather than a day.
 [[nodiscard]] bool is_hour(const LeadBin& lead) noexcept;
 
-/// The entries that speak for the whole current under a wind policy and of an origin: pooled over
+/// The entries that speak for all of a variable under a wind policy and of an origin: pooled over
 /// columns, over the widest depth band (the shallower of equals) under which it was scored, all
 /// leads but single hours.
+[[nodiscard]] std::vector<SkillEntry> whole_of(const std::vector<SkillEntry>& entries,
+                                               std::string_view variable, WindPolicy wind,
+                                               ForecastOrigin origin);
+/// Of the current.
 [[nodiscard]] std::vector<SkillEntry> whole_current(const std::vector<SkillEntry>& entries,
                                                     WindPolicy wind, ForecastOrigin origin);
 

@@ -15,8 +15,8 @@ using PairKey = std::tuple<std::string, UtcDay>;
 
 /// A baseline's error in a pair of days, and ours over the same values.
 struct PairErrors {
-  double theirs_m_s = 0;
-  double ours_m_s = 0;
+  double theirs = 0;
+  double ours = 0;
 };
 using ErrorsByPair = std::map<PairKey, PairErrors>;
 
@@ -31,7 +31,7 @@ std::optional<LeadBin> first_lead(const std::vector<SkillEntry>& entries) {
 }
 
 /// Errors that differ by less are one number in every table.
-constexpr double not_shown_m_s = 0.0005;
+constexpr double not_shown = 0.0005;
 
 /// A baseline with the differences that it is judged by.
 struct Rival {
@@ -40,15 +40,15 @@ struct Rival {
 };
 
 Outcome outcome_of(const Rival& rival) {
-  const double difference_m_s = rival.baseline.rmse_m_s - rival.baseline.forecast_rmse_m_s;
+  const double difference = rival.baseline.rmse - rival.baseline.forecast_rmse;
   if (rival.difference.size() >= fewest_for_interval) {
     Rng random(1, "calibration/verdict");
     const auto interval = bootstrap_mean(rival.difference, random);
     if (interval && interval->low <= 0 && interval->high >= 0) return Outcome::tie;
-  } else if (std::abs(difference_m_s) < not_shown_m_s) {
+  } else if (std::abs(difference) < not_shown) {
     return Outcome::tie;
   }
-  return difference_m_s < 0 ? Outcome::beaten : Outcome::ahead;
+  return difference < 0 ? Outcome::beaten : Outcome::ahead;
 }
 
 /// A baseline beside the forecast; nothing where they share too few of its pairs.
@@ -57,9 +57,9 @@ std::optional<Rival> beside(Method method, const ErrorsByPair& errors, std::size
   std::vector<double> ours;
   std::vector<BlockSum> difference;
   for (const auto& [pair, e] : errors) {
-    theirs.push_back(e.theirs_m_s);
-    ours.push_back(e.ours_m_s);
-    difference.push_back({e.theirs_m_s * e.theirs_m_s - e.ours_m_s * e.ours_m_s, 1});
+    theirs.push_back(e.theirs);
+    ours.push_back(e.ours);
+    difference.push_back({e.theirs * e.theirs - e.ours * e.ours, 1});
   }
   if (theirs.empty() || 2 * theirs.size() < pairs) return std::nullopt;
   return Rival{{method, theirs.size(), rmse_of_pairs(theirs), rmse_of_pairs(ours)},
@@ -68,7 +68,7 @@ std::optional<Rival> beside(Method method, const ErrorsByPair& errors, std::size
 
 /// Whether a's error is a smaller share of ours than b's.
 bool is_better(const BestBaseline& a, const BestBaseline& b) {
-  return a.rmse_m_s * b.forecast_rmse_m_s < b.rmse_m_s * a.forecast_rmse_m_s;
+  return a.rmse * b.forecast_rmse < b.rmse * a.forecast_rmse;
 }
 
 }  // namespace
@@ -88,8 +88,8 @@ std::string_view name_of(Outcome outcome) noexcept {
 }
 
 std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries, WindPolicy wind,
-                                  ForecastOrigin origin) {
-  std::vector<SkillEntry> judged = whole_current(entries, wind, origin);
+                                  ForecastOrigin origin, std::string_view variable) {
+  std::vector<SkillEntry> judged = whole_of(entries, variable, wind, origin);
   const std::optional<LeadBin> lead = first_lead(judged);
   if (!lead) return std::nullopt;
   std::erase_if(judged, [&](const SkillEntry& e) { return e.lead != *lead; });
@@ -100,7 +100,7 @@ std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries, WindPo
   for (const SkillEntry& e : judged) {
     if (e.forecast_rmse && e.method != Method::forecast)
       errors[e.method].try_emplace({e.site, e.day},
-                                   PairErrors{e.vector.rmse_m_s, *e.forecast_rmse});
+                                   PairErrors{rmse_of(e), *e.forecast_rmse});
   }
   std::erase_if(judged, [](const SkillEntry& e) { return e.method != Method::forecast; });
   Verdict verdict;

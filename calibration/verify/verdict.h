@@ -12,9 +12,9 @@ namespace slackwater::calibration {
 /// A baseline beside our forecast, over the pairs of days, and of each the values, that both have.
 struct BestBaseline {
   Method method = Method::persistence;
-  std::size_t pairs = 0;         ///< that both have
-  double rmse_m_s = 0;           ///< of the baseline over them
-  double forecast_rmse_m_s = 0;  ///< of our forecast over them
+  std::size_t pairs = 0;     ///< that both have
+  double rmse = 0;           ///< of the baseline over them, in the unit of the variable
+  double forecast_rmse = 0;  ///< of our forecast over them
 };
 
 /// How our forecast stands beside its best baseline.
@@ -31,8 +31,8 @@ enum class Outcome {
 /// How our forecast of the current did, and whether any baseline did better. Every command, page
 /// and document that says so says it by this rule:
 ///
-/// - What is judged is the current over the widest depth band (the shallower of equals), all
-///   columns pooled, in the first lead bin of more than an hour. Each wind policy has its verdict,
+/// - What is judged is one variable, the current unless another is named (over the widest depth
+///   band, the shallower of equals), all columns pooled, in the first lead bin of more than an hour. Each wind policy has its verdict,
 ///   and forecasts that were issued have one apart from hindcasts.
 /// - Every method counts as a baseline, the provider's forecast too, but `oracle_mean`: it knows
 ///   the day itself.
@@ -43,8 +43,8 @@ enum class Outcome {
 /// - The best baseline is the one whose error is the smallest share of ours.
 /// - With five pairs or more it is a tie where the 95 % interval of the mean difference of squared
 ///   errors (`bootstrap_mean` over the days in order) holds zero; fewer are few (`is_of_few`), and
-///   then it is one where the errors differ by less than half a millimetre a second, which no table
-///   shows.
+///   then it is one where the errors differ by less than half a millimetre a second (of waves: half
+///   a millimetre), which no table shows.
 struct Verdict {
   WindPolicy wind = WindPolicy::best;
   ForecastOrigin origin = ForecastOrigin::forecast;
@@ -64,8 +64,10 @@ struct Verdict {
 [[nodiscard]] std::optional<Verdict> main_verdict(const std::vector<SkillEntry>& entries);
 
 /// The verdict on one wind policy; nothing where no forecast of this origin was scored under it.
+/// @param variable  of a SkillEntry
 [[nodiscard]] std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries,
                                                 WindPolicy wind,
-                                                ForecastOrigin origin = ForecastOrigin::forecast);
+                                                ForecastOrigin origin = ForecastOrigin::forecast,
+                                                std::string_view variable = current_variable);
 
 }  // namespace slackwater::calibration

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/cli/past_skill.h"
+#include "api/morning/past_skill.h"
 #include "api/pipeline/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"

@@ -47,9 +47,9 @@ TEST(Verdict, TheBestBaselineIsTheOneOfTheSmallestErrorOverTheSetOfPairs) {
   ASSERT_TRUE(verdict && verdict->best);
   EXPECT_EQ(verdict->best->method, Method::day_mean);
   EXPECT_EQ(verdict->best->pairs, 2U);
-  EXPECT_DOUBLE_EQ(verdict->best->rmse_m_s, 0.4);
+  EXPECT_DOUBLE_EQ(verdict->best->rmse, 0.4);
   EXPECT_DOUBLE_EQ(verdict->forecast.score.rmse, std::sqrt(0.125));
-  EXPECT_EQ(verdict->best->forecast_rmse_m_s, verdict->forecast.score.rmse);
+  EXPECT_EQ(verdict->best->forecast_rmse, verdict->forecast.score.rmse);
   EXPECT_FALSE(verdict->is_beaten());
 }
 
@@ -115,9 +115,9 @@ TEST(Verdict, ABaselineIsHeldAgainstTheForecastOverTheDaysThatBothHave) {
   const auto verdict = judged(entries);
   ASSERT_EQ(verdict->best->method, Method::provider) << "1.25 times our error, persistence 1.9";
   EXPECT_EQ(verdict->best->pairs, 2U);
-  EXPECT_DOUBLE_EQ(verdict->best->rmse_m_s, 0.10);
-  EXPECT_DOUBLE_EQ(verdict->best->forecast_rmse_m_s, 0.08);
-  EXPECT_LT(verdict->best->rmse_m_s, verdict->forecast.score.rmse);
+  EXPECT_DOUBLE_EQ(verdict->best->rmse, 0.10);
+  EXPECT_DOUBLE_EQ(verdict->best->forecast_rmse, 0.08);
+  EXPECT_LT(verdict->best->rmse, verdict->forecast.score.rmse);
   EXPECT_FALSE(verdict->is_beaten());
 }
 
@@ -143,7 +143,7 @@ TEST(Verdict, WithinAPairABaselineIsHeldAgainstTheValuesThatBothHave) {
   theirs.forecast_rmse = 0.15;
   const auto verdict = verdict_of({entry_of(1, Method::forecast, 0.30), theirs}, WindPolicy::best);
   EXPECT_EQ(verdict->outcome, Outcome::ahead);
-  EXPECT_EQ(verdict->best->forecast_rmse_m_s, 0.15);
+  EXPECT_EQ(verdict->best->forecast_rmse, 0.15);
   EXPECT_EQ(verdict->forecast.score.rmse, 0.30) << "our own stands over all its values";
 }
 
@@ -165,7 +165,7 @@ TEST(Verdict, TwoForecastsOfOneDayAreOnePairAndTheFirstIssuedCounts) {
   EXPECT_EQ(verdict->forecast.score.pairs, 2U);
   EXPECT_DOUBLE_EQ(verdict->forecast.score.rmse, 0.3);
   EXPECT_EQ(verdict->best->pairs, 2U);
-  EXPECT_DOUBLE_EQ(verdict->best->forecast_rmse_m_s, 0.3);
+  EXPECT_DOUBLE_EQ(verdict->best->forecast_rmse, 0.3);
 }
 
 TEST(Verdict, IssuedForecastsAndHindcastsAreJudgedApartAndTheIssuedOnesFirst) {

@@ -1,4 +1,4 @@
-#include "api/cli/past_skill.h"
+#include "api/morning/past_skill.h"
 
 #include <chrono>
 
@@ -78,8 +78,8 @@ json verdict_json(const std::optional<calibration::Verdict>& verdict) {
   if (verdict->best) {
     document["best_baseline"] = {{"method", name_of(verdict->best->method)},
                                  {"pairs", verdict->best->pairs},
-                                 {"rmse_m_s", verdict->best->rmse_m_s},
-                                 {"forecast_rmse_m_s", verdict->best->forecast_rmse_m_s}};
+                                 {"rmse_m_s", verdict->best->rmse},
+                                 {"forecast_rmse_m_s", verdict->best->forecast_rmse}};
   }
   return document;
 }

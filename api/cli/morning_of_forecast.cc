@@ -1,0 +1,79 @@
+#include "api/cli/morning_of_forecast.h"
+
+#include <cstdio>
+
+#include "api/cli/progress.h"
+#include "api/cli/windows_options.h"
+#include "api/morning/hook.h"
+#include "api/morning/make_morning.h"
+#include "api/morning/morning_answer.h"
+#include "api/morning/operator_config.h"
+#include "api/morning/page_pdf.h"
+#include "api/program/version.h"
+#include "fields/base/attempt.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+std::optional<FlyWindows> flights_of(const MorningAsked& asked) {
+  WindowsArguments arguments;
+  arguments.fly = asked.fly;
+  return flights_wanted(arguments);
+}
+
+MadeMorning make(const Site& site, const Snapshot& snapshot, const MorningAsked& asked,
+                 const Context& context) {
+  MakeMorning how;
+  how.question.windows = plain_question(site);
+  how.question.windows.day = snapshot.day;
+  how.question.plan = plan_of_site(site.id, context.store_folder);
+  how.fly = flights_of(asked);
+  how.generated = made_by(context);
+  ProgressBar progress("flying " + site.name, context.json);
+  how.on_first_page = [&](const MadeMorning& first) {
+    if (!context.json) std::fprintf(stderr, "first page: %s\n", first.html.c_str());
+  };
+  how.on_progress = [&](double share) { progress.update(share); };
+  return make_morning(how, site, context.store_folder);
+}
+
+}  // namespace
+
+std::string made_by(const Context& context) {
+  return format_utc(context.now()) + " by slackwater " + code_version();
+}
+
+void expect_readable(const MorningAsked& asked) { static_cast<void>(flights_of(asked)); }
+
+MorningDone morning_of_forecast(const Site& site, const Snapshot& snapshot,
+                                const MorningAsked& asked, const Context& context) {
+  MorningDone done;
+  if (site.tasks.empty()) return done;
+  const auto note = [&](const std::string& text) {
+    if (!text.empty()) done.notes += text + "\n";
+  };
+  const auto failure = attempt([&] {
+    const MadeMorning made = make(site, snapshot, asked, context);
+    done.json = morning_json(made.morning, made.known.past);
+    done.json["page"] = made.html.string();
+    done.text = morning_text(made.morning) + "The page: " + made.html.string() + "\n";
+    if (asked.is_pdf) {
+      std::filesystem::path pdf = made.html;
+      pdf.replace_extension(".pdf");
+      if (const auto unprinted = attempt([&] { print_page(made.html, pdf); })) note(unprinted->why);
+    }
+    const auto untold = attempt([&] {
+      const OperatorConfig config = operator_config();
+      if (config.hook && made.known.id)
+        note(tell_hook(*config.hook, reports_folder(context.store_folder, site.id), *made.known.id,
+                       done.json.dump(2, ' ', false, json::error_handler_t::replace)));
+    });
+    if (untold) note("the hook was not run: " + untold->why);
+  });
+  if (failure) note("no morning report: " + failure->why);
+  return done;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,35 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "api/cli/command.h"
+#include "fields/service/snapshot.h"
+#include "fields/site/site.h"
+
+namespace slackwater::api {
+
+/// "2025-03-10T05:00:12Z by slackwater 0.1.0": what stands at the foot of a page.
+[[nodiscard]] std::string made_by(const Context& context);
+
+/// What `forecast` was asked for beside its forecast.
+struct MorningAsked {
+  std::string fly;      ///< for how long; empty: nothing is flown
+  bool is_pdf = false;  ///< beside the page
+};
+/// @throws Error(usage) for what cannot be read
+void expect_readable(const MorningAsked& asked);
+
+/// What became of the morning of a forecast, for people and for programs. Texts may be empty.
+struct MorningDone {
+  std::string text;   ///< the answer in at most ten lines
+  std::string notes;  ///< what went wrong, or what the hook did; a line each
+  nlohmann::json json;
+};
+
+/// The morning report of a forecast that was issued just now, where its site lists tasks: the page
+/// in the store, its PDF where that was asked for, and the operator's hook. What goes wrong is told
+/// and takes nothing from the forecast.
+[[nodiscard]] MorningDone morning_of_forecast(const Site& site, const Snapshot& snapshot,
+                                              const MorningAsked& asked, const Context& context);
+
+}  // namespace slackwater::api

@@ -1,0 +1,93 @@
+#include "api/morning/make_morning.h"
+
+#include "api/morning/morning_page.h"
+#include "api/pipeline/load_site_data.h"
+#include "calibration/day/daily_forecast.h"
+#include "data/store/store.h"
+#include "fields/base/attempt.h"
+
+namespace slackwater::api {
+namespace {
+
+using std::chrono::days;
+
+/// The row of the forecast that a morning rests on; nothing where it is a file's.
+std::optional<store::ForecastRow> row_of(store::Store& store, const Morning& morning) {
+  store::ForecastQuery query;
+  query.site_id = morning.windows.site_id;
+  for (store::ForecastRow& row : store.find_forecasts(query))
+    if (row.content_sha256 == morning.windows.water.forecast_sha256) return std::move(row);
+  return std::nullopt;
+}
+
+KnownForecast known_of(const Morning& morning, const Site& site,
+                       const std::filesystem::path& store_folder) {
+  KnownForecast known;
+  if (!morning.question.windows.forecast.empty()) return known;
+  store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
+  const auto row = row_of(store, morning);
+  if (!row) return known;
+  known.id = row->id;
+  known.summary_json = row->summary_json;
+  const Snapshot& snapshot = morning.windows.water.surround.field->snapshot();
+  const auto failure = attempt([&] {
+    const SiteData data =
+        load_site_data(store, site, UtcTime(snapshot.day) - days(14) - calibration::history_wanted,
+                       snapshot.issued);
+    known.past = verify_past(store, site, data, snapshot,
+                             snapshot.wind_policy.value_or(WindPolicy::best));
+  });
+  if (failure) known.past.verified = "Not verified: " + failure->why;
+  return known;
+}
+
+void write(const MadeMorning& made, const Site& site, const std::string& generated) {
+  const Field& field = *made.morning.windows.water.surround.field;
+  const ForecastPage page = page_of(std::make_shared<const Snapshot>(field.snapshot()), site,
+                                    made.known.summary_json, made.known.past, generated);
+  write_report(morning_page(made.morning, page), made.html);
+}
+
+}  // namespace
+
+ForecastPage page_of(std::shared_ptr<const Snapshot> forecast, const Site& site,
+                     const std::string& summary_json, const PastSkill& past,
+                     const std::string& generated) {
+  ForecastPage page;
+  page.forecast = std::move(forecast);
+  page.summary_json = summary_json;
+  page.time_zone = site.time_zone;
+  page.verified = past.verified;
+  page.skill = past.entries;
+  page.skill_note =
+      "Root mean square vector error of the forecasts of the last two weeks whose truth is in, all "
+      "levels; lower is better, pairs of days weigh the same. A baseline \"in part\" has fewer "
+      "days or values than the forecast, whose error over the same ones stands beside it. "
+      "oracle-mean knows the day itself: a yardstick, not a forecast.";
+  page.generated = generated;
+  return page;
+}
+
+std::filesystem::path reports_folder(const std::filesystem::path& store_folder,
+                                     const std::string& site_id) {
+  return store_folder / "reports" / site_id;
+}
+
+MadeMorning make_morning(const MakeMorning& how, const Site& site,
+                         const std::filesystem::path& store_folder) {
+  MadeMorning made;
+  made.morning = morning_of(how.question, store_folder);
+  made.known = known_of(made.morning, site, store_folder);
+  made.html = !how.html.empty()
+                  ? how.html
+                  : reports_folder(store_folder, site.id) /
+                        (format_day(day_of(made.morning.windows.from)) + ".html");
+  write(made, site, how.generated);
+  if (!how.fly) return made;
+  if (how.on_first_page) how.on_first_page(made);
+  fly_windows(how.question.windows, *how.fly, store_folder, made.morning.windows, how.on_progress);
+  write(made, site, how.generated);
+  return made;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "api/morning/morning.h"
+#include "api/morning/past_skill.h"
+#include "api/report/forecast_page.h"
+
+namespace slackwater::api {
+
+/// What is known of a forecast beside its numbers.
+struct KnownForecast {
+  std::optional<std::int64_t> id;  ///< in the store; absent: it is not of the store
+  std::string summary_json;        ///< empty: not of the store
+  PastSkill past;
+};
+
+/// A morning made from beginning to end, and where it lies.
+struct MadeMorning {
+  Morning morning;
+  KnownForecast known;
+  std::filesystem::path html;
+};
+
+/// How a morning is made.
+struct MakeMorning {
+  MorningQuestion question;
+  std::optional<FlyWindows> fly;
+  std::filesystem::path html;  ///< empty: STORE/reports/SITE/DAY.html
+  std::string generated;       ///< when and by what
+  /// Called when the first page stands, before anything is flown.
+  std::function<void(const MadeMorning&)> on_first_page;
+  std::function<void(double share)> on_progress;  ///< of the flights
+};
+
+/// Works out the windows and the plan, writes the page, then flies what is left open and writes the
+/// page again.
+/// @throws as `morning_of`; Error(unavailable) where the page cannot be written
+[[nodiscard]] MadeMorning make_morning(const MakeMorning& how, const Site& site,
+                                       const std::filesystem::path& store_folder);
+
+/// The page of a forecast with how the ones before it did.
+[[nodiscard]] ForecastPage page_of(std::shared_ptr<const Snapshot> forecast, const Site& site,
+                                   const std::string& summary_json, const PastSkill& past,
+                                   const std::string& generated);
+
+/// STORE/reports/SITE.
+[[nodiscard]] std::filesystem::path reports_folder(const std::filesystem::path& store_folder,
+                                                   const std::string& site_id);
+
+}  // namespace slackwater::api

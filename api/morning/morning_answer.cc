@@ -1,0 +1,121 @@
+#include "api/morning/morning_answer.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "api/morning/task_words.h"
+#include "api/morning/trust.h"
+#include "api/report/time_text.h"
+#include "api/windows/windows_answer.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_lines = 8;
+
+std::string utc(UtcTime time) { return format_utc(time); }
+
+json best_json(const Morning& morning, const TaskWindows& task) {
+  const TaskStart* best = best_of(task);
+  if (best == nullptr) return nullptr;
+  json out{{"start", utc(best->start)},
+           {"probability", best->probability},
+           {"interval_95", {best->interval.low, best->interval.high}},
+           {"binding", binding_text(task, *best, futures_of(morning), utc)},
+           {"flown", nullptr}};
+  if (best->twin)
+    out["flown"] = {{"probability", best->twin->probability},
+                    {"interval_95", {best->twin->interval.low, best->twin->interval.high}},
+                    {"flights", best->twin->flights}};
+  return out;
+}
+
+json task_json(const Morning& morning, const TaskWindows& task) {
+  json windows = json::array();
+  for (const twin::StartWindow& window : task.windows)
+    windows.push_back({{"from", utc(task.starts[window.first].start)},
+                       {"to", utc(task.starts[window.last].start)},
+                       {"probability_mean", window.mean}});
+  return {{"task", task.id},
+          {"name", task.name},
+          {"turbines", task.turbines},
+          {"verdict", twin::name_of(task.verdict)},
+          {"best", best_json(morning, task)},
+          {"windows", windows},
+          {"not_checked", task.not_checked},
+          {"assumed", task.assumed}};
+}
+
+json trust_json(const PastSkill& past, WindPolicy wind) {
+  json out = json::array();
+  for (const Trust& of : trust_of(past.entries, wind)) {
+    const auto& best = of.verdict.best;
+    out.push_back({{"variable", of.variable},
+                   {"unit", of.unit},
+                   {"forecasts", of.verdict.forecast.score.pairs},
+                   {"rmse", of.verdict.forecast.score.rmse},
+                   {"outcome", name_of(of.verdict.outcome)},
+                   {"best_rival", best ? json(name_of(best->method)) : json(nullptr)},
+                   {"rival_rmse", best ? json(best->rmse) : json(nullptr)}});
+  }
+  return out;
+}
+
+}  // namespace
+
+json morning_json(const Morning& morning, const PastSkill& past) {
+  const WindowsAnswer& windows = morning.windows;
+  const Snapshot& forecast = windows.water.surround.field->snapshot();
+  json tasks = json::array();
+  for (const TaskWindows& task : windows.tasks) tasks.push_back(task_json(morning, task));
+  json out{{"schema", "morning/1"},
+           {"site", windows.site_id},
+           {"site_name", windows.site_name},
+           {"day", format_day(day_of(windows.from))},
+           {"from", utc(windows.from)},
+           {"to", utc(windows.to)},
+           {"forecast",
+            {{"name", windows.water.forecast_name},
+             {"sha256", windows.water.forecast_sha256},
+             {"issued", utc(forecast.issued)},
+             {"degraded", forecast.degraded},
+             {"headline", forecast.headline}}},
+           {"futures", futures_of(morning)},
+           {"verdict", twin::name_of(windows.verdict)},
+           {"headline", headline_of(morning)},
+           {"tasks", tasks},
+           {"plan", nullptr},
+           {"no_plan", morning.no_plan.empty() ? json(nullptr) : json(morning.no_plan)},
+           {"trust", trust_json(past, forecast.wind_policy.value_or(WindPolicy::best))},
+           {"notes", windows.notes}};
+  if (morning.plan) out["plan"] = plan_json(morning.plan->problem, morning.plan->answer);
+  return out;
+}
+
+std::string morning_text(const Morning& morning) {
+  const PageClock clock(morning.question.windows.zone);
+  const std::vector<const TaskWindows*> tasks = by_verdict(morning);
+  // One more than there is room for is better named than counted.
+  const std::size_t shown = tasks.size() > most_lines ? most_lines - 1 : tasks.size();
+  std::string text = headline_of(morning) + " " + clock.note() + "\n";
+  for (std::size_t i = 0; i < shown; ++i) {
+    const TaskWindows& task = *tasks[i];
+    const TaskStart* best = best_of(task);
+    text += formatted("  {:<9}", std::string(twin::name_of(task.verdict))) + task.name + " at " +
+            joined(task.turbines, ", ") + ": " +
+            best_text(task, [&](UtcTime time) { return clock.clock(time); });
+    if (task.verdict != twin::Verdict::go && best != nullptr)
+      text += "; " + binding_text(task, *best, futures_of(morning), [&](UtcTime time) {
+                return clock.clock(time);
+              });
+    text += "\n";
+  }
+  if (shown < tasks.size())
+    text += formatted("  and {} more, none better\n", tasks.size() - shown);
+  return text;
+}
+
+}  // namespace slackwater::api

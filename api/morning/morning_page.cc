@@ -1,0 +1,113 @@
+#include "api/morning/morning_page.h"
+
+#include <algorithm>
+
+#include "api/morning/gantt_html.h"
+#include "api/morning/plan_html.h"
+#include "api/morning/trust.h"
+#include "api/rehearse/risk_report.h"
+#include "api/report/time_text.h"
+#include "fields/base/html.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+/// One line of what past forecasts were worth, by variable.
+std::string trust_text(const std::vector<Trust>& trust) {
+  if (trust.empty()) return "no forecast of this site has met its truth yet";
+  std::vector<std::string> parts;
+  for (const Trust& of : trust) parts.push_back(text_of(of));
+  const std::size_t days = trust.front().verdict.forecast.score.pairs;
+  return formatted("error of the first day of lead over {} {}: ", days,
+                   days == 1 ? "forecast" : "forecasts") +
+         joined(parts, "; ");
+}
+
+/// The newest forecast whose truth is in, held against it.
+std::string yesterday_html(const std::vector<Trust>& trust) {
+  if (trust.empty()) return {};
+  const calibration::SkillEntry& of = trust.front().verdict.forecast.of;
+  ReportTable table;
+  table.title = "The last forecast against what came: that of " + date_text(of.issued);
+  table.note = "Root mean square error over its first day. A rival is a naive forecast that knew no "
+               "more: the last value held, the same hour of the day before, a tide, a slab of water "
+               "pushed by the wind.";
+  table.columns = {"What", "Forecast", "Best naive rival", "Rival's error", "Better", "Against"};
+  for (const Trust& of_variable : trust) {
+    const calibration::Verdict& verdict = of_variable.verdict;
+    const std::string unit = " " + of_variable.unit;
+    std::vector<std::string> row{of_variable.variable,
+                                 formatted("{:.2f}", verdict.forecast.score.rmse) + unit};
+    if (verdict.best) {
+      row.emplace_back(name_of(verdict.best->method));
+      row.push_back(formatted("{:.2f}", verdict.best->rmse) + unit);
+      row.emplace_back(verdict.outcome == calibration::Outcome::ahead    ? "the forecast"
+                       : verdict.outcome == calibration::Outcome::beaten ? "the rival"
+                                                                         : "a tie");
+    } else {
+      row.insert(row.end(), {"none", "-", "-"});
+    }
+    row.push_back(verdict.forecast.of.truth);
+    table.rows.push_back(std::move(row));
+  }
+  return table_html(table);
+}
+
+/// The start of a task whose flights went best; null where none was flown.
+const TaskStart* best_flown(const TaskWindows& task) {
+  const TaskStart* best = nullptr;
+  for (const TaskStart& start : task.starts)
+    if (start.twin && (best == nullptr || start.twin->probability > best->twin->probability))
+      best = &start;
+  return best;
+}
+
+std::string risks_html(const Morning& morning) {
+  const PageClock clock(morning.question.windows.zone);
+  std::string html;
+  for (const TaskWindows* task : by_verdict(morning))
+    if (const TaskStart* best = best_flown(*task))
+      html += risk_table_html("Risks: " + task->name + " at " + clock.clock(best->start),
+                              best->twin->risks);
+  if (!html.empty()) return html;
+  return "<section class=\"words\"><h2>Risks</h2><p>Nothing was flown, so there is no register of "
+         "risks: the chances above are of the limits alone. `slackwater report --fly 15min` flies "
+         "the starts that are left open.</p></section>\n";
+}
+
+void add_provenance(const Morning& morning, ReportInput& page) {
+  const ScenarioWater& water = morning.windows.water;
+  page.facts.emplace_back("Forecast", water.forecast_name);
+  page.facts.emplace_back("Its checksum", water.forecast_sha256.substr(0, 12));
+  page.facts.emplace_back("Futures", std::to_string(futures_of(morning)));
+}
+
+std::string notes_html(const Morning& morning) {
+  std::string html;
+  for (const std::string& note : morning.windows.notes)
+    html += "<p>" + escaped_html(note) + ".</p>";
+  return html.empty() ? html : "<section class=\"words\">" + html + "</section>\n";
+}
+
+}  // namespace
+
+ReportInput morning_page(const Morning& morning, const ForecastPage& forecast) {
+  ReportInput page = forecast_page(forecast);
+  const std::string of_forecast = page.headline;
+  page.title = "Go or no-go: " + morning.windows.site_name;
+  page.headline = headline_of(morning);
+  const WindPolicy wind = forecast.forecast->wind_policy.value_or(WindPolicy::best);
+  page.decisions_html =
+      gantt_html(morning) + notes_html(morning) + plan_html(morning);
+  page.answer.emplace_back("The forecast", of_forecast);
+  std::erase_if(page.answer, [](const auto& line) { return line.first == "How good it was"; });
+  page.answer.emplace_back("Trust", trust_text(trust_of(forecast.skill, wind)));
+  page.after_plots_html =
+      risks_html(morning) +
+      yesterday_html(trust_of(newest_day_of(forecast.skill, wind), wind));
+  add_provenance(morning, page);
+  return page;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,81 @@
+#include "api/morning/operator_config.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "api/program/paths.h"
+#include "fields/base/config.h"
+#include "fields/base/error.h"
+#include "fields/base/time.h"
+
+namespace slackwater::api {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Who may write it may start programs as us.
+void expect_ours(const fs::path& place) {
+  struct stat found {};
+  if (::stat(place.c_str(), &found) != 0)
+    throw Error(ErrorKind::not_found, "found no " + place.string() + " that can be read");
+  if (found.st_uid != 0 && found.st_uid != ::geteuid())
+    throw Error(ErrorKind::invalid_input,
+                "found " + place.string() +
+                    " owned by another user, expected you or root: it names programs to run; "
+                    "change its owner");
+  const bool is_sticky = (found.st_mode & S_ISVTX) != 0 && S_ISDIR(found.st_mode);
+  if ((found.st_mode & (S_IWGRP | S_IWOTH)) != 0 && !is_sticky)
+    throw Error(ErrorKind::invalid_input,
+                "found " + place.string() +
+                    " writable for others, expected for its owner alone: it names programs to "
+                    "run; chmod go-w it");
+}
+
+Hook read_hook(const Config& config) {
+  Hook hook;
+  hook.command = config.texts("command");
+  if (!config.is_list("command") || hook.command.empty())
+    config.refuse("command", "expected a list: the path of a program, then its arguments");
+  if (!fs::path(hook.command.front()).is_absolute())
+    config.refuse("command", "found " + hook.command.front() +
+                                 ", expected the absolute path of a program");
+  if (const auto limit = config.optional_text("time_limit")) {
+    const Duration found = parse_duration(*limit);
+    if (found < std::chrono::seconds(1) || found > std::chrono::minutes(10))
+      config.refuse("time_limit", "found " + *limit + ", expected 1s to 10min");
+    hook.limit = std::chrono::duration_cast<std::chrono::milliseconds>(found);
+  }
+  return hook;
+}
+
+}  // namespace
+
+OperatorConfig load_operator_config(const fs::path& file) {
+  expect_ours(file);
+  // A folder that others write is one in which they can put another file in its place.
+  for (fs::path folder = fs::canonical(file).parent_path();; folder = folder.parent_path()) {
+    expect_ours(folder);
+    if (folder == folder.root_path()) break;
+  }
+  const Config config = Config::load(file);
+  OperatorConfig out;
+  if (const auto hook = config.optional_child("hook")) out.hook = read_hook(*hook);
+  config.expect_all_read();
+  return out;
+}
+
+OperatorConfig operator_config() {
+  if (const char* named = std::getenv("SLACKWATER_OPERATOR")) return load_operator_config(named);
+  std::vector<fs::path> places;
+  if (const auto own = own_config_folder()) places.push_back(*own / "operator.yaml");
+  places.emplace_back("/etc/slackwater/operator.yaml");
+  for (const fs::path& place : places) {
+    std::error_code unreadable;
+    if (fs::exists(place, unreadable)) return load_operator_config(place);
+  }
+  return {};
+}
+
+}  // namespace slackwater::api

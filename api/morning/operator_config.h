@@ -1,0 +1,34 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slackwater::api {
+
+/// A program of the operator's that hears each morning's verdict.
+struct Hook {
+  std::vector<std::string> command;  ///< an absolute path, then its arguments; no shell
+  std::chrono::milliseconds limit{30000};
+};
+
+/// What the operator of this machine says, apart from sites, missions and plans, which others hand
+/// in and which can start nothing:
+///
+///     hook:
+///       command: [/usr/local/bin/tell-the-radio, --channel, ops]
+///       time_limit: 30s                                           # at most 10min
+struct OperatorConfig {
+  std::optional<Hook> hook;
+};
+
+/// $SLACKWATER_OPERATOR, else `operator.yaml` in the user's configuration folder, else
+/// /etc/slackwater/operator.yaml; nothing said where there is none of them.
+/// @throws Error(invalid_input) for a file, or a folder that it lies in, that others can write;
+///         for a hook that is no absolute path; Error(not_found) for one that was named and is not
+///         there
+[[nodiscard]] OperatorConfig operator_config();
+[[nodiscard]] OperatorConfig load_operator_config(const std::filesystem::path& file);
+
+}  // namespace slackwater::api

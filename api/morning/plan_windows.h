@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+
+#include "api/plan/plan_file.h"
+#include "api/plan/windows_file.h"
+#include "api/windows/windows.h"
+
+namespace slackwater::api {
+
+/// What the forecast says of a plan's tasks, each at each of its turbines by itself, on the grid
+/// and the day of the plan.
+/// @param question  of the site's windows; its tasks, turbines, hours and grid are the plan's
+/// @throws as `windows_of`
+[[nodiscard]] WindowsFile windows_for_plan(const PlanFile& plan, WindowsQuestion question,
+                                           const std::filesystem::path& store_folder);
+
+}  // namespace slackwater::api

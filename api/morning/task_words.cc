@@ -1,0 +1,129 @@
+#include "api/morning/task_words.h"
+
+#include <cmath>
+
+#include "api/rehearse/rehearsal_json.h"
+#include "api/report/time_text.h"
+#include "api/windows/windows_answer.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+std::string percent(double probability) { return formatted("{:.0f} %", 100 * probability); }
+
+/// "06:00–09:30", one start by itself "06:00".
+std::string run_text(const TaskWindows& task, const twin::StartWindow& window,
+                     const PageClock& clock) {
+  const UtcTime first = task.starts[window.first].start;
+  return window.starts() == 1 ? clock.clock(first)
+                              : clock.clocks(first, task.starts[window.last].start);
+}
+
+std::string windows_line(const TaskWindows& task, const PageClock& clock) {
+  std::vector<std::string> parts;
+  for (const twin::StartWindow& window : task.windows) {
+    const std::string least = percent(window.least), most = percent(window.most);
+    parts.push_back(run_text(task, window, clock) + " " +
+                    (least == most ? most
+                                   : formatted("{:.0f} to ", 100 * window.least) + most));
+  }
+  return "Start " + joined(parts, ", ") + ".";
+}
+
+std::string best_line(const Morning& morning, const TaskWindows& task, const PageClock& clock) {
+  const TaskStart* best = best_of(task);
+  if (best == nullptr) return "There is no start.";
+  const auto times = [&](UtcTime time) { return clock.clock(time); };
+  std::string text = task.windows.empty() ? "No start is likely; the best is " : "Best ";
+  text += clock.clock(best->start) + ": " + percent(best->probability) +
+          formatted(" ({:.0f} to {:.0f})", 100 * best->interval.low, 100 * best->interval.high);
+  const bool stops = task.windows.empty() || (best->chance.binding &&
+                                              best->chance.binding->is_exceeded);
+  return text + (stops ? ". What stops it: " : ". What comes nearest: ") +
+         binding_text(task, *best, futures_of(morning), times) + ".";
+}
+
+/// Of the starts that were flown the best.
+std::string flown_line(const TaskWindows& task, const PageClock& clock) {
+  const TaskStart* best = nullptr;
+  std::size_t flown = 0, flights = 0;
+  for (const TaskStart& start : task.starts) {
+    if (!start.twin) continue;
+    ++flown;
+    flights += start.twin->flights;
+    if (best == nullptr || start.twin->probability > best->twin->probability) best = &start;
+  }
+  if (best == nullptr) return {};
+  const TwinChance& twin = *best->twin;
+  std::string text =
+      formatted("Flown {} times at {} starts; best ", flights, flown) + clock.clock(best->start) +
+      formatted(", {} of {} done ({:.0f} to {:.0f} %)",
+                std::lround(twin.probability * static_cast<double>(twin.flights)), twin.flights,
+                100 * twin.interval.low, 100 * twin.interval.high);
+  const auto low = quantile_of(twin.duration_s, 0.1), middle = quantile_of(twin.duration_s, 0.5),
+             high = quantile_of(twin.duration_s, 0.9);
+  if (low && middle && high)
+    text += formatted(", {:.0f} min ({:.0f} to {:.0f})", *middle / 60, *low / 60, *high / 60);
+  const auto energy = quantile_of(twin.energy_wh, 0.9);
+  if (energy && *energy > 0) text += formatted(", 9 of 10 within {:.0f} Wh", *energy);
+  if (!twin.stopped_by.empty()) text += "; stopped by " + twin.stopped_by;
+  return text + ".";
+}
+
+std::string rule_line(const TaskWindows& task, const PageClock& clock) {
+  const auto starts = [&](const std::vector<twin::StartWindow>& windows) {
+    std::vector<std::string> parts;
+    for (const twin::StartWindow& window : windows)
+      parts.push_back(run_text(task, window, clock));
+    return parts.empty() ? std::string("no start") : joined(parts, ", ");
+  };
+  std::string text = "The central forecast alone: " + starts(task.by_threshold);
+  return text + (task.by_alpha ? "; with the margins of practice: " + starts(*task.by_alpha)
+                               : "; practice says nothing: " + task.no_alpha) +
+         ".";
+}
+
+}  // namespace
+
+std::string where_and_how_long(const TaskWindows& task) {
+  return joined(task.turbines, ", ") +
+         formatted(", {:.1f} h and {:.1f} h in hand", task.planned_s / 3600,
+                   task.contingency_s / 3600) +
+         (task.is_split ? formatted(", in visits of {:.1f} h and more", task.least_visit_s / 3600)
+                        : std::string());
+}
+
+std::string best_text(const TaskWindows& task, const std::function<std::string(UtcTime)>& clock) {
+  const TaskStart* best = best_of(task);
+  if (best == nullptr) return "no start";
+  return "best " + clock(best->start) + ", " + percent(best->probability);
+}
+
+std::vector<std::string> task_words(const Morning& morning, const TaskWindows& task) {
+  const PageClock clock(morning.question.windows.zone);
+  std::vector<std::string> lines;
+  if (!task.windows.empty()) lines.push_back(windows_line(task, clock));
+  lines.push_back(best_line(morning, task, clock));
+  if (std::string flown = flown_line(task, clock); !flown.empty())
+    lines.push_back(std::move(flown));
+  lines.push_back(rule_line(task, clock));
+  for (const std::string& limit : task.not_checked) lines.push_back("Not checked: " + limit + ".");
+  for (const std::string& value : task.assumed)
+    lines.push_back("Assumed, not forecast: " + value + ".");
+  lines.insert(lines.end(), task.notes.begin(), task.notes.end());
+  return lines;
+}
+
+std::string rules_text(const Morning& morning) {
+  const WindowsQuestion& question = morning.question.windows;
+  return formatted(
+             "Height: the chance that all limits hold from a start to the way home, as {} futures "
+             "of the forecast say. Full: {:.0f} % or more, go; hatched: {:.0f} % or more, "
+             "marginal; pale: less. Rings: what was flown by the twin. Grey behind: the sun is "
+             "down. ",
+             futures_of(morning), 100 * question.rule.go, 100 * question.rule.marginal) +
+         "Practice: " + question.practice.name() + ". " + PageClock(question.zone).note();
+}
+
+}  // namespace slackwater::api
