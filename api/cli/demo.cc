@@ -4,11 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/cli/morning_of_forecast.h"
 #include "api/cli/progress.h"
+#include "api/cli/windows_options.h"
 #include "api/demo/demo_page.h"
 #include "api/demo/demo_run.h"
 #include "api/demo/demo_store.h"
-#include "api/program/version.h"
+#include "api/morning/morning_answer.h"
 #include "api/report/skill_json.h"
 #include "api/report/verdict_text.h"
 
@@ -20,7 +22,7 @@ using nlohmann::json;
 struct DemoArguments {
   std::string folder = "demo-out";
   int days = 6;
-  std::uint64_t seed = 2025;
+  std::uint64_t seed = 2026;
   bool force = false;
 };
 
@@ -41,7 +43,7 @@ Means means_of(const std::vector<DemoDay>& days) {
           std::sqrt(m.same_hour / n)};
 }
 
-/// Ten lines with those that `run` adds: the page has the rest.
+/// What the demonstration proves, before its answer.
 void print_summary(const DemoResult& result, const Means& mean, std::uint64_t seed) {
   const DemoDay& first = result.days.front();
   const DemoDay& last = result.days.back();
@@ -58,6 +60,13 @@ void print_summary(const DemoResult& result, const Means& mean, std::uint64_t se
   }
 }
 
+Morning morning_of_demo(const DemoResult& result, const std::filesystem::path& store_folder) {
+  MorningQuestion question;
+  question.windows = plain_question(result.site);
+  question.windows.day = result.last.day;
+  return morning_of(question, store_folder);
+}
+
 void run(const DemoArguments& arguments, const Context& context) {
   const std::filesystem::path folder = arguments.folder;
   const StoreInTheWay in_the_way = look_at_demo_store(folder);
@@ -72,8 +81,8 @@ void run(const DemoArguments& arguments, const Context& context) {
     return run_demo(options, [&](double share, const std::string&) { bar.update(share); });
   }();
   const std::filesystem::path page = folder / "report.html";
-  write_report(demo_page(result, format_utc(context.now()) + " by slackwater " + code_version()),
-               page);
+  const Morning morning = morning_of_demo(result, folder / "store");
+  write_report(demo_page(result, morning, made_by(context)), page);
   const Means mean = means_of(result.days);
   if (context.json) {
     json days = json::array();
@@ -89,6 +98,7 @@ void run(const DemoArguments& arguments, const Context& context) {
                              {"page", page.string()},
                              {"store", (folder / "store").string()},
                              {"days", days},
+                             {"morning", morning_json(morning, {result.skill, {}, {}})},
                              {"forecast_rmse_m_s", mean.forecast},
                              {"skill", json::parse(skill_json(result.skill))}}
                             .dump(2)
@@ -97,10 +107,13 @@ void run(const DemoArguments& arguments, const Context& context) {
   }
   print_summary(result, mean, arguments.seed);
   const std::string store = (folder / "store").string();
-  std::printf("\nThe page:  %s  (open it in a browser)\n", page.c_str());
   std::printf("Go on:     slackwater --store %s verify --site %s\n", store.c_str(), demo_site_id);
   std::printf("           slackwater --store %s profile --site %s --time %s\n", store.c_str(),
               demo_site_id, format_utc(result.last.time[12]).c_str());
+  std::printf("           slackwater --store %s report --site %s --fly 5min\n", store.c_str(),
+              demo_site_id);
+  std::printf("\n%sThe page: %s  (open it in a browser)\n", morning_text(morning).c_str(),
+              page.c_str());
 }
 
 }  // namespace
@@ -113,7 +126,7 @@ void add_demo(CLI::App& app, Context& context) {
                       "folder for product files, store and page (default demo-out)");
   command->add_option("--days", arguments->days, "consecutive daily jobs (default 6)")
       ->check(CLI::Range(1, 400));
-  command->add_option("--seed", arguments->seed, "which ocean (default 2025)");
+  command->add_option("--seed", arguments->seed, "which ocean (default 2026)");
   command->add_flag("--force", arguments->force,
                     "delete the store in that folder even if it holds other work; says what goes");
   command->callback([arguments, &context] { run(*arguments, context); });

@@ -18,7 +18,8 @@ using nlohmann::json;
 
 struct ReportArguments {
   WindowsArguments windows;
-  std::string plan, html, pdf, plan_limit = "20s";
+  std::string plan, html, pdf;
+  double plan_limit_s = 20;
 };
 
 /// "none", a file, or where nothing is said that of the site.
@@ -36,10 +37,7 @@ void run_report(const ReportArguments& arguments, const Context& context) {
   MakeMorning how;
   how.question.windows = windows_question(arguments.windows, context);
   how.question.plan = plan_of(arguments, site, context);
-  how.question.plan_limit_s =
-      std::chrono::duration<double>(
-          option_value("--plan-time-limit", arguments.plan_limit, parse_duration))
-          .count();
+  how.question.plan_limit_s = arguments.plan_limit_s;
   how.fly = flights_wanted(arguments.windows);
   how.html = arguments.html;
   how.generated = made_by(context);
@@ -76,8 +74,10 @@ void add_report(CLI::App& app, Context& context) {
   command->add_option("--plan", arguments->plan,
                       "PLAN.yaml of the day (default: plans/SITE.yaml in the store, if it is "
                       "there), or: none");
-  command->add_option("--plan-time-limit", arguments->plan_limit,
-                      "of the search for the plan (default 20s)");
+  command
+      ->add_option("--plan-time-limit", arguments->plan_limit_s,
+                   "of the search for the plan, s (default 20)")
+      ->check(CLI::Range(0.01, 86400.0));
   command->add_option("--html", arguments->html,
                       "the page (default: reports/SITE/DAY.html in the store)");
   command->add_option("--pdf", arguments->pdf, "also print the page as FILE.pdf (with Chromium)");

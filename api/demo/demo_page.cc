@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "api/morning/morning_page.h"
 #include "api/report/forecast_page.h"
 #include "api/report/verdict_text.h"
 #include "fields/base/text.h"
@@ -47,7 +48,8 @@ ForecastTruth truth_of(const DemoResult& result) {
 
 }  // namespace
 
-ReportInput demo_page(const DemoResult& result, const std::string& generated) {
+ReportInput demo_page(const DemoResult& result, const Morning& morning,
+                      const std::string& generated) {
   ForecastPage page;
   page.forecast = std::make_shared<const Snapshot>(result.last);
   page.summary_json = result.last_summary_json;
@@ -59,7 +61,7 @@ ReportInput demo_page(const DemoResult& result, const std::string& generated) {
                     verdict_lines(result.skill);
   page.generated = generated;
   page.truth = truth_of(result);
-  ReportInput report = forecast_page(page);
+  ReportInput report = morning_page(morning, page);
   report.tables.push_back(truth_table(result));
   return report;
 }

@@ -23,7 +23,7 @@ inline constexpr const char* demo_product = "SYNTHETIC_OCEAN";
 
 struct DemoOptions {
   std::filesystem::path folder;  ///< product files, store and page go here
-  std::uint64_t seed = 2025;
+  std::uint64_t seed = 2026;
   int days = 6;  ///< consecutive daily jobs
 };
 

@@ -4,6 +4,7 @@
 
 #include "api/morning/gantt_html.h"
 #include "api/morning/plan_html.h"
+#include "api/morning/task_words.h"
 #include "api/morning/trust.h"
 #include "api/rehearse/risk_report.h"
 #include "api/report/time_text.h"
@@ -54,26 +55,38 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
   return table_html(table);
 }
 
-/// The start of a task whose flights went best; null where none was flown.
-const TaskStart* best_flown(const TaskWindows& task) {
-  const TaskStart* best = nullptr;
-  for (const TaskStart& start : task.starts)
-    if (start.twin && (best == nullptr || start.twin->probability > best->twin->probability))
-      best = &start;
-  return best;
+/// What befell a task where its flights went best, or else what is gravest of it.
+void add_risks(const TaskWindows& task, const PageClock& clock, ReportTable& table) {
+  constexpr std::size_t most = 3;
+  const TaskStart* best = best_flown(task);
+  if (best == nullptr) return;
+  std::vector<twin::RiskEntry> told;
+  for (const twin::RiskEntry& risk : best->twin->risks)
+    if (risk.befell > 0 && told.size() < most) told.push_back(risk);
+  if (told.empty() && !best->twin->risks.empty()) told.push_back(best->twin->risks.front());
+  for (const twin::RiskEntry& risk : told) {
+    std::vector<std::string> row{task.name + " at " + clock.clock(best->start)};
+    const std::vector<std::string> cells = risk_cells(risk);
+    row.insert(row.end(), cells.begin(), cells.end());
+    table.rows.push_back(std::move(row));
+  }
 }
 
 std::string risks_html(const Morning& morning) {
   const PageClock clock(morning.question.windows.zone);
-  std::string html;
-  for (const TaskWindows* task : by_verdict(morning))
-    if (const TaskStart* best = best_flown(*task))
-      html += risk_table_html("Risks: " + task->name + " at " + clock.clock(best->start),
-                              best->twin->risks);
-  if (!html.empty()) return html;
+  ReportTable table;
+  table.title = "Risks of what was flown";
+  table.note =
+      "Of each task what befell its best start, the gravest first, or else the gravest cause of "
+      "its sheet. Bounds hold at 95 %; harm from 1 (slight) to 5 (grave), estimates unless your "
+      "own register replaces them; at worst: by the upper bound. All futures fly in the waves of "
+      "the forecast; the chances above have the usual error of forecast waves too.";
+  table.columns = {"Task and start", "Cause", "Befell", "Likelihood", "Worst harm", "Risk"};
+  for (const TaskWindows* task : by_verdict(morning)) add_risks(*task, clock, table);
+  if (!table.rows.empty()) return table_html(table);
   return "<section class=\"words\"><h2>Risks</h2><p>Nothing was flown, so there is no register of "
-         "risks: the chances above are of the limits alone. `slackwater report --fly 15min` flies "
-         "the starts that are left open.</p></section>\n";
+         "risks: the chances above are of the limits alone. <code>slackwater report --fly "
+         "15min</code> flies the starts that are left open.</p></section>\n";
 }
 
 void add_provenance(const Morning& morning, ReportInput& page) {

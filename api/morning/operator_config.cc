@@ -3,12 +3,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "api/program/paths.h"
 #include "fields/base/config.h"
 #include "fields/base/error.h"
-#include "fields/base/time.h"
 
 namespace slackwater::api {
 namespace {
@@ -41,12 +41,8 @@ Hook read_hook(const Config& config) {
   if (!fs::path(hook.command.front()).is_absolute())
     config.refuse("command", "found " + hook.command.front() +
                                  ", expected the absolute path of a program");
-  if (const auto limit = config.optional_text("time_limit")) {
-    const Duration found = parse_duration(*limit);
-    if (found < std::chrono::seconds(1) || found > std::chrono::minutes(10))
-      config.refuse("time_limit", "found " + *limit + ", expected 1s to 10min");
-    hook.limit = std::chrono::duration_cast<std::chrono::milliseconds>(found);
-  }
+  if (const auto limit_s = config.optional_number("time_limit_s", {0.1, 600}))
+    hook.limit = std::chrono::milliseconds(std::llround(1000 * *limit_s));
   return hook;
 }
 

@@ -18,7 +18,7 @@ struct Hook {
 ///
 ///     hook:
 ///       command: [/usr/local/bin/tell-the-radio, --channel, ops]
-///       time_limit: 30s                                           # at most 10min
+///       time_limit_s: 30                                          # at most 600
 struct OperatorConfig {
   std::optional<Hook> hook;
 };

@@ -20,15 +20,40 @@ std::string run_text(const TaskWindows& task, const twin::StartWindow& window,
                               : clock.clocks(first, task.starts[window.last].start);
 }
 
-std::string windows_line(const TaskWindows& task, const PageClock& clock) {
+/// "06:00–09:30, 11:00": the starts whose chance is at least so much.
+std::string starts_from(const TaskWindows& task, double least, const PageClock& clock) {
+  std::vector<std::string> parts;
+  for (std::size_t first = 0; first < task.starts.size(); ++first) {
+    const auto is_open = [&](std::size_t i) {
+      return task.starts[i].forbidden.empty() && task.starts[i].probability >= least;
+    };
+    if (!is_open(first)) continue;
+    std::size_t last = first;
+    while (last + 1 < task.starts.size() && is_open(last + 1)) ++last;
+    parts.push_back(first == last
+                        ? clock.clock(task.starts[first].start)
+                        : clock.clocks(task.starts[first].start, task.starts[last].start));
+    first = last;
+  }
+  return joined(parts, ", ");
+}
+
+/// "Go: start 04:30–05:00. Marginal: 00:00–16:00 (52 to 93 %)."
+std::string windows_line(const Morning& morning, const TaskWindows& task, const PageClock& clock) {
+  const twin::VerdictRule& rule = morning.question.windows.rule;
+  const std::string go = starts_from(task, rule.go, clock);
+  std::string text = go.empty() ? "" : "Go: start " + go + ". ";
   std::vector<std::string> parts;
   for (const twin::StartWindow& window : task.windows) {
+    if (window.least >= rule.go) continue;
     const std::string least = percent(window.least), most = percent(window.most);
-    parts.push_back(run_text(task, window, clock) + " " +
-                    (least == most ? most
-                                   : formatted("{:.0f} to ", 100 * window.least) + most));
+    parts.push_back(run_text(task, window, clock) + " (" +
+                    (least == most ? most : formatted("{:.0f} to ", 100 * window.least) + most) +
+                    ")");
   }
-  return "Start " + joined(parts, ", ") + ".";
+  if (!parts.empty())
+    text += (go.empty() ? "Marginal: start " : "With less: ") + joined(parts, ", ") + ".";
+  return text;
 }
 
 std::string best_line(const Morning& morning, const TaskWindows& task, const PageClock& clock) {
@@ -38,23 +63,23 @@ std::string best_line(const Morning& morning, const TaskWindows& task, const Pag
   std::string text = task.windows.empty() ? "No start is likely; the best is " : "Best ";
   text += clock.clock(best->start) + ": " + percent(best->probability) +
           formatted(" ({:.0f} to {:.0f})", 100 * best->interval.low, 100 * best->interval.high);
-  const bool stops = task.windows.empty() || (best->chance.binding &&
-                                              best->chance.binding->is_exceeded);
-  return text + (stops ? ". What stops it: " : ". What comes nearest: ") +
+  const bool stops = task.windows.empty();
+  return text + (stops ? ". What stops it: "
+                 : best->chance.binding && best->chance.binding->is_exceeded
+                     ? ". What threatens it: "
+                     : ". What comes nearest: ") +
          binding_text(task, *best, futures_of(morning), times) + ".";
 }
 
 /// Of the starts that were flown the best.
 std::string flown_line(const TaskWindows& task, const PageClock& clock) {
-  const TaskStart* best = nullptr;
+  const TaskStart* best = best_flown(task);
+  if (best == nullptr) return {};
   std::size_t flown = 0, flights = 0;
   for (const TaskStart& start : task.starts) {
-    if (!start.twin) continue;
-    ++flown;
-    flights += start.twin->flights;
-    if (best == nullptr || start.twin->probability > best->twin->probability) best = &start;
+    flown += start.twin ? 1 : 0;
+    flights += start.twin ? start.twin->flights : 0;
   }
-  if (best == nullptr) return {};
   const TwinChance& twin = *best->twin;
   std::string text =
       formatted("Flown {} times at {} starts; best ", flights, flown) + clock.clock(best->start) +
@@ -100,15 +125,24 @@ std::string best_text(const TaskWindows& task, const std::function<std::string(U
   return "best " + clock(best->start) + ", " + percent(best->probability);
 }
 
+const TaskStart* best_flown(const TaskWindows& task) {
+  const TaskStart* best = nullptr;
+  for (const TaskStart& start : task.starts)
+    if (start.twin && (best == nullptr || start.twin->interval.low > best->twin->interval.low))
+      best = &start;
+  return best;
+}
+
 std::vector<std::string> task_words(const Morning& morning, const TaskWindows& task) {
   const PageClock clock(morning.question.windows.zone);
   std::vector<std::string> lines;
-  if (!task.windows.empty()) lines.push_back(windows_line(task, clock));
+  if (!task.windows.empty()) lines.push_back(windows_line(morning, task, clock));
   lines.push_back(best_line(morning, task, clock));
   if (std::string flown = flown_line(task, clock); !flown.empty())
     lines.push_back(std::move(flown));
   lines.push_back(rule_line(task, clock));
-  for (const std::string& limit : task.not_checked) lines.push_back("Not checked: " + limit + ".");
+  if (!task.not_checked.empty())
+    lines.push_back("Not checked: " + joined(task.not_checked, "; ") + ".");
   for (const std::string& value : task.assumed)
     lines.push_back("Assumed, not forecast: " + value + ".");
   lines.insert(lines.end(), task.notes.begin(), task.notes.end());

@@ -14,6 +14,9 @@ namespace slackwater::api {
 [[nodiscard]] std::string best_text(const TaskWindows& task,
                                     const std::function<std::string(UtcTime)>& clock);
 
+/// The start whose flights went best, by what is sure of it; null where none was flown.
+[[nodiscard]] const TaskStart* best_flown(const TaskWindows& task);
+
 /// What is said of a task below its row: the windows, the best start with its interval and what
 /// binds it, what was flown, what the central forecast alone and practice would say, and what was
 /// not checked. No line is empty.

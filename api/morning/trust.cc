@@ -56,7 +56,7 @@ std::string text_of(const Trust& trust) {
     case calibration::Outcome::beaten:
       return ours + ", WORSE than" + rival;
     default:
-      return ours + ", a tie with" + rival;
+      return ours + ", within noise of" + rival;
   }
 }
 

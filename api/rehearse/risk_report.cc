@@ -80,6 +80,12 @@ std::vector<std::string> risk_texts(const std::vector<RiskEntry>& risks) {
   return texts;
 }
 
+std::vector<std::string> risk_cells(const RiskEntry& risk) {
+  return {std::string(meaning_of(risk.cause)), share_text(risk),
+          std::string(text_of(twin::likelihood_of(risk.share()))), harm_text(risk),
+          level_text(risk)};
+}
+
 std::string risk_table_html(const std::string& title, const std::vector<RiskEntry>& risks) {
   if (risks.empty()) return "";
   ReportTable table;
@@ -91,10 +97,7 @@ std::string risk_table_html(const std::string& title, const std::vector<RiskEntr
       "Likelihood class times the worst class: below 6 low, below 15 medium, else high; at worst: "
       "by the upper bound.";
   table.columns = {"Cause", "Befell", "Likelihood", "Worst harm", "Risk"};
-  for (const RiskEntry& risk : risks)
-    table.rows.push_back({std::string(meaning_of(risk.cause)), share_text(risk),
-                          std::string(text_of(twin::likelihood_of(risk.share()))), harm_text(risk),
-                          level_text(risk)});
+  for (const RiskEntry& risk : risks) table.rows.push_back(risk_cells(risk));
   return table_html(table);
 }
 

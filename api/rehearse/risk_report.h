@@ -20,6 +20,9 @@ namespace slackwater::api {
 /// 5: medium, high at worst". What befell no flight is left out.
 [[nodiscard]] std::vector<std::string> risk_texts(const std::vector<twin::RiskEntry>& risks);
 
+/// What a table of risks says in its columns "Cause", "Befell", "Likelihood", "Worst harm", "Risk".
+[[nodiscard]] std::vector<std::string> risk_cells(const twin::RiskEntry& risk);
+
 /// The register as a table of a page; empty of none.
 [[nodiscard]] std::string risk_table_html(const std::string& title,
                                           const std::vector<twin::RiskEntry>& risks);

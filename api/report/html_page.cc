@@ -41,7 +41,8 @@ std::string scripts_html(const HtmlPage& page, std::string_view plotting_library
 
 std::string table_html(const ReportTable& table) {
   std::string out = "<section class=\"table\"><h2>" + escaped_html(table.title) +
-                    "</h2><div class=\"scroll\"><table><thead><tr>";
+                    "</h2><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+                    escaped_html(table.title) + "\"><table><thead><tr>";
   for (const std::string& column : table.columns) out += "<th>" + escaped_html(column) + "</th>";
   out += "</tr></thead><tbody>\n";
   for (std::size_t row = 0; row < table.rows.size(); ++row) {

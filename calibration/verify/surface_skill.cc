@@ -109,16 +109,22 @@ void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   const ForecastColumn& column = snapshot.columns.front();
   if (column.wind_m_s.empty()) return;
   const Chosen<Horizontal> truth = surface_truth(data.wind);
+  // Persistence, of wind and of waves: the last value that was known at the end of D.
+  std::optional<Horizontal> last;
   PairsByMethod methods;
   for (std::size_t t = 0; t < truth.column.times(); ++t) {
+    if (!truth.column.has(t) || truth.column.time[t].end > options.truth_until) continue;
     const UtcTime time = truth.column.time[t].centre();
-    if (time <= end || !truth.column.has(t)) continue;
-    if (truth.column.time[t].end > options.truth_until) continue;
+    const Horizontal value = truth.column.value[t];
+    if (time <= end) {
+      last = value;
+      continue;
+    }
     if (is_its_own_truth(snapshot, column.wind_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, column.wind_m_s, 1, 0, TimeCell::instant(time));
-    if (forecast)
-      methods[Method::forecast].push_back(
-          pair_at(*forecast, *forecast, truth.column.value[t], time, end));
+    if (!forecast) continue;
+    methods[Method::forecast].push_back(pair_at(*forecast, *forecast, value, time, end));
+    if (last) methods[Method::persistence].push_back(pair_at(*last, *forecast, value, time, end));
   }
   if (methods.empty()) return;
   blank.variable = wind_variable;
@@ -134,7 +140,6 @@ void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   const Chosen<double> truth = surface_truth(data.significant_height);
   std::vector<Horizontal> height;
   for (const SeaState& sea : column.sea) height.emplace_back(sea.significant_height_m, 0);
-  // Persistence of waves: the last value that was known at the end of D.
   std::optional<double> last;
   PairsByMethod methods;
   for (std::size_t t = 0; t < truth.column.times(); ++t) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/product_files_for_tests.h"
+#include "tests/support/refusal.h"
 #include "tests/support/store_for_tests.h"
 
 namespace slackwater::tests {
@@ -29,11 +30,8 @@ class FirstDay : public ::testing::Test {
   /// Runs a command that is refused; every word is in its one sentence.
   void expect_refused(const std::vector<std::string>& arguments, int exit_code,
                       const std::vector<std::string>& words) const {
-    const ProgramResult result = store_.run(arguments);
-    EXPECT_EQ(result.exit_code, exit_code) << arguments.front() << ": " << result.out << result.err;
-    for (const std::string& word : words)
-      EXPECT_TRUE(contains(result.err, word)) << "no '" << word << "' in: " << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    SCOPED_TRACE(arguments.front());
+    expect_refusal(store_.run(arguments), exit_code, words);
   }
 
   StoreForTests store_;

@@ -6,20 +6,13 @@
 
 #include "ingest/cf/trajectory_file.h"
 #include "tests/support/shared_data.h"
+#include "tests/support/farm_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
 namespace slackwater::tests {
 namespace {
 
 using nlohmann::json;
-
-/// A pile of 5 m with a closed area to the south of it from April to July.
-const std::string farm = R"(
-water_depth_m: 30
-hub_height_m: 80
-landing_deg: 0
-foundation: {kind: monopile, diameter_m: 5, top_height_m: 18}
-)";
 
 const std::string peek = R"(id: peek
 name: A peek at a pile
@@ -43,7 +36,7 @@ class RehearseCommand : public testing::Test {
  protected:
   void SetUp() override {
     write("peek.yaml", peek);
-    write("farm.yaml", "id: farm\nlatitude_deg: 48.9\nlongitude_deg: -3.1\n" + farm +
+    write("farm.yaml", "id: farm\nlatitude_deg: 48.9\nlongitude_deg: -3.1\n" + pile_yaml +
                            "turbines: [{id: T1, latitude_deg: 48.9, longitude_deg: -3.1}]\n"
                            "areas:\n  - {id: terns, kind: exclusion, reason: breeding terns, "
                            "months: [4, 7], polygon: [{latitude_deg: 48.9001, longitude_deg: "
@@ -55,17 +48,7 @@ class RehearseCommand : public testing::Test {
   /// A mission in the forecast of a day, which is issued for it.
   void write_issued() {
     made_.ingest_days(parse_day("2025-03-01"), 3);
-    std::string site = read_bytes(made_.site());
-    const auto value_of = [&](const std::string& key) {
-      const std::size_t at = site.find(key + ": ") + key.size() + 2;
-      return site.substr(at, site.find('\n', at) - at);
-    };
-    const std::string place = "latitude_deg: " + value_of("latitude_deg") +
-                              ", longitude_deg: " + value_of("longitude_deg");
-    for (const char* key : {"water_depth_m", "hub_height_m", "turbines"})
-      if (const std::size_t at = site.find(std::string(key) + ":"); at != std::string::npos)
-        site.erase(at, site.find('\n', at) + 1 - at);
-    write("issued_farm.yaml", site + farm + "turbines: [{id: T1, " + place + "}]\n");
+    write("issued_farm.yaml", farm_at_the_site(made_));
     ASSERT_EQ(
         made_.run({"forecast", "--site", path("issued_farm.yaml"), "--at", "2025-03-04T05:00:00Z"})
             .exit_code,

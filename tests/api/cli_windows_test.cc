@@ -3,109 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "tests/support/store_for_tests.h"
+#include "tests/api/windows_command.h"
 
 namespace slackwater::tests {
 namespace {
-
-using nlohmann::json;
-using Arguments = std::vector<std::string>;
-
-const std::string farm = R"(
-water_depth_m: 30
-hub_height_m: 80
-landing_deg: 0
-foundation: {kind: monopile, diameter_m: 5, top_height_m: 18}
-)";
-
-/// A look at a pile of an hour and a half, with limits of its own.
-std::string peek(const std::string& limits, const std::string& more = "") {
-  return "id: peek\nname: A peek at a pile\nduration_h: {value: 1.5, per: foundation}\n"
-         "min_window_h: 2\n" +
-         more + R"(agents:
-  - role: eye
-    kinds: [rov]
-    needs: [camera]
-    model: bluerov2_heavy
-    speed_m_s: 0.4
-    start: {distance_m: 12, depth_m: 3}
-    launch_s: 120
-    recovery_s: 120
-    conduct:
-      limits: [)" +
-         limits + R"(]
-    work:
-      - {pattern: verticals, stand_off_m: 3, from: {depth_m: 4}, to: {depth_m: 9}, bearings: 2}
-)";
-}
-
-constexpr const char* loose = "{significant_wave_height_m: 19}, {current_speed_m_s: 9}";
-constexpr const char* never = "{significant_wave_height_m: 19}, {current_speed_m_s: 0.02}";
-
-/// One forecast of three days after 2025-03-03, issued the morning after, for all tests.
-class WindowsCommand : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    made_ = std::make_unique<StoreForTests>();
-    made_->ingest_days(parse_day("2025-03-01"), 3);
-    write_farm("farm.yaml", "");
-    const ProgramResult issued = made_->run({"forecast", "--site", path("farm.yaml"), "--at",
-                                             "2025-03-04T05:00:00Z", "--out", path("issued.nc")});
-    ASSERT_EQ(issued.exit_code, 0) << issued.err;
-  }
-  static void TearDownTestSuite() { made_.reset(); }
-  void SetUp() override { ASSERT_TRUE(made_ && std::filesystem::exists(path("issued.nc"))); }
-
-  static std::string path(const std::string& name) { return made_->path(name); }
-  static std::string write(const std::string& name, const std::string& text) {
-    return made_->write(name, text);
-  }
-  /// The site of the test products with a turbine at its point.
-  static void write_farm(const std::string& name, const std::string& more) {
-    std::string site = read_bytes(made_->site());
-    const auto value_of = [&](const std::string& key) {
-      const std::size_t at = site.find(key + ": ") + key.size() + 2;
-      return site.substr(at, site.find('\n', at) - at);
-    };
-    const std::string place = "latitude_deg: " + value_of("latitude_deg") +
-                              ", longitude_deg: " + value_of("longitude_deg");
-    for (const char* key : {"water_depth_m", "hub_height_m", "turbines"})
-      if (const std::size_t at = site.find(std::string(key) + ":"); at != std::string::npos)
-        site.erase(at, site.find('\n', at) + 1 - at);
-    write(name, site + farm + "turbines: [{id: T1, " + place + "}]\n" + more);
-  }
-  static ProgramResult run(Arguments arguments) {
-    arguments.insert(arguments.begin(), {"windows"});
-    if (std::find(arguments.begin(), arguments.end(), "--site") == arguments.end())
-      arguments.insert(arguments.end(), {"--site", path("farm.yaml")});
-    return made_->run(arguments);
-  }
-  static json answer(Arguments arguments) {
-    arguments.emplace_back("--json");
-    const ProgramResult result = run(std::move(arguments));
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    return json::accept(result.out) ? json::parse(result.out) : json();
-  }
-  static json task_of(Arguments arguments) { return answer(std::move(arguments)).at("tasks")[0]; }
-  /// Told in one line on stderr that holds the words; nothing is printed.
-  static void expect_refused(const Arguments& arguments, int exit_code,
-                             const std::vector<std::string>& words) {
-    const ProgramResult result = run(arguments);
-    SCOPED_TRACE(result.err);
-    EXPECT_EQ(result.exit_code, exit_code) << result.out;
-    EXPECT_EQ(result.out, "");
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
-    for (const std::string& word : words)
-      EXPECT_NE(result.err.find(word), std::string::npos) << "does not say " << word;
-  }
-
-  static std::unique_ptr<StoreForTests> made_;
-};
-std::unique_ptr<StoreForTests> WindowsCommand::made_;
 
 /// Runs of starts with a mark, as [first, last].
 template <typename IsOpen>
@@ -408,39 +312,6 @@ TEST_F(WindowsCommand, RefusesWhatCannotBeAnswered) {
   expect_refused({"--task", write("wrong.yaml", wrong)}, 3, {"expected uav"});
 }
 
-TEST_F(WindowsCommand, SplitWorkIsDoneOverSeveralVisits) {
-  const auto sheet = [](const std::string& limits) {
-    std::string text = peek(limits, "splittable: true\nleast_visit_h: 1\n");
-    text.replace(text.find("value: 1.5"), 10, "value: 6.0");
-    return text;
-  };
-  const json open = task_of({"--task", write("split.yaml", sheet(loose)), "--contingency", "0h"});
-  EXPECT_EQ(open.at("split").at("least_visit_h"), 1.0);
-  // Six hours of work and way are left until 18:00, or the step before, in one visit.
-  ASSERT_EQ(open.at("windows").size(), 1U);
-  EXPECT_EQ(open.at("windows")[0].at("from"), "2025-03-05T00:00:00Z");
-  EXPECT_GE(open.at("windows")[0].at("to"), "2025-03-05T17:30:00Z");
-  EXPECT_LE(open.at("windows")[0].at("to"), "2025-03-05T18:00:00Z");
-  const json& late = open.at("starts").back().at("binding");
-  EXPECT_EQ(late.at("limit"), "hours enough for the work by 2025-03-06T00:00:00Z");
-  EXPECT_EQ(late.at("members"), 25);
-  // In one go six hours of a slack tide there are not.
-  const std::string slack = "{current_speed_m_s: 0.3}";
-  const json split = task_of({"--task", write("split.yaml", sheet(slack)), "--contingency", "0h"});
-  std::string whole = peek(slack);
-  whole.replace(whole.find("value: 1.5"), 10, "value: 6.0");
-  const json at_once = task_of({"--task", write("whole.yaml", whole), "--contingency", "0h"});
-  EXPECT_TRUE(at_once.at("split").is_null());
-  const auto held = [](const json& task) {
-    int sum = 0;
-    for (const json& start : task.at("starts")) sum += start.at("members_held").get<int>();
-    return sum;
-  };
-  EXPECT_GT(held(split), held(at_once));
-  expect_refused({"--task", write("bad.yaml", peek(loose, "least_visit_h: 1\n"))}, 3,
-                 {"least_visit_h", "splittable"});
-}
-
 TEST_F(WindowsCommand, OnTheDayTheClocksGoForwardTheShiftBeginsAnHourEarlier) {
   const StoreForTests spring;
   spring.ingest_days(parse_day("2025-03-26"), 3);
@@ -454,52 +325,6 @@ TEST_F(WindowsCommand, OnTheDayTheClocksGoForwardTheShiftBeginsAnHourEarlier) {
   ASSERT_EQ(windows.size(), 1U);
   EXPECT_EQ(windows[0].at("from"), "2025-03-30T04:00:00Z") << "06:00 CEST";
   EXPECT_EQ(windows[0].at("to"), "2025-03-30T14:00:00Z");
-}
-
-TEST_F(WindowsCommand, FliesTheStartsThatTheLimitsLeaveOpen) {
-  const std::string at = "2025-03-05T06:00:00Z";
-  const auto flown = [&](const std::string& limits) {
-    return task_of({"--task", write("peek.yaml", peek(limits)), "--from", at, "--to",
-                    "2025-03-05T08:00:00Z", "--members", "2", "--fly", "10min"});
-  };
-  const json open = flown(loose);
-  ASSERT_EQ(open.at("starts").size(), 4U);
-  // An hour apart, all of them in both futures, which are too few for a narrow interval.
-  for (std::size_t i = 0; i < 4; ++i) {
-    const json& twin = open.at("starts")[i].at("twin");
-    ASSERT_EQ(twin.is_null(), i % 2 == 1) << i;
-    if (twin.is_null()) continue;
-    EXPECT_EQ(twin.at("flights"), 2);
-    EXPECT_EQ(twin.at("probability"), 1);
-    EXPECT_LT(twin.at("interval_95")[0].get<double>(), 0.5);
-    EXPECT_GT(twin.at("duration_s").at("p50").get<double>(), 240);
-    EXPECT_GT(twin.at("energy_wh").at("p90").get<double>(), 1);
-    EXPECT_EQ(twin.at("risks").size(), 6U);
-  }
-  const json shut = flown(never);
-  for (const json& start : shut.at("starts")) EXPECT_TRUE(start.at("twin").is_null());
-}
-
-TEST_F(WindowsCommand, AreWhatThePlanOfADayIsMadeOf) {
-  const std::string task = write("peek.yaml", peek(loose));
-  const std::string plan = write("plan.yaml",
-                                 "name: A day\nsite: farm.yaml\nday: 2025-03-05\nvessels: [{id: "
-                                 "boat, crews: 1, speed_kn: 20, hours: 06:00-18:00}]\ncrews: [{id: "
-                                 "blue, skills: [rov], shift: 06:00-18:00}]\nvehicles: [{id: rov1, "
-                                 "kind: rov}]\ntasks: [{task: " +
-                                     task + ", turbines: [T1], vehicles: [rov], skills: [rov]}]\n");
-  const auto planned = [&](Arguments more) {
-    more.insert(more.begin(), {"plan", plan, "--json"});
-    const ProgramResult result = made_->run(more);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    return json::accept(result.out) ? json::parse(result.out) : json();
-  };
-  const json of_forecast = planned({});
-  const std::string file =
-      write("windows.json", answer({"--task", task, "--every", "15min"}).dump());
-  const json of_file = planned({"--windows", file});
-  ASSERT_EQ(of_forecast.at("jobs").size(), 1U) << of_forecast.dump(1);
-  EXPECT_EQ(of_forecast.at("jobs"), of_file.at("jobs"));
 }
 
 }  // namespace

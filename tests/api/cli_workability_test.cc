@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/shared_data.h"
+#include "tests/support/refusal.h"
 #include "tests/support/store_for_tests.h"
 
 namespace slackwater::tests {
@@ -51,13 +52,7 @@ class WorkabilityCommand : public testing::Test {
   /// Told in one line that holds the words, on stderr, and as JSON too.
   void expect_refused(const Arguments& arguments, int exit_code,
                       const std::vector<std::string>& words) const {
-    const ProgramResult result = run(arguments);
-    SCOPED_TRACE(result.err);
-    EXPECT_EQ(result.exit_code, exit_code) << result.out;
-    EXPECT_EQ(result.out, "");
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
-    for (const std::string& word : words)
-      EXPECT_NE(result.err.find(word), std::string::npos) << "does not say " << word;
+    expect_refusal(run(arguments), exit_code, words);
   }
 
   StoreForTests store_;

@@ -1,0 +1,194 @@
+// The morning report: `slackwater report`, and as the end of `slackwater forecast`.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/api/windows_command.h"
+
+namespace slackwater::tests {
+namespace {
+
+std::string plan_of(const std::string& site, const std::string& day = "") {
+  return "name: One look\nsite: " + site + "\n" + day +
+         "vessels:\n  - {id: ctv1, crews: 1, speed_kn: 20, hours: 00:00-24:00}\n"
+         "crews:\n  - {id: blue, skills: [], shift: 00:00-24:00, vessel: ctv1}\n"
+         "vehicles:\n  - {id: rov1, kind: rov, vessel: ctv1}\n"
+         "tasks:\n  - {task: scour_survey, turbines: [T1], vehicles: [rov]}\n";
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The windows' site and forecast; its tasks are asked for by name.
+class ReportCommand : public WindowsCommand {
+ protected:
+  static ProgramResult report(Arguments arguments) {
+    arguments.insert(arguments.begin(), {"report", "--site", path("farm.yaml")});
+    return made_->run(arguments);
+  }
+};
+
+TEST_F(ReportCommand, SaysOnOnePageWhatTheWindowsSay) {
+  write("peek.yaml", peek(loose));
+  write("never.yaml", peek(never));
+  const Arguments tasks{"--task", path("peek.yaml"), "--task", path("never.yaml")};
+  Arguments arguments = tasks;
+  arguments.insert(arguments.end(), {"--html", path("page.html"), "--json"});
+  const ProgramResult made = report(arguments);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const json out = json::parse(made.out);
+  EXPECT_EQ(out.at("schema"), "morning/1");
+  EXPECT_EQ(out.at("day"), "2025-03-05");
+  EXPECT_EQ(out.at("page"), path("page.html"));
+  const json windows = answer(tasks);
+  EXPECT_EQ(out.at("verdict"), windows.at("verdict"));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const json& task = out.at("tasks")[i];
+    EXPECT_EQ(task.at("verdict"), windows.at("tasks")[i].at("verdict"));
+    double best = 0;
+    for (const json& start : windows.at("tasks")[i].at("starts"))
+      best = std::max(best, start.at("probability").get<double>());
+    EXPECT_NEAR(task.at("best").at("probability").get<double>(), best, 1e-6);
+  }
+  const std::string page = read_bytes(path("page.html"));
+  for (const char* part :
+       {"Go for 1 of 2 tasks on Wed 5 Mar; 1 no-go.", "When each task can begin on Wed 5 Mar",
+        "A peek at a pile", "current at most 0.02 m/s", "class=\"go\"", "Its checksum",
+        "Nothing was flown"})
+    EXPECT_TRUE(holds(page, part)) << part;
+  EXPECT_LT(page.find("class=\"verdict go\""), page.find("class=\"verdict nogo\""))
+      << "what can be done comes first";
+  EXPECT_LT(page.find("id=\"gantt\""), page.find("id=\"answer\"")) << "the answer comes first";
+}
+
+TEST_F(ReportCommand, LiesInTheStoreWhereNothingElseIsSaid) {
+  write("peek.yaml", peek(loose));
+  const ProgramResult made = report({"--task", path("peek.yaml"), "--verdict-exit"});
+  EXPECT_EQ(made.exit_code, 10) << made.err;
+  const auto page = made_->store() / "reports" / "here" / "2025-03-05.html";
+  std::vector<std::string> pages;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(made_->store() / "reports"))
+    if (entry.is_regular_file()) pages.push_back(entry.path().string());
+  ASSERT_EQ(pages.size(), 1U);
+  EXPECT_TRUE(holds(pages.front(), "/2025-03-05.html")) << pages.front() << " " << page;
+  EXPECT_TRUE(holds(made.out, pages.front()));
+  EXPECT_LE(std::count(made.out.begin(), made.out.end(), '\n'), 10);
+  EXPECT_TRUE(made.out.starts_with("Go for the task on Wed 5 Mar.")) << made.out;
+}
+
+TEST_F(ReportCommand, HoldsThePlanOfTheDayOrSaysWhyThereIsNone) {
+  const Arguments asked{"--task", "scour_survey", "--html", path("planned.html"), "--json"};
+  Arguments with = asked;
+  with.insert(with.end(), {"--plan", write("plan.yaml", plan_of(path("farm.yaml")))});
+  ProgramResult made = report(with);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  json out = json::parse(made.out);
+  EXPECT_EQ(out.at("plan").at("schema"), "plan/1");
+  EXPECT_EQ(out.at("plan").at("jobs").size() + out.at("plan").at("left").size(), 1U);
+  EXPECT_TRUE(holds(read_bytes(path("planned.html")), "What to do when: One look"));
+
+  with.back() = write("other.yaml", plan_of(path("farm.yaml"), "day: 2025-03-20\n"));
+  made = report(with);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  out = json::parse(made.out);
+  EXPECT_TRUE(out.at("plan").is_null());
+  EXPECT_TRUE(holds(out.at("no_plan"), "2025-03-20")) << out.at("no_plan");
+  EXPECT_TRUE(holds(read_bytes(path("planned.html")), "There is no plan"));
+
+  // That of the site, by where it lies.
+  std::filesystem::create_directories(made_->store() / "plans");
+  const std::string id = out.at("site");
+  write_bytes(made_->store() / "plans" / (id + ".yaml"), plan_of(path("farm.yaml")));
+  EXPECT_FALSE(json::parse(report(asked).out).at("plan").is_null());
+  Arguments none = asked;
+  none.insert(none.end(), {"--plan", "none"});
+  EXPECT_TRUE(json::parse(report(none).out).at("plan").is_null());
+  std::filesystem::remove_all(made_->store() / "plans");
+}
+
+TEST_F(ReportCommand, WithoutChromiumThePageIsWrittenAndSaysWhatToInstall) {
+  write("peek.yaml", peek(loose));
+  const ProgramResult made = run_program(
+      {"--store", made_->store().string(), "report", "--site", path("farm.yaml"), "--task",
+       path("peek.yaml"), "--html", path("alone.html"), "--pdf", path("alone.pdf")},
+      {{"PATH", "/nowhere"}});
+  EXPECT_EQ(made.exit_code, 5);
+  EXPECT_TRUE(holds(made.err, "apt install chromium")) << made.err;
+  EXPECT_TRUE(std::filesystem::exists(path("alone.html")));
+  EXPECT_FALSE(std::filesystem::exists(path("alone.pdf")));
+}
+
+TEST_F(ReportCommand, RefusesWhatItCannotAnswerAndWritesNothing) {
+  const auto refuse = [&](Arguments arguments, int code, const std::vector<std::string>& words) {
+    expect_refusal(report(std::move(arguments)), code, words);
+  };
+  const auto before = made_->digests();
+  refuse({"--task", "no_such_task"}, 4, {"no_such_task"});
+  refuse({}, 2, {"--task", "lists none"});
+  refuse({"--task", "scour_survey", "--html", path("page.pdf")}, 2, {"--html", ".html"});
+  refuse({"--task", "scour_survey", "--pdf", path("page.html")}, 2, {"--pdf", ".pdf"});
+  refuse({"--task", "scour_survey", "--plan", path("nowhere.yaml")}, 4, {"nowhere.yaml"});
+  refuse({"--task", "scour_survey", "--day", "2025-01-01"}, 4, {"2025-01-01"});
+  EXPECT_EQ(made_->digests(), before);
+}
+
+TEST_F(ReportCommand, IsTheEndOfTheDailyJobWhereTheSiteListsTasks) {
+  write_farm("tasked.yaml", "tasks: [scour_survey]\n");
+  ASSERT_EQ(::chmod(made_->file("").c_str(), 0700), 0);
+  const std::string teller =
+      write("tell", "#!/bin/sh\ncat >> " + path("told.json") + "\necho >> " + path("times") + "\n");
+  ASSERT_EQ(::chmod(teller.c_str(), 0700), 0);
+  const std::string config = write("operator.yaml", "hook:\n  command: [" + teller + "]\n");
+  ASSERT_EQ(::chmod(config.c_str(), 0600), 0);
+  const auto forecast = [&](const std::string& at) {
+    return run_program({"--store", made_->store().string(), "forecast", "--site",
+                        path("tasked.yaml"), "--at", at, "--json"},
+                       {{"SLACKWATER_OPERATOR", config}});
+  };
+  const ProgramResult first = forecast("2025-03-04T05:30:00Z");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  const json morning = json::parse(first.out).at("morning");
+  ASSERT_FALSE(morning.is_null()) << first.err;
+  EXPECT_EQ(morning.at("day"), "2025-03-05");
+  EXPECT_TRUE(std::filesystem::exists(morning.at("page").get<std::string>()));
+  json told = json::parse(read_bytes(path("told.json")));
+  EXPECT_EQ(told, morning) << "the hook hears what the answer says";
+  EXPECT_TRUE(holds(first.err, "was told")) << first.err;
+
+  // The same forecast again: nothing is told twice.
+  const ProgramResult again = forecast("2025-03-04T05:30:00Z");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(read_bytes(path("times")), "\n");
+
+  // A file that others can write: the forecast stands, nothing is run.
+  ASSERT_EQ(::chmod(config.c_str(), 0666), 0);
+  const ProgramResult open = forecast("2025-03-04T05:45:00Z");
+  ASSERT_EQ(open.exit_code, 0) << open.err;
+  EXPECT_TRUE(holds(open.err, "writable for others")) << open.err;
+  EXPECT_EQ(read_bytes(path("times")), "\n");
+}
+
+TEST_F(ReportCommand, AForecastTooShortForTheMorningStandsAndSaysSo) {
+  write_farm("tasked.yaml", "tasks: [scour_survey]\n");
+  const ProgramResult made = made_->run({"forecast", "--site", path("tasked.yaml"), "--at",
+                                         "2025-03-04T06:30:00Z", "--horizon", "24h", "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_TRUE(json::parse(made.out).at("morning").is_null());
+  EXPECT_TRUE(holds(made.err, "no morning report")) << made.err;
+}
+
+TEST_F(ReportCommand, NoSiteMissionOrPlanCanNameAHook) {
+  write_farm("hooked.yaml", "tasks: [scour_survey]\nhook: {command: [/bin/true]}\n");
+  expect_refusal(made_->run({"report", "--site", path("hooked.yaml")}), 3, {"hook"});
+  write_farm("plain.yaml", "tasks: [scour_survey]\n");
+  const std::string plan =
+      write("hooked_plan.yaml", plan_of(path("plain.yaml")) + "hook: {command: [/bin/true]}\n");
+  expect_refusal(made_->run({"report", "--site", path("plain.yaml"), "--plan", plan}), 3, {"hook"});
+}
+
+}  // namespace
+}  // namespace slackwater::tests
