@@ -79,6 +79,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "proj-data, tzdata")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gpsd-clients")  # gpsdecode, for AIS alone
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium")  # prints the morning report as a PDF
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Reads each day's Copernicus Marine and weather products, calibrates an
 Ekman-layer model of the current profile at a site, forecasts three days and

@@ -62,7 +62,7 @@ void print_summary(const DemoResult& result, const Means& mean, std::uint64_t se
 
 Morning morning_of_demo(const DemoResult& result, const std::filesystem::path& store_folder) {
   MorningQuestion question;
-  question.windows = plain_question(result.site);
+  question.windows = plain_question(result.site, demo_site_id);
   question.windows.day = result.last.day;
   return morning_of(question, store_folder);
 }

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
-#include "api/cli/output_file.h"
 #include "api/cli/morning_of_forecast.h"
-#include "api/morning/make_morning.h"
+#include "api/cli/output_file.h"
 #include "api/issued/as_issued.h"
+#include "api/morning/make_morning.h"
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/downloads.h"
 #include "api/pipeline/load_site_data.h"
@@ -224,8 +224,11 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   const PastSkill past = verify_past(store, site, data, snapshot, options.wind);
   if (!arguments.html.empty()) write_html(arguments, context, site, job, past);
   MorningDone morning;
-  if (origin == ForecastOrigin::forecast)
-    morning = morning_of_forecast(site, snapshot, arguments.morning, context);
+  if (origin == ForecastOrigin::forecast) {
+    MorningAsked asked = arguments.morning;
+    asked.site = arguments.site;
+    morning = morning_of_forecast(site, snapshot, asked, context);
+  }
   std::fputs(morning.notes.c_str(), stderr);
   if (context.json) {
     json out = json::parse(job.summary_json);

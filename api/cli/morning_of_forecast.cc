@@ -26,7 +26,7 @@ std::optional<FlyWindows> flights_of(const MorningAsked& asked) {
 MadeMorning make(const Site& site, const Snapshot& snapshot, const MorningAsked& asked,
                  const Context& context) {
   MakeMorning how;
-  how.question.windows = plain_question(site);
+  how.question.windows = plain_question(site, asked.site);
   how.question.windows.day = snapshot.day;
   how.question.plan = plan_of_site(site.id, context.store_folder);
   how.fly = flights_of(asked);

@@ -13,6 +13,7 @@ namespace slackwater::api {
 
 /// What `forecast` was asked for beside its forecast.
 struct MorningAsked {
+  std::string site;     ///< as it was named
   std::string fly;      ///< for how long; empty: nothing is flown
   bool is_pdf = false;  ///< beside the page
 };

@@ -38,52 +38,51 @@ AlphaPractice practice_of(const std::vector<std::string>& named, const Site& sit
 void add_windows_options(CLI::App& command, WindowsArguments& arguments) {
   command.add_option("--site", arguments.site, "id, or path of a site file")->required();
   command.add_option("--day", arguments.day,
-                      "day D of the forecast (default: the one in force); starts are those of the "
-                      "first full UTC day after its issue");
-  command.add_option("--forecast", arguments.forecast,
-                      "a forecast's file instead of the store's");
+                     "day D of the forecast (default: the one in force); starts are those of the "
+                     "first full UTC day after its issue");
+  command.add_option("--forecast", arguments.forecast, "a forecast's file instead of the store's");
   command.add_option("--task", arguments.tasks,
-                      "id of data/tasks or a file, as often as wanted (default: the site's)");
+                     "id of data/tasks or a file, as often as wanted (default: the site's)");
   command.add_option("--turbine", arguments.turbines,
-                      "where (default: the first that the task can be done at)");
+                     "where (default: the first that the task can be done at)");
   command.add_option("--from", arguments.from, "first start, UTC time");
   command.add_option("--to", arguments.to, "starts before this, UTC time");
   command.add_option("--every", arguments.every, "from one start to the next (default 30min)");
   command.add_option("--contingency", arguments.contingency,
-                      "beyond the planned time, e.g. 1h (default: the task sheet's)");
+                     "beyond the planned time, e.g. 1h (default: the task sheet's)");
   command.add_option("--members", arguments.members, "futures (default: all that were issued)")
       ->check(CLI::Range(1, 100000));
   command
       .add_option("--waves", arguments.waves,
-                   "error: each future's waves err as forecasts do (default); forecast: all have "
-                   "the forecast's")
+                  "error: each future's waves err as forecasts do (default); forecast: all have "
+                  "the forecast's")
       ->check(CLI::IsMember({"error", "forecast"}));
   command.add_option("--assume", arguments.assume,
-                      "what no forecast serves, e.g. visibility_m=5000");
+                     "what no forecast serves, e.g. visibility_m=5000");
   command.add_option("--light", arguments.light,
-                      "sun_up, civil or nautical: the task is done in that light");
+                     "sun_up, civil or nautical: the task is done in that light");
   command.add_option("--shift", arguments.shift, "06:00-18:00: the task is done in these hours");
   command.add_option(
       "--timezone,--zone", arguments.zone,
       "of the shift and the table, e.g. Europe/Paris (default: the site's, else UTC)");
   command.add_option("--alpha", arguments.alpha,
-                      "FILE.yaml of factors, as often as wanted, or: errors, worked out from those "
-                      "of the site's wave forecasts (default: DNV-OS-H101 table 4-1)");
+                     "FILE.yaml of factors, as often as wanted, or: errors, worked out from those "
+                     "of the site's wave forecasts (default: DNV-OS-H101 table 4-1)");
   command
       .add_option("--alpha-from", arguments.period_from,
-                   "issue or start: from when the planned period of alpha counts (default issue)")
+                  "issue or start: from when the planned period of alpha counts (default issue)")
       ->check(CLI::IsMember({"issue", "start"}));
   command.add_option("--fly", arguments.fly,
-                      "fly the starts that the limits leave open too, for so long at most, e.g. "
-                      "15min: the twin's probability of success with its reserve");
+                     "fly the starts that the limits leave open too, for so long at most, e.g. "
+                     "15min: the twin's probability of success with its reserve");
   command.add_option("--fly-every", arguments.fly_every,
-                      "from one start that is flown to the next (default 1h)");
+                     "from one start that is flown to the next (default 1h)");
   command.add_option("--go", arguments.go, "P of a start that is a go (default 0.9)")
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--marginal", arguments.marginal, "P of a marginal one (default 0.5)")
       ->check(CLI::Range(0.0, 1.0));
   command.add_flag("--verdict-exit", arguments.verdict_exit,
-                    "exit with 10 for go, 11 for marginal, 12 for no-go");
+                   "exit with 10 for go, 11 for marginal, 12 for no-go");
   command.add_option("--threads", arguments.threads, "1 to 64 (default: one a core)")
       ->check(CLI::Range(1, 64));
 }
@@ -130,9 +129,9 @@ std::optional<FlyWindows> flights_wanted(const WindowsArguments& arguments) {
   return settings;
 }
 
-WindowsQuestion plain_question(const Site& site) {
+WindowsQuestion plain_question(const Site& site, const std::string& named) {
   WindowsQuestion question;
-  question.site = site.id;
+  question.site = named;
   question.zone = site.time_zone;
   question.practice = AlphaPractice::of_tables({});
   question.threads = cores();

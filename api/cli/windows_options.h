@@ -34,7 +34,8 @@ void add_windows_options(CLI::App& command, WindowsArguments& arguments);
 [[nodiscard]] std::optional<FlyWindows> flights_wanted(const WindowsArguments& arguments);
 
 /// The question about a site's own tasks where nothing else was said.
-[[nodiscard]] WindowsQuestion plain_question(const Site& site);
+/// @param named  as it was named: its id, or the path of its file
+[[nodiscard]] WindowsQuestion plain_question(const Site& site, const std::string& named);
 
 /// 10 for go, 11 for marginal, 12 for no-go.
 [[nodiscard]] int exit_code_of(twin::Verdict verdict) noexcept;

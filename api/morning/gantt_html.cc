@@ -35,9 +35,9 @@ std::string box(const char* kind, double left, double width, double height) {
 /// Where the sun is down, behind the columns.
 std::string nights(const Morning& morning, const Across& across) {
   const WindowsAnswer& windows = morning.windows;
-  const StepClock clock{windows.from, std::chrono::minutes(10),
-                        static_cast<std::size_t>((windows.to - windows.from) /
-                                                 std::chrono::minutes(10))};
+  const StepClock clock{
+      windows.from, std::chrono::minutes(10),
+      static_cast<std::size_t>((windows.to - windows.from) / std::chrono::minutes(10))};
   const twin::StepRanges light =
       twin::light_steps(clock, windows.water.surround.site, twin::Light::sun_up);
   std::string html;
@@ -64,7 +64,7 @@ std::string columns(const Morning& morning, const TaskWindows& task, const Acros
   std::string html;
   for (const TaskStart& start : task.starts) {
     if (!start.forbidden.empty()) continue;
-    html += box(kind_of(start.probability, morning.question.windows.rule),
+    html += box(kind_of(worth_of(start), morning.question.windows.rule),
                 across.percent(start.start), width, 100 * start.probability);
     if (start.twin)
       html += formatted("<b class=\"flown\" style=\"left:{:.2f}%;bottom:{:.0f}%\"></b>",
@@ -114,8 +114,8 @@ std::string gantt_html(const Morning& morning) {
   const Across across(morning);
   const std::string behind = nights(morning, across);
   std::string html = "<section id=\"gantt\"><h2>When each task can begin on " +
-                     escaped_html(date_text(morning.windows.from)) +
-                     "</h2><div class=\"scale\">" + hours(morning, across) + "</div><ol>\n";
+                     escaped_html(date_text(morning.windows.from)) + "</h2><div class=\"scale\">" +
+                     hours(morning, across) + "</div><ol>\n";
   for (const TaskWindows* task : by_verdict(morning)) html += row(morning, *task, across, behind);
   html += "</ol><p class=\"note\">" + escaped_html(rules_text(morning)) + "</p></section>\n";
   return html;

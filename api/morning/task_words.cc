@@ -25,7 +25,7 @@ std::string starts_from(const TaskWindows& task, double least, const PageClock& 
   std::vector<std::string> parts;
   for (std::size_t first = 0; first < task.starts.size(); ++first) {
     const auto is_open = [&](std::size_t i) {
-      return task.starts[i].forbidden.empty() && task.starts[i].probability >= least;
+      return task.starts[i].forbidden.empty() && worth_of(task.starts[i]) >= least;
     };
     if (!is_open(first)) continue;
     std::size_t last = first;
@@ -64,10 +64,10 @@ std::string best_line(const Morning& morning, const TaskWindows& task, const Pag
   text += clock.clock(best->start) + ": " + percent(best->probability) +
           formatted(" ({:.0f} to {:.0f})", 100 * best->interval.low, 100 * best->interval.high);
   const bool stops = task.windows.empty();
-  return text + (stops ? ". What stops it: "
-                 : best->chance.binding && best->chance.binding->is_exceeded
-                     ? ". What threatens it: "
-                     : ". What comes nearest: ") +
+  return text +
+         (stops                                                       ? ". What stops it: "
+          : best->chance.binding && best->chance.binding->is_exceeded ? ". What threatens it: "
+                                                                      : ". What comes nearest: ") +
          binding_text(task, *best, futures_of(morning), times) + ".";
 }
 
@@ -81,11 +81,11 @@ std::string flown_line(const TaskWindows& task, const PageClock& clock) {
     flights += start.twin ? start.twin->flights : 0;
   }
   const TwinChance& twin = *best->twin;
-  std::string text =
-      formatted("Flown {} times at {} starts; best ", flights, flown) + clock.clock(best->start) +
-      formatted(", {} of {} done ({:.0f} to {:.0f} %)",
-                std::lround(twin.probability * static_cast<double>(twin.flights)), twin.flights,
-                100 * twin.interval.low, 100 * twin.interval.high);
+  std::string text = formatted("Flown {} times at {} starts; best ", flights, flown) +
+                     clock.clock(best->start) +
+                     formatted(", {} of {} done ({:.0f} to {:.0f} %)",
+                               std::lround(twin.probability * static_cast<double>(twin.flights)),
+                               twin.flights, 100 * twin.interval.low, 100 * twin.interval.high);
   const auto low = quantile_of(twin.duration_s, 0.1), middle = quantile_of(twin.duration_s, 0.5),
              high = quantile_of(twin.duration_s, 0.9);
   if (low && middle && high)
@@ -99,13 +99,13 @@ std::string flown_line(const TaskWindows& task, const PageClock& clock) {
 std::string rule_line(const TaskWindows& task, const PageClock& clock) {
   const auto starts = [&](const std::vector<twin::StartWindow>& windows) {
     std::vector<std::string> parts;
-    for (const twin::StartWindow& window : windows)
-      parts.push_back(run_text(task, window, clock));
+    for (const twin::StartWindow& window : windows) parts.push_back(run_text(task, window, clock));
     return parts.empty() ? std::string("no start") : joined(parts, ", ");
   };
   std::string text = "The central forecast alone: " + starts(task.by_threshold);
-  return text + (task.by_alpha ? "; with the margins of practice: " + starts(*task.by_alpha)
-                               : "; practice says nothing: " + task.no_alpha) +
+  return text +
+         (task.by_alpha ? "; with the margins of practice: " + starts(*task.by_alpha)
+                        : "; practice says nothing: " + task.no_alpha) +
          ".";
 }
 

@@ -62,6 +62,7 @@ void fly_task(const WindowsQuestion& question, const FlyWindows& settings, doubl
   const Rehearsal flown = rehearse(mission.scenario, answer.water.surround, plan);
   for (std::size_t i = 0; i < starts.size(); ++i)
     task.starts[starts[i]].twin = chance_of(flown.starts[i], mission.consequences);
+  task.verdict = twin::verdict_of(worth_of(*best_of(task)), question.rule);
 }
 
 }  // namespace
@@ -75,6 +76,7 @@ void fly_windows(const WindowsQuestion& question, const FlyWindows& settings,
         settings.most_wall_s - std::chrono::duration<double>(Clock::now() - began).count();
     const double share_s = std::max(left_s, 1.0) / static_cast<double>(answer.tasks.size() - i);
     fly_task(question, settings, share_s, store_folder, answer, answer.tasks[i]);
+    answer.verdict = std::max(answer.verdict, answer.tasks[i].verdict);
     if (on_progress)
       on_progress(static_cast<double>(i + 1) / static_cast<double>(answer.tasks.size()));
   }

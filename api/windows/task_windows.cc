@@ -217,7 +217,7 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
   else if (out.no_alpha.empty())
     out.no_alpha = "it has no factor for any of the limits";
   const TaskStart* best = best_of(out);
-  out.verdict = twin::verdict_of(best == nullptr ? 0 : best->probability, question.rule);
+  out.verdict = twin::verdict_of(best == nullptr ? 0 : worth_of(*best), question.rule);
 }
 
 }  // namespace

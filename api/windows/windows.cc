@@ -1,6 +1,7 @@
 #include "api/windows/windows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "api/program/paths.h"
 #include "api/windows/task_windows.h"
@@ -59,10 +60,17 @@ bool choose_span(const WindowsQuestion& question, const Field& field, SharedOutl
 
 }  // namespace
 
+double worth_of(const TaskStart& start) {
+  if (!start.twin || start.twin->flights < flights_that_count) return start.probability;
+  const auto done = static_cast<std::size_t>(
+      std::lround(start.twin->probability * static_cast<double>(start.twin->flights)));
+  return std::min(start.probability, twin::next_success(done, start.twin->flights));
+}
+
 const TaskStart* best_of(const TaskWindows& task) {
   const TaskStart* best = nullptr;
   for (const TaskStart& start : task.starts)
-    if (best == nullptr || start.chance.held > best->chance.held) best = &start;
+    if (best == nullptr || worth_of(start) > worth_of(*best)) best = &start;
   return best;
 }
 

@@ -97,7 +97,7 @@ struct TaskWindows {
   std::vector<twin::StartWindow> by_threshold;             ///< where the central forecast allows
   std::optional<std::vector<twin::StartWindow>> by_alpha;  ///< absent: practice says nothing
   std::string no_alpha;                                    ///< why
-  twin::Verdict verdict = twin::Verdict::no_go;
+  twin::Verdict verdict = twin::Verdict::no_go;            ///< of the start that is worth most
 };
 
 struct WindowsAnswer {
@@ -119,7 +119,12 @@ struct WindowsAnswer {
 [[nodiscard]] WindowsAnswer windows_of(const WindowsQuestion& question,
                                        const std::filesystem::path& store_folder);
 
-/// The start that most members keep, the first of them; nothing where there is no start.
+/// What a start is worth to whoever decides: the chance that all limits hold, or less where enough
+/// of its flights (`flights_that_count`) failed.
+[[nodiscard]] double worth_of(const TaskStart& start);
+inline constexpr std::size_t flights_that_count = 9;
+
+/// The start that is worth most, the first of them; nothing where there is no start.
 [[nodiscard]] const TaskStart* best_of(const TaskWindows& task);
 
 }  // namespace slackwater::api

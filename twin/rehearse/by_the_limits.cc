@@ -32,11 +32,12 @@ LimitsSay by_the_limits(const Scenario& mission, const Surround& surround, UtcTi
       if (only_a_run_shows(limit.variable)) continue;
       for (std::size_t p = 0; p < phase_count; ++p) {
         const auto phase = static_cast<Phase>(p);
-        const auto place_m = place_in(agent_start_m, agent.mission, phase);
-        if (!limit.phases.has(phase) || !place_m) continue;
+        if (!limit.phases.has(phase)) continue;
+        const auto places_m = places_in(agent_start_m, agent.mission, phase);
+        if (places_m.empty()) continue;
         AgentState there = ready.states[i];
         for (double t_s = 0; t_s <= mission.duration_s; t_s += look_every_s) {
-          const double value = value_at(limit, agent, *place_m, t_s, there);
+          const double value = worst_at(limit, agent, places_m, t_s, there);
           if (std::isnan(value)) continue;
           const double share = limit.share(value);
           if (!limit.holds(value)) say.allows = false;

@@ -16,7 +16,7 @@ struct LimitsSay {
 };
 
 /// Looks every ten minutes over the length of the mission, at the place of each phase
-/// (`place_in`). Limits on what only a run can show (the motion of a deck) are left out.
+/// (`places_in`). Limits on what only a run can show (the motion of a deck) are left out.
 /// @param workers  whose limits count; none: those of all
 /// @throws Error(invalid_input) as `set_up`
 [[nodiscard]] LimitsSay by_the_limits(const Scenario& mission, const Surround& surround,

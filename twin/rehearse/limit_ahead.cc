@@ -45,6 +45,14 @@ double value_at(const Limit& limit, const Agent& agent, const Triple<double>& pl
   return value_of(limit, agent, t_s, there);
 }
 
+double worst_at(const Limit& limit, const Agent& agent, const std::vector<Triple<double>>& places_m,
+                double t_s, AgentState& there) {
+  double worst = value_at(limit, agent, places_m.front(), t_s, there);
+  for (std::size_t i = 1; i < places_m.size(); ++i)
+    worst = worse_of(limit, worst, value_at(limit, agent, places_m[i], t_s, there));
+  return worst;
+}
+
 std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
                                      const StepClock& clock, std::size_t members,
                                      const WaveFutures* waves) {
@@ -57,9 +65,9 @@ std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
     if (only_a_run_shows(limits[i].variable)) continue;
     for (std::size_t p = 0; p < phase_count; ++p) {
       const auto phase = static_cast<Phase>(p);
-      const auto place_m = place_in(start_m, planned.mission, phase);
-      if (!limits[i].phases.has(phase) || !place_m) continue;
-      LimitAhead ahead{agent, i, phase, *place_m, {}};
+      if (!limits[i].phases.has(phase)) continue;
+      LimitAhead ahead{agent, i, phase, places_in(start_m, planned.mission, phase), {}};
+      if (ahead.places_m.empty()) continue;
       ahead.members.resize(has_members(limits[i].variable, waves) ? members : 1);
       all.push_back(std::move(ahead));
     }
@@ -76,7 +84,7 @@ std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
       const Limit& limit = limits[ahead.limit];
       const auto value = [&](std::size_t i) {
         const double t_s = first_s + static_cast<double>(i) * step_s;
-        const double found = value_at(limit, living, ahead.place_m, t_s, there);
+        const double found = worst_at(limit, living, ahead.places_m, t_s, there);
         const bool is_spread =
             waves != nullptr && limit.variable == LimitVariable::significant_wave_height;
         return is_spread ? waves->height_m(m, found, clock.time_of(i)) : found;

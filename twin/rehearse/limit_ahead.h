@@ -14,19 +14,23 @@ namespace slackwater::twin {
 /// @param there  scratch: a state of the agent; its position is set
 [[nodiscard]] double value_at(const Limit& limit, const Agent& agent, const Triple<double>& place_m,
                               double t_s, AgentState& there);
+/// The worst of it at some places; what nobody knows is the worst.
+[[nodiscard]] double worst_at(const Limit& limit, const Agent& agent,
+                              const std::vector<Triple<double>>& places_m, double t_s,
+                              AgentState& there);
 
-/// The values of one limit over the steps of a grid, at the place of one phase.
+/// The values of one limit over the steps of a grid, at the places of one phase.
 struct LimitAhead {
   std::size_t agent = 0;  ///< of the run
   std::size_t limit = 0;  ///< of its conduct
   Phase phase = Phase::work;
-  Triple<double> place_m;
+  std::vector<Triple<double>> places_m;
   /// By member; one where all members have the same.
   std::vector<std::vector<double>> members;
 };
 
-/// Reads the limits of a vehicle, each at the place of each of its phases (`place_in`), in every
-/// member. The value of a step is the worse of those at its two ends: between its stamps a forecast
+/// Reads the limits of a vehicle, each at the places of each of its phases (`places_in`), in every
+/// member. The value of a step is the worst of those at its two ends and at all of the places: between its stamps a forecast
 /// is linear, so that speeds and heights are nowhere worse in between. Limits that only a run can
 /// show are left out.
 /// @param ready    set up at the first time of the clock, in any member

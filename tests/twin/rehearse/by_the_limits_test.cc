@@ -76,6 +76,22 @@ TEST(ByTheLimits, ForbidWhatIsDoneBeforeTheyAreExceeded) {
   EXPECT_LT(flight.ended_s, 3600);
 }
 
+TEST(ByTheLimits, OfAWayDownCountTheStreamThatItBeginsIn) {
+  // Fast above, slow where the work is and half way down to it.
+  const twin::Scenario mission = scour("{}");
+  twin::Surround surround = water_of(mission, 1);
+  auto snapshot = std::make_shared<Snapshot>(surround.field->snapshot());
+  for (ForecastColumn& column : snapshot->columns)
+    for (std::size_t i = 0; i < column.current_m_s.size(); ++i)
+      if (snapshot->depth_m[i % snapshot->depth_m.size()] < 1) column.current_m_s[i] *= 4;
+  surround.field = std::make_shared<Field>(std::move(snapshot));
+  const twin::LimitsSay say = twin::by_the_limits(mission, surround, start, {});
+  EXPECT_FALSE(say.allows) << say.binding << " " << say.share;
+  const twin::Flight flight = flown(mission, surround);
+  EXPECT_FALSE(flight.is_done);
+  EXPECT_NE(flight.stopped_by.find("current at most 0.5"), std::string::npos) << flight.stopped_by;
+}
+
 TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {
   // From 0.2 to 2.8 m/s in four hours: 0.5 m/s after half an hour.
   const twin::Scenario slow = scour("{speed_m_s: 0.15, state_of_charge: 0.8}");
