@@ -12,8 +12,8 @@ namespace {
 using nlohmann::json;
 
 /// Flies the starts that are left open, for as long as was asked for.
-void fly_within(const FlyWindows& settings, const WindowsQuestion& question,
-                const Context& context, WindowsAnswer& answer) {
+void fly_within(const FlyWindows& settings, const WindowsQuestion& question, const Context& context,
+                WindowsAnswer& answer) {
   if (!context.json) std::fputs(windows_text(question, answer).c_str(), stderr);
   ProgressBar progress("flying " + answer.site_name, context.json);
   fly_windows(question, settings, context.store_folder, answer,

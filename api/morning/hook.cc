@@ -38,8 +38,8 @@ std::string tell_hook(const Hook& hook, const std::filesystem::path& folder, std
   try {
     const ProgramEnd end = run_program(hook.command, verdict, hook.limit);
     if (end.is_out_of_time)
-      return name + formatted(" was stopped after {:g} s",
-                              static_cast<double>(hook.limit.count()) / 1000);
+      return name +
+             formatted(" was stopped after {:g} s", static_cast<double>(hook.limit.count()) / 1000);
     if (end.exit_code == 0) return name + " was told";
     const std::string said = end.err.substr(0, end.err.find('\n'));
     return name + formatted(" failed with exit code {}", end.exit_code) +

@@ -34,8 +34,8 @@ KnownForecast known_of(const Morning& morning, const Site& site,
     const SiteData data =
         load_site_data(store, site, UtcTime(snapshot.day) - days(14) - calibration::history_wanted,
                        snapshot.issued);
-    known.past = verify_past(store, site, data, snapshot,
-                             snapshot.wind_policy.value_or(WindPolicy::best));
+    known.past =
+        verify_past(store, site, data, snapshot, snapshot.wind_policy.value_or(WindPolicy::best));
   });
   if (failure) known.past.verified = "Not verified: " + failure->why;
   return known;
@@ -78,10 +78,9 @@ MadeMorning make_morning(const MakeMorning& how, const Site& site,
   MadeMorning made;
   made.morning = morning_of(how.question, store_folder);
   made.known = known_of(made.morning, site, store_folder);
-  made.html = !how.html.empty()
-                  ? how.html
-                  : reports_folder(store_folder, site.id) /
-                        (format_day(day_of(made.morning.windows.from)) + ".html");
+  made.html = !how.html.empty() ? how.html
+                                : reports_folder(store_folder, site.id) /
+                                      (format_day(day_of(made.morning.windows.from)) + ".html");
   write(made, site, how.generated);
   if (!how.fly) return made;
   if (how.on_first_page) how.on_first_page(made);

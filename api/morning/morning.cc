@@ -56,9 +56,9 @@ std::size_t futures_of(const Morning& morning) {
 std::vector<const TaskWindows*> by_verdict(const Morning& morning) {
   std::vector<const TaskWindows*> tasks;
   for (const TaskWindows& task : morning.windows.tasks) tasks.push_back(&task);
-  std::stable_sort(
-      tasks.begin(), tasks.end(),
-      [](const TaskWindows* a, const TaskWindows* b) { return a->verdict < b->verdict; });
+  std::stable_sort(tasks.begin(), tasks.end(), [](const TaskWindows* a, const TaskWindows* b) {
+    return a->verdict < b->verdict;
+  });
   return tasks;
 }
 

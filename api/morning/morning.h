@@ -32,8 +32,8 @@ struct Morning {
   std::string no_plan;  ///< why one that was asked for could not be made; else empty
 };
 
-/// The windows of a site's tasks and its plan. A plan that cannot be made is told, and takes nothing
-/// from the windows.
+/// The windows of a site's tasks and its plan. A plan that cannot be made is told, and takes
+/// nothing from the windows.
 /// @throws as `windows_of`; Error(not_found), Error(invalid_input) for a plan's file that cannot be
 ///         read
 [[nodiscard]] Morning morning_of(const MorningQuestion& question,

@@ -108,13 +108,11 @@ std::string morning_text(const Morning& morning) {
             joined(task.turbines, ", ") + ": " +
             best_text(task, [&](UtcTime time) { return clock.clock(time); });
     if (task.verdict != twin::Verdict::go && best != nullptr)
-      text += "; " + binding_text(task, *best, futures_of(morning), [&](UtcTime time) {
-                return clock.clock(time);
-              });
+      text += "; " + binding_text(task, *best, futures_of(morning),
+                                  [&](UtcTime time) { return clock.clock(time); });
     text += "\n";
   }
-  if (shown < tasks.size())
-    text += formatted("  and {} more, none better\n", tasks.size() - shown);
+  if (shown < tasks.size()) text += formatted("  and {} more, none better\n", tasks.size() - shown);
   return text;
 }
 

@@ -31,9 +31,10 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
   const calibration::SkillEntry& of = trust.front().verdict.forecast.of;
   ReportTable table;
   table.title = "The last forecast against what came: that of " + date_text(of.issued);
-  table.note = "Root mean square error over its first day. A rival is a naive forecast that knew no "
-               "more: the last value held, the same hour of the day before, a tide, a slab of water "
-               "pushed by the wind.";
+  table.note =
+      "Root mean square error over its first day. A rival is a naive forecast that knew no more: "
+      "the last value held, the same hour of the day before, a tide, a slab of water pushed by the "
+      "wind.";
   table.columns = {"What", "Forecast", "Best naive rival", "Rival's error", "Better", "Against"};
   for (const Trust& of_variable : trust) {
     const calibration::Verdict& verdict = of_variable.verdict;
@@ -111,14 +112,12 @@ ReportInput morning_page(const Morning& morning, const ForecastPage& forecast) {
   page.title = "Go or no-go: " + morning.windows.site_name;
   page.headline = headline_of(morning);
   const WindPolicy wind = forecast.forecast->wind_policy.value_or(WindPolicy::best);
-  page.decisions_html =
-      gantt_html(morning) + notes_html(morning) + plan_html(morning);
+  page.decisions_html = gantt_html(morning) + notes_html(morning) + plan_html(morning);
   page.answer.emplace_back("The forecast", of_forecast);
   std::erase_if(page.answer, [](const auto& line) { return line.first == "How good it was"; });
   page.answer.emplace_back("Trust", trust_text(trust_of(forecast.skill, wind)));
   page.after_plots_html =
-      risks_html(morning) +
-      yesterday_html(trust_of(newest_day_of(forecast.skill, wind), wind));
+      risks_html(morning) + yesterday_html(trust_of(newest_day_of(forecast.skill, wind), wind));
   add_provenance(morning, page);
   return page;
 }

@@ -39,8 +39,8 @@ Hook read_hook(const Config& config) {
   if (!config.is_list("command") || hook.command.empty())
     config.refuse("command", "expected a list: the path of a program, then its arguments");
   if (!fs::path(hook.command.front()).is_absolute())
-    config.refuse("command", "found " + hook.command.front() +
-                                 ", expected the absolute path of a program");
+    config.refuse("command",
+                  "found " + hook.command.front() + ", expected the absolute path of a program");
   if (const auto limit_s = config.optional_number("time_limit_s", {0.1, 600}))
     hook.limit = std::chrono::milliseconds(std::llround(1000 * *limit_s));
   return hook;

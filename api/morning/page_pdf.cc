@@ -67,9 +67,13 @@ void print_page(const fs::path& page, const fs::path& pdf) {
   const Scratch scratch;
   const fs::path printed = scratch.folder / "page.pdf";
   // Root may not use its sandbox. The page is our own, and it opens nothing else.
-  std::vector<std::string> command{program.string(), "--headless=new", "--disable-gpu",
-                                   "--no-pdf-header-footer", "--disable-dev-shm-usage",
-                                   "--virtual-time-budget=10000", "--host-resolver-rules=MAP * ~NOTFOUND",
+  std::vector<std::string> command{program.string(),
+                                   "--headless=new",
+                                   "--disable-gpu",
+                                   "--no-pdf-header-footer",
+                                   "--disable-dev-shm-usage",
+                                   "--virtual-time-budget=10000",
+                                   "--host-resolver-rules=MAP * ~NOTFOUND",
                                    "--user-data-dir=" + (scratch.folder / "profile").string(),
                                    "--print-to-pdf=" + printed.string()};
   if (::geteuid() == 0) command.emplace_back("--no-sandbox");
@@ -90,8 +94,7 @@ void print_page(const fs::path& page, const fs::path& pdf) {
     std::error_code ignored;
     fs::remove(part, ignored);
     throw Error(ErrorKind::unavailable, "writing " + pdf.string() + " failed (" +
-                                            failure.message() +
-                                            "); a writable place was expected");
+                                            failure.message() + "); a writable place was expected");
   }
 }
 

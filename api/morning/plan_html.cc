@@ -34,11 +34,10 @@ std::string jobs_html(const MorningPlan& made, const PlanClock& clock) {
   for (const Assignment& one : made.answer.plan.assignments) {
     std::vector<std::string> vehicles;
     for (const std::size_t k : one.vehicles) vehicles.push_back(problem.vehicles[k].id);
-    table.rows.push_back({clock(begin_of(problem, one), end_of(problem, one)),
-                          problem.jobs[one.job].id,
-                          formatted("{:.0f} %", 100 * start_of(problem, one).probability),
-                          problem.vessels[one.vessel].id, problem.crews[one.crew].id,
-                          joined(vehicles, ", ")});
+    table.rows.push_back(
+        {clock(begin_of(problem, one), end_of(problem, one)), problem.jobs[one.job].id,
+         formatted("{:.0f} %", 100 * start_of(problem, one).probability),
+         problem.vessels[one.vessel].id, problem.crews[one.crew].id, joined(vehicles, ", ")});
   }
   return table_html(table);
 }

@@ -29,8 +29,8 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
   Pipe() {
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw Error(ErrorKind::unavailable, std::string("no pipe to another program: ") +
-                                              std::strerror(errno));
+      throw Error(ErrorKind::unavailable,
+                  std::string("no pipe to another program: ") + std::strerror(errno));
   }
   ~Pipe() {
     close(0);
@@ -63,9 +63,9 @@ pid_t start(const std::vector<std::string>& command, const Pipe& in, const Pipe&
   ::posix_spawnattr_setpgroup(&attributes, 0);
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setsigdefault(&attributes, &all);
-  ::posix_spawnattr_setflags(&attributes, static_cast<short>(POSIX_SPAWN_SETPGROUP |
-                                                             POSIX_SPAWN_SETSIGMASK |
-                                                             POSIX_SPAWN_SETSIGDEF));
+  ::posix_spawnattr_setflags(
+      &attributes,
+      static_cast<short>(POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
   pid_t child = -1;
   const int failure =
       ::posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environ);

@@ -92,7 +92,7 @@ struct ReportInput {
   std::string skill_note;            ///< what was scored against what
   std::vector<UtcTime> series_time;  ///< of all series
   std::vector<ReportSeries> series;
-  std::string series_note;  ///< what lines and bands are; empty: the page's own words
+  std::string series_note;       ///< what lines and bands are; empty: the page's own words
   std::string after_plots_html;  ///< before the tables, escaped already; may be empty
   std::vector<ReportTable> tables;
   std::string folded_title;         ///< of the part that is folded away

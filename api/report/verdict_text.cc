@@ -49,8 +49,8 @@ std::string pairs_text(const calibration::Verdict& verdict) {
 std::string baseline_text(const calibration::Verdict& verdict) {
   if (!verdict.best) return {};
   const calibration::BestBaseline& best = *verdict.best;
-  std::string text = "best baseline " + std::string(name_of(best.method)) +
-                     formatted(" {:.3f} m/s", best.rmse);
+  std::string text =
+      "best baseline " + std::string(name_of(best.method)) + formatted(" {:.3f} m/s", best.rmse);
   if (best.pairs < verdict.forecast.score.pairs) {
     text += formatted(" (over {} of these pairs, there the forecast has {:.3f} m/s)", best.pairs,
                       best.forecast_rmse);

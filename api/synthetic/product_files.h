@@ -63,8 +63,8 @@ std::filesystem::path write_wind_analysis(const SyntheticOcean& ocean, UtcDay fi
 std::filesystem::path write_wind_forecast(const SyntheticOcean& ocean, UtcTime issued, int hours,
                                           const std::filesystem::path& folder);
 
-/// FOLDER/synthetic.yaml: the site with its name, place and water depth, a made-up farm of two turbines
-/// and the tasks that are done there.
+/// FOLDER/synthetic.yaml: the site with its name, place and water depth, a made-up farm of two
+/// turbines and the tasks that are done there.
 std::filesystem::path write_site_yaml(const SyntheticOcean& ocean,
                                       const std::filesystem::path& folder);
 

@@ -7,8 +7,8 @@
 namespace slackwater::api {
 namespace {
 
-/// A made-up farm about the site: sizes are those of the NREL 5 MW reference turbine (Jonkman et al.
-/// 2009) on a monopile of 6 m; nothing of it stands there.
+/// A made-up farm about the site: sizes are those of the NREL 5 MW reference turbine (Jonkman et
+/// al. 2009) on a monopile of 6 m; nothing of it stands there.
 std::string farm_yaml(const GeoPoint& site) {
   const auto place = [&](double north_deg, double east_deg) {
     std::ostringstream out;
@@ -21,10 +21,15 @@ std::string farm_yaml(const GeoPoint& site) {
          "landing_deg: 180\n"
          "foundation: {kind: monopile, diameter_m: 6, top_height_m: 20}\n"
          "turbines:\n"
-         "  - {id: A01, " + place(0, 0) + "}\n"
-         "  - {id: A02, " + place(0.0009, 0.0095) + "}\n"
+         "  - {id: A01, " +
+         place(0, 0) +
+         "}\n"
+         "  - {id: A02, " +
+         place(0.0009, 0.0095) +
+         "}\n"
          "cables:\n"
-         "  - {id: A01-A02, from: A01, to: A02, via: [{" + place(0.0003, 0.005) +
+         "  - {id: A01-A02, from: A01, to: A02, via: [{" +
+         place(0.0003, 0.005) +
          "}], burial_depth_m: 1}\n"
          "tasks: [blade_scan, tower_tp_check, scour_survey, cp_anode, cable_burial, biofouling, "
          "access_window, mob_drill]\n";

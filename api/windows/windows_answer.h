@@ -10,8 +10,8 @@ namespace slackwater::api {
 /// For programs: api/docs/json.md has the schema.
 [[nodiscard]] nlohmann::json windows_json(const WindowsQuestion& question,
                                           const WindowsAnswer& answer);
-/// What stops a start, or comes nearest to it: "surveyor: current at most 0.5 m/s, exceeded at 09:10
-/// in 20 of 25 futures (forecast up to 118 % of it)".
+/// What stops a start, or comes nearest to it: "surveyor: current at most 0.5 m/s, exceeded at
+/// 09:10 in 20 of 25 futures (forecast up to 118 % of it)".
 /// @param clock  how people read a time
 [[nodiscard]] std::string binding_text(const TaskWindows& task, const TaskStart& start,
                                        std::size_t members,

@@ -99,8 +99,7 @@ std::optional<Verdict> verdict_of(const std::vector<SkillEntry>& entries, WindPo
   std::map<Method, ErrorsByPair> errors;
   for (const SkillEntry& e : judged) {
     if (e.forecast_rmse && e.method != Method::forecast)
-      errors[e.method].try_emplace({e.site, e.day},
-                                   PairErrors{rmse_of(e), *e.forecast_rmse});
+      errors[e.method].try_emplace({e.site, e.day}, PairErrors{rmse_of(e), *e.forecast_rmse});
   }
   std::erase_if(judged, [](const SkillEntry& e) { return e.method != Method::forecast; });
   Verdict verdict;

@@ -32,7 +32,8 @@ enum class Outcome {
 /// and document that says so says it by this rule:
 ///
 /// - What is judged is one variable, the current unless another is named (over the widest depth
-///   band, the shallower of equals), all columns pooled, in the first lead bin of more than an hour. Each wind policy has its verdict,
+///   band, the shallower of equals), all columns pooled, in the first lead bin of more than an
+///   hour. Each wind policy has its verdict,
 ///   and forecasts that were issued have one apart from hindcasts.
 /// - Every method counts as a baseline, the provider's forecast too, but `oracle_mean`: it knows
 ///   the day itself.

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/support/shared_data.h"
 #include "tests/support/refusal.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
 namespace slackwater::tests {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ingest/cf/trajectory_file.h"
-#include "tests/support/shared_data.h"
 #include "tests/support/farm_for_tests.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
 namespace slackwater::tests {

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/shared_data.h"
 #include "tests/support/refusal.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
 namespace slackwater::tests {

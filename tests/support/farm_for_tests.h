@@ -21,8 +21,8 @@ inline std::string farm_at_the_site(const StoreForTests& made, const std::string
     const std::size_t at = site.find(key + ": ") + key.size() + 2;
     return site.substr(at, site.find('\n', at) - at);
   };
-  const std::string place = "latitude_deg: " + value_of("latitude_deg") +
-                            ", longitude_deg: " + value_of("longitude_deg");
+  const std::string place =
+      "latitude_deg: " + value_of("latitude_deg") + ", longitude_deg: " + value_of("longitude_deg");
   for (const char* key : {"water_depth_m", "hub_height_m", "turbines"})
     if (const std::size_t at = site.find(std::string(key) + ":"); at != std::string::npos)
       site.erase(at, site.find('\n', at) + 1 - at);

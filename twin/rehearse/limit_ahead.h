@@ -30,9 +30,9 @@ struct LimitAhead {
 };
 
 /// Reads the limits of a vehicle, each at the places of each of its phases (`places_in`), in every
-/// member. The value of a step is the worst of those at its two ends and at all of the places: between its stamps a forecast
-/// is linear, so that speeds and heights are nowhere worse in between. Limits that only a run can
-/// show are left out.
+/// member. The value of a step is the worst of those at its two ends and at all of the places:
+/// between its stamps a forecast is linear, so that speeds and heights are nowhere worse in
+/// between. Limits that only a run can show are left out.
 /// @param ready    set up at the first time of the clock, in any member
 /// @param waves    futures of the waves; null: all members have those of the forecast
 [[nodiscard]] std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
