@@ -36,7 +36,8 @@ soak: test-packages venv
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
 	  -R 'Probabilities|MemberSpread|TwinTargets|RealPairs|PublishedProfiles'
 	ctest --preset release -V -R 'Encounters'
-	SLACKWATER_TASK_DAYS=4000 ctest --preset release -V -R 'WindowProbabilities'
+	SLACKWATER_TASK_DAYS=4000 SLACKWATER_TWIN_DAYS=300 ctest --preset release -V \
+	  -R 'WindowProbabilities|TwinProbabilities'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	$(MAKE) fuzz

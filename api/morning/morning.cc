@@ -13,8 +13,7 @@
 namespace slackwater::api {
 namespace {
 
-void add_plan(const std::filesystem::path& store_folder, Morning& morning) {
-  const PlanFile file = load_plan_file(morning.question.plan, store_folder);
+void add_plan(const PlanFile& file, const std::filesystem::path& store_folder, Morning& morning) {
   const auto failure = attempt([&] {
     WindowsQuestion question = morning.question.windows;
     question.from = morning.windows.from;
@@ -36,8 +35,10 @@ void add_plan(const std::filesystem::path& store_folder, Morning& morning) {
 Morning morning_of(const MorningQuestion& question, const std::filesystem::path& store_folder) {
   Morning morning;
   morning.question = question;
+  std::optional<PlanFile> plan;  // what is misspelt is said before anything is worked out
+  if (!question.plan.empty()) plan = load_plan_file(question.plan, store_folder);
   morning.windows = windows_of(question.windows, store_folder);
-  if (!question.plan.empty()) add_plan(store_folder, morning);
+  if (plan) add_plan(*plan, store_folder, morning);
   return morning;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "fields/base/random.h"
+#include "tests/twin/risk/said_and_came.h"
 #include "twin/chance/success_interval.h"
 #include "twin/risk/phase_plan.h"
 #include "twin/risk/start_chances.h"
@@ -62,15 +63,6 @@ Paths paths_of(const Variable& variable, Rng& random) {
   return paths;
 }
 
-/// A start of a day: what was said, and what came.
-struct Case {
-  double probability = 0;
-  bool by_threshold = false;
-  bool by_alpha = false;
-  bool held = false;
-};
-using Day = std::vector<Case>;
-
 /// A task of four hours: waves count at launch and recovery, current at work, wind throughout.
 twin::StartQuestion task_of(const std::vector<Paths>& futures, bool is_truth) {
   const twin::PhasePlan plan{
@@ -118,83 +110,6 @@ Day day_of(Rng& random) {
   return day;
 }
 
-double brier(double said, bool held) { return (said - (held ? 1 : 0)) * (said - (held ? 1 : 0)); }
-
-/// The p-quantile of some numbers in order.
-double quantile(std::vector<double>& values, double p) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(p * static_cast<double>(values.size() - 1))];
-}
-
-/// An interval by drawing the days anew.
-template <typename Statistic>
-std::pair<double, double> by_day(const std::vector<Day>& days, double level,
-                                 const Statistic& statistic) {
-  Rng random(11, "window_probabilities/bootstrap");
-  std::vector<double> drawn;
-  std::vector<const Day*> sample(days.size());
-  for (int round = 0; round < 600; ++round) {
-    for (const Day*& day : sample) day = &days[random.bits() % days.size()];
-    if (const double value = statistic(sample); !std::isnan(value)) drawn.push_back(value);
-  }
-  return {quantile(drawn, 0.5 * (1 - level)), quantile(drawn, 0.5 * (1 + level))};
-}
-
-std::size_t decile_of(double probability) {
-  return std::min<std::size_t>(9, static_cast<std::size_t>(probability * 10));
-}
-
-/// What came less what was said, of the cases of a decile.
-double off_in(const std::vector<const Day*>& days, std::size_t decile) {
-  double sum = 0, count = 0;
-  for (const Day* day : days)
-    for (const Case& one : *day)
-      if (decile_of(one.probability) == decile) {
-        sum += (one.held ? 1 : 0) - one.probability;
-        ++count;
-      }
-  return count > 0 ? sum / count : std::nan("");
-}
-
-template <typename Rule>
-double brier_beyond(const std::vector<const Day*>& days, const Rule& rule) {
-  double sum = 0, count = 0;
-  for (const Day* day : days)
-    for (const Case& one : *day) {
-      sum += brier(one.probability, one.held) - brier(rule(one) ? 1 : 0, one.held);
-      ++count;
-    }
-  return sum / count;
-}
-
-/// What a decision maker saves by a rule, as a share of what perfect knowledge saves, beyond always
-/// going or always staying: staying costs `ratio`, going into a broken limit 1.
-template <typename Stays>
-double value_of(const std::vector<Day>& days, double ratio, const Stays& stays) {
-  double rule = 0, broken = 0, count = 0;
-  for (const Day& day : days)
-    for (const Case& one : day) {
-      rule += stays(one) ? ratio : one.held ? 0 : 1;
-      broken += one.held ? 0 : 1;
-      ++count;
-    }
-  const double always = std::min(ratio * count, broken);
-  const double perfect = ratio * broken;
-  return (always - rule) / (always - perfect);
-}
-
-template <typename Goes>
-std::pair<double, double> false_go_and_no_go(const std::vector<Day>& days, const Goes& goes) {
-  double go = 0, false_go = 0, stay = 0, false_stay = 0;
-  for (const Day& day : days)
-    for (const Case& one : day) {
-      (goes(one) ? go : stay) += 1;
-      if (goes(one) && !one.held) ++false_go;
-      if (!goes(one) && one.held) ++false_stay;
-    }
-  return {go > 0 ? false_go / go : 0, stay > 0 ? false_stay / stay : 0};
-}
-
 std::size_t wanted_days() {
   const char* asked = std::getenv("SLACKWATER_TASK_DAYS");
   return asked == nullptr ? 2000 : std::strtoull(asked, nullptr, 10);
@@ -214,45 +129,15 @@ class WindowProbabilities : public testing::Test {
 };
 
 TEST_F(WindowProbabilities, ComeTrueAsOftenAsTheySay) {
-  std::size_t cases = 0, deciles = 0;
-  std::printf("%zu task-days; P said, came true, cases, 99 %% interval of the difference\n",
-              days().size());
-  for (std::size_t decile = 0; decile < 10; ++decile) {
-    std::size_t count = 0;
-    double said = 0, came = 0;
-    for (const Day& day : days())
-      for (const Case& one : day)
-        if (decile_of(one.probability) == decile) {
-          ++count;
-          said += one.probability;
-          came += one.held ? 1 : 0;
-        }
-    cases += count;
-    if (count < 100) continue;
-    ++deciles;
-    const auto [low, high] =
-        by_day(days(), 0.99, [&](const auto& sample) { return off_in(sample, decile); });
-    const auto n = static_cast<double>(count);
-    std::printf("  %.3f  %.3f  %5zu  %+.3f to %+.3f\n", said / n, came / n, count, low, high);
-    EXPECT_LE(low, 0) << "decile " << decile;
-    EXPECT_GE(high, 0) << "decile " << decile;
-  }
-  EXPECT_GE(deciles, 6U);
-  EXPECT_GT(cases, 3 * days().size());
+  EXPECT_GE(expect_true_as_said(days()), 6U);
+  EXPECT_GT(cases_in(days()), 3 * days().size());
 }
 
 TEST_F(WindowProbabilities, BeatTheThresholdAndTheAlphaRule) {
   const auto threshold = [](const Case& one) { return one.by_threshold; };
   const auto alpha = [](const Case& one) { return one.by_alpha; };
-  for (const auto& [name, low_high] :
-       {std::pair{"threshold",
-                  by_day(days(), 0.95, [&](const auto& s) { return brier_beyond(s, threshold); })},
-        std::pair{"alpha",
-                  by_day(days(), 0.95, [&](const auto& s) { return brier_beyond(s, alpha); })}}) {
-    std::printf("Brier score less that of the %s rule: %.4f to %.4f\n", name, low_high.first,
-                low_high.second);
-    EXPECT_LT(low_high.second, 0) << name;
-  }
+  expect_better_than("threshold", days(), threshold);
+  expect_better_than("alpha", days(), alpha);
   const auto ours =
       false_go_and_no_go(days(), [](const Case& one) { return one.probability >= 0.9; });
   const auto by_threshold = false_go_and_no_go(days(), threshold);
