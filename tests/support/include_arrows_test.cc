@@ -95,10 +95,12 @@ const Arrows& allowed_arrows_of_api() {
       {"api/rehearse", {"api/issued", "api/pipeline", "api/program", "api/report"}},
       {"api/windows", {"api/pipeline", "api/program", "api/rehearse"}},
       {"api/plan", {"api/program"}},
-      {"api/demo", {"api/pipeline", "api/program", "api/report", "api/synthetic"}},
+      {"api/morning",
+       {"api/pipeline", "api/plan", "api/program", "api/rehearse", "api/report", "api/windows"}},
+      {"api/demo", {"api/morning", "api/pipeline", "api/program", "api/report", "api/synthetic"}},
       {"api/cli",
-       {"api/demo", "api/edr", "api/history", "api/http", "api/issued", "api/pipeline", "api/plan",
-        "api/program", "api/rehearse", "api/report", "api/windows"}}};
+       {"api/demo", "api/edr", "api/history", "api/http", "api/issued", "api/morning",
+        "api/pipeline", "api/plan", "api/program", "api/rehearse", "api/report", "api/windows"}}};
   return arrows;
 }
 

@@ -15,7 +15,7 @@ namespace slackwater::tests {
 namespace {
 
 constexpr std::size_t flown_futures = 18;
-constexpr std::size_t cases_a_day = 4;
+constexpr std::size_t cases_a_day = 8;
 constexpr std::size_t hours = 10;
 const UtcTime midnight = parse_utc("2025-06-02T00:00:00Z");
 
@@ -104,7 +104,8 @@ twin::Surround water_of(const twin::Scenario& mission, const Speeds& speeds) {
   return surround;
 }
 
-Case case_of(const twin::Scenario& mission, const twin::Surround& surround, UtcTime start) {
+Case case_of(twin::Scenario mission, const twin::Surround& surround, UtcTime start) {
+  mission.water = twin::ForecastWater{};  // whose futures are members, not seeds alone
   std::vector<twin::FlightCase> cases;
   for (std::size_t f = 1; f <= flown_futures + 1; ++f) cases.push_back({start, f});
   const std::vector<twin::Flight> flights = twin::fly(mission, surround, cases, {});
@@ -126,7 +127,7 @@ Day day_of(std::size_t number, std::size_t wanted) {
   const auto minutes = static_cast<int>(60 * (hours - 1));
   for (int minute = 0; minute < minutes; minute += 10) {
     const double share = speeds[0][static_cast<std::size_t>(minute / 60)] / 0.5;
-    if (share > 0.65 && share < 1.3) near.push_back(minute);
+    if (share > 0.75 && share < 1.25) near.push_back(minute);
   }
   Day day;
   for (std::size_t i = 0; i < wanted && !near.empty(); ++i) {
