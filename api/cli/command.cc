@@ -92,6 +92,10 @@ Duration horizon_from(const std::string& text) {
   return horizon;
 }
 
+std::string made_by(const Context& context) {
+  return format_utc(context.now()) + " by slackwater " + code_version();
+}
+
 int exit_code(ErrorKind kind) noexcept {
   switch (kind) {
     case ErrorKind::internal:

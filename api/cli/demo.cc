@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
-#include "api/cli/morning_of_forecast.h"
 #include "api/cli/progress.h"
 #include "api/cli/windows_options.h"
 #include "api/demo/demo_page.h"

@@ -12,7 +12,6 @@
 #include "api/pipeline/downloads.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/program/paths.h"
-#include "api/program/version.h"
 #include "api/report/forecast_page.h"
 #include "fields/base/text.h"
 #include "fields/service/wave_source.h"
@@ -223,13 +222,15 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   }
   const PastSkill past = verify_past(store, site, data, snapshot, options.wind);
   if (!arguments.html.empty()) write_html(arguments, context, site, job, past);
-  MorningDone morning;
-  if (origin == ForecastOrigin::forecast) {
+  const auto morning_now = [&, id = id] {
+    if (origin != ForecastOrigin::forecast) return MorningDone{};
     MorningAsked asked = arguments.morning;
     asked.site = arguments.site;
-    morning = morning_of_forecast(site, snapshot, asked, context);
-  }
-  std::fputs(morning.notes.c_str(), stderr);
+    asked.forecast = id;
+    const MorningDone done = morning_of_forecast(store, site, snapshot.day, asked, context);
+    std::fputs(done.notes.c_str(), stderr);
+    return done;
+  };
   if (context.json) {
     json out = json::parse(job.summary_json);
     out["id"] = id;
@@ -242,7 +243,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     out["valid_from"] = format_utc(snapshot.time.front());
     out["valid_to"] = format_utc(snapshot.time.back());
     out["attributions"] = snapshot.attributions;
-    out["morning"] = morning.json;
+    out["morning"] = morning_now().json;
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     return;
   }
@@ -266,6 +267,8 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     std::printf("from %s\n", text_of(use).c_str());
   print_days(snapshot, site.time_zone);
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
+  std::fflush(stdout);  // the forecast is read while what it means for the tasks is worked out
+  const MorningDone morning = morning_now();
   if (!morning.text.empty()) std::printf("\n%s", morning.text.c_str());
 }
 

@@ -4,13 +4,14 @@
 
 #include "api/cli/progress.h"
 #include "api/cli/windows_options.h"
+#include "api/issued/in_force.h"
 #include "api/morning/hook.h"
 #include "api/morning/make_morning.h"
 #include "api/morning/morning_answer.h"
 #include "api/morning/operator_config.h"
 #include "api/morning/page_pdf.h"
-#include "api/program/version.h"
 #include "fields/base/attempt.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -23,11 +24,10 @@ std::optional<FlyWindows> flights_of(const MorningAsked& asked) {
   return flights_wanted(arguments);
 }
 
-MadeMorning make(const Site& site, const Snapshot& snapshot, const MorningAsked& asked,
-                 const Context& context) {
+MadeMorning make(const Site& site, UtcDay day, const MorningAsked& asked, const Context& context) {
   MakeMorning how;
   how.question.windows = plain_question(site, asked.site);
-  how.question.windows.day = snapshot.day;
+  how.question.windows.day = day;
   how.question.plan = plan_of_site(site.id, context.store_folder);
   how.fly = flights_of(asked);
   how.generated = made_by(context);
@@ -41,13 +41,9 @@ MadeMorning make(const Site& site, const Snapshot& snapshot, const MorningAsked&
 
 }  // namespace
 
-std::string made_by(const Context& context) {
-  return format_utc(context.now()) + " by slackwater " + code_version();
-}
-
 void expect_readable(const MorningAsked& asked) { static_cast<void>(flights_of(asked)); }
 
-MorningDone morning_of_forecast(const Site& site, const Snapshot& snapshot,
+MorningDone morning_of_forecast(store::Store& store, const Site& site, UtcDay day,
                                 const MorningAsked& asked, const Context& context) {
   MorningDone done;
   if (site.tasks.empty()) return done;
@@ -55,7 +51,12 @@ MorningDone morning_of_forecast(const Site& site, const Snapshot& snapshot,
     if (!text.empty()) done.notes += text + "\n";
   };
   const auto failure = attempt([&] {
-    const MadeMorning made = make(site, snapshot, asked, context);
+    const std::int64_t in_force = forecast_in_force(store, {site.id, day, {}}).row.id;
+    if (in_force != asked.forecast) {
+      note(formatted("no morning report: forecast {} of the same day is in force", in_force));
+      return;
+    }
+    const MadeMorning made = make(site, day, asked, context);
     done.json = morning_json(made.morning, made.known.past);
     done.json["page"] = made.html.string();
     done.text = morning_text(made.morning) + "The page: " + made.html.string() + "\n";
@@ -66,8 +67,8 @@ MorningDone morning_of_forecast(const Site& site, const Snapshot& snapshot,
     }
     const auto untold = attempt([&] {
       const OperatorConfig config = operator_config();
-      if (config.hook && made.known.id)
-        note(tell_hook(*config.hook, reports_folder(context.store_folder, site.id), *made.known.id,
+      if (config.hook)
+        note(tell_hook(*config.hook, reports_folder(context.store_folder, site.id), asked.forecast,
                        done.json.dump(2, ' ', false, json::error_handler_t::replace)));
     });
     if (untold) note("the hook was not run: " + untold->why);

@@ -3,19 +3,17 @@
 #include <string>
 
 #include "api/cli/command.h"
-#include "fields/service/snapshot.h"
+#include "data/store/store.h"
 #include "fields/site/site.h"
 
 namespace slackwater::api {
 
-/// "2025-03-10T05:00:12Z by slackwater 0.1.0": what stands at the foot of a page.
-[[nodiscard]] std::string made_by(const Context& context);
-
 /// What `forecast` was asked for beside its forecast.
 struct MorningAsked {
-  std::string site;     ///< as it was named
-  std::string fly;      ///< for how long; empty: nothing is flown
-  bool is_pdf = false;  ///< beside the page
+  std::string site;           ///< as it was named
+  std::int64_t forecast = 0;  ///< its number in the store
+  std::string fly;            ///< for how long; empty: nothing is flown
+  bool is_pdf = false;        ///< beside the page
 };
 /// @throws Error(usage) for what cannot be read
 void expect_readable(const MorningAsked& asked);
@@ -28,9 +26,11 @@ struct MorningDone {
 };
 
 /// The morning report of a forecast that was issued just now, where its site lists tasks: the page
-/// in the store, its PDF where that was asked for, and the operator's hook. What goes wrong is told
-/// and takes nothing from the forecast.
-[[nodiscard]] MorningDone morning_of_forecast(const Site& site, const Snapshot& snapshot,
+/// in the store, its PDF where that was asked for, and the operator's hook. There is none where
+/// another forecast of the day is in force. What goes wrong is told and takes nothing from the
+/// forecast.
+/// @param day  D
+[[nodiscard]] MorningDone morning_of_forecast(store::Store& store, const Site& site, UtcDay day,
                                               const MorningAsked& asked, const Context& context);
 
 }  // namespace slackwater::api

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "api/cli/morning_of_forecast.h"
+#include "api/cli/command.h"
 #include "api/cli/output_file.h"
 #include "api/cli/progress.h"
 #include "api/cli/windows_options.h"

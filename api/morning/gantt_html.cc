@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "api/morning/morning_clock.h"
 #include "api/morning/task_words.h"
 #include "api/report/time_text.h"
 #include "fields/base/html.h"
@@ -74,11 +75,11 @@ std::string columns(const Morning& morning, const TaskWindows& task, const Acros
 }
 
 /// "06:00–09:30 90 to 98 %; 14:00 52 %": what the picture shows, for who cannot see it.
-std::string picture_text(const TaskWindows& task) {
+std::string picture_text(const TaskWindows& task, const MorningClock& clock) {
   std::string text;
   for (const twin::StartWindow& window : task.windows)
     text += (text.empty() ? "" : "; ") +
-            PageClock().clocks(task.starts[window.first].start, task.starts[window.last].start) +
+            clock(task.starts[window.first].start, task.starts[window.last].start) +
             formatted(" {:.0f} to {:.0f} %", 100 * window.least, 100 * window.most);
   return text.empty() ? "no start with a chance worth a thought" : text;
 }
@@ -89,22 +90,35 @@ std::string row(const Morning& morning, const TaskWindows& task, const Across& a
   std::string html = "<li><h3>" + escaped_html(task.name) + "</h3><p class=\"verdict " +
                      (verdict == "no-go" ? "nogo" : verdict) + "\">" + verdict +
                      "</p><p class=\"where\">" + escaped_html(where_and_how_long(task)) + "</p>";
-  html += "<div class=\"track\" role=\"img\" aria-label=\"Chance by start (UTC): " +
-          escaped_html(picture_text(task)) + "\">" + behind + columns(morning, task, across) +
-          "</div><div class=\"words\">";
+  html += "<div class=\"track\" role=\"img\" aria-label=\"Chance by start: " +
+          escaped_html(picture_text(task, MorningClock(morning))) + "\">" + behind +
+          columns(morning, task, across) + "</div><div class=\"words\">";
   for (const std::string& line : task_words(morning, task))
     html += "<p>" + escaped_html(line) + "</p>";
   return html + "</div></li>\n";
 }
 
+/// The clock above the pictures: hours of a day, fewer of several.
 std::string hours(const Morning& morning, const Across& across) {
+  using std::chrono::hours;
+  const Duration span = morning.windows.to - morning.windows.from;
+  const auto every = span <= hours(24) ? hours(3) : span <= hours(72) ? hours(12) : hours(24);
   std::string html = "<div class=\"hours\" aria-hidden=\"true\">";
-  const auto every = std::chrono::hours(3);
-  for (UtcTime time = std::chrono::ceil<std::chrono::hours>(morning.windows.from);
-       time <= morning.windows.to; time += every)
-    html += formatted("<span style=\"left:{:.2f}%\">", across.percent(time)) +
-            (time == morning.windows.to ? std::string("24") : format_utc(time).substr(11, 2)) +
+  UtcTime time = std::chrono::ceil<hours>(morning.windows.from);
+  while ((time - UtcTime(day_of(time))) % every != Duration(0)) time += hours(1);
+  for (; time <= morning.windows.to; time += every) {
+    const bool is_end = time == morning.windows.to;
+    const bool is_midnight = time == UtcTime(day_of(time)) && span > hours(24);
+    html += formatted("<span class=\"{}\" style=\"left:{:.2f}%\">",
+                      time == morning.windows.from ? "begin"
+                      : is_end                     ? "end"
+                                                   : "",
+                      across.percent(time)) +
+            (is_midnight                               ? date_text(time)
+             : is_end && time == UtcTime(day_of(time)) ? std::string("24")
+                                                       : format_utc(time).substr(11, 2)) +
             "</span>";
+  }
   return html + "</div>";
 }
 
@@ -113,8 +127,8 @@ std::string hours(const Morning& morning, const Across& across) {
 std::string gantt_html(const Morning& morning) {
   const Across across(morning);
   const std::string behind = nights(morning, across);
-  std::string html = "<section id=\"gantt\"><h2>When each task can begin on " +
-                     escaped_html(date_text(morning.windows.from)) + "</h2><div class=\"scale\">" +
+  std::string html = "<section id=\"gantt\"><h2>When each task can begin " +
+                     escaped_html(MorningClock(morning).span()) + "</h2><div class=\"scale\">" +
                      hours(morning, across) + "</div><ol>\n";
   for (const TaskWindows* task : by_verdict(morning)) html += row(morning, *task, across, behind);
   html += "</ol><p class=\"note\">" + escaped_html(rules_text(morning)) + "</p></section>\n";

@@ -27,7 +27,6 @@ KnownForecast known_of(const Morning& morning, const Site& site,
   store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
   const auto row = row_of(store, morning);
   if (!row) return known;
-  known.id = row->id;
   known.summary_json = row->summary_json;
   const Snapshot& snapshot = morning.windows.water.surround.field->snapshot();
   const auto failure = attempt([&] {

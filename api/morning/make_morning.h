@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -13,7 +12,6 @@ namespace slackwater::api {
 
 /// What is known of a forecast beside its numbers.
 struct KnownForecast {
-  std::optional<std::int64_t> id;  ///< in the store; absent: it is not of the store
   std::string summary_json;        ///< empty: not of the store
   PastSkill past;
 };

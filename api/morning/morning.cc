@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "api/morning/morning_clock.h"
 #include "api/morning/plan_windows.h"
 #include "api/plan/make_plan.h"
 #include "api/plan/plan_setup.h"
-#include "api/report/time_text.h"
 #include "fields/base/attempt.h"
 #include "fields/base/text.h"
 
@@ -68,7 +68,7 @@ std::string headline_of(const Morning& morning) {
   for (const TaskWindows& task : morning.windows.tasks)
     ++counts.at(static_cast<std::size_t>(task.verdict));
   const std::size_t all = morning.windows.tasks.size();
-  const std::string when = " on " + date_text(morning.windows.from);
+  const std::string when = " " + MorningClock(morning).span();
   if (counts[0] == all)
     return (all == 1 ? std::string("Go for the task") : formatted("Go for all {} tasks", all)) +
            when + ".";

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/morning/morning_clock.h"
 #include "api/morning/task_words.h"
 #include "api/morning/trust.h"
-#include "api/report/time_text.h"
 #include "api/windows/windows_answer.h"
 #include "fields/base/text.h"
 
@@ -23,6 +23,7 @@ json best_json(const Morning& morning, const TaskWindows& task) {
   if (best == nullptr) return nullptr;
   json out{{"start", utc(best->start)},
            {"probability", best->probability},
+           {"worth", worth_of(*best)},
            {"interval_95", {best->interval.low, best->interval.high}},
            {"binding", binding_text(task, *best, futures_of(morning), utc)},
            {"flown", nullptr}};
@@ -96,7 +97,7 @@ json morning_json(const Morning& morning, const PastSkill& past) {
 }
 
 std::string morning_text(const Morning& morning) {
-  const PageClock clock(morning.question.windows.zone);
+  const MorningClock clock(morning);
   const std::vector<const TaskWindows*> tasks = by_verdict(morning);
   // One more than there is room for is better named than counted.
   const std::size_t shown = tasks.size() > most_lines ? most_lines - 1 : tasks.size();
@@ -105,11 +106,9 @@ std::string morning_text(const Morning& morning) {
     const TaskWindows& task = *tasks[i];
     const TaskStart* best = best_of(task);
     text += formatted("  {:<9}", std::string(twin::name_of(task.verdict))) + task.name + " at " +
-            joined(task.turbines, ", ") + ": " +
-            best_text(task, [&](UtcTime time) { return clock.clock(time); });
+            joined(task.turbines, ", ") + ": " + best_text(task, clock);
     if (task.verdict != twin::Verdict::go && best != nullptr)
-      text += "; " + binding_text(task, *best, futures_of(morning),
-                                  [&](UtcTime time) { return clock.clock(time); });
+      text += "; " + binding_text(task, *best, futures_of(morning), clock);
     text += "\n";
   }
   if (shown < tasks.size()) text += formatted("  and {} more, none better\n", tasks.size() - shown);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "api/morning/gantt_html.h"
+#include "api/morning/morning_clock.h"
 #include "api/morning/plan_html.h"
 #include "api/morning/task_words.h"
 #include "api/morning/trust.h"
@@ -57,7 +58,7 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
 }
 
 /// What befell a task where its flights went best, or else what is gravest of it.
-void add_risks(const TaskWindows& task, const PageClock& clock, ReportTable& table) {
+void add_risks(const TaskWindows& task, const MorningClock& clock, ReportTable& table) {
   constexpr std::size_t most = 3;
   const TaskStart* best = best_flown(task);
   if (best == nullptr) return;
@@ -66,7 +67,7 @@ void add_risks(const TaskWindows& task, const PageClock& clock, ReportTable& tab
     if (risk.befell > 0 && told.size() < most) told.push_back(risk);
   if (told.empty() && !best->twin->risks.empty()) told.push_back(best->twin->risks.front());
   for (const twin::RiskEntry& risk : told) {
-    std::vector<std::string> row{task.name + " at " + clock.clock(best->start)};
+    std::vector<std::string> row{task.name + " at " + clock(best->start)};
     const std::vector<std::string> cells = risk_cells(risk);
     row.insert(row.end(), cells.begin(), cells.end());
     table.rows.push_back(std::move(row));
@@ -74,7 +75,7 @@ void add_risks(const TaskWindows& task, const PageClock& clock, ReportTable& tab
 }
 
 std::string risks_html(const Morning& morning) {
-  const PageClock clock(morning.question.windows.zone);
+  const MorningClock clock(morning);
   ReportTable table;
   table.title = "Risks of what was flown";
   table.note =

@@ -19,18 +19,35 @@ namespace fs = std::filesystem;
 void expect_ours(const fs::path& place) {
   struct stat found {};
   if (::stat(place.c_str(), &found) != 0)
-    throw Error(ErrorKind::not_found, "found no " + place.string() + " that can be read");
+    throw Error(ErrorKind::not_found, "found no " + place.string() +
+                                          " that can be read, expected a file of yours; mend its "
+                                          "path or rights");
   if (found.st_uid != 0 && found.st_uid != ::geteuid())
-    throw Error(ErrorKind::invalid_input,
-                "found " + place.string() +
-                    " owned by another user, expected you or root: it names programs to run; "
-                    "change its owner");
+    throw Error(
+        ErrorKind::invalid_input,
+        "found " + place.string() +
+            " owned by another user, expected you or root: who can write it runs programs as "
+            "you; change its owner");
   const bool is_sticky = (found.st_mode & S_ISVTX) != 0 && S_ISDIR(found.st_mode);
   if ((found.st_mode & (S_IWGRP | S_IWOTH)) != 0 && !is_sticky)
     throw Error(ErrorKind::invalid_input,
                 "found " + place.string() +
-                    " writable for others, expected for its owner alone: it names programs to "
-                    "run; chmod go-w it");
+                    " writable for others, expected for its owner alone: who can write it runs "
+                    "programs as you; chmod go-w it");
+}
+
+/// The file, where links to it lead, and every folder on the ways there: whoever writes in one of
+/// them can put another file in its place.
+/// @return without links
+fs::path expect_ours_with_folders(const fs::path& named) {
+  expect_ours(named);
+  const fs::path file = fs::canonical(named);
+  for (const fs::path& way : {file, fs::absolute(named).lexically_normal()})
+    for (fs::path folder = way.parent_path();; folder = folder.parent_path()) {
+      expect_ours(folder);
+      if (folder == folder.root_path()) break;
+    }
+  return file;
 }
 
 Hook read_hook(const Config& config) {
@@ -48,17 +65,13 @@ Hook read_hook(const Config& config) {
 
 }  // namespace
 
-OperatorConfig load_operator_config(const fs::path& file) {
-  expect_ours(file);
-  // A folder that others write is one in which they can put another file in its place.
-  for (fs::path folder = fs::canonical(file).parent_path();; folder = folder.parent_path()) {
-    expect_ours(folder);
-    if (folder == folder.root_path()) break;
-  }
+OperatorConfig load_operator_config(const fs::path& named) {
+  const fs::path file = expect_ours_with_folders(named);
   const Config config = Config::load(file);
   OperatorConfig out;
   if (const auto hook = config.optional_child("hook")) out.hook = read_hook(*hook);
   config.expect_all_read();
+  if (out.hook) static_cast<void>(expect_ours_with_folders(out.hook->command.front()));
   return out;
 }
 

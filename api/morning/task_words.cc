@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "api/morning/morning_clock.h"
 #include "api/rehearse/rehearsal_json.h"
-#include "api/report/time_text.h"
 #include "api/windows/windows_answer.h"
 #include "fields/base/text.h"
 
@@ -12,16 +12,13 @@ namespace {
 
 std::string percent(double probability) { return formatted("{:.0f} %", 100 * probability); }
 
-/// "06:00–09:30", one start by itself "06:00".
 std::string run_text(const TaskWindows& task, const twin::StartWindow& window,
-                     const PageClock& clock) {
-  const UtcTime first = task.starts[window.first].start;
-  return window.starts() == 1 ? clock.clock(first)
-                              : clock.clocks(first, task.starts[window.last].start);
+                     const MorningClock& clock) {
+  return clock(task.starts[window.first].start, task.starts[window.last].start);
 }
 
 /// "06:00–09:30, 11:00": the starts whose chance is at least so much.
-std::string starts_from(const TaskWindows& task, double least, const PageClock& clock) {
+std::string starts_from(const TaskWindows& task, double least, const MorningClock& clock) {
   std::vector<std::string> parts;
   for (std::size_t first = 0; first < task.starts.size(); ++first) {
     const auto is_open = [&](std::size_t i) {
@@ -30,16 +27,15 @@ std::string starts_from(const TaskWindows& task, double least, const PageClock& 
     if (!is_open(first)) continue;
     std::size_t last = first;
     while (last + 1 < task.starts.size() && is_open(last + 1)) ++last;
-    parts.push_back(first == last
-                        ? clock.clock(task.starts[first].start)
-                        : clock.clocks(task.starts[first].start, task.starts[last].start));
+    parts.push_back(clock(task.starts[first].start, task.starts[last].start));
     first = last;
   }
   return joined(parts, ", ");
 }
 
 /// "Go: start 04:30–05:00. Marginal: 00:00–16:00 (52 to 93 %)."
-std::string windows_line(const Morning& morning, const TaskWindows& task, const PageClock& clock) {
+std::string windows_line(const Morning& morning, const TaskWindows& task,
+                         const MorningClock& clock) {
   const twin::VerdictRule& rule = morning.question.windows.rule;
   const std::string go = starts_from(task, rule.go, clock);
   std::string text = go.empty() ? "" : "Go: start " + go + ". ";
@@ -56,23 +52,23 @@ std::string windows_line(const Morning& morning, const TaskWindows& task, const 
   return text;
 }
 
-std::string best_line(const Morning& morning, const TaskWindows& task, const PageClock& clock) {
+std::string best_line(const Morning& morning, const TaskWindows& task, const MorningClock& clock) {
   const TaskStart* best = best_of(task);
   if (best == nullptr) return "There is no start.";
-  const auto times = [&](UtcTime time) { return clock.clock(time); };
   std::string text = task.windows.empty() ? "No start is likely; the best is " : "Best ";
-  text += clock.clock(best->start) + ": " + percent(best->probability) +
+  text += clock(best->start) + ": " + percent(best->probability) +
           formatted(" ({:.0f} to {:.0f})", 100 * best->interval.low, 100 * best->interval.high);
-  const bool stops = task.windows.empty();
+  if (worth_of(*best) < best->probability) text += ", as flown " + percent(worth_of(*best));
+  const bool is_exceeded = best->chance.binding && best->chance.binding->is_exceeded;
   return text +
-         (stops                                                       ? ". What stops it: "
-          : best->chance.binding && best->chance.binding->is_exceeded ? ". What threatens it: "
-                                                                      : ". What comes nearest: ") +
-         binding_text(task, *best, futures_of(morning), times) + ".";
+         (task.windows.empty() ? ". What stops it: "
+          : is_exceeded        ? ". What threatens it: "
+                               : ". What comes nearest: ") +
+         binding_text(task, *best, futures_of(morning), clock) + ".";
 }
 
 /// Of the starts that were flown the best.
-std::string flown_line(const TaskWindows& task, const PageClock& clock) {
+std::string flown_line(const TaskWindows& task, const MorningClock& clock) {
   const TaskStart* best = best_flown(task);
   if (best == nullptr) return {};
   std::size_t flown = 0, flights = 0;
@@ -82,7 +78,7 @@ std::string flown_line(const TaskWindows& task, const PageClock& clock) {
   }
   const TwinChance& twin = *best->twin;
   std::string text = formatted("Flown {} times at {} starts; best ", flights, flown) +
-                     clock.clock(best->start) +
+                     clock(best->start) +
                      formatted(", {} of {} done ({:.0f} to {:.0f} %)",
                                std::lround(twin.probability * static_cast<double>(twin.flights)),
                                twin.flights, 100 * twin.interval.low, 100 * twin.interval.high);
@@ -96,7 +92,7 @@ std::string flown_line(const TaskWindows& task, const PageClock& clock) {
   return text + ".";
 }
 
-std::string rule_line(const TaskWindows& task, const PageClock& clock) {
+std::string rule_line(const TaskWindows& task, const MorningClock& clock) {
   const auto starts = [&](const std::vector<twin::StartWindow>& windows) {
     std::vector<std::string> parts;
     for (const twin::StartWindow& window : windows) parts.push_back(run_text(task, window, clock));
@@ -122,7 +118,7 @@ std::string where_and_how_long(const TaskWindows& task) {
 std::string best_text(const TaskWindows& task, const std::function<std::string(UtcTime)>& clock) {
   const TaskStart* best = best_of(task);
   if (best == nullptr) return "no start";
-  return "best " + clock(best->start) + ", " + percent(best->probability);
+  return "best " + clock(best->start) + ", " + percent(worth_of(*best));
 }
 
 const TaskStart* best_flown(const TaskWindows& task) {
@@ -134,7 +130,7 @@ const TaskStart* best_flown(const TaskWindows& task) {
 }
 
 std::vector<std::string> task_words(const Morning& morning, const TaskWindows& task) {
-  const PageClock clock(morning.question.windows.zone);
+  const MorningClock clock(morning);
   std::vector<std::string> lines;
   if (!task.windows.empty()) lines.push_back(windows_line(morning, task, clock));
   lines.push_back(best_line(morning, task, clock));
@@ -151,13 +147,20 @@ std::vector<std::string> task_words(const Morning& morning, const TaskWindows& t
 
 std::string rules_text(const Morning& morning) {
   const WindowsQuestion& question = morning.question.windows;
+  bool is_flown = false;
+  for (const TaskWindows& task : morning.windows.tasks)
+    is_flown = is_flown || best_flown(task) != nullptr;
   return formatted(
              "Height: the chance that all limits hold from a start to the way home, as {} futures "
              "of the forecast say. Full: {:.0f} % or more, go; hatched: {:.0f} % or more, "
-             "marginal; pale: less. Rings: what was flown by the twin. Grey behind: the sun is "
-             "down. ",
+             "marginal; pale: less. ",
              futures_of(morning), 100 * question.rule.go, 100 * question.rule.marginal) +
-         "Practice: " + question.practice.name() + ". " + PageClock(question.zone).note();
+         (is_flown ? formatted("Rings: the share of flights that were done; from {} flights on a "
+                               "start is worth no more than they say. ",
+                               flights_that_count)
+                   : std::string()) +
+         "Grey behind: the sun is down. Practice: " + question.practice.name() + ". " +
+         MorningClock(morning).note();
 }
 
 }  // namespace slackwater::api

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "api/program/pipe.h"
 #include "fields/base/error.h"
 
 // The pipe carries frames: a letter, the length in eight bytes, the bytes. 's' is a share, 'a' the
@@ -29,31 +30,6 @@ constexpr bool is_sanitized = false;
 #endif
 
 constexpr std::size_t head_bytes = 1 + sizeof(std::uint64_t);
-
-class Pipe {
- public:
-  Pipe() {
-    if (::pipe(ends_.data()) != 0) {
-      throw Error(ErrorKind::unavailable,
-                  std::string("cannot make a pipe: ") + std::strerror(errno) + "; try again");
-    }
-  }
-  ~Pipe() {
-    close(0);
-    close(1);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  void close(std::size_t end) {
-    if (ends_.at(end) >= 0) ::close(ends_.at(end));
-    ends_.at(end) = -1;
-  }
-  [[nodiscard]] int reading() const { return ends_[0]; }
-  [[nodiscard]] int writing() const { return ends_[1]; }
-
- private:
-  std::array<int, 2> ends_{-1, -1};
-};
 
 bool write_all(int descriptor, const char* data, std::size_t size) {
   while (size > 0) {
@@ -168,11 +144,11 @@ Apart run_apart(const Allowance& allowance,
                                             std::strerror(errno) + "; try again");
   }
   if (child == 0) {
-    pipe.close(0);
+    pipe.close_reading();
     bind_child(parent, allowance);
     run_child(pipe.writing(), work);
   }
-  pipe.close(1);
+  pipe.close_writing();
   Apart apart;
   const bool is_answered = receive(pipe.reading(), apart.answer, on_share);
   int status = 0;

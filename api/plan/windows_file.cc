@@ -33,7 +33,8 @@ auto read(const JsonPlace& place, Parse parse) {
 WindowsFile::Start read_start(const JsonPlace& task, const JsonPlace& start) {
   WindowsFile::Start one;
   one.time = read(start.at("start"), [](const std::string& text) { return parse_utc(text); });
-  one.probability = start.at("probability").number(0, 1);
+  // Flights may have taken from the chance of the limits.
+  one.probability = start.at(start.has("worth") ? "worth" : "probability").number(0, 1);
   const JsonPlace& of_duration = start.has("duration_h") ? start : task;
   const double duration_h = planned(of_duration.at("duration_h"), 0, longest_h);
   if (duration_h <= 0) of_duration.at("duration_h").refuse("found 0, expected more");

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <utility>
 
+#include "api/program/pipe.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 
@@ -24,26 +25,6 @@ using std::chrono::milliseconds;
 
 constexpr std::size_t most_said = 4096;
 
-/// A pipe whose ends are closed with it, and not handed on.
-struct Pipe {
-  std::array<int, 2> ends{-1, -1};
-  Pipe() {
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw Error(ErrorKind::unavailable,
-                  std::string("no pipe to another program: ") + std::strerror(errno));
-  }
-  ~Pipe() {
-    close(0);
-    close(1);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  void close(std::size_t end) {
-    if (ends[end] >= 0) ::close(ends[end]);
-    ends[end] = -1;
-  }
-};
-
 pid_t start(const std::vector<std::string>& command, const Pipe& in, const Pipe& err) {
   std::vector<char*> arguments;
   for (const std::string& argument : command)
@@ -53,9 +34,9 @@ pid_t start(const std::vector<std::string>& command, const Pipe& in, const Pipe&
   posix_spawnattr_t attributes;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawnattr_init(&attributes);
-  ::posix_spawn_file_actions_adddup2(&actions, in.ends[0], STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, in.reading(), STDIN_FILENO);
   ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, err.ends[1], STDERR_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, err.writing(), STDERR_FILENO);
   // A group of its own, so that all of it can be ended; and no signal blocked or ignored.
   sigset_t none, all;
   sigemptyset(&none);
@@ -82,18 +63,19 @@ pid_t start(const std::vector<std::string>& command, const Pipe& in, const Pipe&
 class Talk {
  public:
   Talk(Pipe& in, Pipe& err, const std::string& input) : in_(in), err_(err), input_(input) {
-    ::fcntl(in_.ends[1], F_SETFL, O_NONBLOCK);
-    ::fcntl(err_.ends[0], F_SETFL, O_NONBLOCK);
+    ::fcntl(in_.writing(), F_SETFL, O_NONBLOCK);
+    ::fcntl(err_.reading(), F_SETFL, O_NONBLOCK);
   }
   /// Waits a little for one of the two.
   void go_on(milliseconds wait) {
-    if (written_ == input_.size()) in_.close(1);
-    std::array<pollfd, 2> ends{pollfd{err_.ends[0], POLLIN, 0}, pollfd{in_.ends[1], POLLOUT, 0}};
+    if (written_ == input_.size()) in_.close_writing();
+    std::array<pollfd, 2> ends{pollfd{err_.reading(), POLLIN, 0},
+                               pollfd{in_.writing(), POLLOUT, 0}};
     if (::poll(ends.data(), ends.size(), static_cast<int>(wait.count())) <= 0) return;
     if ((ends[1].revents & POLLERR) != 0) {
       written_ = input_.size();  // it does not care to read
     } else if ((ends[1].revents & POLLOUT) != 0) {
-      const auto n = ::write(in_.ends[1], input_.data() + written_, input_.size() - written_);
+      const auto n = ::write(in_.writing(), input_.data() + written_, input_.size() - written_);
       if (n > 0) written_ += static_cast<std::size_t>(n);
     }
     if ((ends[0].revents & (POLLIN | POLLHUP)) != 0) hear();
@@ -102,9 +84,9 @@ class Talk {
   void hear() {
     std::array<char, 1024> buffer{};
     ssize_t n = 0;
-    while (err_.ends[0] >= 0 && (n = ::read(err_.ends[0], buffer.data(), buffer.size())) > 0)
+    while (err_.reading() >= 0 && (n = ::read(err_.reading(), buffer.data(), buffer.size())) > 0)
       said_.append(buffer.data(), std::min(static_cast<std::size_t>(n), most_said - said_.size()));
-    if (n == 0) err_.close(0);
+    if (n == 0) err_.close_reading();
   }
   [[nodiscard]] std::string said() && { return std::move(said_); }
 
@@ -133,8 +115,8 @@ ProgramEnd run_program(const std::vector<std::string>& command, const std::strin
   // One who does not read what is written is no reason to die.
   const auto before = std::signal(SIGPIPE, SIG_IGN);
   const pid_t child = start(command, in, err);
-  in.close(0);
-  err.close(1);
+  in.close_reading();
+  err.close_writing();
   Talk talk(in, err, input);
   bool is_over = false;
   while (!(is_over = has_ended(child)) && Clock::now() < end) talk.go_on(milliseconds(20));

@@ -54,6 +54,7 @@ json twin_json(const std::optional<TwinChance>& twin) {
 json start_json(const TaskWindows& task, const TaskStart& start, std::size_t members) {
   return {{"start", format_utc(start.start)},
           {"probability", number(start.probability)},
+          {"worth", number(worth_of(start))},
           {"interval_95", {number(start.interval.low), number(start.interval.high)}},
           {"members_held", start.chance.held},
           {"members", members},

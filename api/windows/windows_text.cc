@@ -122,7 +122,7 @@ std::string summary_text(const std::vector<TaskWindows>& tasks, const PeoplesClo
     text += formatted("{:<9}", std::string(twin::name_of(task.verdict)));
     text += best == nullptr
                 ? std::string("no start       ")
-                : "best " + clock(best->start) + formatted("  P {:.2f}", best->probability);
+                : "best " + clock(best->start) + formatted("  P {:.2f}", worth_of(*best));
     text += "  " + task.name + " at " + joined(task.turbines, ", ") + "\n";
   }
   return text + "\n";

@@ -14,23 +14,12 @@ namespace {
 
 using nlohmann::json;
 
-const std::string peek = R"(id: peek
-name: A peek at a pile
-agents:
-  - role: eye
-    kinds: [rov]
-    needs: [camera]
-    model: bluerov2_heavy
-    speed_m_s: 0.4
-    start: {distance_m: 12, depth_m: 3}
-    launch_s: 10
+const std::string peek = "id: peek\nname: A peek at a pile\n" + eye_yaml + R"(    launch_s: 10
     conduct:
       limits:
         - {current_speed_m_s: 0.9, phases: [work], source: nobody, status: estimate}
         - {least_visibility_m: 500, if_missing: not_checked}
-    work:
-      - {pattern: verticals, stand_off_m: 3, from: {depth_m: 4}, to: {depth_m: 9}, bearings: 2}
-)";
+)" + eyes_work_yaml;
 
 class RehearseCommand : public testing::Test {
  protected:

@@ -14,21 +14,8 @@ namespace slackwater::tests {
 inline std::string peek(const std::string& limits, const std::string& more = "") {
   return "id: peek\nname: A peek at a pile\nduration_h: {value: 1.5, per: foundation}\n"
          "min_window_h: 2\n" +
-         more + R"(agents:
-  - role: eye
-    kinds: [rov]
-    needs: [camera]
-    model: bluerov2_heavy
-    speed_m_s: 0.4
-    start: {distance_m: 12, depth_m: 3}
-    launch_s: 120
-    recovery_s: 120
-    conduct:
-      limits: [)" +
-         limits + R"(]
-    work:
-      - {pattern: verticals, stand_off_m: 3, from: {depth_m: 4}, to: {depth_m: 9}, bearings: 2}
-)";
+         more + eye_yaml + "    launch_s: 120\n    recovery_s: 120\n    conduct:\n      limits: [" +
+         limits + "]\n" + eyes_work_yaml;
 }
 
 inline constexpr const char* loose = "{significant_wave_height_m: 19}, {current_speed_m_s: 9}";

@@ -13,6 +13,20 @@ landing_deg: 0
 foundation: {kind: monopile, diameter_m: 5, top_height_m: 18}
 )";
 
+/// An ROV that looks at a pile: the head of an agent of a task.
+inline const std::string eye_yaml = R"(agents:
+  - role: eye
+    kinds: [rov]
+    needs: [camera]
+    model: bluerov2_heavy
+    speed_m_s: 0.4
+    start: {distance_m: 12, depth_m: 3}
+)";
+/// Its work: down and up beside the pile, twice.
+inline const std::string eyes_work_yaml = R"(    work:
+      - {pattern: verticals, stand_off_m: 3, from: {depth_m: 4}, to: {depth_m: 9}, bearings: 2}
+)";
+
 /// The site of the test products with such a pile, the turbine T1, at its point.
 /// @param more  lines of YAML beside
 inline std::string farm_at_the_site(const StoreForTests& made, const std::string& more = "") {

@@ -117,6 +117,24 @@ TEST_F(HookTest, AFileThatOthersCanWriteStartsNothing) {
   EXPECT_TRUE(api::load_operator_config(config(yaml)).hook);
 }
 
+TEST_F(HookTest, AProgramThatOthersCanWriteIsNotRun) {
+  const std::string yaml = "hook:\n  command: [" + teller() + "]\n";
+  EXPECT_TRUE(api::load_operator_config(config(yaml)).hook);
+  ASSERT_EQ(::chmod(file("tell").c_str(), 0777), 0);
+  expect_refused(yaml, "tell writable for others");
+}
+
+TEST_F(HookTest, ALinkIsFollowedAndItsFolderLookedAt) {
+  const auto open_folder = folder_.path() / "open";
+  ASSERT_TRUE(std::filesystem::create_directory(open_folder));
+  static_cast<void>(config("hook:\n  command: [/bin/true]\n"));
+  std::filesystem::create_symlink(file("operator.yaml"), open_folder / "link.yaml");
+  ASSERT_EQ(::chmod(open_folder.c_str(), 0700), 0);
+  EXPECT_TRUE(api::load_operator_config(open_folder / "link.yaml").hook);
+  ASSERT_EQ(::chmod(open_folder.c_str(), 0777), 0);
+  EXPECT_THROW(static_cast<void>(api::load_operator_config(open_folder / "link.yaml")), Error);
+}
+
 TEST_F(HookTest, WhatCannotBeRunAsItStandsIsRefused) {
   expect_refused("hook:\n  command: tell\n", "list");
   expect_refused("hook:\n  command: []\n", "list");

@@ -79,6 +79,14 @@ TEST_F(PlanSetup, TakesTheWorseNeighbourBetweenStartsThatAreAnHourApartAndNothin
   EXPECT_EQ(job.starts[5].slot, 36U);
 }
 
+TEST_F(PlanSetup, WhatFlightsLeaveOfAStartGoesBeforeWhatItsLimitsSay) {
+  const PlanProblem day = problem(plan(cp_), R"({"task": "cp_anode", "turbine": "A01",
+    "duration_h": 2, "starts": [
+      {"start": "2025-06-02T06:00:00Z", "probability": 0.9, "worth": 0.2}]})");
+  ASSERT_EQ(day.jobs[0].starts.size(), 1U);
+  EXPECT_EQ(day.jobs[0].starts[0].probability, 0.2);
+}
+
 TEST_F(PlanSetup, RoundsTheWayOfAVesselUpToMinutes) {
   const PlanProblem day = problem(plan(cp_), hourly);
   const PlanVessel& vessel = day.vessels[0];
