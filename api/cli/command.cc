@@ -172,6 +172,10 @@ int run_command_line(int argc, const char* const* argv) {
                   std::string("internal error: ") + problem.what() +
                       "; please report it with the command you ran");
   }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return report(context, ErrorKind::unavailable,
+                  "writing the answer failed; a writable standard output was expected; check the "
+                  "space where it goes");
   return context.exit_code;
 }
 

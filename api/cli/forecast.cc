@@ -227,7 +227,8 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     MorningAsked asked = arguments.morning;
     asked.site = arguments.site;
     asked.forecast = id;
-    const MorningDone done = morning_of_forecast(store, site, snapshot.day, asked, context);
+    const MorningDone done =
+        morning_of_forecast(store, site, snapshot.day, asked, {job.summary_json, past}, context);
     std::fputs(done.notes.c_str(), stderr);
     return done;
   };

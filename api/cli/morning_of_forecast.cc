@@ -24,13 +24,16 @@ std::optional<FlyWindows> flights_of(const MorningAsked& asked) {
   return flights_wanted(arguments);
 }
 
-MadeMorning make(const Site& site, UtcDay day, const MorningAsked& asked, const Context& context) {
+MadeMorning make(const Site& site, UtcDay day, const MorningAsked& asked,
+                 const KnownForecast& known, const Context& context) {
   MakeMorning how;
   how.question.windows = plain_question(site, asked.site);
   how.question.windows.day = day;
   how.question.plan = plan_of_site(site.id, context.store_folder);
+  how.question.is_unattended = true;
   how.fly = flights_of(asked);
   how.generated = made_by(context);
+  how.known = known;
   ProgressBar progress("flying " + site.name, context.json);
   how.on_first_page = [&](const MadeMorning& first) {
     if (!context.json) std::fprintf(stderr, "first page: %s\n", first.html.c_str());
@@ -39,41 +42,57 @@ MadeMorning make(const Site& site, UtcDay day, const MorningAsked& asked, const 
   return make_morning(how, site, context.store_folder);
 }
 
+/// What the hook hears where there is no report.
+json no_morning_json(const Site& site, const std::string& why) {
+  return {{"schema", "morning/1"}, {"site", site.id}, {"verdict", nullptr}, {"why", why}};
+}
+
+/// What became of the hook; empty: there is none, or it was told before.
+std::string told(const Site& site, const MorningAsked& asked, const Context& context,
+                 const json& verdict) {
+  std::string text;
+  const auto failure = attempt([&] {
+    const OperatorConfig config = operator_config();
+    if (config.hook)
+      text = tell_hook(*config.hook, reports_folder(context.store_folder, site.id), asked.forecast,
+                       verdict.dump(2, ' ', false, json::error_handler_t::replace));
+  });
+  return failure ? "the hook was not run: " + failure->why : text;
+}
+
 }  // namespace
 
 void expect_readable(const MorningAsked& asked) { static_cast<void>(flights_of(asked)); }
 
 MorningDone morning_of_forecast(store::Store& store, const Site& site, UtcDay day,
-                                const MorningAsked& asked, const Context& context) {
+                                const MorningAsked& asked, const KnownForecast& known,
+                                const Context& context) {
   MorningDone done;
   if (site.tasks.empty()) return done;
   const auto note = [&](const std::string& text) {
     if (!text.empty()) done.notes += text + "\n";
   };
+  const std::int64_t in_force = forecast_in_force(store, {site.id, day, {}}).row.id;
+  if (in_force != asked.forecast) {
+    note(
+        formatted("no morning report: forecast {} of the same day is in force; for its own say "
+                  "`slackwater report --site {} --day {}`",
+                  in_force, asked.site, format_day(day)));
+    return done;
+  }
   const auto failure = attempt([&] {
-    const std::int64_t in_force = forecast_in_force(store, {site.id, day, {}}).row.id;
-    if (in_force != asked.forecast) {
-      note(formatted("no morning report: forecast {} of the same day is in force", in_force));
-      return;
-    }
-    const MadeMorning made = make(site, day, asked, context);
+    const MadeMorning made = make(site, day, asked, known, context);
     done.json = morning_json(made.morning, made.known.past);
     done.json["page"] = made.html.string();
     done.text = morning_text(made.morning) + "The page: " + made.html.string() + "\n";
-    if (asked.is_pdf) {
-      std::filesystem::path pdf = made.html;
-      pdf.replace_extension(".pdf");
-      if (const auto unprinted = attempt([&] { print_page(made.html, pdf); })) note(unprinted->why);
-    }
-    const auto untold = attempt([&] {
-      const OperatorConfig config = operator_config();
-      if (config.hook)
-        note(tell_hook(*config.hook, reports_folder(context.store_folder, site.id), asked.forecast,
-                       done.json.dump(2, ' ', false, json::error_handler_t::replace)));
-    });
-    if (untold) note("the hook was not run: " + untold->why);
+    for (const std::string& told : made.morning.windows.notes) note(told);
+    if (!asked.is_pdf) return;
+    std::filesystem::path pdf = made.html;
+    pdf.replace_extension(".pdf");
+    if (const auto unprinted = attempt([&] { print_page(made.html, pdf); })) note(unprinted->why);
   });
   if (failure) note("no morning report: " + failure->why);
+  note(told(site, asked, context, failure ? no_morning_json(site, failure->why) : done.json));
   return done;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "api/cli/command.h"
+#include "api/morning/make_morning.h"
 #include "data/store/store.h"
 #include "fields/site/site.h"
 
@@ -26,11 +27,12 @@ struct MorningDone {
 };
 
 /// The morning report of a forecast that was issued just now, where its site lists tasks: the page
-/// in the store, its PDF where that was asked for, and the operator's hook. There is none where
-/// another forecast of the day is in force. What goes wrong is told and takes nothing from the
-/// forecast.
+/// in the store, its PDF where that was asked for, and the operator's hook, which hears too why
+/// there is no report. There is none where another forecast of the day is in force. What goes wrong
+/// is told and takes nothing from the forecast.
 /// @param day  D
 [[nodiscard]] MorningDone morning_of_forecast(store::Store& store, const Site& site, UtcDay day,
-                                              const MorningAsked& asked, const Context& context);
+                                              const MorningAsked& asked, const KnownForecast& known,
+                                              const Context& context);
 
 }  // namespace slackwater::api

@@ -30,10 +30,21 @@ std::filesystem::path plan_of(const ReportArguments& arguments, const Site& site
                                 : std::filesystem::path(arguments.plan);
 }
 
+/// Whether it is asked about all tasks on the day after the issue.
+bool is_of_the_day(const WindowsArguments& asked) {
+  return asked.tasks.empty() && asked.turbines.empty() && asked.from.empty() && asked.to.empty() &&
+         asked.forecast.empty();
+}
+
 void run_report(const ReportArguments& arguments, const Context& context) {
   expect_output("--html", arguments.html, {".html"});
   expect_output("--pdf", arguments.pdf, {".pdf"});
   const Site site = find_site(arguments.windows.site, site_folders(context.store_folder));
+  if (arguments.html.empty() && !is_of_the_day(arguments.windows))
+    throw Error(ErrorKind::usage,
+                "found a question of your own (--task, --turbine, --from, --to or --forecast) "
+                "without --html, expected a file for its page; the site's report of the day in "
+                "the store is that of all its tasks; add --html FILE.html");
   MakeMorning how;
   how.question.windows = windows_question(arguments.windows, context);
   how.question.plan = plan_of(arguments, site, context);
@@ -78,8 +89,10 @@ void add_report(CLI::App& app, Context& context) {
       ->add_option("--plan-time-limit", arguments->plan_limit_s,
                    "of the search for the plan, s (default 20)")
       ->check(CLI::Range(0.01, 86400.0));
-  command->add_option("--html", arguments->html,
-                      "the page (default: reports/SITE/DAY.html in the store)");
+  command->add_option(
+      "--html", arguments->html,
+      "the page (default: reports/SITE/DAY.html in the store, where all tasks of the "
+      "site are asked about)");
   command->add_option("--pdf", arguments->pdf, "also print the page as FILE.pdf (with Chromium)");
   command->callback([arguments, &context] { run_report(*arguments, context); });
 }

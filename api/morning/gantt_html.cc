@@ -5,6 +5,7 @@
 #include "api/morning/morning_clock.h"
 #include "api/morning/task_words.h"
 #include "api/report/time_text.h"
+#include "api/windows/worth.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
 #include "twin/risk/daylight.h"
@@ -65,8 +66,8 @@ std::string columns(const Morning& morning, const TaskWindows& task, const Acros
   std::string html;
   for (const TaskStart& start : task.starts) {
     if (!start.forbidden.empty()) continue;
-    html += box(kind_of(worth_of(start), morning.question.windows.rule),
-                across.percent(start.start), width, 100 * start.probability);
+    html += box(kind_of(start.worth, morning.question.windows.rule), across.percent(start.start),
+                width, 100 * start.probability);
     if (start.twin)
       html += formatted("<b class=\"flown\" style=\"left:{:.2f}%;bottom:{:.0f}%\"></b>",
                         across.percent(start.start) + width / 2, 100 * start.twin->probability);
@@ -75,12 +76,13 @@ std::string columns(const Morning& morning, const TaskWindows& task, const Acros
 }
 
 /// "06:00–09:30 90 to 98 %; 14:00 52 %": what the picture shows, for who cannot see it.
-std::string picture_text(const TaskWindows& task, const MorningClock& clock) {
+std::string picture_text(const Morning& morning, const TaskWindows& task) {
+  const MorningClock clock(morning);
   std::string text;
-  for (const twin::StartWindow& window : task.windows)
+  for (const WorthRun& run : runs_of_worth(task, morning.question.windows.rule.marginal, 2))
     text += (text.empty() ? "" : "; ") +
-            clock(task.starts[window.first].start, task.starts[window.last].start) +
-            formatted(" {:.0f} to {:.0f} %", 100 * window.least, 100 * window.most);
+            clock(task.starts[run.first].start, task.starts[run.last].start) +
+            formatted(" {:.0f} to {:.0f} %", 100 * run.least, 100 * run.most);
   return text.empty() ? "no start with a chance worth a thought" : text;
 }
 
@@ -91,7 +93,7 @@ std::string row(const Morning& morning, const TaskWindows& task, const Across& a
                      (verdict == "no-go" ? "nogo" : verdict) + "\">" + verdict +
                      "</p><p class=\"where\">" + escaped_html(where_and_how_long(task)) + "</p>";
   html += "<div class=\"track\" role=\"img\" aria-label=\"Chance by start: " +
-          escaped_html(picture_text(task, MorningClock(morning))) + "\">" + behind +
+          escaped_html(picture_text(morning, task)) + "\">" + behind +
           columns(morning, task, across) + "</div><div class=\"words\">";
   for (const std::string& line : task_words(morning, task))
     html += "<p>" + escaped_html(line) + "</p>";
@@ -131,6 +133,12 @@ std::string gantt_html(const Morning& morning) {
                      escaped_html(MorningClock(morning).span()) + "</h2><div class=\"scale\">" +
                      hours(morning, across) + "</div><ol>\n";
   for (const TaskWindows* task : by_verdict(morning)) html += row(morning, *task, across, behind);
+  for (const TaskLeftOut& one : morning.windows.left_out)
+    html +=
+        "<li><h3>" + escaped_html(one.task) +
+        "</h3><p class=\"verdict nogo\">unknown</p><div class=\"words\"><p>It could not be worked "
+        "out: " +
+        escaped_html(one.why) + "</p></div></li>\n";
   html += "</ol><p class=\"note\">" + escaped_html(rules_text(morning)) + "</p></section>\n";
   return html;
 }

@@ -33,7 +33,12 @@ std::string tell_hook(const Hook& hook, const std::filesystem::path& folder, std
                       const std::string& verdict) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  if (!claim(folder / formatted("hook-{}", forecast))) return {};
+  const std::filesystem::path mark = folder / formatted("hook-{}", forecast);
+  if (std::filesystem::exists(mark, ignored)) return {};
+  if (::access(hook.command.front().c_str(), X_OK) != 0)  // its one chance is not used up
+    return "the hook was not run: found no program to start as " + hook.command.front() +
+           "; mend its path or rights, and issue the forecast again";
+  if (!claim(mark)) return {};
   const std::string name = "the hook " + hook.command.front();
   try {
     const ProgramEnd end = run_program(hook.command, verdict, hook.limit);

@@ -23,6 +23,7 @@ std::optional<store::ForecastRow> row_of(store::Store& store, const Morning& mor
 KnownForecast known_of(const Morning& morning, const Site& site,
                        const std::filesystem::path& store_folder) {
   KnownForecast known;
+  known.past.verified = "how forecasts of this site did was not looked up: this one is a file's";
   if (!morning.question.windows.forecast.empty()) return known;
   store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
   const auto row = row_of(store, morning);
@@ -42,8 +43,9 @@ KnownForecast known_of(const Morning& morning, const Site& site,
 
 void write(const MadeMorning& made, const Site& site, const std::string& generated) {
   const Field& field = *made.morning.windows.water.surround.field;
-  const ForecastPage page = page_of(std::make_shared<const Snapshot>(field.snapshot()), site,
-                                    made.known.summary_json, made.known.past, generated);
+  ForecastPage page = page_of(std::make_shared<const Snapshot>(field.snapshot()), site,
+                              made.known.summary_json, made.known.past, generated);
+  page.about = day_of(made.morning.windows.from);
   write_report(morning_page(made.morning, page), made.html);
 }
 
@@ -76,14 +78,22 @@ MadeMorning make_morning(const MakeMorning& how, const Site& site,
                          const std::filesystem::path& store_folder) {
   MadeMorning made;
   made.morning = morning_of(how.question, store_folder);
-  made.known = known_of(made.morning, site, store_folder);
+  made.known = how.known ? *how.known : known_of(made.morning, site, store_folder);
   made.html = !how.html.empty() ? how.html
                                 : reports_folder(store_folder, site.id) /
                                       (format_day(day_of(made.morning.windows.from)) + ".html");
   write(made, site, how.generated);
   if (!how.fly) return made;
   if (how.on_first_page) how.on_first_page(made);
-  fly_windows(how.question.windows, *how.fly, store_folder, made.morning.windows, how.on_progress);
+  Morning flown = made.morning;
+  const auto failure = attempt([&] {
+    fly_windows(flown.question.windows, *how.fly, store_folder, flown.windows, how.on_progress);
+    plan_anew(flown, store_folder);
+  });
+  if (failure)
+    made.morning.windows.notes.push_back("nothing was flown: " + failure->why);
+  else
+    made.morning = std::move(flown);
   write(made, site, how.generated);
   return made;
 }

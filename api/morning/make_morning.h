@@ -12,7 +12,7 @@ namespace slackwater::api {
 
 /// What is known of a forecast beside its numbers.
 struct KnownForecast {
-  std::string summary_json;        ///< empty: not of the store
+  std::string summary_json;  ///< empty: not of the store
   PastSkill past;
 };
 
@@ -27,15 +27,16 @@ struct MadeMorning {
 struct MakeMorning {
   MorningQuestion question;
   std::optional<FlyWindows> fly;
-  std::filesystem::path html;  ///< empty: STORE/reports/SITE/DAY.html
-  std::string generated;       ///< when and by what
+  std::filesystem::path html;          ///< empty: STORE/reports/SITE/DAY.html
+  std::string generated;               ///< when and by what
+  std::optional<KnownForecast> known;  ///< absent: looked up in the store
   /// Called when the first page stands, before anything is flown.
   std::function<void(const MadeMorning&)> on_first_page;
   std::function<void(double share)> on_progress;  ///< of the flights
 };
 
-/// Works out the windows and the plan, writes the page, then flies what is left open and writes the
-/// page again.
+/// Works out the windows and the plan, writes the page, then flies what is left open, plans anew
+/// and writes the page again. Flights that fail are told; the first page stands.
 /// @throws as `morning_of`; Error(unavailable) where the page cannot be written
 [[nodiscard]] MadeMorning make_morning(const MakeMorning& how, const Site& site,
                                        const std::filesystem::path& store_folder);

@@ -8,17 +8,33 @@
 #include "api/plan/make_plan.h"
 #include "api/plan/plan_setup.h"
 #include "fields/base/attempt.h"
+#include "fields/base/error.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
 
-void add_plan(const PlanFile& file, const std::filesystem::path& store_folder, Morning& morning) {
+/// A plan is of the day that its file names, or else of the morning's.
+void expect_of_the_day(const PlanFile& file, const Morning& morning) {
+  const UtcDay day = day_of(morning.windows.from);
+  if (file.day && *file.day != day)
+    throw Error(ErrorKind::invalid_input, "found a plan of " + format_day(*file.day) +
+                                              ", expected one of " + format_day(day) +
+                                              "; change its day, or leave it out");
+}
+
+}  // namespace
+
+void plan_anew(Morning& morning, const std::filesystem::path& store_folder) {
+  if (!morning.plan_file) return;
+  const PlanFile& file = *morning.plan_file;
   const auto failure = attempt([&] {
+    expect_of_the_day(file, morning);
     WindowsQuestion question = morning.question.windows;
-    question.from = morning.windows.from;
-    question.to = morning.windows.to;
-    const WindowsFile windows = windows_for_plan(file, question, store_folder);
+    question.from = UtcTime(day_of(morning.windows.from));
+    question.to = *question.from + std::chrono::days(1);
+    const WindowsFile windows =
+        windows_for_plan(file, question, store_folder, morning.windows.tasks);
     MorningPlan made;
     made.problem = problem_of(file, windows, 0);
     made.answer.name = file.name;
@@ -30,15 +46,19 @@ void add_plan(const PlanFile& file, const std::filesystem::path& store_folder, M
   if (failure) morning.no_plan = failure->why;
 }
 
-}  // namespace
-
 Morning morning_of(const MorningQuestion& question, const std::filesystem::path& store_folder) {
   Morning morning;
   morning.question = question;
-  std::optional<PlanFile> plan;  // what is misspelt is said before anything is worked out
-  if (!question.plan.empty()) plan = load_plan_file(question.plan, store_folder);
-  morning.windows = windows_of(question.windows, store_folder);
-  if (plan) add_plan(*plan, store_folder, morning);
+  morning.question.windows.may_leave_out = question.is_unattended;
+  const auto read_plan = [&] {  // what is misspelt is said before anything is worked out
+    if (!question.plan.empty()) morning.plan_file = load_plan_file(question.plan, store_folder);
+  };
+  if (!question.is_unattended)
+    read_plan();
+  else if (const auto failure = attempt(read_plan))
+    morning.no_plan = failure->why;
+  morning.windows = windows_of(morning.question.windows, store_folder);
+  plan_anew(morning, store_folder);
   return morning;
 }
 
@@ -67,7 +87,8 @@ std::string headline_of(const Morning& morning) {
   std::array<std::size_t, 3> counts{};
   for (const TaskWindows& task : morning.windows.tasks)
     ++counts.at(static_cast<std::size_t>(task.verdict));
-  const std::size_t all = morning.windows.tasks.size();
+  const std::size_t left_out = morning.windows.left_out.size();
+  const std::size_t all = morning.windows.tasks.size() + left_out;
   const std::string when = " " + MorningClock(morning).span();
   if (counts[0] == all)
     return (all == 1 ? std::string("Go for the task") : formatted("Go for all {} tasks", all)) +
@@ -77,6 +98,7 @@ std::string headline_of(const Morning& morning) {
   std::vector<std::string> others;
   if (counts[1] > 0) others.push_back(formatted("{} marginal", counts[1]));
   if (counts[2] > 0) others.push_back(formatted("{} no-go", counts[2]));
+  if (left_out > 0) others.push_back(formatted("{} not worked out", left_out));
   return text + "; " + joined(others, ", ") + ".";
 }
 

@@ -7,6 +7,7 @@
 #include "api/morning/task_words.h"
 #include "api/morning/trust.h"
 #include "api/windows/windows_answer.h"
+#include "api/windows/worth.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -23,23 +24,25 @@ json best_json(const Morning& morning, const TaskWindows& task) {
   if (best == nullptr) return nullptr;
   json out{{"start", utc(best->start)},
            {"probability", best->probability},
-           {"worth", worth_of(*best)},
+           {"worth", best->worth},
            {"interval_95", {best->interval.low, best->interval.high}},
-           {"binding", binding_text(task, *best, futures_of(morning), utc)},
+           {"stopped_by", stopping_text(task, *best, futures_of(morning), utc)},
            {"flown", nullptr}};
   if (best->twin)
     out["flown"] = {{"probability", best->twin->probability},
                     {"interval_95", {best->twin->interval.low, best->twin->interval.high}},
-                    {"flights", best->twin->flights}};
+                    {"flights", best->twin->flights},
+                    {"stopped_by", best->twin->stopped_by.empty() ? json(nullptr)
+                                                                  : json(best->twin->stopped_by)}};
   return out;
 }
 
 json task_json(const Morning& morning, const TaskWindows& task) {
   json windows = json::array();
-  for (const twin::StartWindow& window : task.windows)
-    windows.push_back({{"from", utc(task.starts[window.first].start)},
-                       {"to", utc(task.starts[window.last].start)},
-                       {"probability_mean", window.mean}});
+  for (const WorthRun& run : runs_of_worth(task, morning.question.windows.rule.marginal, 2))
+    windows.push_back({{"from", utc(task.starts[run.first].start)},
+                       {"to", utc(task.starts[run.last].start)},
+                       {"worth", {{"min", run.least}, {"max", run.most}}}});
   return {{"task", task.id},
           {"name", task.name},
           {"turbines", task.turbines},
@@ -56,8 +59,8 @@ json trust_json(const PastSkill& past, WindPolicy wind) {
     const auto& best = of.verdict.best;
     out.push_back({{"variable", of.variable},
                    {"unit", of.unit},
-                   {"forecasts", of.verdict.forecast.score.pairs},
-                   {"rmse", of.verdict.forecast.score.rmse},
+                   {"forecasts", best ? best->pairs : of.verdict.forecast.score.pairs},
+                   {"rmse", best ? best->forecast_rmse : of.verdict.forecast.score.rmse},
                    {"outcome", name_of(of.verdict.outcome)},
                    {"best_rival", best ? json(name_of(best->method)) : json(nullptr)},
                    {"rival_rmse", best ? json(best->rmse) : json(nullptr)}});
@@ -88,9 +91,11 @@ json morning_json(const Morning& morning, const PastSkill& past) {
            {"verdict", twin::name_of(windows.verdict)},
            {"headline", headline_of(morning)},
            {"tasks", tasks},
+           {"left_out", left_out_json(windows.left_out)},
            {"plan", nullptr},
            {"no_plan", morning.no_plan.empty() ? json(nullptr) : json(morning.no_plan)},
            {"trust", trust_json(past, forecast.wind_policy.value_or(WindPolicy::best))},
+           {"verified", past.verified},
            {"notes", windows.notes}};
   if (morning.plan) out["plan"] = plan_json(morning.plan->problem, morning.plan->answer);
   return out;
@@ -100,7 +105,8 @@ std::string morning_text(const Morning& morning) {
   const MorningClock clock(morning);
   const std::vector<const TaskWindows*> tasks = by_verdict(morning);
   // One more than there is room for is better named than counted.
-  const std::size_t shown = tasks.size() > most_lines ? most_lines - 1 : tasks.size();
+  const std::size_t room = most_lines - (morning.windows.left_out.empty() ? 0 : 1);
+  const std::size_t shown = tasks.size() > room ? room - 1 : tasks.size();
   std::string text = headline_of(morning) + " " + clock.note() + "\n";
   for (std::size_t i = 0; i < shown; ++i) {
     const TaskWindows& task = *tasks[i];
@@ -108,9 +114,15 @@ std::string morning_text(const Morning& morning) {
     text += formatted("  {:<9}", std::string(twin::name_of(task.verdict))) + task.name + " at " +
             joined(task.turbines, ", ") + ": " + best_text(task, clock);
     if (task.verdict != twin::Verdict::go && best != nullptr)
-      text += "; " + binding_text(task, *best, futures_of(morning), clock);
+      text += "; " + stopping_text(task, *best, futures_of(morning), clock);
     text += "\n";
   }
+  if (!morning.windows.left_out.empty())
+    text += "  not worked out: " + morning.windows.left_out.front().task +
+            (morning.windows.left_out.size() > 1
+                 ? formatted(" and {} more", morning.windows.left_out.size() - 1)
+                 : std::string()) +
+            "; the page says why\n";
   if (shown < tasks.size()) text += formatted("  and {} more, none better\n", tasks.size() - shown);
   return text;
 }

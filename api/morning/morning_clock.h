@@ -23,10 +23,11 @@ class MorningClock {
     return is_one_day_ ? clock_.clocks(first, last)
                        : clock_.stamp(first) + "–" + clock_.stamp(last);
   }
-  /// "on Fri 14 Mar", "from Fri 14 Mar 06:00 to Sat 15 Mar 18:00".
+  /// "on Fri 14 Mar" of a whole day, "from Fri 14 Mar 06:00 to Sat 15 Mar 18:00".
   [[nodiscard]] std::string span() const {
-    return is_one_day_ ? "on " + date_text(from_)
-                       : "from " + clock_.stamp(from_) + " to " + clock_.stamp(to_);
+    const bool is_whole = from_ == UtcTime(day_of(from_)) && to_ - from_ == std::chrono::days(1);
+    return is_whole ? "on " + date_text(from_)
+                    : "from " + clock_.stamp(from_) + " to " + clock_.stamp(to_);
   }
   [[nodiscard]] std::string note() const { return clock_.note(); }
 

@@ -16,14 +16,12 @@ namespace slackwater::api {
 namespace {
 
 /// One line of what past forecasts were worth, by variable.
-std::string trust_text(const std::vector<Trust>& trust) {
-  if (trust.empty()) return "no forecast of this site has met its truth yet";
+/// @param verified  in words, where there is none
+std::string trust_text(const std::vector<Trust>& trust, const std::string& verified) {
+  if (trust.empty()) return verified;
   std::vector<std::string> parts;
   for (const Trust& of : trust) parts.push_back(text_of(of));
-  const std::size_t days = trust.front().verdict.forecast.score.pairs;
-  return formatted("error of the first day of lead over {} {}: ", days,
-                   days == 1 ? "forecast" : "forecasts") +
-         joined(parts, "; ");
+  return "error of the first day of lead: " + joined(parts, "; ");
 }
 
 /// The newest forecast whose truth is in, held against it.
@@ -41,7 +39,9 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
     const calibration::Verdict& verdict = of_variable.verdict;
     const std::string unit = " " + of_variable.unit;
     std::vector<std::string> row{of_variable.variable,
-                                 formatted("{:.2f}", verdict.forecast.score.rmse) + unit};
+                                 formatted("{:.2f}", verdict.best ? verdict.best->forecast_rmse
+                                                                  : verdict.forecast.score.rmse) +
+                                     unit};
     if (verdict.best) {
       row.emplace_back(name_of(verdict.best->method));
       row.push_back(formatted("{:.2f}", verdict.best->rmse) + unit);
@@ -116,7 +116,7 @@ ReportInput morning_page(const Morning& morning, const ForecastPage& forecast) {
   page.decisions_html = gantt_html(morning) + notes_html(morning) + plan_html(morning);
   page.answer.emplace_back("The forecast", of_forecast);
   std::erase_if(page.answer, [](const auto& line) { return line.first == "How good it was"; });
-  page.answer.emplace_back("Trust", trust_text(trust_of(forecast.skill, wind)));
+  page.answer.emplace_back("Trust", trust_text(trust_of(forecast.skill, wind), forecast.verified));
   page.after_plots_html =
       risks_html(morning) + yesterday_html(trust_of(newest_day_of(forecast.skill, wind), wind));
   add_provenance(morning, page);

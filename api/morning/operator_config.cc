@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include "api/program/paths.h"
 #include "fields/base/config.h"
@@ -36,18 +37,33 @@ void expect_ours(const fs::path& place) {
                     "programs as you; chmod go-w it");
 }
 
-/// The file, where links to it lead, and every folder on the ways there: whoever writes in one of
-/// them can put another file in its place.
-/// @return without links
-fs::path expect_ours_with_folders(const fs::path& named) {
-  expect_ours(named);
-  const fs::path file = fs::canonical(named);
-  for (const fs::path& way : {file, fs::absolute(named).lexically_normal()})
-    for (fs::path folder = way.parent_path();; folder = folder.parent_path()) {
-      expect_ours(folder);
-      if (folder == folder.root_path()) break;
+/// The place and every folder and link on the way to it: whoever writes in one of them can put
+/// another file in its place.
+void expect_way_ours(const fs::path& named, int links = 0) {
+  if (links > 40)
+    throw Error(ErrorKind::invalid_input,
+                "found links that lead in a circle at " + named.string() + "; mend them");
+  fs::path so_far = "/";
+  expect_ours(so_far);
+  const fs::path way = fs::absolute(named);
+  for (auto part = std::next(way.begin()); part != way.end(); ++part) {
+    const fs::path next = *part == ".." ? so_far.parent_path() : so_far / *part;
+    std::error_code unreadable;
+    if (*part == "." || part->empty()) continue;
+    if (!fs::is_symlink(next, unreadable)) {
+      expect_ours(next);
+      so_far = next;
+      continue;
     }
-  return file;
+    struct stat link {};
+    if (::lstat(next.c_str(), &link) != 0 || (link.st_uid != 0 && link.st_uid != ::geteuid()))
+      throw Error(ErrorKind::invalid_input, "found the link " + next.string() +
+                                                " owned by another user, expected you or root; "
+                                                "change its owner");
+    fs::path rest = so_far / fs::read_symlink(next);
+    for (auto more = std::next(part); more != way.end(); ++more) rest /= *more;
+    return expect_way_ours(rest, links + 1);
+  }
 }
 
 Hook read_hook(const Config& config) {
@@ -66,17 +82,18 @@ Hook read_hook(const Config& config) {
 }  // namespace
 
 OperatorConfig load_operator_config(const fs::path& named) {
-  const fs::path file = expect_ours_with_folders(named);
-  const Config config = Config::load(file);
+  expect_way_ours(named);
+  const Config config = Config::load(named);
   OperatorConfig out;
   if (const auto hook = config.optional_child("hook")) out.hook = read_hook(*hook);
   config.expect_all_read();
-  if (out.hook) static_cast<void>(expect_ours_with_folders(out.hook->command.front()));
+  if (out.hook) expect_way_ours(out.hook->command.front());
   return out;
 }
 
 OperatorConfig operator_config() {
-  if (const char* named = std::getenv("SLACKWATER_OPERATOR")) return load_operator_config(named);
+  if (const char* named = std::getenv("SLACKWATER_OPERATOR"); named != nullptr && *named != '\0')
+    return load_operator_config(named);
   std::vector<fs::path> places;
   if (const auto own = own_config_folder()) places.push_back(*own / "operator.yaml");
   places.emplace_back("/etc/slackwater/operator.yaml");

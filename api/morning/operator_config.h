@@ -25,9 +25,9 @@ struct OperatorConfig {
 
 /// $SLACKWATER_OPERATOR, else `operator.yaml` in the user's configuration folder, else
 /// /etc/slackwater/operator.yaml; nothing said where there is none of them.
-/// @throws Error(invalid_input) for a file or a hook that others can write, or that lies in a folder
-///         where they can; for a hook that is no absolute path; Error(not_found) for one that is
-///         named and not there
+/// @throws Error(invalid_input) for a file or a hook that others can write, or that lies in a
+///         folder, or is come to by a link, that is another's; for a hook that is no absolute path;
+///         Error(not_found) for one that is named and not there
 [[nodiscard]] OperatorConfig operator_config();
 [[nodiscard]] OperatorConfig load_operator_config(const std::filesystem::path& file);
 

@@ -22,11 +22,13 @@ namespace fs = std::filesystem;
 class Scratch {
  public:
   Scratch() {
-    std::string name = (fs::temp_directory_path() / "slackwater-pdf-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
+    std::error_code none;
+    const fs::path within = fs::temp_directory_path(none);
+    std::string name = (within / "slackwater-pdf-XXXXXX").string();
+    if (none || ::mkdtemp(name.data()) == nullptr)
       throw Error(ErrorKind::unavailable, "found no room for a folder in " +
-                                              fs::temp_directory_path().string() +
-                                              "; set TMPDIR to a writable one");
+                                              (none ? std::string("TMPDIR") : within.string()) +
+                                              " to print in; set TMPDIR to a writable folder");
     folder = name;
   }
   ~Scratch() {
@@ -37,6 +39,12 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
   fs::path folder;
 };
+
+/// ": what it said first".
+std::string first_line(const std::string& said) {
+  const std::string line = said.substr(0, said.find('\n'));
+  return line.empty() ? line : ": " + line;
+}
 
 bool is_pdf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -76,16 +84,21 @@ void print_page(const fs::path& page, const fs::path& pdf) {
   const fs::path copy = scratch.folder / "page.html";  // a name that an address can hold
   std::error_code failure;
   fs::copy_file(page, copy, failure);
+  if (failure)
+    throw Error(ErrorKind::unavailable, "copying " + page.string() + " to print it failed (" +
+                                            failure.message() +
+                                            "); set TMPDIR to a folder with room");
   const auto end = print(copy, printed, scratch.folder / "profile");
   if (!end)
     throw Error(ErrorKind::unavailable,
                 "found no Chromium to print " + page.string() +
                     " with; the page itself is written; install it (apt install chromium)");
-  if (failure || end->is_out_of_time || end->exit_code != 0 || !is_pdf(printed))
+  if (end->is_out_of_time || end->exit_code != 0 || !is_pdf(printed))
     throw Error(ErrorKind::unavailable,
                 "Chromium did not print " + page.string() + " (" +
-                    (end->is_out_of_time ? std::string("stopped after a minute")
-                                         : "exit code " + std::to_string(end->exit_code)) +
+                    (end->is_out_of_time
+                         ? std::string("stopped after a minute")
+                         : "exit code " + std::to_string(end->exit_code) + first_line(end->err)) +
                     "); the page itself is written; print it from a browser");
   fs::path part = pdf;
   part += ".part";

@@ -1,10 +1,12 @@
 #include "api/morning/task_words.h"
 
 #include <cmath>
+#include <tuple>
 
 #include "api/morning/morning_clock.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/windows/windows_answer.h"
+#include "api/windows/worth.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -17,54 +19,48 @@ std::string run_text(const TaskWindows& task, const twin::StartWindow& window,
   return clock(task.starts[window.first].start, task.starts[window.last].start);
 }
 
-/// "06:00–09:30, 11:00": the starts whose chance is at least so much.
-std::string starts_from(const TaskWindows& task, double least, const MorningClock& clock) {
+/// "04:30–05:00, 11:00".
+std::string runs_text(const TaskWindows& task, const std::vector<WorthRun>& runs,
+                      const MorningClock& clock, bool with_worth) {
   std::vector<std::string> parts;
-  for (std::size_t first = 0; first < task.starts.size(); ++first) {
-    const auto is_open = [&](std::size_t i) {
-      return task.starts[i].forbidden.empty() && worth_of(task.starts[i]) >= least;
-    };
-    if (!is_open(first)) continue;
-    std::size_t last = first;
-    while (last + 1 < task.starts.size() && is_open(last + 1)) ++last;
-    parts.push_back(clock(task.starts[first].start, task.starts[last].start));
-    first = last;
+  for (const WorthRun& run : runs) {
+    std::string text = clock(task.starts[run.first].start, task.starts[run.last].start);
+    const std::string least = percent(run.least), most = percent(run.most);
+    if (with_worth)
+      text += " (" + (least == most ? most : formatted("{:.0f} to ", 100 * run.least) + most) + ")";
+    parts.push_back(text);
   }
   return joined(parts, ", ");
 }
 
-/// "Go: start 04:30–05:00. Marginal: 00:00–16:00 (52 to 93 %)."
-std::string windows_line(const Morning& morning, const TaskWindows& task,
-                         const MorningClock& clock) {
+/// "Go: start 04:30–05:00. Marginal: start 00:00–04:00 (52 to 78 %)."; empty where there is
+/// neither.
+std::string starts_line(const Morning& morning, const TaskWindows& task,
+                        const MorningClock& clock) {
   const twin::VerdictRule& rule = morning.question.windows.rule;
-  const std::string go = starts_from(task, rule.go, clock);
-  std::string text = go.empty() ? "" : "Go: start " + go + ". ";
-  std::vector<std::string> parts;
-  for (const twin::StartWindow& window : task.windows) {
-    if (window.least >= rule.go) continue;
-    const std::string least = percent(window.least), most = percent(window.most);
-    parts.push_back(run_text(task, window, clock) + " (" +
-                    (least == most ? most : formatted("{:.0f} to ", 100 * window.least) + most) +
-                    ")");
-  }
-  if (!parts.empty())
-    text += (go.empty() ? "Marginal: start " : "With less: ") + joined(parts, ", ") + ".";
+  const std::string go = runs_text(task, runs_of_worth(task, rule.go, 2), clock, false);
+  const std::string marginal =
+      runs_text(task, runs_of_worth(task, rule.marginal, rule.go), clock, true);
+  std::string text = go.empty() ? "" : "Go: start " + go + ".";
+  if (!marginal.empty())
+    text += (go.empty() ? "Marginal: start " : " Marginal: start ") + marginal + ".";
   return text;
 }
 
 std::string best_line(const Morning& morning, const TaskWindows& task, const MorningClock& clock) {
   const TaskStart* best = best_of(task);
   if (best == nullptr) return "There is no start.";
-  std::string text = task.windows.empty() ? "No start is likely; the best is " : "Best ";
+  const bool is_likely = best->worth >= morning.question.windows.rule.marginal;
+  std::string text = is_likely ? "Best " : "No start is likely; the best is ";
   text += clock(best->start) + ": " + percent(best->probability) +
           formatted(" ({:.0f} to {:.0f})", 100 * best->interval.low, 100 * best->interval.high);
-  if (worth_of(*best) < best->probability) text += ", as flown " + percent(worth_of(*best));
+  if (best->worth < best->probability) text += ", " + percent(best->worth) + " as flown";
   const bool is_exceeded = best->chance.binding && best->chance.binding->is_exceeded;
   return text +
-         (task.windows.empty() ? ". What stops it: "
-          : is_exceeded        ? ". What threatens it: "
-                               : ". What comes nearest: ") +
-         binding_text(task, *best, futures_of(morning), clock) + ".";
+         (!is_likely    ? ". What stops it: "
+          : is_exceeded ? ". What threatens it: "
+                        : ". What comes nearest: ") +
+         stopping_text(task, *best, futures_of(morning), clock) + ".";
 }
 
 /// Of the starts that were flown the best.
@@ -118,21 +114,24 @@ std::string where_and_how_long(const TaskWindows& task) {
 std::string best_text(const TaskWindows& task, const std::function<std::string(UtcTime)>& clock) {
   const TaskStart* best = best_of(task);
   if (best == nullptr) return "no start";
-  return "best " + clock(best->start) + ", " + percent(worth_of(*best));
+  return "best " + clock(best->start) + ", " + percent(best->worth);
 }
 
 const TaskStart* best_flown(const TaskWindows& task) {
+  const auto key = [](const TaskStart& start) {
+    return std::tuple(start.worth, start.twin->interval.low);
+  };
   const TaskStart* best = nullptr;
   for (const TaskStart& start : task.starts)
-    if (start.twin && (best == nullptr || start.twin->interval.low > best->twin->interval.low))
-      best = &start;
+    if (start.twin && (best == nullptr || key(start) > key(*best))) best = &start;
   return best;
 }
 
 std::vector<std::string> task_words(const Morning& morning, const TaskWindows& task) {
   const MorningClock clock(morning);
   std::vector<std::string> lines;
-  if (!task.windows.empty()) lines.push_back(windows_line(morning, task, clock));
+  if (std::string starts = starts_line(morning, task, clock); !starts.empty())
+    lines.push_back(std::move(starts));
   lines.push_back(best_line(morning, task, clock));
   if (std::string flown = flown_line(task, clock); !flown.empty())
     lines.push_back(std::move(flown));
@@ -155,10 +154,10 @@ std::string rules_text(const Morning& morning) {
              "of the forecast say. Full: {:.0f} % or more, go; hatched: {:.0f} % or more, "
              "marginal; pale: less. ",
              futures_of(morning), 100 * question.rule.go, 100 * question.rule.marginal) +
-         (is_flown ? formatted("Rings: the share of flights that were done; from {} flights on a "
-                               "start is worth no more than they say. ",
-                               flights_that_count)
-                   : std::string()) +
+         (is_flown
+              ? "Rings: the share of flights that were done; where they shut a chance out, it is "
+                "worth no more than they say. "
+              : "") +
          "Grey behind: the sun is down. Practice: " + question.practice.name() + ". " +
          MorningClock(morning).note();
 }

@@ -14,7 +14,7 @@ namespace slackwater::api {
 [[nodiscard]] std::string best_text(const TaskWindows& task,
                                     const std::function<std::string(UtcTime)>& clock);
 
-/// The start whose flights went best, by what is sure of it; null where none was flown.
+/// Of the starts that were flown the one that is worth most; null where none was.
 [[nodiscard]] const TaskStart* best_flown(const TaskWindows& task);
 
 /// What is said of a task below its row: the windows, the best start with its interval and what

@@ -17,9 +17,9 @@ namespace slackwater::api {
 ///        "starts": [{"start": "2025-06-02T06:00:00Z", "probability": 0.93,
 ///                    "duration_h": {"p50": 3.0, "p90": 3.4}, "energy_wh": {"p90": 180}}]}]}
 ///
-/// `worth`, where a start has it, goes before its `probability`. `turbine` may be absent: then it is
-/// of all. `duration_h` and `energy_wh` are a number, or an
-/// object whose `p90` is planned with; those of a start go before those of the task.
+/// `worth`, where a start has it, goes before its `probability`. `turbine` may be absent: then it
+/// is of all. `duration_h` and `energy_wh` are a number, or an object whose `p90` is planned with;
+/// those of a start go before those of the task.
 struct WindowsFile {
   struct Start {
     UtcTime time{};

@@ -59,6 +59,19 @@ pid_t start(const std::vector<std::string>& command, const Pipe& in, const Pipe&
   return child;
 }
 
+/// A signal handled otherwise for a while.
+class SignalAs {
+ public:
+  SignalAs(int signal, void (*as)(int)) : signal_(signal), before_(std::signal(signal, as)) {}
+  ~SignalAs() { std::signal(signal_, before_); }
+  SignalAs(const SignalAs&) = delete;
+  SignalAs& operator=(const SignalAs&) = delete;
+
+ private:
+  int signal_;
+  void (*before_)(int);
+};
+
 /// What another program is told and what it says, a little at a time.
 class Talk {
  public:
@@ -112,8 +125,9 @@ ProgramEnd run_program(const std::vector<std::string>& command, const std::strin
   expects(!command.empty(), "a program has a name");
   const Clock::time_point end = Clock::now() + limit;
   Pipe in, err;
-  // One who does not read what is written is no reason to die.
-  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  // One who does not read what is written is no reason to die; and how it ended is to be had,
+  // whatever the one who started us does with the ends of children.
+  const SignalAs heedless(SIGPIPE, SIG_IGN), heard(SIGCHLD, SIG_DFL);
   const pid_t child = start(command, in, err);
   in.close_reading();
   err.close_writing();
@@ -121,7 +135,6 @@ ProgramEnd run_program(const std::vector<std::string>& command, const std::strin
   bool is_over = false;
   while (!(is_over = has_ended(child)) && Clock::now() < end) talk.go_on(milliseconds(20));
   talk.hear();
-  std::signal(SIGPIPE, before);
   ::kill(-child, SIGKILL);  // with whatever it left running
   int status = 0;
   ::waitpid(child, &status, 0);

@@ -14,7 +14,7 @@ struct ProgramEnd {
 
 /// Runs another program, without a shell: its path or its name on PATH, then its arguments as they
 /// are. It reads `input` and nothing else; what it prints on standard output is dropped. At the
-/// time limit it and its children are killed.
+/// time limit, or when it ends, its process group is killed.
 /// @param command     not empty
 /// @throws Error(unavailable) where it cannot be started
 [[nodiscard]] ProgramEnd run_program(const std::vector<std::string>& command,

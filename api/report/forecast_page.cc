@@ -34,9 +34,11 @@ struct Span {
   [[nodiscard]] bool holds(UtcTime time) const { return time >= from && time <= to; }
 };
 
-/// The first whole UTC day after the issue; where the forecast does not hold it, all of it.
-Span answered_span(const Snapshot& s, const PageClock& clock, std::string& title) {
-  const UtcTime midnight = std::chrono::ceil<days>(s.issued);
+/// The day that is asked about, else the first whole UTC day after the issue; where the forecast
+/// does not hold it, all of it.
+Span answered_span(const Snapshot& s, const std::optional<UtcDay>& about, const PageClock& clock,
+                   std::string& title) {
+  const UtcTime midnight = about ? UtcTime(*about) : std::chrono::ceil<days>(s.issued);
   if (midnight >= s.time.front() && midnight + days(1) <= s.time.back()) {
     title = "on " + date_text(midnight) + ", 00:00 to 24:00 UTC";
     return {midnight, midnight + days(1), clock};
@@ -393,7 +395,7 @@ ReportInput forecast_page(const ForecastPage& what) {
     page.clock_changes = what.time_zone->changes(s.time.front(), s.time.back());
   }
   std::string when;
-  const Span span = answered_span(s, clock, when);
+  const Span span = answered_span(s, what.about, clock, when);
   const Field field(what.forecast);
   if (has_currents(s)) {
     page.speed = speed_of(field, page_depth_m(s, what.depth_m), what.slack_below_m_s, clock);

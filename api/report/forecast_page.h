@@ -27,8 +27,9 @@ struct ForecastPage {
   std::optional<double>
       depth_m;  ///< shown first; else 10 m, or half of a water less deep than 20 m
   double slack_below_m_s = 0.5;
-  std::optional<TimeZone> time_zone;           ///< of the site: local time beside UTC
-  std::string verified;                        ///< a sentence: how past forecasts did; may be empty
+  std::optional<UtcDay> about;        ///< the day that it answers for; else the first whole one
+  std::optional<TimeZone> time_zone;  ///< of the site: local time beside UTC
+  std::string verified;               ///< a sentence: how past forecasts did; may be empty
   std::vector<calibration::SkillEntry> skill;  ///< of past forecasts; may be empty
   std::string skill_note;                      ///< what was scored against what
   std::string generated;                       ///< when and by what

@@ -9,7 +9,12 @@ namespace slackwater::api {
 namespace {
 
 /// Errors that differ by less are one number at three digits.
-constexpr double not_shown_m_s = 0.0005;
+constexpr double not_shown = 0.0005;
+
+/// As people write it.
+const char* unit_of(const calibration::Verdict& verdict) {
+  return verdict.forecast.of.variable == calibration::wave_variable ? "m" : "m/s";
+}
 
 }  // namespace
 
@@ -26,7 +31,7 @@ std::string wind_text(const calibration::SkillEntry& entry) {
 
 std::string error_text(const calibration::Verdict& verdict) {
   const calibration::SkillEntry& of = verdict.forecast.of;
-  std::string text = formatted("{:.3f} m/s", verdict.forecast.score.rmse);
+  std::string text = formatted("{:.3f} {}", verdict.forecast.score.rmse, unit_of(verdict));
   if (hides_the_tide(of.truth_averaging)) {
     text += " against " + averaging_text(of.truth_averaging) +
             ", not instants: what passes within a mean is not scored";
@@ -49,14 +54,14 @@ std::string pairs_text(const calibration::Verdict& verdict) {
 std::string baseline_text(const calibration::Verdict& verdict) {
   if (!verdict.best) return {};
   const calibration::BestBaseline& best = *verdict.best;
-  std::string text =
-      "best baseline " + std::string(name_of(best.method)) + formatted(" {:.3f} m/s", best.rmse);
+  std::string text = "best baseline " + std::string(name_of(best.method)) +
+                     formatted(" {:.3f} {}", best.rmse, unit_of(verdict));
   if (best.pairs < verdict.forecast.score.pairs) {
-    text += formatted(" (over {} of these pairs, there the forecast has {:.3f} m/s)", best.pairs,
-                      best.forecast_rmse);
-  } else if (std::abs(best.forecast_rmse - verdict.forecast.score.rmse) > not_shown_m_s) {
-    text += formatted(" (over the values that both have, there the forecast has {:.3f} m/s)",
-                      best.forecast_rmse);
+    text += formatted(" (over {} of these pairs, there the forecast has {:.3f} {})", best.pairs,
+                      best.forecast_rmse, unit_of(verdict));
+  } else if (std::abs(best.forecast_rmse - verdict.forecast.score.rmse) > not_shown) {
+    text += formatted(" (over the values that both have, there the forecast has {:.3f} {})",
+                      best.forecast_rmse, unit_of(verdict));
   }
   return text;
 }
@@ -69,9 +74,9 @@ std::string verdict_text(const calibration::Verdict& verdict) {
   if (s.rmse_interval)
     text += formatted(" [{:.3f}, {:.3f}]", s.rmse_interval->low, s.rmse_interval->high);
   if (verdict.best) text += ", " + baseline_text(verdict);
-  if (s.vector->coverage_80)
+  if (s.vector && s.vector->coverage_80)
     text += formatted("; {:.0f} % of the truth inside the 80 % band", 100 * *s.vector->coverage_80);
-  if (s.vector->coverage_interval)
+  if (s.vector && s.vector->coverage_interval)
     text += formatted(" [{:.0f}, {:.0f}]", 100 * s.vector->coverage_interval->low,
                       100 * s.vector->coverage_interval->high);
   return text + ".";

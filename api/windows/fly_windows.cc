@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 #include "api/rehearse/rehearsal.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/risk_report.h"
 #include "api/windows/task_windows.h"
+#include "api/windows/worth.h"
 #include "twin/simulate/set_up.h"
 
 namespace slackwater::api {
@@ -62,7 +64,8 @@ void fly_task(const WindowsQuestion& question, const FlyWindows& settings, doubl
   const Rehearsal flown = rehearse(mission.scenario, answer.water.surround, plan);
   for (std::size_t i = 0; i < starts.size(); ++i)
     task.starts[starts[i]].twin = chance_of(flown.starts[i], mission.consequences);
-  task.verdict = twin::verdict_of(worth_of(*best_of(task)), question.rule);
+  weigh_by_flights(task, settings.every);
+  task.verdict = twin::verdict_of(best_of(task)->worth, question.rule);
 }
 
 }  // namespace
@@ -71,10 +74,16 @@ void fly_windows(const WindowsQuestion& question, const FlyWindows& settings,
                  const std::filesystem::path& store_folder, WindowsAnswer& answer,
                  const std::function<void(double)>& on_progress) {
   const Clock::time_point began = Clock::now();
+  std::vector<std::size_t> to_fly;
+  for (const TaskWindows& task : answer.tasks)
+    to_fly.push_back(starts_to_fly(task, settings.every).size());
+  std::size_t left = std::accumulate(to_fly.begin(), to_fly.end(), std::size_t{0});
   for (std::size_t i = 0; i < answer.tasks.size(); ++i) {
     const double left_s =
         settings.most_wall_s - std::chrono::duration<double>(Clock::now() - began).count();
-    const double share_s = std::max(left_s, 1.0) / static_cast<double>(answer.tasks.size() - i);
+    const double share_s = std::max(left_s, 1.0) * static_cast<double>(to_fly[i]) /
+                           static_cast<double>(std::max<std::size_t>(left, 1));
+    left -= to_fly[i];
     fly_task(question, settings, share_s, store_folder, answer, answer.tasks[i]);
     answer.verdict = std::max(answer.verdict, answer.tasks[i].verdict);
     if (on_progress)

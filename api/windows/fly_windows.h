@@ -13,9 +13,10 @@ struct FlyWindows {
 };
 
 /// Flies the starts of each task that the limits leave open in a member at least, in the members of
-/// the forecast, fills `TaskStart::twin` and gives the verdicts anew (`worth_of`). First every
-/// start once, then those of whose success least is known, until the intervals are narrow enough or
-/// the time of the task is over: what is left of the time is shared by the tasks that are left.
+/// the forecast, fills `TaskStart::twin` and gives worth and verdicts anew (`weigh_by_flights`).
+/// First every start once, however long that takes, then those of whose success least is known,
+/// until the intervals are narrow enough or the time of the task is over; what is in the air is
+/// flown to its end. Of the time that is left a task has a share by its starts.
 /// @param on_progress  share of the tasks
 /// @throws as `windows_of`
 void fly_windows(const WindowsQuestion& question, const FlyWindows& settings,

@@ -8,6 +8,7 @@
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/zones.h"
 #include "api/windows/task_outlook.h"
+#include "api/windows/worth.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/mission/site_work.h"
@@ -192,6 +193,7 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
         intervals[held] = twin::success_interval(held, outlook.question.members);
       start.interval = intervals[held];
       start.probability = twin::next_success(held, outlook.question.members);
+      start.worth = start.probability;
     }
     if (start.chance.binding) start.binds_at = outlook.clock.time_of(start.chance.binding->step);
     out.starts.push_back(std::move(start));
@@ -217,7 +219,7 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
   else if (out.no_alpha.empty())
     out.no_alpha = "it has no factor for any of the limits";
   const TaskStart* best = best_of(out);
-  out.verdict = twin::verdict_of(best == nullptr ? 0 : worth_of(*best), question.rule);
+  out.verdict = twin::verdict_of(best == nullptr ? 0 : best->worth, question.rule);
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #include "api/windows/windows.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "api/program/paths.h"
 #include "api/windows/task_windows.h"
+#include "fields/base/attempt.h"
 #include "fields/base/error.h"
 #include "fields/base/parallel.h"
 #include "fields/base/text.h"
@@ -58,21 +59,39 @@ bool choose_span(const WindowsQuestion& question, const Field& field, SharedOutl
   return !question.from && !question.to;
 }
 
+/// Each task by itself; one that cannot be worked out is left out where the question lets it.
+void work_out(const WindowsQuestion& question, const SharedOutlook& shared,
+              const std::vector<std::string>& tasks, WindowsAnswer& answer) {
+  answer.tasks.resize(tasks.size());
+  if (!question.may_leave_out) {
+    for_all(tasks.size(), question.threads,
+            [&](std::size_t i) { answer.tasks[i] = task_windows(question, shared, tasks[i]); });
+    return;
+  }
+  std::vector<std::optional<Failure>> failures(tasks.size());
+  for_all(tasks.size(), question.threads, [&](std::size_t i) {
+    failures[i] = attempt([&] { answer.tasks[i] = task_windows(question, shared, tasks[i]); });
+  });
+  std::vector<TaskWindows> made;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (failures[i])
+      answer.left_out.push_back({tasks[i], failures[i]->why});
+    else
+      made.push_back(std::move(answer.tasks[i]));
+  }
+  if (made.empty()) throw Error(failures.front()->kind, failures.front()->why);
+  answer.tasks = std::move(made);
+}
+
+void expect_once(const char* what, std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end())
+    throw Error(ErrorKind::usage,
+                std::string("found ") + what + " " + *twice + " twice; name it once");
+}
+
 }  // namespace
-
-double worth_of(const TaskStart& start) {
-  if (!start.twin || start.twin->flights < flights_that_count) return start.probability;
-  const auto done = static_cast<std::size_t>(
-      std::lround(start.twin->probability * static_cast<double>(start.twin->flights)));
-  return std::min(start.probability, twin::next_success(done, start.twin->flights));
-}
-
-const TaskStart* best_of(const TaskWindows& task) {
-  const TaskStart* best = nullptr;
-  for (const TaskStart& start : task.starts)
-    if (best == nullptr || worth_of(start) > worth_of(*best)) best = &start;
-  return best;
-}
 
 WindowsAnswer windows_of(const WindowsQuestion& question,
                          const std::filesystem::path& store_folder) {
@@ -82,8 +101,11 @@ WindowsAnswer windows_of(const WindowsQuestion& question,
     throw Error(ErrorKind::usage, "found no --task, and site " + site.id +
                                       " lists none; expected one or more of " +
                                       joined(known_tasks(), ", ") + ", or the path of a file");
+  expect_once("task", tasks);
+  expect_once("turbine", question.turbines);
   // What is misspelt is said before anything is read.
-  for (const std::string& task : tasks) (void)load_task(task, std::filesystem::current_path());
+  if (!question.may_leave_out)
+    for (const std::string& task : tasks) (void)load_task(task, std::filesystem::current_path());
   WindowsAnswer answer;
   answer.site_id = site.id;
   answer.site_name = site.name;
@@ -108,10 +130,8 @@ WindowsAnswer windows_of(const WindowsQuestion& question,
         "the forecast was made in hindsight: nobody could have had it at its issue time");
   if (field.snapshot().degraded)
     answer.notes.push_back("the forecast is degraded: " + field.snapshot().headline);
-  answer.tasks.resize(tasks.size());
-  for_all(tasks.size(), question.threads,
-          [&](std::size_t i) { answer.tasks[i] = task_windows(question, shared, tasks[i]); });
-  answer.verdict = twin::Verdict::go;
+  work_out(question, shared, tasks, answer);
+  answer.verdict = answer.left_out.empty() ? twin::Verdict::go : twin::Verdict::no_go;
   for (const TaskWindows& task : answer.tasks)
     answer.verdict = std::max(answer.verdict, task.verdict);
   answer.notes.insert(answer.notes.end(), answer.water.warnings.begin(),

@@ -37,6 +37,7 @@ struct WindowsQuestion {
   AlphaPractice practice;
   bool period_from_start = false;  ///< TPOP from the start, not from the issue
   twin::VerdictRule rule;
+  bool may_leave_out = false;  ///< a task that cannot be worked out is told beside the others
   int threads = 1;
 };
 
@@ -66,11 +67,13 @@ struct LimitText {
 struct TaskStart {
   UtcTime start;
   twin::StartChance chance;
-  double probability = 0;           ///< that all limits hold to the way home (`next_success`)
+  double probability = 0;  ///< that all limits hold to the way home (`next_success`)
+  double worth = 0;        ///< to whoever decides: that, or what flights leave of it (worth.h)
   twin::SuccessInterval interval;   ///< 95 %, of what infinitely many members would say
   std::optional<UtcTime> binds_at;  ///< of the binding limit
   std::string forbidden;            ///< why it may not be begun at all, whatever comes
   std::optional<TwinChance> twin;
+  std::string flights_stopped_by;  ///< what took from its worth; empty: nothing did
 };
 
 struct WorkerPlan {
@@ -100,6 +103,12 @@ struct TaskWindows {
   twin::Verdict verdict = twin::Verdict::no_go;            ///< of the start that is worth most
 };
 
+/// A task that could not be worked out.
+struct TaskLeftOut {
+  std::string task;
+  std::string why;
+};
+
 struct WindowsAnswer {
   std::string site_id;
   std::string site_name;
@@ -107,7 +116,9 @@ struct WindowsAnswer {
   UtcTime from;
   UtcTime to;
   std::vector<TaskWindows> tasks;
-  twin::Verdict verdict = twin::Verdict::no_go;  ///< the worst of the tasks
+  std::vector<TaskLeftOut> left_out;  ///< where the question lets it
+  twin::Verdict verdict =
+      twin::Verdict::no_go;  ///< the worst of the tasks; no-go if one is left out
   std::vector<std::string> notes;
 };
 
@@ -118,13 +129,5 @@ struct WindowsAnswer {
 ///         what nobody knows
 [[nodiscard]] WindowsAnswer windows_of(const WindowsQuestion& question,
                                        const std::filesystem::path& store_folder);
-
-/// What a start is worth to whoever decides: the chance that all limits hold, or less where enough
-/// of its flights (`flights_that_count`) failed.
-[[nodiscard]] double worth_of(const TaskStart& start);
-inline constexpr std::size_t flights_that_count = 9;
-
-/// The start that is worth most, the first of them; nothing where there is no start.
-[[nodiscard]] const TaskStart* best_of(const TaskWindows& task);
 
 }  // namespace slackwater::api

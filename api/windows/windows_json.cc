@@ -54,7 +54,7 @@ json twin_json(const std::optional<TwinChance>& twin) {
 json start_json(const TaskWindows& task, const TaskStart& start, std::size_t members) {
   return {{"start", format_utc(start.start)},
           {"probability", number(start.probability)},
-          {"worth", number(worth_of(start))},
+          {"worth", number(start.worth)},
           {"interval_95", {number(start.interval.low), number(start.interval.high)}},
           {"members_held", start.chance.held},
           {"members", members},
@@ -126,6 +126,12 @@ json task_json(const TaskWindows& task, std::size_t members) {
 
 }  // namespace
 
+json left_out_json(const std::vector<TaskLeftOut>& left_out) {
+  json list = json::array();
+  for (const TaskLeftOut& one : left_out) list.push_back({{"task", one.task}, {"why", one.why}});
+  return list;
+}
+
 json windows_json(const WindowsQuestion& question, const WindowsAnswer& answer) {
   const Snapshot& forecast = answer.water.surround.field->snapshot();
   const std::size_t members = question.members > 0 ? question.members : forecast.members;
@@ -158,6 +164,7 @@ json windows_json(const WindowsQuestion& question, const WindowsAnswer& answer) 
         {"alpha_period_from", question.period_from_start ? "start" : "issue"}}},
       {"verdict", twin::name_of(answer.verdict)},
       {"tasks", tasks},
+      {"left_out", left_out_json(answer.left_out)},
       {"notes", answer.notes}};
 }
 

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 
 #include "api/rehearse/rehearsal_json.h"
 #include "api/windows/windows_answer.h"
+#include "api/windows/worth.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -103,6 +105,13 @@ std::string task_text(const WindowsQuestion& question, const TaskWindows& task, 
     text += formatted("  no start with P of {:g} or more; best ", question.rule.marginal) +
             clock(best->start) + ": " + chance_text(*best) + "\n    stopped by " +
             binding_text(task, *best, members, clock) + "\n";
+  const bool is_less = std::any_of(task.starts.begin(), task.starts.end(), [](const auto& start) {
+    return start.worth < start.probability;
+  });
+  if (const TaskStart* best = best_of(task); best != nullptr && is_less)
+    text += "  with what flights leave of them: best " + clock(best->start) +
+            formatted(", worth {:.2f}; ", best->worth) +
+            stopping_text(task, *best, members, clock) + "\n";
   text +=
       "  the central forecast alone: " + rule_text(task, task.by_threshold, clock) +
       "; with alpha: " +
@@ -120,9 +129,8 @@ std::string summary_text(const std::vector<TaskWindows>& tasks, const PeoplesClo
   for (const TaskWindows& task : tasks) {
     const TaskStart* best = best_of(task);
     text += formatted("{:<9}", std::string(twin::name_of(task.verdict)));
-    text += best == nullptr
-                ? std::string("no start       ")
-                : "best " + clock(best->start) + formatted("  P {:.2f}", worth_of(*best));
+    text += best == nullptr ? std::string("no start       ")
+                            : "best " + clock(best->start) + formatted("  P {:.2f}", best->worth);
     text += "  " + task.name + " at " + joined(task.turbines, ", ") + "\n";
   }
   return text + "\n";
@@ -145,6 +153,12 @@ std::string binding_text(const TaskWindows& task, const TaskStart& start, std::s
                       100 * binding.share) +
             (binding.is_exceeded ? std::string() : clock(*start.binds_at));
   return text;
+}
+
+std::string stopping_text(const TaskWindows& task, const TaskStart& start, std::size_t members,
+                          const std::function<std::string(UtcTime)>& clock) {
+  return start.flights_stopped_by.empty() ? binding_text(task, start, members, clock)
+                                          : "flights stopped by " + start.flights_stopped_by;
 }
 
 std::string windows_text(const WindowsQuestion& question, const WindowsAnswer& answer) {

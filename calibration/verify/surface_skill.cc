@@ -30,18 +30,34 @@ SurfacePair pair_at(Horizontal made, Horizontal ours, Horizontal truth, UtcTime 
 
 /// A moored instrument where there is one, else the analysed product; never a forecast.
 template <typename T>
-Chosen<T> surface_truth(const Record<T>& record) {
+Chosen<T> surface_truth(const Record<T>& record, const Knowledge& knowledge = {}) {
   Record<T> known;
   for (const auto& piece : record.pieces) {
     if (piece.origin->status != DataStatus::forecast) known.pieces.push_back(piece);
   }
   Choice series;
   series.only_series = true;
-  Chosen<T> chosen = choose(known, {}, series);
+  Chosen<T> chosen = choose(known, knowledge, series);
   if (!chosen.empty()) return chosen;
   Choice grids;
   grids.only_grids = true;
-  return choose(known, {}, grids);
+  return choose(known, knowledge, grids);
+}
+
+/// Persistence: the last value of D that was known when the forecast was issued.
+template <typename T>
+std::optional<T> last_of_day(const Record<T>& record, UtcTime end, UtcTime seen_by) {
+  Knowledge knowledge;
+  knowledge.values_until = end;
+  knowledge.seen_by = seen_by;
+  const Chosen<T> known = surface_truth(record, knowledge);
+  for (std::size_t t = known.column.times(); t-- > 0;) {
+    const UtcTime time = known.column.time[t].centre();
+    if (time > end || !known.column.has(t)) continue;
+    if (time <= end - hours(24)) return std::nullopt;
+    return known.column.value[t];
+  }
+  return std::nullopt;
 }
 
 /// Whether a forecast's value at a time is the later analysis itself.
@@ -50,6 +66,11 @@ bool is_its_own_truth(const Snapshot& snapshot, const std::vector<DataStatus>& s
   if (truth.is_point_series) return false;
   const auto place = place_in(snapshot.time, time);
   return place && place->low < source.size() && source[place->low] == DataStatus::analysis;
+}
+
+/// An archive was read later than its forecasts were issued: nothing of it is hidden.
+UtcTime seen_by(const Snapshot& snapshot, const VerifyOptions& options) {
+  return options.from_archive ? UtcTime::max() : snapshot.issued;
 }
 
 std::vector<SurfacePair> within(const std::vector<SurfacePair>& pairs, const LeadBin& lead) {
@@ -109,17 +130,13 @@ void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   const ForecastColumn& column = snapshot.columns.front();
   if (column.wind_m_s.empty()) return;
   const Chosen<Horizontal> truth = surface_truth(data.wind);
-  // Persistence, of wind and of waves: the last value that was known at the end of D.
-  std::optional<Horizontal> last;
+  const auto last = last_of_day(data.wind, end, seen_by(snapshot, options));
   PairsByMethod methods;
   for (std::size_t t = 0; t < truth.column.times(); ++t) {
     if (!truth.column.has(t) || truth.column.time[t].end > options.truth_until) continue;
     const UtcTime time = truth.column.time[t].centre();
     const Horizontal value = truth.column.value[t];
-    if (time <= end) {
-      last = value;
-      continue;
-    }
+    if (time <= end) continue;
     if (is_its_own_truth(snapshot, column.wind_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, column.wind_m_s, 1, 0, TimeCell::instant(time));
     if (!forecast) continue;
@@ -140,16 +157,13 @@ void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   const Chosen<double> truth = surface_truth(data.significant_height);
   std::vector<Horizontal> height;
   for (const SeaState& sea : column.sea) height.emplace_back(sea.significant_height_m, 0);
-  std::optional<double> last;
+  const auto last = last_of_day(data.significant_height, end, seen_by(snapshot, options));
   PairsByMethod methods;
   for (std::size_t t = 0; t < truth.column.times(); ++t) {
     if (!truth.column.has(t) || truth.column.time[t].end > options.truth_until) continue;
     const UtcTime time = truth.column.time[t].centre();
     const double value = truth.column.value[t];
-    if (time <= end) {
-      last = value;
-      continue;
-    }
+    if (time <= end) continue;
     if (is_its_own_truth(snapshot, column.sea_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, height, 1, 0, TimeCell::instant(time));
     if (!forecast || std::isnan(forecast->real())) continue;

@@ -28,7 +28,7 @@ enum class Outcome {
 /// "alone", "ahead", "tie", "beaten".
 [[nodiscard]] std::string_view name_of(Outcome outcome) noexcept;
 
-/// How our forecast of the current did, and whether any baseline did better. Every command, page
+/// How our forecast of a variable did, and whether any baseline did better. Every command, page
 /// and document that says so says it by this rule:
 ///
 /// - What is judged is one variable, the current unless another is named (over the widest depth

@@ -122,9 +122,11 @@ Site parse_site(std::string_view yaml, std::string_view name) {
   site.yaml = yaml;
   site.id = config.text("id");
   const bool plain = !site.id.empty() && site.id.size() <= 64 &&
-                     std::all_of(site.id.begin(), site.id.end(), [](unsigned char c) {
-                       return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
-                     });
+                     std::all_of(site.id.begin(), site.id.end(),
+                                 [](unsigned char c) {
+                                   return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+                                 }) &&
+                     site.id != "." && site.id != "..";  // it names a folder
   if (!plain) config.refuse("id", "expected at most 64 letters, digits, '-', '_' or '.'");
   site.name = config.optional_text("name").value_or(site.id);
   site.point = read_point(config);

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tests/api/windows_command.h"
@@ -26,7 +27,17 @@ bool holds(const std::string& text, const std::string& part) {
 class ReportCommand : public WindowsCommand {
  protected:
   static ProgramResult report(Arguments arguments) {
-    arguments.insert(arguments.begin(), {"report", "--site", path("farm.yaml")});
+    return report_of("farm.yaml", std::move(arguments));
+  }
+  /// A site of its own, whose forecasts are none of the others'.
+  static void write_other_site(const std::string& name, const std::string& id) {
+    write_farm(name, "tasks: [scour_survey]\n");
+    std::string site = read_bytes(path(name));
+    const std::size_t at = site.find("id: ") + 4;
+    write(name, site.replace(at, site.find('\n', at) - at, id));
+  }
+  static ProgramResult report_of(const std::string& site, Arguments arguments) {
+    arguments.insert(arguments.begin(), {"report", "--site", path(site)});
     return made_->run(arguments);
   }
 };
@@ -66,7 +77,8 @@ TEST_F(ReportCommand, SaysOnOnePageWhatTheWindowsSay) {
 
 TEST_F(ReportCommand, LiesInTheStoreWhereNothingElseIsSaid) {
   write("peek.yaml", peek(loose));
-  const ProgramResult made = report({"--task", path("peek.yaml"), "--verdict-exit"});
+  write_farm("peeked.yaml", "tasks: [" + path("peek.yaml") + "]\n");
+  const ProgramResult made = report_of("peeked.yaml", {"--verdict-exit"});
   EXPECT_EQ(made.exit_code, 10) << made.err;
   std::vector<std::string> pages;
   for (const auto& entry :
@@ -90,13 +102,16 @@ TEST_F(ReportCommand, HoldsThePlanOfTheDayOrSaysWhyThereIsNone) {
   EXPECT_EQ(out.at("plan").at("jobs").size() + out.at("plan").at("left").size(), 1U);
   EXPECT_TRUE(holds(read_bytes(path("planned.html")), "What to do when: One look"));
 
-  with.back() = write("other.yaml", plan_of(path("farm.yaml"), "day: 2025-03-20\n"));
-  made = report(with);
-  ASSERT_EQ(made.exit_code, 0) << made.err;
-  out = json::parse(made.out);
-  EXPECT_TRUE(out.at("plan").is_null());
-  EXPECT_TRUE(holds(out.at("no_plan"), "2025-03-20")) << out.at("no_plan");
-  EXPECT_TRUE(holds(read_bytes(path("planned.html")), "There is no plan"));
+  // Of yesterday, within the forecast, and of a day beyond it.
+  for (const std::string day : {"2025-03-04", "2025-03-20"}) {
+    with.back() = write("other.yaml", plan_of(path("farm.yaml"), "day: " + day + "\n"));
+    made = report(with);
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    out = json::parse(made.out);
+    EXPECT_TRUE(out.at("plan").is_null()) << day;
+    EXPECT_TRUE(holds(out.at("no_plan"), day)) << out.at("no_plan");
+    EXPECT_TRUE(holds(read_bytes(path("planned.html")), "There is no plan"));
+  }
 
   // That of the site, by where it lies.
   std::filesystem::create_directories(made_->store() / "plans");
@@ -126,12 +141,19 @@ TEST_F(ReportCommand, RefusesWhatItCannotAnswerAndWritesNothing) {
     expect_refusal(report(std::move(arguments)), code, words);
   };
   const auto before = made_->digests();
-  refuse({"--task", "no_such_task"}, 4, {"no_such_task"});
+  const std::string html = path("refused.html");
+  refuse({"--task", "no_such_task", "--html", html}, 4, {"no_such_task"});
+  refuse({"--task", "scour_survey"}, 2, {"--html", "question of your own"});
+  refuse({"--task", "scour_survey", "--task", "scour_survey", "--html", html}, 2, {"twice"});
+  refuse({"--task", "scour_survey", "--turbine", "T1", "--turbine", "T1", "--html", html}, 2,
+         {"T1 twice"});
   refuse({}, 2, {"--task", "lists none"});
   refuse({"--task", "scour_survey", "--html", path("page.pdf")}, 2, {"--html", ".html"});
   refuse({"--task", "scour_survey", "--pdf", path("page.html")}, 2, {"--pdf", ".pdf"});
-  refuse({"--task", "scour_survey", "--plan", path("nowhere.yaml")}, 4, {"nowhere.yaml"});
-  refuse({"--task", "scour_survey", "--day", "2025-01-01"}, 4, {"2025-01-01"});
+  refuse({"--task", "scour_survey", "--html", html, "--plan", path("nowhere.yaml")}, 4,
+         {"nowhere.yaml"});
+  refuse({"--task", "scour_survey", "--html", html, "--day", "2025-01-01"}, 4, {"2025-01-01"});
+  EXPECT_FALSE(std::filesystem::exists(html));
   EXPECT_EQ(made_->digests(), before);
 }
 
@@ -197,12 +219,64 @@ TEST_F(ReportCommand, AnEarlierReplayOfTheDayIsNotTold) {
 }
 
 TEST_F(ReportCommand, AForecastTooShortForTheMorningStandsAndSaysSo) {
-  write_farm("tasked.yaml", "tasks: [scour_survey]\n");
+  write_other_site("tasked.yaml", "short");
   const ProgramResult made = made_->run({"forecast", "--site", path("tasked.yaml"), "--at",
                                          "2025-03-04T06:30:00Z", "--horizon", "24h", "--json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_TRUE(json::parse(made.out).at("morning").is_null());
   EXPECT_TRUE(holds(made.err, "no morning report")) << made.err;
+}
+
+TEST_F(ReportCommand, OneTaskThatCannotBeWorkedOutLeavesTheDailyJobTheOthers) {
+  write("peek.yaml", peek(loose));
+  write_other_site("mixed.yaml", "mixed");
+  std::string site = read_bytes(path("mixed.yaml"));
+  const std::string tasks = "tasks: [scour_survey]";
+  write("mixed.yaml", site.replace(site.find(tasks), tasks.size(),
+                                   "tasks: [" + path("peek.yaml") + ", mooring_tendon]"));
+  const std::filesystem::path plans = made_->store() / "plans";
+  std::filesystem::create_directories(plans);
+  write_bytes(plans / "mixed.yaml", "name: [broken\n");
+  const ProgramResult made = made_->run(
+      {"forecast", "--site", path("mixed.yaml"), "--at", "2025-03-04T05:40:00Z", "--json"});
+  std::filesystem::remove_all(plans);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const json morning = json::parse(made.out).at("morning");
+  ASSERT_FALSE(morning.is_null()) << made.err;
+  EXPECT_EQ(morning.at("tasks").size(), 1U);
+  ASSERT_EQ(morning.at("left_out").size(), 1U);
+  EXPECT_EQ(morning.at("left_out")[0].at("task"), "mooring_tendon");
+  EXPECT_EQ(morning.at("verdict"), "no-go") << "what nobody worked out is no go";
+  EXPECT_TRUE(holds(morning.at("headline"), "1 not worked out")) << morning.at("headline");
+  EXPECT_FALSE(morning.at("no_plan").is_null());
+  EXPECT_TRUE(
+      holds(read_bytes(morning.at("page").get<std::string>()), "It could not be worked out"));
+}
+
+TEST_F(ReportCommand, TheHookHearsToWhyThereIsNoReport) {
+  write_other_site("tasked.yaml", "shorter");
+  ASSERT_EQ(::chmod(made_->file("").c_str(), 0700), 0);
+  const std::string teller = write("tell_why", "#!/bin/sh\ncat > " + path("why.json") + "\n");
+  ASSERT_EQ(::chmod(teller.c_str(), 0700), 0);
+  const std::string config = write("why_operator.yaml", "hook:\n  command: [" + teller + "]\n");
+  ASSERT_EQ(::chmod(config.c_str(), 0600), 0);
+  const ProgramResult made =
+      run_program({"--store", made_->store().string(), "forecast", "--site", path("tasked.yaml"),
+                   "--at", "2025-03-04T07:10:00Z", "--horizon", "24h"},
+                  {{"SLACKWATER_OPERATOR", config}});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const json told = json::parse(read_bytes(path("why.json")));
+  EXPECT_TRUE(told.at("verdict").is_null());
+  EXPECT_TRUE(holds(told.at("why"), "2025-03-05")) << told.at("why");
+}
+
+TEST_F(ReportCommand, AnAnswerThatCannotBeWrittenIsNoSuccess) {
+  const int exit_code = std::system(("'" + program_path().string() + "' --store '" +
+                                     made_->store().string() + "' report --site '" +
+                                     path("farm.yaml") + "' --task scour_survey --json --html '" +
+                                     path("full.html") + "' > /dev/full 2> /dev/null")
+                                        .c_str());
+  EXPECT_EQ(WEXITSTATUS(exit_code), 5);
 }
 
 TEST_F(ReportCommand, NoSiteMissionOrPlanCanNameAHook) {

@@ -13,6 +13,12 @@ namespace {
 
 constexpr double look_every_s = 600;
 
+/// " at 3 m of depth", " at 80 m of height".
+std::string height_text(double down_m) {
+  return down_m >= 0 ? formatted(" at {:.0f} m of depth", down_m)
+                     : formatted(" at {:.0f} m of height", -down_m);
+}
+
 }  // namespace
 
 LimitsSay by_the_limits(const Scenario& mission, const Surround& surround, UtcTime start,
@@ -33,18 +39,20 @@ LimitsSay by_the_limits(const Scenario& mission, const Surround& surround, UtcTi
       for (std::size_t p = 0; p < phase_count; ++p) {
         const auto phase = static_cast<Phase>(p);
         if (!limit.phases.has(phase)) continue;
-        const auto places_m = places_in(agent_start_m, agent.mission, phase);
-        if (places_m.empty()) continue;
+        const auto reach = reach_in(agent_start_m, agent.mission, phase);
+        if (!reach) continue;
+        const auto places_m = places_of(limit, *reach, surround.field->snapshot().depth_m);
         AgentState there = ready.states[i];
         for (double t_s = 0; t_s <= mission.duration_s; t_s += look_every_s) {
-          const double value = worst_at(limit, agent, places_m, t_s, there);
+          const auto [value, place_m] = worst_at(limit, agent, places_m, t_s, there);
           if (std::isnan(value)) continue;
           const double share = limit.share(value);
           if (!limit.holds(value)) say.allows = false;
           if (!(share > say.share)) continue;
           say.share = share;
           say.binding = agent.name + ": " + text_of(limit) +
-                        formatted(", forecast {:.3g} {}", value, word_of(limit.variable).unit);
+                        formatted(", forecast {:.3g} {}", value, word_of(limit.variable).unit) +
+                        (places_m.size() > 1 ? height_text(place_m.z) : "");
         }
       }
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "twin/rehearse/planned_work.h"
 #include "twin/simulate/conduct.h"
 
 namespace slackwater::twin {
@@ -45,11 +44,38 @@ double value_at(const Limit& limit, const Agent& agent, const Triple<double>& pl
   return value_of(limit, agent, t_s, there);
 }
 
-double worst_at(const Limit& limit, const Agent& agent, const std::vector<Triple<double>>& places_m,
-                double t_s, AgentState& there) {
-  double worst = value_at(limit, agent, places_m.front(), t_s, there);
-  for (std::size_t i = 1; i < places_m.size(); ++i)
-    worst = worse_of(limit, worst, value_at(limit, agent, places_m[i], t_s, there));
+std::vector<Triple<double>> places_of(const Limit& limit, const PhaseReach& reach,
+                                      std::span<const double> depth_m) {
+  const bool changes_with_height = limit.variable == LimitVariable::wind_speed ||
+                                   limit.variable == LimitVariable::gust_speed ||
+                                   limit.variable == LimitVariable::current_speed;
+  if (limit.down_m || !changes_with_height) return {reach.middle_m};
+  if (reach.highest_m.z == reach.lowest_m.z) return {reach.middle_m};
+  std::vector<Triple<double>> places_m{reach.highest_m};
+  if (limit.variable == LimitVariable::current_speed)
+    for (const double level_m : depth_m) {
+      if (level_m <= reach.highest_m.z || level_m >= reach.lowest_m.z) continue;
+      const double share = (level_m - reach.highest_m.z) / (reach.lowest_m.z - reach.highest_m.z);
+      places_m.push_back(reach.highest_m + share * (reach.lowest_m - reach.highest_m));
+    }
+  places_m.push_back(reach.lowest_m);
+  return places_m;
+}
+
+WorstValue worst_at(const Limit& limit, const Agent& agent,
+                    const std::vector<Triple<double>>& places_m, double t_s, AgentState& there) {
+  WorstValue worst{std::nan(""), places_m.front()};
+  bool is_unknown = false;
+  for (const Triple<double>& place_m : places_m) {
+    const double value = value_at(limit, agent, place_m, t_s, there);
+    if (std::isnan(value)) {
+      is_unknown = true;
+    } else if (std::isnan(worst.value) ||
+               (limit.is_least ? value < worst.value : value > worst.value)) {
+      worst = {value, place_m};
+    }
+  }
+  if (is_unknown && limit.holds(worst.value)) worst.value = std::nan("");
   return worst;
 }
 
@@ -61,13 +87,15 @@ std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
   if (!planned.conduct) return all;
   const Triple<double>& start_m = ready.states[agent].vehicle.body.position_m;
   const std::vector<Limit>& limits = planned.conduct->plan.limits;
+  const std::vector<double>& depth_m = ready.environment->field->snapshot().depth_m;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (only_a_run_shows(limits[i].variable)) continue;
     for (std::size_t p = 0; p < phase_count; ++p) {
       const auto phase = static_cast<Phase>(p);
       if (!limits[i].phases.has(phase)) continue;
-      LimitAhead ahead{agent, i, phase, places_in(start_m, planned.mission, phase), {}};
-      if (ahead.places_m.empty()) continue;
+      const auto reach = reach_in(start_m, planned.mission, phase);
+      if (!reach) continue;
+      LimitAhead ahead{agent, i, phase, places_of(limits[i], *reach, depth_m), {}};
       ahead.members.resize(has_members(limits[i].variable, waves) ? members : 1);
       all.push_back(std::move(ahead));
     }
@@ -84,7 +112,7 @@ std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
       const Limit& limit = limits[ahead.limit];
       const auto value = [&](std::size_t i) {
         const double t_s = first_s + static_cast<double>(i) * step_s;
-        const double found = worst_at(limit, living, ahead.places_m, t_s, there);
+        const double found = worst_at(limit, living, ahead.places_m, t_s, there).value;
         const bool is_spread =
             waves != nullptr && limit.variable == LimitVariable::significant_wave_height;
         return is_spread ? waves->height_m(m, found, clock.time_of(i)) : found;

@@ -1,7 +1,9 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "fields/base/step_clock.h"
+#include "twin/rehearse/planned_work.h"
 #include "twin/risk/wave_futures.h"
 #include "twin/simulate/set_up.h"
 
@@ -14,10 +16,23 @@ namespace slackwater::twin {
 /// @param there  scratch: a state of the agent; its position is set
 [[nodiscard]] double value_at(const Limit& limit, const Agent& agent, const Triple<double>& place_m,
                               double t_s, AgentState& there);
-/// The worst of it at some places; what nobody knows is the worst.
-[[nodiscard]] double worst_at(const Limit& limit, const Agent& agent,
-                              const std::vector<Triple<double>>& places_m, double t_s,
-                              AgentState& there);
+/// Where a limit is looked at in a phase: in the middle, if its value does not change with height
+/// or the limit names one; of the wind at the vehicle as high as it comes and as low; of the
+/// current also at the forecast's own levels in between, on the straight way from one to the other.
+/// Between its levels a forecast is linear, so that a speed is nowhere greater there.
+/// @param depth_m  the forecast's levels, ascending
+[[nodiscard]] std::vector<Triple<double>> places_of(const Limit& limit, const PhaseReach& reach,
+                                                    std::span<const double> depth_m);
+
+struct WorstValue {
+  double value = 0;  ///< NaN: nobody knows, where it comes to
+  Triple<double> place_m;
+};
+/// The worst of it at some places. What is known to break the limit breaks it whatever is unknown
+/// elsewhere; else what is unknown anywhere is.
+[[nodiscard]] WorstValue worst_at(const Limit& limit, const Agent& agent,
+                                  const std::vector<Triple<double>>& places_m, double t_s,
+                                  AgentState& there);
 
 /// The values of one limit over the steps of a grid, at the places of one phase.
 struct LimitAhead {
@@ -29,7 +44,7 @@ struct LimitAhead {
   std::vector<std::vector<double>> members;
 };
 
-/// Reads the limits of a vehicle, each at the places of each of its phases (`places_in`), in every
+/// Reads the limits of a vehicle, each at the places of each of its phases (`places_of`), in every
 /// member. The value of a step is the worst of those at its two ends and at all of the places:
 /// between its stamps a forecast is linear, so that speeds and heights are nowhere worse in
 /// between. Limits that only a run can show are left out.

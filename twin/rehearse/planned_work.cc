@@ -1,8 +1,6 @@
 #include "twin/rehearse/planned_work.h"
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace slackwater::twin {
 
@@ -24,33 +22,30 @@ PhasePlan plan_of(const Triple<double>& start_m, const Mission& mission) {
   return plan;
 }
 
-std::vector<Triple<double>> places_in(const Triple<double>& start_m, const Mission& mission,
-                                      Phase phase) {
+std::optional<PhaseReach> reach_in(const Triple<double>& start_m, const Mission& mission,
+                                   Phase phase) {
+  std::optional<PhaseReach> reach;
   Triple<double> sum_m;
   double count = 0;
-  double highest_m = 0, lowest_m = 0;  // down
-  std::optional<Triple<double>> stands_m;
+  const auto hold = [&](const Triple<double>& place_m) {
+    if (!reach) reach = PhaseReach{place_m, place_m, place_m};
+    if (place_m.z < reach->highest_m.z) reach->highest_m = place_m;
+    if (place_m.z > reach->lowest_m.z) reach->lowest_m = place_m;
+  };
   Triple<double> is_at_m = start_m;
   for (const ScenarioTask& task : mission.tasks) {
     if (task.phase == phase) {
-      if (!stands_m) stands_m = is_at_m;
+      hold(is_at_m);
       for (const Waypoint& at : task.waypoints) {
-        const Triple<double>& from_m = &at == task.waypoints.data() ? is_at_m : at.position_m;
-        const auto [high_m, low_m] = std::minmax(from_m.z, at.position_m.z);
-        highest_m = count > 0 ? std::min(highest_m, high_m) : high_m;
-        lowest_m = count > 0 ? std::max(lowest_m, low_m) : low_m;
+        hold(at.position_m);
         sum_m = sum_m + at.position_m;
         ++count;
       }
     }
     if (!task.waypoints.empty()) is_at_m = task.waypoints.back().position_m;
   }
-  if (!stands_m) return {};
-  if (count == 0) return {*stands_m};
-  const Triple<double> middle_m = (1 / count) * sum_m;
-  const Triple<double> high_m{middle_m.x, middle_m.y, highest_m};
-  if (highest_m == lowest_m) return {high_m};
-  return {high_m, {middle_m.x, middle_m.y, lowest_m}};
+  if (count > 0) reach->middle_m = (1 / count) * sum_m;
+  return reach;
 }
 
 }  // namespace slackwater::twin

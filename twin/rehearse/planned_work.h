@@ -1,5 +1,5 @@
 #pragma once
-#include <vector>
+#include <optional>
 
 #include "twin/risk/phase_plan.h"
 #include "twin/simulate/agent.h"
@@ -10,12 +10,14 @@ namespace slackwater::twin {
 /// still water, and its stays. Corners, gathering way and the current are not in it.
 [[nodiscard]] PhasePlan plan_of(const Triple<double>& start_m, const Mission& mission);
 
-/// Where a vehicle is in a phase, as a planner takes it: in the middle of the places that it goes
-/// to then, as high as it comes on its way and as low, for currents and winds change with height;
-/// in a phase without a way of its own (a launch, a recovery) where it stands, the first time that
-/// it comes to it. Nothing where its mission has no such phase.
-/// @return the highest first; one where they are the same
-[[nodiscard]] std::vector<Triple<double>> places_in(const Triple<double>& start_m,
-                                                    const Mission& mission, Phase phase);
+/// Where a vehicle is in a phase, as a planner takes it.
+struct PhaseReach {
+  Triple<double> middle_m;  ///< of the places that it goes to; without a way, where it stands first
+  Triple<double> highest_m;  ///< of its ways and stays
+  Triple<double> lowest_m;
+};
+/// Nothing where its mission has no such phase.
+[[nodiscard]] std::optional<PhaseReach> reach_in(const Triple<double>& start_m,
+                                                 const Mission& mission, Phase phase);
 
 }  // namespace slackwater::twin

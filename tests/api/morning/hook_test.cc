@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "api/morning/operator_config.h"
 #include "api/program/run_program.h"
@@ -74,10 +76,22 @@ TEST_F(HookTest, WhatFailsIsTold) {
 
 TEST_F(HookTest, IsStoppedAtItsTimeLimitWithAllThatItStarted) {
   const auto began = std::chrono::steady_clock::now();
-  const auto said = api::tell_hook({{teller("sleep 60 & sleep 60")}, milliseconds(500)},
-                                   file("reports"), 1, "{}");
+  const auto said =
+      api::tell_hook({{teller("sleep 60 & echo $! > " + file("child").string() + "\nsleep 60")},
+                      milliseconds(1500)},
+                     file("reports"), 1, "{}");
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
-  EXPECT_NE(said.find("stopped after 0.5 s"), std::string::npos) << said;
+  EXPECT_NE(said.find("stopped after 1.5 s"), std::string::npos) << said;
+  // What it had started in the background is gone, or waits to be laid to rest.
+  const int child = std::stoi(read_bytes(file("child")));
+  bool is_gone = false;
+  for (int i = 0; i < 100 && !is_gone; ++i) {
+    const std::string status = "/proc/" + std::to_string(child) + "/stat";
+    is_gone =
+        !std::filesystem::exists(status) || read_bytes(status).find(") Z") != std::string::npos;
+    if (!is_gone) std::this_thread::sleep_for(milliseconds(20));
+  }
+  EXPECT_TRUE(is_gone);
 }
 
 TEST_F(HookTest, OneThatDoesNotReadAndOneThatLeavesThingsRunningHoldNothingUp) {
@@ -89,6 +103,21 @@ TEST_F(HookTest, OneThatDoesNotReadAndOneThatLeavesThingsRunningHoldNothingUp) {
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
   EXPECT_FALSE(end.is_out_of_time);
   EXPECT_EQ(end.exit_code, 0);
+}
+
+TEST_F(HookTest, HowItEndedIsHeardWhereTheEndsOfChildrenAreIgnored) {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const auto end = api::run_program({teller("exit 7")}, "", milliseconds(20000));
+  std::signal(SIGCHLD, before);
+  EXPECT_FALSE(end.is_out_of_time);
+  EXPECT_EQ(end.exit_code, 7);
+}
+
+TEST_F(HookTest, AProgramThatIsNotThereDoesNotUseUpItsChance) {
+  const Hook absent{{file("late").string()}, milliseconds(20000)};
+  EXPECT_NE(api::tell_hook(absent, file("reports"), 3, "{}").find("not run"), std::string::npos);
+  std::filesystem::copy(teller(), file("late"));
+  EXPECT_NE(api::tell_hook(absent, file("reports"), 3, "{}").find("was told"), std::string::npos);
 }
 
 TEST_F(HookTest, LongInputArrivesWhole) {
@@ -131,8 +160,12 @@ TEST_F(HookTest, ALinkIsFollowedAndItsFolderLookedAt) {
   std::filesystem::create_symlink(file("operator.yaml"), open_folder / "link.yaml");
   ASSERT_EQ(::chmod(open_folder.c_str(), 0700), 0);
   EXPECT_TRUE(api::load_operator_config(open_folder / "link.yaml").hook);
+  // A link to that link, from a folder that nobody else writes.
+  std::filesystem::create_symlink(open_folder / "link.yaml", file("far.yaml"));
+  EXPECT_TRUE(api::load_operator_config(file("far.yaml")).hook);
   ASSERT_EQ(::chmod(open_folder.c_str(), 0777), 0);
-  EXPECT_THROW(static_cast<void>(api::load_operator_config(open_folder / "link.yaml")), Error);
+  for (const auto& way : {open_folder / "link.yaml", file("far.yaml")})
+    EXPECT_THROW(static_cast<void>(api::load_operator_config(way)), Error) << way;
 }
 
 TEST_F(HookTest, WhatCannotBeRunAsItStandsIsRefused) {

@@ -38,8 +38,10 @@ std::vector<SkillEntry> ten_days(double ours_m, double theirs_m) {
 TEST(Trust, SaysWhatIsBetterWhatIsWorseAndWhatNobodyCanTell) {
   const auto better = api::trust_of(ten_days(0.2, 0.4), WindPolicy::best);
   ASSERT_EQ(better.size(), 1U) << "currents and wind were not scored";
-  EXPECT_EQ(api::text_of(better.front()),
-            "wave height 0.20 m, 50 % less than the best naive rival (persistence, 0.41 m)");
+  EXPECT_EQ(
+      api::text_of(better.front()),
+      "wave height 0.20 m over 10 forecasts, 50 % less than the best naive rival (persistence, "
+      "0.41 m)");
   const auto worse = api::trust_of(ten_days(0.4, 0.2), WindPolicy::best);
   EXPECT_NE(api::text_of(worse.front()).find("WORSE than"), std::string::npos);
   const auto same = api::trust_of(ten_days(0.2, 0.2), WindPolicy::best);
@@ -52,7 +54,7 @@ TEST(Trust, AForecastWithoutARivalIsNotPraised) {
   std::vector<SkillEntry> alone;
   for (int day = 0; day < 10; ++day) alone.push_back(waves(day, Method::forecast, 0.2, 0.2));
   EXPECT_EQ(api::text_of(api::trust_of(alone, WindPolicy::best).front()),
-            "wave height 0.20 m (no naive rival to hold it against)");
+            "wave height 0.20 m over 10 forecasts (no naive rival to hold it against)");
 }
 
 TEST(Trust, TheNewestDayStandsByItself) {

@@ -76,19 +76,36 @@ TEST(ByTheLimits, ForbidWhatIsDoneBeforeTheyAreExceeded) {
   EXPECT_LT(flight.ended_s, 3600);
 }
 
-TEST(ByTheLimits, OfAWayDownCountTheStreamThatItBeginsIn) {
-  // Fast above, slow where the work is and half way down to it.
-  const twin::Scenario mission = scour("{}");
+/// Its water on levels of 5 m, faster at one of them.
+twin::Surround water_with_a_jet(const twin::Scenario& mission, double jet_depth_m) {
   twin::Surround surround = water_of(mission, 1);
   auto snapshot = std::make_shared<Snapshot>(surround.field->snapshot());
-  for (ForecastColumn& column : snapshot->columns)
+  const std::size_t times = snapshot->time.size();
+  snapshot->depth_m = {0, 5, 10, 15, 20, 25, 30, 34};
+  const std::size_t levels = snapshot->depth_m.size();
+  for (ForecastColumn& column : snapshot->columns) {
+    column.current_m_s.assign(times * levels, {0.2, 0});
+    column.current_sigma_m_s.assign(times * levels, column.current_sigma_m_s.front());
+    column.current_status.assign(times * levels, column.current_status.front());
     for (std::size_t i = 0; i < column.current_m_s.size(); ++i)
-      if (snapshot->depth_m[i % snapshot->depth_m.size()] < 1) column.current_m_s[i] *= 4;
+      if (snapshot->depth_m[i % levels] == jet_depth_m) column.current_m_s[i] = {0.8, 0};
+  }
   surround.field = std::make_shared<Field>(std::move(snapshot));
-  const twin::LimitsSay say = twin::by_the_limits(mission, surround, start, {});
-  EXPECT_FALSE(say.allows) << say.binding << " " << say.share;
-  EXPECT_NE(say.binding.find("current at most 0.5"), std::string::npos) << say.binding;
-  EXPECT_FALSE(flown(mission, surround).is_done) << "it holds until it has to come home";
+  return surround;
+}
+
+TEST(ByTheLimits, OfAWayDownCountWhatItPassesThrough) {
+  const twin::Scenario mission = scour("{}");
+  for (const double jet_depth_m : {5.0, 20.0}) {  // where it begins, and half way down
+    const twin::Surround surround = water_with_a_jet(mission, jet_depth_m);
+    const twin::LimitsSay say = twin::by_the_limits(mission, surround, start, {});
+    EXPECT_FALSE(say.allows) << jet_depth_m;
+    EXPECT_NE(say.binding.find("current at most 0.5"), std::string::npos) << say.binding;
+    EXPECT_NE(say.binding.find("m of depth"), std::string::npos) << say.binding;
+  }
+  EXPECT_FALSE(flown(mission, water_with_a_jet(mission, 5)).is_done);
+  // Above where it begins nothing counts.
+  EXPECT_TRUE(twin::by_the_limits(mission, water_with_a_jet(mission, 0), start, {}).allows);
 }
 
 TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {

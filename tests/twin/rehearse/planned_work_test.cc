@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "twin/rehearse/limit_ahead.h"
+
 namespace slackwater::tests {
 namespace {
 
@@ -25,30 +27,63 @@ twin::Mission dive() {
   return mission;
 }
 
-TEST(PlacesIn, AWayIsLookedAtAsHighAsItComesAndAsLow) {
-  const auto places = twin::places_in({0, 0, 1}, dive(), twin::Phase::transit);
-  ASSERT_EQ(places.size(), 2U);
-  EXPECT_EQ(places[0].z, 1) << "from where it stands";
-  EXPECT_EQ(places[1].z, 30);
-  EXPECT_EQ(places[0].x, 10) << "in the middle of the places that it goes to";
+TEST(ReachIn, AWayIsAsHighAsItComesAndAsLowWhereItDoes) {
+  const auto reach = twin::reach_in({0, 5, 1}, dive(), twin::Phase::transit);
+  ASSERT_TRUE(reach);
+  EXPECT_EQ(reach->highest_m.z, 1) << "from where it stands";
+  EXPECT_EQ(reach->highest_m.y, 5);
+  EXPECT_EQ(reach->lowest_m.z, 30);
+  EXPECT_EQ(reach->lowest_m.x, 10);
+  EXPECT_EQ(reach->middle_m.x, 10);
 }
 
-TEST(PlacesIn, WorkIsWhereItsPlacesAreWithTheWayToThem) {
-  const auto places = twin::places_in({0, 0, 1}, dive(), twin::Phase::work);
-  ASSERT_EQ(places.size(), 2U);
-  EXPECT_EQ(places[0].z, 26);
-  EXPECT_EQ(places[1].z, 30);
-  EXPECT_EQ(places[0].y, 0);
+TEST(ReachIn, TheMiddleIsThatOfAllPlacesOfThePhase) {
+  const auto reach = twin::reach_in({0, 0, 1}, dive(), twin::Phase::work);
+  ASSERT_TRUE(reach);
+  EXPECT_EQ(reach->middle_m.x, 12);
+  EXPECT_EQ(reach->middle_m.y, 0);
+  EXPECT_EQ(reach->middle_m.z, 28);
+  EXPECT_EQ(reach->highest_m.z, 26);
+  EXPECT_EQ(reach->lowest_m.z, 30);
 }
 
-TEST(PlacesIn, APhaseWithoutAWayIsWhereItStands) {
-  const auto launch = twin::places_in({0, 0, 1}, dive(), twin::Phase::launch);
-  ASSERT_EQ(launch.size(), 1U);
-  EXPECT_EQ(launch[0].z, 1);
-  const auto recovery = twin::places_in({0, 0, 1}, dive(), twin::Phase::recovery);
-  ASSERT_EQ(recovery.size(), 1U);
-  EXPECT_EQ(recovery[0].z, 26) << "where its work ended";
-  EXPECT_TRUE(twin::places_in({0, 0, 1}, dive(), twin::Phase::return_home).empty());
+TEST(ReachIn, APhaseWithoutAWayIsWhereItStands) {
+  const auto launch = twin::reach_in({0, 0, 1}, dive(), twin::Phase::launch);
+  ASSERT_TRUE(launch);
+  EXPECT_EQ(launch->middle_m.z, 1);
+  const auto recovery = twin::reach_in({0, 0, 1}, dive(), twin::Phase::recovery);
+  ASSERT_TRUE(recovery);
+  EXPECT_EQ(recovery->middle_m.z, 26) << "where its work ended";
+  EXPECT_FALSE(twin::reach_in({0, 0, 1}, dive(), twin::Phase::return_home));
+}
+
+TEST(ReachIn, UpIsNegativeAndAStayCountsBesideAWay) {
+  twin::Mission climb;
+  climb.tasks = {task_of(twin::Phase::work, {}), task_of(twin::Phase::transit, {{0, 0, -80}}),
+                 task_of(twin::Phase::work, {{5, 0, -60}})};
+  const auto reach = twin::reach_in({0, 0, -2}, climb, twin::Phase::work);
+  ASSERT_TRUE(reach);
+  EXPECT_EQ(reach->highest_m.z, -80) << "where the second stretch of work begins";
+  EXPECT_EQ(reach->lowest_m.z, -2) << "where the first one stays";
+  EXPECT_EQ(reach->middle_m.z, -60);
+}
+
+TEST(PlacesOf, TheCurrentIsLookedAtBetweenTooAndWavesOnce) {
+  const twin::PhaseReach reach{{5, 0, 10}, {0, 0, 2}, {10, 0, 32}};
+  const std::vector<double> levels{0, 2, 12, 22, 32, 50};
+  twin::Limit limit;
+  limit.variable = twin::LimitVariable::current_speed;
+  const auto places = twin::places_of(limit, reach, levels);
+  ASSERT_EQ(places.size(), 4U);
+  EXPECT_EQ(places[1].z, 12);
+  EXPECT_NEAR(places[1].x, 10.0 / 3, 1e-12) << "on the way from the highest to the lowest";
+  limit.down_m = 20;
+  EXPECT_EQ(twin::places_of(limit, reach, levels).size(), 1U) << "the limit says where";
+  limit.down_m.reset();
+  limit.variable = twin::LimitVariable::wind_speed;
+  EXPECT_EQ(twin::places_of(limit, reach, levels).size(), 2U);
+  limit.variable = twin::LimitVariable::significant_wave_height;
+  EXPECT_EQ(twin::places_of(limit, reach, levels).size(), 1U);
 }
 
 }  // namespace
