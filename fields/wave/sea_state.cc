@@ -19,16 +19,26 @@ double PartitionedSea::significant_height_m() const noexcept {
   return std::sqrt(sum);
 }
 
-double PartitionedSea::peak_period_s() const noexcept {
+const WavePartition* PartitionedSea::highest_peak() const noexcept {
+  const WavePartition* found = nullptr;
   double highest = 0;
-  double period = 0;
   for (const WavePartition& p : partitions) {
     const double peak = p.significant_height_m * p.significant_height_m * p.peak_period_s;
     if (peak <= highest) continue;
     highest = peak;
-    period = p.peak_period_s;
+    found = &p;
   }
-  return period;
+  return found;
+}
+
+double PartitionedSea::peak_period_s() const noexcept {
+  const WavePartition* peak = highest_peak();
+  return peak == nullptr ? 0 : peak->peak_period_s;
+}
+
+double PartitionedSea::from_direction_deg() const noexcept {
+  const WavePartition* peak = highest_peak();
+  return peak == nullptr ? 0 : peak->from_direction_deg;
 }
 
 double steepness_of(double significant_height_m, double peak_period_s) noexcept {

@@ -26,8 +26,11 @@ struct PartitionedSea {
 
   /// sqrt(sum Hs^2).
   [[nodiscard]] double significant_height_m() const noexcept;
-  /// Period of the partition with the highest spectral peak (Hs^2 Tp); 0 for a calm sea.
+  /// The partition with the highest spectral peak (Hs^2 Tp), the first of them; null: a calm sea.
+  [[nodiscard]] const WavePartition* highest_peak() const noexcept;
+  /// Its period and mean direction; 0 for a calm sea.
   [[nodiscard]] double peak_period_s() const noexcept;
+  [[nodiscard]] double from_direction_deg() const noexcept;
 };
 
 /// Sp = 2 pi Hs/(g Tp^2).

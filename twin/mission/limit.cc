@@ -90,6 +90,11 @@ Limit read_limit(const Config& config) {
     config.refuse("limits", "found an entry without a variable, expected one of " + keys() +
                                 ", or least_ before one");
   limit->down_m = read_down(config);
+  limit->waves = read_wave_sector(config);
+  if (limit->waves && (limit->variable != Variable::significant_wave_height || limit->is_least))
+    config.refuse(limit->waves->off_bow_rad ? "from_bow_deg" : "peak_period_between_s",
+                  "says which waves an upper bound on their height is of; found beside another "
+                  "limit, leave it out");
   limit->phases = read_phases(config);
   if (const auto missing = config.optional_text("if_missing")) {
     if (*missing != "not_checked" && *missing != "error")
@@ -118,6 +123,7 @@ std::string text_of(const Limit& limit) {
   if (limit.down_m && *limit.down_m < 0)
     text += formatted(" at a height of {:g} m", -*limit.down_m);
   if (limit.down_m && *limit.down_m >= 0) text += formatted(" at a depth of {:g} m", *limit.down_m);
+  if (limit.waves) text += " " + text_of(*limit.waves);
   return text;
 }
 

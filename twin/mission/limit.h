@@ -6,6 +6,7 @@
 
 #include "fields/base/config.h"
 #include "twin/mission/phase.h"
+#include "twin/mission/wave_sector.h"
 
 namespace slackwater::twin {
 
@@ -44,6 +45,8 @@ struct Limit {
   double bound = 0;       ///< SI, but mm/h of rain and degrees Celsius
   /// Where it counts, NED; absent: where the vehicle is.
   std::optional<double> down_m;
+  /// Of a height of waves: which of them it is of; absent: all. Others are no waves to it.
+  std::optional<WaveSector> waves;
   PhaseSet phases;
   bool may_be_missing = false;  ///< not checked where nobody knows the variable
   std::string source;
@@ -66,6 +69,7 @@ struct Limit {
 ///     {significant_wave_height_m: 1.5, phases: [work], source: DINW, status: confirmed}
 ///     {least_visibility_m: 500, if_missing: not_checked}
 ///     {wind_speed_m_s: 8, at_height_m: 90}       {current_speed_m_s: 0.5, at_depth_m: 20}
+///     {significant_wave_height_m: 1.1, from_bow_deg: [45, 135], peak_period_between_s: [7, 30]}
 ///
 /// @throws Error(invalid_input) for two variables in one, or none, and for bounds that cannot be
 [[nodiscard]] std::vector<Limit> read_limits(const Config& config);

@@ -42,9 +42,10 @@ LimitsSay by_the_limits(const Scenario& mission, const Surround& surround, UtcTi
         const auto reach = reach_in(agent_start_m, agent.mission, phase);
         if (!reach) continue;
         const auto places_m = places_of(limit, *reach, surround.field->snapshot().depth_m);
+        const auto bows = bows_of(limit, *reach);
         AgentState there = ready.states[i];
         for (double t_s = 0; t_s <= mission.duration_s; t_s += look_every_s) {
-          const auto [value, place_m] = worst_at(limit, agent, places_m, t_s, there);
+          const auto [value, place_m] = worst_at(limit, agent, places_m, bows, t_s, there);
           if (std::isnan(value)) continue;
           const double share = limit.share(value);
           if (!limit.holds(value)) say.allows = false;

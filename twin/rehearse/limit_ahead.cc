@@ -62,17 +62,33 @@ std::vector<Triple<double>> places_of(const Limit& limit, const PhaseReach& reac
   return places_m;
 }
 
+std::vector<Course> bows_of(const Limit& limit, const PhaseReach& reach) {
+  const bool matters = limit.waves && limit.waves->goes_by_heading();
+  return matters ? reach.bows : std::vector<Course>();
+}
+
 WorstValue worst_at(const Limit& limit, const Agent& agent,
-                    const std::vector<Triple<double>>& places_m, double t_s, AgentState& there) {
+                    const std::vector<Triple<double>>& places_m, const std::vector<Course>& bows,
+                    double t_s, AgentState& there) {
   WorstValue worst{std::nan(""), places_m.front()};
   bool is_unknown = false;
-  for (const Triple<double>& place_m : places_m) {
-    const double value = value_at(limit, agent, place_m, t_s, there);
+  const auto look = [&](const Limit& at_limit, const Triple<double>& place_m) {
+    const double value = value_at(at_limit, agent, place_m, t_s, there);
     if (std::isnan(value)) {
       is_unknown = true;
     } else if (std::isnan(worst.value) ||
                (limit.is_least ? value < worst.value : value > worst.value)) {
       worst = {value, place_m};
+    }
+  };
+  Limit whatever_the_bow = limit;
+  if (limit.waves && limit.waves->goes_by_heading() && bows.empty())
+    whatever_the_bow.waves->off_bow_rad.reset();
+  for (const Triple<double>& place_m : places_m) {
+    if (bows.empty()) look(whatever_the_bow, place_m);
+    for (const Course& bow : bows) {
+      there.vehicle.body.attitude = attitude_of({0, 0, bearing_rad(bow)});
+      look(limit, place_m);
     }
   }
   if (is_unknown && limit.holds(worst.value)) worst.value = std::nan("");
@@ -95,7 +111,8 @@ std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
       if (!limits[i].phases.has(phase)) continue;
       const auto reach = reach_in(start_m, planned.mission, phase);
       if (!reach) continue;
-      LimitAhead ahead{agent, i, phase, places_of(limits[i], *reach, depth_m), {}};
+      LimitAhead ahead{
+          agent, i, phase, places_of(limits[i], *reach, depth_m), bows_of(limits[i], *reach), {}};
       ahead.members.resize(has_members(limits[i].variable, waves) ? members : 1);
       all.push_back(std::move(ahead));
     }
@@ -112,9 +129,10 @@ std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
       const Limit& limit = limits[ahead.limit];
       const auto value = [&](std::size_t i) {
         const double t_s = first_s + static_cast<double>(i) * step_s;
-        const double found = worst_at(limit, living, ahead.places_m, t_s, there).value;
-        const bool is_spread =
-            waves != nullptr && limit.variable == LimitVariable::significant_wave_height;
+        const double found = worst_at(limit, living, ahead.places_m, ahead.bows, t_s, there).value;
+        const bool is_of_others = limit.waves && found == 0;  // these waves are none to it
+        const bool is_spread = waves != nullptr && !is_of_others &&
+                               limit.variable == LimitVariable::significant_wave_height;
         return is_spread ? waves->height_m(m, found, clock.time_of(i)) : found;
       };
       std::vector<double>& values = ahead.members[m];

@@ -24,15 +24,20 @@ namespace slackwater::twin {
 [[nodiscard]] std::vector<Triple<double>> places_of(const Limit& limit, const PhaseReach& reach,
                                                     std::span<const double> depth_m);
 
+/// The bows with which it is looked at there: those of the phase, where the limit goes by them and
+/// has no heading of its own.
+[[nodiscard]] std::vector<Course> bows_of(const Limit& limit, const PhaseReach& reach);
+
 struct WorstValue {
   double value = 0;  ///< NaN: nobody knows, where it comes to
   Triple<double> place_m;
 };
-/// The worst of it at some places. What is known to break the limit breaks it whatever is unknown
+/// The worst of it at some places, with any of some bows; with none, whatever the bow: then waves
+/// come from wherever they are worst. What is known to break the limit breaks it whatever is unknown
 /// elsewhere; else what is unknown anywhere is.
 [[nodiscard]] WorstValue worst_at(const Limit& limit, const Agent& agent,
-                                  const std::vector<Triple<double>>& places_m, double t_s,
-                                  AgentState& there);
+                                  const std::vector<Triple<double>>& places_m,
+                                  const std::vector<Course>& bows, double t_s, AgentState& there);
 
 /// The values of one limit over the steps of a grid, at the places of one phase.
 struct LimitAhead {
@@ -40,6 +45,7 @@ struct LimitAhead {
   std::size_t limit = 0;  ///< of its conduct
   Phase phase = Phase::work;
   std::vector<Triple<double>> places_m;
+  std::vector<Course> bows;
   /// By member; one where all members have the same.
   std::vector<std::vector<double>> members;
 };

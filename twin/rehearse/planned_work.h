@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "twin/risk/phase_plan.h"
 #include "twin/simulate/agent.h"
@@ -15,6 +16,9 @@ struct PhaseReach {
   Triple<double> middle_m;  ///< of the places that it goes to; without a way, where it stands first
   Triple<double> highest_m;  ///< of its ways and stays
   Triple<double> lowest_m;
+  /// Courses that its bow has: of the legs at whose end it stays, where it stays at all, else of
+  /// all its legs. Empty where none leads anywhere.
+  std::vector<Course> bows;
 };
 /// Nothing where its mission has no such phase.
 [[nodiscard]] std::optional<PhaseReach> reach_in(const Triple<double>& start_m,

@@ -43,6 +43,9 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
     case LimitVariable::wave_peak_period: {
       const SeaSample sea = agent.water->sea(at_m, t_s);
       if (!has_value(sea.status)) return unknown;
+      if (limit.waves &&
+          !limit.waves->holds(sea.sea, euler_angles(state.vehicle.body.attitude).yaw_rad))
+        return 0;
       return limit.variable == LimitVariable::wave_peak_period ? sea.sea.peak_period_s
                                                                : sea.sea.significant_height_m;
     }

@@ -310,7 +310,8 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   environment.sea = sea_of(scenario, field, ready.origin, ready.start, ready.warnings);
   if (!scenario.waves.from_forecast) {
     const PartitionedSea& sea = scenario.waves.made_up;
-    environment.stated_sea = SeaState{sea.significant_height_m(), sea.peak_period_s(), 0};
+    environment.stated_sea = SeaState{sea.significant_height_m(), sea.peak_period_s(),
+                                       sea.from_direction_deg()};
   }
   environment.farm = wakes_of(scenario, surround, ready.origin, ready.start);
   for (const ScenarioStructure& s : scenario.structures) {

@@ -115,6 +115,7 @@ TEST(ProductSea, ASoundSeaIsServedAsItIsWithoutAWord) {
     EXPECT_TRUE(served.warnings.empty());
   }
   EXPECT_EQ(product_sea(nan, parts).sea.peak_period_s(), 6.5);  // 1.5^2 6.5 > 0.8^2 12
+  EXPECT_EQ(product_sea(nan, parts).sea.from_direction_deg(), 240);
 }
 
 TEST(ProductSea, ATooSteepPartitionIsLoweredAndItsEnergyGoesToTheOthers) {

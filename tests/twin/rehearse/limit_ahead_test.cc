@@ -174,5 +174,37 @@ TEST(PlannedWork, TakesAboutAsLongAsTheFlight) {
   EXPECT_EQ(plan.phases.back().phase, twin::Phase::recovery);
 }
 
+/// A sea from the west, 1 m high, with which a bow meets it head on, abeam or astern.
+TEST(LimitAhead, AHeightCountsWhereTheWavesComeFromItsSectorWithAnyBowOfThePhase) {
+  const twin::Scenario mission =
+      mission_of("scour_survey",
+                 "waves: {partitions: [{significant_height_m: 1, peak_period_s: 6, from_deg: 270}]}"
+                 "\n");
+  const twin::Surround surround = water_of(mission);
+  const twin::ReadyRun ready = ready_of(mission, surround, 0);
+  twin::AgentState there = ready.states[0];
+  twin::Limit limit;
+  limit.variable = twin::LimitVariable::significant_wave_height;
+  limit.bound = 0.5;
+  limit.waves = twin::WaveSector{twin::Span{0, 0.5}, {}, {}};  // head seas
+  const std::vector<twin::Triple<double>> places_m{{0, 30, 0}};
+  const auto worst = [&](const std::vector<twin::Course>& bows) {
+    return twin::worst_at(limit, ready.agents[0], places_m, bows, 0, there).value;
+  };
+  const twin::Course east{0, 1}, west{0, -1}, north{1, 0};
+  EXPECT_EQ(worst({west}), 1);
+  EXPECT_EQ(worst({east}), 0);
+  EXPECT_EQ(worst({north, east}), 0);
+  EXPECT_EQ(worst({north, west, east}), 1) << "with one of its bows";
+  EXPECT_EQ(worst({}), 1) << "whatever the bow, where there is none";
+  limit.waves->peak_period_s = twin::Span{7, 30};
+  EXPECT_EQ(worst({}), 0) << "but not of other periods";
+  limit.waves->peak_period_s.reset();
+  limit.waves->heading_rad = 0;
+  const twin::PhaseReach reach{{}, {}, {}, {west}};
+  EXPECT_TRUE(twin::bows_of(limit, reach).empty()) << "the limit has a heading of its own";
+  EXPECT_EQ(worst({}), 0);
+}
+
 }  // namespace
 }  // namespace slackwater::tests

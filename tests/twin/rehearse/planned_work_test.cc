@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "fields/base/constants.h"
 #include "twin/rehearse/limit_ahead.h"
 
 namespace slackwater::tests {
@@ -57,6 +60,30 @@ TEST(ReachIn, APhaseWithoutAWayIsWhereItStands) {
   EXPECT_FALSE(twin::reach_in({0, 0, 1}, dive(), twin::Phase::return_home));
 }
 
+std::vector<double> degrees_of(const std::vector<twin::Course>& bows) {
+  std::vector<double> degrees;
+  for (const twin::Course& bow : bows)
+    degrees.push_back(std::round(twin::bearing_rad(bow) * 180 / constants::pi));
+  return degrees;
+}
+
+TEST(ReachIn, ItsBowsAreThoseOfItsLegsOrWhereItStaysOfTheLast) {
+  // East to the work, north beside it, and west of there with a stay, as a craft at a landing.
+  twin::Mission mission;
+  mission.tasks = {task_of(twin::Phase::transit, {{0, 50, 0}}),
+                   task_of(twin::Phase::work, {{30, 50, 0}, {30, 10, 0}})};
+  EXPECT_EQ(degrees_of(twin::reach_in({0, 0, 0}, mission, twin::Phase::work)->bows),
+            (std::vector<double>{0, -90}));
+  mission.tasks.push_back(task_of(twin::Phase::work, {}));
+  EXPECT_EQ(degrees_of(twin::reach_in({0, 0, 0}, mission, twin::Phase::work)->bows),
+            (std::vector<double>{-90}));
+  EXPECT_EQ(degrees_of(twin::reach_in({0, 0, 0}, mission, twin::Phase::transit)->bows),
+            (std::vector<double>{90}));
+  // Straight down there is no course.
+  mission.tasks = {task_of(twin::Phase::work, {{0, 0, 20}})};
+  EXPECT_TRUE(twin::reach_in({0, 0, 0}, mission, twin::Phase::work)->bows.empty());
+}
+
 TEST(ReachIn, UpIsNegativeAndAStayCountsBesideAWay) {
   twin::Mission climb;
   climb.tasks = {task_of(twin::Phase::work, {}), task_of(twin::Phase::transit, {{0, 0, -80}}),
@@ -69,7 +96,7 @@ TEST(ReachIn, UpIsNegativeAndAStayCountsBesideAWay) {
 }
 
 TEST(PlacesOf, TheCurrentIsLookedAtBetweenTooAndWavesOnce) {
-  const twin::PhaseReach reach{{5, 0, 10}, {0, 0, 2}, {10, 0, 32}};
+  const twin::PhaseReach reach{{5, 0, 10}, {0, 0, 2}, {10, 0, 32}, {}};
   const std::vector<double> levels{0, 2, 12, 22, 32, 50};
   twin::Limit limit;
   limit.variable = twin::LimitVariable::current_speed;
