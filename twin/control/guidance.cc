@@ -8,6 +8,19 @@
 namespace slackwater::twin {
 namespace {
 
+double speed_to(const Guidance& guidance, const Waypoint& to) {
+  return to.speed_m_s > 0 ? to.speed_m_s : guidance.speed_m_s;
+}
+
+/// A waypoint is reached where the vehicle is nearer than what it goes in two seconds, 0.5 m at
+/// most: the next leg begins at the waypoint, and whoever took it up from farther off would hurry
+/// there, however slow the leg is to be gone.
+double tolerance_to(const Guidance& guidance, const Waypoint& to) {
+  constexpr double near_s = 2;
+  if (!guidance.slows_at_corners) return guidance.tolerance_m;
+  return std::min(guidance.tolerance_m, near_s * speed_to(guidance, to));
+}
+
 /// How fast to come to the end of a leg: as fast as its course goes on beyond.
 double corner_speed_m_s(const Route& route, const Triple<double>& leg, double speed_m_s) {
   const Waypoint* next = route.after();
@@ -75,14 +88,14 @@ Guidance guidance_for(const Autopilot& autopilot, double speed_m_s, bool is_over
 
 Reference reference_along(const Guidance& guidance, Route& route, const Measured& measured) {
   const Triple<double>& here = measured.position_m;
-  route.advance(here, guidance.tolerance_m, guidance.depth_tolerance_m, guidance.passing_m);
+  route.advance(here, tolerance_to(guidance, route.to()), guidance.depth_tolerance_m,
+                guidance.passing_m);
   const Triple<double>& from = route.from();
   const Waypoint& to = route.to();
   const Triple<double> leg = to.position_m - from;
   if (route.is_done()) return station_after(leg, to.position_m, measured);
-  const bool has_own = to.speed_m_s > 0;
-  const double speed = has_own ? to.speed_m_s : guidance.speed_m_s;
-  const bool is_over_ground = has_own ? to.over_ground > 0 : guidance.is_over_ground;
+  const double speed = speed_to(guidance, to);
+  const bool is_over_ground = to.speed_m_s > 0 ? to.over_ground > 0 : guidance.is_over_ground;
   const double length2 = dot(leg, leg);
   const double share = length2 > 0 ? dot(here - from, leg) / length2 : 2.0;
   if (share >= 1) {

@@ -104,6 +104,30 @@ TEST(Corners, SurfaceCraftRoundASquareInSeaAndCurrentAndHoldItsEnd) {
   }
 }
 
+TEST(Corners, ASlowRingOfShortChordsTakesAsLongAsItsSpeedSays) {
+  // Chords of 1.3 m round a pile, as a cleaner goes. At 5 cm/s a chord that was taken up half a
+  // metre before its beginning, from where the vehicle hurries to the corner, took 16 s of its 26.
+  constexpr int chords = 24;
+  constexpr double radius_m = 5, speed_m_s = 0.05;
+  const auto at = [](int i) {
+    const double angle = 2 * constants::pi * i / chords;
+    return "{north_m: " + std::to_string(radius_m * std::cos(angle)) +
+           ", east_m: " + std::to_string(radius_m * std::sin(angle)) + ", depth_m: 6}";
+  };
+  std::string waypoints;
+  for (int i = 1; i <= chords; ++i) waypoints += (i > 1 ? ", " : "") + at(i);
+  const ReadyRun ready = tests::ready_of(
+      tests::calm_head(0.05) +
+      "  - {name: cleaner, model: bluerov2_heavy, speed_m_s: " + std::to_string(speed_m_s) +
+      ", start: " + at(0) + ", tasks: [{do: route, waypoints: [" + waypoints + "]}]}\n");
+  twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
+  const double way_m = chords * 2 * radius_m * std::sin(constants::pi / chords);
+  while (run.time_s() < 2 * way_m / speed_m_s && !run.states()[0].mission.is_done) run.step();
+  EXPECT_TRUE(run.states()[0].mission.is_done);
+  RecordProperty("of_its_time", std::to_string(run.time_s() * speed_m_s / way_m));
+  EXPECT_NEAR(run.time_s(), way_m / speed_m_s, 0.1 * way_m / speed_m_s);
+}
+
 TEST(Corners, AWaypointInsideTheTurnOfAVesselIsPassedNotCircled) {
   // The middle one lies where the middle of her turning circle at full moment is: she never comes
   // near it.
