@@ -178,7 +178,8 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
                                               "; move the start, or the work");
   std::vector<Advice> advice;
   if (arguments.advice)
-    advice = advice_for(mission, plan, rehearsal.starts[rehearsal.best()], most_advised);
+    advice =
+        advice_for(mission, plan, flown_start(rehearsal.starts[rehearsal.best()], most_advised));
   if (!arguments.scenario.empty()) write_text(arguments.scenario, mission.expanded.scenario_yaml);
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {

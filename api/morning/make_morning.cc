@@ -87,7 +87,9 @@ MadeMorning make_morning(const MakeMorning& how, const Site& site,
   if (how.on_first_page) how.on_first_page(made);
   Morning flown = made.morning;
   const auto failure = attempt([&] {
-    fly_windows(flown.question.windows, *how.fly, store_folder, flown.windows, how.on_progress);
+    FlyWindows fly = *how.fly;
+    fly.with_advice = true;
+    fly_windows(flown.question.windows, fly, store_folder, flown.windows, how.on_progress);
     plan_anew(flown, store_folder);
   });
   if (failure)

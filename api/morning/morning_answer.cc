@@ -37,6 +37,23 @@ json best_json(const Morning& morning, const TaskWindows& task) {
   return out;
 }
 
+/// What would change the answer of a task that is not a go; null of a go.
+json help_json(const TaskWindows& task) {
+  if (task.verdict == twin::Verdict::go) return nullptr;
+  json limits = json::array();
+  for (const Relief& relief : task.reliefs) {
+    const LimitText& limit = task.limits[relief.limit];
+    limits.push_back({{"without", limit.text},
+                      {"worker", limit.worker.empty() ? json(nullptr) : json(limit.worker)},
+                      {"start", utc(relief.start)},
+                      {"probability", relief.probability}});
+  }
+  json flown = nullptr;
+  if (task.advice)
+    flown = {{"start", utc(task.advice->start)}, {"changes", advice_json(task.advice->changes)}};
+  return {{"limits", limits}, {"flown", flown}};
+}
+
 json task_json(const Morning& morning, const TaskWindows& task) {
   json windows = json::array();
   for (const WorthRun& run : runs_of_worth(task, morning.question.windows.rule.marginal, 2))
@@ -49,6 +66,7 @@ json task_json(const Morning& morning, const TaskWindows& task) {
           {"verdict", twin::name_of(task.verdict)},
           {"best", best_json(morning, task)},
           {"windows", windows},
+          {"would_help", help_json(task)},
           {"not_checked", task.not_checked},
           {"assumed", task.assumed}};
 }

@@ -9,6 +9,7 @@
 #include "api/morning/trust.h"
 #include "api/rehearse/risk_report.h"
 #include "api/report/time_text.h"
+#include "api/windows/worth.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
 

@@ -1,8 +1,8 @@
 #include "api/morning/task_words.h"
 
 #include <cmath>
-#include <tuple>
 
+#include "api/morning/help_words.h"
 #include "api/morning/morning_clock.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/windows/windows_answer.h"
@@ -117,16 +117,6 @@ std::string best_text(const TaskWindows& task, const std::function<std::string(U
   return "best " + clock(best->start) + ", " + percent(best->worth);
 }
 
-const TaskStart* best_flown(const TaskWindows& task) {
-  const auto key = [](const TaskStart& start) {
-    return std::tuple(start.worth, start.twin->interval.low);
-  };
-  const TaskStart* best = nullptr;
-  for (const TaskStart& start : task.starts)
-    if (start.twin && (best == nullptr || key(start) > key(*best))) best = &start;
-  return best;
-}
-
 std::vector<std::string> task_words(const Morning& morning, const TaskWindows& task) {
   const MorningClock clock(morning);
   std::vector<std::string> lines;
@@ -135,6 +125,7 @@ std::vector<std::string> task_words(const Morning& morning, const TaskWindows& t
   lines.push_back(best_line(morning, task, clock));
   if (std::string flown = flown_line(task, clock); !flown.empty())
     lines.push_back(std::move(flown));
+  for (std::string& line : help_words(morning, task)) lines.push_back(std::move(line));
   lines.push_back(rule_line(task, clock));
   if (!task.not_checked.empty())
     lines.push_back("Not checked: " + joined(task.not_checked, "; ") + ".");

@@ -14,12 +14,9 @@ namespace slackwater::api {
 [[nodiscard]] std::string best_text(const TaskWindows& task,
                                     const std::function<std::string(UtcTime)>& clock);
 
-/// Of the starts that were flown the one that is worth most; null where none was.
-[[nodiscard]] const TaskStart* best_flown(const TaskWindows& task);
-
 /// What is said of a task below its row: the windows, the best start with its interval and what
-/// binds it, what was flown, what the central forecast alone and practice would say, and what was
-/// not checked. No line is empty.
+/// binds it, what was flown, what would help, what the central forecast alone and practice would
+/// say, and what was not checked. No line is empty.
 [[nodiscard]] std::vector<std::string> task_words(const Morning& morning, const TaskWindows& task);
 
 /// What the chances are, and how to read the picture.

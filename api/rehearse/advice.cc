@@ -32,15 +32,22 @@ std::vector<Variation> variations_of(const LoadedMission& mission, UtcTime start
   return out;
 }
 
-Advice as_is(const StartOutcome& flown, std::size_t members) {
-  Advice out;
-  out.flights = members;
-  for (std::size_t i = 0; i < members; ++i) out.done_as_is += flown.flights[i].is_done ? 1 : 0;
-  return out;
+/// Holds the changed flights against those of the same members as it is.
+void compare(const StartOutcome& changed, const FlownStart& flown, Advice& out) {
+  out.flights = changed.flights.size();
+  out.done = changed.done;
+  out.low = changed.low;
+  out.high = changed.high;
+  for (std::size_t i = 0; i < out.flights; ++i) {
+    const bool is_done = changed.flights[i].is_done, was_done = flown.done[i] != 0;
+    out.done_as_is += was_done ? 1 : 0;
+    out.gained += is_done && !was_done ? 1 : 0;
+    out.lost += was_done && !is_done ? 1 : 0;
+  }
 }
 
 void fly_changed(const LoadedMission& mission, const RehearsalPlan& plan, const Variation& changed,
-                 const StartOutcome& flown, Advice& out) {
+                 const FlownStart& flown, Advice& out) {
   if (plan.forbidden) out.impossible = plan.forbidden(changed.start);
   if (!out.impossible.empty()) return;
   twin::Scenario first = changed.mission;
@@ -48,31 +55,34 @@ void fly_changed(const LoadedMission& mission, const RehearsalPlan& plan, const 
   twin::expect_fit(mission.expanded, twin::set_up(first, changed.surround));
   RehearsalPlan once = plan;
   once.starts = {changed.start};
-  once.members = out.flights;
+  once.members = flown.done.size();
   once.narrow_enough = 0;
-  const StartOutcome result = rehearse(changed.mission, changed.surround, once).starts.front();
-  out.done = result.done;
-  out.low = result.low;
-  out.high = result.high;
-  for (std::size_t i = 0; i < out.flights; ++i) {
-    const bool is_done = result.flights[i].is_done, was_done = flown.flights[i].is_done;
-    out.gained += is_done && !was_done ? 1 : 0;
-    out.lost += was_done && !is_done ? 1 : 0;
-  }
+  compare(rehearse(changed.mission, changed.surround, once).starts.front(), flown, out);
 }
 
 }  // namespace
 
+FlownStart flown_start(const StartOutcome& flown, std::size_t members) {
+  FlownStart out{flown.start, {}};
+  for (const twin::Flight& flight : flown.flights) {
+    if (out.done.size() == members) break;
+    out.done.push_back(flight.is_done ? 1 : 0);
+  }
+  return out;
+}
+
 std::vector<Advice> advice_for(const LoadedMission& mission, const RehearsalPlan& plan,
-                               const StartOutcome& flown, std::size_t members) {
-  const Advice before = as_is(flown, std::min(members, flown.flights.size()));
+                               const FlownStart& flown) {
   std::vector<Advice> all;
-  if (before.flights == 0) return all;
-  for (const Variation& changed : variations_of(mission, flown.start)) {
-    Advice& out = all.emplace_back(before);
+  if (flown.done.empty()) return all;
+  const std::vector<Variation> variations = variations_of(mission, flown.start);
+  RehearsalPlan each = plan;
+  each.most_wall_s = plan.most_wall_s / static_cast<double>(variations.size());
+  for (const Variation& changed : variations) {
+    Advice& out = all.emplace_back();
     out.what = changed.what;
     try {
-      fly_changed(mission, plan, changed, flown, out);
+      fly_changed(mission, each, changed, flown, out);
     } catch (const Error& error) {
       // A vehicle that does not fit, a start outside of the forecast: no answer is one too.
       if (error.kind() != ErrorKind::invalid_input && error.kind() != ErrorKind::not_found) throw;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -26,14 +27,21 @@ struct Advice {
   }
 };
 
+/// A start as it was flown.
+struct FlownStart {
+  UtcTime start;
+  std::vector<std::uint8_t> done;  ///< by member from 0 on: 1 where it was
+};
+/// @param members  how many of them at most
+[[nodiscard]] FlownStart flown_start(const StartOutcome& flown, std::size_t members);
+
 /// Flies a start of a mission an hour earlier and later, from the other side of the tide, at half
 /// the speed, with another battery and with other vehicles, each in the futures that the start was
 /// flown in, and says what changes the answer most: best first, what is impossible last.
-/// @param flown    the start as it was flown
-/// @param members  how many of its futures at most
+/// @param plan  where it bounds the time of the clock, each change has an even share of that; each
+///              is flown once however long that takes
 [[nodiscard]] std::vector<Advice> advice_for(const LoadedMission& mission,
-                                             const RehearsalPlan& plan, const StartOutcome& flown,
-                                             std::size_t members);
+                                             const RehearsalPlan& plan, const FlownStart& flown);
 
 [[nodiscard]] nlohmann::json advice_json(const std::vector<Advice>& advice);
 /// "an hour later: 22 of 24 done instead of 10".

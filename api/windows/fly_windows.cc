@@ -7,6 +7,7 @@
 #include "api/rehearse/rehearsal.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/risk_report.h"
+#include "api/rehearse/zones.h"
 #include "api/windows/task_windows.h"
 #include "api/windows/worth.h"
 #include "twin/simulate/set_up.h"
@@ -35,6 +36,7 @@ TwinChance chance_of(const StartOutcome& flown, const std::vector<twin::Conseque
   out.probability = flown.share_done();
   out.interval = {flown.low, flown.high};
   out.flights = flown.flights.size();
+  out.done = flown_start(flown, out.flights).done;
   if (!flown.stopped_by.empty()) out.stopped_by = flown.stopped_by.front().cause;
   for (const twin::Flight& flight : flown.flights) {
     if (flight.is_done) out.duration_s.push_back(flight.ended_s);
@@ -44,6 +46,18 @@ TwinChance chance_of(const StartOutcome& flown, const std::vector<twin::Conseque
   }
   out.risks = risks_of(flown, harms);
   return out;
+}
+
+/// The start that is worth most of those that were flown, done otherwise: in nine futures, with
+/// which flights begin to count (worth.h).
+std::optional<FlownAdvice> advice_of(const LoadedMission& mission, const RehearsalPlan& plan,
+                                     const TaskWindows& task) {
+  constexpr std::size_t futures = 9;
+  const TaskStart* best = best_flown(task);
+  if (best == nullptr) return std::nullopt;
+  FlownStart flown{best->start, best->twin->done};
+  if (flown.done.size() > futures) flown.done.resize(futures);
+  return FlownAdvice{best->start, advice_for(mission, plan, flown)};
 }
 
 void fly_task(const WindowsQuestion& question, const FlyWindows& settings, double most_wall_s,
@@ -57,8 +71,10 @@ void fly_task(const WindowsQuestion& question, const FlyWindows& settings, doubl
   for (const std::size_t i : starts) plan.starts.push_back(task.starts[i].start);
   plan.members = question.members > 0 ? question.members : field.snapshot().members;
   plan.narrow_enough = settings.narrow_enough;
-  plan.most_wall_s = most_wall_s;
+  const double for_advice_s = settings.with_advice ? 0.25 * most_wall_s : 0;
+  plan.most_wall_s = most_wall_s - for_advice_s;
   plan.threads = question.threads;
+  plan.forbidden = [&](UtcTime start) { return zone_in_the_way(mission, start); };
   plan.flights.workers = mission.expanded.workers;
   plan.flights.sample_every_s = mission.scenario.duration_s;
   const Rehearsal flown = rehearse(mission.scenario, answer.water.surround, plan);
@@ -66,6 +82,9 @@ void fly_task(const WindowsQuestion& question, const FlyWindows& settings, doubl
     task.starts[starts[i]].twin = chance_of(flown.starts[i], mission.consequences);
   weigh_by_flights(task, settings.every);
   task.verdict = twin::verdict_of(best_of(task)->worth, question.rule);
+  if (!settings.with_advice || task.verdict == twin::Verdict::go) return;
+  plan.most_wall_s = for_advice_s;
+  task.advice = advice_of(mission, plan, task);
 }
 
 }  // namespace

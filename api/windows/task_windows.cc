@@ -7,6 +7,7 @@
 
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/zones.h"
+#include "api/windows/relief.h"
 #include "api/windows/task_outlook.h"
 #include "api/windows/worth.h"
 #include "fields/base/error.h"
@@ -247,6 +248,7 @@ TaskWindows task_windows(const WindowsQuestion& question, const SharedOutlook& s
     add_too_little_time(shared, outlook, out);
     out.assumed = unchecked_of(outlook.mission.scenario).assumed;
     add_starts(question, outlook, out);
+    if (out.verdict != twin::Verdict::go) out.reliefs = reliefs_of(outlook, out);
     return out;
   });
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "api/rehearse/advice.h"
 #include "api/rehearse/mission_file.h"
 #include "api/windows/alpha_practice.h"
 #include "fields/base/local_time.h"
@@ -46,6 +47,7 @@ struct TwinChance {
   double probability = 0;          ///< of success with the reserve kept: the share that was done
   twin::SuccessInterval interval;  ///< 95 %, whenever the flights were stopped
   std::size_t flights = 0;
+  std::vector<std::uint8_t> done;  ///< by member, 1 where it was
   std::string stopped_by;          ///< what stopped most; empty: nothing
   std::vector<double> duration_s;  ///< of those that were done
   std::vector<double> energy_wh;   ///< electrical, of all vehicles, by flight
@@ -76,6 +78,20 @@ struct TaskStart {
   std::string flights_stopped_by;  ///< what took from its worth; empty: nothing did
 };
 
+/// What the best start of a task would be worth if one of its limits did not count: what to look
+/// for a vehicle, a method or an hour for that bears more of it.
+struct Relief {
+  std::size_t limit = 0;  ///< of the task
+  UtcTime start;          ///< the best one then
+  double probability = 0;
+};
+
+/// What flights of the best start, done otherwise, say.
+struct FlownAdvice {
+  UtcTime start;
+  std::vector<Advice> changes;  ///< the greatest gain first, what is impossible last
+};
+
 struct WorkerPlan {
   std::string name;
   twin::PhasePlan plan;
@@ -101,6 +117,9 @@ struct TaskWindows {
   std::optional<std::vector<twin::StartWindow>> by_alpha;  ///< absent: practice says nothing
   std::string no_alpha;                                    ///< why
   twin::Verdict verdict = twin::Verdict::no_go;            ///< of the start that is worth most
+  /// Of a task that is not a go by its limits: those that give its best start more, most first.
+  std::vector<Relief> reliefs;
+  std::optional<FlownAdvice> advice;  ///< of one that was flown and is not a go
 };
 
 /// A task that could not be worked out.

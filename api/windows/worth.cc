@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "twin/chance/success_interval.h"
 
@@ -80,6 +81,16 @@ const TaskStart* best_of(const TaskWindows& task) {
   const TaskStart* best = nullptr;
   for (const TaskStart& start : task.starts)
     if (best == nullptr || start.worth > best->worth) best = &start;
+  return best;
+}
+
+const TaskStart* best_flown(const TaskWindows& task) {
+  const auto key = [](const TaskStart& start) {
+    return std::tuple(start.worth, start.twin->interval.low);
+  };
+  const TaskStart* best = nullptr;
+  for (const TaskStart& start : task.starts)
+    if (start.twin && (best == nullptr || key(start) > key(*best))) best = &start;
   return best;
 }
 

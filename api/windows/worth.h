@@ -33,5 +33,7 @@ struct WorthRun {
 
 /// The start that is worth most, the first of them; nothing where there is no start.
 [[nodiscard]] const TaskStart* best_of(const TaskWindows& task);
+/// Of the starts that were flown the one that is worth most; null where none was.
+[[nodiscard]] const TaskStart* best_flown(const TaskWindows& task);
 
 }  // namespace slackwater::api

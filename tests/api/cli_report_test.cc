@@ -75,6 +75,51 @@ TEST_F(ReportCommand, SaysOnOnePageWhatTheWindowsSay) {
   EXPECT_LT(page.find("id=\"gantt\""), page.find("id=\"answer\"")) << "the answer comes first";
 }
 
+TEST_F(ReportCommand, SaysWhatWouldChangeTheAnswer) {
+  write("never.yaml", peek(never));
+  const std::string page = path("help.html");
+  const ProgramResult made = report({"--task", path("never.yaml"), "--html", page, "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const json help = json::parse(made.out).at("tasks")[0].at("would_help");
+  ASSERT_EQ(help.at("limits").size(), 1U) << "the waves stop nobody";
+  EXPECT_TRUE(holds(help.at("limits")[0].at("without"), "current at most 0.02 m/s"));
+  EXPECT_EQ(help.at("limits")[0].at("worker"), "eye");
+  // All of the 25 futures hold the other limit.
+  EXPECT_NEAR(help.at("limits")[0].at("probability").get<double>(), 26.0 / 27, 1e-9);
+  EXPECT_TRUE(help.at("flown").is_null());
+  EXPECT_TRUE(holds(read_bytes(page), "What would help: the best start without the limit"));
+
+  write("go.yaml", peek(loose));
+  const ProgramResult go = report({"--task", path("go.yaml"), "--html", page, "--json"});
+  EXPECT_TRUE(json::parse(go.out).at("tasks")[0].at("would_help").is_null());
+  EXPECT_FALSE(holds(read_bytes(page), "What would help"));
+}
+
+TEST_F(ReportCommand, FliesWhatIsNoGoOtherwise) {
+  // Of two futures no start is more probable than 0.75: marginal, and no limit is to blame.
+  write("peek.yaml", peek(loose));
+  const ProgramResult made = report({"--task", path("peek.yaml"), "--from", "2025-03-05T06:00:00Z",
+                                     "--to", "2025-03-05T07:00:00Z", "--members", "2", "--fly",
+                                     "1s", "--html", path("otherwise.html"), "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const json task = json::parse(made.out).at("tasks")[0];
+  EXPECT_EQ(task.at("verdict"), "marginal");
+  EXPECT_TRUE(task.at("would_help").at("limits").empty());
+  const json flown = task.at("would_help").at("flown");
+  EXPECT_EQ(flown.at("start"), task.at("best").at("start"));
+  std::size_t changed = 0;
+  for (const json& change : flown.at("changes")) {
+    if (change.contains("impossible")) continue;
+    ++changed;
+    EXPECT_GE(change.at("flights"), 1);
+    EXPECT_LE(change.at("done_as_is"), change.at("flights"));
+    EXPECT_EQ(change.at("done").get<int>() - change.at("done_as_is").get<int>(),
+              change.at("gained").get<int>() - change.at("lost").get<int>());
+  }
+  EXPECT_GE(changed, 3U) << flown;
+  EXPECT_TRUE(holds(read_bytes(path("otherwise.html")), "done otherwise"));
+}
+
 TEST_F(ReportCommand, LiesInTheStoreWhereNothingElseIsSaid) {
   write("peek.yaml", peek(loose));
   write_farm("peeked.yaml", "tasks: [" + path("peek.yaml") + "]\n");
