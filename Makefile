@@ -40,6 +40,7 @@ soak: test-packages venv
 	  -R 'WindowProbabilities|TwinProbabilities'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
+	tests/soak/morning build/release/api/slackwater build/soak-demo/store
 	$(MAKE) fuzz
 
 fuzz: test-packages
