@@ -48,13 +48,16 @@ std::string structures_text(const WorkSite& site) {
 /// Those of a forecast err in each member, unless the caller or the mission says otherwise.
 std::string waves_text(const Config& mission, std::optional<bool> wanted) {
   const auto own = mission.optional_child("waves");
-  const bool is_made_up = mission.is_mapping("water") && mission.child("water").has("made_up");
+  const std::vector<std::string> keys = own ? own->keys() : std::vector<std::string>();
+  const auto water = mission.optional_child("water");
+  const std::vector<std::string> waters = water ? water->keys() : std::vector<std::string>();
+  const bool is_made_up = std::find(waters.begin(), waters.end(), "made_up") != waters.end();
   const bool is_stated = own && (own->is_list("partitions") ||
                                  own->optional_text("from").value_or("forecast") != "forecast");
   if (is_made_up || is_stated) return own ? "waves: " + mission.flow_yaml("waves") + "\n" : "";
   bool errs = true;
   std::string text;
-  for (const std::string& key : own ? own->keys() : std::vector<std::string>()) {
+  for (const std::string& key : keys) {
     if (key == "height_errors")
       errs = own->optional_flag(key).value_or(errs);
     else

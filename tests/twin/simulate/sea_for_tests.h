@@ -38,6 +38,7 @@ inline twin::Surround in_forecast_sea(const twin::Scenario& scenario,
 /// A scenario of made-up water whose waves are to be those of the forecast that it is put in.
 inline twin::Scenario with_forecast_waves(const std::string& yaml, bool errs = false) {
   twin::Scenario scenario = twin::parse_scenario(yaml, "test.yaml");
+  scenario.water = twin::ForecastWater{};
   scenario.waves.from_forecast = true;
   scenario.waves.have_height_errors = errs;
   return scenario;
