@@ -37,6 +37,7 @@ struct RehearseArguments {
   std::size_t count = 1;
   double narrow_enough = 0;
   std::vector<std::string> assume;
+  std::string waves;
   int threads = 0;
   std::filesystem::path out, html, scenario, log;
   std::string log_start;
@@ -142,7 +143,10 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   expect_output("--log", arguments.log, {".nc"});
   std::vector<twin::Assumption> assumed;
   for (const std::string& text : arguments.assume) assumed.push_back(twin::parse_assumption(text));
-  LoadedMission mission = load_mission(arguments.mission, context.store_folder, assumed);
+  std::optional<bool> height_errors;
+  if (!arguments.waves.empty()) height_errors = arguments.waves == "error";
+  LoadedMission mission =
+      load_mission(arguments.mission, context.store_folder, assumed, height_errors);
   RehearsalPlan plan;
   plan.threads = arguments.threads > 0
                      ? arguments.threads
@@ -224,6 +228,11 @@ void add_rehearse(CLI::App& app, Context& context) {
       ->check(CLI::Range(0.001, 1.0));
   command->add_option("--assume", arguments->assume,
                       "what no forecast serves, e.g. visibility_m=5000");
+  command
+      ->add_option("--waves", arguments->waves,
+                   "error: each future's waves err as forecasts do (default, as `windows` has "
+                   "them); forecast: all have those of the forecast")
+      ->check(CLI::IsMember({"error", "forecast"}));
   command->add_flag("--advice", arguments->advice,
                     "fly the best start otherwise too: an hour off, other side of the tide, half "
                     "speed, more battery, other vehicles");

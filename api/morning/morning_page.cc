@@ -82,8 +82,8 @@ std::string risks_html(const Morning& morning) {
   table.note =
       "Of each task what befell its best start, the gravest first, or else the gravest cause of "
       "its sheet. Bounds hold at 95 %; harm from 1 (slight) to 5 (grave), estimates unless your "
-      "own register replaces them; at worst: by the upper bound. All futures fly in the waves of "
-      "the forecast; the chances above have the usual error of forecast waves too.";
+      "own register replaces them; at worst: by the upper bound. The waves of each future err in "
+      "height as those of the chances above do; their period is that of the start.";
   table.columns = {"Task and start", "Cause", "Befell", "Likelihood", "Worst harm", "Risk"};
   for (const TaskWindows* task : by_verdict(morning)) add_risks(*task, clock, table);
   if (!table.rows.empty()) return table_html(table);

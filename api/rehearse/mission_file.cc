@@ -36,7 +36,8 @@ std::vector<std::string> known_tasks() {
 
 LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path& folder,
                               const std::string& name, const std::filesystem::path& store_folder,
-                              const std::vector<twin::Assumption>& assumed) {
+                              const std::vector<twin::Assumption>& assumed,
+                              std::optional<bool> height_errors) {
   LoadedMission out;
   out.name = mission.text("name");
   const std::string named = mission.text("site");
@@ -51,6 +52,7 @@ LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path
   parts.origin = site.point;
   parts.site_id = where;
   parts.assumed = assumed;
+  parts.height_errors = height_errors;
   parts.task = [&](const std::string& id) {
     Config task = load_task(id, folder);
     for (twin::Consequence& one : twin::read_consequences(task))
@@ -65,10 +67,11 @@ LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path
 
 LoadedMission load_mission(const std::filesystem::path& file,
                            const std::filesystem::path& store_folder,
-                           const std::vector<twin::Assumption>& assumed) {
+                           const std::vector<twin::Assumption>& assumed,
+                           std::optional<bool> height_errors) {
   const auto folder = std::filesystem::absolute(file).parent_path();
-  LoadedMission out =
-      lay_out_mission(Config::load(file), folder, file.filename().string(), store_folder, assumed);
+  LoadedMission out = lay_out_mission(Config::load(file), folder, file.filename().string(),
+                                      store_folder, assumed, height_errors);
   out.water = water_of(out.scenario, store_folder, folder);
   with_context(file.string(), [&] { add_heard_traffic(out.scenario, folder, out.water); });
   return out;

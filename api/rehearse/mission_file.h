@@ -27,19 +27,23 @@ struct LoadedMission {
 /// @param folder   that the files it names count from
 /// @param name     of the mission's file, for errors
 /// @param assumed  beside those of the mission
+/// @param height_errors  whether the waves of a forecast err, whatever the mission says
 /// @throws Error(invalid_input), Error(not_found)
 [[nodiscard]] LoadedMission lay_out_mission(const Config& mission,
                                             const std::filesystem::path& folder,
                                             const std::string& name,
                                             const std::filesystem::path& store_folder,
-                                            const std::vector<twin::Assumption>& assumed);
+                                            const std::vector<twin::Assumption>& assumed,
+                                            std::optional<bool> height_errors = {});
 
 /// Reads a mission, the tasks and the site that it names, and finds its water.
-/// @param assumed  beside those of the mission
+/// @param assumed            beside those of the mission
+/// @param height_errors  whether the waves of a forecast err, whatever the mission says
 /// @throws Error(invalid_input), Error(not_found)
 [[nodiscard]] LoadedMission load_mission(const std::filesystem::path& file,
                                          const std::filesystem::path& store_folder,
-                                         const std::vector<twin::Assumption>& assumed);
+                                         const std::vector<twin::Assumption>& assumed,
+                                         std::optional<bool> height_errors);
 
 /// The sheet of a task: of data/tasks by its id, else a file, counted from a folder.
 /// @throws Error(not_found) that lists the ids and names the nearest

@@ -33,7 +33,8 @@ LoadedMission mission_of(const WindowsQuestion& question, const std::string& tas
 LoadedMission laid_out_at(const SharedOutlook& outlook, const WindowsQuestion& question,
                           const std::string& task, const std::vector<std::string>& turbines) {
   LoadedMission mission =
-      mission_of(question, task, turbines, "duration: 30d\nseed: 1\nwaves: {components: 8}\n",
+      mission_of(question, task, turbines,
+                 "duration: 30d\nseed: 1\nwaves: {components: 8, height_errors: false}\n",
                  outlook.store_folder);
   // It is not flown, and what set_up asks of the forecast is its first minute.
   mission.scenario.duration_s = 60;
@@ -164,11 +165,13 @@ LoadedMission mission_to_fly(const WindowsQuestion& question, const TaskWindows&
                              std::uint64_t seed, std::size_t wave_components,
                              const std::filesystem::path& store_folder) {
   const double minutes = std::ceil((task.planned_s + task.contingency_s) / 60);
-  return mission_of(question, task.id, task.turbines,
-                    formatted("duration: {:.0f}min\nseed: {}\nwaves: {{components: {}}}\ngusts: "
-                              "dryden\n",
-                              minutes, seed & 0x7fffffff, wave_components),
-                    store_folder);
+  return mission_of(
+      question, task.id, task.turbines,
+      formatted("duration: {:.0f}min\nseed: {}\nwaves: {{components: {}, height_errors: "
+                "{}}}\ngusts: dryden\n",
+                minutes, seed & 0x7fffffff, wave_components,
+                question.waves_as_forecast ? "false" : "true"),
+      store_folder);
 }
 
 }  // namespace slackwater::api

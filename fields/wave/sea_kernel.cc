@@ -128,22 +128,23 @@ SLACKWATER_INLINE void add_up(const SeaKernelWaves& waves, const Phases& phases,
 }
 
 template <bool with_acceleration>
-SLACKWATER_INLINE void motion_of(const SeaKernelWaves& waves, const Phases& phases,
+SLACKWATER_INLINE void motion_of(const SeaKernelWaves& waves, const Phases& phases, double factor,
                                  SeaKernelSums& sums) {
   PartialSums partial;
   for (std::size_t part = 0; part < Lanes::count; part += native_lanes)
     add_up<with_acceleration>(waves, phases, sums.evaluated_up_m, part, partial);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    sums.velocity_m_s[axis] = sum_of(Lanes::load(partial.velocity[axis]));
+    sums.velocity_m_s[axis] = factor * sum_of(Lanes::load(partial.velocity[axis]));
     if constexpr (with_acceleration)
-      sums.acceleration_m_s2[axis] = sum_of(Lanes::load(partial.acceleration[axis]));
+      sums.acceleration_m_s2[axis] = factor * sum_of(Lanes::load(partial.acceleration[axis]));
   }
-  if constexpr (with_acceleration) sums.pressure_pa = sum_of(Lanes::load(partial.pressure));
+  if constexpr (with_acceleration)
+    sums.pressure_pa = factor * sum_of(Lanes::load(partial.pressure));
 }
 
 void evaluate_elevation(const SeaKernelWaves& waves, const SeaKernelPlace& place,
                         bool /*stretched*/, SeaKernelSums& sums) noexcept {
-  sums.elevation_m = elevation_of<false>(waves, place, nullptr);
+  sums.elevation_m = place.height_factor * elevation_of<false>(waves, place, nullptr);
 }
 
 /// Where the waves are to be evaluated for a place under a surface of that elevation.
@@ -160,9 +161,9 @@ template <bool with_acceleration>
 void evaluate(const SeaKernelWaves& waves, const SeaKernelPlace& place, bool stretched,
               SeaKernelSums& sums) noexcept {
   Phases phases;  // written before it is read: not cleared
-  sums.elevation_m = elevation_of<true>(waves, place, &phases);
+  sums.elevation_m = place.height_factor * elevation_of<true>(waves, place, &phases);
   sums.evaluated_up_m = evaluated_level(waves, place.up_m, sums.elevation_m, stretched);
-  motion_of<with_acceleration>(waves, phases, sums);
+  motion_of<with_acceleration>(waves, phases, place.height_factor, sums);
 }
 
 void evaluate_row(const SeaKernelWaves& waves, const SeaKernelPlace& first,
@@ -173,10 +174,10 @@ void evaluate_row(const SeaKernelWaves& waves, const SeaKernelPlace& first,
   step_phases(waves, step, by);
   for (std::size_t j = 0; j < count; ++j) {
     const double up_m = first.up_m + static_cast<double>(j) * step.up_m;
-    sums[j].elevation_m =
-        j == 0 ? elevation_of<true>(waves, first, &phases) : next_elevation(waves, by, phases);
+    sums[j].elevation_m = first.height_factor * (j == 0 ? elevation_of<true>(waves, first, &phases)
+                                                        : next_elevation(waves, by, phases));
     sums[j].evaluated_up_m = evaluated_level(waves, up_m, sums[j].elevation_m, stretched);
-    motion_of<true>(waves, phases, sums[j]);
+    motion_of<true>(waves, phases, first.height_factor, sums[j]);
   }
 }
 

@@ -28,6 +28,7 @@ struct SeaKernelPlace {
   double north_m = 0;
   double up_m = 0;  ///< from still water
   double t_s = 0;
+  double height_factor = 1;  ///< on the elevation and all that moves, at that time
 };
 
 /// Where the kernel puts its sums.
@@ -46,7 +47,7 @@ inline constexpr std::size_t most_kernel_waves = 1024;
 using SeaKernel = void (*)(const SeaKernelWaves&, const SeaKernelPlace&, bool stretched,
                            SeaKernelSums&) noexcept;
 /// All that there is at `count` places in a row, of which the first and the step from one to the
-/// next are given (the time of the step counts for nothing).
+/// next are given (the time and the factor of the step count for nothing).
 using SeaRowKernel = void (*)(const SeaKernelWaves&, const SeaKernelPlace& first,
                               const SeaKernelPlace& step, std::size_t count, bool stretched,
                               SeaKernelSums*) noexcept;

@@ -78,8 +78,8 @@ void sample_with(SeaMomentKernel kernel, const SeaRealisation& sea, double t_s,
   }
   if (count == 0) return;
   const bool stretched = sea.stretching() == Stretching::wheeler;
-  kernel(sea.kernel_waves(), {places[0].east_m, places[0].north_m, 0, t_s}, stretched, asked.data(),
-         count, sums.data());
+  kernel(sea.kernel_waves(), {places[0].east_m, places[0].north_m, 0, t_s, sea.course().at(t_s)},
+         stretched, asked.data(), count, sums.data());
   for (std::size_t n = 0; n < count; ++n)
     out[index[n]] = judged(sums[n], places[index[n]].up_m, sea.water().depth_m, stretched);
 }

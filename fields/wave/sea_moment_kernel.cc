@@ -156,7 +156,7 @@ struct Surface {
   float rise_m_s = 0;
 };
 
-Surface surface_at(Waves& waves, const SeaMomentPlace& place) {
+Surface surface_at(Waves& waves, const SeaMomentPlace& place, float factor) {
   constexpr float turn = 2 * std::numbers::pi_v<float>;
   const float east_m = place.east_m, north_m = place.north_m;
   const float east_rad_s = turn * place.east_m_s, north_rad_s = turn * place.north_m_s;
@@ -175,7 +175,7 @@ Surface surface_at(Waves& waves, const SeaMomentPlace& place) {
     eight.cosine = at.cosine;
     eight.met_rad_s = met;
   }
-  return {sum_of(elevation), sum_of(rise)};
+  return {factor * sum_of(elevation), factor * sum_of(rise)};
 }
 
 /// Where the waves are evaluated, and how fast that level rises.
@@ -223,7 +223,7 @@ struct Motion {
   motion.dw = motion.dw + eight.up_m_s * (climb * crossing - eight.met_rad_s * standing);
 }
 
-void motion_at(const Waves& waves, const Level& at, SeaMomentSums& sums) {
+void motion_at(const Waves& waves, const Level& at, float factor, SeaMomentSums& sums) {
   const float up_m = at.up_m;
   const float climb_m_s = std::numbers::ln2_v<float> * at.rise_m_s;
   Motion motion;
@@ -244,24 +244,25 @@ void motion_at(const Waves& waves, const Level& at, SeaMomentSums& sums) {
     const Floats level = power_of_two(bounded(eight.decay_per_m * up_m));
     add(eight, level, level, climb_m_s, motion);
   }
-  sums.velocity_m_s[0] = sum_of(motion.u);
-  sums.velocity_m_s[1] = sum_of(motion.v);
-  sums.velocity_m_s[2] = sum_of(motion.w);
-  sums.acceleration_m_s2[0] = sum_of(motion.du);
-  sums.acceleration_m_s2[1] = sum_of(motion.dv);
-  sums.acceleration_m_s2[2] = sum_of(motion.dw);
+  sums.velocity_m_s[0] = factor * sum_of(motion.u);
+  sums.velocity_m_s[1] = factor * sum_of(motion.v);
+  sums.velocity_m_s[2] = factor * sum_of(motion.w);
+  sums.acceleration_m_s2[0] = factor * sum_of(motion.du);
+  sums.acceleration_m_s2[1] = factor * sum_of(motion.dv);
+  sums.acceleration_m_s2[2] = factor * sum_of(motion.dw);
 }
 
 void evaluate(const SeaKernelWaves& from, const SeaKernelPlace& reference, bool stretched,
               const SeaMomentPlace* places, std::size_t count, SeaMomentSums* sums) noexcept {
   Waves waves;  // written before it is read: not cleared
   convert(from, reference, waves);
+  const auto factor = static_cast<float>(reference.height_factor);
   for (std::size_t i = 0; i < count; ++i) {
-    const Surface surface = surface_at(waves, places[i]);
+    const Surface surface = surface_at(waves, places[i], factor);
     sums[i].elevation_m = surface.elevation_m;
     sums[i].rise_m_s = surface.rise_m_s;
     const Level level = level_of(places[i], surface, static_cast<float>(from.depth_m), stretched);
-    motion_at(waves, level, sums[i]);
+    motion_at(waves, level, factor, sums[i]);
   }
 }
 

@@ -22,7 +22,7 @@ struct SeaMomentSums {
 };
 
 /// The sea at `count` places about a reference, all at its time; the up of the reference counts for
-/// nothing.
+/// nothing, its factor for all.
 using SeaMomentKernel = void (*)(const SeaKernelWaves&, const SeaKernelPlace& reference,
                                  bool stretched, const SeaMomentPlace* places, std::size_t count,
                                  SeaMomentSums*) noexcept;

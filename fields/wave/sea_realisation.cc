@@ -71,6 +71,12 @@ SeaRealisation::SeaRealisation(std::vector<WaveComponent> waves, const WaveWater
   }
 }
 
+SeaRealisation SeaRealisation::following(HeightCourse course) const {
+  SeaRealisation sea = *this;
+  sea.course_ = std::move(course);
+  return sea;
+}
+
 double SeaRealisation::variance_m2() const noexcept {
   double sum = 0;
   for (const WaveComponent& wave : waves_) sum += 0.5 * wave.amplitude_m * wave.amplitude_m;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fields/base/time.h"
+#include "fields/wave/height_course.h"
 #include "fields/wave/sea_components.h"
 #include "fields/wave/sea_kernel.h"
 
@@ -23,6 +24,9 @@ enum class Stretching {
 ///   w = sum a sigma sinh k(z+h)/sinh kh sin(theta),
 ///   p = sum rho g a cosh k(z+h)/cosh kh cos(theta)
 ///
+/// A sea that follows a course of its height has all of these times r(t): the same waves, higher or
+/// lower (height_course.h); stretching is to the surface as it then is.
+///
 /// Source: Airy (1845); Dean & Dalrymple (1991), ch. 3; with a current Peregrine (1976).
 class SeaRealisation {
  public:
@@ -30,13 +34,16 @@ class SeaRealisation {
   /// value that is not finite, and more than 1 024 waves. No waves: a calm sea.
   SeaRealisation(std::vector<WaveComponent> waves, const WaveWater& water, UtcTime epoch,
                  Stretching stretching = Stretching::wheeler);
+  /// The same waves, whose height follows a course. @param course  of the seconds since the epoch
+  [[nodiscard]] SeaRealisation following(HeightCourse course) const;
 
   /// By ascending wavenumber.
   [[nodiscard]] const std::vector<WaveComponent>& waves() const noexcept { return waves_; }
   [[nodiscard]] const WaveWater& water() const noexcept { return water_; }
   [[nodiscard]] UtcTime epoch() const noexcept { return epoch_; }
   [[nodiscard]] Stretching stretching() const noexcept { return stretching_; }
-  /// Variance of the surface, sum a^2/2: exact over an endless record, m2.
+  [[nodiscard]] const HeightCourse& course() const noexcept { return course_; }
+  /// Variance of the surface, sum a^2/2: exact over an endless record, m2; where r(t) is 1.
   [[nodiscard]] double variance_m2() const noexcept;
   [[nodiscard]] double significant_height_m() const noexcept;  ///< 4 sqrt(variance)
   /// The arrays of the kernel; they live as long as this.
@@ -47,6 +54,7 @@ class SeaRealisation {
   WaveWater water_;
   UtcTime epoch_;
   Stretching stretching_;
+  HeightCourse course_;
   std::size_t padded_ = 0;      ///< waves, up to a multiple of 8 by waves of no height
   std::vector<double> packed_;  ///< the arrays of SeaKernelWaves, one after the other
 };

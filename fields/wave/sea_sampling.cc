@@ -62,12 +62,16 @@ Evaluated outside(SampleStatus status) noexcept {
   return {{nan, nan, {nan, nan, nan}, {nan, nan, nan}, nan}, status};
 }
 
-Evaluated evaluate(SeaKernel kernel, const SeaKernelWaves& waves, bool stretched,
-                   const WavePlace& place) noexcept {
+SeaKernelPlace place_of(const SeaRealisation& sea, const WavePlace& at) noexcept {
+  return {at.east_m, at.north_m, at.up_m, at.t_s, sea.course().at(at.t_s)};
+}
+
+Evaluated evaluate(SeaKernel kernel, const SeaRealisation& sea, const SeaKernelWaves& waves,
+                   bool stretched, const WavePlace& place) noexcept {
   const SampleStatus status = status_of(place);
   if (status != SampleStatus::ok) return outside(status);
   Evaluated result;
-  kernel(waves, {place.east_m, place.north_m, place.up_m, place.t_s}, stretched, result.sums);
+  kernel(waves, place_of(sea, place), stretched, result.sums);
   judge(waves, stretched, place.up_m, result);
   return result;
 }
@@ -88,7 +92,7 @@ void sample_motion_with(const SeaKernels& kernels, const SeaRealisation& sea,
   const SeaKernelWaves waves = sea.kernel_waves();
   const bool stretched = sea.stretching() == Stretching::wheeler;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    out[i] = motion_of(evaluate(kernels.motion, waves, stretched, places[i]));
+    out[i] = motion_of(evaluate(kernels.motion, sea, waves, stretched, places[i]));
   }
 }
 
@@ -98,7 +102,7 @@ void sample_waves_with(const SeaKernels& kernels, const SeaRealisation& sea,
   const SeaKernelWaves waves = sea.kernel_waves();
   const bool stretched = sea.stretching() == Stretching::wheeler;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    out[i] = sample_of(evaluate(kernels.all, waves, stretched, places[i]));
+    out[i] = sample_of(evaluate(kernels.all, sea, waves, stretched, places[i]));
   }
 }
 
@@ -117,8 +121,8 @@ void sample_row_with(const SeaKernels& kernels, const SeaRealisation& sea, const
   const SeaKernelWaves waves = sea.kernel_waves();
   const bool stretched = sea.stretching() == Stretching::wheeler;
   std::array<SeaKernelSums, most_in_row> sums;
-  kernels.row(waves, {row.first.east_m, row.first.north_m, row.first.up_m, row.first.t_s},
-              {row.east_step_m, row.north_step_m, row.up_step_m, 0}, out.size(), stretched,
+  kernels.row(waves, place_of(sea, row.first),
+              {row.east_step_m, row.north_step_m, row.up_step_m, 0, 1}, out.size(), stretched,
               sums.data());
   for (std::size_t j = 0; j < out.size(); ++j) {
     Evaluated result{sums[j], SampleStatus::missing};
@@ -138,7 +142,7 @@ void sample_elevation(const SeaRealisation& sea, std::span<const WavePlace> plac
     SeaKernelSums sums{.elevation_m = nan};
     const WavePlace& at = places[i];
     if (status_of(at) == SampleStatus::ok) {
-      kernel(waves, {at.east_m, at.north_m, 0.0, at.t_s}, true, sums);
+      kernel(waves, place_of(sea, at), true, sums);
     }
     out[i] = sums.elevation_m;
   }
@@ -155,7 +159,7 @@ void sample_waves(const SeaRealisation& sea, std::span<const WavePlace> places,
 }
 
 WaveSample sample_waves(const SeaRealisation& sea, const WavePlace& place) {
-  return sample_of(evaluate(fastest_kernels().all, sea.kernel_waves(),
+  return sample_of(evaluate(fastest_kernels().all, sea, sea.kernel_waves(),
                             sea.stretching() == Stretching::wheeler, place));
 }
 

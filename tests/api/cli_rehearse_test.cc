@@ -206,6 +206,34 @@ TEST_F(RehearseCommand, DrawsFurtherMembersThanWereIssuedAndTheLogOfOneReplays) 
   EXPECT_EQ(made_.digests(), before);
 }
 
+/// The share of a limit that the waves take up, over the flights: the limit is on nothing else.
+TEST_F(RehearseCommand, WavesErrInTheMembersUnlessTheyAreTakenAsForecastAndBothReplay) {
+  write_issued();
+  std::string yaml = read_bytes(path("issued.yaml"));
+  const std::string limit = "current_speed_m_s: 3";
+  yaml.replace(yaml.find(limit), limit.size(), "significant_wave_height_m: 20");
+  write("issued.yaml", yaml);
+  for (const std::string& waves : {std::string("error"), std::string("forecast")}) {
+    const bool errs = waves == "error";
+    const std::string log = path(waves + ".nc"), scenario = path(waves + ".yaml");
+    std::vector<std::string> words{
+        "rehearse", path("issued.yaml"), "--members", "5",     "--log", log, "--log-member",
+        "3",        "--scenario",        scenario,    "--json"};
+    // Errors are the default.
+    if (!errs) words.insert(words.end(), {"--waves", waves});
+    const ProgramResult run = made_.run(words);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const json share = json::parse(run.out).at("starts")[0].at("vehicles")[0].at("most_of_a_limit");
+    EXPECT_GT(share.at("p50").get<double>(), 0) << "there are waves";
+    EXPECT_EQ(share.at("p10") != share.at("p90"), errs) << share;
+    const std::string told = errs ? "height_errors: true" : "height_errors: false";
+    EXPECT_NE(read_bytes(scenario).find(told), std::string::npos);
+    EXPECT_NE(ingest::read_trajectories(log).attribute("scenario").find(told), std::string::npos);
+    const ProgramResult replayed = made_.run({"replay", log});
+    EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+  }
+}
+
 TEST_F(RehearseCommand, RefusesALogOfAFlightThatIsNotFlownBeforeItFlies) {
   const ProgramResult member = made_.run({"rehearse", path("mission.yaml"), "--members", "2",
                                           "--log", path("one.nc"), "--log-member", "2"});

@@ -66,6 +66,30 @@ TEST_F(WindowsCommand, FliesTheStartsThatTheLimitsLeaveOpen) {
   for (const json& start : shut.at("starts")) EXPECT_TRUE(start.at("twin").is_null());
 }
 
+/// Nothing but the waves stops these flights. They are over sooner than the hour and a half, and the
+/// contingency, throughout which the limit is held: where it holds the flight is done.
+TEST_F(WindowsCommand, FliesInTheWavesThatTheLimitsAreHeldAgainst) {
+  const auto start_of = [&](const std::string& waves) {
+    return task_of({"--task", write("near.yaml", peek("{significant_wave_height_m: 2.0}")),
+                    "--from", "2025-03-05T06:00:00Z", "--to", "2025-03-05T06:30:00Z", "--members",
+                    "8", "--waves", waves, "--fly", "10min"})
+        .at("starts")[0];
+  };
+  const json as_forecast = start_of("forecast"), errs = start_of("error");
+  ASSERT_EQ(as_forecast.at("members_held"), 8);
+  ASSERT_EQ(as_forecast.at("twin").at("probability"), 1);
+  const int held = errs.at("members_held").get<int>();
+  const json& twin = errs.at("twin");
+  const double done = twin.at("probability").get<double>() * twin.at("flights").get<double>();
+  EXPECT_GT(held, 0);
+  EXPECT_LT(held, 8);
+  EXPECT_LT(twin.at("probability").get<double>(), 1) << twin;
+  EXPECT_EQ(twin.at("flights"), 8);
+  EXPECT_GE(done, held - 1e-9);
+  EXPECT_NE(twin.at("stopped_by").dump().find("significant wave height"), std::string::npos)
+      << twin;
+}
+
 TEST_F(WindowsCommand, AreWhatThePlanOfADayIsMadeOf) {
   const std::string task = write("peek.yaml", peek(loose));
   const std::string plan = write("plan.yaml",

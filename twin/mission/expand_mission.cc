@@ -45,6 +45,27 @@ std::string structures_text(const WorkSite& site) {
   return text;
 }
 
+/// Those of a forecast err in each member, unless the caller or the mission says otherwise.
+std::string waves_text(const Config& mission, std::optional<bool> wanted) {
+  const auto own = mission.optional_child("waves");
+  const std::vector<std::string> keys = own ? own->keys() : std::vector<std::string>();
+  const auto water = mission.optional_child("water");
+  const std::vector<std::string> waters = water ? water->keys() : std::vector<std::string>();
+  const bool is_made_up = std::find(waters.begin(), waters.end(), "made_up") != waters.end();
+  const bool is_stated = own && (own->is_list("partitions") ||
+                                 own->optional_text("from").value_or("forecast") != "forecast");
+  if (is_made_up || is_stated) return own ? "waves: " + mission.flow_yaml("waves") + "\n" : "";
+  bool errs = true;
+  std::string text;
+  for (const std::string& key : keys) {
+    if (key == "height_errors")
+      errs = own->optional_flag(key).value_or(errs);
+    else
+      text += key + ": " + own->flow_yaml(key) + ", ";
+  }
+  return "waves: {" + text + "height_errors: " + (wanted.value_or(errs) ? "true" : "false") + "}\n";
+}
+
 /// The mission's own and those of the caller, which go first.
 std::string assumed_text(const Config& mission, const std::vector<Assumption>& given) {
   std::vector<Assumption> all = given;
@@ -70,10 +91,10 @@ ExpandedMission expand_mission(const Config& mission, const MissionParts& parts)
   for (const WorkTurbine* turbine : turbines) out.turbines.push_back(turbine->id);
   std::string& text = out.scenario_yaml;
   text = "name: " + mission.flow_yaml("name") + "\n";
-  for (const char* key :
-       {"seed", "start", "duration", "step_s", "log_every_s", "origin", "water", "member", "waves",
-        "gusts", "wakes", "navigation", "log", "traffic", "clearance"})
+  for (const char* key : {"seed", "start", "duration", "step_s", "log_every_s", "origin", "water",
+                          "member", "gusts", "wakes", "navigation", "log", "traffic", "clearance"})
     if (mission.has(key)) text += std::string(key) + ": " + mission.flow_yaml(key) + "\n";
+  text += waves_text(mission, parts.height_errors);
   if (!mission.has("origin") && parts.origin)
     text += "origin: {latitude_deg: " + number_text(parts.origin->latitude_deg()) +
             ", longitude_deg: " + number_text(parts.origin->longitude_deg()) + "}\n";

@@ -17,6 +17,8 @@ struct MissionParts {
   std::optional<GeoPoint> origin;   ///< of the site; absent: as the mission says
   std::string site_id;              ///< whose forecast is the water where the mission names none
   std::vector<Assumption> assumed;  ///< beside those of the mission
+  /// Whether the waves of a forecast err in its members, whatever the mission says.
+  std::optional<bool> height_errors;
   /// The description of a task by its id or path. @throws Error(not_found)
   std::function<Config(const std::string& id)> task;
 };
@@ -49,6 +51,9 @@ struct ExpandedMission {
 ///       inspector: {model: ..., autonomy: shared, faults: [...], state_of_charge: 0.9}
 ///     vehicles: [...]                # more vehicles, as of a scenario
 ///     assume: {visibility_m: 5000}
+///
+/// Waves of a forecast have in each member the error of its height (`height_errors` of a scenario),
+/// unless the mission says `waves: {height_errors: false}`.
 ///
 /// Each agent of a task starts at its place by the first turbine, is launched, goes to each
 /// turbine in turn and does its work there, and comes back; between sorties it stands aboard and

@@ -21,6 +21,7 @@ std::vector<std::shared_ptr<const EnvironmentSampler>> waters_of(const ReadyRun&
   for (std::size_t m = 0; m < members; ++m) {
     Environment environment = *ready.environment;
     environment.member = m;
+    environment.waves = nullptr;  // heights get their error once, in `limits_ahead`
     waters.push_back(sampler_of(std::make_shared<const Environment>(std::move(environment))));
   }
   return waters;

@@ -123,6 +123,10 @@ SeaSample EnvironmentSampler::sea(const Triple<double>& position_m, double t_s) 
   const Place at = place(position_m, 0, t_s);
   SeaSample sample;
   environment_->field->sample_sea({&at, 1}, {&sample, 1});
+  if (environment_->waves) {
+    double& height_m = sample.sea.significant_height_m;
+    height_m = environment_->waves->height_m(environment_->member, height_m, at.time);
+  }
   return sample;
 }
 

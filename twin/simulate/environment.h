@@ -9,6 +9,7 @@
 #include "fields/wave/sea_realisation.h"
 #include "fields/wind/farm_flow.h"
 #include "twin/body/body.h"
+#include "twin/risk/wave_futures.h"
 #include "twin/scene/structure.h"
 
 namespace slackwater::twin {
@@ -29,6 +30,8 @@ struct Environment {
   std::shared_ptr<const SeaRealisation> sea;  ///< about the same origin and epoch; null: calm
   /// The state of a sea that is not the forecast's, the same at all times; absent: as forecast.
   std::optional<SeaState> stated_sea;
+  /// What the heights of the member's waves are instead of the forecast's; null: as forecast.
+  std::shared_ptr<const WaveFutures> waves;
   std::shared_ptr<const FarmFlow> farm;  ///< null: no wakes
   std::vector<StandingPile> piles;
   std::vector<Structure> structures;  ///< that a vehicle can strike
@@ -79,7 +82,8 @@ class EnvironmentSampler {
   /// What wakes make of the standard deviation of the gusts there: 1 outside of them, more where
   /// rotors stir the air.
   [[nodiscard]] double gust_ratio(const Triple<double>& position_m) const noexcept;
-  /// The state of the sea there and then: that of the forecast, or the one that was stated.
+  /// The state of the sea there and then: that of the forecast with the member's error of its
+  /// height, if it has one, or the state that was stated.
   [[nodiscard]] SeaSample sea(const Triple<double>& position_m, double t_s) const noexcept;
   /// m; what the field says of the bed there.
   [[nodiscard]] BedSample bed(const Triple<double>& position_m) const noexcept;

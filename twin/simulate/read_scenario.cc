@@ -281,11 +281,14 @@ ScenarioWaves read_waves(const Config& config, bool has_forecast) {
       static_cast<std::size_t>(c->optional_integer("components", 8, 1024).value_or(200));
   const std::string from =
       c->optional_text("from").value_or(c->is_list("partitions") ? "partitions" : "forecast");
+  waves.have_height_errors = c->optional_flag("height_errors").value_or(false);
   if (from == "forecast") {
     if (!has_forecast)
       c->refuse("from", "made-up water has no wave forecast; give partitions, or from: calm");
     return waves;
   }
+  if (waves.have_height_errors)
+    c->refuse("height_errors", "found true beside waves that no forecast has; leave it out");
   waves.from_forecast = false;
   if (from == "calm") return waves;
   if (from != "partitions")

@@ -41,9 +41,12 @@ struct MadeUpWater {
   double wind_from_deg = 0;
 };
 
-/// Which waves: those of the forecast at the start, none, or made-up ones.
+/// Which waves: those of the forecast, none, or made-up ones.
 struct ScenarioWaves {
   bool from_forecast = true;
+  /// Those of the forecast have, in each member but the central one, the error of its height that
+  /// `WaveFutures` has for the seed of the forecast: what `windows` holds limits against.
+  bool have_height_errors = false;
   PartitionedSea made_up;  ///< empty and not from the forecast: a calm
   std::size_t components = 200;
 };

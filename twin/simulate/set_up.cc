@@ -8,12 +8,12 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "fields/wave/product_sea.h"
 #include "twin/body/frame.h"
 #include "twin/scene/structure.h"
 #include "twin/simulate/expect_speeds.h"
 #include "twin/simulate/follow_tracks.h"
 #include "twin/simulate/look_out.h"
+#include "twin/simulate/sea_of_run.h"
 
 namespace slackwater::twin {
 namespace {
@@ -31,47 +31,6 @@ UtcTime start_of(const Scenario& scenario, const Field& field) {
            format_utc(range.to) + "; move the start, shorten the run or take a later forecast");
   }
   return start;
-}
-
-/// The sea of the forecast at the origin and start, as one JONSWAP system; calm where it has none.
-PartitionedSea sea_of_forecast(const Field& field, const GeoPoint& origin, UtcTime start,
-                               std::vector<std::string>& warnings) {
-  const Place place{origin.longitude_deg(), origin.latitude_deg(), 0, start};
-  SeaSample sample;
-  field.sample_sea({&place, 1}, {&sample, 1});
-  if (!has_value(sample.status) || !(sample.sea.significant_height_m > 0) ||
-      !(sample.sea.peak_period_s > 0) || !std::isfinite(sample.sea.from_direction_deg)) {
-    if (sample.status != SampleStatus::ok || !(sample.sea.significant_height_m == 0))
-      warnings.push_back("the forecast has no waves there (" + std::string(name_of(sample.status)) +
-                         "): the sea is calm");
-    return {};
-  }
-  const WavePartition partition{sample.sea.significant_height_m, sample.sea.peak_period_s,
-                                sample.sea.from_direction_deg};
-  const ServedSea served = product_sea(sample.sea.significant_height_m, {&partition, 1});
-  warnings.insert(warnings.end(), served.warnings.begin(), served.warnings.end());
-  return served.sea;
-}
-
-std::shared_ptr<const SeaRealisation> sea_of(const Scenario& scenario, const Field& field,
-                                             const GeoPoint& origin, UtcTime start,
-                                             std::vector<std::string>& warnings) {
-  const PartitionedSea sea = scenario.waves.from_forecast
-                                 ? sea_of_forecast(field, origin, start, warnings)
-                                 : scenario.waves.made_up;
-  if (sea.partitions.empty() || !(sea.significant_height_m() > 0)) return nullptr;
-  const Place at_surface{origin.longitude_deg(), origin.latitude_deg(), 0, start};
-  BedSample bed;
-  field.sample_bed({&at_surface, 1}, {&bed, 1});
-  if (!has_value(bed.status)) {
-    refuse("origin: " + std::string(name_of(bed.status)) + " (" + field.range().text() +
-           "); waves need a depth of water there");
-  }
-  const CurrentSample current = field.current(at_surface, scenario.member);
-  WaveWater water{bed.water_depth_m, {}};
-  if (has_value(current.status)) water.current_m_s = current.velocity_m_s;
-  return std::make_shared<SeaRealisation>(
-      realise(sea, water, scenario.seed, start, {.count = scenario.waves.components}));
 }
 
 std::shared_ptr<const FarmFlow> wakes_of(const Scenario& scenario, const Surround& surround,
@@ -307,12 +266,16 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   environment.member = scenario.member;
   environment.origin = ready.origin;
   environment.epoch = ready.start;
-  environment.sea = sea_of(scenario, field, ready.origin, ready.start, ready.warnings);
   if (!scenario.waves.from_forecast) {
     const PartitionedSea& sea = scenario.waves.made_up;
-    environment.stated_sea = SeaState{sea.significant_height_m(), sea.peak_period_s(),
-                                       sea.from_direction_deg()};
+    environment.stated_sea =
+        SeaState{sea.significant_height_m(), sea.peak_period_s(), sea.from_direction_deg()};
+  } else if (scenario.waves.have_height_errors) {
+    const ValidRange& range = field.range();
+    environment.waves = std::make_shared<const WaveFutures>(
+        field.snapshot().seed, field.snapshot().members, range.from, range.to);
   }
+  environment.sea = sea_of_run(scenario, environment, ready.warnings);
   environment.farm = wakes_of(scenario, surround, ready.origin, ready.start);
   for (const ScenarioStructure& s : scenario.structures) {
     environment.structures.push_back(shape_of(s));

@@ -78,6 +78,41 @@ TEST(ExpandMission, StepsATetherCoarselyUnlessTheMissionWantsItInFull) {
   EXPECT_EQ(detail_of(mission("blade_scan")), StepDetail::full);
 }
 
+TEST(ExpandMission, WavesOfAForecastErrUnlessTheMissionOrTheCallerSaysOtherwise) {
+  const auto errs = [](const std::string& water, const std::string& waves,
+                       std::optional<bool> wanted) {
+    const Config config =
+        Config::parse("name: test\nseed: 7\nduration: 3h\nstep_s: 0.05\nwater: " + water +
+                          "\ntasks: [blade_scan]\nturbines: [A01]\n" + waves,
+                      "mission.yaml");
+    twin::MissionParts parts = small_farm_parts();
+    parts.height_errors = wanted;
+    const std::string yaml = twin::expand_mission(config, parts).scenario_yaml;
+    config.expect_all_read();
+    const twin::Scenario scenario = twin::parse_scenario(yaml, "expanded.yaml");
+    if (waves.find("components") != std::string::npos) {
+      EXPECT_EQ(scenario.waves.components, 8U);
+    }
+    return scenario.waves.have_height_errors;
+  };
+  const std::string forecast = "{forecast: {site: a}}", made_up = "{made_up: {depth_m: 35}}";
+  EXPECT_TRUE(errs(forecast, "", {}));
+  EXPECT_TRUE(errs(forecast, "waves: {components: 8}\n", {}));
+  EXPECT_TRUE(errs(forecast, "waves: {from: forecast, components: 8}\n", {}));
+  EXPECT_FALSE(errs(forecast, "waves: {height_errors: false}\n", {}));
+  EXPECT_FALSE(errs(forecast, "waves: {components: 8}\n", false));
+  EXPECT_TRUE(errs(forecast, "waves: {height_errors: false}\n", true));
+  for (const std::optional<bool> wanted : {std::optional<bool>(), std::optional<bool>(true)}) {
+    EXPECT_FALSE(errs(forecast, "waves: {from: calm}\n", wanted));
+    EXPECT_FALSE(errs(forecast,
+                      "waves: {components: 8, partitions: [{significant_height_m: 1, "
+                      "peak_period_s: 6, from_deg: 0}]}\n",
+                      wanted));
+    EXPECT_FALSE(errs(made_up, "waves: {from: calm}\n", wanted));
+    EXPECT_FALSE(errs(made_up, "", wanted));
+  }
+}
+
 TEST(ExpandMission, GoesToSeveralTurbinesAndGetsABatteryBetweenThem) {
   const auto out = expanded(mission("tower_tp_check", "A01, A02"));
   const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");

@@ -116,6 +116,7 @@ TEST(ReadScenario, RefusesWhatCannotBe) {
       {"do: route", "do: route, speed_m_s: 1, ground_speed_m_s: 1", "the one or the other"},
       {"north_m: 10", "north_m: 1e9", "1e"},
       {"water:\n", "member: 3\nwater:\n", "members"},
+      {"partitions:", "height_errors: true, partitions:", "height_errors"},
   };
   for (const Bad& bad : all) {
     const std::string message = refusal(bad.line, bad.instead);
