@@ -284,7 +284,7 @@ ClearWay clear_way(const Handling& h, const StandOff& stand_off, const Lookout& 
     keep_clear_of(structure, outlook, look.cell);
   for (const Line& line : lookout.lines) {
     // One that hangs from its own deck goes along with it.
-    if (lookout.craft[line.owner].carrier == static_cast<std::ptrdiff_t>(lookout.own)) continue;
+    if (line.carrier == static_cast<std::ptrdiff_t>(lookout.own)) continue;
     keep_clear_of(line, line.owner == lookout.own, outlook, look.cell);
   }
   Planar off_course;

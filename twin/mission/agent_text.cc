@@ -156,8 +156,8 @@ class AgentWriter {
     return works;
   }
 
-  /// Sortie by sortie from the deck of a vessel that goes from turbine to turbine. It gets its
-  /// batteries while it is carried.
+  /// Turbine by turbine from the deck of a vessel. It gets its batteries while it is carried, and
+  /// where its task says so between the parts of its work.
   std::string write_carried_tasks() {
     const bool is_swapped = gets_batteries();
     const double swap_s = time_s("swap"), launch_s = time_s("launch"),
@@ -170,7 +170,7 @@ class AgentWriter {
               aboard_text(launch_s, false, Phase::launch);
       home_m_ = is_at_m_ = beside_stand(i);
       for (std::size_t w = 0; w < works.size(); ++w) {
-        if (w > 0 && is_swapped) {
+        if (w > 0 && has_seconds(agent_, "swap")) {
           go_to(home_m_, Phase::return_home, text);
           text += aboard_text(swap_s, true, Phase::recovery);
         }

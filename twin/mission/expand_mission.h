@@ -47,7 +47,7 @@ struct ExpandedMission {
 ///     traffic, log: as of a scenario
 ///     agents:                        # by role, what differs from the task's
 ///       inspector: {model: ..., autonomy: shared, faults: [...], state_of_charge: 0.9}
-///       surveyor: {carrier: {name: tender, starboard_m: 6, up_m: 2}, swap: 20min}
+///       surveyor: {carrier: {name: tender, forward_m: -4, starboard_m: 6, up_m: 2}, swap: 20min}
 ///     vehicles: [...]                # more vehicles, as of a scenario; carriers: tenders.h
 ///     assume: {visibility_m: 5000}
 ///

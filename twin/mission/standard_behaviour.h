@@ -13,7 +13,7 @@ enum class ConductAction {
 enum class ConductCondition {
   within_limits,  ///< all limits of its phase, for as long as it is to wait before it goes on
   reserve_holds,  ///< the energy for the way home, its margin and the reserve
-  carrier_stays,  ///< or its line hangs from none: it has not turned for home
+  carrier_stays,  ///< or its line hangs from none: it goes on, and not home
   link_up,        ///< or none is needed: it goes by itself
   gnss_up,        ///< or it has no receiver
   thrusters_up,

@@ -55,6 +55,7 @@ const std::vector<Triple<double>>& Tenders::taken_by(const std::string& role, co
                                 turbines_.size(), role, role));
     return none;
   }
+  (void)carrier->keys();  // read with the scenario
   const std::string name = carrier->text("name");
   std::vector<std::string> known;
   for (const Config& vehicle : vehicles_) known.push_back(vehicle.text("name"));
@@ -87,6 +88,7 @@ std::string Tenders::text_of(const Config& vehicle,
   const auto start = vehicle.optional_child("start");
   if (start) {
     constexpr Range distance{-50e3, 50e3};
+    (void)start->keys();
     is_at_m = {start->number("north_m", distance), start->number("east_m", distance), 0};
   } else {
     text += "    start: {" + place_text(is_at_m) + "}\n";

@@ -28,7 +28,7 @@ std::string cause_text(const Agent& agent, Cause cause, std::size_t detail) {
     case Cause::held_too_long:
       return "held too long";
     case Cause::carrier:
-      return "its carrier turned for home";
+      return "its carrier turned for home or went no further";
     case Cause::mammal:
       return "marine mammal in the zone";
     case Cause::no_watch:

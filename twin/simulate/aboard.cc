@@ -83,7 +83,9 @@ bool goes_aboard(const Agent& agent) noexcept {
 
 bool is_alongside(const Agent& agent, const AgentState* carrier, const AgentState& state) {
   const BodyState<double>& body = state.vehicle.body;
-  if (agent.tether && carrier != nullptr && state.conduct.is_snagged) return false;
+  if (agent.tether && carrier != nullptr &&
+      (state.conduct.is_snagged || carrier->halt != Halt::none))
+    return false;
   return length_of(body.position_m - boarding_place(agent, carrier)) <= boarding_reach_m &&
          length_of(velocity_of(body) - deck_velocity(carrier)) <= boarding_speed_m_s;
 }
@@ -140,6 +142,7 @@ bool come_and_go(const Agent& agent, double t_s, const Company& company, AgentSt
   if (std::isinf(task.charger_w) && agent.vehicle->battery)
     charge(*agent.vehicle->battery, agent.conduct->full_j, agent.conduct->full_j, state);
   end_task(agent.mission, mission);
+  mission.held_s = 0;  // it may stay aboard for its next task, unstepped
   const bool stays =
       mission.is_done || agent.mission.tasks[mission.task].kind == ScenarioTask::Kind::aboard;
   if (!stays) launch(agent, carrier, t_s, state);

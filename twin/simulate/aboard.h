@@ -16,7 +16,7 @@ bool come_and_go(const Agent& agent, double t_s, const Company& company, AgentSt
 /// Whether it has a place on a deck: a carrier, or a time aboard among its tasks.
 [[nodiscard]] bool goes_aboard(const Agent& agent) noexcept;
 /// Whether it is so near its place there, and so slow beside it, that it can be taken up; on a line
-/// that is caught somewhere it cannot.
+/// that is caught somewhere, or hangs from one that capsized or ran aground, it cannot.
 [[nodiscard]] bool is_alongside(const Agent& agent, const AgentState* carrier,
                                 const AgentState& state);
 void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state);

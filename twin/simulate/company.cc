@@ -59,7 +59,7 @@ Company company_of(std::span<const Agent> agents, std::span<const AgentState> st
     const Agent& carrier = agents[*by];
     const AgentState& state = states[*by];
     company.carrier = &state;
-    company.carrier_turned = state.conduct.has_turned;
+    company.carrier_is_gone = state.conduct.has_turned || state.halt != Halt::none;
     company.carrier_stands_by =
         stands_by(carrier, state) && stand_of(carrier.mission, state.mission) ==
                                          sortie_of(agents[own].mission, states[own].mission);

@@ -14,7 +14,7 @@ namespace slackwater::twin {
 struct Company {
   const AgentState* carrier = nullptr;  ///< null: it has none
   bool carrier_stands_by = false;       ///< at the place of the vehicle's next sortie
-  bool carrier_turned = false;          ///< for home
+  bool carrier_is_gone = false;         ///< turned for home, or stepped no more
   bool has_line_out = false;            ///< of those that it carries
   bool are_back = true;                 ///< those that it carries, from their sortie here, or ended
 };

@@ -53,7 +53,7 @@ const char* name_of(Cause cause) noexcept {
     case Cause::held_too_long:
       return "held_too_long";
     case Cause::carrier:
-      return "carrier_turned";
+      return "carrier_gone";
     case Cause::mammal:
       return "marine_mammal";
     case Cause::no_watch:

@@ -51,7 +51,7 @@ enum class Cause : std::uint8_t {
   thruster,
   tether,
   held_too_long,
-  carrier,   ///< has turned for home
+  carrier,   ///< has turned for home, or goes no further
   mammal,    ///< seen in the zone about its work
   no_watch,  ///< nobody has watched that zone for long enough
 };

@@ -238,13 +238,22 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
     config.refuse("tasks",
                   "found frame: drifting, and nobody is searched for whose drift it would be; "
                   "give the vehicle's conduct a search, or say frame: fixed");
-  const bool goes_aboard =
-      vehicle.carrier || std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), [](const auto& t) {
-        return t.kind == ScenarioTask::Kind::aboard;
-      });
+  const auto has_task = [&](const auto& counts) {
+    return std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), counts);
+  };
+  const bool goes_aboard = vehicle.carrier || has_task([](const auto& t) {
+                             return t.kind == ScenarioTask::Kind::aboard;
+                           });
   if (goes_aboard && !vehicle.conduct)
     config.refuse("conduct",
                   "missing; a vehicle that goes aboard conducts itself: say conduct: {}");
+  if (!vehicle.conduct &&
+      has_task([](const auto& t) { return t.kind == ScenarioTask::Kind::stand_by; }))
+    config.refuse("conduct", "missing; a vehicle that stands by conducts itself: say conduct: {}");
+  if (!vehicle.carrier && has_task([](const auto& t) { return t.until_stand_by; }))
+    config.refuse("tasks",
+                  "found until: stand_by, and no carrier that would stand by; give the vehicle "
+                  "one, or a duration");
   if (vehicle.starts_on_track && (vehicle.tasks.empty() || !vehicle.tasks.front().follow))
     config.refuse("start", "missing; give a place, or a first task that follows a track");
   if (vehicle.tasks.empty()) {

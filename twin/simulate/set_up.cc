@@ -238,7 +238,7 @@ std::size_t count_of(const ScenarioVehicle& entry, bool (*counts)(const Scenario
   return static_cast<std::size_t>(std::count_if(entry.tasks.begin(), entry.tasks.end(), counts));
 }
 
-/// That who waits for a carrier to stand by has one that does, as often as it waits.
+/// That carriers stand by as often as those that they carry wait for it.
 void expect_stands(const Scenario& scenario, const std::vector<Agent>& agents) {
   const auto stands = [](const ScenarioTask& task) {
     return task.kind == ScenarioTask::Kind::stand_by;
@@ -247,13 +247,7 @@ void expect_stands(const Scenario& scenario, const std::vector<Agent>& agents) {
   for (std::size_t i = 0; i < agents.size(); ++i) {
     const ScenarioVehicle& entry = scenario.vehicles[i];
     const std::size_t times = count_of(entry, waits);
-    if ((times > 0 || count_of(entry, stands) > 0) && !entry.conduct)
-      refuse("vehicle " + entry.name +
-             ": stand_by is looked at by vehicles that conduct themselves; give it conduct: {}");
     if (times == 0) continue;
-    if (!agents[i].carrier)
-      refuse("vehicle " + entry.name +
-             ": waits for a carrier to stand by, and has none; give it one, or leave until out");
     const ScenarioVehicle& carrier = scenario.vehicles[*agents[i].carrier];
     const std::size_t found = count_of(carrier, stands);
     if (found < times)
@@ -404,9 +398,10 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     Agent& agent = ready.agents.back();
     expect_places(scenario, entry, agent);
     add_gusts(scenario, entry, agent);
+    // Whose deck its limits may be about.
+    if (entry.carrier) agent.carrier = carrier_of(scenario, entry);
     with_context("vehicle " + entry.name,
                  [&] { ready.states.push_back(first_state(agent, entry, scenario.seed)); });
-    if (entry.carrier) agent.carrier = carrier_of(scenario, entry);
     agent.vessels = around;
     if (scenario.clearance && entry.keeps_clear) {
       agent.clearance = clearance_of(agent, *scenario.clearance, entry, scenario.step_s);

@@ -151,7 +151,7 @@ class Leaves {
                    reserve.margin * own_.energy_home_j + reserve.share * conduct_.full_j;
       }
       case ConductCondition::carrier_stays:
-        return !agent_.tether || !company_.carrier_turned;
+        return !agent_.tether || !company_.carrier_is_gone;
       case ConductCondition::link_up:
         return conduct_.plan.autonomy == Autonomy::automatic || !has_fault(FaultKind::lost_link);
       case ConductCondition::gnss_up:
