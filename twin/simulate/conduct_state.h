@@ -105,7 +105,7 @@ struct ConductState {
   bool has_ended = false;   ///< its tree: nothing more comes
   bool has_turned = false;  ///< for home, before its tasks were done
   bool is_snagged = false;
-  bool waits_for_line = false;  ///< on its way home: it does not set out with one in the water
+  bool waits_for_line = false;  ///< turned for home, it does not set out with one in the water
   bool is_aboard = false;       ///< its carrier, or at home on something firm: it is not stepped
   SearchState search;
   DatumState datum;          ///< of a search that follows the drift

@@ -55,8 +55,7 @@ class Leaves {
         own_.has_turned = true;
         own_.cause = missing_;
         own_.way = nothing_to_do(known_of(agent_, state_));
-        own_.waits_for_line = company_.has_line_out;
-        if (!own_.waits_for_line) set_out_for_home();
+        own_.waits_for_line = true;
         tell(ConductEventKind::turned_for_home);
         break;
     }
@@ -72,8 +71,13 @@ class Leaves {
         own_.held_s += conduct_.plan.tick_s;
         return NodeStatus::running;
       case ConductAction::come_home:
-        // It does not leave with a line in the water.
-        if (own_.waits_for_line && company_.has_line_out) return NodeStatus::running;
+        // It does not leave with a line in the water, also not with one that was launched as it
+        // turned.
+        if (company_.has_line_out) {
+          if (!own_.waits_for_line) own_.way = nothing_to_do(known_of(agent_, state_));
+          own_.waits_for_line = true;
+          return NodeStatus::running;
+        }
         if (own_.waits_for_line) set_out_for_home();
         own_.waits_for_line = false;
         if (own_.way.is_rerouted) return NodeStatus::running;

@@ -1,5 +1,6 @@
 #include <fstream>
 
+#include "fields/base/error.h"
 #include "fields/site/site.h"
 #include "tests/twin/mission/mission_for_tests.h"
 #include "tests/twin/simulate/run_for_tests.h"
@@ -77,6 +78,31 @@ TEST(FromAVessel, AnRovSurveysTwoPilesInOneMorning) {
   EXPECT_GT(tender.nearest.structure.distance_m, 13);
   EXPECT_LT(rov.line_used, 0.5);
   EXPECT_GT(rov.line_used, 0.005);
+}
+
+/// Its fence goes with her.
+TEST(FromAVessel, APilotInsideAFenceReadsAnodesAtTwoPiles) {
+  const twin::Flight flight = flown(from_a_vessel([](std::string& yaml) {
+    yaml.replace(yaml.find("scour_survey"), 12, "cp_anode");
+    yaml.replace(yaml.find("  surveyor:"), 11, "  inspector:");
+  }));
+  EXPECT_TRUE(flight.is_done) << flight.stopped_by;
+  EXPECT_EQ(flight.vehicles[0].work_share, 1);
+  EXPECT_EQ(times(flight.vehicles[0], Kind::launched).size(), 2U);
+}
+
+TEST(FromAVessel, IsRefusedWhereItsWorkLiesBeyondItsLine) {
+  const FromAVessel far = from_a_vessel([](std::string& yaml) {
+    const std::string stands = "distance_m: 30";
+    yaml.replace(yaml.find(stands), stands.size(), "distance_m: 95");
+  });
+  try {
+    twin::expect_fit(far.expanded, twin::set_up(far.scenario, far.surround));
+    FAIL() << "expected a refusal";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("from the top of its tether"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(FromAVessel, IsNotLaunchedFromADeckThatMovesMoreThanIsAllowed) {

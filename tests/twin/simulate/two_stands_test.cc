@@ -159,6 +159,18 @@ TEST(TwoStands, IsTheSameToTheBitHoweverItIsSteppedAndTakenUpInTheSecondLaunch) 
   }
 }
 
+TEST(TwoStands, NeitherIsKeptFromTheOtherNorFromTheLineBetweenThem) {
+  const auto run =
+      begun(two_stands() + "clearance: {craft_m: 8, structure_m: 1, tether_m: 3, vessel_m: 50}\n");
+  EXPECT_LT(fly(*run), 8);
+  EXPECT_TRUE(run->all_ended());
+  for (const twin::AgentState& state : run->states()) {
+    EXPECT_EQ(state.clearance.alarms, 0);
+    EXPECT_EQ(state.clearance.changed_s, 0);
+    EXPECT_TRUE(std::isinf(state.nearest.line.distance_m));
+  }
+}
+
 /// Its receiver lost, the carrier is to come home at once.
 std::string turns_at(double at_s) {
   return "{faults: [{fault: lost_gnss, at_s: " + std::to_string(at_s) +
@@ -183,6 +195,20 @@ TEST(TwoStands, ACarrierThatTurnsForHomeTakesItsVehicleAboardFirst) {
   EXPECT_GT(home[0].t_s, aboard[0].t_s);
   EXPECT_NEAR(run->seen(0).position_m.x, -80, 8);
   EXPECT_LT(length_of(run->seen(0).position_m - run->seen(1).position_m), 6);
+}
+
+TEST(TwoStands, ACarrierThatTurnsAsItsVehicleIsLaunchedWaitsForThatToo) {
+  // At each tick about that of the launch.
+  for (const double at_s : {10.0, 11.0, 12.0, 13.0}) {
+    SCOPED_TRACE(at_s);
+    const auto run = begun(two_stands("{}", turns_at(at_s)));
+    EXPECT_LT(fly(*run), 8);
+    EXPECT_TRUE(run->all_ended());
+    EXPECT_TRUE(run->states()[1].conduct.is_aboard);
+    EXPECT_EQ(run->states()[1].tether.whole, 1);
+    EXPECT_EQ(events(*run, 1, Kind::launched).size(), events(*run, 1, Kind::came_aboard).size());
+    EXPECT_EQ(events(*run, 0, Kind::came_home).size(), 1U);
+  }
 }
 
 TEST(TwoStands, AFouledLineHoldsVehicleAndCarrierUntilItIsFree) {
