@@ -101,6 +101,11 @@ TEST(LineOnDeck, UnderWayALineHangsAsInTheCurrentThatHerWayMakes) {
       const Triple<double> way_m_s = run.seen(0).velocity_m_s;
       ASSERT_NEAR(way_m_s.x, 0.4, 0.03);
       ASSERT_LT(length_of(way_m_s - run.seen(1).velocity_m_s), 0.03);
+      // As long as its tension makes it, from where she has come to and not from where she was.
+      const double segment_m = 28.0 / twin::tether_segments;
+      EXPECT_NEAR(length_of(nodes[1] - nodes[0]),
+                  segment_m * (1 + state.tether.tension_n[0] / tether.axial_stiffness_n), 0.003)
+          << detail;
       const twin::SteadyWater past = [&](double) { return -1.0 * way_m_s; };
       const twin::TetherState<double> rest =
           twin::settled(tether, state.tether, nodes.front(), nodes.back(), past);
