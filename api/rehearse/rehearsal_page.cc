@@ -74,8 +74,8 @@ json tracks_json(const StartOutcome& start, std::size_t vehicle) {
 
 /// Where the top of its line is, east and north of the origin; null: it has none.
 json tether_json(const twin::ScenarioVehicle& vehicle) {
-  if (!vehicle.tether) return nullptr;
-  return {number(vehicle.tether->top_m.y), number(vehicle.tether->top_m.x)};
+  if (!vehicle.tether || !vehicle.tether->top_m) return nullptr;
+  return {number(vehicle.tether->top_m->y), number(vehicle.tether->top_m->x)};
 }
 
 json vehicle_json(const StartOutcome& start, std::size_t v, const twin::Scenario& scenario) {

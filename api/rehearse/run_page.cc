@@ -123,8 +123,8 @@ json plan_json(const TrajectoryFile& log, const twin::Scenario& scenario) {
       if (!vehicle.starts_on_track) add(vehicle.start_m);
       for (const twin::ScenarioTask& task : vehicle.tasks)
         for (const twin::Waypoint& waypoint : task.waypoints) add(waypoint.position_m);
-      if (vehicle.tether)
-        plan["tether"] = {number(vehicle.tether->top_m.y), number(vehicle.tether->top_m.x)};
+      if (vehicle.tether && vehicle.tether->top_m)
+        plan["tether"] = {number(vehicle.tether->top_m->y), number(vehicle.tether->top_m->x)};
     }
     plans.push_back(std::move(plan));
   }

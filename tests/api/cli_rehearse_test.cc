@@ -300,7 +300,7 @@ TEST_F(RehearseCommand, RefusesWhatCannotBeFlownBeforeTheFirstStep) {
        "depth_m: 5}, tether: {top: {north_m: 40, east_m: 0, depth_m: 0}, length_m: 30}, conduct: "
        "{}, "
        "carrier: {name: eye, forward_m: 0}}]",
-       3, "stays where it is while a carrier moves"},
+       3, "from whose deck the line hangs"},
       {"seed: 3", "seed: 3\nassume: {current_speed_m_s: 1}", 3, "cannot be assumed"},
   };
   for (const Bad& bad : missions) {

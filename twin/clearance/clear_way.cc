@@ -282,8 +282,11 @@ ClearWay clear_way(const Handling& h, const StandOff& stand_off, const Lookout& 
   bool is_too_late = false;
   for (const Structure& structure : lookout.structures)
     keep_clear_of(structure, outlook, look.cell);
-  for (const Line& line : lookout.lines)
+  for (const Line& line : lookout.lines) {
+    // One that hangs from its own deck goes along with it.
+    if (line.carrier == static_cast<std::ptrdiff_t>(lookout.own)) continue;
     keep_clear_of(line, line.owner == lookout.own, outlook, look.cell);
+  }
   Planar off_course;
   for (const Passer& passer : lookout.passers) {
     if (std::find(lookout.not_of_concern.begin(), lookout.not_of_concern.end(), passer.id) !=

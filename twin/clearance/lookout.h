@@ -39,6 +39,7 @@ struct Line {
   std::span<const Triple<double>, tether_nodes> node_m;
   std::size_t owner = 0;  ///< by its place in the run
   bool is_whole = true;
+  std::ptrdiff_t carrier = Craft::nobody;  ///< from whose deck it hangs, which does not keep clear
 };
 
 /// A vessel that keeps its course and speed.

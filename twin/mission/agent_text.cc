@@ -25,18 +25,21 @@ std::vector<Structure> structures_of(const WorkSite& site) {
 }
 
 /// What of an agent's entry in a mission is not of its conduct.
-const std::set<std::string> of_the_vehicle{"model",     "state_of_charge", "navigation",
-                                           "speed_m_s", "start",           "detail"};
+const std::set<std::string> of_the_vehicle{"model", "state_of_charge", "navigation", "speed_m_s",
+                                           "start", "detail",          "carrier",    "swap",
+                                           "swap_s"};
 
 /// One agent of a task, made into a vehicle of the scenario.
 class AgentWriter {
  public:
   AgentWriter(const Config& agent, const std::optional<Config>& over, const MissionParts& parts,
-              std::span<const WorkTurbine* const> turbines)
+              std::span<const WorkTurbine* const> turbines,
+              std::span<const Triple<double>> stands_m)
       : agent_(agent),
         over_(over),
         parts_(parts),
         turbines_(turbines),
+        stands_m_(stands_m),
         structures_(structures_of(parts.site)) {}
 
   /// @param assumed  as YAML on one line; empty: nothing is
@@ -45,13 +48,16 @@ class AgentWriter {
     is_at_m_ = home_m_;
     clear_m_ = agent_.optional_number("clear_m", {0.2, 500}).value_or(2);
     has_tether_ = agent_.has("tether");
-    const std::string tasks = write_tasks();
+    start_down_m_ = home_m_.z;
+    if (is_carried()) home_m_ = is_at_m_ = beside_stand(0);
+    const std::string tasks = is_carried() ? write_carried_tasks() : write_tasks();
     std::string text = "  - name: " + quoted_yaml(name) + "\n    model: " + model() +
                        "\n    start: {" + place_text(home_m_) +
                        ", heading_deg: " + number_text(bearing_to_turbine() / degree) + "}\n";
     for (const char* key : {"speed_m_s", "state_of_charge", "navigation"})
       if (const auto value = chosen(key)) text += "    " + std::string(key) + ": " + *value + "\n";
     if (has_tether_) text += write_tether();
+    if (is_carried()) text += "    carrier: " + over_->flow_yaml("carrier") + "\n";
     // A rehearsal asks for figures of a mission, in many futures.
     if (const auto detail = chosen("detail"); detail || has_tether_)
       text += "    detail: " + detail.value_or("coarse") + "\n";
@@ -60,6 +66,12 @@ class AgentWriter {
   }
 
  private:
+  [[nodiscard]] bool is_carried() const { return !stands_m_.empty(); }
+  /// In the water beside its carrier, at the depth of its start.
+  [[nodiscard]] Triple<double> beside_stand(std::size_t turbine) const {
+    return {stands_m_[turbine].x, stands_m_[turbine].y, start_down_m_};
+  }
+
   /// A value of the agent's entry in the mission, else of the task's, as YAML on one line.
   std::optional<std::string> chosen(const char* key) const {
     std::optional<std::string> value;
@@ -88,6 +100,11 @@ class AgentWriter {
 
   std::string write_tether() const {
     const Config tether = agent_.child("tether");
+    if (is_carried()) {
+      (void)tether.child("top").keys();
+      return "    tether: {length_m: " + number_text(tether.number("length_m", {10, 10000})) +
+             "}\n";
+    }
     const Triple<double> top_m = place_at(tether.child("top"), *turbines_.front());
     return "    tether: {top: {" + place_text(top_m) +
            "}, length_m: " + number_text(tether.number("length_m", {10, 10000})) + "}\n";
@@ -124,21 +141,58 @@ class AgentWriter {
     return some;
   }
 
+  /// Of launch, recovery and swap; absent: at once.
+  [[nodiscard]] double time_s(const char* key) const {
+    const Config& said = over_ && has_seconds(*over_, key) ? *over_ : agent_;
+    return has_seconds(said, key) ? read_seconds(said, key, {0, 86400}) : 0;
+  }
+  [[nodiscard]] bool gets_batteries() const {
+    return has_seconds(agent_, "swap") || (over_ && has_seconds(*over_, "swap"));
+  }
+  [[nodiscard]] std::vector<Config> works() const {
+    std::vector<Config> works = agent_.children("work");
+    if (works.empty())
+      agent_.refuse("work", "missing; a task has work, each entry a pattern (work_pattern.h)");
+    return works;
+  }
+
+  /// Turbine by turbine from the deck of a vessel. It gets its batteries while it is carried, and
+  /// where its task says so between the parts of its work.
+  std::string write_carried_tasks() {
+    const bool is_swapped = gets_batteries();
+    const double swap_s = time_s("swap"), launch_s = time_s("launch"),
+                 recovery_s = time_s("recovery");
+    const std::vector<Config> works = this->works();
+    std::string text;
+    for (std::size_t i = 0; i < turbines_.size(); ++i) {
+      const bool is_first = i == 0;
+      text += carried_text(is_first ? 0 : swap_s, !is_first && is_swapped) +
+              aboard_text(launch_s, false, Phase::launch);
+      home_m_ = is_at_m_ = beside_stand(i);
+      for (std::size_t w = 0; w < works.size(); ++w) {
+        if (w > 0 && has_seconds(agent_, "swap")) {
+          go_to(home_m_, Phase::return_home, text);
+          text += aboard_text(swap_s, true, Phase::recovery);
+        }
+        write_work(lay_out(works[w], parts_.site, *turbines_[i]), text);
+      }
+      go_to(home_m_, Phase::return_home, text);
+      text += aboard_text(recovery_s, false, Phase::recovery);
+    }
+    home_m_ = beside_stand(0);
+    return text;
+  }
+
   std::string write_tasks() {
-    const bool stands_aboard = agent_.has("swap") || agent_.has("swap_s");
-    const double swap_s = stands_aboard ? read_seconds(agent_, "swap", {1, 86400}) : 0;
-    const double launch_s =
-        has_seconds(agent_, "launch") ? read_seconds(agent_, "launch", {0, 86400}) : 0;
-    const double recovery_s =
-        has_seconds(agent_, "recovery") ? read_seconds(agent_, "recovery", {0, 86400}) : 0;
+    const bool stands_aboard = gets_batteries();
+    const double swap_s = time_s("swap"), launch_s = time_s("launch"),
+                 recovery_s = time_s("recovery");
+    const std::vector<Config> works = this->works();
     std::string text;
     if (stands_aboard)
       text += aboard_text(launch_s, false, Phase::launch);
     else if (launch_s > 0)
       text += hold_text(launch_s, Phase::launch);
-    std::vector<Config> works = agent_.children("work");
-    if (works.empty())
-      agent_.refuse("work", "missing; a task has work, each entry a pattern (work_pattern.h)");
     bool is_first = true;
     for (const WorkTurbine* turbine : turbines_) {
       for (const Config& work : works) {
@@ -194,9 +248,11 @@ class AgentWriter {
   const std::optional<Config>& over_;
   const MissionParts& parts_;
   std::span<const WorkTurbine* const> turbines_;
+  std::span<const Triple<double>> stands_m_;
   std::vector<Structure> structures_;
   Triple<double> home_m_;
   Triple<double> is_at_m_;
+  double start_down_m_ = 0;
   double clear_m_ = 2;
   bool has_tether_ = false;
 };
@@ -205,8 +261,9 @@ class AgentWriter {
 
 std::string agent_text(const std::string& name, const Config& agent,
                        const std::optional<Config>& over, const MissionParts& parts,
-                       std::span<const WorkTurbine* const> turbines, const std::string& assumed) {
-  return AgentWriter(agent, over, parts, turbines).write(name, assumed);
+                       std::span<const WorkTurbine* const> turbines,
+                       std::span<const Triple<double>> stands_m, const std::string& assumed) {
+  return AgentWriter(agent, over, parts, turbines, stands_m).write(name, assumed);
 }
 
 }  // namespace slackwater::twin

@@ -9,6 +9,7 @@
 #include "twin/mission/agent_text.h"
 #include "twin/mission/conduct.h"
 #include "twin/mission/scenario_text.h"
+#include "twin/mission/tenders.h"
 
 namespace slackwater::twin {
 namespace {
@@ -105,6 +106,7 @@ ExpandedMission expand_mission(const Config& mission, const MissionParts& parts)
   text += "vehicles:\n";
   const auto overs = mission.optional_child("agents");
   std::set<std::string> names;
+  Tenders tenders(mission, parts.site, turbines);
   const std::vector<std::string> tasks = mission.texts("tasks");
   if (tasks.empty()) mission.refuse("tasks", "missing; name at least one of data/tasks");
   for (const std::string& id : tasks) {
@@ -123,15 +125,13 @@ ExpandedMission expand_mission(const Config& mission, const MissionParts& parts)
                                     "; fly them one after the other, or rename a role");
       out.requirements.push_back({role, agent.texts("kinds"), agent.texts("needs")});
       const auto over = overs ? overs->optional_child(role) : std::nullopt;
-      text += agent_text(role, agent, over, parts, turbines, assumed);
+      const std::vector<Triple<double>>& stands_m = tenders.taken_by(role, agent, over);
+      text += agent_text(role, agent, over, parts, turbines, stands_m, assumed);
       out.workers.push_back(role);
     }
     task.expect_all_read();
   }
-  for (const Config& vehicle : mission.children("vehicles")) {
-    (void)vehicle.keys();
-    text += "  - " + merged(vehicle, std::nullopt) + "\n";
-  }
+  text += tenders.text();
   if (overs) overs->expect_all_read();
   return out;
 }

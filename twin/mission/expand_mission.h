@@ -49,7 +49,8 @@ struct ExpandedMission {
 ///     traffic, log: as of a scenario
 ///     agents:                        # by role, what differs from the task's
 ///       inspector: {model: ..., autonomy: shared, faults: [...], state_of_charge: 0.9}
-///     vehicles: [...]                # more vehicles, as of a scenario
+///       surveyor: {carrier: {name: tender, forward_m: -4, starboard_m: 6, up_m: 2}, swap: 20min}
+///     vehicles: [...]                # more vehicles, as of a scenario; carriers: tenders.h
 ///     assume: {visibility_m: 5000}
 ///
 /// Waves of a forecast have in each member the error of its height (`height_errors` of a scenario),
@@ -57,7 +58,9 @@ struct ExpandedMission {
 ///
 /// Each agent of a task starts at its place by the first turbine, is launched, goes to each
 /// turbine in turn and does its work there, and comes back; between sorties it stands aboard and
-/// gets another battery. One on a tether is stepped as twin/simulate/coarse.h says, unless
+/// gets another battery. One with a carrier is taken from turbine to turbine on her deck, launched
+/// at each and taken aboard again; without one a tether reaches one turbine. One on a tether is
+/// stepped as twin/simulate/coarse.h says, unless
 /// `detail: full` stands at it.
 /// @throws Error(invalid_input) with file and line
 [[nodiscard]] ExpandedMission expand_mission(const Config& mission, const MissionParts& parts);

@@ -42,6 +42,14 @@ std::string aboard_text(double duration_s, bool is_swapped, Phase phase) {
          ", duration_s: " + number_text(duration_s) + (is_swapped ? ", battery: swap" : "") + "}\n";
 }
 
+std::string carried_text(double least_s, bool is_swapped) {
+  return "      - {do: aboard, phase: transit, until: stand_by" +
+         (least_s > 0 ? ", duration_s: " + number_text(least_s) : "") +
+         (is_swapped ? ", battery: swap" : "") + "}\n";
+}
+
+std::string stand_by_text() { return "      - {do: stand_by, phase: work}\n"; }
+
 std::string merged(const std::optional<Config>& base, const std::optional<Config>& over,
                    const std::set<std::string>& left_out) {
   std::vector<std::pair<std::string, std::string>> entries;

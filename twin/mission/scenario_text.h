@@ -22,6 +22,9 @@ namespace slackwater::twin {
                                      bool drifts = false);
 [[nodiscard]] std::string hold_text(double duration_s, Phase phase);
 [[nodiscard]] std::string aboard_text(double duration_s, bool is_swapped, Phase phase);
+/// Aboard for at least so long, until its carrier stands by; and what that carrier does.
+[[nodiscard]] std::string carried_text(double least_s, bool is_swapped);
+[[nodiscard]] std::string stand_by_text();
 
 /// Keys of a mapping with what stands in another put in their place, as YAML on one line.
 [[nodiscard]] std::string merged(const std::optional<Config>& base,

@@ -20,12 +20,15 @@ trees:
       while: reserve_holds
       then:
         guard:
-          while: thrusters_up
+          while: carrier_stays
           then:
-            reactive: true
-            fallback:
-              - {tree: task}
-              - {timeout: {after: 30min, then: {do: hold}}}
+            guard:
+              while: thrusters_up
+              then:
+                reactive: true
+                fallback:
+                  - {tree: task}
+                  - {timeout: {after: 30min, then: {do: hold}}}
 behaviour:
   fallback:
     - {tree: mission}
@@ -35,9 +38,9 @@ behaviour:
 }  // namespace
 
 const LeafNames& conduct_leaves() {
-  static const LeafNames names{
-      {"carry_on", "hold", "come_home"},
-      {"within_limits", "reserve_holds", "link_up", "gnss_up", "thrusters_up", "tether_free"}};
+  static const LeafNames names{{"carry_on", "hold", "come_home"},
+                               {"within_limits", "reserve_holds", "carrier_stays", "link_up",
+                                "gnss_up", "thrusters_up", "tether_free"}};
   return names;
 }
 

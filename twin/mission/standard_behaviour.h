@@ -13,6 +13,7 @@ enum class ConductAction {
 enum class ConductCondition {
   within_limits,  ///< all limits of its phase, for as long as it is to wait before it goes on
   reserve_holds,  ///< the energy for the way home, its margin and the reserve
+  carrier_stays,  ///< or its line hangs from none: it goes on, and not home
   link_up,        ///< or none is needed: it goes by itself
   gnss_up,        ///< or it has no receiver
   thrusters_up,
@@ -24,8 +25,8 @@ enum class ConductCondition {
 ///
 /// It carries on with its tasks while all its limits hold, its link and its receiver are there and
 /// its tether is free, else it holds; after half an hour of that, and as soon as the energy for the
-/// way home runs short or a thruster is lost, it comes home, and whoever has turned for home does
-/// not turn back.
+/// way home runs short, a thruster is lost or the carrier that its line hangs from turns for home,
+/// it comes home, and whoever has turned for home does not turn back.
 [[nodiscard]] const BehaviourTree& standard_behaviour();
 /// The same as YAML, for logs and for who wants to write another.
 [[nodiscard]] std::string_view standard_behaviour_yaml();

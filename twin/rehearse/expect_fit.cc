@@ -53,19 +53,42 @@ void expect_depth(const Requirement& wanted, const Agent& agent) {
                          at.position_m.z, agent.vehicle->name, *rated_m));
 }
 
-void expect_reach(const Requirement& wanted, const Agent& agent, const AgentState& start) {
+/// Where a carrier stands by, one place after the other.
+std::vector<Triple<double>> stands_of(const Agent& carrier, const AgentState& start) {
+  std::vector<Triple<double>> places_m;
+  Triple<double> is_at_m = start.vehicle.body.position_m;
+  for (const ScenarioTask& task : carrier.mission.tasks) {
+    if (!task.waypoints.empty()) is_at_m = task.waypoints.back().position_m;
+    if (task.kind == ScenarioTask::Kind::stand_by) places_m.push_back(is_at_m);
+  }
+  return places_m;
+}
+
+void expect_reach(const Requirement& wanted, const ReadyRun& ready, std::size_t place) {
+  const Agent& agent = ready.agents[place];
+  const AgentState& start = ready.states[place];
   if (!agent.tether) return;
   const double length_m = start.tether.length_m;
-  for (const ScenarioTask& task : agent.mission.tasks)
+  std::vector<Triple<double>> stands_m;
+  if (agent.carrier)
+    stands_m = stands_of(ready.agents[*agent.carrier], ready.states[*agent.carrier]);
+  std::size_t sortie = 0;
+  Triple<double> top_m = start.top.place_m;
+  for (const ScenarioTask& task : agent.mission.tasks) {
+    // The deck as high and about where the vessel is, whichever way she heads.
+    if (task.until_stand_by && sortie < stands_m.size()) {
+      top_m = stands_m[sortie++];
+      top_m.z += agent.deck_m.z;
+    }
     for (const Waypoint& at : task.waypoints) {
-      const double away_m = length_of(at.position_m - agent.tether_top_m);
+      const double away_m = length_of(at.position_m - top_m);
       if (away_m > length_m)
         refuse("agent " + wanted.agent +
                formatted(": its work lies up to {:.0f} m from the top of its tether, which is "
-                         "{:.0f} m long; take a longer one, start it nearer, or fly the turbines "
-                         "one after the other",
+                         "{:.0f} m long; take a longer one, or start it nearer",
                          away_m, length_m));
     }
+  }
 }
 
 /// What a straight way at its speed takes in still water.
@@ -76,20 +99,23 @@ double way_j(const Agent& agent, double length_m, double asked_m_s) {
   return length_m / speed_m_s * cruise_w_at(conduct, speed_m_s);
 }
 
-/// Sortie by sortie: from one battery to the next.
+/// Sortie by sortie: from one battery to the next. Where its carrier takes it costs it nothing.
 void expect_energy(const Requirement& wanted, const Agent& agent, const Triple<double>& start_m) {
   const ReadyConduct& conduct = *agent.conduct;
   if (!(conduct.full_j > 0)) return;
   const double most_j = (1 - conduct.plan.reserve.share) * conduct.full_j;
   double sortie_j = 0;
   Triple<double> here_m = start_m;
+  bool is_carried = false;
   for (const ScenarioTask& task : agent.mission.tasks) {
+    is_carried = is_carried || task.until_stand_by;
     if (task.kind == ScenarioTask::Kind::aboard && std::isinf(task.charger_w)) sortie_j = 0;
     if (task.kind == ScenarioTask::Kind::hold && std::isfinite(task.hold_s))
       sortie_j += task.hold_s * conduct.cruise_w.front();
     for (const Waypoint& at : task.waypoints) {
-      sortie_j += way_j(agent, length_of(at.position_m - here_m), at.speed_m_s);
+      if (!is_carried) sortie_j += way_j(agent, length_of(at.position_m - here_m), at.speed_m_s);
       here_m = at.position_m;
+      is_carried = false;
     }
     if (sortie_j > most_j)
       refuse(
@@ -111,7 +137,7 @@ void expect_fit(const ExpandedMission& mission, const ReadyRun& ready) {
       expect_kind(wanted, *agent.vehicle);
       expect_instruments(wanted, *agent.vehicle);
       expect_depth(wanted, agent);
-      expect_reach(wanted, agent, ready.states[i]);
+      expect_reach(wanted, ready, i);
       expect_energy(wanted, agent, ready.states[i].vehicle.body.position_m);
     }
 }

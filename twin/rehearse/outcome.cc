@@ -27,6 +27,8 @@ std::string cause_text(const Agent& agent, Cause cause, std::size_t detail) {
       return "fouled tether";
     case Cause::held_too_long:
       return "held too long";
+    case Cause::carrier:
+      return "its carrier turned for home or went no further";
     case Cause::mammal:
       return "marine mammal in the zone";
     case Cause::no_watch:

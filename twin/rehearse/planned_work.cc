@@ -8,12 +8,16 @@ namespace slackwater::twin {
 PhasePlan plan_of(const Triple<double>& start_m, const Mission& mission) {
   PhasePlan plan;
   Triple<double> is_at_m = start_m;
+  bool is_carried = false;
   for (const ScenarioTask& task : mission.tasks) {
+    is_carried = is_carried || task.until_stand_by;
     double duration_s = std::isfinite(task.hold_s) ? task.hold_s : 0;
     for (const Waypoint& to : task.waypoints) {
       const double speed_m_s = to.speed_m_s > 0 ? to.speed_m_s : mission.guidance.speed_m_s;
-      if (speed_m_s > 0) duration_s += length_of(to.position_m - is_at_m) / speed_m_s;
+      if (speed_m_s > 0 && !is_carried)
+        duration_s += length_of(to.position_m - is_at_m) / speed_m_s;
       is_at_m = to.position_m;
+      is_carried = false;
     }
     if (!plan.phases.empty() && plan.phases.back().phase == task.phase)
       plan.phases.back().duration_s += duration_s;

@@ -8,7 +8,8 @@
 namespace slackwater::twin {
 
 /// A vehicle's tasks as a planner sees them: its ways at the speeds that they are to be gone at, in
-/// still water, and its stays. Corners, gathering way and the current are not in it.
+/// still water, and its stays. Corners, gathering way, the current and the way that its carrier
+/// takes it are not in it.
 [[nodiscard]] PhasePlan plan_of(const Triple<double>& start_m, const Mission& mission);
 
 /// Where a vehicle is in a phase, as a planner takes it.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "twin/simulate/line_on_deck.h"
+
 namespace slackwater::twin {
 namespace {
 
@@ -24,8 +26,7 @@ Triple<double> deck_velocity(const AgentState* carrier) {
 Triple<double> boarding_place(const Agent& agent, const AgentState* carrier) {
   Triple<double> place_m = agent.conduct->home_m;
   if (carrier == nullptr) return place_m;
-  const BodyState<double>& body = carrier->vehicle.body;
-  const Triple<double> deck_m = body.position_m + rotation_of(body.attitude).to_ned(agent.deck_m);
+  const Triple<double> deck_m = deck_place(agent, *carrier);
   place_m.x = deck_m.x;
   place_m.y = deck_m.y;
   if (agent.vehicle->kind == VehicleKind::uav) place_m.z = std::min(deck_m.z, place_m.z);
@@ -64,6 +65,11 @@ void launch(const Agent& agent, const AgentState* carrier, double t_s, AgentStat
   // What hangs in the air has its rotors turning.
   state.vehicle.thruster = agent.conduct->idle_thruster;
   state.mission.kept_m = body.position_m;
+  if (agent.tether && carrier != nullptr) {
+    begin_winding(agent, structure_at(agent, body.position_m), body.position_m, own);
+    state.top = top_on_deck(agent, *carrier, t_s);
+    hang_line(agent, t_s, state);
+  }
   tell(ConductEventKind::launched, t_s, state);
 }
 
@@ -77,6 +83,9 @@ bool goes_aboard(const Agent& agent) noexcept {
 
 bool is_alongside(const Agent& agent, const AgentState* carrier, const AgentState& state) {
   const BodyState<double>& body = state.vehicle.body;
+  if (agent.tether && carrier != nullptr &&
+      (state.conduct.is_snagged || carrier->halt != Halt::none))
+    return false;
   return length_of(body.position_m - boarding_place(agent, carrier)) <= boarding_reach_m &&
          length_of(velocity_of(body) - deck_velocity(carrier)) <= boarding_speed_m_s;
 }
@@ -86,6 +95,7 @@ void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, Agen
   state.mission.is_rerouted = false;
   state.mission.held_s = 0;
   stand(boarding_place(agent, carrier), state);
+  if (agent.tether && carrier != nullptr) stow_line(deck_place(agent, *carrier), state);
   tell(ConductEventKind::came_aboard, t_s, state);
 }
 
@@ -95,7 +105,8 @@ bool carry(const Agent& agent, const AgentState* carrier, AgentState& state) {
   return true;
 }
 
-bool come_and_go(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state) {
+bool come_and_go(const Agent& agent, double t_s, const Company& company, AgentState& state) {
+  const AgentState* const carrier = company.carrier;
   ConductState& own = state.conduct;
   MissionState& mission = state.mission;
   own.boarding_m = boarding_place(agent, carrier);
@@ -126,10 +137,12 @@ bool come_and_go(const Agent& agent, double t_s, const AgentState* carrier, Agen
     charge(*agent.vehicle->battery, task.charger_w * tick_s, agent.conduct->full_j, state);
     is_filled = true;
   }
-  if (mission.held_s < task.hold_s) return is_moved || is_filled;
+  if (mission.held_s < task.hold_s || (task.until_stand_by && !company.carrier_stands_by))
+    return is_moved || is_filled;
   if (std::isinf(task.charger_w) && agent.vehicle->battery)
     charge(*agent.vehicle->battery, agent.conduct->full_j, agent.conduct->full_j, state);
   end_task(agent.mission, mission);
+  mission.held_s = 0;  // it may stay aboard for its next task, unstepped
   const bool stays =
       mission.is_done || agent.mission.tasks[mission.task].kind == ScenarioTask::Kind::aboard;
   if (!stays) launch(agent, carrier, t_s, state);

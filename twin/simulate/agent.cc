@@ -88,7 +88,8 @@ void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, Agen
   const BodyState<double>& body = state.vehicle.body;
   const Tether& tether = *agent.tether;
   TetherEnds<double> ends;
-  ends.top_m = agent.tether_top_m;
+  ends.top_m = state.top.at(t_s);
+  ends.top_velocity_m_s = state.top.velocity_m_s;
   ends.vehicle_m = at_point(body, r, tether.attachment_m);
   ends.vehicle_velocity_m_s =
       r.to_ned(body.nu.linear + cross(body.nu.angular, tether.attachment_m));
@@ -104,6 +105,7 @@ void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, Agen
   }
   const TetherPull<double> felt = pull(tether, state.tether, ends, water, agent.plan.dt_s);
   around.pull_n = felt.on_vehicle_n;
+  state.top.pull_n = felt.on_top_n;
   state.tether_n = felt.vehicle_tension_n;
   note_line(state.milestones, state.tether.whole, felt.vehicle_tension_n, t_s + agent.plan.dt_s);
   hold_snag(state);
@@ -218,11 +220,13 @@ bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& st
   around.water = {};
   around.wind_m_s = {};
   around.pull_n = {};
+  around.turn_n_m = state.borne.moment_n_m;
   Triple<double> current_m_s;
   if (!flies && !feel_water(agent, t_s, state, r, around, current_m_s)) return false;
   if (is_blown && !feel_wind(agent, t_s, state, around)) return false;
   around.height_above_m = height_of(body.position_m);
   if (agent.tether) pull_tether(agent, t_s, r, state, around);
+  around.pull_n = around.pull_n + state.borne.force_n;
   Measured measured;
   measured.position_m = body.position_m;
   measured.attitude = body.attitude;

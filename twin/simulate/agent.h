@@ -13,6 +13,7 @@
 #include "twin/simulate/conduct_state.h"
 #include "twin/simulate/environment.h"
 #include "twin/simulate/headway.h"
+#include "twin/simulate/line_top.h"
 #include "twin/simulate/milestones.h"
 #include "twin/simulate/mission.h"
 #include "twin/simulate/sense.h"
@@ -55,7 +56,7 @@ struct Agent {
   std::size_t steps_per_barrier = 1;
   std::optional<DrydenFilter> gusts;
   std::optional<Tether> tether;
-  Triple<double> tether_top_m;
+  Triple<double> tether_top_m;  ///< where it is fixed; of a carrier's deck `AgentState::top`
   std::optional<Navigation>
       navigation;  ///< nothing: it knows the truth, and no instrument is looked at
   std::optional<HeadwayWatch> headway;          ///< nothing: it is not watched
@@ -77,6 +78,8 @@ struct AgentState {
   DrydenFilter::State gust;
   Rng gust_rng{0, ""};
   TetherState<double> tether;
+  LineTop top;       ///< of its tether
+  LinesBorne borne;  ///< by it, as a carrier
   NavigationState navigation;
   HeadwayState headway;
   ConductState conduct;

@@ -34,11 +34,13 @@ double parts_within(double whole, double part) {
   return std::max(1.0, std::floor(whole / part + 1e-9));
 }
 
-TetherEnds<double> ends_of(const Agent& agent, const BodyState<double>& body) {
+TetherEnds<double> ends_of(const Agent& agent, const AgentState& state, double t_s) {
+  const BodyState<double>& body = state.vehicle.body;
   const Rotation<double> r = rotation_of(body.attitude);
   const Triple<double>& at = agent.tether->attachment_m;
   TetherEnds<double> ends;
-  ends.top_m = agent.tether_top_m;
+  ends.top_m = state.top.at(t_s);
+  ends.top_velocity_m_s = state.top.velocity_m_s;
   ends.vehicle_m = body.position_m + r.to_ned(at);
   ends.vehicle_velocity_m_s = r.to_ned(body.nu.linear + cross(body.nu.angular, at));
   return ends;
@@ -60,9 +62,10 @@ MovingPlaces places_of(const Agent& agent, const AgentState& state) {
   return places;
 }
 
-void note_pull(const Triple<double>& on_vehicle_n, double vehicle_tension_n, double t_s,
-               double pull_s, AgentState& state) {
+void note_pull(const Triple<double>& on_vehicle_n, const Triple<double>& on_top_n,
+               double vehicle_tension_n, double t_s, double pull_s, AgentState& state) {
   state.coarse.pull_n = on_vehicle_n;
+  state.top.pull_n = on_top_n;
   state.coarse.pulled_to_s = t_s + pull_s;
   state.tether_n = vehicle_tension_n;
   note_line(state.milestones, state.tether.whole, vehicle_tension_n, t_s + pull_s);
@@ -71,10 +74,10 @@ void note_pull(const Triple<double>& on_vehicle_n, double vehicle_tension_n, dou
 
 void pull_one(const Agent& agent, double t_s, AgentState& state) {
   const double step_s = agent.coarse->pull_s;
-  const TetherPull<double> felt = pull_long(
-      *agent.tether, state.tether, ends_of(agent, state.vehicle.body),
-      node_water(state.coarse.water, t_s), node_water(state.coarse.water, t_s + step_s), step_s);
-  note_pull(felt.on_vehicle_n, felt.vehicle_tension_n, t_s, step_s, state);
+  const TetherPull<double> felt = pull_long(*agent.tether, state.tether, ends_of(agent, state, t_s),
+                                            node_water(state.coarse.water, t_s),
+                                            node_water(state.coarse.water, t_s + step_s), step_s);
+  note_pull(felt.on_vehicle_n, felt.on_top_n, felt.vehicle_tension_n, t_s, step_s, state);
 }
 
 /// Lanes without a tether go along with the numbers of the first.
@@ -87,7 +90,7 @@ void pull_eight(std::span<const Agent> agents, std::span<AgentState> states,
     const std::size_t index = due[lane < due.size() ? lane : 0];
     const AgentState& state = states[index];
     put(tethers.state.value, lane, state.tether);
-    put(tethers.ends.value, lane, ends_of(agents[index], state.vehicle.body));
+    put(tethers.ends.value, lane, ends_of(agents[index], state, t_s));
     put(tethers.before.value, lane, node_water(state.coarse.water, t_s));
     put(tethers.after.value, lane, node_water(state.coarse.water, t_s + step_s));
   }
@@ -96,6 +99,7 @@ void pull_eight(std::span<const Agent> agents, std::span<AgentState> states,
     AgentState& state = states[due[lane]];
     state.tether = taken(tethers.state.value, lane);
     note_pull(taken(tethers.felt.value.on_vehicle_n, lane),
+              taken(tethers.felt.value.on_top_n, lane),
               tethers.felt.value.vehicle_tension_n.lane[lane], t_s, step_s, state);
   }
 }

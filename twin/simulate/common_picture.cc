@@ -93,7 +93,7 @@ void CommonPicture::publish_craft(std::span<const Agent> agents, std::span<const
                                craft.radius_m, craft.claim.top_m, craft.claim.bottom_m, 0, true});
     if (!agent.tether || is_aboard) continue;
     world.nodes[i] = hung_line(agent, state);
-    world.lines.push_back({world.nodes[i], i, state.tether.whole > 0.5});
+    world.lines.push_back({world.nodes[i], i, state.tether.whole > 0.5, craft.carrier});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "twin/mission/conduct.h"
 #include "twin/simulate/agent.h"
+#include "twin/simulate/company.h"
 
 namespace slackwater::twin {
 
@@ -28,7 +29,7 @@ struct ReadyConduct {
   double full_j = 0;  ///< of the battery; 0: it has none, or its bus is held
   double bow_mass_kg = 0;
   std::array<double, most_mounts> idle_thruster{};  ///< as they turn when it is launched
-  /// The structure that it works at, by its place in the environment; the line winds about it.
+  /// The structure that it starts at, by its place in the environment.
   std::optional<std::size_t> worked_at;
   std::optional<Cleaning> cleaning;
   std::optional<DatumSource> datum;  ///< of one whose search follows the drift
@@ -46,12 +47,19 @@ struct ReadyConduct {
 [[nodiscard]] ConductState begun(const ReadyConduct& conduct, const Agent& agent,
                                  const AgentState& state, std::uint64_t seed);
 
+/// The structure that is nearest to a place; nothing where there is none.
+[[nodiscard]] std::optional<std::size_t> structure_at(const Agent& agent,
+                                                      const Triple<double>& place_m);
+/// A line that is laid out there lies about nothing yet.
+void begin_winding(const Agent& agent, std::optional<std::size_t> worked_at,
+                   const Triple<double>& place_m, ConductState& own);
+
 /// Ticks the tree of a vehicle that has one, between steps, and lets it come aboard or be launched
 /// where its tasks say so.
-/// @param carrier  of the vehicle as of the last barrier; null: it has none
+/// @param company  whom it goes with
 /// @param changes  scratch, so that a tick allocates nothing
 /// @return whether it was moved, or its battery filled, otherwise than by its steps
-bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const AgentState* carrier,
+bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Company& company,
                   std::vector<StatusChange>& changes);
 
 /// The reference of a step for what it is doing; that of its mission where it has no conduct.

@@ -52,6 +52,8 @@ const char* name_of(Cause cause) noexcept {
       return "fouled_tether";
     case Cause::held_too_long:
       return "held_too_long";
+    case Cause::carrier:
+      return "carrier_gone";
     case Cause::mammal:
       return "marine_mammal";
     case Cause::no_watch:

@@ -51,6 +51,7 @@ enum class Cause : std::uint8_t {
   thruster,
   tether,
   held_too_long,
+  carrier,   ///< has turned for home, or goes no further
   mammal,    ///< seen in the zone about its work
   no_watch,  ///< nobody has watched that zone for long enough
 };
@@ -73,6 +74,7 @@ struct Spent {
 
 /// How far a vehicle that conducts itself has come.
 struct ConductState {
+  static constexpr std::size_t no_structure = std::numeric_limits<std::size_t>::max();
   BehaviourState tree;
   Doing doing = Doing::task;
   MissionState way;       ///< of a hold, the way back and the way home
@@ -85,8 +87,9 @@ struct ConductState {
   std::vector<std::uint8_t> faults;  ///< of each: whether it was on at the last tick
   double extra_power_w = 0;  ///< drawn beyond what its speed takes: waves, gusts, a line; smoothed
   double drawn_j = 0;        ///< as of the last tick
-  double wound_rad = 0;      ///< round the structure that it works at, clockwise from above
-  double bearing_rad = 0;    ///< from that structure's axis, at the last tick
+  std::size_t worked_at = no_structure;  ///< by its place in the environment
+  double wound_rad = 0;                  ///< round that structure, clockwise from above
+  double bearing_rad = 0;                ///< from that structure's axis, at the last tick
   DeckMotion deck;
   double energy_left_j = std::numeric_limits<double>::infinity();  ///< as of the last tick
   double energy_home_j = 0;   ///< what the way home takes by reckoning, without margin and reserve
@@ -102,7 +105,8 @@ struct ConductState {
   bool has_ended = false;   ///< its tree: nothing more comes
   bool has_turned = false;  ///< for home, before its tasks were done
   bool is_snagged = false;
-  bool is_aboard = false;  ///< its carrier, or at home on something firm: it is not stepped
+  bool waits_for_line = false;  ///< turned for home, it does not set out with one in the water
+  bool is_aboard = false;       ///< its carrier, or at home on something firm: it is not stepped
   SearchState search;
   DatumState datum;          ///< of a search that follows the drift
   Triple<double> frame_m_s;  ///< velocity of the frame that its autopilot goes by

@@ -51,14 +51,17 @@ void keep_in_fence(double fence_m, const Triple<double>& home_m, Reference& refe
 }
 
 /// Shared autonomy: the pilot's motion, kept inside limits.
-void keep_inside(const ReadyConduct& conduct, const Agent& agent, Reference& reference) {
+void keep_inside(const Agent& agent, const ConductState& state, Reference& reference) {
+  const ReadyConduct& conduct = *agent.conduct;
   const Envelope& envelope = conduct.plan.envelope;
   const double speed_m_s = length_of(reference.velocity_m_s);
   if (envelope.most_speed_m_s > 0 && speed_m_s > envelope.most_speed_m_s)
     reference.velocity_m_s = (envelope.most_speed_m_s / speed_m_s) * reference.velocity_m_s;
   if (reference.target == Target::cruise) return;
   if (envelope.stand_off_m > 0) keep_off_structures(envelope.stand_off_m, agent, reference);
-  if (envelope.fence_m) keep_in_fence(*envelope.fence_m, conduct.home_m, reference);
+  // Home is its carrier.
+  const Triple<double>& home_m = agent.carrier ? state.boarding_m : conduct.home_m;
+  if (envelope.fence_m) keep_in_fence(*envelope.fence_m, home_m, reference);
 }
 
 }  // namespace
@@ -84,7 +87,7 @@ Reference conducted_reference(const Agent& agent, const Measured& measured,
   // Structures and fences are of the ground.
   const Triple<double> offset_m = state.mission.offset_m;
   reference.position_m = reference.position_m + offset_m;
-  keep_inside(*agent.conduct, agent, reference);
+  keep_inside(agent, state.conduct, reference);
   reference.position_m = reference.position_m - offset_m;
   return reference;
 }

@@ -6,12 +6,13 @@
 
 namespace slackwater::twin {
 
-/// All nodes of the line of a vehicle that has one, from its top to its attachment, NED.
+/// All nodes of the line of a vehicle that has one, from its top to its attachment, NED; at a
+/// barrier.
 [[nodiscard]] inline std::array<Triple<double>, tether_nodes> hung_line(const Agent& agent,
                                                                         const AgentState& state) {
   const BodyState<double>& body = state.vehicle.body;
   std::array<Triple<double>, tether_nodes> nodes;
-  nodes.front() = agent.tether_top_m;
+  nodes.front() = state.top.place_m;
   std::copy(state.tether.node_m.begin(), state.tether.node_m.end(), nodes.begin() + 1);
   nodes.back() = body.position_m + rotation_of(body.attitude).to_ned(agent.tether->attachment_m);
   return nodes;

@@ -44,8 +44,9 @@ class Looker {
       own_.faults[i] = is_on ? 1 : 0;
       tell(is_on ? ConductEventKind::fault_began : ConductEventKind::fault_ended, i);
       if (faults[i].kind == FaultKind::fouled_tether) {
-        own_.is_snagged = is_on;
-        if (is_on) snag();
+        // A line aboard is caught nowhere.
+        own_.is_snagged = is_on && !own_.is_aboard;
+        if (own_.is_snagged) snag();
       }
     }
   }
@@ -55,8 +56,8 @@ class Looker {
   void snag() {
     const auto& nodes = state_.tether.node_m;
     own_.snag_node = nodes.size() / 2;
-    if (conduct_.worked_at) {
-      const Structure& structure = agent_.water->environment().structures[*conduct_.worked_at];
+    if (own_.worked_at != ConductState::no_structure) {
+      const Structure& structure = agent_.water->environment().structures[own_.worked_at];
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if (signed_distance_m(structure, nodes[i]) <
             signed_distance_m(structure, nodes[own_.snag_node]))
@@ -93,8 +94,9 @@ class Looker {
   }
 
   void look_at_winding() {
-    if (!agent_.tether || !conduct_.worked_at) return;
-    const Structure& structure = agent_.water->environment().structures[*conduct_.worked_at];
+    // A line aboard winds about nothing.
+    if (!agent_.tether || own_.worked_at == ConductState::no_structure || own_.is_aboard) return;
+    const Structure& structure = agent_.water->environment().structures[own_.worked_at];
     const double bearing = from_axis(structure, state_.vehicle.body.position_m).bearing_rad;
     own_.wound_rad += std::remainder(bearing - own_.bearing_rad, 2 * constants::pi);
     own_.bearing_rad = bearing;

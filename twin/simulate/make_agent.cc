@@ -6,8 +6,8 @@
 #include "twin/body/frame.h"
 #include "twin/simulate/coarse_step.h"
 #include "twin/simulate/conduct.h"
+#include "twin/simulate/line_on_deck.h"
 #include "twin/simulate/set_up.h"
-#include "twin/tether/lay_tether.h"
 #include "twin/vehicle/balance.h"
 #include "twin/vehicle/hover.h"
 #include "twin/vehicle/top_speed.h"
@@ -44,37 +44,6 @@ ThrustRange range_of(const Thruster& thruster, double voltage_v) {
           most.thrust_n > 0 ? most.torque_n_m / most.thrust_n : 0};
 }
 
-/// Steady water looked up each half metre down and taken in a straight line between: a line is
-/// moved hundreds of times before it is at rest.
-SteadyWater tabulated(const SteadyWater& water, double deepest_m) {
-  constexpr double step_m = 0.5;
-  std::vector<Triple<double>> at;
-  for (double depth_m = 0; depth_m < deepest_m + step_m; depth_m += step_m)
-    at.push_back(water(depth_m));
-  return [at = std::move(at)](double depth_m) {
-    const double last = static_cast<double>(at.size() - 1);
-    const double place = std::clamp(depth_m / step_m, 0.0, last);
-    const auto above = std::min(static_cast<std::size_t>(place), at.size() - 2);
-    const double share = place - static_cast<double>(above);
-    return (1 - share) * at[above] + share * at[above + 1];
-  };
-}
-
-/// The tether as it has come to rest in the current of the start, above and below the vehicle.
-TetherState<double> hung_out(const Agent& agent, const Triple<double>& end_m, double length_m) {
-  const SteadyWater found_m_s = [&](double depth_m) {
-    // No water at the bed and beyond: the line lies still there.
-    return agent.water->current({end_m.x, end_m.y, depth_m}, 0, 0).current_m_s;
-  };
-  const Triple<double>& top_m = agent.tether_top_m;
-  const TetherState<double> laid =
-      laid_out(*agent.tether, top_m, end_m, length_m, found_m_s(end_m.z));
-  if (!agent.coarse) return hung(*agent.tether, laid, top_m, end_m, found_m_s);
-  // No node hangs deeper.
-  const double deepest_m = std::max({top_m.z, end_m.z, 0.0}) + 0.5 * length_m;
-  return hung_roughly(*agent.tether, laid, top_m, end_m, tabulated(found_m_s, deepest_m));
-}
-
 }  // namespace
 
 Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
@@ -109,7 +78,7 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
                   "a " + vehicle->name + " has no tether; leave `tether` out");
     }
     agent.tether = vehicle->tether;
-    agent.tether_top_m = entry.tether->top_m;
+    if (entry.tether->top_m) agent.tether_top_m = *entry.tether->top_m;
   }
   if (entry.navigates_by_sensors || entry.logs_sensors) {
     const Sensors& sensors = vehicle->sensors;
@@ -164,9 +133,10 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
   }
   state.mission = begun(measured);
   if (agent.tether) {
-    const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
-    const Triple<double> end_m = start_m + r.to_ned(agent.tether->attachment_m);
-    state.tether = hung_out(agent, end_m, entry.tether->length_m);
+    state.top.place_m = agent.tether_top_m;
+    state.tether.length_m = entry.tether->length_m;
+    // From a deck it hangs as soon as that is known.
+    if (entry.tether->top_m) hang_line(agent, 0, state);
   }
   if (agent.conduct) state.conduct = begun(*agent.conduct, agent, state, seed);
   return state;

@@ -58,9 +58,11 @@ Reference pursued(const Mission& mission, const Measured& measured, const TrackS
   return reference;
 }
 
-/// Without a way of its own. What ends a time on board is decided at barriers.
+/// Without a way of its own. What ends a time on board, or by those on board, is decided at
+/// barriers.
 bool waits(const ScenarioTask& task) {
-  return task.kind == ScenarioTask::Kind::hold || task.kind == ScenarioTask::Kind::aboard;
+  return task.kind == ScenarioTask::Kind::hold || task.kind == ScenarioTask::Kind::aboard ||
+         task.kind == ScenarioTask::Kind::stand_by;
 }
 
 void begin_task(const Mission& mission, const Measured& measured, const Triple<double>& offset_m,

@@ -81,6 +81,13 @@ double read_charger(const Config& config) {
   return 0;
 }
 
+/// `until` of a time on board: stand_by, or none.
+bool read_until(const Config& config) {
+  const auto word = config.optional_text("until");
+  if (word && *word != "stand_by") config.refuse("until", "found " + *word + ", expected stand_by");
+  return word.has_value();
+}
+
 ScenarioTask read_task(const Config& config) {
   const std::string kind = config.text("do");
   const auto course = [&] { return config.number("course_deg", {-360, 360}) * degree; };
@@ -116,15 +123,20 @@ ScenarioTask read_task(const Config& config) {
                     config.optional_number("spacing_m", {0.1, 1000}).value_or(2), 0);
   } else if (kind == "aboard") {
     task.kind = ScenarioTask::Kind::aboard;
-    task.hold_s = read_seconds(config, "duration", {0, 30 * 86400.0});
+    task.until_stand_by = read_until(config);
+    if (!task.until_stand_by || has_seconds(config, "duration"))
+      task.hold_s = read_seconds(config, "duration", {0, 30 * 86400.0});
     task.charger_w = read_charger(config);
+  } else if (kind == "stand_by") {
+    task.kind = ScenarioTask::Kind::stand_by;
+    task.hold_s = std::numeric_limits<double>::infinity();
   } else if (kind == "follow_track") {
     task.kind = ScenarioTask::Kind::follow_track;
     task.follow = read_track_to_follow(config);
   } else {
     config.refuse("do", "found " + kind +
                             ", expected route, hold, lawn_mower, orbit, depth_sweep, "
-                            "follow_track or aboard");
+                            "follow_track, aboard or stand_by");
   }
   if (const auto word = config.optional_text("phase")) {
     const auto phase = phase_of(*word);
@@ -174,6 +186,20 @@ bool read_navigation(const Config& config, bool otherwise) {
   return *text == "sensors";
 }
 
+/// A top of its own, or the place on its carrier's deck.
+ScenarioVehicle::TetherStart read_tether_start(const Config& config, bool has_carrier) {
+  ScenarioVehicle::TetherStart tether;
+  const auto top = config.optional_child("top");
+  if (top && has_carrier)
+    config.refuse("top",
+                  "found beside a carrier, from whose deck the line hangs; leave one of them out");
+  if (!top && !has_carrier)
+    config.refuse("top", "missing; give its place, or a carrier from whose deck the line hangs");
+  if (top) tether.top_m = read_place(*top);
+  tether.length_m = config.number("length_m", {0.1, 10000});
+  return tether;
+}
+
 ScenarioVehicle read_vehicle_entry(const Config& config) {
   ScenarioVehicle vehicle;
   vehicle.name = config.text("name");
@@ -193,15 +219,9 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
   }
   vehicle.detail = read_detail(config);
   vehicle.follower = read_follower(config);
-  if (const auto tether = config.optional_child("tether")) {
-    vehicle.tether = {read_place(tether->child("top")), tether->number("length_m", {0.1, 10000})};
-  }
+  if (const auto tether = config.optional_child("tether"))
+    vehicle.tether = read_tether_start(*tether, config.has("carrier"));
   if (const auto carrier = config.optional_child("carrier")) {
-    if (vehicle.tether)
-      config.refuse(
-          "carrier",
-          "found beside a tether, whose top stays where it is while a carrier moves; leave "
-          "one of them out");
     constexpr Range on_board{-200, 200};
     vehicle.carrier = {carrier->text("name"),
                        {carrier->number("forward_m", on_board),
@@ -218,13 +238,22 @@ ScenarioVehicle read_vehicle_entry(const Config& config) {
     config.refuse("tasks",
                   "found frame: drifting, and nobody is searched for whose drift it would be; "
                   "give the vehicle's conduct a search, or say frame: fixed");
-  const bool goes_aboard =
-      vehicle.carrier || std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), [](const auto& t) {
-        return t.kind == ScenarioTask::Kind::aboard;
-      });
+  const auto has_task = [&](const auto& counts) {
+    return std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), counts);
+  };
+  const bool goes_aboard = vehicle.carrier || has_task([](const auto& t) {
+                             return t.kind == ScenarioTask::Kind::aboard;
+                           });
   if (goes_aboard && !vehicle.conduct)
     config.refuse("conduct",
                   "missing; a vehicle that goes aboard conducts itself: say conduct: {}");
+  if (!vehicle.conduct &&
+      has_task([](const auto& t) { return t.kind == ScenarioTask::Kind::stand_by; }))
+    config.refuse("conduct", "missing; a vehicle that stands by conducts itself: say conduct: {}");
+  if (!vehicle.carrier && has_task([](const auto& t) { return t.until_stand_by; }))
+    config.refuse("tasks",
+                  "found until: stand_by, and no carrier that would stand by; give the vehicle "
+                  "one, or a duration");
   if (vehicle.starts_on_track && (vehicle.tasks.empty() || !vehicle.tasks.front().follow))
     config.refuse("start", "missing; give a place, or a first task that follows a track");
   if (vehicle.tasks.empty()) {

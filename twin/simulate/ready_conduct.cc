@@ -31,20 +31,6 @@ void expect_faults(const Conduct& plan, const Agent& agent) {
   }
 }
 
-/// The structure that is nearest to the start, within a cable's reach.
-std::optional<std::size_t> worked_at(const Agent& agent, const Triple<double>& start_m) {
-  const auto& structures = agent.water->environment().structures;
-  std::optional<std::size_t> nearest;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < structures.size(); ++i) {
-    const double distance_m = from_axis(structures[i], start_m).distance_m;
-    if (distance_m >= least_m) continue;
-    least_m = distance_m;
-    nearest = i;
-  }
-  return nearest;
-}
-
 /// Where its work leads, with the speed on the way to each place.
 std::vector<Waypoint> way_of_work(const Agent& agent) {
   std::vector<Waypoint> way;
@@ -69,6 +55,28 @@ double bow_mass_of(const Agent& agent, const Triple<double>& deck_point_m) {
 
 }  // namespace
 
+std::optional<std::size_t> structure_at(const Agent& agent, const Triple<double>& place_m) {
+  const auto& structures = agent.water->environment().structures;
+  std::optional<std::size_t> nearest;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    const double distance_m = from_axis(structures[i], place_m).distance_m;
+    if (distance_m >= least_m) continue;
+    least_m = distance_m;
+    nearest = i;
+  }
+  return nearest;
+}
+
+void begin_winding(const Agent& agent, std::optional<std::size_t> worked_at,
+                   const Triple<double>& place_m, ConductState& own) {
+  own.wound_rad = 0;
+  own.worked_at = worked_at.value_or(ConductState::no_structure);
+  if (worked_at)
+    own.bearing_rad =
+        from_axis(agent.water->environment().structures[*worked_at], place_m).bearing_rad;
+}
+
 ReadyConduct ready_conduct(const Conduct& plan, const Agent& agent, const Triple<double>& start_m,
                            double barrier_s, double voltage_v) {
   expect_faults(plan, agent);
@@ -89,7 +97,7 @@ ReadyConduct ready_conduct(const Conduct& plan, const Agent& agent, const Triple
   ready.idle_thruster = hovering_thrusters(*agent.vehicle, voltage_v, height_of(ready.home_m));
   if (plan.deck_point_m && agent.vehicle->body.hull.strips > 0)
     ready.bow_mass_kg = bow_mass_of(agent, *plan.deck_point_m);
-  ready.worked_at = worked_at(agent, start_m);
+  ready.worked_at = structure_at(agent, start_m);
   ready.datum = datum_source(agent, plan, start_m);
   if (plan.cleaning)
     ready.cleaning =
@@ -105,10 +113,7 @@ ConductState begun(const ReadyConduct& conduct, const Agent& agent, const AgentS
   out.left_m = state.vehicle.body.position_m;
   out.exceeded_s.assign(conduct.plan.limits.size(), never_s);
   out.faults.assign(conduct.plan.faults.size(), 0);
-  if (conduct.worked_at)
-    out.bearing_rad =
-        from_axis(agent.water->environment().structures[*conduct.worked_at], out.left_m)
-            .bearing_rad;
+  begin_winding(agent, conduct.worked_at, out.left_m, out);
   out.boarding_m = conduct.home_m;
   out.is_aboard = !agent.mission.tasks.empty() &&
                   agent.mission.tasks.front().kind == ScenarioTask::Kind::aboard;

@@ -6,6 +6,7 @@
 #include "fields/base/check.h"
 #include "twin/simulate/coarse_step.h"
 #include "twin/simulate/conduct.h"
+#include "twin/simulate/line_on_deck.h"
 #include "twin/simulate/soundness.h"
 #include "twin/simulate/vehicle_step.h"
 
@@ -25,6 +26,8 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
     : agents_(std::move(agents)),
       states_(std::move(states)),
       seen_(states_.size()),
+      carried_(states_.size()),
+      companies_(states_.size()),
       picture_(agents_),
       approaches_(agents_),
       block_(settings.path ? step_block_on(*settings.path) : step_block()),
@@ -36,6 +39,8 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
     expects(std::abs(steps_s - settings.step_s) < 1e-9 * settings.step_s,
             "the steps of a vehicle fill that of the barrier");
   }
+  for (std::size_t i = 0; i < agents_.size(); ++i)
+    if (agents_[i].carrier) carried_[*agents_[i].carrier].push_back(i);
   const std::size_t most = settings.is_batch ? block_lanes : 1;
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const auto room = [&](const Group& group) {
@@ -69,6 +74,7 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
 }
 
 void Run::publish() {
+  move_tops(agents_, states_, time_s());
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const BodyState<double>& body = states_[i].vehicle.body;
     seen_[i] = {body.position_m, rotation_of(body.attitude).to_ned(body.nu.linear),
@@ -141,7 +147,10 @@ void Run::step_group(Group& group, const StepTime& time) {
       put(group.around.wind_m_s, lane, input.around.wind_m_s);
       put(group.around.pull_n, lane, input.around.pull_n);
       group.around.height_above_m.lane[lane] = input.around.height_above_m;
-      if (floats) put(group.around.at_strips, lane, input.around.at_strips);
+      if (floats) {
+        put(group.around.at_strips, lane, input.around.at_strips);
+        put(group.around.turn_n_m, lane, input.around.turn_n_m);
+      }
       any = true;
     }
     if (!any) return;
@@ -216,15 +225,25 @@ void Run::hear_watches(const StepTime& time) {
   }
 }
 
+/// Who carries, or is carried, knows of the others what was before any of them is ticked.
+void Run::meet_companies(const StepTime& time) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_[i];
+    if (!agent.conduct || time.step % agent.conduct->steps_per_tick != 0) continue;
+    if (agent.carrier || !carried_[i].empty())
+      companies_[i] = company_of(agents_, states_, i, carried_[i]);
+  }
+}
+
 void Run::tick_behaviours(const StepTime& time) {
   hear_watches(time);
+  meet_companies(time);
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const Agent& agent = agents_[i];
     if (!agent.conduct || time.step % agent.conduct->steps_per_tick != 0) continue;
     if (states_[i].is_retired) continue;
     (void)states();
-    const AgentState* carrier = agent.carrier ? &states_[*agent.carrier] : nullptr;
-    if (!tick_conduct(agent, time.start_s, states_[i], carrier, changes_)) continue;
+    if (!tick_conduct(agent, time.start_s, states_[i], companies_[i], changes_)) continue;
     approaches_.put(i, states_[i]);
     for (Group& group : groups_) group.is_loaded = false;
   }

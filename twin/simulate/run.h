@@ -6,6 +6,7 @@
 
 #include "twin/simulate/approach_watch.h"
 #include "twin/simulate/command_queue.h"
+#include "twin/simulate/company.h"
 #include "twin/simulate/scheduler.h"
 #include "twin/simulate/step_dispatch.h"
 
@@ -97,6 +98,7 @@ class Run {
   void halt_lane(Group& group, std::size_t lane, const VehicleState<Eight>& last);
   void take_commands(std::uint64_t step);
   void hear_watches(const StepTime& time);
+  void meet_companies(const StepTime& time);
   void tick_behaviours(const StepTime& time);
   void publish();
   void step_group(Group& group, const StepTime& time);
@@ -105,6 +107,8 @@ class Run {
   std::vector<Agent> agents_;
   std::vector<AgentState> states_;
   std::vector<Seen> seen_;
+  std::vector<std::vector<std::size_t>> carried_;  ///< by each vehicle
+  std::vector<Company> companies_;                 ///< of each, at its tick
   CommonPicture picture_;
   ApproachWatch approaches_;
   std::deque<Group> groups_;  ///< that does not move its members

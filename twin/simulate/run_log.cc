@@ -9,6 +9,7 @@
 #include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
 #include "twin/simulate/conduct.h"
+#include "twin/simulate/hung_line.h"
 
 namespace slackwater::twin {
 namespace {
@@ -47,6 +48,7 @@ constexpr std::array columns{
     LogColumn{"energy_delivered", "", "J", "by the battery since the start", 1},
     LogColumn{"fuel_burnt", "", "kg", "since the start", 1},
     LogColumn{"tether_tension", "", "N", "at the vehicle", 1},
+    LogColumn{"tether_top", "", "m", "where its tether hangs from: east, north, up", 3},
     LogColumn{"across_track", "", "m", "from the leg under way, positive right of it", 1},
     LogColumn{"below_track", "", "m",
               "from the leg under way or the place that is held, positive below it", 1},
@@ -176,6 +178,7 @@ void write_row(const Agent& agent, const AgentState& state, double time_s, std::
   of_battery(v.battery.delivered_j);
   pen.put(burns_fuel(*agent.vehicle) ? v.fuel_kg : no_number);
   pen.put(state.tether_n);
+  pen.put_enu(has_line_out(agent, state) ? state.top.at(time_s) : no_numbers);
   pen.put(off.across_m);
   pen.put(off.below_m);
   pen.put(static_cast<double>(state.mission.task));

@@ -34,8 +34,8 @@ struct RunLog {
 
 /// The format of a log: its columns and what they mean. 2: what is not there is missing where 1
 /// had zeros; `speed_through_water`, `electrical_energy`, depth error in a hold, two more halts. 3:
-/// the tables `approach` and `clearance` beside them.
-inline constexpr int log_format = 3;
+/// the tables `approach` and `clearance` beside them. 4: `tether_top`.
+inline constexpr int log_format = 4;
 
 /// The row of a vehicle at a time of the run. Water, surface and wind are those at the vehicle
 /// then, of the field and the waves that move it; no number for what it does not meet or nobody

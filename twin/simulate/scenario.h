@@ -67,7 +67,16 @@ struct ScenarioStructure {
 
 /// One thing that a vehicle does, after the one before it.
 struct ScenarioTask {
-  enum class Kind { route, hold, lawn_mower, orbit, depth_sweep, follow_track, aboard };
+  enum class Kind {
+    route,
+    hold,
+    lawn_mower,
+    orbit,
+    depth_sweep,
+    follow_track,
+    aboard,
+    stand_by,  ///< a hold, until those that it carries are back from their sortie
+  };
   Phase phase = Phase::work;  ///< what it belongs to
   Kind kind = Kind::route;
   std::vector<Waypoint> waypoints;  ///< of routes and patterns, these already laid out
@@ -78,6 +87,9 @@ struct ScenarioTask {
   /// Of `aboard`, where it goes at its carrier's, or at home: what becomes of its battery. Charged
   /// with so much power; infinite: another one is put in at the end; 0: it stays as it is.
   double charger_w = 0;
+  /// Of `aboard`: not over before its carrier stands by. The first such task is for the carrier's
+  /// first `stand_by`, and so on: one for each sortie from a place of its own.
+  bool until_stand_by = false;
 };
 
 /// Preset of the way waypoints are followed.
@@ -102,7 +114,7 @@ struct ScenarioVehicle {
   bool is_speed_over_ground = false;  ///< `ground_speed_m_s` rather than `speed_m_s`
   std::vector<ScenarioTask> tasks;
   struct TetherStart {
-    Triple<double> top_m;
+    std::optional<Triple<double>> top_m;  ///< absent: on the deck of its carrier
     double length_m = 0;
   };
   std::optional<TetherStart> tether;

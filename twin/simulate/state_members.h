@@ -24,6 +24,10 @@ inline constexpr bool is_numbers<DrydenFilter::State> = true;
 template <>
 inline constexpr bool is_numbers<TetherState<double>> = true;
 template <>
+inline constexpr bool is_numbers<LineTop> = true;
+template <>
+inline constexpr bool is_numbers<LinesBorne> = true;
+template <>
 inline constexpr bool is_numbers<FollowerState> = true;
 template <>
 inline constexpr bool is_numbers<NavigatorState> = true;
@@ -65,15 +69,17 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
-  auto& [vehicle, control, mission, gust, gust_rng, tether, navigation, headway, conduct, clearance,
-         nearest, coarse, milestones, thrust, halt, halted_at_s, water_m_s, wind_m_s, elevation_m,
-         tether_n, is_retired] = s;
+  auto& [vehicle, control, mission, gust, gust_rng, tether, top, borne, navigation, headway,
+         conduct, clearance, nearest, coarse, milestones, thrust, halt, halted_at_s, water_m_s,
+         wind_m_s, elevation_m, tether_n, is_retired] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
   visit("gust", gust);
   visit("gust_rng", gust_rng);
   visit("tether", tether);
+  visit("top", top);
+  visit("borne", borne);
   visit("navigation", navigation);
   visit("headway", headway);
   visit("conduct", conduct);
@@ -113,10 +119,10 @@ void for_each_member(S& s, Visit&& visit) {
 template <MaybeConst<ConductState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [tree, doing, way, left_m, phase, cause, cause_detail, cause_value, exceeded_s, faults,
-         extra_power_w, drawn_j, wound_rad, bearing_rad, deck, energy_left_j, energy_home_j, held_s,
-         least_charge, most_share, boarding_m, snag_m, snag_node, aim_m, pilot_rng, at_end,
-         has_ended, has_turned, is_snagged, is_aboard, search, datum, frame_m_s, mammals, noisy,
-         cleaning, events] = s;
+         extra_power_w, drawn_j, worked_at, wound_rad, bearing_rad, deck, energy_left_j,
+         energy_home_j, held_s, least_charge, most_share, boarding_m, snag_m, snag_node, aim_m,
+         pilot_rng, at_end, has_ended, has_turned, is_snagged, waits_for_line, is_aboard, search,
+         datum, frame_m_s, mammals, noisy, cleaning, events] = s;
   visit("tree", tree);
   visit("doing", doing);
   visit("way", way);
@@ -129,6 +135,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("faults", faults);
   visit("extra_power_w", extra_power_w);
   visit("drawn_j", drawn_j);
+  visit("worked_at", worked_at);
   visit("wound_rad", wound_rad);
   visit("bearing_rad", bearing_rad);
   visit("deck", deck);
@@ -146,6 +153,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("has_ended", has_ended);
   visit("has_turned", has_turned);
   visit("is_snagged", is_snagged);
+  visit("waits_for_line", waits_for_line);
   visit("is_aboard", is_aboard);
   visit("search", search);
   visit("datum", datum);

@@ -22,7 +22,10 @@ namespace {
     load(a.value.wind_m_s, around.wind_m_s, first);
     load(a.value.pull_n, around.pull_n, first);
     load(a.value.height_above_m, around.height_above_m, first);
-    if (vehicle.body.hull.strips > 0) load(a.value.at_strips, around.at_strips, first);
+    if (vehicle.body.hull.strips > 0) {
+      load(a.value.at_strips, around.at_strips, first);
+      load(a.value.turn_n_m, around.turn_n_m, first);
+    }
     step(vehicle, plan, s.value, c.value, a.value);
     store(state, s.value, first);
   }

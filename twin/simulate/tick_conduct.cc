@@ -3,6 +3,7 @@
 #include "twin/simulate/aboard.h"
 #include "twin/simulate/conduct.h"
 #include "twin/simulate/follow_datum.h"
+#include "twin/simulate/hung_line.h"
 #include "twin/simulate/look_about.h"
 #include "twin/simulate/look_out.h"
 #include "twin/simulate/waypoints_home.h"
@@ -21,8 +22,13 @@ MissionState nothing_to_do(const Measured& measured) {
 /// What the tree's leaves mean.
 class Leaves {
  public:
-  Leaves(const Agent& agent, double t_s, AgentState& state)
-      : agent_(agent), conduct_(*agent.conduct), t_s_(t_s), state_(state), own_(state.conduct) {}
+  Leaves(const Agent& agent, double t_s, const Company& company, AgentState& state)
+      : agent_(agent),
+        conduct_(*agent.conduct),
+        t_s_(t_s),
+        company_(company),
+        state_(state),
+        own_(state.conduct) {}
 
   bool holds(const Leaf& leaf) {
     const auto condition = static_cast<ConductCondition>(leaf.number);
@@ -49,8 +55,7 @@ class Leaves {
         own_.has_turned = true;
         own_.cause = missing_;
         own_.way = nothing_to_do(known_of(agent_, state_));
-        if (!own_.is_aboard)
-          replace_waypoints(own_.way, known_of(agent_, state_), waypoints_home(agent_, state_));
+        own_.waits_for_line = true;
         tell(ConductEventKind::turned_for_home);
         break;
     }
@@ -66,7 +71,22 @@ class Leaves {
         own_.held_s += conduct_.plan.tick_s;
         return NodeStatus::running;
       case ConductAction::come_home:
+        // It does not leave with a line in the water, also not with one that was launched as it
+        // turned.
+        if (company_.has_line_out) {
+          if (!own_.waits_for_line) own_.way = nothing_to_do(known_of(agent_, state_));
+          own_.waits_for_line = true;
+          return NodeStatus::running;
+        }
+        if (own_.waits_for_line) set_out_for_home();
+        own_.waits_for_line = false;
         if (own_.way.is_rerouted) return NodeStatus::running;
+        // Its carrier lies where it lies by now, and does not leave without it.
+        if (hangs_from_a_deck() && !is_alongside(agent_, company_.carrier, state_)) {
+          replace_waypoints(own_.way, known_of(agent_, state_),
+                            std::vector<Waypoint>{{own_.boarding_m, 0, 0}});
+          return NodeStatus::running;
+        }
         tell(ConductEventKind::came_home);
         return NodeStatus::success;
     }
@@ -91,6 +111,15 @@ class Leaves {
   }
 
  private:
+  void set_out_for_home() {
+    if (!own_.is_aboard)
+      replace_waypoints(own_.way, known_of(agent_, state_), waypoints_home(agent_, state_));
+  }
+
+  [[nodiscard]] bool hangs_from_a_deck() const {
+    return agent_.tether && agent_.carrier && has_line_out(agent_, state_);
+  }
+
   void tell(ConductEventKind kind) {
     const bool is_limit = own_.cause == Cause::limit;
     own_.events.push_back({t_s_, kind, own_.cause, is_limit ? own_.cause_detail : 0,
@@ -125,6 +154,8 @@ class Leaves {
                own_.energy_left_j >=
                    reserve.margin * own_.energy_home_j + reserve.share * conduct_.full_j;
       }
+      case ConductCondition::carrier_stays:
+        return !agent_.tether || !company_.carrier_is_gone;
       case ConductCondition::link_up:
         return conduct_.plan.autonomy == Autonomy::automatic || !has_fault(FaultKind::lost_link);
       case ConductCondition::gnss_up:
@@ -143,6 +174,8 @@ class Leaves {
         return Cause::limit;
       case ConductCondition::reserve_holds:
         return Cause::reserve;
+      case ConductCondition::carrier_stays:
+        return Cause::carrier;
       case ConductCondition::link_up:
         return Cause::link;
       case ConductCondition::gnss_up:
@@ -177,6 +210,7 @@ class Leaves {
   const Agent& agent_;
   const ReadyConduct& conduct_;
   double t_s_;
+  const Company& company_;
   AgentState& state_;
   ConductState& own_;
   Cause missing_ = Cause::held_too_long;  ///< the last condition of this tick that did not hold
@@ -188,19 +222,30 @@ bool is_noisy(const AgentState& state) {
   return own.phase == Phase::work && own.doing == Doing::task && !own.has_ended && moves(state);
 }
 
+/// A carrier goes on when those that it carries are back, with no line in the water.
+void go_on_from_a_stand(const Agent& agent, const Company& company, AgentState& state) {
+  const auto& tasks = agent.mission.tasks;
+  if (state.conduct.doing != Doing::task || state.mission.task >= tasks.size() ||
+      tasks[state.mission.task].kind != ScenarioTask::Kind::stand_by)
+    return;
+  if (company.are_back && !company.has_line_out) end_task(agent.mission, state.mission);
+}
+
 }  // namespace
 
-bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const AgentState* carrier,
+bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Company& company,
                   std::vector<StatusChange>& changes) {
   ConductState& own = state.conduct;
+  const AgentState* const carrier = company.carrier;
   if (state.halt != Halt::none) return false;
   if (own.has_ended) return own.is_aboard && carry(agent, carrier, state);
   look_out(agent, t_s, state);
   follow_datum(agent, t_s, state);
   look_about(agent, t_s, state, carrier);
-  Leaves leaves(agent, t_s, state);
+  Leaves leaves(agent, t_s, company, state);
   const NodeStatus status = tick(agent.conduct->plan.behaviour, own.tree, t_s, leaves, changes);
-  const bool is_moved = come_and_go(agent, t_s, carrier, state);
+  const bool is_moved = come_and_go(agent, t_s, company, state);
+  go_on_from_a_stand(agent, company, state);
   own.has_ended = status != NodeStatus::running;
   if (agent.zone) note_noise(is_noisy(state), t_s, own.noisy);
   if (!own.has_ended) return is_moved;

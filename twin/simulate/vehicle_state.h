@@ -41,7 +41,8 @@ struct Surroundings {
   FluidMotion<Real> water;
   WaterAtStrips<Real> at_strips;
   Triple<Real> wind_m_s;  ///< of the air, towards
-  Triple<Real> pull_n;    ///< of a tether, at the origin
+  Triple<Real> pull_n;    ///< of a tether, and of those that hang from it, at the origin
+  Triple<Real> turn_n_m;  ///< of those that hang from it, of one that floats
   Real height_above_m{};  ///< of the vehicle above ground or sea, for rotors
 };
 

@@ -155,6 +155,7 @@ void step(const Vehicle& vehicle, const StepPlan& plan, VehicleState<Real>& stat
   state.fuel_kg = state.fuel_kg + plan.dt_s * pushed.fuel_kg_s;
   forcing.tau = had * pushed.force;
   forcing.tau.linear = forcing.tau.linear + r.to_body(around.pull_n);
+  if (hull.strips > 0) forcing.tau.angular = forcing.tau.angular + r.to_body(around.turn_n_m);
   // Without a battery behind them fins, mass and bladder stay as they are.
   const auto led = [&](const Real& now, const Real& wanted) -> Real {
     return select(state.battery.off > 0.5, now, wanted);

@@ -43,9 +43,10 @@ std::vector<Waypoint> waypoints_home(const Agent& agent, const AgentState& state
   const Triple<double>& from_m = state.vehicle.body.position_m;
   const Triple<double> home_m = agent.carrier ? state.conduct.boarding_m : conduct.home_m;
   const double clear_m = conduct.plan.clear_m;
-  if (agent.tether && conduct.worked_at && std::abs(state.conduct.wound_rad) > constants::pi / 2)
-    return way_unwound(from_m, home_m, structures[*conduct.worked_at], state.conduct.wound_rad,
-                       clear_m);
+  const ConductState& own = state.conduct;
+  if (agent.tether && own.worked_at != ConductState::no_structure &&
+      std::abs(own.wound_rad) > constants::pi / 2)
+    return way_unwound(from_m, home_m, structures[own.worked_at], own.wound_rad, clear_m);
   return way_round(from_m, home_m, structures, clear_m);
 }
 

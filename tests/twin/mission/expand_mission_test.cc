@@ -127,6 +127,91 @@ TEST(ExpandMission, GoesToSeveralTurbinesAndGetsABatteryBetweenThem) {
   EXPECT_EQ(aboard, 5U);
 }
 
+/// A survey from a vessel, at two turbines.
+std::string from_a_vessel(const std::string& agent, const std::string& vessel) {
+  return mission("scour_survey", "A01, A02",
+                 "agents: {surveyor: " + agent + "}\nvehicles:\n  - " + vessel + "\n");
+}
+const std::string by_tender =
+    "{carrier: {name: tender, forward_m: -4, starboard_m: 6, up_m: 2}, swap: 10min}";
+
+TEST(ExpandMission, AVesselTakesATetheredVehicleFromTurbineToTurbine) {
+  const auto out = expanded(from_a_vessel(
+      by_tender,
+      "{name: tender, model: ctv24, speed_m_s: 4, stands: {bearing_deg: 180, distance_m: 27}}"));
+  const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  ASSERT_EQ(scenario.vehicles.size(), 2U);
+  const twin::ScenarioVehicle &rov = scenario.vehicles[0], &tender = scenario.vehicles[1];
+  ASSERT_TRUE(rov.carrier);
+  EXPECT_EQ(rov.carrier->name, "tender");
+  EXPECT_FALSE(rov.tether->top_m);
+  EXPECT_EQ(rov.tether->length_m, 90);
+  EXPECT_EQ(out.workers, std::vector<std::string>{"surveyor"});
+  // She stands 30 m south of each axis, and goes there by herself.
+  using Kind = twin::ScenarioTask::Kind;
+  ASSERT_EQ(tender.tasks.size(), 3U);
+  EXPECT_EQ(tender.tasks[0].kind, Kind::stand_by);
+  EXPECT_EQ(tender.tasks[1].kind, Kind::route);
+  EXPECT_EQ(tender.tasks[2].kind, Kind::stand_by);
+  EXPECT_NEAR(tender.start_m.x, -30, 1e-6);
+  EXPECT_NEAR(tender.tasks[1].waypoints.back().position_m.x, 70, 1e-6);
+  EXPECT_NEAR(tender.tasks[1].waypoints.back().position_m.y, 700, 1e-6);
+  // At each turbine it waits for her, is launched, works there, and is taken aboard beside her.
+  std::vector<std::size_t> waits, swaps;
+  for (std::size_t i = 0; i < rov.tasks.size(); ++i) {
+    if (rov.tasks[i].until_stand_by) waits.push_back(i);
+    if (rov.tasks[i].charger_w > 0) swaps.push_back(i);
+  }
+  ASSERT_EQ(waits.size(), 2U);
+  EXPECT_EQ(waits[0], 0U);
+  EXPECT_EQ(swaps, std::vector<std::size_t>{waits[1]});
+  EXPECT_EQ(rov.tasks[waits[1]].hold_s, 600);
+  for (std::size_t i = 0; i < rov.tasks.size(); ++i) {
+    const double axis_m = i < waits[1] ? 0 : 700;
+    for (const twin::Waypoint& at : rov.tasks[i].waypoints)
+      EXPECT_LT(std::abs(at.position_m.y - axis_m), 15) << i;
+    if (rov.tasks[i].phase == twin::Phase::recovery) {
+      EXPECT_NEAR(rov.tasks[i - 1].waypoints.back().position_m.x, i < waits[1] ? -30 : 70, 1e-6);
+    }
+  }
+  EXPECT_EQ(rov.tasks.back().kind, Kind::aboard);
+}
+
+TEST(ExpandMission, ACarrierThatComesFromHarbourGoesBackThere) {
+  const auto out = expanded(from_a_vessel(
+      by_tender, "{name: tender, model: ctv24, start: {north_m: -900, east_m: 20, depth_m: 0}}"));
+  const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  const twin::ScenarioVehicle& tender = scenario.vehicles[1];
+  ASSERT_EQ(tender.tasks.size(), 5U);
+  // Where the task has the top of the tether: 22 m off the face.
+  EXPECT_NEAR(tender.tasks[0].waypoints.back().position_m.x, -25, 1e-6);
+  EXPECT_NEAR(tender.tasks[4].waypoints.back().position_m.x, -900, 1e-6);
+}
+
+TEST(ExpandMission, SaysWhatATetherAtSeveralTurbinesNeeds) {
+  const auto message = [](const std::string& yaml) {
+    try {
+      (void)expanded(yaml);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const std::string vessel = "{name: tender, model: ctv24}";
+  EXPECT_EQ(message(from_a_vessel(by_tender, vessel)), "no error");
+  EXPECT_NE(message(from_a_vessel("{state_of_charge: 0.9}", vessel))
+                .find("name a vessel that takes it from one to the next"),
+            std::string::npos);
+  EXPECT_NE(message(from_a_vessel("{carrier: {name: tendr}}", vessel)).find("vehicles: tender"),
+            std::string::npos);
+  EXPECT_NE(message(mission("scour_survey", "A01", "agents: {surveyor: {carrier: {name: x}}}\n"))
+                .find("of which there is none"),
+            std::string::npos);
+  EXPECT_NE(message(from_a_vessel(by_tender, "{name: tender, model: ctv24, tasks: [{do: hold}]}"))
+                .find("leave them out"),
+            std::string::npos);
+}
+
 TEST(ExpandMission, WhatTheMissionSaysOfAnAgentTakesTheTasksPlace) {
   const auto out =
       expanded(mission("scour_survey", "A01",
