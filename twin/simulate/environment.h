@@ -81,6 +81,10 @@ class EnvironmentSampler {
   [[nodiscard]] double gust_ratio(const Triple<double>& position_m) const noexcept;
   /// The state of the sea there and then: that of the forecast, or the one that was stated.
   [[nodiscard]] SeaSample sea(const Triple<double>& position_m, double t_s) const noexcept;
+  /// Above mean sea level, of the environment's member. The tide moves no vehicle: the water that
+  /// it swims in keeps its surface at mean sea level.
+  [[nodiscard]] SeaLevelSample sea_level(const Triple<double>& position_m,
+                                         double t_s) const noexcept;
   /// m; what the field says of the bed there.
   [[nodiscard]] BedSample bed(const Triple<double>& position_m) const noexcept;
 
