@@ -147,11 +147,10 @@ SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& trut
   }
   // Most forecasts have none, and say nothing of it.
   if (!column.sea_level.empty()) {
-    result.panels.push_back(level_panel(column.sea_level));
-    result.note +=
-        " The level's band is what past days, forecast alike, would have erred by; it is "
-        "of " +
-        level_sources(column.sea_level) + ".";
+    ReportSeries panel = level_panel(column.sea_level);
+    result.level = panel.lines.front();
+    result.panels.push_back(std::move(panel));
+    result.note += " The level of the sea is of " + level_sources(column.sea_level) + ".";
   }
   if (truth.current) result.note += " Dashed: the truth.";
   return result;
