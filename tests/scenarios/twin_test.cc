@@ -81,9 +81,12 @@ TEST_F(SyntheticTwin, TheLevelOfTheSeaBeatsTheSameHourOfTheDayBeforeAndTheMean) 
       "level, day ahead: ours %.3f m, same hour of the day before %.3f m, mean %.3f m; "
       "error in standard deviations %.2f\n",
       rms(ours), rms(same_hour), rms(mean), rms(scaled));
-  EXPECT_LT(rms(ours), 0.5 * rms(same_hour));
-  EXPECT_LT(rms(ours), 0.2 * rms(mean));
-  EXPECT_LT(rms(scaled), 2);
+  // Of a few days S2 and N2 are inferred with M2's own phase lag; here they lag by 48 degrees more
+  // and 18 less, a metre of S2. What is known of the tide then is not much, and the band says so.
+  EXPECT_LT(rms(ours), rms(same_hour));
+  EXPECT_LT(rms(ours), 0.6 * rms(mean));
+  EXPECT_GT(rms(scaled), 0.4);
+  EXPECT_LT(rms(scaled), 1.5);
 }
 
 TEST_F(SyntheticTwin, ThePageOnHttpAsksForATimeThatTheDemonstrationForecasts) {
