@@ -212,7 +212,8 @@ std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCa
     }
     PlannedVariable planned;
     planned.description = {quantity.standard_name, quantity.unit, variable.name, false, false};
-    if (quantity.standard_name.ends_with("ward_sea_water_velocity"))
+    if (quantity.standard_name.ends_with("ward_sea_water_velocity") ||
+        quantity.standard_name == "sea_surface_height_above_geoid")
       planned.description.has_tide = product.tide_of(variable.name);
     planned.source = source_of(file, located, product, warnings);
     if (holds_stokes(variable, product)) {

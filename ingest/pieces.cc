@@ -290,6 +290,7 @@ SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to, const FindGranu
     pieces.zero_crossing_period = std::move(means[1]);
     std::move(means[2].begin(), means[2].end(), std::back_inserter(pieces.zero_crossing_period));
   }
+  pieces.sea_level = scalar("sea_surface_height_above_geoid");
   pieces.water_depth =
       std::move(scalar_pieces(find, {"sea_floor_depth_below_geoid"},
                               {std::nullopt, std::nullopt, window.box, window.site})[0]);

@@ -76,6 +76,26 @@ json waves_json(const ProfileAnswer& a) {
       {"source", waves->source}};
 }
 
+/// The level of the sea there and then, of the central forecast.
+std::optional<SeaLevelSample> sea_level_of(const ProfileAnswer& a) {
+  const Place place{a.point.longitude_deg(), a.point.latitude_deg(), 0, a.time};
+  SeaLevelSample sample;
+  a.field->sample_sea_level({&place, 1}, {&sample, 1});
+  if (!has_value(sample.status)) return std::nullopt;
+  return sample;
+}
+
+json sea_level_json(const ProfileAnswer& a) {
+  const auto level = sea_level_of(a);
+  if (!level) return nullptr;
+  const SeaLevelQuantiles q = quantiles_of(*level);
+  return {{"sea_surface_height_above_geoid", level->level_m},
+          {"standard_deviation", level->sigma_m},
+          {"p10", q.p10_m},
+          {"p50", q.p50_m},
+          {"p90", q.p90_m}};
+}
+
 json levels_json(const ProfileAnswer& a) {
   json levels = json::array();
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) levels.push_back(level_json(a, i));
@@ -107,6 +127,7 @@ json to_json(const ProfileAnswer& a) {
            {{"velocity", "m s-1"}, {"direction", "degree, towards, clockwise from true north"}}},
           {"levels", levels_json(a)},
           {"waves", waves_json(a)},
+          {"sea_level", sea_level_json(a)},
           {"attributions", snapshot.attributions},
           {"provenance", json::parse(ingest::provenance_json(snapshot.provenance))}};
 }
@@ -152,10 +173,13 @@ void print_profiles_json(const std::vector<ProfileAnswer>& answers) {
   document.erase("time");
   document.erase("levels");
   document.erase("waves");
+  document.erase("sea_level");
   json profiles = json::array();
   for (const ProfileAnswer& a : answers)
-    profiles.push_back(
-        {{"time", format_utc(a.time)}, {"levels", levels_json(a)}, {"waves", waves_json(a)}});
+    profiles.push_back({{"time", format_utc(a.time)},
+                        {"levels", levels_json(a)},
+                        {"waves", waves_json(a)},
+                        {"sea_level", sea_level_json(a)}});
   document["profiles"] = std::move(profiles);
   std::printf("%s\n", document.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
@@ -200,6 +224,11 @@ void print_profile_table(const ProfileAnswer& a) {
     std::printf("Waves: %.2f m, %.1f s, from %.0f deg (%s)\n", waves->sea.significant_height_m,
                 waves->sea.peak_period_s, waves->sea.from_direction_deg,
                 std::string(waves->source).c_str());
+  }
+  if (const auto level = sea_level_of(a)) {
+    const SeaLevelQuantiles q = quantiles_of(*level);
+    std::printf("Level of the sea: %+.2f m above mean sea level (%+.2f to %+.2f)\n", level->level_m,
+                q.p10_m, q.p90_m);
   }
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }

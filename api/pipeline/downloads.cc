@@ -21,6 +21,8 @@ std::string_view name_of_kind(DownloadKind kind) {
       return "wind";
     case DownloadKind::bathymetry:
       return "bathymetry";
+    case DownloadKind::level:
+      return "level";
   }
   return "";
 }
@@ -57,8 +59,8 @@ std::vector<std::string> download_lines(const ingest::ProductCatalogue& products
   using std::chrono::days;
   std::vector<std::string> lines;
   const std::vector<Download> all = products.downloads();
-  for (const DownloadKind kind :
-       {DownloadKind::current, DownloadKind::wave, DownloadKind::bathymetry, DownloadKind::wind}) {
+  for (const DownloadKind kind : {DownloadKind::current, DownloadKind::level, DownloadKind::wave,
+                                  DownloadKind::bathymetry, DownloadKind::wind}) {
     const auto fits = [&](const Download& d) {
       return d.kind == kind && d.domain.contains(site.point);
     };

@@ -51,6 +51,10 @@ std::string column_difference(const ForecastColumn& issued, const ForecastColumn
   if (!all_same(issued.wind_m_s, made.wind_m_s) || issued.wind_source != made.wind_source)
     return "wind";
   if (!all_same(issued.sea, made.sea) || issued.sea_source != made.sea_source) return "waves";
+  if (!all_same(issued.sea_level.level_m, made.sea_level.level_m) ||
+      !all_same(issued.sea_level.sigma_m, made.sea_level.sigma_m) ||
+      issued.sea_level.source != made.sea_level.source)
+    return "level of the sea";
   if (!are_first(issued.member_m_s, made.member_m_s, ingest::member_step_m_s))
     return "members' current";
   if (!are_first(issued.wind_member_m_s, made.wind_member_m_s, ingest::wind_member_step_m_s))

@@ -191,11 +191,12 @@ Unchecked unchecked_of(const twin::Scenario& mission) {
   for (const twin::ScenarioVehicle& vehicle : mission.vehicles) {
     if (!vehicle.conduct) continue;
     for (const twin::Limit& limit : vehicle.conduct->limits) {
-      if (twin::word_of(limit.variable).is_served) continue;
       const auto found =
           std::find_if(vehicle.conduct->assumed.begin(), vehicle.conduct->assumed.end(),
                        [&](const twin::Assumption& a) { return a.variable == limit.variable; });
-      if (found == vehicle.conduct->assumed.end())
+      const bool is_assumed = found != vehicle.conduct->assumed.end();
+      if (twin::word_of(limit.variable).is_served && !is_assumed) continue;
+      if (!is_assumed)
         not_checked.insert(text_of(limit));
       else
         assumed.insert(formatted("{} {:g} {}", twin::word_of(limit.variable).meaning, found->value,

@@ -159,6 +159,7 @@ ReportTable numbers_table(const ReportInput& page, const SurfaceSeries& surface,
   }
   if (!surface.wind.values.empty()) table.columns.emplace_back("Wind, m/s");
   if (!surface.waves.values.empty()) table.columns.emplace_back("Hs, m");
+  if (!surface.level.values.empty()) table.columns.emplace_back("Level of the sea, m");
   const auto with_band = [](const ReportLine& line, std::size_t t) {
     if (std::isnan(line.values[t])) return std::string("no value");
     std::string text = formatted("{:.1f}", line.values[t]);
@@ -179,6 +180,7 @@ ReportTable numbers_table(const ReportInput& page, const SurfaceSeries& surface,
     }
     if (!surface.wind.values.empty()) row.push_back(with_band(surface.wind, t));
     if (!surface.waves.values.empty()) row.push_back(with_band(surface.waves, t));
+    if (!surface.level.values.empty()) row.push_back(with_band(surface.level, t));
     table.rows.push_back(std::move(row));
   }
   return table;

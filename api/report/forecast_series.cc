@@ -6,6 +6,7 @@
 
 #include "api/report/forecast_page.h"
 #include "fields/base/constants.h"
+#include "fields/base/text.h"
 #include "fields/service/speed_quantiles.h"
 #include "fields/wave/height_error.h"
 
@@ -78,6 +79,30 @@ ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column, const F
   return panel;
 }
 
+/// "product forecast, then harmonic tide": in the order of the hours.
+std::string level_sources(const SeaLevel& level) {
+  std::vector<std::string> sources;
+  for (const DataStatus source : level.source) {
+    const std::string text(text_of_level_source(source));
+    if (sources.empty() || sources.back() != text) sources.push_back(text);
+  }
+  return joined(sources, ", then ");
+}
+
+ReportSeries level_panel(const SeaLevel& level) {
+  ReportSeries panel{"Level of the sea", "above mean sea level (m)", {}, {}};
+  ReportLine line{"forecast", {}, {}, {}, false};
+  for (std::size_t t = 0; t < level.level_m.size(); ++t) {
+    const SeaLevelQuantiles band =
+        quantiles_of(SeaLevelSample{level.level_m[t], level.sigma_m[t], SampleStatus::ok});
+    line.values.push_back(band.p50_m);
+    line.low.push_back(band.p10_m);
+    line.high.push_back(band.p90_m);
+  }
+  panel.lines = {std::move(line)};
+  return panel;
+}
+
 }  // namespace
 
 SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth,
@@ -119,6 +144,13 @@ SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& trut
     result.panels.push_back(std::move(panel));
   } else {
     result.note += " This forecast has no waves.";
+  }
+  // Most forecasts have none, and say nothing of it.
+  if (!column.sea_level.empty()) {
+    ReportSeries panel = level_panel(column.sea_level);
+    result.level = panel.lines.front();
+    result.panels.push_back(std::move(panel));
+    result.note += " The level of the sea is of " + level_sources(column.sea_level) + ".";
   }
   if (truth.current) result.note += " Dashed: the truth.";
   return result;

@@ -8,12 +8,13 @@ namespace slackwater::api {
 
 struct ForecastTruth;
 
-/// Wind and waves of a forecast's first column as panels over `Snapshot::time`, each with its band
+/// Wind, waves and the level of the sea of a forecast's first column as panels over `Snapshot::time`, each with its band
 /// of 10 to 90 %; what the forecast has not is left out.
 struct SurfaceSeries {
   std::vector<ReportSeries> panels;
   ReportLine wind;   ///< the central line of the panel; no values: no wind
   ReportLine waves;  ///< the same
+  ReportLine level;  ///< the same, of the sea above mean sea level
   std::string note;  ///< what the bands are, or why there is none
 };
 

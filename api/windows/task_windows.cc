@@ -92,6 +92,8 @@ void watch_limits(const WindowsQuestion& question, const SharedOutlook& shared, 
       watched.bound = {limit.is_least ? twin::BoundSide::at_least : twin::BoundSide::at_most,
                        limit.bound};
       watched.may_be_missing = limit.may_be_missing;
+      // Half of a level that counts from mean sea level is no half of anything.
+      watched.is_gate = limit.variable == twin::LimitVariable::sea_surface_height;
       watched.when = twin::steps_of(out.workers[a].plan, phase, out.contingency_s, step_s);
       if (watched.when.empty()) continue;
       if (out.is_split) watched.when = whole_stay(outlook, out);

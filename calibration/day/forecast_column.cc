@@ -192,6 +192,12 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   result.origins.insert(result.origins.end(), waves.origins.begin(), waves.origins.end());
   result.wind_gaps = wind.gaps;
   forecast_current(data, plan, parts, wind, result);
+  attempt_part(Part::sea_level, result.failures, [&] {
+    LevelForecast level = parts.sea_level(data.sea_level, plan);
+    result.column.sea_level = std::move(level.level);
+    result.origins.insert(result.origins.end(), level.origins.begin(), level.origins.end());
+    result.notes.insert(result.notes.end(), level.notes.begin(), level.notes.end());
+  });
   result.sources = sources_of(result.known, wind, waves, plan);
   return result;
 }

@@ -11,6 +11,7 @@
 #include "calibration/day/known_currents.h"
 #include "calibration/day/layer_of_days.h"
 #include "calibration/day/part_failure.h"
+#include "calibration/day/sea_level.h"
 #include "calibration/day/tide_of_record.h"
 #include "calibration/propagate/propagate.h"
 #include "calibration/solve/calibration.h"
@@ -56,6 +57,7 @@ struct ColumnForecast {
 struct ColumnParts {
   std::function<decltype(horizon_wind)> wind = horizon_wind;
   std::function<decltype(horizon_sea)> waves = horizon_sea;
+  std::function<decltype(forecast_level)> sea_level = forecast_level;
   std::function<decltype(known_currents)> record = known_currents;
   std::function<decltype(layer_of_days)> mixed_layer = layer_of_days;
   std::function<decltype(tide_of_record)> tide = tide_of_record;

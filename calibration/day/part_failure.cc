@@ -11,7 +11,7 @@ struct PartWords {
   std::string_view loss;     ///< what the reader is without; follows "failed,"
 };
 
-constexpr std::array<PartWords, 13> words_of_parts{{
+constexpr std::array<PartWords, 14> words_of_parts{{
     {"day", "the choice of the day", "no current is forecast"},
     {"wind", "the wind", "it and the current that it drives are left out"},
     {"waves", "the waves", "none are forecast"},
@@ -26,6 +26,7 @@ constexpr std::array<PartWords, 13> words_of_parts{{
     {"blend", "the blend", "our own forecast is issued without it"},
     {"unresolved_tide", "the tide that the means leave out", "the band does not hold it"},
     {"stand_in", "the comparison with the leading product", "the band is not widened by it"},
+    {"sea_level", "the level of the sea", "none is forecast"},
 }};
 
 const PartWords& words_of(Part part) noexcept {

@@ -25,6 +25,7 @@ enum class Part {
   blend,            ///< of our own forecast with the others
   unresolved_tide,  ///< that means over hours leave out, in the band
   stand_in,         ///< of another product for the one that leads, in the band
+  sea_level,        ///< of the horizon
 };
 
 /// A name as in JSON: "waves".

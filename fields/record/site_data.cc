@@ -146,6 +146,7 @@ SiteData site_data_of(const Site& site, SitePieces all) {
     column.peak_period = std::move(period.peak_period);
     column.wave_period_note = std::move(period.note);
     column.wave_direction = record_at(pieces.wave_direction, point);
+    column.sea_level = record_at(pieces.sea_level, point);
     column.water_depth = water_depth_at(site, pieces.water_depth, column);
     data.columns.push_back(std::move(column));
   }

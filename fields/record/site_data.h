@@ -27,6 +27,7 @@ struct ColumnData {
   ScalarRecord peak_period;      ///< converted where none is stored (wave_period.h)
   std::string wave_period_note;  ///< what an operator should know of it; empty: nothing
   ScalarRecord wave_direction;
+  ScalarRecord sea_level;  ///< `zos`, m above the geoid
   WaterDepth water_depth;
 };
 
@@ -41,6 +42,7 @@ struct SitePieces {
   std::vector<ScalarPiece> energy_period;         ///< read where no peak period is stored
   std::vector<ScalarPiece> zero_crossing_period;  ///< the same
   std::vector<ScalarPiece> wave_direction;
+  std::vector<ScalarPiece> sea_level;
   std::vector<ScalarPiece> water_depth;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
+#include "fields/base/random.h"
 #include "fields/base/text.h"
 #include "fields/service/bed_rule.h"
 
@@ -33,7 +34,20 @@ void expect_whole(const Snapshot& snapshot) {
             "a column has a current, a sigma and a status for each time and level, or none");
     expects(is(column.wind_m_s.size(), times) && is(column.sea.size(), times),
             "a column has wind and waves for each time, or none");
+    const SeaLevel& level = column.sea_level;
+    expects(is(level.level_m.size(), times) && level.sigma_m.size() == level.level_m.size(),
+            "a column has a level of the sea and a sigma for each time, or none");
   }
+}
+
+/// What the level of each member is off, in standard deviations: 0 of the central one, then opposite
+/// pairs; of a member the same whatever their number.
+std::vector<double> level_errors(std::uint64_t seed, std::size_t members) {
+  Rng rng(seed, "fields/sea_level");
+  std::vector<double> errors(std::max<std::size_t>(1, members), 0);
+  for (std::size_t m = 1; m < errors.size(); ++m)
+    errors[m] = m % 2 == 1 ? rng.normal() : -errors[m - 1];
+  return errors;
 }
 
 std::string degrees(double value, char positive, char negative) {
@@ -67,6 +81,7 @@ Field::Field(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(sna
     if (!is_held) break;
     member_.emplace_back(*snapshot_, m);
   }
+  level_error_ = level_errors(snapshot_->seed, snapshot_->members);
   const std::vector<UtcTime>& time = snapshot_->time;
   if (are_even(time)) stamps_per_ms_ = 1.0 / static_cast<double>((time[1] - time[0]).count());
   range_ = {layout_.box(), time.front(), time.back(),

@@ -46,6 +46,13 @@ class Field {
                    std::size_t member = 0) const noexcept;
   /// Heights and periods linear, the direction through vectors weighted by energy.
   void sample_sea(std::span<const Place> places, std::span<SeaSample> out) const noexcept;
+  /// The level of the sea, smooth between stamps (`smooth_between`).
+  /// @param member  0: the central forecast, with its sigma; another: the same off by an error of
+  ///                its own, which keeps its share of sigma over the whole forecast; `missing` where
+  ///                the forecast has no such member. Errors come in opposite pairs, seeded by the
+  ///                forecast.
+  void sample_sea_level(std::span<const Place> places, std::span<SeaLevelSample> out,
+                        std::size_t member = 0) const noexcept;
   void sample_bed(std::span<const Place> places, std::span<BedSample> out) const noexcept;
 
   /// One place; the same bits as in a batch.
@@ -59,6 +66,8 @@ class Field {
   };
   [[nodiscard]] WindSample wind_at(const Place& place, std::size_t member) const noexcept;
   [[nodiscard]] SeaSample sea_at(const Place& place) const noexcept;
+  [[nodiscard]] SeaLevelSample level_at_place(const Place& place,
+                                              std::size_t member) const noexcept;
   [[nodiscard]] Spot spot(double longitude_deg, double latitude_deg) const noexcept;
   [[nodiscard]] std::optional<TimePlace> when(UtcTime time) const noexcept;
   /// Whether there is water at a depth: ok, or carried. Columns whose own bed is above it lose
@@ -70,6 +79,7 @@ class Field {
   std::shared_ptr<const Snapshot> snapshot_;
   ColumnLayout layout_;
   std::vector<CurrentTable> member_;
+  std::vector<double> level_error_;  ///< of each member, in standard deviations
   std::vector<double> water_depth_m_;
   std::vector<double> known_to_m_;
   double shallowest_m_ = -1;        ///< of all beds; below 0 where one of them is no number

@@ -11,6 +11,7 @@
 #include "fields/grid/status.h"
 #include "fields/service/averaged_currents.h"
 #include "fields/service/provenance.h"
+#include "fields/service/sea_level.h"
 #include "fields/service/wind_policy.h"
 
 namespace slackwater {
@@ -44,6 +45,7 @@ struct ForecastColumn {
   std::vector<int> wind_member_number;
   std::vector<SeaState> sea;           ///< empty if the forecast has no waves
   std::vector<DataStatus> sea_source;  ///< per time
+  SeaLevel sea_level;                  ///< empty if the forecast has none
 };
 
 /// One forecast as issued: everything needed to answer "what is the water doing here, then".

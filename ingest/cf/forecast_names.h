@@ -12,6 +12,9 @@ inline constexpr const char* wave_height = "sea_surface_wave_significant_height"
 inline constexpr const char* wave_period =
     "sea_surface_wave_period_at_variance_spectral_density_maximum";
 inline constexpr const char* wave_direction = "sea_surface_wave_from_direction";
+inline constexpr const char* sea_level = "sea_surface_height_above_geoid";
+inline constexpr const char* sea_level_sigma = "sea_surface_height_standard_deviation";
+inline constexpr const char* sea_level_source = "sea_surface_height_source";
 inline constexpr const char* wind_member = "wind_member";
 inline constexpr const char* wind_ensemble = "slackwater_wind_ensemble";
 

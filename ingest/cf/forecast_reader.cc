@@ -85,6 +85,7 @@ class ForecastReader {
     read_currents(s);
     read_wind(s);
     read_sea(s);
+    read_sea_level(s);
     if (members == Members::all) read_members(in_, s, 0, columns_);
     return s;
   }
@@ -204,6 +205,28 @@ class ForecastReader {
         s.columns[c].sea.push_back({height[i], period[i], direction[i]});
       }
       s.columns[c].sea_source = sources(source, c);
+    }
+  }
+
+  /// None where the file was written before forecasts had one.
+  void read_sea_level(Snapshot& s) const {
+    const auto level = data(forecast_names::sea_level, s.time.size());
+    const auto sigma = data(forecast_names::sea_level_sigma, s.time.size());
+    const auto source = data(forecast_names::sea_level_source, s.time.size());
+    if (level.empty() && sigma.empty() && source.empty()) return;
+    if (level.empty() || sigma.empty() || source.empty())
+      refuse("the level of the sea is not whole");
+    for (std::size_t c = 0; c < columns_; ++c) {
+      SeaLevel found;
+      bool any = false;
+      for (std::size_t i = c; i < level.size(); i += columns_) {
+        any = any || !std::isnan(level[i]);
+        found.level_m.push_back(level[i]);
+        found.sigma_m.push_back(sigma[i]);
+      }
+      if (!any) continue;  // this column has none, others have
+      found.source = sources(source, c);
+      s.columns[c].sea_level = std::move(found);
     }
   }
 

@@ -40,6 +40,9 @@ void expect_whole(const Snapshot& s) {
     expects(c.wind_member_m_s.empty() || (c.wind_m_s.size() == s.time.size() &&
                                           c.wind_member_m_s.size() == more * c.wind_m_s.size()),
             "a column holds members - 1 blocks of wind, or none");
+    expects(c.sea_level.empty() || (c.sea_level.level_m.size() == s.time.size() &&
+                                    c.sea_level.sigma_m.size() == s.time.size()),
+            "a column holds a level of the sea and its sigma for each time, or none");
     expects(c.wind_member_number.empty() ||
                 (!c.wind_member_m_s.empty() && c.wind_member_number.size() == more),
             "every member with a wind has the number of its driver, or none has");
@@ -60,6 +63,7 @@ class ForecastWriter {
     define_currents();
     define_wind();
     define_sea();
+    define_sea_level();
     members_.define(time_, depth_, many_ ? std::optional(column_) : std::nullopt);
     describe();
     out_.end_definitions();
@@ -67,6 +71,7 @@ class ForecastWriter {
     write_currents();
     write_wind();
     write_sea();
+    write_sea_level();
     members_.write();
     out_.close();
   }
@@ -244,6 +249,29 @@ class ForecastWriter {
     for (const int id : sea_ids_) out_.attribute(id, "comment", sources);
   }
 
+  void define_sea_level() {
+    const bool has_level =
+        std::any_of(s_.columns.begin(), s_.columns.end(),
+                    [](const ForecastColumn& c) { return !c.sea_level.empty(); });
+    if (!has_level) return;
+    const std::string name = forecast_names::sea_level;
+    level_ids_ = {define(name, Type::float64, surface_dims(), name,
+                         "level of the sea above mean sea level, member 0", "m", false),
+                  define(forecast_names::sea_level_sigma, Type::float64, surface_dims(), "",
+                         "standard deviation of the level of the sea", "m", false),
+                  define_source(forecast_names::sea_level_source,
+                                "where the level of the sea comes from: forecast, of its product; "
+                                "modelled, by harmonic tide")};
+    for (const char* const quantile : {"_p10", "_p50", "_p90"}) {
+      const std::string percent = std::string(quantile).substr(2) + " % quantile";
+      level_ids_.push_back(define(name + quantile, Type::float64, surface_dims(), "",
+                                  "level of the sea, " + percent, "m", false));
+    }
+    out_.attribute(
+        level_ids_.front(), "ancillary_variables",
+        std::string(forecast_names::sea_level_sigma) + " " + forecast_names::sea_level_source);
+  }
+
   void describe() {
     const auto global = [&](const std::string& name, const std::string& text) {
       out_.attribute(Writer::global, name, text);
@@ -382,6 +410,26 @@ class ForecastWriter {
     });
   }
 
+  void write_sea_level() {
+    if (level_ids_.empty()) return;
+    const auto at = [](const ForecastColumn& c, std::size_t o) {
+      if (c.sea_level.empty())
+        return SeaLevelSample{nan, nan, SampleStatus::ok};  // written as fill
+      return SeaLevelSample{c.sea_level.level_m[o], c.sea_level.sigma_m[o], SampleStatus::ok};
+    };
+    put(level_ids_[0], 1, [&](const auto& c, std::size_t o) { return at(c, o).level_m; });
+    put(level_ids_[1], 1, [&](const auto& c, std::size_t o) { return at(c, o).sigma_m; });
+    put(level_ids_[2], 1, [](const ForecastColumn& c, std::size_t o) {
+      return o < c.sea_level.source.size() ? static_cast<double>(c.sea_level.source[o]) : 0.0;
+    });
+    put(level_ids_[3], 1,
+        [&](const auto& c, std::size_t o) { return quantiles_of(at(c, o)).p10_m; });
+    put(level_ids_[4], 1,
+        [&](const auto& c, std::size_t o) { return quantiles_of(at(c, o)).p50_m; });
+    put(level_ids_[5], 1,
+        [&](const auto& c, std::size_t o) { return quantiles_of(at(c, o)).p90_m; });
+  }
+
   Writer out_;
   const Snapshot& s_;
   MemberWriter members_;
@@ -390,7 +438,7 @@ class ForecastWriter {
   int time_id_ = 0, depth_id_ = 0, latitude_id_ = 0, longitude_id_ = 0, station_id_ = 0,
       reference_id_ = 0, period_id_ = 0, bed_id_ = 0, east_id_ = 0, north_id_ = 0, sigma_id_ = 0,
       status_id_ = 0;
-  std::vector<int> quantile_ids_, wind_ids_, sea_ids_;
+  std::vector<int> quantile_ids_, wind_ids_, sea_ids_, level_ids_;
 };
 
 }  // namespace

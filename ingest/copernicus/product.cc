@@ -56,7 +56,8 @@ DownloadKind kind_of(const Config& config) {
   if (kind == "wave") return DownloadKind::wave;
   if (kind == "wind") return DownloadKind::wind;
   if (kind == "bathymetry") return DownloadKind::bathymetry;
-  config.refuse("kind", "found '" + kind + "'; expected current, wave, wind or bathymetry");
+  if (kind == "level") return DownloadKind::level;
+  config.refuse("kind", "found '" + kind + "'; expected current, wave, wind, bathymetry or level");
 }
 
 Download read_download(const Config& config, const std::string& product_id) {

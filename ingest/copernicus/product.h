@@ -48,7 +48,7 @@ struct MeanRule {
 };
 
 /// What a dataset is downloaded for.
-enum class DownloadKind { current, wave, wind, bathymetry };
+enum class DownloadKind { current, wave, wind, bathymetry, level };
 
 /// One dataset that `forecast --print-downloads` may ask for.
 struct Download {
@@ -79,7 +79,7 @@ struct Product {
   bool is_regional = false;                  ///< made for a region, not for the whole globe
   /// How long after its reference time a run of the forecast is published; 0: nobody says.
   Duration published_after{0};
-  /// Whether its currents contain the tide; nothing where the descriptor does not say.
+  /// Whether its currents and its level contain the tide; nothing where the descriptor does not say.
   std::optional<bool> has_tide;
   std::vector<std::string> tide_in;  ///< where only some of them do: these variables
   std::map<std::string, std::string>
@@ -89,7 +89,7 @@ struct Product {
   std::string sha256;  ///< of the descriptor's file
 
   [[nodiscard]] static Product load(const std::filesystem::path& file);
-  /// Whether a current of this short name contains the tide.
+  /// Whether a current, or a level, of this short name contains the tide.
   [[nodiscard]] std::optional<bool> tide_of(const std::string& variable) const;
   [[nodiscard]] bool matches(const netcdf::File& file) const;
   /// The attribute as the file has it, else as the product settles it.

@@ -312,6 +312,8 @@ TEST_F(Commands, PrintDownloadsGivesExactSubsetLinesAndTouchesNothing) {
   }
   EXPECT_TRUE(contains(commands, "-i cmems_mod_nws_phy-cur_anfc_1.5km-3D_PT1H-i -v uo -v vo -x "))
       << commands;
+  EXPECT_TRUE(contains(commands, "-i cmems_mod_nws_phy-ssh_anfc_1.5km-2D_PT1H-i -v zos -x "))
+      << commands;
   EXPECT_TRUE(contains(commands, " -z 0 -Z ")) << commands;
   EXPECT_TRUE(contains(commands, "cmems_mod_nws_wav_anfc_1.5km_PT1H-i")) << commands;
   EXPECT_TRUE(

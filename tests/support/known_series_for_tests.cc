@@ -38,6 +38,7 @@ void spoil(ColumnData& data, Which which) {
   spoil(data.significant_height, which);
   spoil(data.peak_period, which);
   spoil(data.wave_direction, which);
+  spoil(data.sea_level, which);
 }
 
 }  // namespace
@@ -142,6 +143,11 @@ void KnownSeriesForTests::waves(const Origin& origin, const std::vector<TimeCell
   data.significant_height.pieces.push_back(scalar_piece(from, time, height_m));
   data.peak_period.pieces.push_back(scalar_piece(from, time, period_s));
   data.wave_direction.pieces.push_back(scalar_piece(from, time, from_direction_deg));
+}
+
+void KnownSeriesForTests::sea_level(const Origin& origin, const std::vector<TimeCell>& time,
+                                    const LevelForTests& level_m) {
+  data.sea_level.pieces.push_back(scalar_piece(kept(origin), time, level_m));
 }
 
 SiteData site_of(std::vector<ColumnData> columns) {

@@ -56,6 +56,9 @@ class KnownSeriesForTests {
   void waves(const Origin& origin, const std::vector<TimeCell>& time, const LevelForTests& height_m,
              const LevelForTests& period_s, const LevelForTests& from_direction_deg);
 
+  void sea_level(const Origin& origin, const std::vector<TimeCell>& time,
+                 const LevelForTests& level_m);
+
   ColumnData data;  ///< at 54 N 6.5 E, 30 m deep
 
  private:

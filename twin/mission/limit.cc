@@ -38,6 +38,13 @@ constexpr std::array words{
               "air temperature",
               {-60, 60},
               false},
+    LimitWord{Variable::sea_surface_height,
+              "sea_surface_height_m",
+              "m",
+              "level of the sea",
+              {-15, 15},
+              true,
+              true},
 };
 
 std::string keys() {
@@ -153,10 +160,11 @@ std::vector<Assumption> read_assumptions(const Config& config) {
   for (const std::string& key : assume->keys()) {
     const auto word =
         std::find_if(words.begin(), words.end(), [&](const LimitWord& w) { return key == w.key; });
-    if (word == words.end() || word->is_served)
+    if (word == words.end() || !word->may_be_assumed)
       assume->refuse(key,
-                     "cannot be assumed; expected visibility_m, water_visibility_m, rain_mm_h "
-                     "or air_temperature_c, which no forecast here serves");
+                     "cannot be assumed; expected visibility_m, water_visibility_m, rain_mm_h or "
+                     "air_temperature_c, which no forecast here serves, or "
+                     "sea_surface_height_m, which not every one has");
     out.push_back(assumed(*word, assume->number(key, word->range)));
   }
   return out;

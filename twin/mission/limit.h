@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,7 @@ enum class LimitVariable {
   water_visibility,
   rain_rate,
   air_temperature,
+  sea_surface_height,  ///< the tide's level, above mean sea level
 };
 
 /// How a variable is called in a limit's YAML, and what is known of it.
@@ -34,6 +36,8 @@ struct LimitWord {
   const char* meaning;  ///< for people: "significant wave height"
   Range range;
   bool is_served = true;  ///< by a forecast or by the run itself
+  /// May be stated where nothing serves it; of what is served: where the forecast has none.
+  bool may_be_assumed = !is_served;
 };
 [[nodiscard]] std::span<const LimitWord> limit_words() noexcept;
 [[nodiscard]] const LimitWord& word_of(LimitVariable variable) noexcept;
@@ -57,7 +61,10 @@ struct Limit {
     return is_least ? value >= bound : value <= bound;
   }
   /// How much of the limit a value takes up: above 1 it is exceeded.
+  /// A level's zero is no end of it: there each metre beyond the bound makes it e times as much.
   [[nodiscard]] double share(double value) const noexcept {
+    if (variable == LimitVariable::sea_surface_height)
+      return std::exp(is_least ? bound - value : value - bound);
     return is_least ? bound / value : value / bound;
   }
 };

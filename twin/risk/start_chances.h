@@ -16,8 +16,8 @@ struct WatchedLimit {
   std::size_t limit = 0;  ///< which of the task's limits; several places may be watched for one
   Bound bound;
   bool may_be_missing = false;  ///< a value that nobody knows is let pass; else it is none
-  bool is_gate = false;         ///< open or shut (daylight, a shift): how near it is says nothing
-  StepRanges when;              ///< steps after that of the start at which it counts
+  bool is_gate = false;  ///< how near it is says nothing: daylight, a shift, a level of the sea
+  StepRanges when;       ///< steps after that of the start at which it counts
   /// Values by member, member 0 the central one; a single one: the same in all. A value is that of
   /// the whole step, the worst of it.
   std::vector<std::span<const double>> members;

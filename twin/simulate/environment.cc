@@ -130,6 +130,14 @@ SeaSample EnvironmentSampler::sea(const Triple<double>& position_m, double t_s) 
   return sample;
 }
 
+SeaLevelSample EnvironmentSampler::sea_level(const Triple<double>& position_m,
+                                             double t_s) const noexcept {
+  const Place at = place(position_m, 0, t_s);
+  SeaLevelSample sample;
+  environment_->field->sample_sea_level({&at, 1}, {&sample, 1}, environment_->member);
+  return sample;
+}
+
 BedSample EnvironmentSampler::bed(const Triple<double>& position_m) const noexcept {
   const Place at = place(position_m, 0, 0);
   BedSample sample;

@@ -85,6 +85,10 @@ class EnvironmentSampler {
   /// The state of the sea there and then: that of the forecast with the member's error of its
   /// height, if it has one, or the state that was stated.
   [[nodiscard]] SeaSample sea(const Triple<double>& position_m, double t_s) const noexcept;
+  /// Above mean sea level, of the environment's member. The tide moves no vehicle: the water that
+  /// it swims in keeps its surface at mean sea level.
+  [[nodiscard]] SeaLevelSample sea_level(const Triple<double>& position_m,
+                                         double t_s) const noexcept;
   /// m; what the field says of the bed there.
   [[nodiscard]] BedSample bed(const Triple<double>& position_m) const noexcept;
 

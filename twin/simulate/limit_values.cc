@@ -67,6 +67,10 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
       return agent.conduct->bow_mass_kg > 0
                  ? agent.conduct->bow_mass_kg * state.conduct.deck.significant_acceleration_m_s2()
                  : unknown;
+    case LimitVariable::sea_surface_height: {
+      const SeaLevelSample level = agent.water->sea_level(at_m, t_s);
+      return has_value(level.status) ? level.level_m : assumed(*agent.conduct, limit.variable);
+    }
     case LimitVariable::visibility:
     case LimitVariable::water_visibility:
     case LimitVariable::rain_rate:

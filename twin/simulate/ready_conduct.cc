@@ -130,7 +130,7 @@ ConductState begun(const ReadyConduct& conduct, const Agent& agent, const AgentS
                 ? std::string("no deck_point says where; give one to a craft that floats")
                 : std::string("the forecast does not serve it there; say if_missing: not_checked "
                               "in the limit") +
-                      (word_of(limit.variable).is_served
+                      (!word_of(limit.variable).may_be_assumed
                            ? ""
                            : formatted(", or assume a value, as in --assume {}=...",
                                        word_of(limit.variable).key))));

@@ -96,6 +96,29 @@ TEST(ForecastPage, WavesComputedFromTheWindSaySoAndTakeInTheDoubtAboutTheirFetch
   EXPECT_EQ(product.series[1].lines.front().high, narrow.high) << "a product's own waves";
 }
 
+TEST(ForecastPage, ShowsTheLevelOfTheSeaWithItsBandWhereTheForecastHasOne) {
+  Snapshot s = made_up();
+  const std::size_t times = s.time.size();
+  for (std::size_t t = 0; t < times; ++t) {
+    SeaLevel& level = s.columns.front().sea_level;
+    level.level_m.push_back(3 * std::cos(0.5 * static_cast<double>(t)));
+    level.sigma_m.push_back(0.2);
+    level.source.push_back(t < 30 ? DataStatus::forecast : DataStatus::modelled);
+  }
+  const ReportInput page = forecast_page(page_of(s));
+  ASSERT_EQ(page.series.size(), 3U);
+  EXPECT_EQ(page.series[2].title, "Level of the sea");
+  const ReportLine& line = page.series[2].lines.front();
+  for (std::size_t t = 0; t < times; ++t) {
+    EXPECT_DOUBLE_EQ(line.values[t], 3 * std::cos(0.5 * static_cast<double>(t)));
+    EXPECT_NEAR(line.high[t] - line.low[t], 2 * constants::normal_p90 * 0.2, 1e-12);
+  }
+  EXPECT_TRUE(contains(page.series_note,
+                       "The level of the sea is of product forecast, then harmonic tide."))
+      << page.series_note;
+  EXPECT_FALSE(contains(forecast_page(page_of(made_up())).series_note, "level of the sea"));
+}
+
 TEST(ForecastPage, BandOfTheWindIsTheSpreadOfItsMembers) {
   // Members of the made-up wind stand one m/s a component from a wind of about 8.5 m/s.
   const ReportInput page = forecast_page(page_of(tests::made_up_forecast({.members = 401})));
