@@ -40,8 +40,8 @@ void expect_whole(const Snapshot& snapshot) {
   }
 }
 
-/// What the level of each member is off, in standard deviations: 0 of the central one, then opposite
-/// pairs; of a member the same whatever their number.
+/// What the level of each member is off, in standard deviations: 0 of the central one, then
+/// opposite pairs; of a member the same whatever their number.
 std::vector<double> level_errors(std::uint64_t seed, std::size_t members) {
   Rng rng(seed, "fields/sea_level");
   std::vector<double> errors(std::max<std::size_t>(1, members), 0);

@@ -79,7 +79,7 @@ struct Product {
   bool is_regional = false;                  ///< made for a region, not for the whole globe
   /// How long after its reference time a run of the forecast is published; 0: nobody says.
   Duration published_after{0};
-  /// Whether its currents and its level contain the tide; nothing where the descriptor does not say.
+  /// Whether its currents and its level contain the tide; nothing where nobody says.
   std::optional<bool> has_tide;
   std::vector<std::string> tide_in;  ///< where only some of them do: these variables
   std::map<std::string, std::string>

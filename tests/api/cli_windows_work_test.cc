@@ -66,8 +66,8 @@ TEST_F(WindowsCommand, FliesTheStartsThatTheLimitsLeaveOpen) {
   for (const json& start : shut.at("starts")) EXPECT_TRUE(start.at("twin").is_null());
 }
 
-/// Nothing but the waves stops these flights. They are over sooner than the hour and a half, and the
-/// contingency, throughout which the limit is held: where it holds the flight is done.
+/// Nothing but the waves stops these flights. They are over sooner than the hour and a half, and
+/// the contingency, throughout which the limit is held: where it holds the flight is done.
 TEST_F(WindowsCommand, FliesInTheWavesThatTheLimitsAreHeldAgainst) {
   const auto start_of = [&](const std::string& waves) {
     return task_of({"--task", write("near.yaml", peek("{significant_wave_height_m: 2.0}")),

@@ -33,8 +33,8 @@ struct WorstValue {
   Triple<double> place_m;
 };
 /// The worst of it at some places, with any of some bows; with none, whatever the bow: then waves
-/// come from wherever they are worst. What is known to break the limit breaks it whatever is unknown
-/// elsewhere; else what is unknown anywhere is.
+/// come from wherever they are worst. What is known to break the limit breaks it whatever is
+/// unknown elsewhere; else what is unknown anywhere is.
 [[nodiscard]] WorstValue worst_at(const Limit& limit, const Agent& agent,
                                   const std::vector<Triple<double>>& places_m,
                                   const std::vector<Course>& bows, double t_s, AgentState& there);

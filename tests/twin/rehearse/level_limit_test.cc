@@ -87,8 +87,8 @@ std::vector<std::size_t> open_starts(const twin::LimitAhead& ahead, twin::Bound 
 
 TEST(LevelLimit, ALandingThatNeedsHalfAMetreIsOpenAroundHighWaterAsOneCountsByHand) {
   // 2 m cos(2 pi t / 12.42 h) >= 0.5 m as long as t is within 2.606 h = 156 min of high water: up
-  // to 02:36, and from 09:49 to 15:02. An hour of work begins in the first at 00:00 to 01:30, in the
-  // second at 09:50 to 14:00.
+  // to 02:36, and from 09:49 to 15:02. An hour of work begins in the first at 00:00 to 01:30, in
+  // the second at 09:50 to 14:00.
   const auto ahead = ahead_of("least_sea_surface_height_m: 0.5");
   ASSERT_EQ(ahead.size(), 1U);
   ASSERT_EQ(ahead[0].members.size(), members) << "each has a level of its own";
