@@ -49,8 +49,8 @@ class Field {
   /// The level of the sea, smooth between stamps (`smooth_between`).
   /// @param member  0: the central forecast, with its sigma; another: the same off by an error of
   ///                its own, which keeps its share of sigma over the whole forecast; `missing`
-  ///                where the forecast has no such member. Errors come in opposite pairs, seeded by the
-  ///                forecast.
+  ///                where the forecast has no such member. Errors come in opposite pairs,
+  ///                seeded by the forecast.
   void sample_sea_level(std::span<const Place> places, std::span<SeaLevelSample> out,
                         std::size_t member = 0) const noexcept;
   void sample_bed(std::span<const Place> places, std::span<BedSample> out) const noexcept;
