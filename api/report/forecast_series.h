@@ -8,8 +8,8 @@ namespace slackwater::api {
 
 struct ForecastTruth;
 
-/// Wind, waves and the level of the sea of a forecast's first column as panels over `Snapshot::time`, each with its band
-/// of 10 to 90 %; what the forecast has not is left out.
+/// Wind, waves and the level of the sea of a forecast's first column as panels over
+/// `Snapshot::time`, each with its band of 10 to 90 %; what the forecast has not is left out.
 struct SurfaceSeries {
   std::vector<ReportSeries> panels;
   ReportLine wind;   ///< the central line of the panel; no values: no wind

@@ -22,8 +22,8 @@ namespace slackwater::api {
 /// +-omega). The level of the surface goes with it: that of M2 is highest 75 degrees (2.6 h) after
 /// the stream runs east, between a standing wave (90), as the closed end of the bay makes it, and
 /// one that travels along the coast (0); the others alike (S2 76, N2 75, M4 70, K1 58, O1 35), each
-/// of its own frequency, so that springs and neaps of both fall on the same days. The amplitude and the lag vary gently in space: the wave travels east along the coast
-/// and grows towards it.
+/// of its own frequency, so that springs and neaps of both fall on the same days. The amplitude
+/// and the lag vary gently in space: the wave travels east along the coast and grows towards it.
 class Tide {
  public:
   static constexpr std::size_t constituents = 6;

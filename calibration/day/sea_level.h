@@ -17,8 +17,8 @@ struct LevelForecast {
 
 /// The level of the sea from the end of D on.
 ///
-/// Where the store holds the provider's own forecast, published by the issue time, that is it, as it
-/// is, as long as it lasts. Else, and from there on, it is the harmonic tide of the record up to
+/// Where the store holds the provider's own forecast, published by the issue time, that is it, as
+/// it is, as long as it lasts. Else, and from there on, it is the harmonic tide of the record up to
 /// the end of D (`fit_level_tide`) and what is left of the departure from it (`SurgeMemory`), which
 /// makes no jump where the provider ends. Its spread, and how long a departure lasts, are those of
 /// the days before, had they been forecast (`hindcast_level`); the provider's is that of its own
