@@ -55,7 +55,8 @@ Scenario fleet(std::span<const Kind> kinds, double step_s, double duration_s,
       ScenarioTask task;
       task.waypoints = {{{v.start_m.x, 10e3, kind.down_m}, 0}};
       v.tasks = {task};
-      if (has_tether) v.tether = {{{v.start_m.x, 0, 0}, 50}};
+      if (has_tether)
+        v.tether = ScenarioVehicle::TetherStart{Triple<double>{v.start_m.x, 0, 0}, 50};
       s.vehicles.push_back(v);
     }
   }
