@@ -65,8 +65,9 @@ void fly_task(const WindowsQuestion& question, const FlyWindows& settings, doubl
   const std::vector<std::size_t> starts = starts_to_fly(task, settings.every);
   if (starts.empty()) return;
   const Field& field = *answer.water.surround.field;
-  const LoadedMission mission =
+  LoadedMission mission =
       mission_to_fly(question, task, field.snapshot().seed, wave_components, store_folder);
+  mission.water = answer.water;
   RehearsalPlan plan;
   for (const std::size_t i : starts) plan.starts.push_back(task.starts[i].start);
   plan.members = question.members > 0 ? question.members : field.snapshot().members;

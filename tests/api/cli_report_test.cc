@@ -100,7 +100,7 @@ TEST_F(ReportCommand, FliesWhatIsNoGoOtherwise) {
   write("peek.yaml", peek(loose));
   const ProgramResult made = report({"--task", path("peek.yaml"), "--from", "2025-03-05T06:00:00Z",
                                      "--to", "2025-03-05T07:00:00Z", "--members", "2", "--fly",
-                                     "1s", "--html", path("otherwise.html"), "--json"});
+                                     "1min", "--html", path("otherwise.html"), "--json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   const json task = json::parse(made.out).at("tasks")[0];
   EXPECT_EQ(task.at("verdict"), "marginal");

@@ -49,7 +49,7 @@ TEST(ProductCatalogue, ShortNamesLeadToTheirStandardNames) {
   EXPECT_EQ(words.by_alias("so"), nullptr);
 }
 
-TEST(ProductCatalogue, DownloadsCoverCurrentWaveWindAndBathymetry) {
+TEST(ProductCatalogue, DownloadsCoverCurrentLevelWaveWindAndBathymetry) {
   const std::vector<Download> downloads = ProductCatalogue::load(products_folder()).downloads();
   std::set<DownloadKind> kinds;
   int last = 0;
@@ -59,7 +59,7 @@ TEST(ProductCatalogue, DownloadsCoverCurrentWaveWindAndBathymetry) {
     EXPECT_LE(last, download.priority);
     last = download.priority;
   }
-  EXPECT_EQ(kinds.size(), 4U);
+  EXPECT_EQ(kinds.size(), 5U);
 }
 
 class DescriptorFolder : public ::testing::Test {
