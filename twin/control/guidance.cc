@@ -12,11 +12,11 @@ double speed_to(const Guidance& guidance, const Waypoint& to) {
   return to.speed_m_s > 0 ? to.speed_m_s : guidance.speed_m_s;
 }
 
-/// A waypoint is reached where the vehicle is nearer than what it goes in two seconds, 0.5 m at
+/// A waypoint is reached where the vehicle is nearer than what it goes in 2.5 seconds, 0.5 m at
 /// most: the next leg begins at the waypoint, and whoever took it up from farther off would hurry
 /// there, however slow the leg is to be gone.
 double tolerance_to(const Guidance& guidance, const Waypoint& to) {
-  constexpr double near_s = 2;
+  constexpr double near_s = 2.5;
   if (!guidance.slows_at_corners) return guidance.tolerance_m;
   return std::min(guidance.tolerance_m, near_s * speed_to(guidance, to));
 }

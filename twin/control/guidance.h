@@ -8,7 +8,7 @@ namespace slackwater::twin {
 struct Guidance {
   double speed_m_s = 0;         ///< where a waypoint says none
   bool is_over_ground = false;  ///< that speed; see `Reference`
-  double tolerance_m = 0.5;     ///< a waypoint nearer than this is reached, or than 2 s where it
+  double tolerance_m = 0.5;     ///< a waypoint nearer than this is reached, or than 2.5 s where it
                                 ///< slows at corners
   double depth_tolerance_m = 0.5;
   /// A waypoint that the vehicle comes past within this is left behind. At least the radius of the
