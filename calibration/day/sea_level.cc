@@ -19,16 +19,12 @@
 namespace slackwater::calibration {
 namespace {
 
-using std::chrono::days;
 using std::chrono::hours;
 
 constexpr double provider_sigma_m = 0.10;
-constexpr double least_sigma_m = 0.03;
 constexpr std::size_t fewest_runs = 5;
 /// Between values of the provider further apart than this nothing is said: the tide turns between.
 constexpr Duration widest_step = hours(1);
-/// Shorter ones show no tide (fields/current/tide.h).
-constexpr Duration shortest_record = days(3);
 constexpr Duration widest_tidal_step = hours(3);
 
 /// The pieces that hold the level of an hour, and why others are left out.
@@ -76,7 +72,7 @@ double provider_error_m(const ScalarRecord& record, const ScalarColumn& known,
     judged += count > before ? 1 : 0;
   }
   if (judged < fewest_runs) return provider_sigma_m;
-  return std::max(least_sigma_m, std::sqrt(sum_m2 / static_cast<double>(count)));
+  return std::max(least_level_sigma_m, std::sqrt(sum_m2 / static_cast<double>(count)));
 }
 
 /// A series of hours at an instant: a value of its own, or smooth between neighbours that are no
@@ -129,70 +125,78 @@ std::string note_on(const LevelHindcast& hindcast, Duration length) {
                     hindcast.days, hindcast.errors.sigma_m.front(), hindcast.errors.sigma_m.back());
 }
 
+/// The provider's own forecast, as long as it lasts.
+/// @return at how many stamps
+std::size_t add_provider(const ScalarRecord& usable, const ScalarColumn& known,
+                         const ForecastPlan& plan, SeaLevel& level, LevelForecast& result) {
+  const Chosen<double> provider =
+      choose(usable, plan.knowledge_of_runs(),
+             {.only_forecasts = true, .only_grids = true, .ramp = join_ramp});
+  if (provider.empty()) return 0;
+  const double sigma_m = provider_error_m(usable, known, plan);
+  std::size_t next = 0;
+  for (; next < plan.stamps.size(); ++next) {
+    const auto value = smooth_at(provider.column, plan.stamps[next]);
+    if (!value) break;
+    level.level_m[next] = *value;
+    level.sigma_m[next] = sigma_m;
+    level.source[next] = DataStatus::forecast;
+  }
+  if (next > 0) add_origins(provider, result);
+  return next;
+}
+
+/// Tide and surge from the stamp `next` on.
+void add_tide(const ScalarColumn& known, Duration length, const ForecastPlan& plan,
+              std::size_t next, SeaLevel& level, LevelForecast& result) {
+  const TideFit fit = fit_level_tide(known.time, known.value, known.status);
+  const LevelHindcast hindcast = hindcast_level(known, plan.stamps.back() - plan.end_of_day());
+  UtcTime from = known.time.back().centre();
+  double departure_m = departure_at_end(known, fit, hindcast.surge.window);
+  double least_m = 0;
+  if (next > 0) {  // the provider knows more of the surge than the record
+    from = plan.stamps[next - 1];
+    departure_m = level.level_m[next - 1] - level_over(fit, TimeCell::instant(from));
+    least_m = level.sigma_m[next - 1];
+  }
+  for (; next < plan.stamps.size(); ++next) {
+    const UtcTime stamp = plan.stamps[next];
+    level.level_m[next] = level_over(fit, TimeCell::instant(stamp)) +
+                          departure_m * share_left(hindcast.surge, stamp - from);
+    level.sigma_m[next] = std::max(least_m, hindcast.errors.at(stamp - from));
+  }
+  result.notes.push_back(note_on(hindcast, length));
+}
+
 }  // namespace
 
 LevelForecast forecast_level(const ScalarRecord& record, const ForecastPlan& plan) {
   LevelForecast result;
   if (record.pieces.empty()) return result;
   const ScalarRecord usable = pieces_with_tide(record, result.notes);
-  const Chosen<double> provider =
-      choose(usable, plan.knowledge_of_runs(),
-             {.only_forecasts = true, .only_grids = true, .ramp = join_ramp});
   Chosen<double> past = choose(usable, plan.knowledge(), {.only_grids = true});
   if (past.empty()) past = choose(usable, plan.knowledge(), {.only_series = true});
   const ScalarColumn known = slice(past.column, UtcTime::min(), plan.end_of_day());
+  const Duration length =
+      known.time.empty() ? Duration(0) : record_length(known.time, known.status);
 
   const std::size_t size = plan.stamps.size();
   SeaLevel level{std::vector<double>(size, std::numeric_limits<double>::quiet_NaN()),
                  std::vector<double>(size, 0), std::vector<DataStatus>(size, DataStatus::modelled)};
-  std::size_t next = 0;
-  if (!provider.empty()) {
-    const double sigma_m = provider_error_m(usable, known, plan);
-    for (; next < size; ++next) {
-      const auto value = smooth_at(provider.column, plan.stamps[next]);
-      if (!value) break;
-      level.level_m[next] = *value;
-      level.sigma_m[next] = sigma_m;
-      level.source[next] = DataStatus::forecast;
-    }
-    if (next > 0) add_origins(provider, result);
-  }
-
-  const Duration length =
-      known.time.empty() ? Duration(0) : record_length(known.time, known.status);
-  TideFit fit;
-  if (next < size && length >= shortest_record)
-    fit = fit_level_tide(known.time, known.value, known.status);
-  if (next < size && (length < shortest_record || !shows_a_tide(known))) {
-    // Mean water over a tidal sea would be a number that is wrong at most hours.
-    if (!usable.pieces.empty())
-      result.notes.push_back(
-          formatted("no sea level is forecast{}: its record of {:.1f} days "
-                    "shows no tide; three days with values every three hours are needed",
-                    next > 0 ? " beyond the provider's" : "",
-                    hours_between(UtcTime{}, UtcTime{} + length) / 24));
-  } else if (next < size) {
-    const LevelHindcast hindcast = hindcast_level(known, plan.stamps.back() - plan.end_of_day());
-    UtcTime from = known.time.back().centre();
-    double departure_m = departure_at_end(known, fit, hindcast.surge.window);
-    double least_m = 0;
-    if (next > 0) {  // the provider knows more of the surge than the record
-      from = plan.stamps[next - 1];
-      departure_m = level.level_m[next - 1] - level_over(fit, TimeCell::instant(from));
-      least_m = level.sigma_m[next - 1];
-    }
-    for (; next < size; ++next) {
-      const UtcTime stamp = plan.stamps[next];
-      level.level_m[next] = level_over(fit, TimeCell::instant(stamp)) +
-                            departure_m * share_left(hindcast.surge, stamp - from);
-      level.sigma_m[next] = std::max(least_m, hindcast.errors.at(stamp - from));
-    }
+  const std::size_t next = add_provider(usable, known, plan, level, result);
+  const bool has_tide = length >= shortest_tide_record && shows_a_tide(known);
+  if (next < size && has_tide) {
+    add_tide(known, length, plan, next, level, result);
     add_origins(past, result);
-    result.notes.push_back(note_on(hindcast, length));
+  } else if (next < size && !usable.pieces.empty()) {
+    // Mean water over a tidal sea would be a number that is wrong at most hours.
+    result.notes.push_back(
+        formatted("no sea level is forecast{}: its record of {:.1f} days "
+                  "shows no tide; three days with values every three hours are needed",
+                  next > 0 ? " beyond the provider's" : "",
+                  hours_between(UtcTime{}, UtcTime{} + length) / 24));
   }
-  const bool any = std::any_of(level.level_m.begin(), level.level_m.end(),
-                               [](double value) { return std::isfinite(value); });
-  if (any) result.level = std::move(level);
+  if (next > 0 || has_tide) result.level = std::move(level);
   return result;
 }
 

@@ -15,11 +15,9 @@ namespace {
 using std::chrono::days;
 using std::chrono::hours;
 
-constexpr double least_sigma_m = 0.03;
 constexpr double prior_sigma_m = 0.10;
 constexpr double prior_share_of_tide = 0.1;
 constexpr Duration class_width = hours(12);
-constexpr Duration shortest_record = days(3);
 /// Two semidiurnal and one diurnal tide: what the fit has left of them averages out.
 constexpr Duration tidal_window = hours(25);
 constexpr int most_days = 21;
@@ -49,7 +47,7 @@ struct Squares {
 
 LevelErrors errors_of(const Squares& squares) {
   LevelErrors errors;
-  double sigma_m = least_sigma_m;
+  double sigma_m = least_level_sigma_m;
   for (std::size_t k = 0; k < squares.sum.size(); ++k) {
     if (squares.count[k] > 0)
       sigma_m =
@@ -103,14 +101,15 @@ double share_left(const SurgeMemory& surge, Duration after) noexcept {
 LevelHindcast hindcast_level(const ScalarColumn& known, Duration horizon) {
   const UtcTime first = known.time.front().centre();
   const UtcTime last = end_of(known);
-  const Duration least = std::max<Duration>(shortest_record, (last - first) / 2);
+  const Duration least = std::max<Duration>(shortest_tide_record, (last - first) / 2);
   std::array<std::array<Squares, windows.size()>, memories.size()> tried;
   std::size_t past_days = 0;
   for (int back = 1; back <= most_days; ++back) {
     const UtcTime origin = last - days(back);
     if (origin - first < least) break;
     const ScalarColumn before = slice(known, UtcTime::min(), origin);
-    if (before.time.empty() || record_length(before.time, before.status) < shortest_record) break;
+    if (before.time.empty() || record_length(before.time, before.status) < shortest_tide_record)
+      break;
     const TideFit fit = fit_level_tide(before.time, before.value, before.status);
     std::array<double, windows.size()> departure_m{};
     for (std::size_t w = 0; w < windows.size(); ++w)

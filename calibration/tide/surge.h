@@ -7,6 +7,11 @@
 
 namespace slackwater::calibration {
 
+/// Shorter records show no tide (fields/current/tide.h).
+inline constexpr Duration shortest_tide_record = std::chrono::days(3);
+/// The least error of a level, m: what that of a model's cell says of one place (estimate).
+inline constexpr double least_level_sigma_m = 0.03;
+
 /// How what departs from the harmonic tide, the surge, is carried on from the end of a record:
 ///
 ///   level(t) = mean + tide(t) + s e^{-(t - t0) / memory}
@@ -34,7 +39,7 @@ struct LevelHindcast {
 /// Forecasts the days of a record from what stood before each: every 24 h back from its end, as far
 /// as the record before is at least half of the whole and three days, at most 21 of them. Each has
 /// a tide of its own, fitted to the values before it alone. Errors never fall with lead, and are
-/// at least 0.03 m, what the level of a cell of a model says of that of a place (estimate).
+/// at least `least_level_sigma_m`.
 ///
 /// With fewer than three such days: a memory of one day, the mean of the last 25 h, and the prior
 ///

@@ -13,7 +13,7 @@ namespace {
 /// Of the polynomial between stamps.
 constexpr std::size_t most_stamps = 6;
 
-/// What no two calls may share, of one column at one time.
+/// Of one column at one time.
 struct LevelAt {
   double level_m;
   double sigma_m;
