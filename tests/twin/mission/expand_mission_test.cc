@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fields/base/error.h"
+#include "tests/support/error_of.h"
 #include "tests/twin/mission/mission_for_tests.h"
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/mission/work_pattern.h"
@@ -190,12 +191,7 @@ TEST(ExpandMission, ACarrierThatComesFromHarbourGoesBackThere) {
 
 TEST(ExpandMission, SaysWhatATetherAtSeveralTurbinesNeeds) {
   const auto message = [](const std::string& yaml) {
-    try {
-      (void)expanded(yaml);
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return error_of([&] { return expanded(yaml); });
   };
   const std::string vessel = "{name: tender, model: ctv24}";
   EXPECT_EQ(message(from_a_vessel(by_tender, vessel)), "no error");
@@ -238,12 +234,7 @@ TEST(ExpandMission, PutsTheTasksOfSeveralTeamsIntoOneRun) {
 
 TEST(ExpandMission, RefusesWhatTheSiteDoesNotHave) {
   const auto message = [](const std::string& yaml) {
-    try {
-      (void)expanded(yaml);
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return error_of([&] { return expanded(yaml); });
   };
   EXPECT_NE(message(mission("scour_survey", "B07")).find("the site has A01, A02, F01"),
             std::string::npos);

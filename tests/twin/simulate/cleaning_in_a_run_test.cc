@@ -51,11 +51,7 @@ std::string water_of(double current_m_s) {
 
 std::unique_ptr<twin::Run> run_of(const std::string& yaml, std::size_t threads = 1,
                                   bool is_batch = true) {
-  twin::ReadyRun ready = ready_of(yaml);
-  twin::RunSettings settings = settings_of(0.05);
-  settings.threads = threads;
-  settings.is_batch = is_batch;
-  return std::make_unique<twin::Run>(std::move(ready.agents), std::move(ready.states), settings);
+  return begun(ready_of(yaml), 0.05, threads, is_batch);
 }
 
 CleaningOutcome outcome_of(twin::Run& run, std::size_t i = 0) {

@@ -1,5 +1,5 @@
-#include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "tests/support/error_of.h"
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/simulate/follow_datum.h"
 
@@ -50,10 +50,7 @@ std::unique_ptr<twin::Run> run_of(const std::string& yaml, const Weather& weathe
     body.nu.linear = twin::rotation_of(body.attitude)
                          .to_body(Triple<double>{weather.north_m_s, weather.east_m_s, 0});
   }
-  twin::RunSettings settings = settings_of(0.05);
-  settings.threads = threads;
-  settings.is_batch = is_batch;
-  return std::make_unique<twin::Run>(std::move(ready.agents), std::move(ready.states), settings);
+  return begun(std::move(ready), 0.05, threads, is_batch);
 }
 
 Triple<double> place_of(twin::Run& run, std::size_t i = 0) {
@@ -199,12 +196,7 @@ TEST(DriftingSearch, IsTheSameToTheBitHoweverItIsSteppedAndTakenUp) {
 
 TEST(DriftingSearch, IsRefusedToWhoSearchesForNobody) {
   const auto message = [](const std::string& yaml) {
-    try {
-      (void)ready_of(yaml);
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return error_of([&] { return ready_of(yaml); });
   };
   const std::string good = head_of({}) + searcher("wamv16", "depth_m: 0", "drifting");
   EXPECT_EQ(message(good), "no error");

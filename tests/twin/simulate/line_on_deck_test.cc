@@ -1,6 +1,6 @@
 #include "twin/simulate/line_on_deck.h"
 
-#include "fields/base/error.h"
+#include "tests/support/error_of.h"
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/simulate/hung_line.h"
 #include "twin/tether/lay_tether.h"
@@ -209,12 +209,7 @@ TEST(LineOnDeck, AtRestBothEndsTogetherBearTheWeightOfTheLine) {
 
 TEST(LineOnDeck, IsRefusedWhereItCannotHang) {
   const auto message = [](const std::string& yaml) {
-    try {
-      (void)ready_of(yaml);
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return error_of([&] { return ready_of(yaml); });
   };
   const auto has = [](const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

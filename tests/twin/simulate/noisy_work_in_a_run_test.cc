@@ -48,10 +48,7 @@ std::unique_ptr<twin::Run> run_of(const std::string& yaml, double north_m = -500
                                   std::size_t threads = 1, bool is_batch = true) {
   twin::ReadyRun ready = ready_of(yaml);
   plant(ready, north_m);
-  twin::RunSettings settings = settings_of(0.1);
-  settings.threads = threads;
-  settings.is_batch = is_batch;
-  return std::make_unique<twin::Run>(std::move(ready.agents), std::move(ready.states), settings);
+  return begun(std::move(ready), 0.1, threads, is_batch);
 }
 
 std::size_t place_of(const twin::Run& run, const std::string& name) {

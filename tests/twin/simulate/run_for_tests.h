@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <string>
 
 #include "tests/support/shared_data.h"
@@ -108,6 +109,15 @@ inline twin::RunSettings settings_of(double step_s) {
   settings.seed = 7;
   settings.step_s = step_s;
   return settings;
+}
+
+/// What was set up, about to begin.
+inline std::unique_ptr<twin::Run> begun(twin::ReadyRun ready, double step_s,
+                                        std::size_t threads = 1, bool is_batch = true) {
+  twin::RunSettings settings = settings_of(step_s);
+  settings.threads = threads;
+  settings.is_batch = is_batch;
+  return std::make_unique<twin::Run>(std::move(ready.agents), std::move(ready.states), settings);
 }
 
 inline void step_and_log(twin::Run& run, int steps, twin::RunLog& log) {

@@ -48,13 +48,9 @@ std::string two_stands(const std::string& rov_conduct = "{}",
          "east_m: 10, diameter_m: 6, top_height_m: 20, bottom_depth_m: 60}\n";
 }
 
-std::unique_ptr<twin::Run> begun(const std::string& yaml, std::size_t threads = 1,
-                                 bool is_batch = true) {
-  twin::ReadyRun ready = ready_of(yaml);
-  twin::RunSettings settings = settings_of(0.05);
-  settings.threads = threads;
-  settings.is_batch = is_batch;
-  return std::make_unique<twin::Run>(std::move(ready.agents), std::move(ready.states), settings);
+std::unique_ptr<twin::Run> run_of(const std::string& yaml, std::size_t threads = 1,
+                                  bool is_batch = true) {
+  return begun(ready_of(yaml), 0.05, threads, is_batch);
 }
 
 std::vector<ConductEvent> events(twin::Run& run, std::size_t vehicle, Kind kind) {
@@ -84,7 +80,7 @@ double fly(twin::Run& run, double most_s = 1200) {
 TEST(TwoStands, AnRovIsLaunchedAtEachOfThemAndTheCarrierStaysMeanwhile) {
   for (const char* detail : {"full", "coarse"}) {
     SCOPED_TRACE(detail);
-    const auto run = begun(two_stands("{}", "{}", detail));
+    const auto run = run_of(two_stands("{}", "{}", detail));
     EXPECT_LT(fly(*run), 8);
     EXPECT_TRUE(run->all_ended());
     const auto launched = events(*run, 1, Kind::launched);
@@ -108,7 +104,7 @@ TEST(TwoStands, AnRovIsLaunchedAtEachOfThemAndTheCarrierStaysMeanwhile) {
 }
 
 TEST(TwoStands, TheLineIsAboardWithTheVehicleAndLaidAnewFromWhereTheDeckIs) {
-  const auto run = begun(two_stands());
+  const auto run = run_of(two_stands());
   bool was_out = false;
   int laid = 0;
   while (run->time_s() < 1200 && !run->all_ended()) {
@@ -134,12 +130,12 @@ TEST(TwoStands, IsTheSameToTheBitHoweverItIsSteppedAndTakenUpInTheSecondLaunch) 
   for (const char* detail : {"full", "coarse"}) {
     SCOPED_TRACE(detail);
     const std::string yaml = two_stands("{}", "{}", detail);
-    const auto whole = begun(yaml);
+    const auto whole = run_of(yaml);
     fly(*whole);
     const double launched_s = events(*whole, 1, Kind::launched).at(1).t_s;
     const int steps = static_cast<int>(std::lround((launched_s + 30) / 0.05));
     twin::RunLog expected, threads, one_by_one;
-    const auto a = begun(yaml), b = begun(yaml, 2), c = begun(yaml, 1, false);
+    const auto a = run_of(yaml), b = run_of(yaml, 2), c = run_of(yaml, 1, false);
     step_and_log(*a, steps, expected);
     step_and_log(*b, steps, threads);
     step_and_log(*c, steps, one_by_one);
@@ -149,7 +145,7 @@ TEST(TwoStands, IsTheSameToTheBitHoweverItIsSteppedAndTakenUpInTheSecondLaunch) 
     for (const double from_s : {-4.0, 0.05, 0.35}) {
       const int before = static_cast<int>(std::lround((launched_s + from_s) / 0.05));
       twin::RunLog taken_up;
-      const auto d = begun(yaml), e = begun(yaml);
+      const auto d = run_of(yaml), e = run_of(yaml);
       step_and_log(*d, before, taken_up);
       EXPECT_EQ(is_out(*d), from_s > 0);
       e->restore(d->checkpoint());
@@ -161,7 +157,7 @@ TEST(TwoStands, IsTheSameToTheBitHoweverItIsSteppedAndTakenUpInTheSecondLaunch) 
 
 TEST(TwoStands, NeitherIsKeptFromTheOtherNorFromTheLineBetweenThem) {
   const auto run =
-      begun(two_stands() + "clearance: {craft_m: 8, structure_m: 1, tether_m: 3, vessel_m: 50}\n");
+      run_of(two_stands() + "clearance: {craft_m: 8, structure_m: 1, tether_m: 3, vessel_m: 50}\n");
   EXPECT_LT(fly(*run), 8);
   EXPECT_TRUE(run->all_ended());
   for (const twin::AgentState& state : run->states()) {
@@ -179,7 +175,7 @@ std::string turns_at(double at_s) {
 }
 
 TEST(TwoStands, ACarrierThatTurnsForHomeTakesItsVehicleAboardFirst) {
-  const auto run = begun(two_stands("{}", turns_at(25)));
+  const auto run = run_of(two_stands("{}", turns_at(25)));
   EXPECT_LT(fly(*run), 8);
   const auto turned = events(*run, 0, Kind::turned_for_home),
              home = events(*run, 0, Kind::came_home);
@@ -201,7 +197,7 @@ TEST(TwoStands, ACarrierThatTurnsAsItsVehicleIsLaunchedWaitsForThatToo) {
   // At each tick about that of the launch, and from a vehicle that does not heed her.
   for (const double at_s : {10.0, 11.0, 12.0, 13.0, 14.0}) {
     SCOPED_TRACE(at_s);
-    const auto run = begun(two_stands("{behaviour: {do: carry_on}}", turns_at(at_s)));
+    const auto run = run_of(two_stands("{behaviour: {do: carry_on}}", turns_at(at_s)));
     EXPECT_LT(fly(*run, 300), 8);
     const auto launched = events(*run, 1, Kind::launched),
                aboard = events(*run, 1, Kind::came_aboard);
@@ -214,7 +210,7 @@ TEST(TwoStands, ACarrierThatTurnsAsItsVehicleIsLaunchedWaitsForThatToo) {
 }
 
 TEST(TwoStands, AFouledLineHoldsVehicleAndCarrierUntilItIsFree) {
-  const auto run = begun(two_stands("{faults: [{fault: fouled_tether, at_s: 25, for_s: 90}]}"));
+  const auto run = run_of(two_stands("{faults: [{fault: fouled_tether, at_s: 25, for_s: 90}]}"));
   while (run->time_s() < 110) run->step();
   EXPECT_TRUE(run->states()[1].conduct.is_snagged);
   EXPECT_EQ(run->states()[1].conduct.doing, twin::Doing::hold);
@@ -225,7 +221,7 @@ TEST(TwoStands, AFouledLineHoldsVehicleAndCarrierUntilItIsFree) {
 }
 
 TEST(TwoStands, AVehicleWhoseLineStaysFouledIsNotTakenAboardAndTheCarrierStays) {
-  const auto run = begun(
+  const auto run = run_of(
       two_stands("{faults: [{fault: fouled_tether, at_s: 25}], behaviour: {fallback: [{guard: "
                  "{while: tether_free, then: {do: carry_on}}}, {do: come_home}]}}"));
   EXPECT_LT(fly(*run, 300), 8);
@@ -237,7 +233,7 @@ TEST(TwoStands, AVehicleWhoseLineStaysFouledIsNotTakenAboardAndTheCarrierStays) 
 }
 
 TEST(TwoStands, ALineThatPartedHoldsNobody) {
-  const auto run = begun(two_stands("{}", turns_at(25)));
+  const auto run = run_of(two_stands("{}", turns_at(25)));
   while (run->time_s() < 24) run->step();
   twin::Run::Checkpoint parted = run->checkpoint();
   parted.states[1].tether.whole = 0;
