@@ -10,30 +10,32 @@ namespace {
 
 constexpr double degree = constants::pi / 180;
 
+bool is_in(const Range& range, double value) { return range.low <= value && value <= range.high; }
+
 /// [low, high].
-std::optional<Span> read_span(const Config& config, const char* key, Range range) {
+std::optional<Range> read_range(const Config& config, const char* key, Range range) {
   if (!config.has(key)) return std::nullopt;
   const std::vector<double> ends = config.numbers(key, range);
   if (ends.size() != 2 || !(ends[0] < ends[1]))
     config.refuse(key, formatted("expected two numbers, the lesser first, as in [{:g}, {:g}]",
                                  range.low, range.high));
-  return Span{ends[0], ends[1]};
+  return Range{ends[0], ends[1]};
 }
 
 }  // namespace
 
 bool WaveSector::holds(const SeaState& sea, double own_rad) const noexcept {
-  if (peak_period_s && !peak_period_s->holds(sea.peak_period_s)) return false;
+  if (peak_period_s && !is_in(*peak_period_s, sea.peak_period_s)) return false;
   if (!off_bow_rad) return true;
   const double from_rad = sea.from_direction_deg * degree - heading_rad.value_or(own_rad);
-  return off_bow_rad->holds(std::abs(std::remainder(from_rad, 2 * constants::pi)));
+  return is_in(*off_bow_rad, std::abs(std::remainder(from_rad, 2 * constants::pi)));
 }
 
 std::optional<WaveSector> read_wave_sector(const Config& config) {
   WaveSector sector;
-  if (const auto off_bow = read_span(config, "from_bow_deg", {0, 180}))
-    sector.off_bow_rad = Span{off_bow->low * degree, off_bow->high * degree};
-  sector.peak_period_s = read_span(config, "peak_period_between_s", {1, 30});
+  if (const auto off_bow = read_range(config, "from_bow_deg", {0, 180}))
+    sector.off_bow_rad = Range{off_bow->low * degree, off_bow->high * degree};
+  sector.peak_period_s = read_range(config, "peak_period_between_s", {1, 30});
   if (const auto heading = config.optional_number("heading_deg", {-360, 360}))
     sector.heading_rad = *heading * degree;
   if (sector.heading_rad && !sector.off_bow_rad)

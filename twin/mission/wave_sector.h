@@ -7,18 +7,12 @@
 
 namespace slackwater::twin {
 
-/// Both ends included.
-struct Span {
-  double low = 0;
-  double high = 0;
-  [[nodiscard]] bool holds(double value) const noexcept { return low <= value && value <= high; }
-};
-
 /// Which waves a limit on their height is of, as a hull's tables have them: those that come from a
 /// sector about its bow, those of some periods, or both. Sides are alike.
 struct WaveSector {
-  std::optional<Span> off_bow_rad;  ///< between the bow and where the waves come from: 0, head seas
-  std::optional<Span> peak_period_s;
+  std::optional<Range>
+      off_bow_rad;  ///< between the bow and where the waves come from: 0, head seas
+  std::optional<Range> peak_period_s;
   std::optional<double> heading_rad;  ///< of the hull, from true north; absent: the vehicle's own
 
   /// @param heading_rad  the vehicle's

@@ -186,7 +186,7 @@ TEST(LimitAhead, AHeightCountsWhereTheWavesComeFromItsSectorWithAnyBowOfThePhase
   twin::Limit limit;
   limit.variable = twin::LimitVariable::significant_wave_height;
   limit.bound = 0.5;
-  limit.waves = twin::WaveSector{twin::Span{0, 0.5}, {}, {}};  // head seas
+  limit.waves = twin::WaveSector{Range{0, 0.5}, {}, {}};  // head seas
   const std::vector<twin::Triple<double>> places_m{{0, 30, 0}};
   const auto worst = [&](const std::vector<twin::Course>& bows) {
     return twin::worst_at(limit, ready.agents[0], places_m, bows, 0, there).value;
@@ -197,7 +197,7 @@ TEST(LimitAhead, AHeightCountsWhereTheWavesComeFromItsSectorWithAnyBowOfThePhase
   EXPECT_EQ(worst({north, east}), 0);
   EXPECT_EQ(worst({north, west, east}), 1) << "with one of its bows";
   EXPECT_EQ(worst({}), 1) << "whatever the bow, where there is none";
-  limit.waves->peak_period_s = twin::Span{7, 30};
+  limit.waves->peak_period_s = Range{7, 30};
   EXPECT_EQ(worst({}), 0) << "but not of other periods";
   limit.waves->peak_period_s.reset();
   limit.waves->heading_rad = 0;
