@@ -15,10 +15,10 @@ std::string relief_line(const TaskWindows& task, const MorningClock& clock) {
     if (parts.size() == most) break;
     const LimitText& limit = task.limits[relief.limit];
     parts.push_back("\"" + (limit.worker.empty() ? "" : limit.worker + ": ") + limit.text +
-                    formatted("\" {:.0f} % at ", 100 * relief.probability) + clock(relief.start));
+                    formatted("\": {:.0f} % at ", 100 * relief.probability) + clock(relief.start));
   }
   if (parts.empty()) return {};
-  return "What would help: the best start without the limit " + joined(parts, ", without ") + ".";
+  return "What would help: the best start without the limit " + joined(parts, "; without ") + ".";
 }
 
 /// Why no relief is told, where more than one limit stands in the way.

@@ -49,7 +49,7 @@ TwinChance chance_of(const StartOutcome& flown, const std::vector<twin::Conseque
 }
 
 /// The start that is worth most of those that were flown, done otherwise: in nine futures, with
-/// which flights begin to count (worth.h).
+/// which flights begin to count (worth.h). Where all of them were done there is nothing to gain.
 std::optional<FlownAdvice> advice_of(const LoadedMission& mission, const RehearsalPlan& plan,
                                      const TaskWindows& task) {
   constexpr std::size_t futures = 9;
@@ -57,6 +57,7 @@ std::optional<FlownAdvice> advice_of(const LoadedMission& mission, const Rehears
   if (best == nullptr) return std::nullopt;
   FlownStart flown{best->start, best->twin->done};
   if (flown.done.size() > futures) flown.done.resize(futures);
+  if (std::find(flown.done.begin(), flown.done.end(), 0) == flown.done.end()) return std::nullopt;
   return FlownAdvice{best->start, advice_for(mission, plan, flown)};
 }
 

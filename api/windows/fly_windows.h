@@ -10,8 +10,8 @@ struct FlyWindows {
   double most_wall_s = 1200;   ///< of the clock, for all tasks together
   double narrow_enough = 0.3;  ///< width of the interval at which a start needs no more flights
   Duration every = std::chrono::hours(1);  ///< from one start that is flown to the next, at least
-  /// Whether the best start of a task that is no go is flown otherwise too (`advice_for`), within a
-  /// quarter of the task's time.
+  /// Whether the best start of a task that is no go, if not all its flights were done, is flown
+  /// otherwise too (`advice_for`), within a quarter of the task's time.
   bool with_advice = false;
 };
 

@@ -119,7 +119,7 @@ struct TaskWindows {
   twin::Verdict verdict = twin::Verdict::no_go;            ///< of the start that is worth most
   /// Of a task that is not a go by its limits: those that give its best start more, most first.
   std::vector<Relief> reliefs;
-  std::optional<FlownAdvice> advice;  ///< of one that was flown and is not a go
+  std::optional<FlownAdvice> advice;  ///< of one that is not a go and whose flights fell short
 };
 
 /// A task that could not be worked out.
