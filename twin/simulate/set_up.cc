@@ -10,13 +10,11 @@
 #include "fields/base/text.h"
 #include "twin/body/frame.h"
 #include "twin/scene/structure.h"
-#include "twin/simulate/conduct.h"
 #include "twin/simulate/expect_speeds.h"
 #include "twin/simulate/follow_tracks.h"
-#include "twin/simulate/line_on_deck.h"
 #include "twin/simulate/look_out.h"
+#include "twin/simulate/ready_company.h"
 #include "twin/simulate/sea_of_run.h"
-#include "twin/tether/lay_tether.h"
 
 namespace slackwater::twin {
 namespace {
@@ -193,56 +191,6 @@ void tie_watches(const Scenario& scenario, std::vector<Agent>& agents) {
            " with it; say at both whose work is the noise, or at none");
 }
 
-std::size_t count_of(const ScenarioVehicle& entry, bool (*counts)(const ScenarioTask&)) {
-  return static_cast<std::size_t>(std::count_if(entry.tasks.begin(), entry.tasks.end(), counts));
-}
-
-/// That carriers stand by as often as those that they carry wait for it.
-void expect_stands(const Scenario& scenario, const std::vector<Agent>& agents) {
-  const auto stands = [](const ScenarioTask& task) {
-    return task.kind == ScenarioTask::Kind::stand_by;
-  };
-  const auto waits = [](const ScenarioTask& task) { return task.until_stand_by; };
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    const ScenarioVehicle& entry = scenario.vehicles[i];
-    const std::size_t times = count_of(entry, waits);
-    if (times == 0) continue;
-    const ScenarioVehicle& carrier = scenario.vehicles[*agents[i].carrier];
-    const std::size_t found = count_of(carrier, stands);
-    if (found < times)
-      refuse("vehicle " + entry.name + ": waits " + std::to_string(times) + " times for " +
-             carrier.name + " to stand by, which does so " + std::to_string(found) +
-             " times; give that as many tasks stand_by");
-  }
-}
-
-/// Lines that hang from decks: only now it is known where these are.
-void hang_from_decks(const Scenario& scenario, const std::vector<Agent>& agents,
-                     std::vector<AgentState>& states) {
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    const Agent& agent = agents[i];
-    if (!agent.tether || !agent.carrier) continue;
-    const Agent& carrier = agents[*agent.carrier];
-    if (carrier.vehicle->body.hull.strips == 0)
-      refuse("vehicle " + agent.name + ": its tether hangs from " + carrier.name + ", a " +
-             carrier.vehicle->name + "; let it hang from a craft that floats");
-    with_context("vehicle " + agent.name, [&] {
-      AgentState& state = states[i];
-      state.top = top_on_deck(agent, states[*agent.carrier], 0);
-      const double length_m = scenario.vehicles[i].tether->length_m;
-      if (!state.conduct.is_aboard) {
-        hang_line(agent, 0, state);
-        return;
-      }
-      // As it will be laid when it is launched: what does not reach is refused now.
-      Triple<double> beside_m = state.top.place_m;
-      beside_m.z = agent.conduct->home_m.z;
-      (void)laid_out(*agent.tether, state.top.place_m, beside_m, length_m, {});
-      stow_line(state.top.place_m, state);
-    });
-  }
-}
-
 /// By what an autopilot is worked out from.
 using Autopilots =
     std::map<std::tuple<const Vehicle*, FollowerChoice, double>, std::shared_ptr<const Autopilot>>;
@@ -377,8 +325,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
       ready.warnings.push_back(std::move(warning));
   }
   tie_watches(scenario, ready.agents);
-  expect_stands(scenario, ready.agents);
-  hang_from_decks(scenario, ready.agents, ready.states);
+  ready_company(scenario, ready.agents, ready.states);
   return ready;
 }
 
