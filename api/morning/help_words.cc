@@ -21,8 +21,9 @@ std::string relief_line(const TaskWindows& task, const MorningClock& clock) {
   return "What would help: the best start without the limit " + joined(parts, "; without ") + ".";
 }
 
-/// Why no relief is told, where more than one limit stands in the way.
+/// Why no relief is told, where more than one limit stands in the way of a no-go.
 std::string no_relief_line(const TaskWindows& task) {
+  if (task.verdict != twin::Verdict::no_go) return {};
   for (const TaskStart& start : task.starts)
     if (start.chance.binding && start.chance.binding->is_exceeded)
       return "No one limit alone stands in the way: without any one of them the best start has "
