@@ -195,7 +195,7 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
       if (!intervals.contains(held))
         intervals[held] = twin::success_interval(held, outlook.question.members);
       start.interval = intervals[held];
-      start.probability = twin::next_success(held, outlook.question.members);
+      start.probability = twin::next_success(held, outlook.question.members, twin::any_chance);
       start.worth = start.probability;
     }
     if (start.chance.binding) start.binds_at = outlook.clock.time_of(start.chance.binding->step);
@@ -211,7 +211,8 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
     return twin::windows_of(all, marks, outlook.question.members);
   };
   out.windows = windows([&](const auto& chance) {
-    return twin::next_success(chance.held, outlook.question.members) >= question.rule.marginal;
+    return twin::next_success(chance.held, outlook.question.members, twin::any_chance) >=
+           question.rule.marginal;
   });
   out.by_threshold = windows([](const auto& chance) { return chance.by_threshold; });
   const bool has_practice = std::any_of(out.starts.begin(), out.starts.end(), [](const auto& one) {

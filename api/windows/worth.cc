@@ -22,7 +22,7 @@ double as_flown(const TaskStart& start) {
 
 double worth_as_flown(double probability, std::size_t done, std::size_t flights) {
   if (twin::success_interval(done, flights).high >= probability) return probability;
-  return std::min(probability, twin::next_success(done, flights));
+  return std::min(probability, twin::next_success(done, flights, twin::mostly_sure));
 }
 
 void weigh_by_flights(TaskWindows& task, Duration near) {

@@ -14,8 +14,8 @@ struct Quality {
   bool operator==(const Quality&) const = default;
 };
 
-/// A topic whose messages are recorded, or sent to people. Messages are bytes: XCDR1, little endian,
-/// with their encapsulation header of four, as they are on the wire.
+/// A topic whose messages are recorded, or sent to people. Messages are bytes: XCDR1, little
+/// endian, with their encapsulation header of four, as they are on the wire.
 struct Channel {
   std::string topic;       ///< ROS name: "/rov/odometry"
   std::string type;        ///< "nav_msgs/msg/Odometry"

@@ -37,9 +37,11 @@ SuccessInterval success_interval(std::size_t successes, std::size_t trials, doub
   return {edge(0), edge(1)};
 }
 
-double next_success(std::size_t successes, std::size_t trials) {
+double next_success(std::size_t successes, std::size_t trials, Beforehand held) {
   expects(successes <= trials, "no more successes than trials");
-  return (static_cast<double>(successes) + 1) / (static_cast<double>(trials) + 2);
+  expects(held.trials_each > 0, "something was held likely beforehand");
+  return (static_cast<double>(successes) + held.trials_each) /
+         (static_cast<double>(trials) + 2 * held.trials_each);
 }
 
 }  // namespace slackwater::twin

@@ -17,7 +17,7 @@ std::vector<StartWindow> windows_of(std::span<const StartChance> chances,
     window.last = run.end - 1;
     window.least = 1;
     for (std::size_t s = run.begin; s < run.end; ++s) {
-      const double probability = next_success(chances[s].held, members);
+      const double probability = next_success(chances[s].held, members, any_chance);
       window.least = std::min(window.least, probability);
       window.mean += probability / static_cast<double>(run.steps());
       if (probability > window.most) {
