@@ -1,0 +1,65 @@
+#include "api/dds/message/services.h"
+
+#include "api/dds/message/cdr.h"
+#include "api/dds/message/path_message.h"
+#include "api/dds/message/profile_message.h"
+#include "std_srvs.h"
+#include "twin/body/attitude.h"
+
+namespace slackwater::dds {
+
+void read_trigger(Payload request) { (void)decoded<std_srvs::srv::Trigger_Request>(request); }
+
+bool read_set_bool(Payload request) {
+  return decoded<std_srvs::srv::SetBool_Request>(request).data();
+}
+
+Bytes done_reply(bool success, const std::string& message) {
+  std_srvs::srv::SetBool_Response reply;
+  reply.success(success);
+  reply.message(message);
+  return encoded(reply);
+}
+
+std::uint32_t read_step(Payload request) {
+  return decoded<slackwater_msgs::srv::Step_Request>(request).steps();
+}
+
+Bytes step_reply(bool success) {
+  slackwater_msgs::srv::Step_Response reply;
+  reply.success(success);
+  return encoded(reply);
+}
+
+SpawnAsked read_spawn(Payload request) {
+  const auto asked = decoded<slackwater_msgs::srv::Spawn_Request>(request);
+  const geometry_msgs::msg::Quaternion& q = asked.pose().pose().orientation();
+  const twin::Attitude<double> attitude = enu_flu_ned_frd({q.w(), q.x(), q.y(), q.z()});
+  return {asked.model(), asked.name(), enu_ned(triple_of(asked.pose().pose().position())),
+          twin::euler_angles(attitude).yaw_rad};
+}
+
+WaypointsAsked read_set_waypoints(Payload request) {
+  const auto asked = decoded<slackwater_msgs::srv::SetWaypoints_Request>(request);
+  return {places_of(asked.path()), asked.loop()};
+}
+
+ProfileAsked read_query_profile(Payload request) {
+  const auto asked = decoded<slackwater_msgs::srv::QueryProfile_Request>(request);
+  return {asked.latitude(), asked.longitude(), stamp_of(asked.time())};
+}
+
+Bytes profile_reply(const SiteWater& water, UtcTime time, const Stamp& stamp) {
+  slackwater_msgs::srv::QueryProfile_Response reply;
+  reply.success(true);
+  reply.profile(profile_message(water, time, stamp));
+  return encoded(reply);
+}
+
+Bytes profile_refusal(const std::string& message) {
+  slackwater_msgs::srv::QueryProfile_Response reply;
+  reply.message(message);
+  return encoded(reply);
+}
+
+}  // namespace slackwater::dds
