@@ -5,6 +5,9 @@ find_package(fastcdr REQUIRED)
 find_package(fastrtps 2.9 REQUIRED)
 find_program(FASTDDSGEN fastddsgen REQUIRED)
 
+add_library(slackwater_lib_fastdds INTERFACE)
+target_link_libraries(slackwater_lib_fastdds INTERFACE fastrtps)
+
 # Those that others include first.
 set(idl_names builtin_interfaces std_msgs geometry_msgs nav_msgs sensor_msgs rosgraph_msgs std_srvs
     rmw_dds_common action_msgs slackwater_msgs)

@@ -87,6 +87,7 @@ const Arrows& allowed_arrows_of_api() {
       {"api/issued", {}},
       {"api/synthetic", {}},
       {"api/dds/message", {}},
+      {"api/dds", {"api/dds/message"}},
       {"api/edr/read", {}},
       {"api/edr/sample", {"api/edr/read", "api/issued"}},
       {"api/edr/write", {"api/edr/sample", "api/edr/read", "api/issued", "api/program"}},

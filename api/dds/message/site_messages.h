@@ -20,8 +20,8 @@ struct SiteWater {
   GeoPoint point;
 };
 
-/// slackwater_msgs/msg/CurrentProfile: the levels of the forecast down to the bed; east and north of
-/// the member, p10 and p90 of the forecast (`quantiles_of`). Empty where there is no value.
+/// slackwater_msgs/msg/CurrentProfile: the levels of the forecast down to the bed; east and north
+/// of the member, p10 and p90 of the forecast (`quantiles_of`). Empty where there is no value.
 [[nodiscard]] Bytes current_profile(const SiteWater& water, UtcTime time, const Stamp& stamp);
 /// geometry_msgs/msg/Vector3Stamped: the mean wind at 10 m; no numbers where the forecast has none.
 [[nodiscard]] Bytes wind(const SiteWater& water, UtcTime time, const Stamp& stamp);
