@@ -10,6 +10,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "twin/simulate/command_numbers.h"
 #include "twin/simulate/state_members.h"
 
 namespace slackwater::api {
@@ -103,14 +104,14 @@ twin::AgentState state_of(const json& from) {
 
 json commands_json(std::span<const twin::Command> commands) {
   json list = json::array();
-  for (const auto& [step, agent, what] : commands) {
-    json command{{"step", step}, {"agent", agent}};
-    if (const auto* reroute = std::get_if<twin::Reroute>(&what))
-      command["waypoints"] = written(reroute->waypoints);
-    else
-      command["vehicle"] = written(std::get<twin::PutVehicle>(what).vehicle);
-    list.push_back(std::move(command));
-  }
+  for (const twin::Command& command : commands)
+    list.push_back({{"step", command.step},
+                    {"agent", command.agent},
+                    {"kind", twin::name_of(command.what)},
+                    {"numbers", written(twin::numbers_of(command.what))},
+                    {"source", command.source},
+                    {"sequence", command.sequence},
+                    {"received_s", written(command.received_s)}});
   return list;
 }
 
@@ -120,10 +121,12 @@ std::vector<twin::Command> commands_of(const json& from) {
     twin::Command command;
     read(entry.at("step"), command.step);
     read(entry.at("agent"), command.agent);
-    if (entry.contains("waypoints"))
-      read(entry.at("waypoints"), command.what.emplace<twin::Reroute>().waypoints);
-    else
-      read(entry.at("vehicle"), command.what.emplace<twin::PutVehicle>().vehicle);
+    std::vector<double> numbers;
+    read(entry.at("numbers"), numbers);
+    command.what = twin::what_of(entry.at("kind").get<std::string>(), numbers);
+    command.source = entry.at("source").get<std::string>();
+    read(entry.at("sequence"), command.sequence);
+    read(entry.at("received_s"), command.received_s);
     commands.push_back(std::move(command));
   }
   return commands;

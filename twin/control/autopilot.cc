@@ -123,7 +123,7 @@ bool is_sound(const Measured& m, const Reference& reference, double dt_s) noexce
           : 0.0;
   const double far = square_of(m.position_m) + square_of(reference.position_m) + altitude;
   const double fast = square_of(m.nu.linear) + square_of(m.nu.angular) + square_of(m.water_m_s) +
-                      square_of(reference.velocity_m_s) +
+                      square_of(reference.velocity_m_s) + square_of(reference.carried_m_s) +
                       (m.has_log() ? m.log_m_s * m.log_m_s : 0.0);
   const double course = c.north * c.north + c.east * c.east;
   return std::abs(turn - 1) < 0.1 && std::abs(course - 1) < 0.1 && far < 1e14 && fast < 1e8 &&
@@ -163,6 +163,11 @@ double bearing_rad(const Course& course) noexcept { return std::atan2(course.eas
 double most_over_ground_m_s(const Autopilot& autopilot, bool is_over_ground) noexcept {
   const bool is_carried = autopilot.kind != VehicleKind::rov && autopilot.kind != VehicleKind::uav;
   return (is_over_ground && is_carried ? 2 : 1) * autopilot.settings.most_speed_m_s;
+}
+
+bool goes_by_ground(const Autopilot& autopilot) noexcept {
+  return autopilot.kind == VehicleKind::uav ||
+         (autopilot.kind != VehicleKind::auv && autopilot.allocation.commands(Axis::sway));
 }
 
 double tightest_turn_m(const Autopilot& a, double speed_m_s) noexcept {
@@ -238,7 +243,7 @@ Effort effort_of(const Autopilot& a, const Measured& measured, const Reference& 
     case VehicleKind::vessel:
       break;
   }
-  if (a.allocation.commands(Axis::sway))
+  if (goes_by_ground(a))
     return steer_free(a, measured, carried(a, measured, reference), outset, dt_s, state);
   return steer_by_turning(a, measured, reference, outset, dt_s, state);
 }

@@ -60,6 +60,9 @@ struct Autopilot {
 /// crew transfer vessel turns within 351 m of 498. Infinite where nothing turns it.
 [[nodiscard]] double tightest_turn_m(const Autopilot& autopilot, double speed_m_s) noexcept;
 
+/// Whether a velocity that is asked for is over ground: of what can push every way.
+[[nodiscard]] bool goes_by_ground(const Autopilot& autopilot) noexcept;
+
 /// The fastest that a way may be asked for: its own most through the water; over ground twice that,
 /// where the water carries it as fast as it goes itself.
 [[nodiscard]] double most_over_ground_m_s(const Autopilot& autopilot, bool is_over_ground) noexcept;

@@ -46,6 +46,10 @@ Triple<double> wanted_velocity(const Autopilot& autopilot, const Measured& measu
     wanted.x *= settings.most_speed_m_s / speed;
     wanted.y *= settings.most_speed_m_s / speed;
   }
+  if (reference.target == Target::cruise) {
+    wanted.x += reference.carried_m_s.x;
+    wanted.y += reference.carried_m_s.y;
+  }
   const double down = approach_speed(autopilot.vertical.outer_per_s, std::abs(outset.too_shallow_m),
                                      settings.most_descent_m_s + settings.most_climb_m_s,
                                      0.5 * settings.most_acceleration_m_s2);

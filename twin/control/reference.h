@@ -39,6 +39,9 @@ struct Reference {
   /// it is the one through the water, and the velocity only says the way. Others always go by the
   /// ground.
   bool is_over_ground = false;
+  /// Cruise, of what goes by the ground: the stream that carries it, NED. `velocity_m_s` is then
+  /// through that, and so are its limits.
+  Triple<double> carried_m_s;
   double altitude_m =
       0;  ///< above the bed, with Vertical::altitude: z of `position_m` then counts for nothing
 };

@@ -42,6 +42,13 @@ class Route {
     if (!is_done()) ++next_;
   }
 
+  /// Once it is done: from its last waypoint through all of them again.
+  void begin_again() noexcept {
+    if (points_.empty()) return;
+    start_ = points_.back().position_m;
+    next_ = 0;
+  }
+
   /// Names each member to a visitor, for what stores a route and takes it up again.
   template <typename Self, typename Visit>
   static void for_each_member(Self& self, Visit&& visit) {

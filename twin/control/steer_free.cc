@@ -64,8 +64,9 @@ Effort steer_free(const Autopilot& a, const Measured& measured, const Reference&
   acceleration.angular.z = acceleration_of(a.heading, yaw_lacking, state.yaw_rad_s2);
 
   // The drag of the velocity that is asked for, in still water or in the current that is known.
-  Triple<double> through = wanted;
+  Triple<double> through = wanted - reference.carried_m_s;
   Spatial<double> nu_r = nu;
+  nu_r.linear = nu.linear - r.to_body(reference.carried_m_s);
   if (a.settings.current_feed_forward) {
     through = wanted - measured.water_m_s;
     nu_r.linear = nu.linear - r.to_body(measured.water_m_s);

@@ -99,6 +99,10 @@ void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, Agen
   tell(ConductEventKind::came_aboard, t_s, state);
 }
 
+void keep_boarding_place(const Agent& agent, const AgentState* carrier, AgentState& state) {
+  state.conduct.boarding_m = boarding_place(agent, carrier);
+}
+
 bool carry(const Agent& agent, const AgentState* carrier, AgentState& state) {
   if (carrier == nullptr) return false;
   stand(boarding_place(agent, carrier), state);
@@ -109,7 +113,7 @@ bool come_and_go(const Agent& agent, double t_s, const Company& company, AgentSt
   const AgentState* const carrier = company.carrier;
   ConductState& own = state.conduct;
   MissionState& mission = state.mission;
-  own.boarding_m = boarding_place(agent, carrier);
+  keep_boarding_place(agent, carrier, state);
   const bool is_moved = own.is_aboard && carry(agent, carrier, state);
   if (own.doing != Doing::task || mission.task >= agent.mission.tasks.size()) return is_moved;
   const ScenarioTask& task = agent.mission.tasks[mission.task];

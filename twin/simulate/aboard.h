@@ -21,6 +21,9 @@ bool come_and_go(const Agent& agent, double t_s, const Company& company, AgentSt
                                 const AgentState& state);
 void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state);
 
+/// Where it would come aboard by now.
+void keep_boarding_place(const Agent& agent, const AgentState* carrier, AgentState& state);
+
 /// Moves it along with its carrier. @return whether it has one
 bool carry(const Agent& agent, const AgentState* carrier, AgentState& state);
 

@@ -8,6 +8,7 @@
 #include "twin/body/waves_at_strips.h"
 #include "twin/simulate/conduct.h"
 #include "twin/simulate/follow_datum.h"
+#include "twin/simulate/helm.h"
 #include "twin/tether/tether_dynamics.h"
 #include "twin/thruster/thrust_curve.h"
 
@@ -133,6 +134,58 @@ void command_thrusters(const Agent& agent, const Effort& effort, const AgentStat
   }
 }
 
+/// The stream that carries a vehicle in the water, as well as it knows it: all of it, or what its
+/// log shows ahead.
+Triple<double> known_stream(const Agent& agent, const Measured& measured,
+                            const Triple<double>& current_m_s) {
+  if (!agent.navigation || !agent.navigation->steers) return current_m_s;
+  if (!measured.has_log()) return {};
+  const double ahead_m_s = measured.nu.linear.x - measured.log_m_s;
+  return rotation_of(measured.attitude).to_ned({ahead_m_s, 0, 0});
+}
+
+/// By hand: fins amidships, mass and bladder as they are.
+void command_thrusters_by_hand(const Agent& agent, AgentState& state,
+                               const ThrusterSurroundings<double>& at_rest,
+                               VehicleCommand<double>& command) {
+  const Vehicle& vehicle = *agent.vehicle;
+  Effort effort;
+  for (std::size_t i = 0; i < vehicle.mounts; ++i) {
+    command.thruster[i] = command_by_hand(vehicle.thruster, state.helm.thruster[i]);
+    effort.thrust_n[i] = run(vehicle.thruster, command.thruster[i], at_rest).thrust_n;
+  }
+  note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
+  command.rudder_rad = command.elevator_rad = 0;
+  command.moving_mass_m = state.vehicle.moving_mass_m;
+  command.volume_m3 = state.vehicle.volume_m3;
+}
+
+/// Asks helm or mission, the watch for headway and the autopilot.
+/// @return false where the agent halts
+bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measured& measured,
+                          const Triple<double>& stream_m_s, double t_s, double height_m,
+                          AgentState& state, VehicleCommand<double>& command) {
+  const Asked asked = asked_of(agent, seen, measured, stream_m_s, t_s, state);
+  const Reference& reference = asked.reference;
+  const bool has_power = std::isnan(state.milestones.power_lost_s);
+  if (agent.headway && has_power &&
+      has_lost_headway(*agent.headway, reference, way_of(state).route, asked.position_m, t_s,
+                       state.headway)) {
+    halt(state, Halt::no_headway, t_s);
+    return false;
+  }
+  const Effort effort =
+      effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
+  note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
+  const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
+  command_thrusters(agent, effort, state, measured, r, height_m, command);
+  command.rudder_rad = effort.rudder_rad;
+  command.elevator_rad = effort.elevator_rad;
+  command.moving_mass_m = effort.moving_mass_m;
+  command.volume_m3 = effort.volume_m3;
+  return true;
+}
+
 /// What a fault leaves of the commands.
 void lose_thruster(const Agent& agent, double t_s, VehicleCommand<double>& command) {
   if (!agent.conduct) return;
@@ -146,7 +199,7 @@ void work_on_surface(const Agent& agent, AgentState& state) {
   if (!agent.conduct || !agent.conduct->cleaning) return;
   ConductState& own = state.conduct;
   const bool is_at_work = own.phase == Phase::work && own.doing == Doing::task && !own.has_ended &&
-                          std::isnan(state.milestones.power_lost_s);
+                          !state.helm.is_helmed() && std::isnan(state.milestones.power_lost_s);
   clean(*agent.conduct->cleaning, is_at_work, state.vehicle.body.position_m, agent.plan.dt_s,
         own.cleaning);
 }
@@ -245,24 +298,17 @@ bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& st
     if (!flies && !measured.has_log())
       measured.log_m_s = measured.nu.linear.x - r.to_body(current_m_s).x;
   }
-  const Asked asked = asked_of(agent, seen, measured, t_s, state);
-  const Reference& reference = asked.reference;
-  const bool has_power = std::isnan(state.milestones.power_lost_s);
-  if (agent.headway && has_power &&
-      has_lost_headway(*agent.headway, reference, way_of(state).route, asked.position_m, t_s,
-                       state.headway)) {
-    halt(state, Halt::no_headway, t_s);
+  if (state.helm.mode == HelmMode::thrusters) {
+    ThrusterSurroundings<double> at_rest;
+    at_rest.voltage_v = state.vehicle.bus_voltage_v;
+    at_rest.height_m = around.height_above_m;
+    command_thrusters_by_hand(agent, state, at_rest, input.command);
+  } else if (!command_by_autopilot(agent, seen, measured,
+                                   known_stream(agent, measured, current_m_s), t_s,
+                                   around.height_above_m, state, input.command)) {
     return false;
   }
-  const Effort effort =
-      effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
-  note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
-  command_thrusters(agent, effort, state, measured, r, around.height_above_m, input.command);
   lose_thruster(agent, t_s, input.command);
-  input.command.rudder_rad = effort.rudder_rad;
-  input.command.elevator_rad = effort.elevator_rad;
-  input.command.moving_mass_m = effort.moving_mass_m;
-  input.command.volume_m3 = effort.volume_m3;
   state.water_m_s = around.water.velocity_m_s;
   state.elevation_m = around.water.elevation_m;
   state.wind_m_s = around.wind_m_s;

@@ -13,6 +13,7 @@
 #include "twin/simulate/conduct_state.h"
 #include "twin/simulate/environment.h"
 #include "twin/simulate/headway.h"
+#include "twin/simulate/helm_state.h"
 #include "twin/simulate/line_top.h"
 #include "twin/simulate/milestones.h"
 #include "twin/simulate/mission.h"
@@ -68,6 +69,7 @@ struct Agent {
   /// That pass by and keep their courses; shared by all vehicles of the run, null: none.
   std::shared_ptr<const std::vector<TrafficVessel>> vessels;
   std::optional<CoarsePlan> coarse;  ///< nothing: water and tether are met in full at each step
+  HelmRule helm;                     ///< how long it goes on without a word from outside
 };
 
 /// All that changes of it: a value, copied for a checkpoint.
@@ -83,6 +85,7 @@ struct AgentState {
   NavigationState navigation;
   HeadwayState headway;
   ConductState conduct;
+  HelmState helm;
   ClearanceState clearance;
   NearestPasses nearest;
   CoarseState coarse;
@@ -96,11 +99,17 @@ struct AgentState {
   double elevation_m = 0;
   double tether_n = 0;
   bool is_retired = false;  ///< from a run that goes on without it
+  bool is_hosted = false;   ///< its physics are made elsewhere; see `HostPhysics`
 };
 
-/// Whether it is stepped: it has not halted, is not retired and stands on nobody's deck.
+/// Whether it goes: it has not halted, is not retired and stands on nobody's deck.
 [[nodiscard]] inline bool moves(const AgentState& state) noexcept {
   return state.halt == Halt::none && !state.conduct.is_aboard && !state.is_retired;
+}
+
+/// Whether the physics of its steps are ours.
+[[nodiscard]] inline bool is_stepped(const AgentState& state) noexcept {
+  return moves(state) && !state.is_hosted;
 }
 
 /// A node of the tether that is caught stays where it is.

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -8,17 +10,63 @@
 
 namespace slackwater::twin {
 
-/// Other waypoints in the place of what is left of the route, from where the vehicle takes itself
-/// to be (`replace_waypoints`). None: it stays where it is.
+// What may be done to a vehicle from outside. But for `PutVehicle`, `HostPhysics` and `Resume` each
+// puts it under the helm (`HelmState`): its own mission and behaviour tree stand still until
+// `Resume`. The latest one is in force.
+
+/// Waypoints, from where the vehicle takes itself to be; at the last of them it holds, and the list
+/// is done (`HelmCause::list_done`). None: it stays where it is.
 struct Reroute {
-  std::vector<Waypoint> waypoints;
+  std::vector<Waypoint> waypoints;  ///< NED
+  bool loop = false;                ///< after the last goes on with the first; from two on
 };
 
+/// A velocity through the water. Renewed within `HelmRule::renewal_s`, or the vehicle holds.
+struct SetVelocity {
+  HelmVelocity velocity;
+};
+
+/// The thrusters themselves, in the order of the vehicle's file, -1 to 1; renewed likewise.
+///
+/// | kind      | 1 is                          | -1 is                | between              |
+/// |-----------|-------------------------------|----------------------|----------------------|
+/// | table     | the command 1 of its table    | the command -1       | the command          |
+/// | propeller | its largest speed of shaft    | the same astern      | that share of it     |
+/// | rotor     | its largest speed             | none: as 0, it stands| that share of it     |
+/// | drive     | its largest thrust            | its largest astern   | that share of thrust |
+///
+/// Fins stand amidships; a moving mass and a bladder stay as they are. An empty battery and a lost
+/// thruster stop them all the same; neither clearance nor limits look at them.
+struct SetThrusters {
+  std::vector<double> share;
+};
+
+/// Keep this place: where the vehicle takes itself to be. Craft that cannot stand still circle it.
+struct HoldHere {
+  bool is_client_lost = false;  ///< for want of a helm: the way home follows (`HelmRule`)
+};
+
+/// Go home: round the structures as its conduct has it, else straight to where it began.
+struct GoHome {};
+
+/// Back to its own mission, where that was left.
+struct Resume {};
+
 /// The vehicle put elsewhere, or in other motion. Its mission, its tether and what its instruments
-/// told it stay as they were.
+/// told it stay as they were. Of one whose physics are hosted: what those made of the step, put at
+/// the end of it.
 struct PutVehicle {
   VehicleState<double> vehicle;
 };
+
+/// Whether the vehicle's physics are made elsewhere, and come by `PutVehicle`; see
+/// `Run::host_physics`. Back from there it goes on from where it was put last.
+struct HostPhysics {
+  bool is_hosted = true;
+};
+
+using CommandWhat = std::variant<Reroute, PutVehicle, SetVelocity, SetThrusters, HoldHere, GoHome,
+                                 Resume, HostPhysics>;
 
 /// What is done to a vehicle from outside while a run goes on. A value: the list of those that a
 /// run took makes the run again.
@@ -26,13 +74,22 @@ struct Command {
   /// Takes effect before this step is made; once that is past, before the next one.
   std::uint64_t step = 0;
   std::size_t agent = 0;
-  std::variant<Reroute, PutVehicle> what;
+  CommandWhat what{};
+  std::string source{};        ///< which door and which client, e.g. "dds 01.0f.ab"
+  std::uint64_t sequence = 0;  ///< the source's own count for this vehicle
+  double received_s = 0;       ///< run time when it came in
 };
 
-/// @throws ContractViolation for waypoints that are not finite
-void expect_sound(const Command& command);
+/// "waypoints", "velocity", ...: by the kind of what is done.
+[[nodiscard]] std::string_view name_of(const CommandWhat& what) noexcept;
 
-/// A vehicle that has halted stays as it is.
-void apply(const Command& command, const Agent& agent, AgentState& state);
+/// @throws ContractViolation for waypoints, velocities or thrusters that are not finite, thrusters
+///         beyond 1 or of another number than the vehicle's
+void expect_sound(const Command& command, const Agent& agent);
+
+/// A vehicle that has halted, or stands on a deck, stays as it is; one whose energy is needed for
+/// its way home is not led elsewhere.
+/// @param t_s  of the step before which it takes effect
+void apply(const Command& command, double t_s, const Agent& agent, AgentState& state);
 
 }  // namespace slackwater::twin

@@ -27,7 +27,7 @@ bool stands_by(const Agent& carrier, const AgentState& state) {
   const MissionState& mission = state.mission;
   if (mission.task >= carrier.mission.tasks.size() || !mission.has_begun ||
       !is_stand_by(carrier.mission.tasks[mission.task]) || !moves(state) ||
-      state.conduct.doing != Doing::task)
+      state.conduct.doing != Doing::task || state.helm.is_helmed())
     return false;
   const BodyState<double>& body = state.vehicle.body;
   const Triple<double> off_m = body.position_m - mission.kept_m;

@@ -33,7 +33,11 @@ struct ReadyConduct {
   std::optional<std::size_t> worked_at;
   std::optional<Cleaning> cleaning;
   std::optional<DatumSource> datum;  ///< of one whose search follows the drift
+  bool minds_reserve = false;        ///< its tree asks `reserve_holds`
 };
+/// Whether what is left in its battery is enough for its way home, with margin and reserve, as of
+/// its last tick. One without a battery has no such worry.
+[[nodiscard]] bool reserve_holds(const ReadyConduct& conduct, const ConductState& state) noexcept;
 /// What it draws at a speed of 0 or more: linear between those of its table, the last two carried
 /// on beyond.
 [[nodiscard]] double cruise_w_at(const ReadyConduct& conduct, double speed_m_s) noexcept;

@@ -67,6 +67,7 @@ void keep_inside(const Agent& agent, const ConductState& state, Reference& refer
 }  // namespace
 
 const MissionState& way_of(const AgentState& state) noexcept {
+  if (state.helm.is_helmed()) return state.helm.way;
   return state.conduct.doing == Doing::task ? state.mission : state.conduct.way;
 }
 

@@ -5,6 +5,7 @@
 
 #include "twin/body/frame.h"
 #include "twin/mission/way_round.h"
+#include "twin/simulate/helm.h"
 #include "twin/simulate/look_out.h"
 
 namespace slackwater::twin {
@@ -90,13 +91,16 @@ MovingFrame datum_frame(const Agent& agent, const AgentState& state, double t_s)
 }
 
 bool goes_with_datum(const Agent& agent, const AgentState& state) noexcept {
-  return state.conduct.doing == Doing::task && drifts(agent.mission, state.mission);
+  return !state.helm.is_helmed() && state.conduct.doing == Doing::task &&
+         drifts(agent.mission, state.mission);
 }
 
-Asked asked_of(const Agent& agent, const Lookout& around, const Measured& measured, double t_s,
-               AgentState& state) {
+Asked asked_of(const Agent& agent, const Lookout& around, const Measured& measured,
+               const Triple<double>& stream_m_s, double t_s, AgentState& state) {
   const MovingFrame datum = datum_frame(agent, state, t_s);
-  const Reference wanted = conducted_reference(agent, measured, datum, t_s, state);
+  const Reference wanted = state.helm.is_helmed()
+                               ? helm_reference(agent, measured, stream_m_s, state)
+                               : conducted_reference(agent, measured, datum, t_s, state);
   const Triple<double>& here_m = state.vehicle.body.position_m;
   Asked asked;
   MovingFrame frame;

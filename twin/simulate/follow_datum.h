@@ -33,8 +33,9 @@ struct Asked {
   Reference reference;
   Triple<double> position_m;  ///< where it truly is, in the frame of its route
 };
-/// Asks the mission, and lets the vehicle keep clear.
+/// Asks the helm or the mission, and lets the vehicle keep clear.
+/// @param stream_m_s  the water, as well as the vehicle knows it, NED
 [[nodiscard]] Asked asked_of(const Agent& agent, const Lookout& around, const Measured& measured,
-                             double t_s, AgentState& state);
+                             const Triple<double>& stream_m_s, double t_s, AgentState& state);
 
 }  // namespace slackwater::twin

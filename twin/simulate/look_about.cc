@@ -69,6 +69,7 @@ class Looker {
   void look_at_phase() {
     const std::vector<ScenarioTask>& tasks = agent_.mission.tasks;
     Phase phase = Phase::return_home;
+    if (state_.helm.is_helmed()) return;  // what it does then is of no phase
     if (own_.doing != Doing::way_home && state_.mission.task < tasks.size())
       phase = tasks[state_.mission.task].phase;
     if (phase == own_.phase && own_.drawn_j + t_s_ > 0) return;
@@ -121,7 +122,8 @@ class Looker {
       const double value = value_of(limits[i], agent_, t_s_, state_);
       if (std::isnan(value) && limits[i].may_be_missing) continue;
       const double share = limits[i].share(value);
-      if (own_.doing == Doing::task && share > own_.most_share) own_.most_share = share;
+      if (own_.doing == Doing::task && !state_.helm.is_helmed() && share > own_.most_share)
+        own_.most_share = share;
       if (limits[i].holds(value)) continue;
       own_.exceeded_s[i] = t_s_;
       if (worst > 0 && !(share > worst)) continue;

@@ -132,6 +132,7 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
     if (agent.navigation->steers) measured = measured_of(state.navigation.navigator);
   }
   state.mission = begun(measured);
+  state.helm.start_m = start_m;
   if (agent.tether) {
     state.top.place_m = agent.tether_top_m;
     state.tether.length_m = entry.tether->length_m;

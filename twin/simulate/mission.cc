@@ -100,6 +100,13 @@ MissionState begun(const Measured& measured) {
   return state;
 }
 
+MissionState nothing_to_do(const Measured& measured) {
+  MissionState way = begun(measured);
+  way.task = static_cast<std::size_t>(-1);
+  way.is_done = true;
+  return way;
+}
+
 bool drifts(const Mission& mission, const MissionState& state) noexcept {
   return !state.is_rerouted && state.task < mission.tasks.size() &&
          mission.tasks[state.task].drifts;

@@ -41,6 +41,10 @@ struct MissionState {
 /// The vehicle before its first task, which is to begin where it is.
 [[nodiscard]] MissionState begun(const Measured& measured);
 
+/// A mission without tasks: a route that is put into it is followed, then its end is held; without
+/// one the vehicle keeps the place where it is.
+[[nodiscard]] MissionState nothing_to_do(const Measured& measured);
+
 /// Ends the task under way.
 void end_task(const Mission& mission, MissionState& state);
 

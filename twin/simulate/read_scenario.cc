@@ -377,6 +377,8 @@ Scenario read(const Config& config) {
   const double steps_per_row = s.log_every_s / s.step_s;
   if (std::abs(steps_per_row - std::round(steps_per_row)) > 1e-6 || steps_per_row < 0.5)
     config.refuse("log_every_s", "is not a whole number of steps of step_s");
+  if (has_seconds(config, "home_after"))
+    s.home_after_s = read_seconds(config, "home_after", {0, 86400});
   const Config water = config.child("water");
   const auto forecast = water.optional_child("forecast");
   const auto made_up = water.optional_child("made_up");

@@ -77,6 +77,17 @@ void begin_winding(const Agent& agent, std::optional<std::size_t> worked_at,
         from_axis(agent.water->environment().structures[*worked_at], place_m).bearing_rad;
 }
 
+namespace {
+
+bool asks(const BehaviourTree& tree, ConductCondition condition) {
+  const auto leaf = static_cast<std::size_t>(condition);
+  return std::any_of(tree.nodes().begin(), tree.nodes().end(), [&](const BehaviourNode& node) {
+    return (node.kind == NodeKind::condition || node.kind == NodeKind::guard) && node.leaf == leaf;
+  });
+}
+
+}  // namespace
+
 ReadyConduct ready_conduct(const Conduct& plan, const Agent& agent, const Triple<double>& start_m,
                            double barrier_s, double voltage_v) {
   expect_faults(plan, agent);
@@ -99,6 +110,7 @@ ReadyConduct ready_conduct(const Conduct& plan, const Agent& agent, const Triple
     ready.bow_mass_kg = bow_mass_of(agent, *plan.deck_point_m);
   ready.worked_at = structure_at(agent, start_m);
   ready.datum = datum_source(agent, plan, start_m);
+  ready.minds_reserve = asks(plan.behaviour, ConductCondition::reserve_holds);
   if (plan.cleaning)
     ready.cleaning =
         ready_cleaning(*plan.cleaning, agent.water->environment().structures, way_of_work(agent));

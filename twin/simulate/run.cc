@@ -6,6 +6,7 @@
 #include "fields/base/check.h"
 #include "twin/simulate/coarse_step.h"
 #include "twin/simulate/conduct.h"
+#include "twin/simulate/helm.h"
 #include "twin/simulate/line_on_deck.h"
 #include "twin/simulate/soundness.h"
 #include "twin/simulate/vehicle_step.h"
@@ -32,6 +33,7 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
       approaches_(agents_),
       block_(settings.path ? step_block_on(*settings.path) : step_block()),
       pull_(settings.path ? pull_block_on(*settings.path) : pull_block()),
+      hosted_(states_.size()),
       scheduler_(settings.seed, settings.step_s, settings.threads) {
   expects(!agents_.empty() && agents_.size() == states_.size(), "a state for each vehicle");
   for (const Agent& agent : agents_) {
@@ -61,13 +63,16 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
     });
   }
   scheduler_.before_step([this](const StepTime& time) {
-    take_commands(time.step);
+    for (const Scheduler::Client& driver : drivers_) driver(time);
+    take_commands(time);
+    mind_helms(time);
     tick_behaviours(time);
   });
   publish();
   approaches_.begin(states_, 0);
   approaches_.look(agents_, states_, 0);
-  scheduler_.at_barrier([this](const StepTime&) {
+  scheduler_.at_barrier([this](const StepTime& time) {
+    note_hosted(time);
     publish();
     approaches_.look(agents_, states_, time_s());
   });
@@ -77,8 +82,8 @@ void Run::publish() {
   move_tops(agents_, states_, time_s());
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const BodyState<double>& body = states_[i].vehicle.body;
-    seen_[i] = {body.position_m, rotation_of(body.attitude).to_ned(body.nu.linear),
-                states_[i].halt};
+    seen_[i] = {body.position_m, rotation_of(body.attitude).to_ned(body.nu.linear), states_[i].halt,
+                states_[i].halted_at_s};
   }
   picture_.publish(agents_, states_, time_s());
 }
@@ -86,6 +91,7 @@ void Run::publish() {
 void Run::step_one(std::size_t index, const StepTime& time) {
   const Agent& agent = agents_[index];
   AgentState& state = states_[index];
+  if (state.is_hosted) return step_hosted(index, time);
   StepInput input;
   for (std::size_t k = 0; k < agent.steps_per_barrier; ++k) {
     if (!moves(state)) return;
@@ -100,6 +106,30 @@ void Run::step_one(std::size_t index, const StepTime& time) {
     } else {
       halt(state, Halt::diverged, t_s + agent.plan.dt_s);
     }
+  }
+}
+
+/// All of its steps but the motion, which comes at the end of them.
+void Run::step_hosted(std::size_t index, const StepTime& time) {
+  const Agent& agent = agents_[index];
+  AgentState& state = states_[index];
+  Hosted& hosted = hosted_[index];
+  StepInput input;
+  for (std::size_t k = 0; k < agent.steps_per_barrier; ++k) {
+    if (!moves(state)) return;
+    const double t_s = time.start_s + static_cast<double>(k) * agent.plan.dt_s;
+    make_coarse_step(agents_, states_, {&index, 1}, t_s, nullptr);
+    if (!prepare(agent, t_s, picture_.seen_by(agent, index), state, input)) return;
+  }
+  if (hosted.physics) hosted.answered = hosted.physics({time, agent, state, input});
+  const std::optional<VehicleState<double>>& next =
+      hosted.answered ? hosted.answered : hosted.recorded;
+  if (!next) return;
+  if (is_sound(next->body, next->battery.charge) && doubt_of(*next) == 0) {
+    state.vehicle = *next;
+    note_power(state.milestones, next->battery.off, next->battery.charge, time.end_s());
+  } else {
+    halt(state, Halt::diverged, time.end_s());
   }
 }
 
@@ -119,7 +149,7 @@ void Run::unload(Group& group) {
   if (!group.is_ahead) return;
   for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
     AgentState& state = states_[group.agents[lane]];
-    if (moves(state)) state.vehicle = taken(group.block, lane);
+    if (is_stepped(state)) state.vehicle = taken(group.block, lane);
   }
   group.is_ahead = false;
 }
@@ -128,6 +158,8 @@ void Run::step_group(Group& group, const StepTime& time) {
   if (!group.is_loaded) load(group);
   const Agent& first = agents_[group.agents.front()];
   const bool floats = first.vehicle->body.hull.strips > 0;
+  for (const std::size_t index : group.agents)
+    if (states_[index].is_hosted) step_hosted(index, time);
   StepInput input;
   for (std::size_t k = 0; k < first.steps_per_barrier; ++k) {
     const double t_s = time.start_s + static_cast<double>(k) * first.plan.dt_s;
@@ -135,7 +167,7 @@ void Run::step_group(Group& group, const StepTime& time) {
     bool any = false;
     for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
       AgentState& state = states_[group.agents[lane]];
-      if (!moves(state)) continue;
+      if (!is_stepped(state)) continue;
       const std::size_t index = group.agents[lane];
       const Agent& agent = agents_[index];
       if (!prepare(agent, t_s, picture_.seen_by(agent, index), state, input)) {
@@ -160,7 +192,7 @@ void Run::step_group(Group& group, const StepTime& time) {
     const Eight doubt = doubt_of(group.block);
     for (std::size_t lane = 0; lane < group.agents.size(); ++lane) {
       AgentState& state = states_[group.agents[lane]];
-      if (!moves(state)) continue;
+      if (!is_stepped(state)) continue;
       // What the next look at the surroundings needs.
       const BodyState<double> body = taken(group.block.body, lane);
       if (is_sound(body, group.block.battery.charge.lane[lane]) && doubt.lane[lane] == 0) {
@@ -191,22 +223,53 @@ std::span<const AgentState> Run::states() {
 
 void Run::enqueue(Command command) {
   expects(command.agent < agents_.size(), "a command is for a vehicle of the run");
-  expect_sound(command);
+  expect_sound(command, agents_[command.agent]);
   commands_.put(std::move(command));
 }
 
-void Run::take_commands(std::uint64_t step) {
-  std::vector<Command> due = commands_.take(step);
+void Run::host_physics(std::size_t agent, HostedPhysics physics, std::string source) {
+  expects(agent < agents_.size(), "physics are hosted for a vehicle of the run");
+  hosted_[agent].physics = std::move(physics);
+  hosted_[agent].source = std::move(source);
+}
+
+void Run::take_commands(const StepTime& time) {
+  std::vector<Command> due = commands_.take(time.step);
   if (due.empty()) return;
-  for (Group& group : groups_) {
-    unload(group);
-    group.is_loaded = false;
+  for (Group& group : groups_) unload(group);
+  for (Command& command : due) take_command(command, time);
+}
+
+void Run::take_command(Command& command, const StepTime& time) {
+  const std::size_t index = command.agent;
+  AgentState& state = states_[index];
+  const auto* put = std::get_if<PutVehicle>(&command.what);
+  if (put != nullptr && state.is_hosted) {
+    hosted_[index].recorded = put->vehicle;
+  } else {
+    apply(command, time.start_s, agents_[index], state);
+    if (put != nullptr || std::holds_alternative<HostPhysics>(command.what)) {
+      approaches_.put(index, state);
+      for (Group& group : groups_) group.is_loaded = false;
+    }
   }
-  for (Command& command : due) {
-    apply(command, agents_[command.agent], states_[command.agent]);
-    approaches_.put(command.agent, states_[command.agent]);
-    command.step = step;
-    taken_.push_back(std::move(command));
+  command.step = time.step;
+  taken_.push_back(std::move(command));
+}
+
+void Run::mind_helms(const StepTime& time) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) mind_helm(agents_[i], time.start_s, states_[i]);
+}
+
+/// What the physics of others made of the step, for the record; by the vehicles' order.
+void Run::note_hosted(const StepTime& time) {
+  for (std::size_t i = 0; i < hosted_.size(); ++i) {
+    Hosted& hosted = hosted_[i];
+    hosted.recorded.reset();
+    if (!hosted.answered) continue;
+    taken_.push_back(
+        {time.step, i, PutVehicle{*hosted.answered}, hosted.source, time.step, time.end_s()});
+    hosted.answered.reset();
   }
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 #include <deque>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "twin/simulate/approach_watch.h"
@@ -26,6 +29,15 @@ struct Seen {
   Triple<double> position_m;    ///< NED
   Triple<double> velocity_m_s;  ///< over ground, NED
   Halt halt = Halt::none;
+  double halted_at_s = 0;
+};
+
+/// A step of a vehicle whose physics are made elsewhere.
+struct HostedStep {
+  StepTime time;
+  const Agent& agent;
+  const AgentState& state;  ///< at its start
+  const StepInput& input;   ///< what its actuators are to do, and what is around it
 };
 
 /// Vehicles and the clock that steps them. Vehicles may share one environment, or each have that of
@@ -48,6 +60,17 @@ class Run {
   /// Enqueued at the start of a run like this one was, they make it again to the last bit.
   [[nodiscard]] std::span<const Command> commands_taken() const noexcept { return taken_; }
 
+  /// Called at the opening of each step, before anybody moves: what is enqueued there takes effect
+  /// in this very step.
+  void at_opening(Scheduler::Client driver) { drivers_.push_back(std::move(driver)); }
+
+  /// Who makes the physics of a vehicle that is hosted (`HostPhysics`): asked once in each step,
+  /// after the vehicle's autopilot has said what to do and beside the other vehicles, for its state
+  /// at the end of the step. What it answers is recorded as a `PutVehicle`; with nothing the
+  /// vehicle stays as it is, or as the record has it. Called from any thread of the run.
+  using HostedPhysics = std::function<std::optional<VehicleState<double>>(const HostedStep&)>;
+  void host_physics(std::size_t agent, HostedPhysics physics, std::string source);
+
   /// Called at each barrier, after everything has moved.
   void at_barrier(Scheduler::Client observer) { scheduler_.at_barrier(std::move(observer)); }
   /// Another client of each step: reads the states as of the last barrier through `seen`, writes
@@ -57,6 +80,12 @@ class Run {
   [[nodiscard]] std::span<const Agent> agents() const noexcept { return agents_; }
   /// As of the last barrier.
   [[nodiscard]] const Seen& seen(std::size_t agent) const { return seen_[agent]; }
+  /// Between steps: what is in force of a vehicle, and how far its own conduct has come; less work
+  /// than `states`.
+  [[nodiscard]] const HelmState& helm(std::size_t agent) const { return states_[agent].helm; }
+  [[nodiscard]] const ConductState& conduct(std::size_t agent) const {
+    return states_[agent].conduct;
+  }
   [[nodiscard]] std::span<const Seen> seen() const noexcept { return seen_; }
   /// Between steps: all of every vehicle.
   [[nodiscard]] std::span<const AgentState> states();
@@ -96,7 +125,11 @@ class Run {
   void load(Group& group);
   void unload(Group& group);
   void halt_lane(Group& group, std::size_t lane, const VehicleState<Eight>& last);
-  void take_commands(std::uint64_t step);
+  void take_commands(const StepTime& time);
+  void take_command(Command& command, const StepTime& time);
+  void mind_helms(const StepTime& time);
+  void step_hosted(std::size_t agent, const StepTime& time);
+  void note_hosted(const StepTime& time);
   void hear_watches(const StepTime& time);
   void meet_companies(const StepTime& time);
   void tick_behaviours(const StepTime& time);
@@ -115,6 +148,15 @@ class Run {
   StepBlock block_;
   PullBlock pull_;
   CommandQueue commands_;
+  std::vector<Scheduler::Client> drivers_;
+  /// Of each vehicle whose physics are hosted.
+  struct Hosted {
+    HostedPhysics physics;
+    std::string source;
+    std::optional<VehicleState<double>> recorded;  ///< for this step
+    std::optional<VehicleState<double>> answered;
+  };
+  std::vector<Hosted> hosted_;
   std::vector<Command> taken_;
   std::vector<StatusChange> changes_;  ///< of a tick: scratch
   Scheduler scheduler_;

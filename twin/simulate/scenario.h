@@ -148,6 +148,8 @@ struct Scenario {
   bool has_wakes = false;
   std::vector<ScenarioStructure> structures;
   std::vector<ScenarioVehicle> vehicles;
+  /// After so long of a hold for want of a helm a vehicle goes home; 0: never. See `HelmRule`.
+  double home_after_s = 60;
   ScenarioTraffic traffic;
   std::optional<StandOff> clearance;  ///< absent: nobody keeps clear of anybody
   std::string yaml;                   ///< the text it was read from

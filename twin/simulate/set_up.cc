@@ -315,6 +315,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     with_context("vehicle " + entry.name,
                  [&] { ready.states.push_back(first_state(agent, entry, scenario.seed)); });
     agent.vessels = around;
+    agent.helm.home_after_s = scenario.home_after_s;
     if (scenario.clearance && entry.keeps_clear) {
       agent.clearance = clearance_of(agent, *scenario.clearance, entry, scenario.step_s);
     } else if (entry.keeps_clear && has_drifting_task(entry)) {

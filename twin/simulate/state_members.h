@@ -63,6 +63,10 @@ template <>
 inline constexpr bool is_numbers<Mammal> = true;
 template <>
 inline constexpr bool is_numbers<DatumState> = true;
+template <>
+inline constexpr bool is_numbers<HelmVelocity> = true;
+template <>
+inline constexpr bool is_numbers<HandThrusters> = true;
 
 template <typename S, typename T>
 concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
@@ -70,8 +74,8 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [vehicle, control, mission, gust, gust_rng, tether, top, borne, navigation, headway,
-         conduct, clearance, nearest, coarse, milestones, thrust, halt, halted_at_s, water_m_s,
-         wind_m_s, elevation_m, tether_n, is_retired] = s;
+         conduct, helm, clearance, nearest, coarse, milestones, thrust, halt, halted_at_s,
+         water_m_s, wind_m_s, elevation_m, tether_n, is_retired, is_hosted] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
@@ -83,6 +87,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("navigation", navigation);
   visit("headway", headway);
   visit("conduct", conduct);
+  visit("helm", helm);
   visit("clearance", clearance);
   visit("nearest", nearest);
   visit("coarse", coarse);
@@ -95,6 +100,25 @@ void for_each_member(S& s, Visit&& visit) {
   visit("elevation_m", elevation_m);
   visit("tether_n", tether_n);
   visit("is_retired", is_retired);
+  visit("is_hosted", is_hosted);
+}
+
+template <MaybeConst<HelmState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [mode, cause, since_s, renewed_s, velocity, thruster, way, is_loop, rounds, heading,
+         depth_m, start_m] = s;
+  visit("mode", mode);
+  visit("cause", cause);
+  visit("since_s", since_s);
+  visit("renewed_s", renewed_s);
+  visit("velocity", velocity);
+  visit("thruster", thruster);
+  visit("way", way);
+  visit("is_loop", is_loop);
+  visit("rounds", rounds);
+  visit("heading", heading);
+  visit("depth_m", depth_m);
+  visit("start_m", start_m);
 }
 
 template <MaybeConst<MissionState> S, typename Visit>

@@ -3,6 +3,7 @@
 #include "twin/simulate/aboard.h"
 #include "twin/simulate/conduct.h"
 #include "twin/simulate/follow_datum.h"
+#include "twin/simulate/helm.h"
 #include "twin/simulate/hung_line.h"
 #include "twin/simulate/look_about.h"
 #include "twin/simulate/look_out.h"
@@ -10,14 +11,6 @@
 
 namespace slackwater::twin {
 namespace {
-
-/// A mission without tasks: a route that is put into it is followed, then its end is held.
-MissionState nothing_to_do(const Measured& measured) {
-  MissionState way = begun(measured);
-  way.task = static_cast<std::size_t>(-1);
-  way.is_done = true;
-  return way;
-}
 
 /// What the tree's leaves mean.
 class Leaves {
@@ -148,12 +141,8 @@ class Leaves {
     switch (condition) {
       case ConductCondition::within_limits:
         return are_limits_kept() && may_make_noise();
-      case ConductCondition::reserve_holds: {
-        const Reserve& reserve = conduct_.plan.reserve;
-        return !(conduct_.full_j > 0) || own_.is_aboard ||
-               own_.energy_left_j >=
-                   reserve.margin * own_.energy_home_j + reserve.share * conduct_.full_j;
-      }
+      case ConductCondition::reserve_holds:
+        return own_.is_aboard || twin::reserve_holds(conduct_, own_);
       case ConductCondition::carrier_stays:
         return !agent_.tether || !company_.carrier_is_gone;
       case ConductCondition::link_up:
@@ -219,7 +208,24 @@ class Leaves {
 /// Its work is what is heard.
 bool is_noisy(const AgentState& state) {
   const ConductState& own = state.conduct;
-  return own.phase == Phase::work && own.doing == Doing::task && !own.has_ended && moves(state);
+  return own.phase == Phase::work && own.doing == Doing::task && !own.has_ended && moves(state) &&
+         !state.helm.is_helmed();
+}
+
+/// Under the helm: looks about as ever, and is taken back where it must come home.
+/// @return whether its tree goes on
+bool is_free_of_helm(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state) {
+  if (!state.helm.is_helmed()) return true;
+  keep_boarding_place(agent, carrier, state);
+  if (agent.zone) note_noise(false, t_s, state.conduct.noisy);
+  const bool is_on_its_way = state.helm.mode == HelmMode::home;
+  if (is_on_its_way || !must_come_home(agent, state)) return false;
+  if (!state.conduct.has_ended) {
+    give_back(HelmCause::reserve, t_s, agent, state);
+    return true;
+  }
+  take_helm({HelmMode::home, HelmCause::reserve}, t_s, agent, state);
+  return false;
 }
 
 /// A carrier goes on when those that it carries are back, with no line in the water.
@@ -238,10 +244,12 @@ bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Compa
   ConductState& own = state.conduct;
   const AgentState* const carrier = company.carrier;
   if (state.halt != Halt::none) return false;
-  if (own.has_ended) return own.is_aboard && carry(agent, carrier, state);
+  if (own.has_ended && !state.helm.is_helmed())
+    return own.is_aboard && carry(agent, carrier, state);
   look_out(agent, t_s, state);
   follow_datum(agent, t_s, state);
   look_about(agent, t_s, state, carrier);
+  if (!is_free_of_helm(agent, t_s, carrier, state)) return false;
   Leaves leaves(agent, t_s, company, state);
   const NodeStatus status = tick(agent.conduct->plan.behaviour, own.tree, t_s, leaves, changes);
   const bool is_moved = come_and_go(agent, t_s, company, state);

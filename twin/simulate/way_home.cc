@@ -37,6 +37,12 @@ double cruise_w_at(const ReadyConduct& conduct, double speed_m_s) noexcept {
   return table[low] + (at - static_cast<double>(low)) * (table[low + 1] - table[low]);
 }
 
+bool reserve_holds(const ReadyConduct& conduct, const ConductState& state) noexcept {
+  const Reserve& reserve = conduct.plan.reserve;
+  return !(conduct.full_j > 0) || state.energy_left_j >= reserve.margin * state.energy_home_j +
+                                                             reserve.share * conduct.full_j;
+}
+
 std::vector<Waypoint> waypoints_home(const Agent& agent, const AgentState& state) {
   const ReadyConduct& conduct = *agent.conduct;
   const auto& structures = agent.water->environment().structures;

@@ -1,0 +1,92 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "twin/helm/authority.h"
+#include "twin/helm/refusal.h"
+#include "twin/simulate/run.h"
+
+namespace slackwater::twin {
+
+/// How often commands of one source for one vehicle were refused for one reason.
+struct RefusalCount {
+  std::string source;
+  std::string vehicle;  ///< its name, or what was given for one
+  RefusalReason reason{};
+  std::uint64_t count = 0;
+  double last_s = 0;      ///< run time of the last one
+  std::string last_text;  ///< the answer to that
+
+  friend bool operator==(const RefusalCount&, const RefusalCount&) = default;
+};
+
+/// The one way into a run for all doors: checks a command, sees to it that one client alone is at
+/// the helm of a vehicle, puts it into the run's queue or says why not. Thread-safe; a run that has
+/// one keeps it alive until it is over.
+///
+/// Times are run time (`time_s()`), of which it hears at each barrier.
+class Steward {
+ public:
+  /// Joins the run: looks at each opening and barrier. Between steps.
+  explicit Steward(Run& run, const RefusalLimits& limits = {});
+  Steward(const Steward&) = delete;
+  Steward& operator=(const Steward&) = delete;
+
+  /// Checks and enqueues for the next step (`command.step` 0) or a later one. `command.source` and
+  /// `received_s` are set to the client and `now_s` where they are empty.
+  /// @return nothing: it was taken
+  [[nodiscard]] std::optional<Refusal> submit(std::string_view client, Command command,
+                                              double now_s);
+
+  // Authority; see `Authority`. Each answers with nothing where it was done.
+  [[nodiscard]] std::optional<Refusal> ask(std::string_view client, std::size_t vehicle,
+                                           double now_s);
+  /// A vehicle that goes by velocity or thrusters holds; a list of waypoints goes on.
+  [[nodiscard]] std::optional<Refusal> release(std::string_view client, std::size_t vehicle,
+                                               double now_s);
+  [[nodiscard]] std::optional<Refusal> allow_take_over(std::string_view client, std::size_t vehicle,
+                                                       double now_s);
+  /// The client is gone: what it held holds, and later goes home (`HelmRule`).
+  void lost(std::string_view client, double now_s);
+  /// Empty: nobody.
+  [[nodiscard]] std::string holder(std::size_t vehicle) const;
+  /// The place of a vehicle in the run by its name.
+  [[nodiscard]] std::optional<std::size_t> vehicle(std::string_view name) const;
+
+  /// Of the last barrier.
+  [[nodiscard]] double time_s() const;
+  /// As of the last barrier: what is in force.
+  [[nodiscard]] Standing standing(std::size_t vehicle) const;
+  /// By source, vehicle and reason. Beyond `most_counts` of them, all others are counted under the
+  /// source "others".
+  [[nodiscard]] std::vector<RefusalCount> refusals() const;
+  static constexpr std::size_t most_counts = 1000;
+
+ private:
+  void open(const StepTime& time);
+  void look(const StepTime& time);
+  [[nodiscard]] Refusal count(std::string_view client, std::string vehicle, Refusal refusal,
+                              double now_s);
+  [[nodiscard]] std::optional<Refusal> counted(std::string_view client, std::size_t vehicle,
+                                               std::optional<std::string> answer, double now_s);
+  void enqueue_hold(std::string_view client, std::size_t vehicle, bool is_client_lost,
+                    double now_s);
+
+  Run& run_;
+  RefusalLimits limits_;
+  mutable std::mutex mutex_;
+  Authority authority_;
+  std::vector<Standing> standing_;
+  std::vector<std::uint64_t> accepted_at_;  ///< opening of each vehicle's last command
+  std::map<std::pair<std::string, std::size_t>, std::uint64_t, std::less<>> last_sequence_;
+  std::vector<RefusalCount> counts_;
+  std::uint64_t openings_ = 0;
+  double time_s_ = 0;
+};
+
+}  // namespace slackwater::twin
