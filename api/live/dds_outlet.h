@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+
+#include "api/dds/participant.h"
+#include "api/live/stream.h"
+
+namespace slackwater::live {
+
+/// The messages of a run on a DDS domain.
+class DdsOutlet final : public Outlet {
+ public:
+  explicit DdsOutlet(std::shared_ptr<dds::Participant> participant)
+      : participant_(std::move(participant)) {}
+  void open(const bag::Channel& channel) override {
+    writers_.push_back(participant_->publish_on(channel));
+  }
+  [[nodiscard]] bool wants(std::size_t channel) const override {
+    return participant_->is_heard(writers_[channel]);
+  }
+  void publish(std::size_t channel, const dds::Stamp&, const dds::Bytes& message) override {
+    participant_->send(writers_[channel], message);
+  }
+  void opened() override { participant_->announce(); }
+
+ private:
+  std::shared_ptr<dds::Participant> participant_;
+  std::vector<dds::Participant::WriterId> writers_;
+};
+
+}  // namespace slackwater::live

@@ -1,0 +1,106 @@
+#include "api/live/site_voice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "twin/traffic/closest_approach.h"
+
+namespace slackwater::live {
+namespace {
+
+constexpr double profile_every_s = 600, water_every_s = 60, traffic_every_s = 2;
+
+/// Whether it is time again; notes that it was.
+bool is_due(double t_s, double every_s, double& last_s) {
+  if (last_s >= 0 && t_s < last_s + every_s - 1e-6) return false;
+  last_s = t_s;
+  return true;
+}
+
+/// The nearest of the approaches that are foreseen to any vehicle that goes on.
+twin::ClosestApproach nearest_of(const twin::MovingPoint& vessel,
+                                 std::span<const twin::Seen> vehicles) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  twin::ClosestApproach nearest{none, none, false};
+  for (const twin::Seen& vehicle : vehicles) {
+    if (vehicle.halt != twin::Halt::none) continue;
+    const auto approach =
+        twin::closest_approach({vehicle.position_m, vehicle.velocity_m_s}, vessel);
+    if (!(approach.distance_m >= nearest.distance_m)) nearest = approach;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+SiteVoice::SiteVoice(Stream& stream, const RunPlace& place, const std::string& site,
+                     const twin::Environment& environment,
+                     std::span<const twin::TrafficVessel> vessels)
+    : stream_(stream),
+      place_(place),
+      environment_(environment),
+      sampler_(environment),
+      vessels_(vessels.begin(), vessels.end()) {
+  const auto open = [&](const char* what, const char* type) {
+    return stream.open("/" + site + "/" + what, type, latched_quality);
+  };
+  clock_ = stream.open("/clock", "rosgraph_msgs/msg/Clock", clock_quality);
+  profile_ = open("current_profile", "slackwater_msgs/msg/CurrentProfile");
+  wind_ = open("wind", "geometry_msgs/msg/Vector3Stamped");
+  wave_ = open("wave", "slackwater_msgs/msg/SeaState");
+  tide_ = open("tide_level", "std_msgs/msg/Float64");
+  power_ = open("turbine_power", "std_msgs/msg/Float64MultiArray");
+  ais_ = stream.open("/ais", "slackwater_msgs/msg/AisTarget", {true, false, 100});
+  stream.opened();
+}
+
+void SiteVoice::speak(std::span<const twin::Seen> vehicles, double t_s) {
+  const dds::Stamp stamp = dds::stamp_of(place_.epoch, t_s);
+  if (stream_.is_wanted(clock_)) stream_.publish(clock_, stamp, dds::clock(stamp));
+  speak_of_water(t_s, stamp);
+  if (!vessels_.empty() && is_due(t_s, traffic_every_s, traffic_s_) && stream_.is_wanted(ais_))
+    speak_of_traffic(vehicles, t_s, stamp);
+}
+
+void SiteVoice::speak_of_water(double t_s, const dds::Stamp& stamp) {
+  const dds::SiteWater water{*environment_.field, environment_.member, place_.origin};
+  const UtcTime now = dds::time_of(stamp);
+  if (is_due(t_s, profile_every_s, profile_s_))
+    stream_.publish(profile_, stamp, dds::current_profile(water, now, stamp));
+  if (!is_due(t_s, water_every_s, minute_s_)) return;
+  stream_.publish(wind_, stamp, dds::wind(water, now, stamp));
+  stream_.publish(wave_, stamp, dds::wave(sampler_.sea({}, t_s), stamp));
+  stream_.publish(tide_, stamp, dds::tide_level(water, now));
+  std::vector<double> power_w;
+  if (environment_.farm)
+    for (const TurbineFlow& turbine : environment_.farm->turbines())
+      power_w.push_back(turbine.power_w);
+  stream_.publish(power_, stamp, dds::turbine_power(power_w));
+}
+
+void SiteVoice::speak_of_traffic(std::span<const twin::Seen> vehicles, double t_s,
+                                 const dds::Stamp& stamp) {
+  twin::populate(vessels_, t_s, {}, picture_);
+  const twin::DegreesPerMetre per_m = twin::degrees_per_metre(place_.origin);
+  for (const twin::Contact& contact : picture_.contacts) {
+    const auto vessel = std::find_if(vessels_.begin(), vessels_.end(),
+                                     [&](const auto& other) { return other.id == contact.id; });
+    const twin::Triple<double>& at_m = contact.motion.position_m;
+    const twin::Triple<double>& v = contact.motion.velocity_m_s;
+    const twin::ClosestApproach nearest = nearest_of(contact.motion, vehicles);
+    dds::AisTarget target;
+    target.mmsi = contact.id;
+    if (vessel != vessels_.end()) target.name = vessel->name;
+    target.point = GeoPoint::from_degrees(place_.origin.latitude_deg() + at_m.x * per_m.north,
+                                          place_.origin.longitude_deg() + at_m.y * per_m.east);
+    target.speed_m_s = std::hypot(v.x, v.y);
+    const double course_deg = std::atan2(v.y, v.x) * 180 / constants::pi;
+    target.course_deg = course_deg < 0 ? course_deg + 360 : course_deg;
+    target.cpa_m = nearest.distance_m;
+    target.tcpa_s = nearest.time_s;
+    stream_.publish(ais_, stamp, dds::ais_target(target, stamp));
+  }
+}
+
+}  // namespace slackwater::live

@@ -1,0 +1,58 @@
+#pragma once
+#include <string>
+
+#include "api/live/reserve_advice.h"
+#include "api/live/stream.h"
+#include "fields/geo/geo_point.h"
+#include "twin/simulate/agent.h"
+
+namespace slackwater::live {
+
+/// What all voices of a run share.
+struct RunPlace {
+  UtcTime epoch;
+  GeoPoint origin;
+  double geoid_m = 0;  ///< mean sea level above the ellipsoid there
+};
+
+/// Tells of one vehicle after each barrier: each topic at its own rate, and nothing that nobody
+/// hears.
+class VehicleVoice {
+ public:
+  /// @param name  a token of ROS, of the vehicle alone
+  VehicleVoice(Stream& stream, const RunPlace& place, std::string name, const twin::Agent& agent,
+               const twin::AgentState& at_start);
+  /// @param holder    the client at its helm, "" where nobody is
+  void speak(const twin::Agent& agent, const twin::AgentState& state, const std::string& holder,
+             double t_s);
+
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+
+ private:
+  using ChannelId = Stream::ChannelId;
+  void speak_of_instruments(const twin::Agent& agent, const twin::AgentState& state,
+                            const dds::Stamp& stamp);
+  /// Latched topics, where they change.
+  void speak_of_changes(const twin::Agent& agent, const twin::AgentState& state,
+                        const std::string& holder, const dds::Stamp& stamp);
+
+  Stream& stream_;
+  RunPlace place_;
+  std::string name_;
+  ReserveAdvice advice_;
+  ChannelId odometry_, pose_, battery_, reserve_, mission_, waypoints_;
+  ChannelId imu_ = 0, fix_ = 0, pressure_ = 0, dvl_ = 0, dvl_water_ = 0;
+  std::uint64_t looked_ = 0;  ///< steps of the instruments that were told of
+  double second_s_ = -1;      ///< when it told last of what it tells each second
+  int battery_status_ = -1;
+  std::string mission_said_;
+  dds::Bytes waypoints_said_;
+};
+
+/// What a vehicle is about, as JSON (api/docs/dds.md has its schema).
+[[nodiscard]] std::string mission_state(const twin::Agent& agent, const twin::AgentState& state,
+                                        const std::string& holder);
+/// What is left of the waypoints that it goes by now.
+[[nodiscard]] std::vector<twin::Waypoint> waypoints_left(const twin::AgentState& state);
+
+}  // namespace slackwater::live
