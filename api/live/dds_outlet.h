@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "api/dds/participant.h"
 #include "api/live/stream.h"
@@ -11,20 +12,23 @@ class DdsOutlet final : public Outlet {
  public:
   explicit DdsOutlet(std::shared_ptr<dds::Participant> participant)
       : participant_(std::move(participant)) {}
-  void open(const bag::Channel& channel) override {
-    writers_.push_back(participant_->publish_on(channel));
+  void open(const bag::Channel& channel, Direction direction) override {
+    std::optional<dds::Participant::WriterId> writer;
+    if (direction == Direction::told) writer = participant_->publish_on(channel);
+    writers_.push_back(writer);
   }
   [[nodiscard]] bool wants(std::size_t channel) const override {
-    return participant_->is_heard(writers_[channel]);
+    return writers_[channel] && participant_->is_heard(*writers_[channel]);
   }
   void publish(std::size_t channel, const dds::Stamp&, const dds::Bytes& message) override {
-    participant_->send(writers_[channel], message);
+    participant_->send(*writers_[channel], message);
   }
   void opened() override { participant_->announce(); }
 
  private:
   std::shared_ptr<dds::Participant> participant_;
-  std::vector<dds::Participant::WriterId> writers_;
+  std::vector<std::optional<dds::Participant::WriterId>>
+      writers_;  ///< of each channel; heard: none
 };
 
 }  // namespace slackwater::live

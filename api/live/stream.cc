@@ -7,15 +7,16 @@
 namespace slackwater::live {
 
 void Stream::add(std::shared_ptr<Outlet> outlet) {
-  for (const bag::Channel& channel : channels_) outlet->open(channel);
+  for (std::size_t i = 0; i < channels_.size(); ++i) outlet->open(channels_[i], directions_[i]);
   outlet->opened();
   outlets_.push_back(std::move(outlet));
 }
 
 Stream::ChannelId Stream::open(const std::string& topic, const std::string& type,
-                               const bag::Quality& quality) {
+                               const bag::Quality& quality, Direction direction) {
   channels_.push_back({topic, type, dds::definition_of(type), quality});
-  for (const auto& outlet : outlets_) outlet->open(channels_.back());
+  directions_.push_back(direction);
+  for (const auto& outlet : outlets_) outlet->open(channels_.back(), direction);
   return channels_.size() - 1;
 }
 

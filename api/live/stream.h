@@ -8,13 +8,16 @@
 
 namespace slackwater::live {
 
+/// What the run tells, or what it was told by clients: that is recorded, and nobody is told again.
+enum class Direction { told, heard };
+
 /// Where the messages of a run go: a DDS domain, a recording, viewers. Its members are called from
 /// the thread of the run alone, and never make it wait.
 class Outlet {
  public:
   virtual ~Outlet() = default;
   /// Channels are numbered as they come, from 0.
-  virtual void open(const bag::Channel& channel) = 0;
+  virtual void open(const bag::Channel& channel, Direction direction) = 0;
   /// Whether a message now would reach anybody.
   [[nodiscard]] virtual bool wants(std::size_t channel) const = 0;
   virtual void publish(std::size_t channel, const dds::Stamp& stamp, const dds::Bytes& message) = 0;
@@ -30,7 +33,8 @@ class Stream {
   /// It is told of the channels that are open already, not of what was said on them.
   void add(std::shared_ptr<Outlet> outlet);
   /// @param type  of ROS: "nav_msgs/msg/Odometry"
-  ChannelId open(const std::string& topic, const std::string& type, const bag::Quality& quality);
+  ChannelId open(const std::string& topic, const std::string& type, const bag::Quality& quality,
+                 Direction direction = Direction::told);
   void opened();
 
   [[nodiscard]] bool is_wanted(ChannelId channel) const;
@@ -40,6 +44,7 @@ class Stream {
 
  private:
   std::vector<bag::Channel> channels_;
+  std::vector<Direction> directions_;
   std::vector<std::shared_ptr<Outlet>> outlets_;
 };
 

@@ -1,0 +1,210 @@
+#include "api/live/dds_door.h"
+
+#include <algorithm>
+
+#include "api/dds/message/orders.h"
+#include "fields/base/text.h"
+
+namespace slackwater::live {
+namespace {
+
+dds::Bytes not_done(const std::string& text) { return dds::done_reply(false, text); }
+
+/// The answer of a service that does something or says why not.
+dds::Bytes done_or(const std::optional<std::string>& refusal, const std::string& done) {
+  return refusal ? not_done(*refusal) : dds::done_reply(true, done);
+}
+dds::Bytes done_or(const std::optional<twin::Refusal>& refusal, const std::string& done) {
+  return refusal ? not_done(refusal->text) : dds::done_reply(true, done);
+}
+
+twin::Reroute reroute_to(const std::vector<twin::Triple<double>>& places_m, bool loop) {
+  twin::Reroute reroute;
+  reroute.loop = loop;
+  for (const auto& place_m : places_m) reroute.waypoints.push_back({place_m});
+  return reroute;
+}
+
+}  // namespace
+
+DdsDoor::DdsDoor(std::shared_ptr<dds::Participant> participant, Stream& stream, Desk& desk,
+                 DoorRun run)
+    : participant_(std::move(participant)), stream_(stream), desk_(desk), run_(std::move(run)) {
+  participant_->on_lost([&steward = desk.steward()](const std::string& client) {
+    steward.lost(client, steward.time_s());
+  });
+  open_run_services();
+  participant_->announce();
+}
+
+void DdsDoor::open(const std::string& name) {
+  const std::size_t vehicle = actions_.size();
+  open_topics(name, vehicle);
+  open_vehicle_services(name, vehicle);
+  actions_.emplace_back(*participant_, stream_, desk_, run_.place, name, vehicle);
+  participant_->announce();
+}
+
+void DdsDoor::speak(std::span<const twin::AgentState> states, double t_s) {
+  for (std::size_t i = 0; i < actions_.size(); ++i) actions_[i].speak(states[i], t_s);
+  const std::uint64_t made = run_.steps_made();
+  const std::lock_guard lock(mutex_);
+  std::erase_if(waiting_, [&](const WaitingStep& step) {
+    if (made < step.until) return false;
+    step.answer(dds::step_reply(true));
+    return true;
+  });
+}
+
+void DdsDoor::serve(const std::string& name, const char* type, Handler handler,
+                    std::function<dds::Bytes(const std::string&)> refusal) {
+  participant_->serve({name, type}, [handler = std::move(handler), refusal = std::move(refusal)](
+                                        dds::Payload request, const std::string& client,
+                                        const dds::Answer& answer) {
+    dds::Bytes reply;
+    try {
+      reply = handler(request, client);
+    } catch (const std::exception& e) {
+      reply = refusal(e.what());
+    }
+    answer(reply);
+  });
+}
+
+void DdsDoor::open_run_services() {
+  constexpr const char* trigger = "std_srvs/srv/Trigger";
+  serve(
+      "/slackwater/pause", trigger,
+      [this](dds::Payload request, const std::string&) {
+        dds::read_trigger(request);
+        run_.control.pause();
+        return dds::done_reply(true, "paused");
+      },
+      not_done);
+  serve(
+      "/slackwater/resume", trigger,
+      [this](dds::Payload request, const std::string&) {
+        dds::read_trigger(request);
+        run_.control.resume();
+        return dds::done_reply(true, "goes on");
+      },
+      not_done);
+  participant_->serve({"/slackwater/step", "slackwater_msgs/srv/Step"},
+                      [this](dds::Payload request, const std::string&, const dds::Answer& answer) {
+                        take_step(request, answer);
+                      });
+  serve(
+      "/slackwater/spawn", "slackwater_msgs/srv/Spawn",
+      [this](dds::Payload request, const std::string&) {
+        const dds::SpawnAsked asked = dds::read_spawn(request);
+        return done_or(run_.spawn(asked), "it comes with the next step");
+      },
+      not_done);
+  serve(
+      "/slackwater/query_profile", "slackwater_msgs/srv/QueryProfile",
+      [this](dds::Payload request, const std::string&) {
+        return answer_profile(dds::read_query_profile(request));
+      },
+      dds::profile_refusal);
+}
+
+/// Answered when the steps have been made, which a run that is not paused makes by itself.
+void DdsDoor::take_step(dds::Payload request, const dds::Answer& answer) {
+  constexpr std::uint32_t most = 1'000'000;
+  std::uint32_t steps = 0;
+  try {
+    steps = dds::read_step(request);
+  } catch (const std::exception&) {
+    steps = 0;
+  }
+  if (steps == 0 || steps > most || !run_.control.is_paused())
+    return answer(dds::step_reply(false));
+  const std::lock_guard lock(mutex_);
+  waiting_.push_back({run_.steps_made() + steps, answer});
+  run_.control.allow_steps(steps);
+}
+
+dds::Bytes DdsDoor::answer_profile(const dds::ProfileAsked& asked) const {
+  const Field& field = *run_.environment.field;
+  const auto is_within = [](double value, double most) { return value >= -most && value <= most; };
+  if (!is_within(asked.latitude_deg, 90) || !is_within(asked.longitude_deg, 360)) {
+    return dds::profile_refusal(
+        formatted("no place on earth: {:g} N, {:g} E; latitudes are from -90 to 90, longitudes "
+                  "from -360 to 360 degrees",
+                  asked.latitude_deg, asked.longitude_deg));
+  }
+  const UtcTime time = dds::time_of(asked.time);
+  const Place place{asked.longitude_deg, asked.latitude_deg, 0, time};
+  if (const CurrentSample top = field.current(place); !has_value(top.status)) {
+    return dds::profile_refusal("no current there and then (" + std::string(name_of(top.status)) +
+                                "); " + field.range().text());
+  }
+  const GeoPoint at = GeoPoint::from_degrees(asked.latitude_deg, asked.longitude_deg);
+  return dds::profile_reply({field, run_.environment.member, at}, time, asked.time);
+}
+
+void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {
+  const auto hear = [&](const char* topic, const char* type, auto read) {
+    const bag::Channel channel{"/" + name + "/" + topic, type, "", command_quality};
+    participant_->subscribe(channel,
+                            [this, vehicle, read](dds::Payload message, const std::string& client) {
+                              try {
+                                (void)desk_.submit(client, vehicle, read(message),
+                                                   dds::Bytes(message.begin(), message.end()));
+                              } catch (const std::exception& e) {
+                                desk_.refuse(client, vehicle, e.what());
+                              }
+                            });
+  };
+  hear("cmd_vel", "geometry_msgs/msg/Twist", [](dds::Payload message) {
+    const twin::Spatial<double> nu = dds::velocity_asked(message);
+    return twin::CommandWhat(
+        twin::SetVelocity{{nu.linear.x, nu.linear.y, nu.linear.z, nu.angular.z}});
+  });
+  hear("thrusters", "std_msgs/msg/Float64MultiArray", [](dds::Payload message) {
+    return twin::CommandWhat(twin::SetThrusters{dds::thrusters_asked(message)});
+  });
+  hear("waypoints", "nav_msgs/msg/Path", [](dds::Payload message) {
+    return twin::CommandWhat(reroute_to(dds::path_asked(message), false));
+  });
+}
+
+void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle) {
+  twin::Steward& steward = desk_.steward();
+  serve(
+      "/" + name + "/authority", "std_srvs/srv/SetBool",
+      [&steward, vehicle](dds::Payload request, const std::string& client) {
+        const double now_s = steward.time_s();
+        if (dds::read_set_bool(request))
+          return done_or(steward.ask(client, vehicle, now_s), "you are at the helm");
+        return done_or(steward.release(client, vehicle, now_s), "given back");
+      },
+      not_done);
+  serve(
+      "/" + name + "/allow_take_over", "std_srvs/srv/Trigger",
+      [&steward, vehicle](dds::Payload request, const std::string& client) {
+        dds::read_trigger(request);
+        return done_or(steward.allow_take_over(client, vehicle, steward.time_s()),
+                       "for 10 s another client may ask for it");
+      },
+      not_done);
+  serve(
+      "/" + name + "/resume_mission", "std_srvs/srv/Trigger",
+      [this, vehicle](dds::Payload request, const std::string& client) {
+        dds::read_trigger(request);
+        return done_or(desk_.submit(client, vehicle, twin::Resume{}), "at its own mission again");
+      },
+      not_done);
+  serve(
+      "/" + name + "/set_waypoints", "slackwater_msgs/srv/SetWaypoints",
+      [this, vehicle](dds::Payload request, const std::string& client) {
+        const dds::WaypointsAsked asked = dds::read_set_waypoints(request);
+        const twin::Reroute reroute = reroute_to(asked.places_m, asked.loop);
+        const dds::Bytes heard = dds::active_waypoints(reroute.waypoints, {});
+        return done_or(desk_.submit(client, vehicle, reroute, heard),
+                       formatted("{} waypoints", reroute.waypoints.size()));
+      },
+      not_done);
+}
+
+}  // namespace slackwater::live

@@ -1,0 +1,59 @@
+#pragma once
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/live/stream.h"
+#include "api/live/vehicle_voice.h"
+#include "twin/helm/steward.h"
+
+namespace slackwater::live {
+
+/// Where all doors hand in what clients ask of vehicles. It counts for them, lets the steward
+/// decide, and sees to it that what was heard and what was refused is told and recorded:
+/// `/NAME/cmd_vel`, `/NAME/thrusters` and `/NAME/waypoints` as they were taken, and `/NAME/refused`,
+/// std_msgs/msg/String with {"client", "reason", "text"}.
+///
+/// `speak` and `open` are for the thread of the run, all else for any thread.
+class Desk {
+ public:
+  Desk(Stream& stream, twin::Steward& steward, const RunPlace& place);
+
+  /// Vehicles in the order of the run.
+  void open(const std::string& name);
+
+  /// @param heard  the message as it came, of a command topic; empty: none
+  /// @return why it was refused, for people; nothing: it was taken
+  std::optional<std::string> submit(const std::string& client, std::size_t vehicle,
+                                    twin::CommandWhat what, const dds::Bytes& heard = {});
+  /// What could not even be read.
+  void refuse(const std::string& client, std::size_t vehicle, const std::string& text);
+
+  [[nodiscard]] twin::Steward& steward() noexcept { return steward_; }
+  /// Publishes what came in since the last time.
+  void speak(double t_s);
+
+ private:
+  struct Vehicle {
+    Stream::ChannelId velocity, thrusters, waypoints, refused;
+  };
+  struct Said {
+    Stream::ChannelId channel;
+    dds::Bytes message;
+  };
+  void say_refused(const std::string& client, std::size_t vehicle, const char* reason,
+                   const std::string& text);
+
+  Stream& stream_;
+  twin::Steward& steward_;
+  RunPlace place_;
+  std::mutex mutex_;
+  std::vector<Vehicle> vehicles_;
+  std::map<std::pair<std::string, std::size_t>, std::uint64_t> counts_;
+  std::vector<Said> said_;
+  static constexpr std::size_t most_said = 10'000;  ///< between two barriers; what is more is lost
+};
+
+}  // namespace slackwater::live

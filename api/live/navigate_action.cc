@@ -1,0 +1,169 @@
+#include "api/live/navigate_action.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slackwater::live {
+namespace {
+
+std::vector<twin::Waypoint> waypoints_at(const std::vector<twin::Triple<double>>& places_m) {
+  std::vector<twin::Waypoint> waypoints;
+  for (const auto& place_m : places_m) waypoints.push_back({place_m});
+  return waypoints;
+}
+
+}  // namespace
+
+NavigateAction::NavigateAction(dds::Participant& participant, Stream& stream, Desk& desk,
+                               const RunPlace& place, const std::string& name, std::size_t vehicle)
+    : stream_(stream), desk_(desk), place_(place), vehicle_(vehicle) {
+  const std::string action = "/" + name + "/navigate/_action/";
+  feedback_ = stream.open(action + "feedback", "slackwater_msgs/action/Navigate_FeedbackMessage",
+                          state_quality);
+  status_ = stream.open(action + "status", "action_msgs/msg/GoalStatusArray", latched_quality);
+  participant.serve({action + "send_goal", "slackwater_msgs/action/Navigate_SendGoal"},
+                    [this](dds::Payload request, const std::string& client,
+                           const dds::Answer& answer) { take_goal(request, client, answer); });
+  participant.serve({action + "cancel_goal", "action_msgs/srv/CancelGoal"},
+                    [this](dds::Payload request, const std::string& client,
+                           const dds::Answer& answer) { take_cancel(request, client, answer); });
+  participant.serve({action + "get_result", "slackwater_msgs/action/Navigate_GetResult"},
+                    [this](dds::Payload request, const std::string&, const dds::Answer& answer) {
+                      take_result(request, answer);
+                    });
+  stream.opened();
+}
+
+NavigateAction::Goal* NavigateAction::active() {
+  for (Goal& goal : goals_)
+    if (!dds::is_over(goal.is.status)) return &goal;
+  return nullptr;
+}
+
+NavigateAction::Goal* NavigateAction::find(const dds::GoalId& id) {
+  const auto found = std::find_if(goals_.begin(), goals_.end(),
+                                  [&](const Goal& goal) { return goal.is.goal.id == id; });
+  return found == goals_.end() ? nullptr : &*found;
+}
+
+void NavigateAction::end(Goal& goal, dds::GoalStatus status, const std::string& message) {
+  goal.is.status = status;
+  goal.message = message;
+  has_changed_ = true;
+  for (const dds::Answer& answer : goal.waiting)
+    answer(dds::result_reply(status, status == dds::GoalStatus::succeeded, message));
+  goal.waiting.clear();
+}
+
+void NavigateAction::take_goal(dds::Payload request, const std::string& client,
+                               const dds::Answer& answer) {
+  const double now_s = desk_.steward().time_s();
+  const dds::Stamp now = dds::stamp_of(place_.epoch, now_s);
+  const auto refuse = [&] { answer(dds::send_goal_reply(false, now)); };
+  dds::GoalAsked asked;
+  try {
+    asked = dds::read_send_goal(request);
+  } catch (const std::exception& e) {
+    desk_.refuse(client, vehicle_, e.what());
+    return refuse();
+  }
+  const std::lock_guard lock(mutex_);
+  if (find(asked.id) != nullptr) {
+    desk_.refuse(client, vehicle_, "a goal of this id was sent before; give each its own");
+    return refuse();
+  }
+  twin::Reroute reroute{waypoints_at(asked.places_m)};
+  if (reroute.waypoints.empty()) {
+    desk_.refuse(client, vehicle_, "a goal without a place; give its path at least one pose");
+    return refuse();
+  }
+  if (desk_.submit(client, vehicle_, reroute, dds::active_waypoints(reroute.waypoints, now)))
+    return refuse();
+  if (Goal* before = active())
+    end(*before, dds::GoalStatus::aborted, "another goal took its place");
+  if (goals_.size() >= most_goals) goals_.pop_front();
+  Goal& goal = goals_.emplace_back();
+  goal.is = {{asked.id, now}, dds::GoalStatus::executing};
+  goal.client = client;
+  goal.waypoints = reroute.waypoints.size();
+  goal.accepted_s = now_s;
+  has_changed_ = true;
+  answer(dds::send_goal_reply(true, now));
+}
+
+void NavigateAction::take_cancel(dds::Payload request, const std::string& client,
+                                 const dds::Answer& answer) {
+  dds::GoalInfo asked;
+  try {
+    asked = dds::read_cancel_goal(request);
+  } catch (const std::exception& e) {
+    desk_.refuse(client, vehicle_, e.what());
+    return answer(dds::cancel_goal_reply(dds::CancelAnswer::rejected, {}));
+  }
+  const std::lock_guard lock(mutex_);
+  const bool asks_all = asked.id == dds::GoalId{};
+  Goal* goal = asks_all ? active() : find(asked.id);
+  const bool is_too_new =
+      asks_all && goal != nullptr && asked.accepted_at != dds::Stamp{} &&
+      dds::nanoseconds_of(goal->is.goal.accepted_at) > dds::nanoseconds_of(asked.accepted_at);
+  if (goal == nullptr || is_too_new) {
+    return answer(dds::cancel_goal_reply(
+        asks_all ? dds::CancelAnswer::none : dds::CancelAnswer::unknown_goal, {}));
+  }
+  if (dds::is_over(goal->is.status))
+    return answer(dds::cancel_goal_reply(dds::CancelAnswer::is_over, {}));
+  if (desk_.submit(client, vehicle_, twin::HoldHere{}))
+    return answer(dds::cancel_goal_reply(dds::CancelAnswer::rejected, {}));
+  const dds::GoalInfo canceling = goal->is.goal;
+  answer(dds::cancel_goal_reply(dds::CancelAnswer::none, {&canceling, 1}));
+  end(*goal, dds::GoalStatus::canceled, "cancelled: the vehicle holds where it is");
+}
+
+void NavigateAction::take_result(dds::Payload request, const dds::Answer& answer) {
+  const dds::GoalId id = dds::read_get_result(request);
+  const std::lock_guard lock(mutex_);
+  Goal* goal = find(id);
+  if (goal == nullptr) return answer(dds::unknown_result_reply());
+  if (!dds::is_over(goal->is.status)) return goal->waiting.push_back(answer);
+  answer(dds::result_reply(goal->is.status, goal->is.status == dds::GoalStatus::succeeded,
+                           goal->message));
+}
+
+void NavigateAction::speak(const twin::AgentState& state, double t_s) {
+  const dds::Stamp stamp = dds::stamp_of(place_.epoch, t_s);
+  const std::lock_guard lock(mutex_);
+  // A goal is in force from the step after the one in which it was accepted.
+  if (Goal* goal = active(); goal != nullptr && t_s > goal->accepted_s + 1e-9) {
+    const twin::HelmState& helm = state.helm;
+    if (state.halt != twin::Halt::none) {
+      end(*goal, dds::GoalStatus::aborted,
+          "the vehicle goes no further: " + std::string(twin::name_of(state.halt)));
+    } else if (helm.mode == twin::HelmMode::hold && helm.cause == twin::HelmCause::list_done) {
+      end(*goal, dds::GoalStatus::succeeded, "at the last place");
+    } else if (helm.mode != twin::HelmMode::waypoints) {
+      end(*goal, dds::GoalStatus::aborted,
+          std::string("the vehicle does something else: ") + twin::name_of(helm.mode) + ", " +
+              twin::name_of(helm.cause));
+    } else if (constexpr double every_s = 0.2; t_s >= told_s_ + every_s - 1e-6) {
+      told_s_ = t_s;
+      const std::size_t left = waypoints_left(state).size();
+      const std::size_t at = goal->waypoints - std::min(left, goal->waypoints);
+      const double distance_m =
+          helm.way.route.is_done()
+              ? 0
+              : twin::length_of(helm.way.route.to().position_m - state.vehicle.body.position_m);
+      if (stream_.is_wanted(feedback_)) {
+        stream_.publish(
+            feedback_, stamp,
+            dds::feedback(goal->is.goal.id, static_cast<std::uint32_t>(at), distance_m));
+      }
+    }
+  }
+  if (!has_changed_) return;
+  has_changed_ = false;
+  std::vector<dds::GoalState> states;
+  for (const Goal& goal : goals_) states.push_back(goal.is);
+  stream_.publish(status_, stamp, dds::goal_status(states));
+}
+
+}  // namespace slackwater::live

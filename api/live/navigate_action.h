@@ -1,0 +1,53 @@
+#pragma once
+#include <deque>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "api/dds/message/navigate.h"
+#include "api/dds/participant.h"
+#include "api/live/desk.h"
+
+namespace slackwater::live {
+
+/// `/NAME/navigate` of one vehicle: a path as a goal, with feedback, result and cancelling. A new
+/// goal of whoever holds the vehicle takes the place of the one under way, which is aborted.
+///
+/// `speak` is for the thread of the run, the services for any thread.
+class NavigateAction {
+ public:
+  NavigateAction(dds::Participant& participant, Stream& stream, Desk& desk, const RunPlace& place,
+                 const std::string& name, std::size_t vehicle);
+
+  void speak(const twin::AgentState& state, double t_s);
+
+ private:
+  struct Goal {
+    dds::GoalState is;
+    std::string client;
+    std::size_t waypoints = 0;
+    double accepted_s = 0;
+    std::string message;               ///< of its end
+    std::vector<dds::Answer> waiting;  ///< for that
+  };
+  void take_goal(dds::Payload request, const std::string& client, const dds::Answer& answer);
+  void take_cancel(dds::Payload request, const std::string& client, const dds::Answer& answer);
+  void take_result(dds::Payload request, const dds::Answer& answer);
+  /// Of the goals, the one that goes on; null: none.
+  [[nodiscard]] Goal* active();
+  [[nodiscard]] Goal* find(const dds::GoalId& id);
+  void end(Goal& goal, dds::GoalStatus status, const std::string& message);
+
+  Stream& stream_;
+  Desk& desk_;
+  RunPlace place_;
+  std::size_t vehicle_;
+  Stream::ChannelId feedback_, status_;
+  std::mutex mutex_;
+  std::deque<Goal> goals_;  ///< the newest last
+  bool has_changed_ = true;
+  double told_s_ = -1;
+  static constexpr std::size_t most_goals = 100;  ///< kept for those who ask late
+};
+
+}  // namespace slackwater::live
