@@ -60,6 +60,10 @@ struct Autopilot {
 /// crew transfer vessel turns within 351 m of 498. Infinite where nothing turns it.
 [[nodiscard]] double tightest_turn_m(const Autopilot& autopilot, double speed_m_s) noexcept;
 
+/// Craft that must turn to where they go are driven astern by no more than this of their largest
+/// speed.
+inline constexpr double most_astern_share = 0.2;
+
 /// Whether a velocity that is asked for is over ground: of what can push every way.
 [[nodiscard]] bool goes_by_ground(const Autopilot& autopilot) noexcept;
 

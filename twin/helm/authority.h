@@ -62,6 +62,8 @@ class Authority {
     double renewed_s = 0;
     double leave_until_s = -1;  ///< of a take-over
   };
+  [[nodiscard]] static bool is_over(const Held& held, double now_s) noexcept;
+
   std::vector<Held> held_;
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "twin/helm/authority.h"
@@ -37,8 +38,9 @@ class Steward {
   Steward(const Steward&) = delete;
   Steward& operator=(const Steward&) = delete;
 
-  /// Checks and enqueues for the next step (`command.step` 0) or a later one. `command.source` and
-  /// `received_s` are set to the client and `now_s` where they are empty.
+  /// Checks and enqueues for the next step (`command.step` 0) or a later one; in an opening of the
+  /// run that is the step which begins. An empty `command.source` is set to the client.
+  /// @param now_s  run time, see `time_s`; never falls
   /// @return nothing: it was taken
   [[nodiscard]] std::optional<Refusal> submit(std::string_view client, Command command,
                                               double now_s);
@@ -55,7 +57,8 @@ class Steward {
   void lost(std::string_view client, double now_s);
   /// Empty: nobody.
   [[nodiscard]] std::string holder(std::size_t vehicle) const;
-  /// The place of a vehicle in the run by its name.
+  /// The place of a vehicle in the run by its name; where there is none, `refuse_unknown` has the
+  /// answer.
   [[nodiscard]] std::optional<std::size_t> vehicle(std::string_view name) const;
 
   /// Of the last barrier.
@@ -66,16 +69,25 @@ class Steward {
   /// source "others".
   [[nodiscard]] std::vector<RefusalCount> refusals() const;
   static constexpr std::size_t most_counts = 1000;
+  /// Of a run that is taken up from a checkpoint.
+  void restore(std::vector<RefusalCount> refusals);
+  /// For doors that know vehicles by name. Counted like any other.
+  [[nodiscard]] Refusal refuse_unknown(std::string_view client, std::string_view vehicle,
+                                       double now_s);
 
  private:
-  void open(const StepTime& time);
-  void look(const StepTime& time);
+  void open();
+  void look(double time_s);
+  [[nodiscard]] std::optional<std::uint64_t> last_sequence(std::string_view client,
+                                                           std::size_t vehicle) const;
   [[nodiscard]] Refusal count(std::string_view client, std::string vehicle, Refusal refusal,
                               double now_s);
-  [[nodiscard]] std::optional<Refusal> counted(std::string_view client, std::size_t vehicle,
-                                               std::optional<std::string> answer, double now_s);
-  void enqueue_hold(std::string_view client, std::size_t vehicle, bool is_client_lost,
-                    double now_s);
+  [[nodiscard]] std::optional<Refusal> counted_unknown(std::string_view client, std::size_t vehicle,
+                                                       double now_s);
+  template <typename Do>
+  [[nodiscard]] std::optional<Refusal> with_vehicle(std::string_view client, std::size_t vehicle,
+                                                    double now_s, const Do& act);
+  void enqueue_hold(std::string_view client, std::size_t vehicle, double now_s);
 
   Run& run_;
   RefusalLimits limits_;

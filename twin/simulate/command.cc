@@ -56,11 +56,6 @@ struct Doer {
   void take(const HelmDue& due) const { take_helm(due, t_s, agent, state); }
 };
 
-bool leads(const CommandWhat& what) {
-  return std::holds_alternative<Reroute>(what) || std::holds_alternative<SetVelocity>(what) ||
-         std::holds_alternative<SetThrusters>(what) || std::holds_alternative<HoldHere>(what);
-}
-
 bool moves_vehicle(const CommandWhat& what) {
   return std::holds_alternative<PutVehicle>(what) || std::holds_alternative<HostPhysics>(what);
 }
@@ -68,6 +63,11 @@ bool moves_vehicle(const CommandWhat& what) {
 }  // namespace
 
 std::string_view name_of(const CommandWhat& what) noexcept { return names[what.index()]; }
+
+bool leads_elsewhere(const CommandWhat& what) noexcept {
+  return std::holds_alternative<Reroute>(what) || std::holds_alternative<SetVelocity>(what) ||
+         std::holds_alternative<SetThrusters>(what) || std::holds_alternative<HoldHere>(what);
+}
 
 void expect_sound(const Command& command, const Agent& agent) {
   if (const auto* reroute = std::get_if<Reroute>(&command.what)) {
@@ -89,7 +89,7 @@ void apply(const Command& command, double t_s, const Agent& agent, AgentState& s
   const bool is_moved = moves_vehicle(command.what);
   // One that was put where no vehicle can be halts in its next step.
   if (!is_moved && !is_sound(state.vehicle.body, state.vehicle.battery.charge)) return;
-  if (leads(command.what) && must_come_home(agent, state)) return;
+  if (leads_elsewhere(command.what) && must_come_home(agent, state)) return;
   std::visit(Doer{t_s, agent, state}, command.what);
 }
 

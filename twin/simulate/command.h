@@ -83,6 +83,10 @@ struct Command {
 /// "waypoints", "velocity", ...: by the kind of what is done.
 [[nodiscard]] std::string_view name_of(const CommandWhat& what) noexcept;
 
+/// Whether it leads a vehicle elsewhere, or holds it, when its energy may be needed for its way
+/// home.
+[[nodiscard]] bool leads_elsewhere(const CommandWhat& what) noexcept;
+
 /// @throws ContractViolation for waypoints, velocities or thrusters that are not finite, thrusters
 ///         beyond 1 or of another number than the vehicle's
 void expect_sound(const Command& command, const Agent& agent);

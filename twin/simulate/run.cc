@@ -312,6 +312,10 @@ void Run::tick_behaviours(const StepTime& time) {
   }
 }
 
+bool Run::must_come_home(std::size_t agent) const noexcept {
+  return twin::must_come_home(agents_[agent], states_[agent]);
+}
+
 bool Run::has_ended(std::size_t index) const noexcept {
   const AgentState& state = states_[index];
   return !agents_[index].conduct || state.halt != Halt::none || state.conduct.has_ended;

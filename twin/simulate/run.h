@@ -86,6 +86,8 @@ class Run {
   [[nodiscard]] const ConductState& conduct(std::size_t agent) const {
     return states_[agent].conduct;
   }
+  /// Whether its energy is needed for its way home (helm.h).
+  [[nodiscard]] bool must_come_home(std::size_t agent) const noexcept;
   [[nodiscard]] std::span<const Seen> seen() const noexcept { return seen_; }
   /// Between steps: all of every vehicle.
   [[nodiscard]] std::span<const AgentState> states();

@@ -99,7 +99,7 @@ TEST(Commands, TakeEffectByTheirStepAndThenAsTheyCame) {
     EXPECT_EQ(taken[i].agent, expected[i].second) << i;
   }
   // The second of two for the same vehicle is the one that it follows.
-  EXPECT_EQ(run.states()[0].mission.route.to().position_m.x, beside(first, 2, 0).position_m.x);
+  EXPECT_EQ(run.states()[0].helm.way.route.to().position_m.x, beside(first, 2, 0).position_m.x);
 }
 
 TEST(Commands, ACheckpointHasThoseThatWaitAndThoseThatWereTaken) {
@@ -139,7 +139,7 @@ TEST(Commands, AVehicleThatHaltedStaysAsItIs) {
   run.step();
   EXPECT_EQ(run.commands_taken().size(), 2U);
   EXPECT_EQ(run.states()[2].vehicle.body.position_m.y, ready.states[2].vehicle.body.position_m.y);
-  EXPECT_FALSE(run.states()[2].mission.is_rerouted);
+  EXPECT_FALSE(run.states()[2].helm.is_helmed());
 }
 
 TEST(Commands, OneThatNoVehicleCanFollowIsABug) {
@@ -162,7 +162,7 @@ TEST(Commands, AVehicleThatGoesByItsInstrumentsIsReroutedFromWhereItTakesItselfT
   EXPECT_NE(taken_for.x, run.states()[0].vehicle.body.position_m.x);
   run.enqueue({0, 0, Reroute{{{{80, 20, 0}, 0}}}});
   run.step();
-  const Triple<double>& from = run.states()[0].mission.route.from();
+  const Triple<double>& from = run.states()[0].helm.way.route.from();
   EXPECT_EQ(from.x, taken_for.x);
   EXPECT_EQ(from.y, taken_for.y);
 }

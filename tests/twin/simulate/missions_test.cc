@@ -100,14 +100,13 @@ TEST(Missions, WaypointsReplacedWhileItRunsAreFollowedFromWhereItIs) {
     const ReadyRun ready = northbound(tasks);
     twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
     for (int i = 0; i < 200; ++i) run.step();
-    const std::size_t taken = run.states()[0].mission.waypoints_taken;
     const Triple<double> here = run.states()[0].vehicle.body.position_m;
     run.enqueue({0, 0, Reroute{other}});
     run.step();
-    EXPECT_NEAR(track_error(run.states()[0].mission, here).across_m, 0, 1e-9);
+    EXPECT_NEAR(track_error(run.states()[0].helm.way, here).across_m, 0, 1e-9);
     for (int i = 1; i < 1200; ++i) run.step();
     EXPECT_LT(away_m(run.states()[0], other.back().position_m), 0.7) << tasks;
-    EXPECT_EQ(run.states()[0].mission.waypoints_taken, taken + 2) << tasks;
+    EXPECT_EQ(run.states()[0].helm.way.waypoints_taken, 2U) << tasks;
   }
 }
 
@@ -121,13 +120,19 @@ TEST(Missions, NoWaypointsInThePlaceOfARouteIsToStopHere) {
   EXPECT_LT(away_m(run.states()[0], here), 0.7);
 }
 
-TEST(Missions, AReroutedMissionGoesOnWithTheNextTask) {
-  const ReadyRun ready =
-      northbound(north + ", {do: route, waypoints: [{north_m: 3, east_m: 3, depth_m: 11}]}");
+TEST(Missions, ThoseOfOneThatWasReroutedStandStillUntilTheyAreResumed) {
+  const ReadyRun ready = northbound(
+      "{do: route, waypoints: [{north_m: 8, east_m: 0, depth_m: 10}]}, "
+      "{do: route, waypoints: [{north_m: 3, east_m: 3, depth_m: 11}]}");
   twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
   for (int i = 0; i < 40; ++i) run.step();
   run.enqueue({0, 0, Reroute{{{{2, 0, 10}, 0.5}}}});
   for (int i = 0; i < 800; ++i) run.step();
+  EXPECT_EQ(run.states()[0].mission.task, 0U);
+  EXPECT_LT(away_m(run.states()[0], {2, 0, 10}), 0.7);
+  run.enqueue({0, 0, Resume{}});
+  for (int i = 0; i < 2000 && !run.states()[0].mission.is_done; ++i) run.step();
+  for (int i = 0; i < 400; ++i) run.step();
   EXPECT_TRUE(run.states()[0].mission.is_done);
   EXPECT_LT(away_m(run.states()[0], {3, 3, 11}), 0.7);
 }

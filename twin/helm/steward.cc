@@ -1,0 +1,224 @@
+#include "twin/helm/steward.h"
+
+#include <algorithm>
+
+#include "fields/base/text.h"
+#include "twin/simulate/helm.h"
+
+namespace slackwater::twin {
+namespace {
+
+Keeping keeping_of(const CommandWhat& what) {
+  if (std::holds_alternative<SetVelocity>(what) || std::holds_alternative<SetThrusters>(what))
+    return Keeping::renewed;
+  return std::holds_alternative<Reroute>(what) ? Keeping::waypoints : Keeping::asked;
+}
+
+Standing standing_of(const Run& run, std::size_t vehicle) {
+  const HelmState& helm = run.helm(vehicle);
+  const ConductState& own = run.conduct(vehicle);
+  Standing standing;
+  standing.halt = run.seen(vehicle).halt;
+  standing.halted_at_s = run.seen(vehicle).halted_at_s;
+  standing.is_aboard = own.is_aboard;
+  standing.must_come_home = run.must_come_home(vehicle);
+  standing.energy_left_j = own.energy_left_j;
+  standing.energy_home_j = own.energy_home_j;
+  standing.mode = helm.mode;
+  standing.cause = helm.cause;
+  return standing;
+}
+
+}  // namespace
+
+Steward::Steward(Run& run, const RefusalLimits& limits)
+    : run_(run),
+      limits_(limits),
+      authority_(run.agents().size()),
+      standing_(run.agents().size()),
+      accepted_at_(run.agents().size()),
+      time_s_(run.time_s()) {
+  for (std::size_t i = 0; i < standing_.size(); ++i) standing_[i] = standing_of(run, i);
+  run.at_opening([this](const StepTime&) { open(); });
+  run.at_barrier([this](const StepTime& time) { look(time.end_s()); });
+}
+
+std::optional<Refusal> Steward::submit(std::string_view client, Command command, double now_s) {
+  const std::size_t vehicle = command.agent;
+  if (vehicle >= run_.agents().size()) return counted_unknown(client, vehicle, now_s);
+  if (command.source.empty()) command.source = client;
+  const Agent& agent = run_.agents()[vehicle];
+  Standing standing;
+  std::optional<std::uint64_t> last;
+  {
+    const std::lock_guard lock(mutex_);
+    standing = standing_[vehicle];
+    last = last_sequence(client, vehicle);
+  }
+  // Water and structures are looked at without keeping anybody waiting.
+  auto refusal = refusal_of(command, agent, standing, last, now_s, limits_);
+  const std::lock_guard lock(mutex_);
+  if (!refusal) {
+    if (auto held = authority_.refusal(client, vehicle, agent.name, now_s))
+      refusal = Refusal{RefusalReason::unauthorised, std::move(*held)};
+    else if (last_sequence(client, vehicle) != last)  // another thread was faster
+      refusal = refusal_of(command, agent, standing_[vehicle], last_sequence(client, vehicle),
+                           now_s, limits_);
+  }
+  if (refusal) return count(client, agent.name, std::move(*refusal), now_s);
+  authority_.note_command(client, vehicle, keeping_of(command.what), now_s);
+  if (std::holds_alternative<Resume>(command.what)) authority_.end(vehicle);
+  last_sequence_.insert_or_assign({std::string(client), vehicle}, command.sequence);
+  accepted_at_[vehicle] = openings_;
+  run_.enqueue(std::move(command));
+  return std::nullopt;
+}
+
+std::optional<Refusal> Steward::ask(std::string_view client, std::size_t vehicle, double now_s) {
+  return with_vehicle(client, vehicle, now_s, [&](const std::string& name) {
+    return authority_.ask(client, vehicle, name, now_s);
+  });
+}
+
+std::optional<Refusal> Steward::release(std::string_view client, std::size_t vehicle,
+                                        double now_s) {
+  return with_vehicle(client, vehicle, now_s, [&](const std::string& name) {
+    const Keeping keeping = authority_.keeping(vehicle);
+    auto answer = authority_.release(client, vehicle, name, now_s);
+    if (!answer && keeping == Keeping::renewed) enqueue_hold(client, vehicle, now_s);
+    return answer;
+  });
+}
+
+std::optional<Refusal> Steward::allow_take_over(std::string_view client, std::size_t vehicle,
+                                                double now_s) {
+  return with_vehicle(client, vehicle, now_s, [&](const std::string& name) {
+    return authority_.allow_take_over(client, vehicle, name, now_s);
+  });
+}
+
+void Steward::lost(std::string_view client, double now_s) {
+  const std::lock_guard lock(mutex_);
+  for (const std::size_t vehicle : authority_.lost(client)) enqueue_hold(client, vehicle, now_s);
+  std::erase_if(last_sequence_, [&](const auto& entry) { return entry.first.first == client; });
+}
+
+std::string Steward::holder(std::size_t vehicle) const {
+  const std::lock_guard lock(mutex_);
+  return authority_.holder(vehicle);
+}
+
+std::optional<std::size_t> Steward::vehicle(std::string_view name) const {
+  const std::span<const Agent> agents = run_.agents();
+  const auto found = std::find_if(agents.begin(), agents.end(),
+                                  [&](const Agent& agent) { return agent.name == name; });
+  if (found == agents.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - agents.begin());
+}
+
+double Steward::time_s() const {
+  const std::lock_guard lock(mutex_);
+  return time_s_;
+}
+
+Standing Steward::standing(std::size_t vehicle) const {
+  const std::lock_guard lock(mutex_);
+  return standing_.at(vehicle);
+}
+
+std::vector<RefusalCount> Steward::refusals() const {
+  const std::lock_guard lock(mutex_);
+  return counts_;
+}
+
+void Steward::restore(std::vector<RefusalCount> refusals) {
+  const std::lock_guard lock(mutex_);
+  counts_ = std::move(refusals);
+}
+
+Refusal Steward::refuse_unknown(std::string_view client, std::string_view vehicle, double now_s) {
+  std::string known;
+  for (const Agent& agent : run_.agents()) known += (known.empty() ? "" : ", ") + agent.name;
+  const std::lock_guard lock(mutex_);
+  return count(client, std::string(vehicle),
+               {RefusalReason::unknown_vehicle,
+                formatted("found vehicle {}, expected one of {}", vehicle, known)},
+               now_s);
+}
+
+void Steward::open() {
+  const std::lock_guard lock(mutex_);
+  ++openings_;
+}
+
+void Steward::look(double time_s) {
+  const std::lock_guard lock(mutex_);
+  time_s_ = time_s;
+  authority_.look(time_s);
+  for (std::size_t i = 0; i < standing_.size(); ++i) {
+    standing_[i] = standing_of(run_, i);
+    // What was accepted since the opening has not taken effect yet.
+    const bool is_waiting = accepted_at_[i] == openings_;
+    const bool is_list_over = authority_.keeping(i) == Keeping::waypoints && !is_waiting &&
+                              standing_[i].mode != HelmMode::waypoints;
+    if (is_list_over || standing_[i].halt != Halt::none) authority_.end(i);
+  }
+}
+
+std::optional<std::uint64_t> Steward::last_sequence(std::string_view client,
+                                                    std::size_t vehicle) const {
+  const auto found = last_sequence_.find(std::pair{std::string(client), vehicle});
+  if (found == last_sequence_.end()) return std::nullopt;
+  return found->second;
+}
+
+Refusal Steward::count(std::string_view client, std::string vehicle, Refusal refusal,
+                       double now_s) {
+  const auto of = [&](std::string_view source, std::string_view name) {
+    return std::find_if(counts_.begin(), counts_.end(), [&](const RefusalCount& c) {
+      return c.source == source && c.vehicle == name && c.reason == refusal.reason;
+    });
+  };
+  auto found = of(client, vehicle);
+  if (found == counts_.end() && counts_.size() >= most_counts) {
+    client = "others";
+    vehicle.clear();
+    found = of(client, vehicle);
+  }
+  if (found == counts_.end())
+    found = counts_.insert(counts_.end(),
+                           {std::string(client), std::move(vehicle), refusal.reason, 0, 0, {}});
+  ++found->count;
+  found->last_s = now_s;
+  found->last_text = refusal.text;
+  return refusal;
+}
+
+std::optional<Refusal> Steward::counted_unknown(std::string_view client, std::size_t vehicle,
+                                                double now_s) {
+  return refuse_unknown(client, "number " + std::to_string(vehicle), now_s);
+}
+
+template <typename Do>
+std::optional<Refusal> Steward::with_vehicle(std::string_view client, std::size_t vehicle,
+                                             double now_s, const Do& act) {
+  if (vehicle >= run_.agents().size()) return counted_unknown(client, vehicle, now_s);
+  const std::string& name = run_.agents()[vehicle].name;
+  const std::lock_guard lock(mutex_);
+  if (std::optional<std::string> answer = act(name))
+    return count(client, name, {RefusalReason::unauthorised, std::move(*answer)}, now_s);
+  return std::nullopt;
+}
+
+void Steward::enqueue_hold(std::string_view client, std::size_t vehicle, double now_s) {
+  accepted_at_[vehicle] = openings_;
+  Command hold;
+  hold.agent = vehicle;
+  hold.what = HoldHere{true};
+  hold.source = client;
+  hold.sequence = last_sequence(client, vehicle).value_or(0);
+  hold.received_s = now_s;
+  run_.enqueue(std::move(hold));
+}
+
+}  // namespace slackwater::twin
