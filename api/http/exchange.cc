@@ -8,6 +8,7 @@
 #include "api/http/problem.h"
 #include "api/http/response_head.h"
 #include "api/http/trust.h"
+#include "api/http/websocket_handshake.h"
 
 namespace slackwater::api::http {
 namespace {
@@ -106,10 +107,12 @@ Response Exchange::options_response() const {
   return response;
 }
 
+void Exchange::log_failure(const Request& request, const std::string& what) const {
+  if (options_.on_failure) options_.on_failure(request, what);
+}
+
 void Exchange::log(const Response& response, const Request& request) const {
-  if (!response.for_the_log.empty() && options_.on_failure) {
-    options_.on_failure(request, response.for_the_log);
-  }
+  if (!response.for_the_log.empty()) log_failure(request, response.for_the_log);
 }
 
 Outcome Exchange::respond(Arrival& arrival) const {
@@ -169,10 +172,30 @@ Reply Exchange::finish(Response response, const Arrival& arrival) const {
   return reply;
 }
 
+Reply Exchange::reply_to_upgrade(const Arrival& arrival, const Response& response) const {
+  auto outcome = agree(arrival, *response.websocket);
+  if (auto* refused = std::get_if<Response>(&outcome)) {
+    refused->route = response.route;
+    return finish(std::move(*refused), arrival);
+  }
+  auto& agreement = std::get<Agreement>(outcome);
+  Reply reply;
+  reply.status = 101;
+  reply.head = std::move(agreement.head);
+  reply.method = arrival.request.method;
+  reply.route = response.route;
+  reply.successor = {response.websocket, arrival.request, std::move(agreement.protocol)};
+  return reply;
+}
+
 /// A response that cannot be sent (a field of two lines) is a failure like any other.
 Reply Exchange::reply_to(const Arrival& arrival, Response response) const {
   log(response, arrival.request);
   try {
+    const bool is_get = arrival.request.method == "GET";
+    if (response.websocket != nullptr && arrival.upgrade.is_to_websocket && is_get) {
+      return reply_to_upgrade(arrival, response);
+    }
     return finish(std::move(response), arrival);
   } catch (...) {
     const Response failed = problem_of(std::current_exception(), arrival.request.path);

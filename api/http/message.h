@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,8 @@
 // A request and its response as our handlers see them, whatever library carries them.
 
 namespace slackwater::api::http {
+
+class WebSocketHandler;
 
 struct Request {
   std::string method;  ///< "GET", upper case
@@ -31,6 +34,9 @@ struct Response {
   // For the server alone, never sent.
   std::string route{};        ///< label of the route that answered, for the metrics
   std::string for_the_log{};  ///< what went wrong that the client is not told; mostly ""
+  /// Where a request asks for an upgrade, this takes the connection instead of the response
+  /// (websocket.h); mostly null.
+  std::shared_ptr<WebSocketHandler> websocket{};
 };
 
 /// Work that would keep short answers waiting: what is left of it, to be run once. It holds the

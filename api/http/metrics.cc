@@ -11,8 +11,8 @@ namespace slackwater::api::http {
 namespace {
 
 constexpr std::array<std::string_view, 5> methods{"GET", "HEAD", "OPTIONS", "POST", "(other)"};
-constexpr std::array<int, 21> statuses{200, 201, 202, 204, 301, 302, 303, 304, 308, 400, 401,
-                                       403, 404, 405, 406, 408, 413, 414, 431, 500, 503};
+constexpr std::array<int, 23> statuses{101, 200, 201, 202, 204, 301, 302, 303, 304, 308, 400, 401,
+                                       403, 404, 405, 406, 408, 413, 414, 426, 431, 500, 503};
 /// Upper bounds in seconds; the target of a small answer is 0.005.
 constexpr std::array<double, 13> bounds_s{0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05,
                                           0.1,    0.25,  0.5,    1,     2.5,  10};
@@ -99,6 +99,11 @@ void Metrics::connection_opened() noexcept {
   connections_.fetch_add(1, std::memory_order_relaxed);
 }
 
+void Metrics::websocket_opened() noexcept {
+  add(websockets_opened_, 1);
+  websockets_.fetch_add(1, std::memory_order_relaxed);
+}
+
 std::chrono::seconds Metrics::uptime() const noexcept {
   return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() -
                                                           started_);
@@ -148,6 +153,16 @@ void Metrics::append_process(std::string& text) const {
                 std::to_string(connections_.load(std::memory_order_relaxed)));
   append_metric(text, "slackwater_http_connections_total", "counter", "Connections accepted.",
                 std::to_string(accepted_.load(std::memory_order_relaxed)));
+  append_metric(text, "slackwater_http_websockets", "gauge", "WebSockets open.",
+                std::to_string(websockets_.load(std::memory_order_relaxed)));
+  append_metric(text, "slackwater_http_websockets_total", "counter", "WebSockets opened.",
+                std::to_string(websockets_opened_.load(std::memory_order_relaxed)));
+  append_metric(text, "slackwater_http_websocket_frames_total", "counter",
+                "Messages sent over WebSockets.",
+                std::to_string(frames_sent_.load(std::memory_order_relaxed)));
+  append_metric(text, "slackwater_http_websocket_dropped_frames_total", "counter",
+                "Messages dropped because a client of a WebSocket was slow.",
+                std::to_string(frames_dropped_.load(std::memory_order_relaxed)));
   append_metric(text, "slackwater_http_response_bytes_total", "counter", "Bytes of answers sent.",
                 std::to_string(bytes_.load(std::memory_order_relaxed)));
   append_metric(text, "process_resident_memory_bytes", "gauge", "Resident memory size in bytes.",

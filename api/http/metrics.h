@@ -41,6 +41,14 @@ class Metrics {
   void request_ended() noexcept { in_flight_.fetch_sub(1, std::memory_order_relaxed); }
   void connection_opened() noexcept;
   void connection_closed() noexcept { connections_.fetch_sub(1, std::memory_order_relaxed); }
+  void websocket_opened() noexcept;
+  void websocket_closed() noexcept { websockets_.fetch_sub(1, std::memory_order_relaxed); }
+  void frames_sent(std::uint64_t n) noexcept {
+    frames_sent_.fetch_add(n, std::memory_order_relaxed);
+  }
+  void frames_dropped(std::uint64_t n) noexcept {
+    frames_dropped_.fetch_add(n, std::memory_order_relaxed);
+  }
 
   [[nodiscard]] std::string exposition() const;
   [[nodiscard]] std::chrono::seconds uptime() const noexcept;
@@ -58,6 +66,10 @@ class Metrics {
   std::atomic<std::int64_t> connections_{0};
   std::atomic<std::uint64_t> accepted_{0};
   std::atomic<std::uint64_t> bytes_{0};
+  std::atomic<std::int64_t> websockets_{0};
+  std::atomic<std::uint64_t> websockets_opened_{0};
+  std::atomic<std::uint64_t> frames_sent_{0};
+  std::atomic<std::uint64_t> frames_dropped_{0};
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::time_t start_time_ = std::time(nullptr);
 };

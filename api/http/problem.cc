@@ -8,7 +8,8 @@
 namespace slackwater::api::http {
 namespace {
 
-constexpr std::array<std::pair<int, std::string_view>, 25> reasons{{
+constexpr std::array<std::pair<int, std::string_view>, 27> reasons{{
+    {101, "Switching Protocols"},
     {200, "OK"},
     {201, "Created"},
     {202, "Accepted"},
@@ -29,6 +30,7 @@ constexpr std::array<std::pair<int, std::string_view>, 25> reasons{{
     {414, "URI Too Long"},
     {415, "Unsupported Media Type"},
     {422, "Unprocessable Content"},
+    {426, "Upgrade Required"},
     {431, "Request Header Fields Too Large"},
     {500, "Internal Server Error"},
     {501, "Not Implemented"},

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <optional>
 
+#include "api/http/field_list.h"
+
 namespace slackwater::api::http {
 namespace {
 
@@ -31,6 +33,23 @@ std::string list_of(const beast::http::fields& fields, field name) {
   return list;
 }
 
+bool has_item(const std::string& list, std::string_view name) {
+  bool found = false;
+  for_each_item(list, [&](std::string_view item) { found |= equal_ignoring_case(item, name); });
+  return found;
+}
+
+UpgradeFields upgrade_of(const beast::http::fields& fields) {
+  UpgradeFields upgrade;
+  upgrade.is_to_websocket = has_item(list_of(fields, field::connection), "upgrade") &&
+                            has_item(list_of(fields, field::upgrade), "websocket");
+  if (!upgrade.is_to_websocket) return upgrade;
+  upgrade.version = list_of(fields, field::sec_websocket_version);
+  upgrade.key = list_of(fields, field::sec_websocket_key);
+  upgrade.protocols = list_of(fields, field::sec_websocket_protocol);
+  return upgrade;
+}
+
 Arrival arrival_of(Parser& parser) {
   Arrival arrival;
   auto message = parser.release();
@@ -51,6 +70,7 @@ Arrival arrival_of(Parser& parser) {
   arrival.if_none_match = list_of(message, field::if_none_match);
   arrival.authorization = text_of(message[field::authorization]);
   arrival.origin = text_of(message[field::origin]);
+  if (arrival.is_http_1_1) arrival.upgrade = upgrade_of(message);
   return arrival;
 }
 

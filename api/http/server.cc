@@ -54,7 +54,7 @@ bool is_loopback(const sockaddr_storage& peer) {
 /// Often enough that no deadline is missed by more than an eighth, seldom enough to cost nothing.
 std::chrono::milliseconds tick_of(const Limits& limits) {
   const auto shortest = std::min({limits.read_time, limits.handler_time, limits.write_time,
-                                  limits.idle_time, limits.stop_grace});
+                                  limits.idle_time, limits.ping_time, limits.stop_grace});
   return std::clamp(shortest / 8, std::chrono::milliseconds(5), std::chrono::milliseconds(100));
 }
 
@@ -74,7 +74,8 @@ class Server::Running {
               long_work_,
               limits_,
               metrics_.get(),
-              [this](Session& s) { forget(s); }},
+              [this](Session& s) { forget(s); },
+              [this](Session& s, std::shared_ptr<Session> next) { succeed(s, std::move(next)); }},
         acceptor_(io_),
         ticker_(io_) {
     listen({address_of(options), options.port});
@@ -194,6 +195,12 @@ class Server::Running {
   void forget(Session& session) {
     sessions_.erase(&session);
     end_if_done();
+  }
+
+  void succeed(Session& session, std::shared_ptr<Session> successor) {
+    sessions_.erase(&session);
+    Session* const key = successor.get();
+    sessions_.emplace(key, std::move(successor));
   }
 
   // --- deadlines and the end ---

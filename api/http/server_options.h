@@ -35,6 +35,12 @@ struct Limits {
   /// With all connections taken a newcomer displaces the one that has kept us waiting longest, if
   /// that is at least this long; else the newcomer is answered 503.
   std::chrono::milliseconds patience{1'000};
+  std::size_t websockets = 64;  ///< of the connections, at once; beyond: 503
+  std::size_t websocket_message_bytes = std::size_t{64} * 1024;  ///< from a client; longer: 1009
+  /// Of frames that wait for one client; beyond, the least worthy are dropped (websocket.h).
+  std::size_t websocket_queue_bytes = std::size_t{4} << 20U;
+  /// A WebSocket that has been silent so long is pinged, and closed after as long again.
+  std::chrono::milliseconds ping_time{20'000};
   /// How long `stop` waits for requests that are being answered.
   std::chrono::milliseconds stop_grace{5'000};
 };

@@ -1,5 +1,7 @@
 #include "api/http/session.h"
 
+#include <unistd.h>
+
 #include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
@@ -9,6 +11,7 @@
 
 #include "api/http/metrics.h"
 #include "api/http/request_reader.h"
+#include "api/http/websocket_session.h"
 
 namespace slackwater::api::http {
 namespace {
@@ -31,6 +34,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   SocketSession(SessionSite& site, int descriptor, bool peer_is_loopback, bool is_ipv6)
       : site_(site),
         peer_is_loopback_(peer_is_loopback),
+        is_ipv6_(is_ipv6),
         reader_(site.limits),
         socket_(site.io, is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor) {
     ErrorCode ignored;  // reset in the meantime: the first read tells
@@ -194,8 +198,37 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
   // --- writing ---
 
+  /// Hands the connection on to a WebSocket, where there is room for one.
+  void upgrade(Reply reply) {
+    if (site_.is_stopping) return refuse({503, "The server is stopping."});
+    if (site_.websockets >= site_.limits.websockets) {
+      return refuse({503, "All " + std::to_string(site_.limits.websockets) +
+                              " WebSockets of the server are taken; come back later."});
+    }
+    if (reader_.has_bytes()) {
+      return refuse({400, "A client waits for the answer to its handshake before it sends more."});
+    }
+    if (site_.metrics != nullptr) {
+      site_.metrics->served({reply.route, reply.method, reply.status,
+                             std::chrono::steady_clock::now() - begun_, reply.head.size()});
+    }
+    const int descriptor = socket_.release();
+    std::shared_ptr<Session> successor;
+    try {
+      successor = open_websocket(site_, descriptor, is_ipv6_, std::move(reply));
+    } catch (const std::exception&) {
+      ::close(descriptor);  // no memory for it
+      return close();
+    }
+    end_request();
+    state_ = State::closed;
+    site_.on_succeeded(*this, successor);
+    successor->begin();
+  }
+
   /// Writes an answer, or says that the server has too much to send already.
   void deliver(Reply reply) {
+    if (reply.successor) return upgrade(std::move(reply));
     const std::size_t bytes = reply.body.size();
     const bool is_too_much = site_.answer_bytes + bytes > site_.limits.answer_bytes;
     if (is_too_much && site_.answer_bytes > 0 && bytes > small_answer_bytes) {
@@ -270,6 +303,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
   SessionSite& site_;
   const bool peer_is_loopback_;
+  const bool is_ipv6_;
   RequestReader reader_;
   asio::ip::tcp::socket socket_;  // last of what may throw: the descriptor is ours from here on
   bool is_read_pending_ = false;

@@ -27,8 +27,11 @@ struct SessionSite {
   const Limits& limits;
   Metrics* metrics;                         ///< may be null
   std::function<void(Session&)> on_closed;  ///< called once, with the session still alive
-  std::size_t answer_bytes = 0;             ///< of bodies that clients are taking in
-  bool is_stopping = false;                 ///< answers close their connection from now on
+  /// Another session has taken a connection over; called instead of `on_closed`.
+  std::function<void(Session&, std::shared_ptr<Session> successor)> on_succeeded;
+  std::size_t websockets = 0;    ///< open
+  std::size_t answer_bytes = 0;  ///< of bodies that clients are taking in
+  bool is_stopping = false;      ///< answers close their connection from now on
 };
 
 /// One connection, in one of these states:
@@ -36,6 +39,7 @@ struct SessionSite {
 ///   idle -> reading -> handling -> writing -> idle ...          keep-alive, pipelined or not
 ///                 \________________/  \-> lingering -> closed   the last answer of a connection
 ///
+/// or handed on to another session, where the answer is an upgrade (websocket_session.h).
 /// Every state has a deadline, kept by `tick`. All members are called on the site's one thread.
 /// Lingering (RFC 9112 §9.6): after the last answer what the client still sends is read and thrown
 /// away for a moment, else the kernel resets the connection and the client loses the answer.

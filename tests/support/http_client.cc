@@ -102,6 +102,17 @@ std::optional<HttpReply> HttpClient::receive(bool has_body, std::chrono::millise
   return reply;
 }
 
+std::optional<std::string> HttpClient::receive_bytes(std::size_t count,
+                                                     std::chrono::milliseconds within) {
+  const auto until = steady_clock::now() + within;
+  while (received_.size() < count) {
+    if (!read_more(until)) return std::nullopt;
+  }
+  std::string bytes = received_.substr(0, count);
+  received_.erase(0, count);
+  return bytes;
+}
+
 bool HttpClient::is_closed_within(std::chrono::milliseconds time) {
   const auto until = steady_clock::now() + time;
   while (read_more(until)) {

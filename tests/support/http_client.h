@@ -37,6 +37,9 @@ class HttpClient {
   /// The next answer; nothing where the connection ends or `within` passes first.
   [[nodiscard]] std::optional<HttpReply> receive(
       bool has_body = true, std::chrono::milliseconds within = std::chrono::seconds(20));
+  /// The next bytes, whatever they are.
+  [[nodiscard]] std::optional<std::string> receive_bytes(std::size_t count,
+                                                         std::chrono::milliseconds within);
   /// Whether the server closes (or resets) the connection, all it sent having been read.
   [[nodiscard]] bool is_closed_within(std::chrono::milliseconds time);
   void close_for_writing();

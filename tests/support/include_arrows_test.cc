@@ -83,6 +83,7 @@ const Arrows& allowed_arrows_of_api() {
   static const Arrows arrows{
       {"api/program", {}},
       {"api/http", {}},
+      {"api/foxglove", {"api/http"}},
       {"api/report", {}},
       {"api/issued", {}},
       {"api/synthetic", {}},
