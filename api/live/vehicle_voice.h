@@ -13,6 +13,7 @@ struct RunPlace {
   UtcTime epoch;
   GeoPoint origin;
   double geoid_m = 0;  ///< mean sea level above the ellipsoid there
+  double step_s = 0;   ///< of the barrier
 };
 
 /// Tells of one vehicle after each barrier: each topic at its own rate, and nothing that nobody

@@ -85,7 +85,8 @@ class Parser {
 
   std::string read_type(const std::string& scope) {
     std::string type = take();
-    if (type == "unsigned") type += " " + take();
+    while (type == "unsigned" || (type.ends_with("long") && tokens_[at_] == "long"))
+      type += " " + take();
     if (structs_.contains(scope + "::" + type)) return scope + "::" + type;
     if (type == "string" && tokens_[at_] == "<") {
       take("<");
@@ -136,10 +137,16 @@ std::string short_name(const std::string& idl_type) {
 }
 
 std::string ros_type_of(const std::string& idl_type) {
-  static const std::map<std::string, std::string> simple{
-      {"double", "float64"},        {"float", "float32"}, {"long", "int32"},
-      {"unsigned long", "uint32"},  {"int8", "int8"},     {"octet", "uint8"},
-      {"unsigned short", "uint16"}, {"boolean", "bool"},  {"char", "char"}};
+  static const std::map<std::string, std::string> simple{{"double", "float64"},
+                                                         {"float", "float32"},
+                                                         {"long", "int32"},
+                                                         {"unsigned long", "uint32"},
+                                                         {"int8", "int8"},
+                                                         {"octet", "uint8"},
+                                                         {"unsigned short", "uint16"},
+                                                         {"unsigned long long", "uint64"},
+                                                         {"boolean", "bool"},
+                                                         {"char", "char"}};
   if (const auto found = simple.find(idl_type); found != simple.end()) return found->second;
   return idl_type.starts_with("string") ? idl_type : short_name(idl_type);
 }

@@ -1,0 +1,269 @@
+#include "api/live/host_desk.h"
+
+#include "api/live/host_check.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+
+namespace slackwater::live {
+namespace {
+
+constexpr double shortest_s = 0.001, longest_s = 10;
+constexpr int most_missed = 5;
+
+}  // namespace
+
+std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
+  const twin::Spatial<double>& v = asked.velocity;
+  twin::Reroute reroute;
+  switch (asked.kind) {
+    case 0:
+      return std::nullopt;
+    case 1:
+      return twin::SetVelocity{{v.linear.x, v.linear.y, v.linear.z, v.angular.z}};
+    case 2:
+      return twin::SetThrusters{asked.thrusters};
+    case 3:
+      for (const auto& place_m : asked.places_m) reroute.waypoints.push_back({place_m});
+      return reroute;
+    case 4:
+      return twin::HoldHere{};
+    case 5:
+      return twin::GoHome{};
+    case 6:
+      return twin::Resume{};
+    default:
+      throw Error(ErrorKind::invalid_input,
+                  formatted("a command of kind {}; kinds are from 0 to 6", int{asked.kind}));
+  }
+}
+
+HostDesk::HostDesk(std::shared_ptr<dds::Participant> participant, twin::Run& run,
+                   twin::RunControl& control, Desk& desk, const RunPlace& place, HostRule rule,
+                   std::function<void(const std::string&)> on_trouble)
+    : participant_(std::move(participant)),
+      run_(run),
+      control_(control),
+      desk_(desk),
+      place_(place),
+      rule_(rule),
+      on_trouble_(std::move(on_trouble)) {
+  participant_->on_lost([this](const std::string& client) { lose(client); });
+  run_.at_opening([this](const twin::StepTime& time) { ask_agents(time); });
+}
+
+void HostDesk::open(const std::string& name) {
+  const std::size_t vehicle = hosts_.size();
+  const auto topic = [&](const char* what, const char* type) {
+    return bag::Channel{"/" + name + "/host/" + what, type, "", state_quality};
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    Host& host = hosts_.emplace_back();
+    host.name = name;
+    host.observation =
+        participant_->publish_on(topic("observation", "slackwater_msgs/msg/AgentObservation"));
+    host.input =
+        participant_->publish_on(topic("physics_input", "slackwater_msgs/msg/PhysicsInput"));
+  }
+  Host& host = hosts_[vehicle];
+  // Who answers wrongly is dropped by who waits for it; what nobody waits for counts for nothing.
+  const auto from = [this](const std::string& client, const std::string& hosting) {
+    const std::lock_guard lock(mutex_);
+    return !hosting.empty() && client == hosting;
+  };
+  participant_->subscribe(topic("command", "slackwater_msgs/msg/AgentCommand"),
+                          [&host, from](dds::Payload message, const std::string& client) {
+                            if (!from(client, host.agent)) return;
+                            dds::AgentAsked asked = dds::read_agent_command(message);
+                            const std::uint64_t step = asked.step;
+                            (void)host.from_agent.answer(step, std::move(asked));
+                          });
+  participant_->subscribe(topic("physics_output", "slackwater_msgs/msg/PhysicsOutput"),
+                          [&host, from](dds::Payload message, const std::string& client) {
+                            if (!from(client, host.physics)) return;
+                            const dds::PhysicsMade made = dds::read_physics_output(message);
+                            (void)host.from_physics.answer(made.step, made);
+                          });
+  participant_->serve(
+      {"/" + name + "/host", "slackwater_msgs/srv/Host"},
+      [this, vehicle](dds::Payload request, const std::string& client, const dds::Answer& answer) {
+        answer(take(vehicle, request, client));
+      });
+  run_.host_physics(
+      vehicle, [this, vehicle](const twin::HostedStep& step) { return ask_physics(vehicle, step); },
+      "hosted physics");
+}
+
+void HostDesk::tell(const std::string& text) const {
+  if (on_trouble_) on_trouble_(text);
+}
+
+dds::Bytes HostDesk::take(std::size_t vehicle, dds::Payload request, const std::string& client) {
+  const double step_s = place_.step_s;
+  const auto refuse = [&](const std::string& why) { return dds::host_reply(false, why, step_s); };
+  dds::HostAsked asked;
+  try {
+    asked = dds::read_host(request);
+  } catch (const std::exception& e) {
+    return refuse(e.what());
+  }
+  if (asked.version != dds::host_version) {
+    return refuse(formatted("version {} of the protocol was asked for, this is version {}",
+                            asked.version, dds::host_version));
+  }
+  if (!(asked.timeout_s >= shortest_s && asked.timeout_s <= longest_s)) {
+    return refuse(formatted("a time-out of {:g} s; it is from {:g} to {:g} s", asked.timeout_s,
+                            shortest_s, longest_s));
+  }
+  twin::Steward& steward = desk_.steward();
+  const std::lock_guard lock(mutex_);
+  Host& host = hosts_[vehicle];
+  if (asked.role == static_cast<std::uint8_t>(dds::HostRole::agent)) {
+    if (!host.agent.empty() && host.agent != client)
+      return refuse(host.name + " has an agent already: " + host.agent);
+    if (const auto refusal = steward.ask(client, vehicle, steward.time_s()))
+      return refuse(refusal->text);
+    host.agent = client;
+    host.agent_timeout_s = asked.timeout_s;
+    host.missed = 0;
+    return dds::host_reply(true, "you are the agent of " + host.name, step_s);
+  }
+  if (asked.role != static_cast<std::uint8_t>(dds::HostRole::physics))
+    return refuse(formatted("role {}; 1 is an agent, 2 physics", int{asked.role}));
+  if (!host.physics.empty() && host.physics != client)
+    return refuse("the physics of " + host.name + " are made already by " + host.physics);
+  host.physics = client;
+  host.physics_timeout_s = asked.timeout_s;
+  host.is_ending = false;
+  twin::Command command;
+  command.agent = vehicle;
+  command.what = twin::HostPhysics{true};
+  command.source = client;
+  command.received_s = steward.time_s();
+  run_.enqueue(std::move(command));
+  return dds::host_reply(true, "you make the physics of " + host.name, step_s);
+}
+
+void HostDesk::lose(const std::string& client) {
+  for (std::size_t i = 0; i < hosts_.size(); ++i) {
+    bool was_agent = false, was_physics = false;
+    {
+      const std::lock_guard lock(mutex_);
+      was_agent = hosts_[i].agent == client;
+      was_physics = hosts_[i].physics == client;
+    }
+    if (was_agent) drop_agent(i, "it is gone");
+    if (was_physics) drop_physics(i, "it is gone");
+  }
+}
+
+void HostDesk::ask_agents(const twin::StepTime& time) {
+  for (std::size_t i = 0; i < hosts_.size(); ++i) {
+    bool is_hosted = false, is_ending = false;
+    {
+      const std::lock_guard lock(mutex_);
+      is_hosted = !hosts_[i].agent.empty();
+      is_ending = std::exchange(hosts_[i].is_ending, false);
+    }
+    if (is_ending) end_physics(i, time.step, time.start_s);
+    if (is_hosted) ask_agent(i, time);
+  }
+}
+
+void HostDesk::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
+  Host& host = hosts_[vehicle];
+  host.from_agent.ask(time.step);
+  const dds::Stamp stamp = dds::stamp_of(place_.epoch, time.start_s);
+  participant_->send(host.observation,
+                     dds::agent_observation(run_.agents()[vehicle], run_.states()[vehicle],
+                                            time.step, host.name, stamp));
+  std::string client;
+  double timeout_s = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    client = host.agent;
+    timeout_s = host.agent_timeout_s;
+  }
+  const auto asked = host.from_agent.wait(std::chrono::duration<double>(timeout_s));
+  if (!asked) {
+    if (++host.missed >= most_missed)
+      drop_agent(vehicle, formatted("{} answers in a row did not come within {:g} s", host.missed,
+                                    timeout_s));
+    return;
+  }
+  host.missed = 0;
+  try {
+    std::optional<twin::CommandWhat> what = command_of(*asked);
+    if (!what) return;
+    if (const auto refusal = desk_.submit(client, vehicle, std::move(*what)))
+      drop_agent(vehicle, *refusal);
+  } catch (const Error& e) {
+    drop_agent(vehicle, e.message());
+  }
+}
+
+std::optional<twin::VehicleState<double>> HostDesk::ask_physics(std::size_t vehicle,
+                                                                const twin::HostedStep& step) {
+  Host& host = hosts_[vehicle];
+  double timeout_s = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (host.physics.empty()) return std::nullopt;
+    timeout_s = host.physics_timeout_s;
+  }
+  host.from_physics.ask(step.time.step);
+  participant_->send(
+      host.input,
+      dds::physics_input(step, host.name, dds::stamp_of(place_.epoch, step.time.start_s)));
+  const auto made = host.from_physics.wait(std::chrono::duration<double>(timeout_s));
+  if (!made) {
+    drop_physics(vehicle, formatted("its answer did not come within {:g} s", timeout_s));
+    return std::nullopt;
+  }
+  if (const auto why = unphysical(*made, step)) {
+    drop_physics(vehicle, "it answered with " + *why);
+    return std::nullopt;
+  }
+  return state_after(*made, step);
+}
+
+void HostDesk::drop_agent(std::size_t vehicle, const std::string& why) {
+  std::string client, name;
+  {
+    const std::lock_guard lock(mutex_);
+    Host& host = hosts_[vehicle];
+    client = std::exchange(host.agent, {});
+    name = host.name;
+  }
+  if (client.empty()) return;
+  tell("the agent of " + name + ", " + client + ", is taken off: " + why);
+  twin::Steward& steward = desk_.steward();
+  steward.lost(client, steward.time_s());
+  if (rule_ == HostRule::halt) control_.pause();
+}
+
+void HostDesk::drop_physics(std::size_t vehicle, const std::string& why) {
+  std::string client, name;
+  {
+    const std::lock_guard lock(mutex_);
+    Host& host = hosts_[vehicle];
+    client = std::exchange(host.physics, {});
+    name = host.name;
+    host.is_ending = !client.empty();
+  }
+  if (client.empty()) return;
+  tell("the physics of " + name + " are ours again, " + client + " is taken off: " + why);
+  if (rule_ == HostRule::halt) control_.pause();
+}
+
+void HostDesk::end_physics(std::size_t vehicle, std::uint64_t step, double t_s) {
+  twin::Command command;
+  command.step = step;
+  command.agent = vehicle;
+  command.what = twin::HostPhysics{false};
+  command.source = "hosted physics";
+  command.received_s = t_s;
+  run_.enqueue(std::move(command));
+}
+
+}  // namespace slackwater::live

@@ -1,0 +1,80 @@
+#pragma once
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "api/dds/message/hosted.h"
+#include "api/dds/participant.h"
+#include "api/live/desk.h"
+#include "api/live/lock_step.h"
+#include "twin/simulate/run.h"
+
+namespace slackwater::live {
+
+/// What becomes of a vehicle whose host is gone, lies or is late.
+enum class HostRule {
+  take_back,  ///< an agent's: it holds, later goes home; of physics: ours go on from where it is
+  halt,       ///< the run is paused, for people to look
+};
+
+/// Lets other processes across the barrier: `/NAME/host` (slackwater_msgs/srv/Host) takes one as
+/// the agent of a vehicle or for its physics. From then on each step waits for its answer, for no
+/// longer than it asked for:
+///
+/// | role    | told on                    | answers on                | late or lying                |
+/// |---------|----------------------------|---------------------------|------------------------------|
+/// | agent   | `/NAME/host/observation`   | `/NAME/host/command`      | step made without, 5: taken  |
+/// | physics | `/NAME/host/physics_input` | `/NAME/host/physics_output` | taken back at once         |
+///
+/// Whoever is taken from is named to `on_trouble`.
+class HostDesk {
+ public:
+  HostDesk(std::shared_ptr<dds::Participant> participant, twin::Run& run, twin::RunControl& control,
+           Desk& desk, const RunPlace& place, HostRule rule,
+           std::function<void(const std::string&)> on_trouble);
+
+  /// The next vehicle of the run.
+  void open(const std::string& name);
+
+ private:
+  struct Host {
+    std::string name;
+    dds::Participant::WriterId observation = 0, input = 0;
+    std::string agent, physics;  ///< clients; empty: none
+    double agent_timeout_s = 0, physics_timeout_s = 0;
+    int missed = 0;          ///< answers of the agent, in a row
+    bool is_ending = false;  ///< physics that are taken back with the next step
+    LockStep<dds::AgentAsked> from_agent;
+    LockStep<dds::PhysicsMade> from_physics;
+  };
+  [[nodiscard]] dds::Bytes take(std::size_t vehicle, dds::Payload request,
+                                const std::string& client);
+  void lose(const std::string& client);
+  void ask_agents(const twin::StepTime& time);
+  void ask_agent(std::size_t vehicle, const twin::StepTime& time);
+  [[nodiscard]] std::optional<twin::VehicleState<double>> ask_physics(std::size_t vehicle,
+                                                                      const twin::HostedStep& step);
+  void drop_agent(std::size_t vehicle, const std::string& why);
+  void drop_physics(std::size_t vehicle, const std::string& why);
+  void end_physics(std::size_t vehicle, std::uint64_t step, double t_s);
+  void tell(const std::string& text) const;
+
+  std::shared_ptr<dds::Participant> participant_;
+  twin::Run& run_;
+  twin::RunControl& control_;
+  Desk& desk_;
+  RunPlace place_;
+  HostRule rule_;
+  std::function<void(const std::string&)> on_trouble_;
+  std::mutex mutex_;  ///< of who hosts what
+  std::deque<Host> hosts_;
+};
+
+/// What an agent asked for, as a command; nothing where it asks for nothing.
+/// @throws Error(invalid_input) for a kind that there is not
+[[nodiscard]] std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked);
+
+}  // namespace slackwater::live

@@ -1,0 +1,47 @@
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace slackwater::live {
+
+/// Waits for the one answer to a step that another process gives: the run's thread asks, a thread
+/// of the door answers. Answers to other steps are late, and dropped.
+template <typename T>
+class LockStep {
+ public:
+  /// What is handed in for this step alone counts from now on.
+  void ask(std::uint64_t step) {
+    const std::lock_guard lock(mutex_);
+    step_ = step;
+    answer_.reset();
+  }
+  /// @return whether anybody waits for it
+  bool answer(std::uint64_t step, T value) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (step_ != step) return false;
+      answer_ = std::move(value);
+    }
+    came_.notify_one();
+    return true;
+  }
+  /// Nothing where it did not come in time.
+  [[nodiscard]] std::optional<T> wait(std::chrono::duration<double> at_most) {
+    std::unique_lock lock(mutex_);
+    came_.wait_for(lock, at_most, [&] { return answer_.has_value(); });
+    step_.reset();
+    return std::exchange(answer_, std::nullopt);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::optional<std::uint64_t> step_;
+  std::optional<T> answer_;
+};
+
+}  // namespace slackwater::live
