@@ -144,6 +144,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_store(app, context);
   add_site(app, context);
   add_simulate(app, context);
+  add_live(app, context);
   add_replay(app, context);
   add_rehearse(app, context);
   add_score(app, context);

@@ -67,6 +67,7 @@ void add_store(CLI::App& app, Context& context);
 void add_site(CLI::App& app, Context& context);
 void add_ais(CLI::App& app, Context& context);
 void add_demo(CLI::App& app, Context& context);
+void add_live(CLI::App& app, Context& context);
 void add_serve(CLI::App& app, Context& context);
 void add_simulate(CLI::App& app, Context& context);
 void add_replay(CLI::App& app, Context& context);

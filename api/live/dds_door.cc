@@ -27,22 +27,22 @@ twin::Reroute reroute_to(const std::vector<twin::Triple<double>>& places_m, bool
 
 }  // namespace
 
-DdsDoor::DdsDoor(std::shared_ptr<dds::Participant> participant, Stream& stream, Desk& desk,
+DdsDoor::DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk,
                  DoorRun run)
-    : participant_(std::move(participant)), stream_(stream), desk_(desk), run_(std::move(run)) {
-  participant_->on_lost([&steward = desk.steward()](const std::string& client) {
+    : participant_(participant), stream_(stream), desk_(desk), run_(std::move(run)) {
+  participant_.on_lost([&steward = desk.steward()](const std::string& client) {
     steward.lost(client, steward.time_s());
   });
   open_run_services();
-  participant_->announce();
+  participant_.announce();
 }
 
 void DdsDoor::open(const std::string& name) {
   const std::size_t vehicle = actions_.size();
   open_topics(name, vehicle);
   open_vehicle_services(name, vehicle);
-  actions_.emplace_back(*participant_, stream_, desk_, run_.place, name, vehicle);
-  participant_->announce();
+  actions_.emplace_back(participant_, stream_, desk_, run_.place, name, vehicle);
+  participant_.announce();
 }
 
 void DdsDoor::speak(std::span<const twin::AgentState> states, double t_s) {
@@ -58,7 +58,7 @@ void DdsDoor::speak(std::span<const twin::AgentState> states, double t_s) {
 
 void DdsDoor::serve(const std::string& name, const char* type, Handler handler,
                     std::function<dds::Bytes(const std::string&)> refusal) {
-  participant_->serve({name, type}, [handler = std::move(handler), refusal = std::move(refusal)](
+  participant_.serve({name, type}, [handler = std::move(handler), refusal = std::move(refusal)](
                                         dds::Payload request, const std::string& client,
                                         const dds::Answer& answer) {
     dds::Bytes reply;
@@ -89,7 +89,7 @@ void DdsDoor::open_run_services() {
         return dds::done_reply(true, "goes on");
       },
       not_done);
-  participant_->serve({"/slackwater/step", "slackwater_msgs/srv/Step"},
+  participant_.serve({"/slackwater/step", "slackwater_msgs/srv/Step"},
                       [this](dds::Payload request, const std::string&, const dds::Answer& answer) {
                         take_step(request, answer);
                       });
@@ -146,7 +146,7 @@ dds::Bytes DdsDoor::answer_profile(const dds::ProfileAsked& asked) const {
 void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {
   const auto hear = [&](const char* topic, const char* type, auto read) {
     const bag::Channel channel{"/" + name + "/" + topic, type, "", command_quality};
-    participant_->subscribe(channel,
+    participant_.subscribe(channel,
                             [this, vehicle, read](dds::Payload message, const std::string& client) {
                               try {
                                 (void)desk_.submit(client, vehicle, read(message),

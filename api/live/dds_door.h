@@ -1,7 +1,6 @@
 #pragma once
 #include <deque>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <string>
 
@@ -29,7 +28,7 @@ struct DoorRun {
 /// `open` and `speak` are for the thread of the run.
 class DdsDoor {
  public:
-  DdsDoor(std::shared_ptr<dds::Participant> participant, Stream& stream, Desk& desk, DoorRun run);
+  DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk, DoorRun run);
 
   /// The next vehicle of the run.
   void open(const std::string& name);
@@ -46,7 +45,7 @@ class DdsDoor {
   void take_step(dds::Payload request, const dds::Answer& answer);
   [[nodiscard]] dds::Bytes answer_profile(const dds::ProfileAsked& asked) const;
 
-  std::shared_ptr<dds::Participant> participant_;
+  dds::Participant& participant_;
   Stream& stream_;
   Desk& desk_;
   DoorRun run_;

@@ -37,17 +37,17 @@ std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
   }
 }
 
-HostDesk::HostDesk(std::shared_ptr<dds::Participant> participant, twin::Run& run,
+HostDesk::HostDesk(dds::Participant& participant, twin::Run& run,
                    twin::RunControl& control, Desk& desk, const RunPlace& place, HostRule rule,
                    std::function<void(const std::string&)> on_trouble)
-    : participant_(std::move(participant)),
+    : participant_(participant),
       run_(run),
       control_(control),
       desk_(desk),
       place_(place),
       rule_(rule),
       on_trouble_(std::move(on_trouble)) {
-  participant_->on_lost([this](const std::string& client) { lose(client); });
+  participant_.on_lost([this](const std::string& client) { lose(client); });
   run_.at_opening([this](const twin::StepTime& time) { ask_agents(time); });
 }
 
@@ -61,9 +61,9 @@ void HostDesk::open(const std::string& name) {
     Host& host = hosts_.emplace_back();
     host.name = name;
     host.observation =
-        participant_->publish_on(topic("observation", "slackwater_msgs/msg/AgentObservation"));
+        participant_.publish_on(topic("observation", "slackwater_msgs/msg/AgentObservation"));
     host.input =
-        participant_->publish_on(topic("physics_input", "slackwater_msgs/msg/PhysicsInput"));
+        participant_.publish_on(topic("physics_input", "slackwater_msgs/msg/PhysicsInput"));
   }
   Host& host = hosts_[vehicle];
   // Who answers wrongly is dropped by who waits for it; what nobody waits for counts for nothing.
@@ -71,20 +71,20 @@ void HostDesk::open(const std::string& name) {
     const std::lock_guard lock(mutex_);
     return !hosting.empty() && client == hosting;
   };
-  participant_->subscribe(topic("command", "slackwater_msgs/msg/AgentCommand"),
+  participant_.subscribe(topic("command", "slackwater_msgs/msg/AgentCommand"),
                           [&host, from](dds::Payload message, const std::string& client) {
                             if (!from(client, host.agent)) return;
                             dds::AgentAsked asked = dds::read_agent_command(message);
                             const std::uint64_t step = asked.step;
                             (void)host.from_agent.answer(step, std::move(asked));
                           });
-  participant_->subscribe(topic("physics_output", "slackwater_msgs/msg/PhysicsOutput"),
+  participant_.subscribe(topic("physics_output", "slackwater_msgs/msg/PhysicsOutput"),
                           [&host, from](dds::Payload message, const std::string& client) {
                             if (!from(client, host.physics)) return;
                             const dds::PhysicsMade made = dds::read_physics_output(message);
                             (void)host.from_physics.answer(made.step, made);
                           });
-  participant_->serve(
+  participant_.serve(
       {"/" + name + "/host", "slackwater_msgs/srv/Host"},
       [this, vehicle](dds::Payload request, const std::string& client, const dds::Answer& answer) {
         answer(take(vehicle, request, client));
@@ -174,7 +174,7 @@ void HostDesk::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
   Host& host = hosts_[vehicle];
   host.from_agent.ask(time.step);
   const dds::Stamp stamp = dds::stamp_of(place_.epoch, time.start_s);
-  participant_->send(host.observation,
+  participant_.send(host.observation,
                      dds::agent_observation(run_.agents()[vehicle], run_.states()[vehicle],
                                             time.step, host.name, stamp));
   std::string client;
@@ -212,7 +212,7 @@ std::optional<twin::VehicleState<double>> HostDesk::ask_physics(std::size_t vehi
     timeout_s = host.physics_timeout_s;
   }
   host.from_physics.ask(step.time.step);
-  participant_->send(
+  participant_.send(
       host.input,
       dds::physics_input(step, host.name, dds::stamp_of(place_.epoch, step.time.start_s)));
   const auto made = host.from_physics.wait(std::chrono::duration<double>(timeout_s));

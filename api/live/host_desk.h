@@ -1,7 +1,6 @@
 #pragma once
 #include <deque>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -32,7 +31,7 @@ enum class HostRule {
 /// Whoever is taken from is named to `on_trouble`.
 class HostDesk {
  public:
-  HostDesk(std::shared_ptr<dds::Participant> participant, twin::Run& run, twin::RunControl& control,
+  HostDesk(dds::Participant& participant, twin::Run& run, twin::RunControl& control,
            Desk& desk, const RunPlace& place, HostRule rule,
            std::function<void(const std::string&)> on_trouble);
 
@@ -62,7 +61,7 @@ class HostDesk {
   void end_physics(std::size_t vehicle, std::uint64_t step, double t_s);
   void tell(const std::string& text) const;
 
-  std::shared_ptr<dds::Participant> participant_;
+  dds::Participant& participant_;
   twin::Run& run_;
   twin::RunControl& control_;
   Desk& desk_;

@@ -206,6 +206,8 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   run.at_barrier(EachNth{every, ProgressReporter{on_progress, steps}});
   run.at_barrier(EachNth{every, HaltWatcher{run, control}});
   run.at_barrier(Checkpointer{due, control, leave_checkpoint});
+  if (choice.on_ready)
+    choice.on_ready({run, control, result.start, ready.origin, ready.environment, result.vessels});
   run.run_until(scenario.duration_s, control);
 
   if (stop.is_asked()) {

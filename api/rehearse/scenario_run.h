@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "api/rehearse/track_following.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/simulate/run_log.h"
+#include "twin/simulate/run_control.h"
 #include "twin/simulate/scenario.h"
 #include "twin/simulate/sensor_log.h"
 #include "twin/simulate/set_up.h"
@@ -94,6 +96,16 @@ struct ScenarioResult {
   ingest::TrajectoryFile file;  ///< the log as it is written
 };
 
+/// A run that is ready, before its first step, for whoever joins it: publishes, commands, hosts.
+struct RunInHand {
+  twin::Run& run;
+  twin::RunControl& control;
+  UtcTime start;
+  GeoPoint origin;
+  std::shared_ptr<const twin::Environment> environment;
+  std::span<const twin::TrafficVessel> vessels;
+};
+
 struct RunChoice {
   std::size_t threads = 1;
   bool is_batch = true;
@@ -102,6 +114,8 @@ struct RunChoice {
   std::optional<double> checkpoint_at_s{};  ///< since the start of the run
   std::filesystem::path restore{};          ///< a checkpoint to go on from
   const std::atomic<bool>* is_stop_asked = nullptr;  ///< looked at once a step
+  /// Joins the run; what it attaches must live until the run is over.
+  std::function<void(const RunInHand&)> on_ready{};
 };
 
 /// Runs a scenario to its end. Nothing of the choice changes what comes out: a run that goes on

@@ -89,7 +89,7 @@ const Arrows& allowed_arrows_of_api() {
       {"api/synthetic", {}},
       {"api/dds/message", {}},
       {"api/dds", {"api/dds/message"}},
-      {"api/live", {"api/dds", "api/dds/message", "api/program", "api/rehearse"}},
+      {"api/live", {"api/dds", "api/dds/message", "api/foxglove", "api/program", "api/rehearse"}},
       {"api/edr/read", {}},
       {"api/edr/sample", {"api/edr/read", "api/issued"}},
       {"api/edr/write", {"api/edr/sample", "api/edr/read", "api/issued", "api/program"}},

@@ -93,6 +93,7 @@ class Run {
   [[nodiscard]] std::span<const AgentState> states();
   [[nodiscard]] double time_s() const noexcept;
   [[nodiscard]] std::uint64_t steps_made() const noexcept { return scheduler_.steps_made(); }
+  [[nodiscard]] double step_s() const noexcept { return scheduler_.step_s(); }
   /// Between steps: a vehicle that is not stepped from now on. What it met, drew and felt stays.
   void retire(std::size_t index);
   [[nodiscard]] bool all_halted() const noexcept;

@@ -1,0 +1,196 @@
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "api/cli/command.h"
+#include "api/cli/output_file.h"
+#include "api/cli/run_print.h"
+#include "api/foxglove/broadcast.h"
+#include "api/http/router.h"
+#include "api/http/server.h"
+#include "api/live/live_run.h"
+#include "api/live/recording_outlet.h"
+#include "api/live/viewer_outlet.h"
+#include "api/rehearse/heard_traffic.h"
+#include "api/rehearse/run_page.h"
+#include "fields/base/log.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+struct LiveArguments {
+  std::filesystem::path scenario;
+  std::optional<int> domain;
+  bool loopback = false;
+  bool udp_only = false;
+  double factor = 1;
+  std::string when_host_fails = "take-back";
+  std::vector<std::filesystem::path> recordings;
+  std::filesystem::path out;
+  std::filesystem::path html;
+  std::optional<int> viewer_port;
+  std::size_t threads = 1;
+};
+
+/// Set by SIGINT and SIGTERM.
+std::atomic<bool> end_asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+void ask_to_end(int) { end_asked = true; }
+
+/// Stops a run when it is asked to, paused or not.
+class Stopper {
+ public:
+  explicit Stopper(twin::RunControl& control) {
+    end_asked = false;
+    std::signal(SIGINT, ask_to_end);
+    std::signal(SIGTERM, ask_to_end);
+    watch_ = std::jthread([&control](const std::stop_token& over) {
+      while (!over.stop_requested() && !end_asked)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      if (end_asked) control.stop();
+    });
+  }
+
+ private:
+  std::jthread watch_;
+};
+
+void tell_trouble(const std::string& text) {
+  log_event(LogLevel::warning, "live", {{"problem", text}});
+}
+
+/// The names under which the vehicles are found, where a client must know them.
+void print_names(std::span<const twin::Agent> agents, const std::vector<std::string>& names,
+                 const std::string& site, const LiveArguments& arguments) {
+  if (arguments.domain)
+    std::fprintf(stderr, "DDS domain %d, ROS 2 names:\n", *arguments.domain);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    std::fprintf(stderr, "  vehicle %-20s /%s/...\n", agents[i].name.c_str(), names[i].c_str());
+  std::fprintf(stderr, "  site    %-20s /%s/...\n", site.c_str(), site.c_str());
+  std::fflush(stderr);
+}
+
+live::LiveSettings settings_of(const LiveArguments& arguments, const twin::Scenario& scenario,
+                               const ScenarioWater& water) {
+  live::LiveSettings settings;
+  if (arguments.domain) {
+    settings.domain.emplace();
+    settings.domain->domain = *arguments.domain;
+    settings.domain->is_loopback_only = arguments.loopback;
+    settings.domain->is_udp_only = arguments.udp_only;
+  }
+  if (arguments.when_host_fails == "halt") settings.when_host_fails = live::HostRule::halt;
+  settings.on_trouble = tell_trouble;
+  const std::string& id = water.surround.field->snapshot().site_id;
+  const bool is_made_up = std::holds_alternative<twin::MadeUpWater>(scenario.water);
+  if (!is_made_up && !id.empty()) settings.site = id;
+  return settings;
+}
+
+/// What people's viewers connect to; goes with the command.
+struct Viewers {
+  std::shared_ptr<foxglove::Broadcast> broadcast;
+  std::unique_ptr<http::Server> server;
+};
+
+Viewers open_viewers(int port, const std::string& name) {
+  Viewers viewers;
+  viewers.broadcast = std::make_shared<foxglove::Broadcast>(name);
+  http::Router router;
+  router.add("GET", "/live", viewers.broadcast->route());
+  http::ServerOptions options;
+  options.port = static_cast<std::uint16_t>(port);
+  options.read_only = true;
+  viewers.server = std::make_unique<http::Server>(options, router);
+  viewers.server->start();
+  std::fprintf(stderr, "viewers: ws://127.0.0.1:%d/live\n", viewers.server->port());
+  return viewers;
+}
+
+void run_live(const LiveArguments& arguments, const Context& context) {
+  expect_output("--out", arguments.out, {".nc"});
+  expect_output("--html", arguments.html, {".html"});
+  twin::Scenario scenario = twin::read_scenario(arguments.scenario);
+  const auto folder = std::filesystem::absolute(arguments.scenario).parent_path();
+  ScenarioWater water = water_of(scenario, context.store_folder, folder);
+  with_context(arguments.scenario.string(), [&] { add_heard_traffic(scenario, folder, water); });
+  live::LiveSettings settings = settings_of(arguments, scenario, water);
+  std::vector<std::shared_ptr<live::RecordingOutlet>> recordings;
+  for (const auto& path : arguments.recordings) {
+    recordings.push_back(std::make_shared<live::RecordingOutlet>(path, tell_trouble));
+    settings.outlets.push_back(recordings.back());
+  }
+  Viewers viewers;
+  if (arguments.viewer_port) {
+    viewers = open_viewers(*arguments.viewer_port, scenario.name);
+    settings.outlets.push_back(std::make_shared<live::ViewerOutlet>(viewers.broadcast));
+  }
+  std::unique_ptr<live::LiveRun> joined;
+  std::unique_ptr<Stopper> stopper;
+  RunChoice choice{arguments.threads, true, arguments.factor};
+  choice.on_ready = [&](const RunInHand& hand) {
+    joined = std::make_unique<live::LiveRun>(hand, settings);
+    print_names(hand.run.agents(), joined->names(), settings.site, arguments);
+    stopper = std::make_unique<Stopper>(hand.control);
+  };
+  const ScenarioResult result = with_context(
+      arguments.scenario.string(), [&] { return run_scenario(scenario, water, choice); });
+  stopper.reset();
+  for (const auto& recording : recordings) (void)recording->close();
+  if (!arguments.out.empty()) {
+    write_beside(arguments.out, [&](const std::filesystem::path& partial) {
+      ingest::write_trajectories(result.file, partial);
+    });
+  }
+  if (!arguments.html.empty()) {
+    write_beside(arguments.html, [&](const std::filesystem::path& partial) {
+      write_run_page(result.file, partial);
+    });
+  }
+  for (const std::string& warning : result.warnings)
+    std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
+  if (!context.json) return print_run(result, arguments.out);
+  const json out = run_json(result, scenario.name, water, arguments.out);
+  std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+}
+
+}  // namespace
+
+void add_live(CLI::App& app, Context& context) {
+  auto arguments = std::make_shared<LiveArguments>();
+  CLI::App* command = app.add_subcommand(
+      "live", "Run a scenario at real time for robots and people: ROS 2 over DDS, bags, viewers");
+  command->add_option("scenario", arguments->scenario, "YAML file")->required();
+  command->add_option("--dds-domain", arguments->domain,
+                      "DDS domain, 0 to 232 (ROS_DOMAIN_ID); without it nothing is on DDS");
+  command->add_flag("--loopback", arguments->loopback, "DDS on this machine alone");
+  command->add_flag("--udp-only", arguments->udp_only, "DDS without shared memory");
+  command
+      ->add_option("--real-time-factor", arguments->factor,
+                   "times as fast as the clock, 0.1 and more; 0: as fast as it goes (default 1)")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--when-host-fails", arguments->when_host_fails,
+                   "what becomes of a vehicle whose agent or physics, in another process, is "
+                   "gone, late or lies (default take-back)")
+      ->check(CLI::IsMember({"take-back", "halt"}));
+  command->add_option("--record", arguments->recordings,
+                      "bag of all messages: FILE.mcap, or a folder for rosbag2; repeatable");
+  command->add_option("--out", arguments->out, "log as FILE.nc, for replay and score");
+  command->add_option("--html", arguments->html, "page of plots as FILE.html");
+  command
+      ->add_option("--viewer-port", arguments->viewer_port,
+                   "serve viewers (Foxglove WebSocket) on this port of 127.0.0.1; 0: any free one")
+      ->check(CLI::Range(0, 65535));
+  command->add_option("--threads", arguments->threads, "1 to 64 (default 1)")
+      ->check(CLI::Range(1, 64));
+  command->callback([arguments, &context] { run_live(*arguments, context); });
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,114 @@
+#include "api/live/live_run.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "api/dds/message/names.h"
+#include "api/live/dds_door.h"
+#include "api/live/dds_outlet.h"
+#include "api/live/desk.h"
+#include "api/live/site_voice.h"
+#include "api/live/vehicle_voice.h"
+#include "fields/geo/geoid.h"
+#include "twin/helm/steward.h"
+
+namespace slackwater::live {
+namespace {
+
+RunPlace place_of(const api::RunInHand& hand, double step_s) {
+  return {hand.start, hand.origin, geoid_height_m(hand.origin), step_s};
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> ros_names(std::span<const twin::Agent> agents) {
+  std::vector<std::string> names, taken{"slackwater", "clock", "ais"};
+  for (const twin::Agent& agent : agents) {
+    const std::string plain = dds::ros_token(agent.name);
+    std::string name = plain;
+    for (int n = 2; std::find(taken.begin(), taken.end(), lower(name)) != taken.end(); ++n)
+      name = plain + "_" + std::to_string(n);
+    taken.push_back(lower(name));
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+struct LiveRun::Parts {
+  Parts(const api::RunInHand& hand, const LiveSettings& settings)
+      : run(hand.run),
+        place(place_of(hand, hand.run.step_s())),
+        names(ros_names(hand.run.agents())),
+        steward(hand.run),
+        desk(stream, steward, place) {
+    for (const auto& outlet : settings.outlets) stream.add(outlet);
+    if (settings.domain) {
+      dds::DomainSettings domain = *settings.domain;
+      domain.on_trouble = settings.on_trouble;
+      participant = std::make_unique<dds::Participant>(std::move(domain));
+      stream.add(std::make_shared<DdsOutlet>(*participant));
+    }
+    site = std::make_unique<SiteVoice>(stream, place, dds::ros_token(settings.site),
+                                       *hand.environment, hand.vessels);
+    const auto states = run.states();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      voices.emplace_back(stream, place, names[i], run.agents()[i], states[i]);
+      desk.open(names[i]);
+    }
+    if (participant) open_doors(hand, settings);
+    speak();
+    run.at_barrier([this](const twin::StepTime&) { speak(); });
+  }
+
+  void open_doors(const api::RunInHand& hand, const LiveSettings& settings) {
+    DoorRun door_run{hand.control, *hand.environment, place, [this] { return made.load(); },
+                     [](const dds::SpawnAsked&) { return std::optional<std::string>("no"); }};
+    door = std::make_unique<DdsDoor>(*participant, stream, desk, std::move(door_run));
+    hosts = std::make_unique<HostDesk>(*participant, run, hand.control, desk, place,
+                                       settings.when_host_fails, settings.on_trouble);
+    for (const std::string& name : names) {
+      door->open(name);
+      hosts->open(name);
+    }
+    participant->announce();
+  }
+
+  /// After each barrier: what was asked first, then what came of it.
+  void speak() {
+    const double t_s = run.time_s();
+    made = run.steps_made();
+    desk.speak(t_s);
+    const auto states = run.states();
+    site->speak(run.seen(), t_s);
+    for (std::size_t i = 0; i < voices.size(); ++i)
+      voices[i].speak(run.agents()[i], states[i], steward.holder(i), t_s);
+    if (door) door->speak(states, t_s);
+  }
+
+  twin::Run& run;
+  RunPlace place;
+  std::vector<std::string> names;
+  std::atomic<std::uint64_t> made{0};
+  twin::Steward steward;
+  Stream stream;
+  Desk desk;
+  std::unique_ptr<SiteVoice> site;
+  std::deque<VehicleVoice> voices;
+  std::unique_ptr<DdsDoor> door;
+  std::unique_ptr<HostDesk> hosts;
+  std::unique_ptr<dds::Participant> participant;  ///< goes first: it calls all the others
+};
+
+LiveRun::LiveRun(const api::RunInHand& hand, const LiveSettings& settings)
+    : parts_(std::make_unique<Parts>(hand, settings)) {}
+LiveRun::~LiveRun() = default;
+
+const std::vector<std::string>& LiveRun::names() const noexcept { return parts_->names; }
+
+}  // namespace slackwater::live

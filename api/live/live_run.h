@@ -1,0 +1,49 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/dds/participant.h"
+#include "api/live/host_desk.h"
+#include "api/live/stream.h"
+#include "api/rehearse/scenario_run.h"
+
+namespace slackwater::live {
+
+/// How a run is made live.
+struct LiveSettings {
+  std::optional<dds::DomainSettings> domain;  ///< nothing: not on DDS
+  HostRule when_host_fails = HostRule::take_back;
+  std::string site = "site";  ///< its id
+  /// Recordings, viewers: told of everything besides.
+  std::vector<std::shared_ptr<Outlet>> outlets;
+  /// What operators should know of. From any thread.
+  std::function<void(const std::string&)> on_trouble;
+};
+
+/// The names of a run's vehicles as tokens of ROS, each once: "ROV 1" and "rov-1" become ROV_1 and
+/// rov_1_2, as topics that differ in case alone are one for some.
+[[nodiscard]] std::vector<std::string> ros_names(std::span<const twin::Agent> agents);
+
+/// Joins a run and makes it live: voices that tell, desks that take commands and hosts, at their
+/// doors. Must outlive the run.
+class LiveRun {
+ public:
+  /// @throws Error(unavailable) where the domain cannot be joined
+  LiveRun(const api::RunInHand& hand, const LiveSettings& settings);
+  ~LiveRun();
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
+  /// Vehicles and their names on DDS, in the order of the run.
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace slackwater::live

@@ -1,0 +1,86 @@
+#include "api/live/recording_outlet.h"
+
+#include <chrono>
+#include <exception>
+
+namespace slackwater::live {
+namespace {
+
+constexpr std::size_t most_waiting_bytes = 256U << 20U;
+
+}  // namespace
+
+RecordingOutlet::RecordingOutlet(const std::filesystem::path& path,
+                                 std::function<void(const std::string&)> on_trouble)
+    : path_(path),
+      on_trouble_(std::move(on_trouble)),
+      writer_(bag::open_recording(path)),
+      thread_([this] { write_all(); }) {}
+
+RecordingOutlet::~RecordingOutlet() { (void)close(); }
+
+void RecordingOutlet::open(const bag::Channel& channel, Direction) {
+  const std::lock_guard lock(mutex_);
+  channels_.push_back(channel);
+}
+
+void RecordingOutlet::publish(std::size_t channel, const dds::Stamp& stamp,
+                              const dds::Bytes& message) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (waiting_bytes_ <= most_waiting_bytes) {
+      waiting_bytes_ += message.size();
+      waiting_.push_back({channel, dds::nanoseconds_of(stamp), message});
+      return;
+    }
+  }
+  fail("the disk does not keep up: 256 MiB are waiting");
+}
+
+void RecordingOutlet::fail(const std::string& why) {
+  if (has_failed_.exchange(true)) return;
+  if (on_trouble_) {
+    on_trouble_("the recording " + path_.string() + " ends here, the run goes on without it: " +
+                why);
+  }
+}
+
+/// A batch of what came in every few milliseconds, so that the run wakes nobody for each message.
+void RecordingOutlet::write_all() {
+  std::deque<Item> batch;
+  std::vector<bag::Channel> channels;
+  for (bool is_over = false; !is_over;) {
+    {
+      std::unique_lock lock(mutex_);
+      came_.wait_for(lock, std::chrono::milliseconds(20), [&] { return is_over_; });
+      is_over = is_over_;
+      batch.swap(waiting_);
+      waiting_bytes_ = 0;
+      channels.assign(channels_.begin() + static_cast<std::ptrdiff_t>(ids_.size()),
+                      channels_.end());
+    }
+    try {
+      for (const bag::Channel& channel : channels) ids_.push_back(writer_.add_channel(channel));
+      if (!has_failed_)
+        for (const Item& item : batch)
+          writer_.write(ids_[item.channel], item.time_ns, item.message);
+      if (is_over) writer_.close();
+    } catch (const std::exception& e) {
+      fail(e.what());
+      ids_.resize(channels_.size());
+    }
+    batch.clear();
+  }
+}
+
+std::uint64_t RecordingOutlet::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+  }
+  came_.notify_one();
+  if (thread_.joinable()) thread_.join();
+  return writer_.messages();
+}
+
+}  // namespace slackwater::live
