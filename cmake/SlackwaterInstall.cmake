@@ -8,11 +8,11 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS slackwater RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 
-# Every folder of data but the store's own code: products, sites, and what comes after them.
+# Every folder of data but those of code: products, sites, and what comes after them.
 file(GLOB data_folders CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/data/*)
 foreach(folder ${data_folders})
   get_filename_component(name ${folder} NAME)
-  if(IS_DIRECTORY ${folder} AND NOT name MATCHES "^(store|schema)$")
+  if(IS_DIRECTORY ${folder} AND NOT name MATCHES "^(store|schema|bag)$")
     install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/slackwater COMPONENT runtime)
   endif()
 endforeach()

@@ -39,6 +39,8 @@ slackwater_library(sqlite LINK SQLite::SQLite3)
 slackwater_library(crypto LINK OpenSSL::Crypto)
 slackwater_library(beast LINK Boost::headers Threads::Threads)
 slackwater_library(zlib LINK ZLIB::ZLIB)
+slackwater_library(zstd PKG libzstd)
+slackwater_library(lz4 PKG liblz4)
 slackwater_library(date LINK date::date-tz)
 if(SLACKWATER_SANITIZE MATCHES thread AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # TSan does not know the fences that asio puts beside its locks; the locks it knows.

@@ -14,52 +14,42 @@ namespace {
 /// Long enough for another process to finish a commit on a slow disk.
 constexpr int busy_timeout_ms = 30'000;
 
-Error error_of(int code, const std::filesystem::path& file, const std::string& text,
-               int system_errno) {
-  const std::string found = "the catalogue " + file.string() + ": ";
+Error error_of(int code, const std::filesystem::path& file, const DatabaseWords& words,
+               const std::string& text, int system_errno) {
+  const std::string found = std::string(words.name) + " " + file.string() + ": ";
   // SQLite keeps the errno of its last failed system call, which belongs to these two codes only.
   const bool from_system = (code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_CANTOPEN;
   const std::string cause =
       from_system && system_errno != 0 ? text + " (" + std::strerror(system_errno) + ")" : text;
+  const auto advised = [&](ErrorKind kind, const std::string& what, std::string_view advice) {
+    return Error(kind, found + what + "; " + std::string(advice));
+  };
   switch (code & 0xff) {
     case SQLITE_FULL:
-      return Error(ErrorKind::unavailable,
-                   found +
-                       "no space left on the disk; nothing was stored; free some space and run the "
-                       "command again");
+      return advised(ErrorKind::unavailable, "no space left on the disk", words.when_full);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return Error(ErrorKind::unavailable,
-                   found + "another process kept it locked for " +
-                       std::to_string(busy_timeout_ms / 1000) +
-                       " s; wait until that process is done and run the command again");
+      return advised(
+          ErrorKind::unavailable,
+          "another process kept it locked for " + std::to_string(busy_timeout_ms / 1000) + " s",
+          words.when_locked);
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_AUTH:
-      return Error(ErrorKind::unavailable,
-                   found + "cannot be written: " + cause +
-                       "; give write permission on the store's folder, or choose another --store");
+      return advised(ErrorKind::unavailable, "cannot be written: " + cause,
+                     words.when_not_writable);
     case SQLITE_CANTOPEN:
-      return Error(
-          ErrorKind::unavailable,
-          found + "cannot be opened: " + cause +
-              "; check that the folder is there, that you may read and write in it, and that "
-              "its disk is not full");
+      return advised(ErrorKind::unavailable, "cannot be opened: " + cause,
+                     "check that the folder is there, that you may read and write in it, and that "
+                     "its disk is not full");
     case SQLITE_IOERR:
-      if (system_errno == ENOSPC || system_errno == EDQUOT) {
-        return Error(ErrorKind::unavailable,
-                     found +
-                         "no space left on the disk; nothing was stored; free some space and run "
-                         "the command again");
-      }
-      return Error(ErrorKind::unavailable,
-                   found + "reading or writing failed: " + cause +
-                       "; check the disk, then run `slackwater store check`");
+      if (system_errno == ENOSPC || system_errno == EDQUOT)
+        return advised(ErrorKind::unavailable, "no space left on the disk", words.when_full);
+      return advised(ErrorKind::unavailable, "reading or writing failed: " + cause,
+                     words.when_failing);
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
-      return Error(ErrorKind::invalid_input,
-                   found + "is damaged: " + cause +
-                       "; run `slackwater store check` to see what can be saved");
+      return advised(ErrorKind::invalid_input, "is damaged: " + cause, words.when_damaged);
     case SQLITE_NOMEM:
       return Error(ErrorKind::unavailable, found + "out of memory");
     default:
@@ -67,7 +57,8 @@ Error error_of(int code, const std::filesystem::path& file, const std::string& t
   }
 }
 
-sqlite3* open_connection(const std::filesystem::path& file, int flags, const char* vfs) {
+sqlite3* open_connection(const std::filesystem::path& file, int flags, const char* vfs,
+                         const DatabaseWords& words) {
   sqlite3* connection = nullptr;
   // Extended codes and no mutex: a Database belongs to one thread at a time.
   const int code = sqlite3_open_v2(file.c_str(), &connection,
@@ -77,7 +68,7 @@ sqlite3* open_connection(const std::filesystem::path& file, int flags, const cha
         connection != nullptr ? sqlite3_errmsg(connection) : sqlite3_errstr(code);
     const int system_errno = connection != nullptr ? sqlite3_system_errno(connection) : 0;
     sqlite3_close(connection);
-    throw error_of(code, file, text, system_errno);
+    throw error_of(code, file, words, text, system_errno);
   }
   sqlite3_busy_timeout(connection, busy_timeout_ms);
   return connection;
@@ -109,6 +100,12 @@ Statement& Statement::bind(int position, std::string_view value) {
 }
 Statement& Statement::bind(int position, UtcTime value) {
   return bind(position, static_cast<std::int64_t>(value.time_since_epoch().count()));
+}
+Statement& Statement::bind_bytes(int position, std::span<const std::uint8_t> value) {
+  // No data would be NULL.
+  const void* data = value.empty() ? static_cast<const void*>("") : value.data();
+  check(sqlite3_bind_blob64(statement_.get(), position, data, value.size(), SQLITE_STATIC));
+  return *this;
 }
 Statement& Statement::bind_null(int position) {
   check(sqlite3_bind_null(statement_.get(), position));
@@ -145,6 +142,13 @@ std::string Statement::text(int column) const {
              ? std::string()
              : std::string(reinterpret_cast<const char*>(text), static_cast<std::size_t>(bytes));
 }
+std::span<const std::uint8_t> Statement::bytes(int column) const {
+  const void* data = sqlite3_column_blob(statement_.get(), column);
+  const int size = sqlite3_column_bytes(statement_.get(), column);
+  // A value that could not be had for want of memory has no data and may claim a size.
+  if (data == nullptr) return {};
+  return {static_cast<const std::uint8_t*>(data), static_cast<std::size_t>(size)};
+}
 UtcTime Statement::time(int column) const { return UtcTime(Duration(integer(column))); }
 std::optional<std::int64_t> Statement::optional_integer(int column) const {
   return is_null(column) ? std::nullopt : std::optional(integer(column));
@@ -158,25 +162,28 @@ std::optional<UtcTime> Statement::optional_time(int column) const {
 
 void Database::Close::operator()(sqlite3* connection) const noexcept { sqlite3_close(connection); }
 
-Database::Database(std::filesystem::path file, sqlite3* connection)
-    : file_(std::move(file)), connection_(connection) {}
+Database::Database(std::filesystem::path file, sqlite3* connection, const DatabaseWords& words)
+    : file_(std::move(file)), words_(words), connection_(connection) {}
 
-Database Database::open(const std::filesystem::path& file, Access access) {
+Database Database::open(const std::filesystem::path& file, Access access,
+                        const DatabaseWords& words) {
   if (access == Access::write) {
-    Database database(file,
-                      open_connection(file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr));
+    Database database(
+        file, open_connection(file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr, words),
+        words);
     database.execute("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
     return database;
   }
-  if (access == Access::read) return {file, open_connection(file, SQLITE_OPEN_READONLY, nullptr)};
+  if (access == Access::read)
+    return {file, open_connection(file, SQLITE_OPEN_READONLY, nullptr, words), words};
   // Without locks and in exclusive mode SQLite keeps the index of the WAL on its own heap.
-  Database database(file, open_connection(file, SQLITE_OPEN_READONLY, "unix-none"));
+  Database database(file, open_connection(file, SQLITE_OPEN_READONLY, "unix-none", words), words);
   database.execute("PRAGMA locking_mode = EXCLUSIVE");
   return database;
 }
 
 Database Database::open_copy(const std::filesystem::path& file, std::string_view bytes) {
-  Database database(file, open_connection(":memory:", SQLITE_OPEN_READWRITE, nullptr));
+  Database database(file, open_connection(":memory:", SQLITE_OPEN_READWRITE, nullptr, {}), {});
   auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size() + 1));
   if (copy == nullptr) database.fail(SQLITE_NOMEM);
   std::memcpy(copy, bytes.data(), bytes.size());
@@ -214,7 +221,7 @@ std::int64_t Database::last_inserted_id() const {
 }
 
 void Database::fail(int code) const {
-  throw error_of(code, file_, sqlite3_errmsg(connection_.get()),
+  throw error_of(code, file_, words_, sqlite3_errmsg(connection_.get()),
                  sqlite3_system_errno(connection_.get()));
 }
 

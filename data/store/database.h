@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,8 +14,19 @@ struct sqlite3_stmt;
 
 namespace slackwater::store {
 
+/// How errors speak of a database, and what they advise. The texts are literals.
+struct DatabaseWords {
+  std::string_view name = "the catalogue";
+  std::string_view when_full = "nothing was stored; free some space and run the command again";
+  std::string_view when_locked = "wait until that process is done and run the command again";
+  std::string_view when_not_writable =
+      "give write permission on the store's folder, or choose another --store";
+  std::string_view when_failing = "check the disk, then run `slackwater store check`";
+  std::string_view when_damaged = "run `slackwater store check` to see what can be saved";
+};
+
 /// A prepared statement: bind (positions from 1), step, read columns (from 0). Errors of SQLite are
-/// `Error`s that carry the catalogue's path, SQLite's own text and what to do. Must not outlive its
+/// `Error`s that carry the file's path, SQLite's own text and what to do. Must not outlive its
 /// Database.
 class Statement {
  public:
@@ -22,6 +34,8 @@ class Statement {
   Statement& bind(int position, double value);
   Statement& bind(int position, std::string_view value);
   Statement& bind(int position, UtcTime value);  ///< as milliseconds since 1970
+  /// Not copied: the bytes stay where they are until the statement was run or reset.
+  Statement& bind_bytes(int position, std::span<const std::uint8_t> value);
   Statement& bind_null(int position);
   template <typename T>
   Statement& bind(int position, const std::optional<T>& value) {
@@ -46,6 +60,8 @@ class Statement {
   [[nodiscard]] double real(int column) const;
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] UtcTime time(int column) const;
+  /// Good until the next step.
+  [[nodiscard]] std::span<const std::uint8_t> bytes(int column) const;
   [[nodiscard]] std::optional<std::int64_t> optional_integer(int column) const;
   [[nodiscard]] std::optional<double> optional_real(int column) const;
   [[nodiscard]] std::optional<UtcTime> optional_time(int column) const;
@@ -63,7 +79,7 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalise> statement_;
 };
 
-/// The one door to SQLite: a connection to a catalogue. One thread at a time.
+/// The one door to SQLite: a connection to a database. One thread at a time.
 class Database {
  public:
   enum class Access {
@@ -72,7 +88,8 @@ class Database {
     read_orphaned_wal,  ///< nobody can write and the -shm is gone: the WAL is read without shared
                         ///< memory
   };
-  [[nodiscard]] static Database open(const std::filesystem::path& file, Access access);
+  [[nodiscard]] static Database open(const std::filesystem::path& file, Access access,
+                                     const DatabaseWords& words = {});
   /// A private copy in memory of a catalogue without WAL, for file systems where readers cannot
   /// share memory.
   [[nodiscard]] static Database open_copy(const std::filesystem::path& file,
@@ -93,9 +110,10 @@ class Database {
   struct Close {
     void operator()(sqlite3* connection) const noexcept;
   };
-  Database(std::filesystem::path file, sqlite3* connection);
+  Database(std::filesystem::path file, sqlite3* connection, const DatabaseWords& words);
 
   std::filesystem::path file_;
+  DatabaseWords words_;
   std::unique_ptr<sqlite3, Close> connection_;
 };
 

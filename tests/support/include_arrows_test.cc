@@ -215,6 +215,8 @@ TEST(IncludeArrows, EachLibraryHasOneDoor) {
                                                                {"fmt/", "fields/base/text"},
                                                                {"date/", "fields/base/local_time"},
                                                                {"coin/", "api/plan"},
+                                                               {"zstd.h", "data/bag"},
+                                                               {"lz4frame.h", "data/bag"},
                                                                // Kept for what is to come.
                                                                {"embree", "twin/inspection/cast"},
                                                                {"fastdds/", "api/dds"},

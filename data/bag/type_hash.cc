@@ -1,0 +1,195 @@
+#include "data/bag/type_hash.h"
+
+#include <charconv>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "fields/base/sha256.h"
+
+namespace slackwater::bag {
+namespace {
+
+// type_description_interfaces/msg/FieldType: a nested type is 1; to arrays 48 is added, to bounded
+// sequences 96, to unbounded ones 144.
+constexpr int nested_type = 1;
+constexpr int bounded_string = 21;
+constexpr int array_offset = 48;
+constexpr int bounded_sequence_offset = 96;
+constexpr int sequence_offset = 144;
+
+std::optional<int> id_of(std::string_view name) {
+  static const std::map<std::string_view, int> ids{
+      {"int8", 2},   {"uint8", 3}, {"int16", 4},  {"uint16", 5},   {"int32", 6},
+      {"uint32", 7}, {"int64", 8}, {"uint64", 9}, {"float32", 10}, {"float64", 11},
+      {"bool", 15},  {"byte", 16}, {"string", 17}};
+  const auto found = ids.find(name);
+  return found == ids.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool is_followed_by_all(std::string_view name) { return name != "char" && name != "wstring"; }
+
+struct Field {
+  std::string name;
+  int type_id = 0;
+  unsigned capacity = 0;
+  unsigned string_capacity = 0;
+  std::string nested;  ///< "package/msg/Name"
+};
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::optional<unsigned> number_in(std::string_view text) {
+  unsigned value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// "package/Name" as "package/msg/Name"; a name alone is of the package of its owner.
+std::string full_name(std::string_view name, std::string_view owner) {
+  const auto first = name.find('/');
+  const std::string package(first == std::string_view::npos ? owner.substr(0, owner.find('/'))
+                                                            : name.substr(0, first));
+  const auto last = name.rfind('/');
+  return package + "/msg/" +
+         std::string(last == std::string_view::npos ? name : name.substr(last + 1));
+}
+
+/// The type of a field as it is written, e.g. "string<=10[<=5]".
+std::optional<Field> field_of(std::string_view type, std::string_view name,
+                              std::string_view owner) {
+  Field field{std::string(name), 0, 0, 0, {}};
+  int offset = 0;
+  if (type.ends_with(']')) {
+    const auto open = type.rfind('[');
+    if (open == std::string_view::npos) return std::nullopt;
+    std::string_view size = type.substr(open + 1, type.size() - open - 2);
+    type = type.substr(0, open);
+    offset = size.empty() ? sequence_offset : array_offset;
+    if (size.starts_with("<=")) {
+      offset = bounded_sequence_offset;
+      size.remove_prefix(2);
+    }
+    if (!size.empty() || offset == bounded_sequence_offset) {
+      const auto capacity = number_in(size);
+      if (!capacity) return std::nullopt;
+      field.capacity = *capacity;
+    }
+  }
+  if (!is_followed_by_all(type.substr(0, type.find('<')))) return std::nullopt;
+  if (type.starts_with("string<=")) {
+    const auto capacity = number_in(type.substr(8));
+    if (!capacity) return std::nullopt;
+    field.string_capacity = *capacity;
+    field.type_id = offset + bounded_string;
+  } else if (const auto id = id_of(type)) {
+    field.type_id = offset + *id;
+  } else {
+    field.type_id = offset + nested_type;
+    field.nested = full_name(type, owner);
+  }
+  return field;
+}
+
+std::string_view without_comment(std::string_view line) {
+  char quote = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (quote != 0) {
+      if (line[i] == quote) quote = 0;
+    } else if (line[i] == '"' || line[i] == '\'') {
+      quote = line[i];
+    } else if (line[i] == '#') {
+      return line.substr(0, i);
+    }
+  }
+  return line;
+}
+
+using Types = std::map<std::string, std::vector<Field>>;
+
+/// Each type of a definition with its fields.
+std::optional<Types> types_of(std::string_view type, std::string_view definition) {
+  Types types;
+  std::string owner(type);
+  types[owner];
+  bool is_heading = false;
+  while (!definition.empty()) {
+    const auto end = definition.find('\n');
+    const std::string_view line = trimmed(without_comment(definition.substr(0, end)));
+    definition.remove_prefix(end == std::string_view::npos ? definition.size() : end + 1);
+    if (line.empty()) continue;
+    if (line.find_first_not_of('=') == std::string_view::npos) {
+      is_heading = true;
+      continue;
+    }
+    if (is_heading) {
+      if (!line.starts_with("MSG: ")) return std::nullopt;
+      owner = full_name(trimmed(line.substr(5)), type);
+      if (!types.try_emplace(owner).second) return std::nullopt;
+      is_heading = false;
+      continue;
+    }
+    const auto space = line.find_first_of(" \t");
+    if (space == std::string_view::npos) return std::nullopt;
+    const std::string_view rest = trimmed(line.substr(space));
+    const auto name_end = rest.find_first_of(" \t=");
+    const std::string_view name = rest.substr(0, name_end);
+    if (name_end != std::string_view::npos && trimmed(rest.substr(name_end)).starts_with('='))
+      continue;  // a constant
+    auto field = field_of(line.substr(0, space), name, owner);
+    if (!field) return std::nullopt;
+    types[owner].push_back(std::move(*field));
+  }
+  for (auto& [name, fields] : types) {
+    // An IDL structure without members has one, which takes a byte on the wire.
+    if (fields.empty()) fields.push_back({"structure_needs_at_least_one_member", 3, 0, 0, {}});
+  }
+  return types;
+}
+
+std::string json_of(const std::string& name, const std::vector<Field>& fields) {
+  std::string json = R"({"type_name": ")" + name + R"(", "fields": [)";
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const Field& f = fields[i];
+    json += std::string(i == 0 ? "" : ", ") + R"({"name": ")" + f.name +
+            R"(", "type": {"type_id": )" + std::to_string(f.type_id) + R"(, "capacity": )" +
+            std::to_string(f.capacity) + R"(, "string_capacity": )" +
+            std::to_string(f.string_capacity) + R"(, "nested_type_name": ")" + f.nested + R"("}})";
+  }
+  return json + "]}";
+}
+
+/// The types that `name` holds, and those that they hold; false where one is not defined.
+bool gather(const Types& types, const std::string& name, std::set<std::string>& held) {
+  const auto found = types.find(name);
+  if (found == types.end()) return false;
+  for (const Field& field : found->second) {
+    if (field.nested.empty() || !held.insert(field.nested).second) continue;
+    if (!gather(types, field.nested, held)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::string> type_hash(std::string_view type, std::string_view definition) {
+  const auto types = types_of(type, definition);
+  const std::string name(type);
+  std::set<std::string> held;
+  if (!types || !gather(*types, name, held)) return std::nullopt;
+  std::string json = R"({"type_description": )" + json_of(name, types->at(name)) +
+                     R"(, "referenced_type_descriptions": [)";
+  const char* comma = "";
+  for (const std::string& nested : held) {
+    json += comma + json_of(nested, types->at(nested));
+    comma = ", ";
+  }
+  return "RIHS01_" + sha256_of_text(json + "]}");
+}
+
+}  // namespace slackwater::bag

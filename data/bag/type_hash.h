@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace slackwater::bag {
+
+/// The hash by which ROS 2 knows a type since Iron: "RIHS01_" and the SHA-256 of the type's
+/// description as JSON. Names and types of fields count; comments, constants and defaults do not.
+///
+/// @param type        "nav_msgs/msg/Odometry"
+/// @param definition  "ros2msg": the fields of the type, then of each type that it holds after a
+///                    line of 80 '=' and "MSG: package/Name"
+/// @return nothing where the definition cannot be followed: a type that it does not define, or one
+///         of `char` and `wstring`, on which readers differ
+/// Source: ROS REP-2016; rosidl, rosidl_generator_type_description.
+[[nodiscard]] std::optional<std::string> type_hash(std::string_view type,
+                                                   std::string_view definition);
+
+}  // namespace slackwater::bag

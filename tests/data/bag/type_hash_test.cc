@@ -1,0 +1,55 @@
+#include "data/bag/type_hash.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/data/bag/samples.h"
+
+namespace slackwater::bag::tests {
+namespace {
+
+const std::string bar = std::string(80, '=') + "\n";
+
+/// As ROS 2 Iron has them; found alike by rosbags 0.11, an implementation of its own.
+TEST(TypeHash, IsThatOfRos) {
+  EXPECT_EQ(type_hash("std_msgs/msg/Float64", "float64 data"),
+            "RIHS01_705ba9c3d1a09df43737eb67095534de36fd426c0587779bda2bc51fe790182a");
+  EXPECT_EQ(type_hash("std_msgs/msg/String", "string data\n"),
+            "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18");
+  EXPECT_EQ(type_hash("std_msgs/msg/Empty", ""),
+            "RIHS01_20b625256f32d5dbc0d04fee44f43c41e51c70d3502f84b4a08e7a9c26a96312");
+  EXPECT_EQ(type_hash(wind_channel().type, wind_channel().definition),
+            "RIHS01_d4829622288cbb443886e7ea94ea5671a3b1be6bab4ad04224432a65f7d7887a");
+}
+
+TEST(TypeHash, OfArraysSequencesAndBoundsIsThatOfRosbags) {
+  EXPECT_EQ(type_hash("a_msgs/msg/All",
+                      "int8[3] a\nuint16[] b\nfloat32[<=5] c\nstring<=7 d\nstring<=7[<=2] e\n"
+                      "byte f\nbool g\nPart[] h\na_msgs/msg/Part[2] i\n" +
+                          bar + "MSG: a_msgs/Part\nuint64 k\nint64 l\n"),
+            "RIHS01_13799a08fb4be80b9eae8c71f692d73fac8f202f5eb18e15cd84da89720c6ca0");
+}
+
+TEST(TypeHash, CommentsConstantsAndDefaultsDoNotCount) {
+  EXPECT_EQ(type_hash("std_msgs/msg/String",
+                      "# a text\n\nuint8 KIND=1\nstring NAME = \"#\"\n"
+                      "  string data \"some # text\"  # what it says\r\n"),
+            type_hash("std_msgs/msg/String", "string data"));
+}
+
+TEST(TypeHash, IsNotGivenOfWhatCannotBeFollowed) {
+  EXPECT_EQ(type_hash("a/msg/B", "c/D d"), std::nullopt) << "a type that is not defined";
+  EXPECT_EQ(type_hash("a/msg/B", "char c"), std::nullopt);
+  EXPECT_EQ(type_hash("a/msg/B", "wstring c"), std::nullopt);
+  EXPECT_EQ(type_hash("a/msg/B", "alone"), std::nullopt);
+  EXPECT_EQ(type_hash("a/msg/B", "int8[x] c"), std::nullopt);
+  EXPECT_EQ(type_hash("a/msg/B", "int8] c"), std::nullopt);
+  EXPECT_EQ(type_hash("a/msg/B", "string<= c"), std::nullopt);
+  EXPECT_EQ(type_hash("a/msg/B", bar + "no heading\n"), std::nullopt);
+}
+
+TEST(TypeHash, OfATypeThatHoldsItselfEnds) {
+  EXPECT_NE(type_hash("a/msg/B", "B[] b"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace slackwater::bag::tests
