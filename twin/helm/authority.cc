@@ -74,7 +74,8 @@ std::optional<std::string> Authority::allow_take_over(std::string_view client, s
   return held_by(name, held.client) + "; it alone lets others take over";
 }
 
-std::vector<std::size_t> Authority::lost(std::string_view client) {
+std::vector<std::size_t> Authority::lost(std::string_view client, double now_s) {
+  look(now_s);
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < held_.size(); ++i) {
     if (held_[i].client != client || client.empty()) continue;

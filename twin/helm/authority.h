@@ -47,7 +47,7 @@ class Authority {
                                                            std::size_t vehicle,
                                                            std::string_view name, double now_s);
   /// What the client held. It holds nothing from now on.
-  std::vector<std::size_t> lost(std::string_view client);
+  std::vector<std::size_t> lost(std::string_view client, double now_s);
   /// The list of waypoints is done, or the vehicle takes no more commands.
   void end(std::size_t vehicle);
 

@@ -99,7 +99,7 @@ std::optional<Refusal> Steward::allow_take_over(std::string_view client, std::si
 
 void Steward::lost(std::string_view client, double now_s) {
   const std::lock_guard lock(mutex_);
-  for (const std::size_t vehicle : authority_.lost(client)) enqueue_hold(client, vehicle, now_s);
+  for (const std::size_t vehicle : authority_.lost(client, now_s)) enqueue_hold(client, vehicle, now_s);
   std::erase_if(last_sequence_, [&](const auto& entry) { return entry.first.first == client; });
 }
 
