@@ -68,8 +68,7 @@ void tell_trouble(const std::string& text) {
 /// The names under which the vehicles are found, where a client must know them.
 void print_names(std::span<const twin::Agent> agents, const std::vector<std::string>& names,
                  const std::string& site, const LiveArguments& arguments) {
-  if (arguments.domain)
-    std::fprintf(stderr, "DDS domain %d, ROS 2 names:\n", *arguments.domain);
+  if (arguments.domain) std::fprintf(stderr, "DDS domain %d, ROS 2 names:\n", *arguments.domain);
   for (std::size_t i = 0; i < names.size(); ++i)
     std::fprintf(stderr, "  vehicle %-20s /%s/...\n", agents[i].name.c_str(), names[i].c_str());
   std::fprintf(stderr, "  site    %-20s /%s/...\n", site.c_str(), site.c_str());
@@ -139,8 +138,8 @@ void run_live(const LiveArguments& arguments, const Context& context) {
     print_names(hand.run.agents(), joined->names(), settings.site, arguments);
     stopper = std::make_unique<Stopper>(hand.control);
   };
-  const ScenarioResult result = with_context(
-      arguments.scenario.string(), [&] { return run_scenario(scenario, water, choice); });
+  const ScenarioResult result = with_context(arguments.scenario.string(),
+                                             [&] { return run_scenario(scenario, water, choice); });
   stopper.reset();
   for (const auto& recording : recordings) (void)recording->close();
   if (!arguments.out.empty()) {

@@ -93,8 +93,8 @@ void print_run(const ScenarioResult& result, const std::filesystem::path& out) {
   print_traffic(result);
 }
 
-json run_json(const ScenarioResult& result, const std::string& scenario,
-              const ScenarioWater& water, const std::filesystem::path& out) {
+json run_json(const ScenarioResult& result, const std::string& scenario, const ScenarioWater& water,
+              const std::filesystem::path& out) {
   json document = {{"scenario", scenario},
                    {"start", format_utc(result.start)},
                    {"duration_s", result.duration_s},

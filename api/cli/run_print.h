@@ -13,7 +13,6 @@ namespace slackwater::api {
 void print_run(const ScenarioResult& result, const std::filesystem::path& out);
 /// The same as the document of `simulate --json` (api/docs/json.md).
 [[nodiscard]] nlohmann::json run_json(const ScenarioResult& result, const std::string& scenario,
-                                      const ScenarioWater& water,
-                                      const std::filesystem::path& out);
+                                      const ScenarioWater& water, const std::filesystem::path& out);
 
 }  // namespace slackwater::api

@@ -27,8 +27,7 @@ twin::Reroute reroute_to(const std::vector<twin::Triple<double>>& places_m, bool
 
 }  // namespace
 
-DdsDoor::DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk,
-                 DoorRun run)
+DdsDoor::DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk, DoorRun run)
     : participant_(participant), stream_(stream), desk_(desk), run_(std::move(run)) {
   participant_.on_lost([&steward = desk.steward()](const std::string& client) {
     steward.lost(client, steward.time_s());
@@ -59,8 +58,8 @@ void DdsDoor::speak(std::span<const twin::AgentState> states, double t_s) {
 void DdsDoor::serve(const std::string& name, const char* type, Handler handler,
                     std::function<dds::Bytes(const std::string&)> refusal) {
   participant_.serve({name, type}, [handler = std::move(handler), refusal = std::move(refusal)](
-                                        dds::Payload request, const std::string& client,
-                                        const dds::Answer& answer) {
+                                       dds::Payload request, const std::string& client,
+                                       const dds::Answer& answer) {
     dds::Bytes reply;
     try {
       reply = handler(request, client);
@@ -90,9 +89,9 @@ void DdsDoor::open_run_services() {
       },
       not_done);
   participant_.serve({"/slackwater/step", "slackwater_msgs/srv/Step"},
-                      [this](dds::Payload request, const std::string&, const dds::Answer& answer) {
-                        take_step(request, answer);
-                      });
+                     [this](dds::Payload request, const std::string&, const dds::Answer& answer) {
+                       take_step(request, answer);
+                     });
   serve(
       "/slackwater/spawn", "slackwater_msgs/srv/Spawn",
       [this](dds::Payload request, const std::string&) {
@@ -147,14 +146,14 @@ void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {
   const auto hear = [&](const char* topic, const char* type, auto read) {
     const bag::Channel channel{"/" + name + "/" + topic, type, "", command_quality};
     participant_.subscribe(channel,
-                            [this, vehicle, read](dds::Payload message, const std::string& client) {
-                              try {
-                                (void)desk_.submit(client, vehicle, read(message),
-                                                   dds::Bytes(message.begin(), message.end()));
-                              } catch (const std::exception& e) {
-                                desk_.refuse(client, vehicle, e.what());
-                              }
-                            });
+                           [this, vehicle, read](dds::Payload message, const std::string& client) {
+                             try {
+                               (void)desk_.submit(client, vehicle, read(message),
+                                                  dds::Bytes(message.begin(), message.end()));
+                             } catch (const std::exception& e) {
+                               desk_.refuse(client, vehicle, e.what());
+                             }
+                           });
   };
   hear("cmd_vel", "geometry_msgs/msg/Twist", [](dds::Payload message) {
     const twin::Spatial<double> nu = dds::velocity_asked(message);

@@ -37,8 +37,8 @@ std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
   }
 }
 
-HostDesk::HostDesk(dds::Participant& participant, twin::Run& run,
-                   twin::RunControl& control, Desk& desk, const RunPlace& place, HostRule rule,
+HostDesk::HostDesk(dds::Participant& participant, twin::Run& run, twin::RunControl& control,
+                   Desk& desk, const RunPlace& place, HostRule rule,
                    std::function<void(const std::string&)> on_trouble)
     : participant_(participant),
       run_(run),
@@ -72,18 +72,18 @@ void HostDesk::open(const std::string& name) {
     return !hosting.empty() && client == hosting;
   };
   participant_.subscribe(topic("command", "slackwater_msgs/msg/AgentCommand"),
-                          [&host, from](dds::Payload message, const std::string& client) {
-                            if (!from(client, host.agent)) return;
-                            dds::AgentAsked asked = dds::read_agent_command(message);
-                            const std::uint64_t step = asked.step;
-                            (void)host.from_agent.answer(step, std::move(asked));
-                          });
+                         [&host, from](dds::Payload message, const std::string& client) {
+                           if (!from(client, host.agent)) return;
+                           dds::AgentAsked asked = dds::read_agent_command(message);
+                           const std::uint64_t step = asked.step;
+                           (void)host.from_agent.answer(step, std::move(asked));
+                         });
   participant_.subscribe(topic("physics_output", "slackwater_msgs/msg/PhysicsOutput"),
-                          [&host, from](dds::Payload message, const std::string& client) {
-                            if (!from(client, host.physics)) return;
-                            const dds::PhysicsMade made = dds::read_physics_output(message);
-                            (void)host.from_physics.answer(made.step, made);
-                          });
+                         [&host, from](dds::Payload message, const std::string& client) {
+                           if (!from(client, host.physics)) return;
+                           const dds::PhysicsMade made = dds::read_physics_output(message);
+                           (void)host.from_physics.answer(made.step, made);
+                         });
   participant_.serve(
       {"/" + name + "/host", "slackwater_msgs/srv/Host"},
       [this, vehicle](dds::Payload request, const std::string& client, const dds::Answer& answer) {
@@ -175,8 +175,8 @@ void HostDesk::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
   host.from_agent.ask(time.step);
   const dds::Stamp stamp = dds::stamp_of(place_.epoch, time.start_s);
   participant_.send(host.observation,
-                     dds::agent_observation(run_.agents()[vehicle], run_.states()[vehicle],
-                                            time.step, host.name, stamp));
+                    dds::agent_observation(run_.agents()[vehicle], run_.states()[vehicle],
+                                           time.step, host.name, stamp));
   std::string client;
   double timeout_s = 0;
   {
@@ -212,9 +212,8 @@ std::optional<twin::VehicleState<double>> HostDesk::ask_physics(std::size_t vehi
     timeout_s = host.physics_timeout_s;
   }
   host.from_physics.ask(step.time.step);
-  participant_.send(
-      host.input,
-      dds::physics_input(step, host.name, dds::stamp_of(place_.epoch, step.time.start_s)));
+  participant_.send(host.input, dds::physics_input(step, host.name,
+                                                   dds::stamp_of(place_.epoch, step.time.start_s)));
   const auto made = host.from_physics.wait(std::chrono::duration<double>(timeout_s));
   if (!made) {
     drop_physics(vehicle, formatted("its answer did not come within {:g} s", timeout_s));

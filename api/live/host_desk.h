@@ -19,9 +19,10 @@ enum class HostRule {
   halt,       ///< the run is paused, for people to look
 };
 
-/// Lets other processes across the barrier: `/NAME/host` (slackwater_msgs/srv/Host) takes one as
-/// the agent of a vehicle or for its physics. From then on each step waits for its answer, for no
-/// longer than it asked for:
+/// Lets other processes across the barrier: who asks on `/NAME/host/request`
+/// (slackwater_msgs/msg/HostRequest) is told on `/NAME/host/answer` whether it is the agent of the
+/// vehicle, or makes its physics, from now on. Each step then waits for its answer, for no longer
+/// than it asked for:
 ///
 /// | role    | told on                    | answers on                | late or lying                |
 /// |---------|----------------------------|---------------------------|------------------------------|
@@ -31,8 +32,8 @@ enum class HostRule {
 /// Whoever is taken from is named to `on_trouble`.
 class HostDesk {
  public:
-  HostDesk(dds::Participant& participant, twin::Run& run, twin::RunControl& control,
-           Desk& desk, const RunPlace& place, HostRule rule,
+  HostDesk(dds::Participant& participant, twin::Run& run, twin::RunControl& control, Desk& desk,
+           const RunPlace& place, HostRule rule,
            std::function<void(const std::string&)> on_trouble);
 
   /// The next vehicle of the run.
@@ -41,7 +42,7 @@ class HostDesk {
  private:
   struct Host {
     std::string name;
-    dds::Participant::WriterId observation = 0, input = 0;
+    dds::Participant::WriterId answer = 0, observation = 0, input = 0;
     std::string agent, physics;  ///< clients; empty: none
     double agent_timeout_s = 0, physics_timeout_s = 0;
     int missed = 0;          ///< answers of the agent, in a row
@@ -49,8 +50,9 @@ class HostDesk {
     LockStep<dds::AgentAsked> from_agent;
     LockStep<dds::PhysicsMade> from_physics;
   };
-  [[nodiscard]] dds::Bytes take(std::size_t vehicle, dds::Payload request,
-                                const std::string& client);
+  /// @return what speaks against it
+  [[nodiscard]] std::optional<std::string> take(std::size_t vehicle, const dds::HostAsked& asked,
+                                                const std::string& client);
   void lose(const std::string& client);
   void ask_agents(const twin::StepTime& time);
   void ask_agent(std::size_t vehicle, const twin::StepTime& time);

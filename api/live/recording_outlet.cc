@@ -40,8 +40,8 @@ void RecordingOutlet::publish(std::size_t channel, const dds::Stamp& stamp,
 void RecordingOutlet::fail(const std::string& why) {
   if (has_failed_.exchange(true)) return;
   if (on_trouble_) {
-    on_trouble_("the recording " + path_.string() + " ends here, the run goes on without it: " +
-                why);
+    on_trouble_("the recording " + path_.string() +
+                " ends here, the run goes on without it: " + why);
   }
 }
 

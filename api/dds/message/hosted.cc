@@ -18,13 +18,14 @@ twin::Spatial<double> spatial_of(const geometry_msgs::msg::Twist& twist) {
 
 }  // namespace
 
-HostAsked read_host(Payload request) {
-  const auto asked = decoded<slackwater_msgs::srv::Host_Request>(request);
-  return {asked.version(), asked.role(), asked.timeout_s()};
+HostAsked read_host_request(Payload request) {
+  const auto asked = decoded<slackwater_msgs::msg::HostRequest>(request);
+  return {asked.token(), asked.version(), asked.role(), asked.timeout_s()};
 }
 
-Bytes host_reply(bool success, const std::string& message, double step_s) {
-  slackwater_msgs::srv::Host_Response reply;
+Bytes host_answer(std::uint64_t token, bool success, const std::string& message, double step_s) {
+  slackwater_msgs::msg::HostAnswer reply;
+  reply.token(token);
   reply.success(success);
   reply.message(message);
   reply.version(host_version);

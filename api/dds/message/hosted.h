@@ -13,14 +13,17 @@ namespace slackwater::dds {
 inline constexpr std::uint32_t host_version = 1;
 enum class HostRole : std::uint8_t { agent = 1, physics = 2 };
 
-/// Of slackwater_msgs/srv/Host; all readers throw Error(invalid_input) for bytes that are none.
+/// slackwater_msgs/msg/HostRequest; all readers throw Error(invalid_input) for bytes that are none.
 struct HostAsked {
+  std::uint64_t token = 0;  ///< of the client's choice, in the answer too
   std::uint32_t version = 0;
   std::uint8_t role = 0;
   double timeout_s = 0;  ///< for each answer, by the clock on the wall
 };
-[[nodiscard]] HostAsked read_host(Payload request);
-[[nodiscard]] Bytes host_reply(bool success, const std::string& message, double step_s);
+[[nodiscard]] HostAsked read_host_request(Payload request);
+/// slackwater_msgs/msg/HostAnswer.
+[[nodiscard]] Bytes host_answer(std::uint64_t token, bool success, const std::string& message,
+                                double step_s);
 
 /// slackwater_msgs/msg/AgentObservation.
 [[nodiscard]] Bytes agent_observation(const twin::Agent& agent, const twin::AgentState& state,
