@@ -1,0 +1,63 @@
+#pragma once
+
+// Every structure of api/dds/idl: package, kind, name. C and C++ alike.
+#define SLACKWATER_EVERY_TYPE(X)                    \
+  X(builtin_interfaces, msg, Time)                  \
+  X(builtin_interfaces, msg, Duration)              \
+  X(std_msgs, msg, Header)                          \
+  X(std_msgs, msg, String)                          \
+  X(std_msgs, msg, Float64)                         \
+  X(std_msgs, msg, MultiArrayDimension)             \
+  X(std_msgs, msg, MultiArrayLayout)                \
+  X(std_msgs, msg, Float64MultiArray)               \
+  X(geometry_msgs, msg, Vector3)                    \
+  X(geometry_msgs, msg, Vector3Stamped)             \
+  X(geometry_msgs, msg, Point)                      \
+  X(geometry_msgs, msg, Quaternion)                 \
+  X(geometry_msgs, msg, Pose)                       \
+  X(geometry_msgs, msg, PoseStamped)                \
+  X(geometry_msgs, msg, PoseWithCovariance)         \
+  X(geometry_msgs, msg, Twist)                      \
+  X(geometry_msgs, msg, TwistWithCovariance)        \
+  X(geometry_msgs, msg, TwistWithCovarianceStamped) \
+  X(nav_msgs, msg, Odometry)                        \
+  X(nav_msgs, msg, Path)                            \
+  X(sensor_msgs, msg, BatteryState)                 \
+  X(sensor_msgs, msg, Imu)                          \
+  X(sensor_msgs, msg, NavSatStatus)                 \
+  X(sensor_msgs, msg, NavSatFix)                    \
+  X(sensor_msgs, msg, FluidPressure)                \
+  X(rosgraph_msgs, msg, Clock)                      \
+  X(std_srvs, srv, Trigger_Request)                 \
+  X(std_srvs, srv, Trigger_Response)                \
+  X(std_srvs, srv, SetBool_Request)                 \
+  X(std_srvs, srv, SetBool_Response)                \
+  X(rmw_dds_common, msg, Gid)                       \
+  X(rmw_dds_common, msg, NodeEntitiesInfo)          \
+  X(rmw_dds_common, msg, ParticipantEntitiesInfo)   \
+  X(unique_identifier_msgs, msg, UUID)              \
+  X(action_msgs, msg, GoalInfo)                     \
+  X(action_msgs, msg, GoalStatus)                   \
+  X(action_msgs, msg, GoalStatusArray)              \
+  X(action_msgs, srv, CancelGoal_Request)           \
+  X(action_msgs, srv, CancelGoal_Response)          \
+  X(slackwater_msgs, msg, Reserve)                  \
+  X(slackwater_msgs, msg, CurrentProfile)           \
+  X(slackwater_msgs, msg, SeaState)                 \
+  X(slackwater_msgs, msg, AisTarget)                \
+  X(slackwater_msgs, srv, Step_Request)             \
+  X(slackwater_msgs, srv, Step_Response)            \
+  X(slackwater_msgs, srv, Spawn_Request)            \
+  X(slackwater_msgs, srv, Spawn_Response)           \
+  X(slackwater_msgs, srv, SetWaypoints_Request)     \
+  X(slackwater_msgs, srv, SetWaypoints_Response)    \
+  X(slackwater_msgs, srv, QueryProfile_Request)     \
+  X(slackwater_msgs, srv, QueryProfile_Response)    \
+  X(slackwater_msgs, action, Navigate_Goal)         \
+  X(slackwater_msgs, action, Navigate_Result)       \
+  X(slackwater_msgs, action, Navigate_Feedback)     \
+  X(slackwater_msgs, action, Navigate_SendGoal_Request)    \
+  X(slackwater_msgs, action, Navigate_SendGoal_Response)   \
+  X(slackwater_msgs, action, Navigate_GetResult_Request)   \
+  X(slackwater_msgs, action, Navigate_GetResult_Response)  \
+  X(slackwater_msgs, action, Navigate_FeedbackMessage)
