@@ -30,8 +30,7 @@ template <typename Number>
 class HandWriter {
  public:
   explicit HandWriter(Order order = Order::little)
-      : order_(order),
-        bytes_{0, static_cast<std::uint8_t>(order == Order::little ? 1 : 0), 0, 0} {}
+      : order_(order), bytes_{0, static_cast<std::uint8_t>(order == Order::little ? 1 : 0), 0, 0} {}
 
   template <typename Number>
   HandWriter& put(Number number) {

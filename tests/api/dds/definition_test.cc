@@ -16,8 +16,8 @@ std::string held(const std::string& name) { return line + "\nMSG: " + name + "\n
 const std::string time_fields = "int32 sec\nuint32 nanosec\n";
 const std::string header_fields = "builtin_interfaces/Time stamp\nstring frame_id\n";
 const std::string xyz_fields = "float64 x\nfloat64 y\nfloat64 z\n";
-const std::string header_held = held("std_msgs/Header") + header_fields +
-                                held("builtin_interfaces/Time") + time_fields;
+const std::string header_held =
+    held("std_msgs/Header") + header_fields + held("builtin_interfaces/Time") + time_fields;
 const std::string pose_held = held("geometry_msgs/Pose") +
                               "geometry_msgs/Point position\n"
                               "geometry_msgs/Quaternion orientation\n" +
@@ -64,8 +64,7 @@ TEST(DefinitionOf, ImuAndFixWithTheirArrays) {
             "std_msgs/Header header\nsensor_msgs/NavSatStatus status\n"
             "float64 latitude\nfloat64 longitude\nfloat64 altitude\n"
             "float64[9] position_covariance\nuint8 position_covariance_type\n" +
-                header_held + held("sensor_msgs/NavSatStatus") +
-                "int8 status\nuint16 service\n");
+                header_held + held("sensor_msgs/NavSatStatus") + "int8 status\nuint16 service\n");
 }
 
 TEST(DefinitionOf, SequencesOfWhatIsHeld) {
@@ -73,12 +72,11 @@ TEST(DefinitionOf, SequencesOfWhatIsHeld) {
             "std_msgs/Header header\ngeometry_msgs/PoseStamped[] poses\n" + header_held +
                 held("geometry_msgs/PoseStamped") +
                 "std_msgs/Header header\ngeometry_msgs/Pose pose\n" + pose_held);
-  EXPECT_EQ(definition_of("std_msgs/msg/Float64MultiArray"),
-            "std_msgs/MultiArrayLayout layout\nfloat64[] data\n" +
-                held("std_msgs/MultiArrayLayout") +
-                "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n" +
-                held("std_msgs/MultiArrayDimension") +
-                "string label\nuint32 size\nuint32 stride\n");
+  EXPECT_EQ(
+      definition_of("std_msgs/msg/Float64MultiArray"),
+      "std_msgs/MultiArrayLayout layout\nfloat64[] data\n" + held("std_msgs/MultiArrayLayout") +
+          "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n" +
+          held("std_msgs/MultiArrayDimension") + "string label\nuint32 size\nuint32 stride\n");
 }
 
 TEST(DefinitionOf, BoundedStringsAndBytes) {
@@ -112,8 +110,7 @@ TEST(DefinitionOf, EachTypeOfTheTable) {
   const std::pair<const char*, const char*> table[] = {
       {"builtin_interfaces/msg/Duration", "int32 sec\nuint32 nanosec\n"},
       {"geometry_msgs/msg/PoseStamped", "std_msgs/Header header\ngeometry_msgs/Pose pose\n"},
-      {"geometry_msgs/msg/Twist",
-       "geometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular\n"},
+      {"geometry_msgs/msg/Twist", "geometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular\n"},
       {"geometry_msgs/msg/TwistWithCovarianceStamped",
        "std_msgs/Header header\ngeometry_msgs/TwistWithCovariance twist\n"},
       {"geometry_msgs/msg/Vector3Stamped",

@@ -84,13 +84,16 @@ class SpawnClient {
     std::uint64_t sequence = 0;
   };
 
-  SpawnClient(int domain, Convention convention, const std::string& service)
-      : convention_(convention), listener_(replies_), participant_(domain) {
-    writer_ = participant_.writer(
-        "rq" + service + "Request",
-        fdds::TypeSupport(new slackwater_msgs::srv::Spawn_RequestPubSubType));
+  SpawnClient(int domain, Convention convention, const std::string& service, bool listens = true)
+      : convention_(convention), service_(service), listener_(replies_), participant_(domain) {
+    writer_ =
+        participant_.writer("rq" + service + "Request",
+                            fdds::TypeSupport(new slackwater_msgs::srv::Spawn_RequestPubSubType));
+    if (listens) listen();
+  }
+  void listen() {
     reader_ = participant_.reader(
-        "rr" + service + "Reply",
+        "rr" + service_ + "Reply",
         fdds::TypeSupport(new slackwater_msgs::srv::Spawn_ResponsePubSubType), &listener_);
   }
 
@@ -100,8 +103,8 @@ class SpawnClient {
       fdds::PublicationMatchedStatus out;
       fdds::SubscriptionMatchedStatus in;
       writer_->get_publication_matched_status(out);
-      reader_->get_subscription_matched_status(in);
-      return out.current_count > 0 && in.current_count > 0;
+      if (reader_ != nullptr) reader_->get_subscription_matched_status(in);
+      return out.current_count > 0 && (reader_ == nullptr || in.current_count > 0);
     });
   }
   /// @return the number by which the answer names the request
@@ -141,11 +144,12 @@ class SpawnClient {
   };
 
   Convention convention_;
+  std::string service_;
   Inbox<Reply> replies_;
   Listener listener_;
   GeneratedParticipant participant_;
-  fdds::DataWriter* writer_;
-  fdds::DataReader* reader_;
+  fdds::DataWriter* writer_ = nullptr;
+  fdds::DataReader* reader_ = nullptr;
 };
 
 }  // namespace slackwater::tests

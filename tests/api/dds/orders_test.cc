@@ -21,8 +21,8 @@ using tests::Order;
 class OrdersOfClients : public testing::TestWithParam<Order> {};
 
 TEST_P(OrdersOfClients, VelocityIsTurnedForwardRightDown) {
-  const auto nu = velocity_asked(
-      HandWriter(GetParam()).doubles({1.5, 0.25, -0.5, 0.125, 0.5, 0.75}).bytes());
+  const auto nu =
+      velocity_asked(HandWriter(GetParam()).doubles({1.5, 0.25, -0.5, 0.125, 0.5, 0.75}).bytes());
   EXPECT_EQ(nu.linear.x, 1.5);
   EXPECT_EQ(nu.linear.y, -0.25);
   EXPECT_EQ(nu.linear.z, 0.5);
@@ -32,13 +32,9 @@ TEST_P(OrdersOfClients, VelocityIsTurnedForwardRightDown) {
 }
 
 TEST_P(OrdersOfClients, ThrustersWithAndWithoutALayout) {
-  EXPECT_EQ(thrusters_asked(HandWriter(GetParam())
-                                .put(0U)
-                                .put(0U)
-                                .put(3U)
-                                .doubles({-1, 0.5, 1})
-                                .bytes()),
-            (std::vector<double>{-1, 0.5, 1}));
+  EXPECT_EQ(
+      thrusters_asked(HandWriter(GetParam()).put(0U).put(0U).put(3U).doubles({-1, 0.5, 1}).bytes()),
+      (std::vector<double>{-1, 0.5, 1}));
   EXPECT_EQ(thrusters_asked(HandWriter(GetParam())
                                 .put(1U)
                                 .string("thruster")
@@ -55,9 +51,7 @@ TEST_P(OrdersOfClients, ThrustersWithAndWithoutALayout) {
 HandWriter& put_path(HandWriter& writer, const std::string& frame, const std::string& pose_frame) {
   writer.header(10, 20, frame).put(2U);
   for (const double scale : {1, 10})
-    writer.header(10, 20, pose_frame)
-        .doubles({scale, 2 * scale, -3 * scale})
-        .doubles({0, 0, 0, 1});
+    writer.header(10, 20, pose_frame).doubles({scale, 2 * scale, -3 * scale}).doubles({0, 0, 0, 1});
   return writer;
 }
 void expect_places(const std::vector<twin::Triple<double>>& places) {
@@ -77,8 +71,8 @@ TEST_P(OrdersOfClients, PathIsTurnedToNorthEastDown) {
 }
 
 TEST_P(OrdersOfClients, PathInAnotherFrameIsRefused) {
-  for (const auto& [path, pose] : {std::pair<const char*, const char*>{"odom", "map"},
-                                   {"map", "rov/base_link"}}) {
+  for (const auto& [path, pose] :
+       {std::pair<const char*, const char*>{"odom", "map"}, {"map", "rov/base_link"}}) {
     HandWriter writer(GetParam());
     const Bytes bytes = put_path(writer, path, pose).bytes();
     try {
@@ -152,8 +146,8 @@ TEST_P(OrdersOfClients, RequestsOfTheNavigationAction) {
   EXPECT_EQ(read_get_result(put_id(result, id).bytes()), id);
 }
 
-INSTANTIATE_TEST_SUITE_P(InBothOrders, OrdersOfClients,
-                         testing::Values(Order::little, Order::big), [](const auto& order) {
+INSTANTIATE_TEST_SUITE_P(InBothOrders, OrdersOfClients, testing::Values(Order::little, Order::big),
+                         [](const auto& order) {
                            return order.param == Order::little ? "Little" : "Big";
                          });
 

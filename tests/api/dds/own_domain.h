@@ -1,7 +1,7 @@
 #pragma once
-#include <fcntl.h>
 #include <fastrtps/attributes/LibrarySettingsAttributes.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 

@@ -34,7 +34,10 @@ struct ReaderCase {
   };
   return {
       {"cmd_vel", [](Payload p) { (void)dds::velocity_asked(p); },
-       [](HandWriter& w) { w.doubles({1, 0, 0, 0, 0, 0.25}); }, false},
+       [](HandWriter& w) {
+         w.doubles({1, 0, 0, 0, 0, 0.25});
+       },
+       false},
       {"thrusters", [](Payload p) { (void)dds::thrusters_asked(p); },
        [](HandWriter& w) {
          w.put(1U).string("thruster").put(4U).put(4U).put(0U).put(4U).doubles({1, -1, 0.5, 0});
@@ -57,7 +60,9 @@ struct ReaderCase {
          w.put(std::uint8_t{1});
        }},
       {"query_profile", [](Payload p) { (void)dds::read_query_profile(p); },
-       [](HandWriter& w) { w.doubles({48.5, -2.5}).put(std::int32_t{1'748'844'000}).put(0U); }},
+       [](HandWriter& w) {
+         w.doubles({48.5, -2.5}).put(std::int32_t{1'748'844'000}).put(0U);
+       }},
       {"send_goal", [](Payload p) { (void)dds::read_send_goal(p); },
        [path, id](HandWriter& w) {
          id(w);

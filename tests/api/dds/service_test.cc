@@ -29,9 +29,7 @@ class Services : public testing::TestWithParam<Convention> {
     made.is_loopback_only = made.is_udp_only = true;
     return made;
   }
-  [[nodiscard]] SpawnClient client() const {
-    return {domain_.number(), GetParam(), spawn.name};
-  }
+  [[nodiscard]] SpawnClient client() const { return {domain_.number(), GetParam(), spawn.name}; }
   OwnDomain domain_;
 };
 
@@ -124,16 +122,44 @@ TEST_P(Services, ClientsAtTheSameTimeGetTheirOwnAnswers) {
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 2U);
 }
 
-/// Clients ask as soon as they see the service, which may be before the service sees them.
+/// Clients ask as soon as they see the service, which may be before the service sees them. That it
+/// takes a second then is discovery's: what was lost of it is said again each second.
 TEST_P(Services, AClientThatAsksAtOnceIsAnswered) {
   Participant server(settings());
   server.serve(spawn, echo);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 3; ++i) {
     SpawnClient asking = client();
     ASSERT_TRUE(asking.finds_service());
     (void)asking.ask("at once");
-    EXPECT_EQ(asking.replies().wait(1, 2s).size(), 1U) << "attempt " << i;
+    EXPECT_EQ(asking.replies().wait().size(), 1U) << "attempt " << i;
   }
+}
+
+TEST(Service, AnswersWaitForTheReaderOfTheClient) {
+  const OwnDomain domain;
+  DomainSettings settings;
+  settings.domain = domain.number();
+  settings.is_loopback_only = settings.is_udp_only = true;
+  Inbox<std::string> answered;
+  Participant server(settings);
+  server.serve(spawn, [&](Payload request, const std::string& client, const Answer& answer) {
+    echo(request, client, answer);
+    answered.put(client);
+  });
+  SpawnClient asking(domain.number(), Convention::plain, spawn.name, false);
+  SpawnClient other(domain.number(), Convention::plain, spawn.name);
+  ASSERT_TRUE(asking.finds_service() && other.finds_service());
+  (void)asking.ask("early");
+  (void)asking.ask("second");
+  ASSERT_EQ(answered.wait(2).size(), 2U);
+  asking.listen();
+  const auto replies = asking.replies().wait(2);
+  ASSERT_EQ(replies.size(), 2U);
+  EXPECT_EQ(replies[0].message, "early");
+  EXPECT_EQ(replies[1].message, "second");
+  EXPECT_TRUE(std::all_of(replies.begin(), replies.end(), [&](const SpawnClient::Reply& reply) {
+    return reply.to == asking.identity();
+  }));
 }
 
 TEST_P(Services, RequestsThatAreNoneAreToldAndTheNextIsAnswered) {
@@ -160,9 +186,8 @@ TEST_P(Services, AnswersThatOutliveTheParticipantGoNowhere) {
   SpawnClient asking = client();
   {
     Participant server(settings());
-    server.serve(spawn, [&](Payload, const std::string&, const Answer& answer) {
-      kept.put(answer);
-    });
+    server.serve(spawn,
+                 [&](Payload, const std::string&, const Answer& answer) { kept.put(answer); });
     ASSERT_TRUE(asking.finds_service());
     (void)asking.ask("nobody");
     ASSERT_EQ(kept.wait().size(), 1U);
@@ -178,9 +203,8 @@ TEST_P(Services, OneThatEndsWhileItAnswersEndsInPeace) {
     {
       Inbox<Answer> kept;
       Participant server(settings());
-      server.serve(spawn, [&](Payload, const std::string&, const Answer& answer) {
-        kept.put(answer);
-      });
+      server.serve(spawn,
+                   [&](Payload, const std::string&, const Answer& answer) { kept.put(answer); });
       ASSERT_TRUE(asking.finds_service());
       (void)asking.ask("x");
       for (const Answer& answer : kept.wait())
@@ -193,8 +217,7 @@ TEST_P(Services, OneThatEndsWhileItAnswersEndsInPeace) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(By, Services,
-                         testing::Values(Convention::plain, Convention::rmw_fastrtps),
+INSTANTIATE_TEST_SUITE_P(By, Services, testing::Values(Convention::plain, Convention::rmw_fastrtps),
                          [](const auto& convention) {
                            return convention.param == Convention::plain ? "PlainIdentity"
                                                                         : "RmwFastrtps";

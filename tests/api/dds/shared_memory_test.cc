@@ -1,11 +1,11 @@
 #include "api/dds/shared_memory.h"
 
-#include <csignal>
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/file.h>
 #include <sys/wait.h>
+#include <csignal>
 
 #include <fstream>
 #include <set>
@@ -85,8 +85,10 @@ class IdleParticipant {
 
 TEST(SweepSharedMemory, TakesWhatTheKilledLeftAndNothingOfTheLiving) {
   const OwnDomain domain;
-  IdleParticipant living(domain.number()), killed(domain.number());
-  const Files of_living = living.files(), of_killed = without(killed.files(), of_living);
+  IdleParticipant living(domain.number());
+  const Files of_living = living.files();
+  IdleParticipant killed(domain.number());
+  const Files of_killed = without(killed.files(), of_living);
   ASSERT_FALSE(of_living.empty() || of_killed.empty());
   killed.kill();
   // Another test may have swept first: what counts is what is left.

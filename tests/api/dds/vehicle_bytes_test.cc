@@ -20,8 +20,7 @@ void expect_zeros(const std::vector<double>& numbers) {
 TEST(BytesOfVehicles, HeaderIsTheTwentyBytesOfTheRules) {
   const VehicleForTests rov;
   const Bytes message = pose(rov.state, {1, 500'000'000});
-  const Bytes header =
-      hex("00 01 00 00  01 00 00 00  00 65 CD 1D  04 00 00 00  6D 61 70 00");
+  const Bytes header = hex("00 01 00 00  01 00 00 00  00 65 CD 1D  04 00 00 00  6D 61 70 00");
   ASSERT_EQ(message.size(), 20 + 7 * 8);  // the first number of eight lies at 16 already
   EXPECT_TRUE(std::equal(header.begin(), header.end(), message.begin()));
 }
@@ -62,21 +61,21 @@ TEST(BytesOfVehicles, BatteryFieldsStandInTheOrderOfRos) {
   const VehicleForTests rov;
   HandReader read(battery_state(rov.agent, rov.state, rov.name, rov.stamp));
   read.expect_header(rov.stamp, "rov/base_link");
-  EXPECT_EQ(read.real32(), 15.5F);              // voltage
-  EXPECT_TRUE(std::isnan(read.real32()));       // temperature
-  EXPECT_EQ(read.real32(), -8.25F);             // current: negative, it discharges
-  EXPECT_EQ(read.real32(), 12.0F);              // charge, Ah
-  EXPECT_EQ(read.real32(), 16.0F);              // capacity
-  EXPECT_EQ(read.real32(), 16.0F);              // design_capacity
-  EXPECT_EQ(read.real32(), 0.75F);              // percentage, 0 to 1
-  EXPECT_EQ(read.octet(), 2);                   // discharging
-  EXPECT_EQ(read.octet(), 1);                   // good
-  EXPECT_EQ(read.octet(), 2);                   // li-ion
-  EXPECT_EQ(read.octet(), 1);                   // present
-  EXPECT_EQ(read.count(), 0U);                  // cell_voltage
-  EXPECT_EQ(read.count(), 0U);                  // cell_temperature
-  EXPECT_EQ(read.string(), "hull");             // location
-  EXPECT_EQ(read.string(), "");                 // serial_number: a NUL alone
+  EXPECT_EQ(read.real32(), 15.5F);         // voltage
+  EXPECT_TRUE(std::isnan(read.real32()));  // temperature
+  EXPECT_EQ(read.real32(), -8.25F);        // current: negative, it discharges
+  EXPECT_EQ(read.real32(), 12.0F);         // charge, Ah
+  EXPECT_EQ(read.real32(), 16.0F);         // capacity
+  EXPECT_EQ(read.real32(), 16.0F);         // design_capacity
+  EXPECT_EQ(read.real32(), 0.75F);         // percentage, 0 to 1
+  EXPECT_EQ(read.octet(), 2);              // discharging
+  EXPECT_EQ(read.octet(), 1);              // good
+  EXPECT_EQ(read.octet(), 2);              // li-ion
+  EXPECT_EQ(read.octet(), 1);              // present
+  EXPECT_EQ(read.count(), 0U);             // cell_voltage
+  EXPECT_EQ(read.count(), 0U);             // cell_temperature
+  EXPECT_EQ(read.string(), "hull");        // location
+  EXPECT_EQ(read.string(), "");            // serial_number: a NUL alone
   read.expect_end();
 }
 
