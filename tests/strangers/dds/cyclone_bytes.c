@@ -56,12 +56,12 @@ int main(int argc, char** argv) {
   for (const struct cyclone_type* type = cyclone_types; type->ros_name != NULL; ++type) {
     for (unsigned first = 0; first < 8; ++first) {
       unsigned n = first;
-      void* message = calloc(1, type->descriptor->m_size);
+      void* message = dds_alloc(type->descriptor->m_size);  // all zero
       type->fill(&n, message);
       struct ddsi_serdata* bytes = through(participant, type, message);
       write_file(argv[1], type, first, bytes);
       ddsi_serdata_unref(bytes);
-      free(message);
+      dds_sample_free(message, type->descriptor, DDS_FREE_ALL);
     }
   }
   dds_delete(participant);

@@ -6,7 +6,7 @@
 
 #include "api/dds/message/cdr.h"
 #include "tests/strangers/dds/counted_values.h"
-#include "tests/strangers/dds/every_type.h"
+#include "every_type.h"
 
 namespace slackwater::tests {
 namespace {
