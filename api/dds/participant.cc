@@ -17,6 +17,7 @@
 #include <mutex>
 
 #include "api/dds/endpoint_quality.h"
+#include "api/dds/library_faults.h"
 #include "api/dds/message/graph.h"
 #include "api/dds/message/names.h"
 #include "api/dds/replies.h"
@@ -181,6 +182,7 @@ class Watcher final : public fdds::DomainParticipantListener {
 
 struct Participant::State {
   explicit State(DomainSettings given) : settings(std::move(given)) {
+    excuse_library_faults();
     expect_domain(settings.domain);
     if (!settings.is_udp_only) sweep_shared_memory();
     auto* factory = fdds::DomainParticipantFactory::get_instance();
