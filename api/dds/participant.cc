@@ -17,8 +17,10 @@
 #include <mutex>
 
 #include "api/dds/endpoint_quality.h"
+#include "api/dds/library_faults.h"
 #include "api/dds/message/graph.h"
 #include "api/dds/message/names.h"
+#include "api/dds/replies.h"
 #include "api/dds/shared_memory.h"
 #include "api/dds/wire_type.h"
 #include "fields/base/check.h"
@@ -79,10 +81,17 @@ class Writer final : public fdds::DataWriterListener {
   fdds::DataWriter* writer = nullptr;
   bool is_transient_local = false;
   std::atomic<int> readers{0};
+  Replies replies;  ///< of a service
 
-  void on_publication_matched(fdds::DataWriter*,
+  void on_publication_matched(fdds::DataWriter* source,
                               const fdds::PublicationMatchedStatus& status) override {
     readers = status.current_count;
+    rtps::GUID_t reader;
+    rtps::iHandle2GUID(reader, status.last_subscription_handle);
+    if (status.current_count_change > 0)
+      replies.reader_found(*source, reader);
+    else
+      replies.reader_lost(reader);
   }
   void on_offered_incompatible_qos(fdds::DataWriter*,
                                    const fdds::OfferedIncompatibleQosStatus& status) override {
@@ -173,6 +182,7 @@ class Watcher final : public fdds::DomainParticipantListener {
 
 struct Participant::State {
   explicit State(DomainSettings given) : settings(std::move(given)) {
+    excuse_library_faults();
     expect_domain(settings.domain);
     if (!settings.is_udp_only) sweep_shared_memory();
     auto* factory = fdds::DomainParticipantFactory::get_instance();
@@ -206,24 +216,28 @@ struct Participant::State {
       fdds::TypeSupport support(new WireType(type));
       support.register_type(participant);
     }
-    if (auto* known = dynamic_cast<fdds::Topic*>(participant->lookup_topicdescription(name)))
+    if (auto* known = dynamic_cast<fdds::Topic*>(participant->lookup_topicdescription(name))) {
+      expects(known->get_type_name() == type, "a topic has one type");
       return known;
+    }
     fdds::Topic* made = participant->create_topic(name, type, fdds::TOPIC_QOS_DEFAULT);
-    expects(made != nullptr, "a topic has one type");
+    expects(made != nullptr, "a topic of DDS");
     return made;
   }
 
   Writer& write(const std::string& name, const std::string& type, const bag::Quality& quality) {
+    fdds::Topic* const of = topic(name, type);
     Writer& writer = writers.emplace_back(name, guard);
     writer.is_transient_local = quality.is_transient_local;
-    writer.writer = publisher->create_datawriter(topic(name, type), writer_qos(quality), &writer);
+    writer.writer = publisher->create_datawriter(of, writer_qos(quality), &writer);
     expects(writer.writer != nullptr, "a writer of a topic");
     return writer;
   }
   void read(const std::string& name, const std::string& type, const bag::Quality& quality,
             Reader::OnBytes on_bytes) {
+    fdds::Topic* const of = topic(name, type);
     Reader& reader = readers.emplace_back(name, guard, std::move(on_bytes));
-    reader.reader = subscriber->create_datareader(topic(name, type), reader_qos(quality), &reader);
+    reader.reader = subscriber->create_datareader(of, reader_qos(quality), &reader);
     expects(reader.reader != nullptr, "a reader of a topic");
   }
 
@@ -289,18 +303,13 @@ void Participant::subscribe(const bag::Channel& channel, OnMessage on_message) {
 void Participant::serve(const Service& service, OnRequest on_request) {
   const std::lock_guard lock(state_->mutex);
   const bag::Quality quality;
-  fdds::DataWriter* writer =
-      state_->write(reply_topic(service.name), reply_type(service.type), quality).writer;
+  Writer& writer = state_->write(reply_topic(service.name), reply_type(service.type), quality);
   state_->read(request_topic(service.name), request_type(service.type), quality,
-               [writer, life = state_->life, on_request = std::move(on_request)](
+               [&writer, life = state_->life, on_request = std::move(on_request)](
                    Payload request, const Sender& sender) {
-                 const Answer answer = [writer, life, to = sender.request](const Bytes& reply) {
+                 const Answer answer = [&writer, life, to = sender.request](Bytes reply) {
                    const std::lock_guard alive(life->mutex);
-                   if (life->is_over) return;
-                   rtps::WriteParams params;
-                   params.related_sample_identity(to);
-                   Payload payload = reply;
-                   writer->write(&payload, params);
+                   if (!life->is_over) writer.replies.send(*writer.writer, to, std::move(reply));
                  };
                  on_request(request, sender.client, answer);
                });

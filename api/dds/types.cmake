@@ -26,6 +26,7 @@ foreach(name ${idl_names})
   file(READ ${idl_folder}/${name}.idl idl)
   string(APPEND embedded "    R\"idl(${idl})idl\",\n")
 endforeach()
+set_property(GLOBAL PROPERTY SLACKWATER_IDL_FILES ${idl_files})  # for peers in tests
 add_custom_command(
   OUTPUT ${made_types} ${made_support} ${made_headers}
   COMMAND ${CMAKE_COMMAND} -E make_directory ${made_folder}

@@ -23,8 +23,10 @@ template <typename M>
   return bytes;
 }
 
-/// Reads a message of any client. Sizes that it states are held against what is there before
-/// anything is made room for; what is left at the end may be padding, and no more.
+/// Reads a message of any client; what is left at the end may be padding, and no more. Types with
+/// sequences read them one by one (path_message.h): fastddsgen's make room for as many elements as
+/// there are bytes.
+/// @param M  a type that fastddsgen made, or what reads itself as it does
 /// @throws Error(invalid_input) for bytes that are no such message
 template <typename M>
 [[nodiscard]] M decoded(Payload payload) {

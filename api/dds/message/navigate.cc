@@ -7,6 +7,17 @@
 namespace slackwater::dds {
 namespace {
 
+/// slackwater_msgs/action/Navigate_SendGoal_Request.
+struct SendGoalRequest {
+  unique_identifier_msgs::msg::UUID id;
+  PathAsked path;
+
+  void deserialize(eprosima::fastcdr::Cdr& cdr) {
+    cdr >> id;
+    path.deserialize(cdr);
+  }
+};
+
 action_msgs::msg::GoalInfo info_message(const GoalInfo& info) {
   action_msgs::msg::GoalInfo message;
   message.goal_id().uuid(info.id);
@@ -17,8 +28,8 @@ action_msgs::msg::GoalInfo info_message(const GoalInfo& info) {
 }  // namespace
 
 GoalAsked read_send_goal(Payload request) {
-  const auto asked = decoded<slackwater_msgs::action::Navigate_SendGoal_Request>(request);
-  return {asked.goal_id().uuid(), places_of(asked.goal().path())};
+  const auto asked = decoded<SendGoalRequest>(request);
+  return {asked.id.uuid(), asked.path.places_m};
 }
 
 Bytes send_goal_reply(bool accepted, const Stamp& stamp) {

@@ -1,27 +1,64 @@
 #include "api/dds/message/orders.h"
 
+#include <algorithm>
+
 #include "api/dds/message/cdr.h"
 #include "api/dds/message/path_message.h"
 
 namespace slackwater::dds {
 namespace {
 
+using eprosima::fastcdr::Cdr;
+
+/// Reads a sequence one by one, so that its count makes no room: that is for what is there.
+template <typename Element, typename Take>
+void for_each_element(Cdr& cdr, const Take& take) {
+  std::uint32_t count = 0;
+  cdr >> count;
+  for (; count > 0; --count) {
+    Element element{};
+    cdr >> element;
+    take(element);
+  }
+}
+
+/// The beginning of a client's text, for people.
+std::string shown(std::string text) {
+  constexpr std::size_t most = 80;
+  if (text.size() > most) text.resize(most);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '.');
+  return text;
+}
+
 void expect_map(const std::string& frame_id) {
   if (frame_id.empty() || frame_id == "map") return;
-  throw Error(ErrorKind::invalid_input, "the path is in the frame '" + frame_id.substr(0, 80) +
+  throw Error(ErrorKind::invalid_input, "the path is in the frame '" + shown(frame_id) +
                                             "'; give it in `map`: east, north, up of the origin");
 }
 
+/// std_msgs/msg/Float64MultiArray, of which the numbers count and not how they are laid out.
+struct NumbersAsked {
+  std::vector<double> numbers;
+
+  void deserialize(Cdr& cdr) {
+    for_each_element<std_msgs::msg::MultiArrayDimension>(cdr, [](const auto&) {});
+    std::uint32_t data_offset = 0;
+    cdr >> data_offset;
+    for_each_element<double>(cdr, [&](double number) { numbers.push_back(number); });
+  }
+};
+
 }  // namespace
 
-std::vector<twin::Triple<double>> places_of(const nav_msgs::msg::Path& path) {
-  expect_map(path.header().frame_id());
-  std::vector<twin::Triple<double>> places;
-  for (const geometry_msgs::msg::PoseStamped& pose : path.poses()) {
+void PathAsked::deserialize(Cdr& cdr) {
+  std_msgs::msg::Header header;
+  cdr >> header;
+  expect_map(header.frame_id());
+  for_each_element<geometry_msgs::msg::PoseStamped>(cdr, [&](const auto& pose) {
     expect_map(pose.header().frame_id());
-    places.push_back(enu_ned(triple_of(pose.pose().position())));
-  }
-  return places;
+    places_m.push_back(enu_ned(triple_of(pose.pose().position())));
+  });
 }
 
 twin::Spatial<double> velocity_asked(Payload message) {
@@ -33,11 +70,11 @@ twin::Spatial<double> velocity_asked(Payload message) {
 }
 
 std::vector<double> thrusters_asked(Payload message) {
-  return decoded<std_msgs::msg::Float64MultiArray>(message).data();
+  return decoded<NumbersAsked>(message).numbers;
 }
 
 std::vector<twin::Triple<double>> path_asked(Payload message) {
-  return places_of(decoded<nav_msgs::msg::Path>(message));
+  return decoded<PathAsked>(message).places_m;
 }
 
 }  // namespace slackwater::dds

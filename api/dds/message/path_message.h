@@ -1,12 +1,20 @@
 #pragma once
-#include "api/dds/message/parts.h"
-#include "nav_msgs.h"
+#include <vector>
 
-// Only sources of this folder include this: it shows the types that fastddsgen made.
+#include "api/dds/message/parts.h"
+#include "fastcdr/Cdr.h"
+
+// Only sources of this folder include this: it shows the library.
 
 namespace slackwater::dds {
 
-/// NED, m. @throws Error(invalid_input) for a path in another frame than `map`
-[[nodiscard]] std::vector<twin::Triple<double>> places_of(const nav_msgs::msg::Path& path);
+/// nav_msgs/msg/Path as clients send it. Read place by place: fastddsgen's type makes room for all
+/// places of a count before it reads the first, a hundred times what the message has.
+struct PathAsked {
+  std::vector<twin::Triple<double>> places_m;  ///< NED
+
+  /// @throws Error(invalid_input) for a path in another frame than `map`
+  void deserialize(eprosima::fastcdr::Cdr& cdr);
+};
 
 }  // namespace slackwater::dds

@@ -7,6 +7,20 @@
 #include "twin/body/attitude.h"
 
 namespace slackwater::dds {
+namespace {
+
+/// slackwater_msgs/srv/SetWaypoints_Request.
+struct SetWaypointsRequest {
+  PathAsked path;
+  bool loop = false;
+
+  void deserialize(eprosima::fastcdr::Cdr& cdr) {
+    path.deserialize(cdr);
+    cdr >> loop;
+  }
+};
+
+}  // namespace
 
 void read_trigger(Payload request) { (void)decoded<std_srvs::srv::Trigger_Request>(request); }
 
@@ -40,8 +54,8 @@ SpawnAsked read_spawn(Payload request) {
 }
 
 WaypointsAsked read_set_waypoints(Payload request) {
-  const auto asked = decoded<slackwater_msgs::srv::SetWaypoints_Request>(request);
-  return {places_of(asked.path()), asked.loop()};
+  const auto asked = decoded<SetWaypointsRequest>(request);
+  return {asked.path.places_m, asked.loop};
 }
 
 ProfileAsked read_query_profile(Payload request) {

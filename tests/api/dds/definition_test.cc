@@ -1,0 +1,159 @@
+#include "api/dds/message/definition.h"
+
+#include <gtest/gtest.h>
+
+#include "fields/base/check.h"
+
+// The fields as ROS's own .msg files have them (ros2/common_interfaces, ros2/rcl_interfaces),
+// without comments and constants.
+
+namespace slackwater::dds {
+namespace {
+
+const std::string line(80, '=');
+std::string held(const std::string& name) { return line + "\nMSG: " + name + "\n"; }
+
+const std::string time_fields = "int32 sec\nuint32 nanosec\n";
+const std::string header_fields = "builtin_interfaces/Time stamp\nstring frame_id\n";
+const std::string xyz_fields = "float64 x\nfloat64 y\nfloat64 z\n";
+const std::string header_held =
+    held("std_msgs/Header") + header_fields + held("builtin_interfaces/Time") + time_fields;
+const std::string pose_held = held("geometry_msgs/Pose") +
+                              "geometry_msgs/Point position\n"
+                              "geometry_msgs/Quaternion orientation\n" +
+                              held("geometry_msgs/Point") + xyz_fields +
+                              held("geometry_msgs/Quaternion") + xyz_fields + "float64 w\n";
+const std::string twist_held = held("geometry_msgs/Twist") +
+                               "geometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular\n" +
+                               held("geometry_msgs/Vector3") + xyz_fields;
+
+TEST(DefinitionOf, OdometryWithAllThatItHolds) {
+  EXPECT_EQ(definition_of("nav_msgs/msg/Odometry"),
+            "std_msgs/Header header\n"
+            "string child_frame_id\n"
+            "geometry_msgs/PoseWithCovariance pose\n"
+            "geometry_msgs/TwistWithCovariance twist\n" +
+                header_held + held("geometry_msgs/PoseWithCovariance") +
+                "geometry_msgs/Pose pose\nfloat64[36] covariance\n" + pose_held +
+                held("geometry_msgs/TwistWithCovariance") +
+                "geometry_msgs/Twist twist\nfloat64[36] covariance\n" + twist_held);
+}
+
+TEST(DefinitionOf, BatteryStateInTheOrderOfRos) {
+  EXPECT_EQ(definition_of("sensor_msgs/msg/BatteryState"),
+            "std_msgs/Header header\n"
+            "float32 voltage\nfloat32 temperature\nfloat32 current\nfloat32 charge\n"
+            "float32 capacity\nfloat32 design_capacity\nfloat32 percentage\n"
+            "uint8 power_supply_status\nuint8 power_supply_health\n"
+            "uint8 power_supply_technology\nbool present\n"
+            "float32[] cell_voltage\nfloat32[] cell_temperature\n"
+            "string location\nstring serial_number\n" +
+                header_held);
+}
+
+TEST(DefinitionOf, ImuAndFixWithTheirArrays) {
+  EXPECT_EQ(definition_of("sensor_msgs/msg/Imu"),
+            "std_msgs/Header header\n"
+            "geometry_msgs/Quaternion orientation\nfloat64[9] orientation_covariance\n"
+            "geometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\n"
+            "geometry_msgs/Vector3 linear_acceleration\n"
+            "float64[9] linear_acceleration_covariance\n" +
+                header_held + held("geometry_msgs/Quaternion") + xyz_fields + "float64 w\n" +
+                held("geometry_msgs/Vector3") + xyz_fields);
+  EXPECT_EQ(definition_of("sensor_msgs/msg/NavSatFix"),
+            "std_msgs/Header header\nsensor_msgs/NavSatStatus status\n"
+            "float64 latitude\nfloat64 longitude\nfloat64 altitude\n"
+            "float64[9] position_covariance\nuint8 position_covariance_type\n" +
+                header_held + held("sensor_msgs/NavSatStatus") + "int8 status\nuint16 service\n");
+}
+
+TEST(DefinitionOf, SequencesOfWhatIsHeld) {
+  EXPECT_EQ(definition_of("nav_msgs/msg/Path"),
+            "std_msgs/Header header\ngeometry_msgs/PoseStamped[] poses\n" + header_held +
+                held("geometry_msgs/PoseStamped") +
+                "std_msgs/Header header\ngeometry_msgs/Pose pose\n" + pose_held);
+  EXPECT_EQ(
+      definition_of("std_msgs/msg/Float64MultiArray"),
+      "std_msgs/MultiArrayLayout layout\nfloat64[] data\n" + held("std_msgs/MultiArrayLayout") +
+          "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n" +
+          held("std_msgs/MultiArrayDimension") + "string label\nuint32 size\nuint32 stride\n");
+}
+
+TEST(DefinitionOf, BoundedStringsAndBytes) {
+  EXPECT_EQ(definition_of("rmw_dds_common/msg/ParticipantEntitiesInfo"),
+            "rmw_dds_common/Gid gid\nrmw_dds_common/NodeEntitiesInfo[] node_entities_info_seq\n" +
+                held("rmw_dds_common/Gid") + "char[16] data\n" +
+                held("rmw_dds_common/NodeEntitiesInfo") +
+                "string<=256 node_namespace\nstring<=256 node_name\n"
+                "rmw_dds_common/Gid[] reader_gid_seq\nrmw_dds_common/Gid[] writer_gid_seq\n");
+  EXPECT_EQ(definition_of("action_msgs/msg/GoalStatusArray"),
+            "action_msgs/GoalStatus[] status_list\n" + held("action_msgs/GoalStatus") +
+                "action_msgs/GoalInfo goal_info\nint8 status\n" + held("action_msgs/GoalInfo") +
+                "unique_identifier_msgs/UUID goal_id\nbuiltin_interfaces/Time stamp\n" +
+                held("unique_identifier_msgs/UUID") + "uint8[16] uuid\n" +
+                held("builtin_interfaces/Time") + time_fields);
+}
+
+TEST(DefinitionOf, OurOwnAndTheEmptyOne) {
+  EXPECT_EQ(definition_of("slackwater_msgs/msg/CurrentProfile"),
+            "std_msgs/Header header\nstring instance\nfloat64 latitude\nfloat64 longitude\n"
+            "float64[] depth_m\nfloat64[] east_m_s\nfloat64[] north_m_s\nfloat64[] east_p10\n"
+            "float64[] east_p90\nfloat64[] north_p10\nfloat64[] north_p90\n" +
+                header_held);
+  EXPECT_EQ(definition_of("std_srvs/srv/Trigger_Request"), "");
+  EXPECT_EQ(definition_of("rosgraph_msgs/msg/Clock"),
+            "builtin_interfaces/Time clock\n" + held("builtin_interfaces/Time") + time_fields);
+}
+
+/// Every type of interop.md's table, with its fields: nothing but these.
+TEST(DefinitionOf, EachTypeOfTheTable) {
+  const std::pair<const char*, const char*> table[] = {
+      {"builtin_interfaces/msg/Duration", "int32 sec\nuint32 nanosec\n"},
+      {"geometry_msgs/msg/PoseStamped", "std_msgs/Header header\ngeometry_msgs/Pose pose\n"},
+      {"geometry_msgs/msg/Twist", "geometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular\n"},
+      {"geometry_msgs/msg/TwistWithCovarianceStamped",
+       "std_msgs/Header header\ngeometry_msgs/TwistWithCovariance twist\n"},
+      {"geometry_msgs/msg/Vector3Stamped",
+       "std_msgs/Header header\ngeometry_msgs/Vector3 vector\n"},
+      {"sensor_msgs/msg/FluidPressure",
+       "std_msgs/Header header\nfloat64 fluid_pressure\nfloat64 variance\n"},
+      {"std_msgs/msg/String", "string data\n"},
+      {"std_msgs/msg/Float64", "float64 data\n"},
+      {"std_srvs/srv/SetBool_Request", "bool data\n"},
+      {"std_srvs/srv/SetBool_Response", "bool success\nstring message\n"},
+      {"std_srvs/srv/Trigger_Response", "bool success\nstring message\n"},
+      {"slackwater_msgs/msg/Reserve",
+       "std_msgs/Header header\nfloat64 energy_left_j\nfloat64 energy_home_j\n"
+       "float64 margin_s\nstring advice\n"},
+      {"slackwater_msgs/msg/SeaState",
+       "std_msgs/Header header\nfloat64 hs_m\nfloat64 tp_s\nfloat64 from_deg\n"},
+      {"slackwater_msgs/msg/AisTarget",
+       "std_msgs/Header header\nuint32 mmsi\nstring name\nfloat64 latitude\nfloat64 longitude\n"
+       "float64 sog_m_s\nfloat64 cog_deg\nfloat64 cpa_m\nfloat64 tcpa_s\n"},
+      {"slackwater_msgs/srv/Step_Request", "uint32 steps\n"},
+      {"slackwater_msgs/srv/Step_Response", "bool success\n"},
+      {"slackwater_msgs/srv/Spawn_Request",
+       "string model\nstring name\ngeometry_msgs/PoseStamped pose\n"},
+      {"slackwater_msgs/srv/SetWaypoints_Request", "nav_msgs/Path path\nbool loop\n"},
+      {"slackwater_msgs/srv/QueryProfile_Request",
+       "float64 latitude\nfloat64 longitude\nbuiltin_interfaces/Time time\n"},
+      {"slackwater_msgs/srv/QueryProfile_Response",
+       "bool success\nstring message\nslackwater_msgs/CurrentProfile profile\n"},
+      {"slackwater_msgs/action/Navigate_FeedbackMessage",
+       "unique_identifier_msgs/UUID goal_id\nslackwater_msgs/Navigate_Feedback feedback\n"},
+      {"slackwater_msgs/action/Navigate_SendGoal_Request",
+       "unique_identifier_msgs/UUID goal_id\nslackwater_msgs/Navigate_Goal goal\n"},
+      {"slackwater_msgs/action/Navigate_GetResult_Response",
+       "int8 status\nslackwater_msgs/Navigate_Result result\n"},
+      {"action_msgs/srv/CancelGoal_Response",
+       "int8 return_code\naction_msgs/GoalInfo[] goals_canceling\n"},
+  };
+  for (const auto& [type, fields] : table) {
+    const std::string text = definition_of(type);
+    EXPECT_EQ(text.substr(0, text.find(line)), fields) << type;
+  }
+  EXPECT_THROW((void)definition_of("sensor_msgs/msg/PointCloud2"), ContractViolation);
+}
+
+}  // namespace
+}  // namespace slackwater::dds

@@ -1,0 +1,80 @@
+#pragma once
+#include <functional>
+
+#include "api/dds/message/navigate.h"
+#include "api/dds/message/orders.h"
+#include "api/dds/message/services.h"
+#include "tests/api/dds/cdr_by_hand.h"
+
+namespace slackwater::tests {
+
+/// All that reads what a client sent, each with a message that it takes.
+struct ReaderCase {
+  std::string name;
+  std::function<void(dds::Payload)> read;
+  std::function<void(HandWriter&)> write;
+  bool is_service = true;
+
+  [[nodiscard]] dds::Bytes message(Order order = Order::little) const {
+    HandWriter writer(order);
+    write(writer);
+    return writer.bytes();
+  }
+};
+
+[[nodiscard]] inline std::vector<ReaderCase> reader_cases() {
+  using dds::Payload;
+  const auto path = [](HandWriter& writer) {
+    writer.header(10, 20, "map").put(3U);
+    for (const double north : {1, 2, 3})
+      writer.header(10, 20, "map").doubles({0, north, -3}).doubles({0, 0, 0, 1});
+  };
+  const auto id = [](HandWriter& writer) {
+    for (std::uint8_t i = 0; i < 16; ++i) writer.put(static_cast<std::uint8_t>(0xA0 + i));
+  };
+  return {
+      {"cmd_vel", [](Payload p) { (void)dds::velocity_asked(p); },
+       [](HandWriter& w) {
+         w.doubles({1, 0, 0, 0, 0, 0.25});
+       },
+       false},
+      {"thrusters", [](Payload p) { (void)dds::thrusters_asked(p); },
+       [](HandWriter& w) {
+         w.put(1U).string("thruster").put(4U).put(4U).put(0U).put(4U).doubles({1, -1, 0.5, 0});
+       },
+       false},
+      {"waypoints", [](Payload p) { (void)dds::path_asked(p); }, path, false},
+      {"trigger", [](Payload p) { dds::read_trigger(p); },
+       [](HandWriter& w) { w.put(std::uint8_t{0}); }},
+      {"set_bool", [](Payload p) { (void)dds::read_set_bool(p); },
+       [](HandWriter& w) { w.put(std::uint8_t{1}); }},
+      {"step", [](Payload p) { (void)dds::read_step(p); }, [](HandWriter& w) { w.put(100U); }},
+      {"spawn", [](Payload p) { (void)dds::read_spawn(p); },
+       [](HandWriter& w) {
+         w.string("bluerov2_heavy").string("second").header(10, 20, "map");
+         w.doubles({1, 2, -3}).doubles({0, 0, 0, 1});
+       }},
+      {"set_waypoints", [](Payload p) { (void)dds::read_set_waypoints(p); },
+       [path](HandWriter& w) {
+         path(w);
+         w.put(std::uint8_t{1});
+       }},
+      {"query_profile", [](Payload p) { (void)dds::read_query_profile(p); },
+       [](HandWriter& w) {
+         w.doubles({48.5, -2.5}).put(std::int32_t{1'748'844'000}).put(0U);
+       }},
+      {"send_goal", [](Payload p) { (void)dds::read_send_goal(p); },
+       [path, id](HandWriter& w) {
+         id(w);
+         path(w);
+       }},
+      {"cancel_goal", [](Payload p) { (void)dds::read_cancel_goal(p); },
+       [id](HandWriter& w) {
+         id(w);
+         w.put(std::int32_t{7}).put(8U);
+       }},
+      {"get_result", [](Payload p) { (void)dds::read_get_result(p); }, id},
+  };
+}
+
+}  // namespace slackwater::tests
