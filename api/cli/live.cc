@@ -173,7 +173,12 @@ void add_live(CLI::App& app, Context& context) {
   command
       ->add_option("--real-time-factor", arguments->factor,
                    "times as fast as the clock, 0.1 and more; 0: as fast as it goes (default 1)")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check([](const std::string& text) -> std::string {
+        const double factor = std::strtod(text.c_str(), nullptr);
+        return text == "0" || (factor >= 0.1 && factor <= 1e6)
+                   ? ""
+                   : "found " + text + ", expected 0 or a number from 0.1 to 1000000";
+      });
   command
       ->add_option("--when-host-fails", arguments->when_host_fails,
                    "what becomes of a vehicle whose agent or physics, in another process, is "

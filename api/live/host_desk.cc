@@ -60,6 +60,7 @@ void HostDesk::open(const std::string& name) {
     const std::lock_guard lock(mutex_);
     Host& host = hosts_.emplace_back();
     host.name = name;
+    host.answer = participant_.publish_on(topic("answer", "slackwater_msgs/msg/HostAnswer"));
     host.observation =
         participant_.publish_on(topic("observation", "slackwater_msgs/msg/AgentObservation"));
     host.input =
@@ -84,10 +85,14 @@ void HostDesk::open(const std::string& name) {
                            const dds::PhysicsMade made = dds::read_physics_output(message);
                            (void)host.from_physics.answer(made.step, made);
                          });
-  participant_.serve(
-      {"/" + name + "/host", "slackwater_msgs/srv/Host"},
-      [this, vehicle](dds::Payload request, const std::string& client, const dds::Answer& answer) {
-        answer(take(vehicle, request, client));
+  participant_.subscribe(
+      topic("request", "slackwater_msgs/msg/HostRequest"),
+      [this, vehicle, &host](dds::Payload message, const std::string& client) {
+        const dds::HostAsked asked = dds::read_host_request(message);
+        const auto refusal = take(vehicle, asked, client);
+        const std::string words = refusal.value_or("hosted by " + client + " from now on");
+        participant_.send(host.answer,
+                          dds::host_answer(asked.token, !refusal, words, place_.step_s));
       });
   run_.host_physics(
       vehicle, [this, vehicle](const twin::HostedStep& step) { return ask_physics(vehicle, step); },
@@ -98,40 +103,32 @@ void HostDesk::tell(const std::string& text) const {
   if (on_trouble_) on_trouble_(text);
 }
 
-dds::Bytes HostDesk::take(std::size_t vehicle, dds::Payload request, const std::string& client) {
-  const double step_s = place_.step_s;
-  const auto refuse = [&](const std::string& why) { return dds::host_reply(false, why, step_s); };
-  dds::HostAsked asked;
-  try {
-    asked = dds::read_host(request);
-  } catch (const std::exception& e) {
-    return refuse(e.what());
-  }
+std::optional<std::string> HostDesk::take(std::size_t vehicle, const dds::HostAsked& asked,
+                                          const std::string& client) {
   if (asked.version != dds::host_version) {
-    return refuse(formatted("version {} of the protocol was asked for, this is version {}",
-                            asked.version, dds::host_version));
+    return formatted("version {} of the protocol was asked for, this is version {}", asked.version,
+                     dds::host_version);
   }
   if (!(asked.timeout_s >= shortest_s && asked.timeout_s <= longest_s)) {
-    return refuse(formatted("a time-out of {:g} s; it is from {:g} to {:g} s", asked.timeout_s,
-                            shortest_s, longest_s));
+    return formatted("a time-out of {:g} s; it is from {:g} to {:g} s", asked.timeout_s, shortest_s,
+                     longest_s);
   }
   twin::Steward& steward = desk_.steward();
   const std::lock_guard lock(mutex_);
   Host& host = hosts_[vehicle];
   if (asked.role == static_cast<std::uint8_t>(dds::HostRole::agent)) {
     if (!host.agent.empty() && host.agent != client)
-      return refuse(host.name + " has an agent already: " + host.agent);
-    if (const auto refusal = steward.ask(client, vehicle, steward.time_s()))
-      return refuse(refusal->text);
+      return host.name + " has an agent already: " + host.agent;
+    if (const auto refusal = steward.ask(client, vehicle, steward.time_s())) return refusal->text;
     host.agent = client;
     host.agent_timeout_s = asked.timeout_s;
     host.missed = 0;
-    return dds::host_reply(true, "you are the agent of " + host.name, step_s);
+    return std::nullopt;
   }
   if (asked.role != static_cast<std::uint8_t>(dds::HostRole::physics))
-    return refuse(formatted("role {}; 1 is an agent, 2 physics", int{asked.role}));
+    return formatted("role {}; 1 is an agent, 2 physics", int{asked.role});
   if (!host.physics.empty() && host.physics != client)
-    return refuse("the physics of " + host.name + " are made already by " + host.physics);
+    return "the physics of " + host.name + " are made already by " + host.physics;
   host.physics = client;
   host.physics_timeout_s = asked.timeout_s;
   host.is_ending = false;
@@ -141,7 +138,7 @@ dds::Bytes HostDesk::take(std::size_t vehicle, dds::Payload request, const std::
   command.source = client;
   command.received_s = steward.time_s();
   run_.enqueue(std::move(command));
-  return dds::host_reply(true, "you make the physics of " + host.name, step_s);
+  return std::nullopt;
 }
 
 void HostDesk::lose(const std::string& client) {
