@@ -1,0 +1,249 @@
+// service_peer DOMAIN VEHICLE SITE: calls every service of a run of `slackwater live` in which
+// VEHICLE is free, and flies a navigation goal, as a ROS 2 node on rmw_fastrtps would. Prints what
+// it saw; exit 0: all as the page "Driving a vehicle from ROS 2" says.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "rosgraph_msgsPubSubTypes.h"
+#include "slackwater_msgsPubSubTypes.h"
+#include "std_srvsPubSubTypes.h"
+#include "tests/strangers/live/service_client.h"
+
+namespace {
+
+using namespace peer;
+
+int failures = 0;
+void expect(bool is_true, const std::string& what) {
+  std::printf("%s %s\n", is_true ? "ok  " : "FAIL", what.c_str());
+  std::fflush(stdout);
+  if (!is_true) ++failures;
+}
+
+using Trigger =
+    ServiceClient<std_srvs::srv::Trigger_RequestPubSubType, std_srvs::srv::Trigger_ResponsePubSubType>;
+using SetBool =
+    ServiceClient<std_srvs::srv::SetBool_RequestPubSubType, std_srvs::srv::SetBool_ResponsePubSubType>;
+using Step = ServiceClient<slackwater_msgs::srv::Step_RequestPubSubType,
+                           slackwater_msgs::srv::Step_ResponsePubSubType>;
+using Spawn = ServiceClient<slackwater_msgs::srv::Spawn_RequestPubSubType,
+                            slackwater_msgs::srv::Spawn_ResponsePubSubType>;
+using SetWaypoints = ServiceClient<slackwater_msgs::srv::SetWaypoints_RequestPubSubType,
+                                   slackwater_msgs::srv::SetWaypoints_ResponsePubSubType>;
+using QueryProfile = ServiceClient<slackwater_msgs::srv::QueryProfile_RequestPubSubType,
+                                   slackwater_msgs::srv::QueryProfile_ResponsePubSubType>;
+using SendGoal = ServiceClient<slackwater_msgs::action::Navigate_SendGoal_RequestPubSubType,
+                               slackwater_msgs::action::Navigate_SendGoal_ResponsePubSubType>;
+using CancelGoal = ServiceClient<action_msgs::srv::CancelGoal_RequestPubSubType,
+                                 action_msgs::srv::CancelGoal_ResponsePubSubType>;
+using GetResult = ServiceClient<slackwater_msgs::action::Navigate_GetResult_RequestPubSubType,
+                                slackwater_msgs::action::Navigate_GetResult_ResponsePubSubType>;
+
+template <typename Message, typename Support>
+std::optional<Message> next(fdds::DataReader* reader, double at_most_s = 5) {
+  const auto until = Clock::now() + std::chrono::duration<double>(at_most_s);
+  Message message;
+  fdds::SampleInfo info;
+  while (Clock::now() < until) {
+    if (reader->take_next_sample(&message, &info) == ReturnCode_t::RETCODE_OK && info.valid_data)
+      return message;
+    reader->wait_for_unread_message({0, 20'000'000});
+  }
+  return std::nullopt;
+}
+
+/// The newest there is; waits for one where there is none.
+template <typename Message>
+std::optional<Message> newest(fdds::DataReader* reader) {
+  auto message = next<Message, void>(reader);
+  Message later;
+  fdds::SampleInfo info;
+  while (reader->take_next_sample(&later, &info) == ReturnCode_t::RETCODE_OK)
+    if (info.valid_data) message = later;
+  return message;
+}
+
+nav_msgs::msg::Path path_of(std::initializer_list<std::array<double, 3>> places) {
+  nav_msgs::msg::Path path;
+  path.header().frame_id("map");
+  for (const auto& [x, y, z] : places) {
+    geometry_msgs::msg::PoseStamped pose;
+    pose.pose().position().x(x);
+    pose.pose().position().y(y);
+    pose.pose().position().z(z);
+    path.poses().push_back(pose);
+  }
+  return path;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) return 2;
+  const int domain = std::atoi(argv[1]);
+  const std::string vehicle = "/" + std::string(argv[2]);
+  Node node(domain), other(domain);
+
+  // --- authority ---
+  SetBool authority(node, vehicle + "/authority"), others(other, vehicle + "/authority");
+  std_srvs::srv::SetBool_Request ask, give;
+  ask.data(true);
+  const auto got = authority.call(ask, 30);
+  expect(got && got->success(), "authority is given to who asks");
+  if (!got) return 1;
+  const auto refused = others.call(ask);
+  expect(refused && !refused->success(), "and to nobody else: " + (refused ? refused->message() : ""));
+  const auto stolen = others.call(give);
+  expect(stolen && !stolen->success(), "nor can another give it back");
+
+  auto* odometry = node.reader<nav_msgs::msg::OdometryPubSubType>("rt" + vehicle + "/odometry");
+  const auto at = newest<nav_msgs::msg::Odometry>(odometry);
+  expect(at.has_value(), "odometry comes");
+  if (!at) return 1;
+  const auto& here = at->pose().pose().position();
+
+  // --- waypoints ---
+  SetWaypoints set_waypoints(node, vehicle + "/set_waypoints");
+  SetWaypoints by_other(other, vehicle + "/set_waypoints");
+  slackwater_msgs::srv::SetWaypoints_Request waypoints;
+  waypoints.path(path_of({{here.x() + 3, here.y(), here.z()}}));
+  const auto set = set_waypoints.call(waypoints);
+  expect(set && set->success(), "waypoints are taken from the holder");
+  const auto unauthorised = by_other.call(waypoints);
+  expect(unauthorised && !unauthorised->success(),
+         "and refused to others: " + (unauthorised ? unauthorised->message() : ""));
+  waypoints.path(path_of({{here.x(), here.y(), std::nan("")}}));
+  const auto no_number = set_waypoints.call(waypoints);
+  expect(no_number && !no_number->success(),
+         "a place that is no number: " + (no_number ? no_number->message() : ""));
+  waypoints.path().header().frame_id("odom");
+  const auto frame = set_waypoints.call(waypoints);
+  expect(frame && !frame->success(), "another frame: " + (frame ? frame->message() : ""));
+
+  // --- the action ---
+  const std::string action = vehicle + "/navigate/_action/";
+  SendGoal send_goal(node, action + "send_goal");
+  GetResult get_result(node, action + "get_result");
+  CancelGoal cancel_goal(node, action + "cancel_goal");
+  auto* feedback = node.reader<slackwater_msgs::action::Navigate_FeedbackMessagePubSubType>(
+      "rt" + action + "feedback");
+  auto* status =
+      node.reader<action_msgs::msg::GoalStatusArrayPubSubType>("rt" + action + "status", true);
+  slackwater_msgs::action::Navigate_SendGoal_Request goal;
+  goal.goal_id().uuid()[0] = 1;
+  goal.goal().path(path_of({{here.x() + 2, here.y() + 2, here.z()}, {here.x(), here.y(), here.z()}}));
+  const auto sent = send_goal.call(goal);
+  expect(sent && sent->accepted(), "a goal is accepted");
+  const auto fed = next<slackwater_msgs::action::Navigate_FeedbackMessage, void>(feedback);
+  expect(fed && fed->goal_id() == goal.goal_id() && fed->feedback().distance_m() > 0,
+         "feedback tells how far it is");
+  slackwater_msgs::action::Navigate_GetResult_Request result;
+  result.goal_id(goal.goal_id());
+  const auto done = get_result.call(result, 120);
+  expect(done && done->status() == 4 && done->result().success(), "the goal succeeds");
+  const auto back = newest<nav_msgs::msg::Odometry>(odometry);
+  const double off_m = back ? std::hypot(back->pose().pose().position().x() - here.x(),
+                                         back->pose().pose().position().y() - here.y())
+                            : 1e9;
+  expect(off_m < 2, "at its last place, " + std::to_string(off_m) + " m off");
+  goal.goal_id().uuid()[0] = 2;
+  goal.goal().path(path_of({{here.x() + 30, here.y(), here.z()}}));
+  const auto second = send_goal.call(goal);
+  expect(second && second->accepted(), "a second goal is accepted");
+  action_msgs::srv::CancelGoal_Request cancel;
+  cancel.goal_info().goal_id(goal.goal_id());
+  const auto cancelled = cancel_goal.call(cancel);
+  expect(cancelled && cancelled->return_code() == 0 && cancelled->goals_canceling().size() == 1,
+         "and cancelled");
+  result.goal_id(goal.goal_id());
+  const auto result_of_second = get_result.call(result);
+  expect(result_of_second && result_of_second->status() == 5, "its result says so");
+  result.goal_id().uuid()[0] = 9;
+  const auto unknown = get_result.call(result);
+  expect(unknown && unknown->status() == 0, "of a goal that nobody sent there is none");
+  const auto states = newest<action_msgs::msg::GoalStatusArray>(status);
+  expect(states && states->status_list().size() == 2 && states->status_list()[0].status() == 4 &&
+             states->status_list()[1].status() == 5,
+         "the status topic has both");
+
+  // --- the current ---
+  QueryProfile query(node, "/slackwater/query_profile");
+  slackwater_msgs::srv::QueryProfile_Request place;
+  auto* latched = node.reader<slackwater_msgs::msg::CurrentProfilePubSubType>(
+      "rt/" + std::string(argv[3]) + "/current_profile", true);
+  const auto profile = newest<slackwater_msgs::msg::CurrentProfile>(latched);
+  expect(profile && profile->depth_m().size() > 1 &&
+             profile->east_p10().size() == profile->depth_m().size(),
+         "a late joiner has the forecast's profile");
+  if (profile) {
+    place.latitude(profile->latitude());
+    place.longitude(profile->longitude());
+    place.time(profile->header().stamp());
+    const auto answered = query.call(place);
+    expect(answered && answered->success() &&
+               answered->profile().east_m_s() == profile->east_m_s() &&
+               answered->profile().north_p90() == profile->north_p90(),
+           "asked for there and then it is the same");
+  }
+  place.latitude(91);
+  const auto nowhere = query.call(place);
+  expect(nowhere && !nowhere->success(), "no place: " + (nowhere ? nowhere->message() : ""));
+
+  // --- the clock ---
+  Trigger pause(node, "/slackwater/pause"), resume(node, "/slackwater/resume");
+  Step step(node, "/slackwater/step");
+  slackwater_msgs::srv::Step_Request steps;
+  steps.steps(20);
+  const auto running = step.call(steps);
+  expect(running && !running->success(), "a run that goes on makes no single steps");
+  const auto paused = pause.call({});
+  expect(paused && paused->success(), "paused");
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  auto* pose = node.reader<geometry_msgs::msg::PoseStampedPubSubType>("rt" + vehicle + "/pose");
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const auto stepped = step.call(steps);
+  expect(stepped && stepped->success(), "twenty steps");
+  int told = 0;
+  geometry_msgs::msg::PoseStamped message;
+  fdds::SampleInfo info;
+  for (int i = 0; i < 20; ++i) {
+    while (pose->take_next_sample(&message, &info) == ReturnCode_t::RETCODE_OK) ++told;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  expect(told == 20, "make twenty poses: " + std::to_string(told));
+  const auto resumed = resume.call({});
+  expect(resumed && resumed->success(), "resumed");
+
+  // --- a vehicle more ---
+  Spawn spawn(node, "/slackwater/spawn");
+  slackwater_msgs::srv::Spawn_Request one;
+  one.model("../../etc/passwd");
+  one.name("thief");
+  const auto path = spawn.call(one);
+  expect(path && !path->success(), "no paths: " + (path ? path->message() : ""));
+  one.model("bluerov2_heavy");
+  one.name("second");
+  one.pose().header().frame_id("map");
+  one.pose().pose().position().x(here.x() + 15);
+  one.pose().pose().position().y(here.y());
+  one.pose().pose().position().z(here.z());
+  one.pose().pose().orientation().w(1);
+  const auto spawned = spawn.call(one);
+  expect(spawned && spawned->success(), "one of the catalogue: " + (spawned ? spawned->message() : ""));
+  auto* seconds = node.reader<nav_msgs::msg::OdometryPubSubType>("rt/second/odometry");
+  expect(next<nav_msgs::msg::Odometry, void>(seconds, 10).has_value(), "tells of itself");
+
+  Trigger resume_mission(node, vehicle + "/resume_mission");
+  const auto own = resume_mission.call({});
+  expect(own && own->success(), "back at its own mission");
+  Trigger allow(node, vehicle + "/allow_take_over");
+  const auto allowed = allow.call({});
+  expect(allowed && allowed->success(), "the holder allows a take-over");
+  const auto taken = others.call(ask);
+  expect(taken && taken->success(), "and the other has it");
+  const auto late = authority.call(give);
+  expect(late && !late->success(), "which the first can no longer give back");
+  std::printf("%d failed\n", failures);
+  return failures == 0 ? 0 : 1;
+}
