@@ -60,7 +60,8 @@ class WebSocketHandler {
   /// The sub-protocols it speaks; none: whatever the client names, no protocol is agreed on.
   /// Called from any thread.
   [[nodiscard]] virtual std::vector<std::string> protocols() const = 0;
-  /// @param request   the one that asked for the upgrade
+  /// @param request   the one that asked for the upgrade; a page of any origin may ask, and what
+  ///                  writes looks at `is_trusted`, as everywhere
   /// @param protocol  agreed on; "" where `protocols` has none
   virtual void opened(const std::shared_ptr<WebSocket>& socket, const Request& request,
                       const std::string& protocol) = 0;

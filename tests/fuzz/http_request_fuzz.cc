@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "api/http/exchange.h"
 #include "api/http/request_reader.h"
 #include "api/http/router.h"
+#include "api/http/websocket.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {
@@ -12,6 +14,16 @@ namespace {
 using namespace slackwater;
 using namespace slackwater::api::http;
 using Progress = RequestReader::Progress;
+
+/// Agrees on a sub-protocol; here nothing is said over it.
+class Deaf final : public WebSocketHandler {
+ public:
+  [[nodiscard]] std::vector<std::string> protocols() const override { return {"a", "b"}; }
+  void opened(const std::shared_ptr<WebSocket>&, const Request&, const std::string&) override {}
+  void received_text(WebSocket&, std::string_view) override {}
+  void received_bytes(WebSocket&, std::span<const std::uint8_t>) override {}
+  void closed(WebSocket&) override {}
+};
 
 /// A router with each kind of segment.
 const Handler& handler() {
@@ -28,6 +40,7 @@ const Handler& handler() {
       response.body = request.body;
       return response;
     });
+    routes.add("GET", "/ws", websocket_route(std::make_shared<Deaf>()));
     return routes;
   }();
   return router;
@@ -60,6 +73,7 @@ std::vector<int> statuses_of(std::string_view bytes, std::size_t piece) {
       fuzz::claim(reply != nullptr, "a handler that is quick has no answer");
       check_reply(*reply);
       statuses.push_back(reply->status);
+      if (reply->successor) return statuses;  // what follows is no HTTP
     }
     if (progress != Progress::refused) continue;
     const Reply reply = exchange.refusal(reader.refusal().status, reader.refusal().detail);

@@ -106,7 +106,7 @@ async function watchAs(protocol) {
   const from = Date.now();
   await viewer.until(() => viewer.of(flow).length >= 20 && viewer.of(wind).length >= 20, "a second of messages");
   const took_ms = Date.now() - from;
-  assert(took_ms > 700 && took_ms < 3000, `20 messages at 20 Hz took ${took_ms} ms`);
+  assert(took_ms > 700 && took_ms < 10000, `20 messages at 20 Hz took ${took_ms} ms`);
   const windReader = readerOf(viewer.channels.get("/wind/speed"));
   const flowReader = readerOf(viewer.channels.get("/rov/flow"));
   for (const message of viewer.of(wind)) checkWind(windReader, message);

@@ -225,7 +225,7 @@ TEST(FoxgloveBroadcast, OneThatStopsReadingStopsNeitherThePublisherNorTheOthers)
     served.live->publish(sonar, 0, picture);
     served.live->publish(odometry, 0, bytes_of(std::to_string(i)));
   }
-  EXPECT_LT(std::chrono::steady_clock::now() - from, 2s);
+  EXPECT_LT(std::chrono::steady_clock::now() - from, 5s);
   for (int i = 0; i < 500; ++i) EXPECT_EQ(next_bytes(reader).substr(13), std::to_string(i));
   const auto figures = served.live->figures();
   EXPECT_EQ(figures.sent, 1000U);

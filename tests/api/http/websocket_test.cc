@@ -90,10 +90,14 @@ bool comes_true(const Condition& condition, std::chrono::milliseconds within = 1
   return true;
 }
 
+std::string next_payload(WebSocketClient& client) {
+  const auto frame = client.receive(5s);
+  return frame ? frame->payload : "nothing came";
+}
+
 std::string said_back(WebSocketClient& client, const std::string& text) {
   client.send_text(text);
-  const auto frame = client.receive();
-  return frame ? frame->payload : "nothing";
+  return next_payload(client);
 }
 
 // --- the handshake ---
@@ -230,7 +234,17 @@ TEST(WebSocketServer, CarriesTextAndBytesOfAnyLength) {
   ASSERT_TRUE(pong);
   EXPECT_EQ(pong->opcode, 10);
   EXPECT_EQ(pong->payload, "ping");
-  EXPECT_EQ(client.receive()->payload, "in pieces");
+  EXPECT_EQ(next_payload(client), "in pieces");
+}
+
+TEST(WebSocketServer, WhatHasBeenSentIsLetGoOf) {
+  EchoServed served;
+  WebSocketClient client = served.client();
+  ASSERT_EQ(said_back(client, "here"), "here");
+  const auto body = std::make_shared<const std::vector<std::uint8_t>>(100'000);
+  served.echo->sockets[0]->send({false, {}, body, Worth::reliable});
+  EXPECT_EQ(next_payload(client).size(), body->size());
+  EXPECT_TRUE(comes_true([&] { return body.use_count() == 1; }, 2s));
 }
 
 TEST(WebSocketServer, ManyThreadsMaySpeakToManyClients) {
@@ -290,7 +304,7 @@ TEST(WebSocketServer, AHandlerMaySayFarewellAfterWhatItSaid) {
   ASSERT_TRUE(client.send_text("a word"));
   ASSERT_TRUE(client.send_text("close"));
   ASSERT_TRUE(client.send_text("too late"));
-  EXPECT_EQ(client.receive()->payload, "a word");
+  EXPECT_EQ(next_payload(client), "a word");
   const auto farewell = client.receive();
   ASSERT_TRUE(farewell);
   EXPECT_EQ(farewell->code(), 4001);
@@ -359,18 +373,18 @@ TEST(WebSocketServer, AHandlerThatFailsEndsItsClientAlone) {
 
 TEST(WebSocketServer, SilentClientsArePingedAndThoseThatAreGoneAreClosed) {
   ServerOptions options;
-  options.limits.ping_time = 200ms;
+  options.limits.ping_time = 400ms;
   EchoServed served(options);
   WebSocketClient alive = served.client();
   WebSocketClient gone = served.client();
   for (int i = 0; i < 5; ++i) {
-    const auto ping = alive.receive(2s);
+    const auto ping = alive.receive(5s);
     ASSERT_TRUE(ping) << i;
     EXPECT_EQ(ping->opcode, 9);
     ASSERT_TRUE(alive.send(0x8a, ping->payload));
   }
-  EXPECT_TRUE(gone.connection().is_closed_within(1s));
-  EXPECT_EQ(served.echo->closed_count, 1);
+  EXPECT_TRUE(gone.connection().is_closed_within(2s));
+  EXPECT_TRUE(comes_true([&] { return served.echo->closed_count == 1; }));
   EXPECT_TRUE(alive.send(0x8a, ""));
   EXPECT_TRUE(alive.send_text("still here"));
 }
@@ -378,7 +392,7 @@ TEST(WebSocketServer, SilentClientsArePingedAndThoseThatAreGoneAreClosed) {
 TEST(WebSocketServer, WhoTakesNothingInIsDroppedForAndThenClosed) {
   ServerOptions options;
   options.limits.websocket_queue_bytes = 1 << 20;
-  options.limits.write_time = 500ms;
+  options.limits.write_time = 2s;
   EchoServed served(options);
   WebSocketClient reader = served.client();
   WebSocketClient deaf = served.client("echo.v1", {}, 4096);
@@ -389,14 +403,14 @@ TEST(WebSocketServer, WhoTakesNothingInIsDroppedForAndThenClosed) {
   for (int i = 0; i < 2000; ++i) {  // 20 MB
     dropped += served.echo->sockets[1]->send({false, "x", body, Worth::best_effort});
   }
-  EXPECT_LT(std::chrono::steady_clock::now() - from, 400ms) << "the sender does not wait";
+  EXPECT_LT(std::chrono::steady_clock::now() - from, 1500ms) << "the sender does not wait";
   EXPECT_GT(dropped, 1000U);
   EXPECT_LT(dropped, 2000U);
   EXPECT_TRUE(served.metrics_have("slackwater_http_websocket_dropped_frames_total " +
                                   std::to_string(dropped)));
   EXPECT_LT(body.use_count(), 250) << "about a megabyte of them, what is being written included";
   EXPECT_EQ(said_back(reader, "still here"), "still here");
-  EXPECT_TRUE(comes_true([&] { return served.echo->closed_count == 1; }, 5s));
+  EXPECT_TRUE(comes_true([&] { return served.echo->closed_count == 1; }, 20s));
   EXPECT_EQ(body.use_count(), 1) << "nothing is kept for who has gone";
   EXPECT_EQ(served.echo->sockets[1]->send({false, "x", body, Worth::reliable}), 0U);
   EXPECT_EQ(body.use_count(), 1);
