@@ -63,7 +63,7 @@ std::string session_id_now() {
 /// The lock is held for bookkeeping and queueing alone; sockets are never waited for.
 class Broadcast::Hub final : public http::WebSocketHandler {
  public:
-  explicit Hub(std::string name) : info_(server_info_text(name, session_id_now())) {}
+  explicit Hub(const std::string& name) : info_(server_info_text(name, session_id_now())) {}
 
   std::uint32_t advertise(const bag::Channel& channel) {
     const std::lock_guard lock(mutex_);
@@ -247,7 +247,7 @@ class Broadcast::Hub final : public http::WebSocketHandler {
   std::uint64_t dropped_ = 0;
 };
 
-Broadcast::Broadcast(std::string name) : hub_(std::make_shared<Hub>(std::move(name))) {}
+Broadcast::Broadcast(const std::string& name) : hub_(std::make_shared<Hub>(name)) {}
 Broadcast::~Broadcast() { hub_->end(); }
 
 ChannelId Broadcast::advertise(const bag::Channel& channel) {

@@ -19,7 +19,7 @@ enum class ChannelId : std::uint32_t {};
 ///   router.add("GET", "/live", live.route());                  // ws://HOST:PORT/live
 ///   const ChannelId odometry = live.advertise(channel);        // data/bag/channel.h
 ///   live.set_time(now_ns);
-///   live.publish(odometry, now_ns, payload);                   // CDR with its encapsulation header
+///   live.publish(odometry, now_ns, payload);                   // CDR, encapsulated
 ///
 /// Clients see the channels that there are and get the messages of those that they subscribe to; of
 /// transient-local channels also the last one said before. A publisher never waits for a client:
@@ -28,7 +28,7 @@ enum class ChannelId : std::uint32_t {};
 class Broadcast {
  public:
   /// @param name  of the server, shown by viewers
-  explicit Broadcast(std::string name);
+  explicit Broadcast(const std::string& name);
   ~Broadcast();  ///< tells its clients that it is over
   Broadcast(const Broadcast&) = delete;
   Broadcast& operator=(const Broadcast&) = delete;

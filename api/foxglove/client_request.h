@@ -22,8 +22,8 @@ struct Status {
   bool operator==(const Status&) const = default;
 };
 
-/// What a client wants, as far as it can be read, and what it is to be told about the rest. An entry
-/// that is wrong does not spoil those beside it.
+/// What a client wants, as far as it can be read, and what it is to be told about the rest. An
+/// entry that is wrong does not spoil those beside it.
 struct ClientRequest {
   std::vector<Subscription> subscribe;
   std::vector<std::uint32_t> unsubscribe;

@@ -6,9 +6,9 @@
 
 #include "data/bag/channel.h"
 
-// What the server says in the Foxglove WebSocket protocol, v1 (docs/spec.md of foxglove/ws-protocol):
-// JSON texts, and binary messages that begin with an operation code. Integers are little endian,
-// times nanoseconds since 1970.
+// What the server says in the Foxglove WebSocket protocol, v1 (docs/spec.md of
+// foxglove/ws-protocol): JSON texts, and binary messages that begin with an operation code.
+// Integers are little endian, times nanoseconds since 1970.
 
 namespace slackwater::api::foxglove {
 

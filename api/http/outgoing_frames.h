@@ -12,9 +12,9 @@ namespace slackwater::api::http {
 /// What waits to be sent to one client, in order and bounded, whatever the client takes in. One
 /// thread at a time.
 ///
-/// Full, the queue loses the oldest best-effort frames, then the oldest reliable ones; a best-effort
-/// frame never displaces a reliable one. Essential frames have eight times the bound to themselves:
-/// who does not even take those in is lost.
+/// Full, the queue loses the oldest best-effort frames, then the oldest reliable ones; a
+/// best-effort frame never displaces a reliable one. Essential frames have eight times the bound
+/// to themselves: who does not even take those in is lost.
 class OutgoingFrames {
  public:
   /// @param bound_bytes  of what is not essential, with what a frame costs by itself; one frame

@@ -1,6 +1,7 @@
 // made_up_broadcast: serves a broadcast of made-up topics at /live of a free port of this machine,
-// prints {"port":...}, and publishes twenty times a second until its input ends. What message n says
-// follows from its time, so that a reader can tell: see foxglove.mjs. /figures says how it fares.
+// prints {"port":...}, and publishes twenty times a second until its input ends. What message n
+// says follows from its time, so that a reader can tell: see foxglove.mjs. /figures says how it
+// fares.
 #include <chrono>
 #include <cmath>
 #include <cstdio>

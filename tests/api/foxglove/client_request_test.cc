@@ -23,8 +23,9 @@ std::string status_of(const std::string& text, Level level) {
 }
 
 TEST(FoxgloveClientRequest, SubscribesAndUnsubscribes) {
-  const ClientRequest request = client_request(
-      R"({"op":"subscribe","subscriptions":[{"id":0,"channelId":3},{"id":4294967295,"channelId":5}]})");
+  const ClientRequest request =
+      client_request(R"({"op":"subscribe","subscriptions":[{"id":0,"channelId":3},)"
+                     R"({"id":4294967295,"channelId":5}]})");
   EXPECT_EQ(request.subscribe, (std::vector<Subscription>{{0, 3}, {4294967295, 5}}));
   EXPECT_TRUE(request.statuses.empty());
   EXPECT_EQ(client_request(R"({"op":"unsubscribe","subscriptionIds":[0,1]})").unsubscribe,
