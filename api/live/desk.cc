@@ -30,6 +30,7 @@ std::optional<std::string> Desk::submit(const std::string& client, std::size_t v
   const bool is_thrusters = std::holds_alternative<twin::SetThrusters>(what);
   command.what = std::move(what);
   const double now_s = steward_.time_s();
+  command.received_s = now_s;
   // One at a time, so that the steward sees a client's commands in the order of its count.
   const std::lock_guard lock(mutex_);
   command.sequence = ++counts_[{client, vehicle}];

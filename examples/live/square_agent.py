@@ -24,74 +24,78 @@ from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 
 
-def message(name):
-    """A structure under the name that ROS 2 has for it on DDS: "pkg/msg/Name"."""
-    package, kind, short = name.split("/")
-    return lambda cls: final(dataclass(type(cls.__name__, (IdlStruct,), dict(cls.__dict__),
-                                            typename=f"{package}.{kind}.dds_.{short}_")))
-
-
-@message("builtin_interfaces/msg/Time")
-class Time:
+# Each under the name that ROS 2 has for it on DDS.
+@dataclass
+@final
+class Time(IdlStruct, typename="builtin_interfaces::msg::dds_::Time_"):
     sec: int32 = 0
     nanosec: uint32 = 0
 
 
-@message("std_msgs/msg/Header")
-class Header:
+@dataclass
+@final
+class Header(IdlStruct, typename="std_msgs::msg::dds_::Header_"):
     stamp: Time
     frame_id: str = ""
 
 
-@message("geometry_msgs/msg/Vector3")
-class Vector3:
+@dataclass
+@final
+class Vector3(IdlStruct, typename="geometry_msgs::msg::dds_::Vector3_"):
     x: float64 = 0
     y: float64 = 0
     z: float64 = 0
 
 
-@message("geometry_msgs/msg/Quaternion")
-class Quaternion:
+@dataclass
+@final
+class Quaternion(IdlStruct, typename="geometry_msgs::msg::dds_::Quaternion_"):
     x: float64
     y: float64
     z: float64
     w: float64
 
 
-@message("geometry_msgs/msg/Pose")
-class Pose:
+@dataclass
+@final
+class Pose(IdlStruct, typename="geometry_msgs::msg::dds_::Pose_"):
     position: Vector3
     orientation: Quaternion
 
 
-@message("geometry_msgs/msg/PoseStamped")
-class PoseStamped:
+@dataclass
+@final
+class PoseStamped(IdlStruct, typename="geometry_msgs::msg::dds_::PoseStamped_"):
     header: Header
     pose: Pose
 
 
-@message("geometry_msgs/msg/Twist")
-class Twist:
+@dataclass
+@final
+class Twist(IdlStruct, typename="geometry_msgs::msg::dds_::Twist_"):
     linear: Vector3
     angular: Vector3
 
 
-@message("nav_msgs/msg/Path")
-class Path:
+@dataclass
+@final
+class Path(IdlStruct, typename="nav_msgs::msg::dds_::Path_"):
     header: Header
     poses: sequence[PoseStamped]
 
 
-@message("slackwater_msgs/msg/HostRequest")
-class HostRequest:
+@dataclass
+@final
+class HostRequest(IdlStruct, typename="slackwater_msgs::msg::dds_::HostRequest_"):
     token: uint64
     version: uint32
     role: uint8
     timeout_s: float64
 
 
-@message("slackwater_msgs/msg/HostAnswer")
-class HostAnswer:
+@dataclass
+@final
+class HostAnswer(IdlStruct, typename="slackwater_msgs::msg::dds_::HostAnswer_"):
     token: uint64
     success: bool
     message: str
@@ -99,8 +103,9 @@ class HostAnswer:
     step_s: float64
 
 
-@message("slackwater_msgs/msg/AgentObservation")
-class AgentObservation:
+@dataclass
+@final
+class AgentObservation(IdlStruct, typename="slackwater_msgs::msg::dds_::AgentObservation_"):
     header: Header
     step: uint64
     pose: Pose
@@ -111,8 +116,9 @@ class AgentObservation:
     doing: str
 
 
-@message("slackwater_msgs/msg/AgentCommand")
-class AgentCommand:
+@dataclass
+@final
+class AgentCommand(IdlStruct, typename="slackwater_msgs::msg::dds_::AgentCommand_"):
     step: uint64
     kind: uint8
     velocity: Twist

@@ -16,6 +16,21 @@ twin::Spatial<double> spatial_of(const geometry_msgs::msg::Twist& twist) {
   return nu;
 }
 
+/// slackwater_msgs/msg/AgentCommand, its path read place by place.
+struct CommandAsked {
+  AgentAsked asked;
+  void deserialize(eprosima::fastcdr::Cdr& cdr) {
+    geometry_msgs::msg::Twist velocity;
+    cdr >> asked.step >> asked.kind;
+    velocity.deserialize(cdr);
+    asked.velocity = spatial_of(velocity);
+    cdr >> asked.thrusters;
+    PathAsked path;
+    path.deserialize(cdr);
+    asked.places_m = std::move(path.places_m);
+  }
+};
+
 }  // namespace
 
 HostAsked read_host_request(Payload request) {
@@ -48,11 +63,7 @@ Bytes agent_observation(const twin::Agent& agent, const twin::AgentState& state,
   return encoded(message);
 }
 
-AgentAsked read_agent_command(Payload message) {
-  const auto asked = decoded<slackwater_msgs::msg::AgentCommand>(message);
-  return {asked.step(), asked.kind(), spatial_of(asked.velocity()), asked.thrusters(),
-          places_of(asked.path())};
-}
+AgentAsked read_agent_command(Payload message) { return decoded<CommandAsked>(message).asked; }
 
 Bytes physics_input(const twin::HostedStep& step, const std::string& name, const Stamp& stamp) {
   const twin::BodyState<double>& body = step.state.vehicle.body;

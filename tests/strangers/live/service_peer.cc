@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "rosgraph_msgsPubSubTypes.h"
+#include "action_msgsPubSubTypes.h"
+#include "geometry_msgsPubSubTypes.h"
+#include "nav_msgsPubSubTypes.h"
 #include "slackwater_msgsPubSubTypes.h"
 #include "std_srvsPubSubTypes.h"
 #include "tests/strangers/live/service_client.h"
