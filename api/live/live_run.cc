@@ -45,7 +45,7 @@ struct LiveRun::Parts {
       : run(hand.run),
         place(place_of(hand, hand.run.step_s())),
         names(ros_names(hand.run.agents())),
-        steward(hand.run),
+        steward(hand.steward),
         desk(stream, steward, place) {
     for (const auto& outlet : settings.outlets) stream.add(outlet);
     if (settings.domain) {
@@ -95,7 +95,7 @@ struct LiveRun::Parts {
   RunPlace place;
   std::vector<std::string> names;
   std::atomic<std::uint64_t> made{0};
-  twin::Steward steward;
+  twin::Steward& steward;
   Stream stream;
   Desk desk;
   std::unique_ptr<SiteVoice> site;

@@ -42,7 +42,8 @@ json head_of(const StandingRun& run, const CheckpointOrigin& origin) {
           {"watch", watch_json(run.watch)},
           {"states", states},
           {"commands_taken", commands_json(run.checkpoint.taken)},
-          {"commands_waiting", commands_json(run.checkpoint.waiting)}};
+          {"commands_waiting", commands_json(run.checkpoint.waiting)},
+          {"refusals", refusals_json(run.refusals)}};
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
@@ -96,6 +97,7 @@ StandingRun run_of(const json& head, std::string_view rows) {
   run.checkpoint.taken = commands_of(head.at("commands_taken"));
   run.checkpoint.waiting = commands_of(head.at("commands_waiting"));
   run.watch = watch_of(head.at("watch"));
+  run.refusals = refusals_of(head.at("refusals"));
   Rows numbers{rows};
   run.log.t_s = numbers.take(head.at("times").get<std::size_t>());
   for (const json& size : head.at("rows"))

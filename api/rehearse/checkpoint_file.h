@@ -1,7 +1,9 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "twin/helm/steward.h"
 #include "twin/simulate/run.h"
 #include "twin/simulate/run_log.h"
 #include "twin/simulate/sensor_log.h"
@@ -33,6 +35,7 @@ struct StandingRun {
   std::vector<std::vector<double>> sensor_rows;
   double last_sensor_row_s = -1;
   twin::TrafficWatch::State watch;
+  std::vector<twin::RefusalCount> refusals;  ///< of commands from outside
 };
 
 /// Whole or not at all: written beside the file, synced and moved into its place.

@@ -5,6 +5,7 @@
 #include "api/program/version.h"
 #include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/closest.h"
+#include "api/rehearse/command_tables.h"
 #include "api/rehearse/mission_events.h"
 #include "api/rehearse/traffic_tables.h"
 #include "fields/base/sha256.h"
@@ -14,6 +15,7 @@ namespace slackwater::api {
 namespace {
 
 using ingest::TrajectoryFile;
+using ingest::TrajectoryTable;
 
 /// Positions in degrees on the plane that the run was sampled on.
 void add_places(const GeoPoint& origin, const twin::RunLog& log, std::size_t vehicles,
@@ -92,6 +94,8 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
       {"scenario", scenario.yaml}};
   if (!water.traffic_files.empty())
     file.attributes.emplace_back("traffic_files_sha256", water.traffic_files);
+  if (result.stopped_at_step)
+    file.attributes.emplace_back("stopped_at_step", std::to_string(*result.stopped_at_step));
   std::string deviations;
   for (const TrackFollowing& followed : result.followed)
     deviations += (deviations.empty() ? "" : "\n") + text_of(followed);
@@ -102,6 +106,8 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   file.tables.push_back(approach_table(result.vehicles));
   file.tables.push_back(clearance_table(result.vehicles));
   file.tables.push_back(cleaning_table(result.vehicles));
+  for (TrajectoryTable& table : command_tables(result.commands, result.refusals, scenario.step_s))
+    file.tables.push_back(std::move(table));
   return file;
 }
 

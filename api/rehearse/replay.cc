@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <bit>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <iterator>
 
 #include "api/program/version.h"
+#include "api/rehearse/command_tables.h"
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/log_file.h"
 #include "fields/base/error.h"
@@ -98,6 +100,21 @@ std::string difference_of(const TrajectoryFile& was, const TrajectoryFile& is) {
   return "the files differ in bytes that are no numbers of the run";
 }
 
+/// What was done to the run from outside.
+RunRecord record_in(const TrajectoryFile& log) {
+  RunRecord record{commands_in(log), refusals_in(log), {}};
+  const std::string stopped = log.attribute("stopped_at_step");
+  if (stopped.empty()) return record;
+  std::uint64_t step = 0;
+  const auto [end, problem] =
+      std::from_chars(stopped.data(), stopped.data() + stopped.size(), step);
+  if (problem != std::errc() || end != stopped.data() + stopped.size())
+    throw Error(ErrorKind::invalid_input,
+                "found '" + stopped + "' for the step at which it was stopped, expected a number");
+  record.stopped_at_step = step;
+  return record;
+}
+
 }  // namespace
 
 ReplayResult replay(const std::filesystem::path& log, const std::filesystem::path& store_folder,
@@ -129,7 +146,9 @@ ReplayResult replay(const std::filesystem::path& log, const std::filesystem::pat
                     vehicles + ", the log has " + was.attribute("vehicle_files_sha256") +
                     "); replay it with the version it is of, " + was.attribute("source"));
   }
-  const ScenarioResult again = run_scenario(scenario, water, choice, on_progress);
+  RunChoice recorded = choice;
+  recorded.record = with_context(log.string(), [&] { return record_in(was); });
+  const ScenarioResult again = run_scenario(scenario, water, recorded, on_progress);
   const Scratch scratch;
   ingest::write_trajectories(again.file, scratch.path());
   ReplayResult result;

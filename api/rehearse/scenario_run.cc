@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 #include "api/program/version.h"
 #include "api/rehearse/checkpoint_file.h"
@@ -43,7 +44,7 @@ VehicleSummary summary_of(const Agent& agent, const AgentState& state, const Run
   s.energy_wh = state.vehicle.drawn_j / 3600;
   s.fuel_kg = state.vehicle.fuel_kg;
   s.state_of_charge = state.vehicle.battery.charge;
-  s.waypoints = state.mission.waypoints_taken;
+  s.waypoints = state.mission.waypoints_taken + state.helm.way.waypoints_taken;
   s.tasks_done = state.mission.task;
   s.tasks = agent.mission.tasks.size();
   s.halt = name_of(state.halt);
@@ -82,20 +83,22 @@ struct WatchedRun {
   twin::TrafficWatch& watch;
   ScenarioResult& so_far;
   const twin::Scenario& scenario;
+  std::unique_ptr<twin::Steward> steward{};  ///< where somebody takes part
 };
 
 void save(const WatchedRun& watched, const CheckpointOrigin& origin,
           const std::filesystem::path& file) {
   const twin::SensorLog& sensed = watched.so_far.sensed;
+  const auto& steward = watched.steward;
   write_checkpoint({watched.run.checkpoint(), watched.so_far.log, sensed.rows, sensed.last_s,
-                    watched.watch.state()},
+                    watched.watch.state(), steward ? steward->refusals() : watched.so_far.refusals},
                    origin, file);
 }
 
 /// Puts a run where a checkpoint stands, with what was logged until then.
 void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
              const WatchedRun& watched) {
-  auto& [run, watch, result, scenario] = watched;
+  auto& [run, watch, result, scenario, steward] = watched;
   const std::size_t vehicles = run.agents().size();
   StandingRun standing = read_checkpoint(file, origin);
   if (standing.checkpoint.states.size() != vehicles || standing.log.rows.size() != vehicles ||
@@ -114,7 +117,35 @@ void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
   result.sensed.rows = std::move(standing.sensor_rows);
   result.sensed.times = standing.log.t_s.size();
   result.sensed.last_s = standing.last_sensor_row_s;
+  result.refusals = std::move(standing.refusals);
 }
+
+/// What is done from outside: the record of a run, or who takes part in this one.
+void let_in(const RunChoice& choice, const ScenarioWater& water, const twin::ReadyRun& ready,
+            twin::RunControl& control, WatchedRun& watched) {
+  twin::Run& run = watched.run;
+  if (!choice.record.refusals.empty()) watched.so_far.refusals = choice.record.refusals;
+  for (const twin::Command& command : choice.record.commands) {
+    const std::string_view problem = twin::unsoundness_of(command, run.agents()[command.agent]);
+    if (!problem.empty())
+      throw Error(ErrorKind::invalid_input,
+                  "a command of the record cannot be: " + std::string(problem));
+    run.enqueue(command);
+  }
+  if (!choice.on_ready) return;
+  watched.steward = std::make_unique<twin::Steward>(run);
+  watched.steward->restore(watched.so_far.refusals);
+  choice.on_ready({run, control, *watched.steward, watched.scenario, water, ready.start,
+                   ready.origin, ready.environment, watched.so_far.vessels});
+}
+
+/// Tells whoever took part that it is over.
+struct Farewell {
+  const std::function<void()>& on_over;
+  ~Farewell() {
+    if (on_over) on_over();
+  }
+};
 
 /// The step at whose end the checkpoint is due; 0: none is.
 /// @throws Error(usage) for a time that the run does not reach
@@ -158,8 +189,10 @@ ScenarioResult begun(const ScenarioWater& water, const twin::ReadyRun& ready) {
 
 /// What is known after the last one.
 void conclude(const WatchedRun& watched) {
-  auto& [run, watch, result, scenario] = watched;
+  auto& [run, watch, result, scenario, steward] = watched;
   result.duration_s = run.time_s();
+  result.commands.assign(run.commands_taken().begin(), run.commands_taken().end());
+  if (steward) result.refusals = steward->refusals();
   const auto states = run.states();
   for (std::size_t i = 0; i < states.size(); ++i) {
     result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i, result.start));
@@ -187,7 +220,7 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   result.log.reserve(run.agents().size(), steps / every + 2);
   result.sensed = twin::SensorLog(run.agents(), scenario.logs_sensors, scenario.seed);
 
-  const WatchedRun watched{run, watch, result, scenario};
+  WatchedRun watched{run, watch, result, scenario};
   const CheckpointOrigin origin = checkpoint_origin(scenario, water, ready.vessels);
   const Recorder recorder{run, result.log, result.sensed};
   if (choice.restore.empty())
@@ -196,7 +229,8 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
     take_up(choice.restore, origin, watched);
 
   // At each barrier, in this order.
-  twin::RunControl control(choice.real_time_factor);
+  twin::RunControl own_control(choice.real_time_factor);
+  twin::RunControl& control = choice.control != nullptr ? *choice.control : own_control;
   const StopWatcher stop{choice.is_stop_asked, control};
   const auto leave_checkpoint = [&] { save(watched, origin, choice.checkpoint); };
   const std::uint64_t due = due_step(scenario, choice, run);
@@ -206,9 +240,12 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   run.at_barrier(EachNth{every, ProgressReporter{on_progress, steps}});
   run.at_barrier(EachNth{every, HaltWatcher{run, control}});
   run.at_barrier(Checkpointer{due, control, leave_checkpoint});
-  if (choice.on_ready)
-    choice.on_ready({run, control, result.start, ready.origin, ready.environment, result.vessels});
-  run.run_until(scenario.duration_s, control);
+  {
+    const Farewell farewell{choice.on_over};
+    let_in(choice, water, ready, control, watched);
+    const std::uint64_t until = choice.record.stopped_at_step.value_or(steps);
+    run.run_until(static_cast<double>(std::min(until, steps)) * scenario.step_s, control);
+  }
 
   if (stop.is_asked()) {
     leave_checkpoint();
@@ -216,6 +253,7 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
                                             " s of the run; go on with --restore " +
                                             choice.checkpoint.string());
   }
+  if (run.steps_made() < steps && !run.all_halted()) result.stopped_at_step = run.steps_made();
   conclude(watched);
   result.file = log_file_of(scenario, water, ready.origin, result, run.agents());
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

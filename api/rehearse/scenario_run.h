@@ -2,6 +2,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,8 +12,9 @@
 #include "api/rehearse/fate.h"
 #include "api/rehearse/track_following.h"
 #include "ingest/cf/trajectory_file.h"
-#include "twin/simulate/run_log.h"
+#include "twin/helm/steward.h"
 #include "twin/simulate/run_control.h"
+#include "twin/simulate/run_log.h"
 #include "twin/simulate/scenario.h"
 #include "twin/simulate/sensor_log.h"
 #include "twin/simulate/set_up.h"
@@ -93,17 +95,31 @@ struct ScenarioResult {
   std::vector<twin::AlarmRecord> alarms;
   std::vector<TrackFollowing> followed;
   std::vector<std::string> warnings;
-  ingest::TrajectoryFile file;  ///< the log as it is written
+  std::vector<twin::Command> commands;           ///< that were taken from outside
+  std::vector<twin::RefusalCount> refusals;      ///< of those that were not
+  std::optional<std::uint64_t> stopped_at_step;  ///< ended from outside, before its time
+  ingest::TrajectoryFile file;                   ///< the log as it is written
 };
 
-/// A run that is ready, before its first step, for whoever joins it: publishes, commands, hosts.
+/// A run that is about to begin, in the hands of who takes part in it: `slackwater live`. All of it
+/// is there until `RunChoice::on_over` returns.
 struct RunInHand {
-  twin::Run& run;
+  twin::Run& run;  ///< looked on with `at_barrier` and driven with `at_opening`
   twin::RunControl& control;
+  twin::Steward& steward;  ///< the way in for commands
+  const twin::Scenario& scenario;
+  const ScenarioWater& water;
   UtcTime start;
   GeoPoint origin;
   std::shared_ptr<const twin::Environment> environment;
-  std::span<const twin::TrafficVessel> vessels;
+  std::span<const twin::TrafficVessel> vessels;  ///< the traffic
+};
+
+/// What was done to a run from outside, so that it is made again.
+struct RunRecord {
+  std::vector<twin::Command> commands;
+  std::vector<twin::RefusalCount> refusals;
+  std::optional<std::uint64_t> stopped_at_step;
 };
 
 struct RunChoice {
@@ -114,12 +130,17 @@ struct RunChoice {
   std::optional<double> checkpoint_at_s{};  ///< since the start of the run
   std::filesystem::path restore{};          ///< a checkpoint to go on from
   const std::atomic<bool>* is_stop_asked = nullptr;  ///< looked at once a step
-  /// Joins the run; what it attaches must live until the run is over.
+  twin::RunControl* control = nullptr;               ///< null: of its own, at `real_time_factor`
+  /// Called once before the first step, after all that looks on has joined the run; what joins in
+  /// it comes last at each barrier.
   std::function<void(const RunInHand&)> on_ready{};
+  std::function<void()> on_over{};  ///< after the last step, also where it failed
+  RunRecord record{};               ///< of a run that is made again
 };
 
-/// Runs a scenario to its end. Nothing of the choice changes what comes out: a run that goes on
-/// from a checkpoint leaves the log of one that was never interrupted.
+/// Runs a scenario to its end, or until its control is told to stop. Nothing of the choice changes
+/// what comes out but commands, and an end before its time: a run that goes on from a checkpoint
+/// leaves the log of one that was never interrupted.
 /// @throws Error(unavailable) where it was asked to stop, which names the checkpoint that it left
 [[nodiscard]] ScenarioResult run_scenario(const twin::Scenario& scenario,
                                           const ScenarioWater& water, const RunChoice& choice,

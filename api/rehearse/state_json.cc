@@ -132,6 +132,31 @@ std::vector<twin::Command> commands_of(const json& from) {
   return commands;
 }
 
+json refusals_json(std::span<const twin::RefusalCount> refusals) {
+  json list = json::array();
+  for (const twin::RefusalCount& refusal : refusals)
+    list.push_back({{"source", refusal.source},
+                    {"vehicle", refusal.vehicle},
+                    {"reason", twin::name_of(refusal.reason)},
+                    {"count", refusal.count},
+                    {"last_s", written(refusal.last_s)},
+                    {"last_text", refusal.last_text}});
+  return list;
+}
+
+std::vector<twin::RefusalCount> refusals_of(const json& from) {
+  std::vector<twin::RefusalCount> refusals;
+  for (const json& entry : from) {
+    const auto reason = twin::refusal_reason_of(entry.at("reason").get<std::string>());
+    if (!reason) refuse("found a refusal for a reason that this version does not know");
+    refusals.push_back(
+        {entry.at("source").get<std::string>(), entry.at("vehicle").get<std::string>(), *reason,
+         entry.at("count").get<std::uint64_t>(), 0, entry.at("last_text").get<std::string>()});
+    read(entry.at("last_s"), refusals.back().last_s);
+  }
+  return refusals;
+}
+
 json watch_json(const twin::TrafficWatch::State& state) { return written(state); }
 
 twin::TrafficWatch::State watch_of(const json& from) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "twin/helm/steward.h"
 #include "twin/simulate/command.h"
 #include "twin/simulate/traffic_watch.h"
 
@@ -23,6 +24,11 @@ namespace slackwater::api {
 [[nodiscard]] nlohmann::json commands_json(std::span<const twin::Command> commands);
 /// @throws as `state_of`
 [[nodiscard]] std::vector<twin::Command> commands_of(const nlohmann::json& json);
+
+/// How often which commands were refused, likewise.
+[[nodiscard]] nlohmann::json refusals_json(std::span<const twin::RefusalCount> refusals);
+/// @throws as `state_of`
+[[nodiscard]] std::vector<twin::RefusalCount> refusals_of(const nlohmann::json& json);
 
 /// What the watch for traffic has seen so far, likewise.
 [[nodiscard]] nlohmann::json watch_json(const twin::TrafficWatch::State& state);

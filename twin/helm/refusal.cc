@@ -73,6 +73,11 @@ Answer look_at_age(const Command& command, const Agent& agent,
               formatted("found sequence {}, expected one above {}, which {} had last from this "
                         "source; count on",
                         command.sequence, *last_sequence, agent.name));
+  constexpr std::uint64_t most_sequence = 9007199254740992;  // 2^53: what a log holds exactly
+  if (command.sequence > most_sequence)
+    return no(RefusalReason::out_of_range,
+              formatted("found sequence {}, expected at most {}; count from 1", command.sequence,
+                        most_sequence));
   const bool is_renewed = std::holds_alternative<SetVelocity>(command.what) ||
                           std::holds_alternative<SetThrusters>(command.what);
   if (!is_renewed || std::abs(now_s - command.received_s) <= limits.oldest_s) return std::nullopt;
@@ -255,6 +260,12 @@ const char* name_of(RefusalReason reason) noexcept {
       return "vehicle_not_free";
   }
   return "unknown";
+}
+
+std::optional<RefusalReason> refusal_reason_of(std::string_view name) noexcept {
+  for (int i = 0; i <= static_cast<int>(RefusalReason::vehicle_not_free); ++i)
+    if (const auto reason = static_cast<RefusalReason>(i); name == name_of(reason)) return reason;
+  return std::nullopt;
 }
 
 std::optional<Refusal> refusal_of(const Command& command, const Agent& agent,

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "twin/simulate/command.h"
 
@@ -18,9 +19,11 @@ enum class RefusalReason : std::uint8_t {
   too_many,          ///< waypoints
   no_place,          ///< a waypoint outside the forecast, on land, below the bed, in a structure
   vehicle_halted,    ///< it goes no further
-  vehicle_not_free,  ///< aboard its carrier, or it needs its energy for the way home
+  vehicle_not_free,  ///< aboard its carrier, or it needs its energy for the way home; the last one
 };
 [[nodiscard]] const char* name_of(RefusalReason reason) noexcept;
+/// The reason of that name; nothing for other names.
+[[nodiscard]] std::optional<RefusalReason> refusal_reason_of(std::string_view name) noexcept;
 
 /// A command that is not taken, for people: what was found, what is allowed, what to do.
 struct Refusal {

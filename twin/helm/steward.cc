@@ -8,6 +8,14 @@
 namespace slackwater::twin {
 namespace {
 
+/// What goes into the record: letters that every file can hold, and not without end.
+std::string printable(std::string_view text, std::size_t longest = 200) {
+  std::string out(text.substr(0, longest));
+  std::replace_if(
+      out.begin(), out.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return out;
+}
+
 Keeping keeping_of(const CommandWhat& what) {
   if (std::holds_alternative<SetVelocity>(what) || std::holds_alternative<SetThrusters>(what))
     return Keeping::renewed;
@@ -46,7 +54,7 @@ Steward::Steward(Run& run, const RefusalLimits& limits)
 std::optional<Refusal> Steward::submit(std::string_view client, Command command, double now_s) {
   const std::size_t vehicle = command.agent;
   if (vehicle >= run_.agents().size()) return counted_unknown(client, vehicle, now_s);
-  if (command.source.empty()) command.source = client;
+  command.source = printable(command.source.empty() ? client : command.source);
   const Agent& agent = run_.agents()[vehicle];
   Standing standing;
   std::optional<std::uint64_t> last;
@@ -99,7 +107,8 @@ std::optional<Refusal> Steward::allow_take_over(std::string_view client, std::si
 
 void Steward::lost(std::string_view client, double now_s) {
   const std::lock_guard lock(mutex_);
-  for (const std::size_t vehicle : authority_.lost(client, now_s)) enqueue_hold(client, vehicle, now_s);
+  for (const std::size_t vehicle : authority_.lost(client, now_s))
+    enqueue_hold(client, vehicle, now_s);
   std::erase_if(last_sequence_, [&](const auto& entry) { return entry.first.first == client; });
 }
 
@@ -179,6 +188,9 @@ Refusal Steward::count(std::string_view client, std::string vehicle, Refusal ref
       return c.source == source && c.vehicle == name && c.reason == refusal.reason;
     });
   };
+  const std::string from = printable(client);
+  client = from;
+  vehicle = printable(vehicle);
   auto found = of(client, vehicle);
   if (found == counts_.end() && counts_.size() >= most_counts) {
     client = "others";
@@ -190,7 +202,7 @@ Refusal Steward::count(std::string_view client, std::string vehicle, Refusal ref
                            {std::string(client), std::move(vehicle), refusal.reason, 0, 0, {}});
   ++found->count;
   found->last_s = now_s;
-  found->last_text = refusal.text;
+  found->last_text = printable(refusal.text, 1000);
   return refusal;
 }
 
@@ -215,7 +227,7 @@ void Steward::enqueue_hold(std::string_view client, std::size_t vehicle, double 
   Command hold;
   hold.agent = vehicle;
   hold.what = HoldHere{true};
-  hold.source = client;
+  hold.source = printable(client);
   hold.sequence = last_sequence(client, vehicle).value_or(0);
   hold.received_s = now_s;
   run_.enqueue(std::move(hold));

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "fields/base/check.h"
 #include "twin/simulate/helm.h"
 
 namespace slackwater::twin {
@@ -69,19 +68,20 @@ bool leads_elsewhere(const CommandWhat& what) noexcept {
          std::holds_alternative<SetThrusters>(what) || std::holds_alternative<HoldHere>(what);
 }
 
-void expect_sound(const Command& command, const Agent& agent) {
+std::string_view unsoundness_of(const Command& command, const Agent& agent) noexcept {
   if (const auto* reroute = std::get_if<Reroute>(&command.what)) {
     for (const auto& [to, speed_m_s, over_ground] : reroute->waypoints)
-      expects(std::isfinite(to.x + to.y + to.z + speed_m_s + over_ground),
-              "waypoints of a command are finite");
+      if (!std::isfinite(to.x + to.y + to.z + speed_m_s + over_ground))
+        return "waypoints of a command are finite";
   } else if (const auto* set = std::get_if<SetVelocity>(&command.what)) {
     const auto& [surge, sway, heave, yaw_rate] = set->velocity;
-    expects(std::isfinite(surge + sway + heave + yaw_rate), "a velocity asked for is finite");
+    if (!std::isfinite(surge + sway + heave + yaw_rate)) return "a velocity asked for is finite";
   } else if (const auto* by_hand = std::get_if<SetThrusters>(&command.what)) {
-    expects(by_hand->share.size() == agent.vehicle->mounts, "a share for each thruster");
+    if (by_hand->share.size() != agent.vehicle->mounts) return "thrusters have a share each";
     for (const double share : by_hand->share)
-      expects(std::abs(share) <= 1, "thrusters are within -1 and 1");
+      if (!(std::abs(share) <= 1)) return "thrusters are within -1 and 1";
   }
+  return {};
 }
 
 void apply(const Command& command, double t_s, const Agent& agent, AgentState& state) {

@@ -87,9 +87,9 @@ struct Command {
 /// home.
 [[nodiscard]] bool leads_elsewhere(const CommandWhat& what) noexcept;
 
-/// @throws ContractViolation for waypoints, velocities or thrusters that are not finite, thrusters
-///         beyond 1 or of another number than the vehicle's
-void expect_sound(const Command& command, const Agent& agent);
+/// What of its numbers no vehicle can follow: waypoints, velocities or thrusters that are not
+/// finite, thrusters beyond 1 or of another number than the vehicle's. Empty: nothing.
+[[nodiscard]] std::string_view unsoundness_of(const Command& command, const Agent& agent) noexcept;
 
 /// A vehicle that has halted, or stands on a deck, stays as it is; one whose energy is needed for
 /// its way home is not led elsewhere.

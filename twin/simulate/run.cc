@@ -223,7 +223,8 @@ std::span<const AgentState> Run::states() {
 
 void Run::enqueue(Command command) {
   expects(command.agent < agents_.size(), "a command is for a vehicle of the run");
-  expect_sound(command, agents_[command.agent]);
+  expects(unsoundness_of(command, agents_[command.agent]).empty(),
+          "the numbers of a command are those that a vehicle can follow");
   commands_.put(std::move(command));
 }
 

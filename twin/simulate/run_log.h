@@ -34,8 +34,11 @@ struct RunLog {
 
 /// The format of a log: its columns and what they mean. 2: what is not there is missing where 1
 /// had zeros; `speed_through_water`, `electrical_energy`, depth error in a hold, two more halts. 3:
-/// the tables `approach` and `clearance` beside them. 4: `tether_top`.
-inline constexpr int log_format = 4;
+/// the tables `approach` and `clearance` beside them. 4: `tether_top`. 5: what was done to the
+/// vehicles from outside, in the tables `client`, `command`, `content` and `refusal`, and the
+/// attribute `stopped_at_step` of a run that was ended from outside; none of them where nobody did
+/// anything.
+inline constexpr int log_format = 5;
 
 /// The row of a vehicle at a time of the run. Water, surface and wind are those at the vehicle
 /// then, of the field and the waves that move it; no number for what it does not meet or nobody

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fields/base/error.h"
+#include "twin/simulate/command_numbers.h"
 #include "twin/simulate/state_members.h"
 
 namespace slackwater::tests {
@@ -96,18 +97,54 @@ TEST(StateJson, EveryMemberIsVisitedAndComesBack) {
 TEST(StateJson, CommandsComeBackInTheirOrder) {
   twin::VehicleState<double> elsewhere;
   elsewhere.body.position_m = {0.1, -0.0, 1e-300};
-  const std::vector<twin::Command> commands{{7, 1, twin::Reroute{{{{1, 2, 3}, 0.1}, {}}}},
-                                            {7, 0, twin::PutVehicle{elsewhere}},
-                                            {9, 1, twin::Reroute{}}};
+  const std::vector<twin::Command> commands{
+      {7, 1, twin::Reroute{{{{1, 2, 3}, 0.1}, {}}, true}, "dds 01.0f.ab", 3, 0.1},
+      {7, 0, twin::PutVehicle{elsewhere}},
+      {9, 1, twin::Reroute{}},
+      {9, 1, twin::SetVelocity{{0.1, 0.2, 0.3, 0.4}}, "http \"a\"", 1ULL << 52, 8.9},
+      {9, 1, twin::SetThrusters{{0.1, -0.3}}},
+      {9, 1, twin::HoldHere{true}},
+      {9, 1, twin::GoHome{}},
+      {9, 1, twin::Resume{}},
+      {9, 1, twin::HostPhysics{true}}};
   const json written = commands_json(commands);
   const std::vector<twin::Command> back = commands_of(json::parse(written.dump()));
   EXPECT_EQ(commands_json(back), written);
-  ASSERT_EQ(back.size(), 3U);
+  ASSERT_EQ(back.size(), commands.size());
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    EXPECT_EQ(back[i].source, commands[i].source);
+    EXPECT_EQ(back[i].sequence, commands[i].sequence);
+    EXPECT_EQ(back[i].received_s, commands[i].received_s);
+    EXPECT_EQ(twin::numbers_of(back[i].what), twin::numbers_of(commands[i].what));
+    EXPECT_EQ(back[i].what.index(), commands[i].what.index());
+  }
+  EXPECT_TRUE(std::get<twin::Reroute>(back[0].what).loop);
   EXPECT_EQ(back[0].step, 7U);
   EXPECT_EQ(std::get<twin::Reroute>(back[0].what).waypoints[0].speed_m_s, 0.1);
   const auto& put = std::get<twin::PutVehicle>(back[1].what).vehicle;
   EXPECT_EQ(std::memcmp(&put, &elsewhere, sizeof put), 0);
   EXPECT_TRUE(std::get<twin::Reroute>(back[2].what).waypoints.empty());
+}
+
+TEST(StateJson, RefusalsComeBack) {
+  const std::vector<twin::RefusalCount> refusals{
+      {"dds 1", "rov", twin::RefusalReason::no_place, 7, 0.1, "waypoint 3: ..."}};
+  EXPECT_EQ(refusals_of(json::parse(refusals_json(refusals).dump())), refusals);
+  json bad = refusals_json(refusals);
+  bad[0]["reason"] = "spite";
+  EXPECT_THROW((void)refusals_of(bad), Error);
+}
+
+TEST(StateJson, WhatIsNoCommandIsRefused) {
+  const json good = commands_json(std::vector<twin::Command>{{1, 0, twin::HoldHere{}}});
+  json bad = good;
+  bad[0]["kind"] = "sing";
+  EXPECT_THROW((void)commands_of(bad), Error);
+  bad = good;
+  bad[0]["numbers"].push_back(exact_text(1));
+  EXPECT_THROW((void)commands_of(bad), Error);
+  bad[0]["numbers"] = json::array();
+  EXPECT_THROW((void)commands_of(bad), Error);
 }
 
 TEST(StateJson, WhatIsNoStateIsRefused) {

@@ -174,6 +174,19 @@ TEST(Steward, AVehicleThatHaltsIsNobodys) {
   EXPECT_EQ(answer->reason, RefusalReason::vehicle_halted);
 }
 
+TEST(Steward, RecordsNothingThatAFileCannotHold) {
+  Served served;
+  const std::string odd("b\0b\xff\n", 5);
+  (void)served.steward.refuse_unknown(odd, odd + std::string(5000, 'x'), 0);
+  const twin::RefusalCount count = served.steward.refusals().at(0);
+  EXPECT_EQ(count.source, "b?b??");
+  EXPECT_EQ(count.vehicle.size(), 200U);
+  EXPECT_LE(count.last_text.size(), 1000U);
+  ASSERT_FALSE(served.say(odd, ahead));
+  served.run->step();
+  EXPECT_EQ(served.run->commands_taken()[0].source, "b?b??");
+}
+
 TEST(Steward, CountsOfEndlesslyManySourcesDoNotGrowWithoutEnd) {
   Served served;
   ASSERT_FALSE(served.steward.ask("ann", 0, 0));
