@@ -15,7 +15,7 @@ namespace slackwater::bag {
 namespace {
 
 constexpr std::size_t batch_bytes = std::size_t{4} << 20U;
-constexpr std::int64_t batch_ns = 1'000'000'000;
+constexpr std::chrono::seconds batch_time{1};
 
 }  // namespace
 
@@ -23,12 +23,13 @@ struct Writer::State {
   std::unique_ptr<RecordingFormat> format;
   std::vector<Channel> channels;  ///< of id - 1
   std::uint64_t messages = 0;
+  BeatClock clock;
   std::size_t bytes_at_hand = 0;
-  std::int64_t latest_ns = 0;        ///< of all messages
-  std::int64_t latest_at_batch = 0;  ///< as it was when the last batch ended
+  std::chrono::steady_clock::time_point begun{};  ///< the batch at hand
   std::optional<Error> failure;
 
-  explicit State(std::unique_ptr<RecordingFormat> a_format) : format(std::move(a_format)) {}
+  State(std::unique_ptr<RecordingFormat> a_format, BeatClock a_clock)
+      : format(std::move(a_format)), clock(std::move(a_clock)) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
@@ -54,7 +55,6 @@ struct Writer::State {
   void end_batch() {
     format->end_batch();
     bytes_at_hand = 0;
-    latest_at_batch = latest_ns;
   }
 
   void close() {
@@ -104,13 +104,12 @@ void Writer::write(ChannelId channel, std::int64_t log_time_ns, Payload payload)
   expects(payload.size() >= 4, "a payload begins with its encapsulation header");
   State& state = *state_;
   state.guarded([&] {
-    if (state.messages == 0) state.latest_at_batch = log_time_ns;
-    state.latest_ns = std::max(state.latest_ns, log_time_ns);
+    const auto now = state.clock();
+    if (state.bytes_at_hand == 0) state.begun = now;
     state.format->append(id, log_time_ns, payload);
     ++state.messages;
     state.bytes_at_hand += payload.size();
-    if (state.bytes_at_hand >= batch_bytes || state.latest_ns - state.latest_at_batch >= batch_ns)
-      state.end_batch();
+    if (state.bytes_at_hand >= batch_bytes || now - state.begun >= batch_time) state.end_batch();
   });
 }
 
@@ -122,14 +121,14 @@ void Writer::close() { state_->close(); }
 
 std::uint64_t Writer::messages() const noexcept { return state_->messages; }
 
-Writer open_recording(const std::filesystem::path& path) {
+Writer open_recording(const std::filesystem::path& path, BeatClock clock) {
   std::unique_ptr<RecordingFormat> format;
   if (path.extension() == ".mcap") {
     format = begin_mcap(path);
   } else {
     format = begin_rosbag(path);
   }
-  return Writer(std::make_unique<Writer::State>(std::move(format)));
+  return Writer(std::make_unique<Writer::State>(std::move(format), std::move(clock)));
 }
 
 }  // namespace slackwater::bag

@@ -1,6 +1,8 @@
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "data/bag/channel.h"
@@ -10,12 +12,15 @@ namespace slackwater::bag {
 /// A channel within the recording that gave it.
 enum class ChannelId : std::uint16_t {};
 
-/// A recording that is being written. One thread at a time.
+/// Tells when a second has passed; results do not depend on it.
+using BeatClock = std::function<std::chrono::steady_clock::time_point()>;
+
+/// A recording that is being written. One thread at a time: one of its own where nobody should wait
+/// for the disk, as putting a batch there may take some tens of milliseconds.
 ///
-/// Messages are gathered in batches. A batch goes to the disk once it holds 4 MiB, or once log time
-/// has moved on by a second since the batch before; and at `flush`, for callers that keep a beat of
-/// their own. From then on it outlives the death of this process; after `close` it outlives a power
-/// cut.
+/// Messages are gathered in batches. A batch goes to the disk once it holds 4 MiB, with the first
+/// message that comes a second after it began, and at `flush`. From then on it outlives the death
+/// of this process; after `close` it outlives a power cut.
 ///
 /// Where the disk is full or failing, the call that meets it throws Error(unavailable) with the
 /// path and the reason; the batch at hand is lost, what was written before stays readable, and
@@ -44,7 +49,7 @@ class Writer {
   [[nodiscard]] std::uint64_t messages() const noexcept;
 
  private:
-  friend Writer open_recording(const std::filesystem::path& path);
+  friend Writer open_recording(const std::filesystem::path& path, BeatClock clock);
   struct State;
   explicit Writer(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
@@ -55,6 +60,7 @@ class Writer {
 ///
 /// Throws Error(invalid_input) where something lies at that path already, Error(unavailable) where
 /// it cannot be made.
-[[nodiscard]] Writer open_recording(const std::filesystem::path& path);
+[[nodiscard]] Writer open_recording(const std::filesystem::path& path,
+                                    BeatClock clock = std::chrono::steady_clock::now);
 
 }  // namespace slackwater::bag

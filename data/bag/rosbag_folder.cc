@@ -134,7 +134,10 @@ bool begins_with(const Bytes& bytes, std::string_view text) {
 }  // namespace
 
 std::vector<fs::path> files_of_folder(const fs::path& folder) {
-  const bool has_metadata = fs::exists(folder / "metadata.yaml");
+  // A power cut while recording may leave it empty.
+  std::error_code none;
+  const auto metadata_bytes = fs::file_size(folder / "metadata.yaml", none);
+  const bool has_metadata = !none && metadata_bytes > 0;
   auto files = has_metadata ? files_in_metadata(folder) : files_by_name(folder);
   if (files.empty()) {
     refuse(folder, has_metadata ? "names no file in its metadata.yaml"

@@ -122,7 +122,7 @@ class RosbagFormat : public RecordingFormat {
   void finish() override {
     auto update = database_.prepare("UPDATE metadata SET metadata = ?1");
     update.bind(1, metadata_yaml(metadata_)).run();
-    write_metadata_file();
+    write_metadata_file(true);
     store::sync_file(database_.file());
     store::sync_folder(folder_);
   }
@@ -132,14 +132,15 @@ class RosbagFormat : public RecordingFormat {
     if (!batch_) batch_.emplace(database_, store::Transaction::Kind::write);
   }
 
-  /// Replaced as a whole: whoever opens the folder finds the one before or this one.
-  void write_metadata_file() const {
+  /// Replaced as a whole: whoever opens the folder finds the one before or this one. While
+  /// recording it is not waited for: the messages are in the database.
+  void write_metadata_file(bool is_last = false) const {
     const auto next = folder_ / ".metadata.yaml.next";
     std::filesystem::remove(next);
     const std::string text = metadata_file(metadata_);
     AppendFile file(next);
     file.append({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    file.sync();
+    if (is_last) file.sync();
     store::rename_file(next, folder_ / "metadata.yaml");
   }
 

@@ -109,8 +109,10 @@ std::string hex_of(bag::Payload bytes) {
 }
 
 void record(bag::Writer& writer, const std::vector<MadeUp>& messages) {
-  for (const MadeUp& message : messages) {
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    const MadeUp& message = messages[i];
     writer.write(writer.add_channel(message.channel), message.log_time_ns, message.payload);
+    if (i % 100 == 99) writer.flush();
   }
 }
 

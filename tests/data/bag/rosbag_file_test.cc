@@ -182,6 +182,8 @@ TEST(RosbagFolder, OfSeveralFilesIsOneRecording) {
   std::filesystem::remove(bag / "split_1.db3");
   const std::string said = error_of([&] { return open_bag(bag); });
   EXPECT_NE(said.find("names split_1.db3, which is not there"), std::string::npos) << said;
+  std::ofstream(bag / "metadata.yaml").flush();
+  EXPECT_EQ(all_in(bag).size(), 3U) << "an empty one is none";
 }
 
 TEST(RosbagFolder, OfMcapFilesIsRead) {
