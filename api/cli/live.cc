@@ -7,6 +7,7 @@
 
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
+#include "api/cli/recorded_run.h"
 #include "api/cli/run_print.h"
 #include "api/foxglove/broadcast.h"
 #include "api/http/router.h"
@@ -16,7 +17,6 @@
 #include "api/live/viewer_outlet.h"
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/run_page.h"
-#include "fields/base/log.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -61,10 +61,6 @@ class Stopper {
   std::jthread watch_;
 };
 
-void tell_trouble(const std::string& text) {
-  log_event(LogLevel::warning, "live", {{"problem", text}});
-}
-
 /// The names under which the vehicles are found, where a client must know them.
 void print_names(std::span<const twin::Agent> agents, const std::vector<std::string>& names,
                  const std::string& site, const LiveArguments& arguments) {
@@ -86,9 +82,7 @@ live::LiveSettings settings_of(const LiveArguments& arguments, const twin::Scena
   }
   if (arguments.when_host_fails == "halt") settings.when_host_fails = live::HostRule::halt;
   settings.on_trouble = tell_trouble;
-  const std::string& id = water.surround.field->snapshot().site_id;
-  const bool is_made_up = std::holds_alternative<twin::MadeUpWater>(scenario.water);
-  if (!is_made_up && !id.empty()) settings.site = id;
+  settings.site = site_of(scenario, water);
   return settings;
 }
 

@@ -7,6 +7,7 @@
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
 #include "api/cli/progress.h"
+#include "api/cli/recorded_run.h"
 #include "api/cli/run_print.h"
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/log_csv.h"
@@ -98,6 +99,7 @@ struct ReplayArguments {
   std::filesystem::path forecast;
   std::filesystem::path html;
   std::filesystem::path csv;
+  std::vector<std::filesystem::path> recordings;
   std::size_t threads = 1;
 };
 
@@ -114,9 +116,10 @@ void run_replay(const ReplayArguments& arguments, const Context& context) {
   ProgressBar progress("replay " + arguments.log.filename().string(), context.json);
   std::optional<std::filesystem::path> forecast;
   if (!arguments.forecast.empty()) forecast = arguments.forecast;
-  const ReplayResult result =
-      replay(arguments.log, context.store_folder, forecast, {arguments.threads, true, 0},
-             [&](double share) { progress.update(share); });
+  RunChoice choice{arguments.threads, true, 0};
+  const RecordedRun recorded(arguments.recordings, choice);
+  const ReplayResult result = replay(arguments.log, context.store_folder, forecast, choice,
+                                     [&](double share) { progress.update(share); });
   if (context.json) {
     const json out = {{"log", arguments.log.string()},
                       {"identical", result.is_identical},
@@ -170,6 +173,8 @@ void add_replay(CLI::App& app, Context& context) {
   command->add_option("--forecast", arguments->forecast,
                       "file of the forecast it ran in (default: found in the store)");
   command->add_option("--html", arguments->html, "page of plots of the log as FILE.html");
+  command->add_option("--record", arguments->recordings,
+                      "bag of what the run tells: FILE.mcap, or a folder for rosbag2; repeatable");
   command->add_option("--csv", arguments->csv,
                       "the log as FILE.csv, a row a vehicle and time; its lists as FILE-NAME.csv");
   command->add_option("--threads", arguments->threads, "1 to 64 (default 1)")
