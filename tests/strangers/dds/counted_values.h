@@ -33,6 +33,7 @@ class CountedValues {
     v = static_cast<float>(wide);
   }
   void put(std::uint32_t& v) { v = n_++ * 0x01020304U; }
+  void put(std::uint64_t& v) { v = n_++ * 0x0102030405060708ULL; }
   void put(std::int32_t& v) { v = static_cast<std::int32_t>(n_++ * 0x01020304U); }
   void put(std::uint16_t& v) { v = static_cast<std::uint16_t>(n_++ * 257); }
   void put(std::int8_t& v) { v = static_cast<std::int8_t>(n_++); }

@@ -16,6 +16,7 @@ static void real32(unsigned* n, float* v) {
   *v = (float)wide;
 }
 static void uint32(unsigned* n, uint32_t* v) { *v = (*n)++ * 0x01020304U; }
+static void uint64(unsigned* n, uint64_t* v) { *v = (*n)++ * 0x0102030405060708ULL; }
 static void int32(unsigned* n, int32_t* v) { *v = (int32_t)((*n)++ * 0x01020304U); }
 static void uint16(unsigned* n, uint16_t* v) { *v = (uint16_t)((*n)++ * 257); }
 static void int8(unsigned* n, int8_t* v) { *v = (int8_t)(*n)++; }

@@ -12,6 +12,7 @@ SIMPLE = {
     "long": ("int32", "int32_t"),
     "unsigned long": ("uint32", "uint32_t"),
     "unsigned short": ("uint16", "uint16_t"),
+    "unsigned long long": ("uint64", "uint64_t"),
     "int8": ("int8", "int8_t"),
     "octet": ("octet", "uint8_t"),
     "boolean": ("boolean", "bool"),
