@@ -13,8 +13,8 @@ namespace slackwater::live {
 
 /// Where all doors hand in what clients ask of vehicles. It counts for them, lets the steward
 /// decide, and sees to it that what was heard and what was refused is told and recorded:
-/// `/NAME/cmd_vel`, `/NAME/thrusters` and `/NAME/waypoints` as they were taken, and `/NAME/refused`,
-/// std_msgs/msg/String with {"client", "reason", "text"}.
+/// `/NAME/cmd_vel`, `/NAME/thrusters` and `/NAME/waypoints` as they were taken, and
+/// `/NAME/refused`, std_msgs/msg/String with {"client", "reason", "text"}.
 ///
 /// `speak` and `open` are for the thread of the run, all else for any thread.
 class Desk {

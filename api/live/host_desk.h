@@ -24,10 +24,10 @@ enum class HostRule {
 /// vehicle, or makes its physics, from now on. Each step then waits for its answer, for no longer
 /// than it asked for:
 ///
-/// | role    | told on                    | answers on                | late or lying                |
-/// |---------|----------------------------|---------------------------|------------------------------|
-/// | agent   | `/NAME/host/observation`   | `/NAME/host/command`      | step made without, 5: taken  |
-/// | physics | `/NAME/host/physics_input` | `/NAME/host/physics_output` | taken back at once         |
+/// | role    | is told on            | answers on             | late or lying             |
+/// |---------|-----------------------|------------------------|---------------------------|
+/// | agent   | `.../observation`     | `.../command`          | lies, 5 late: taken off   |
+/// | physics | `.../physics_input`   | `.../physics_output`   | taken back at once        |
 ///
 /// Whoever is taken from is named to `on_trouble`.
 class HostDesk {

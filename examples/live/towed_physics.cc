@@ -45,8 +45,8 @@ void move(const msg::PhysicsInput& in, msg::PhysicsOutput& out) {
   out.pose(in.pose());
   out.twist(in.twist());
   const auto& q = in.pose().orientation();
-  const double yaw = std::atan2(2 * (q.w() * q.z() + q.x() * q.y()),
-                                1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+  const double yaw =
+      std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
   double push_n = 0;
   for (std::size_t i = 0; i < in.thrusters().size() && i < 4; ++i)
     push_n += thruster_n * in.thrusters()[i] / 4;
