@@ -6,6 +6,7 @@
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
+#include "api/dds/loopback_transport.h"
 #include "fields/base/error.h"
 
 namespace slackwater::dds {
@@ -52,9 +53,10 @@ fdds::DomainParticipantQos participant_qos(const DomainSettings& settings) {
     qos.transport().use_builtin_transports = false;
     if (!settings.is_udp_only)
       qos.transport().user_transports.push_back(std::make_shared<SharedMemTransportDescriptor>());
-    const auto udp = std::make_shared<UDPv4TransportDescriptor>();
-    if (settings.is_loopback_only) udp->interfaceWhiteList.emplace_back("127.0.0.1");
-    qos.transport().user_transports.push_back(udp);
+    if (settings.is_loopback_only)
+      qos.transport().user_transports.push_back(std::make_shared<LoopbackTransportDescriptor>());
+    else
+      qos.transport().user_transports.push_back(std::make_shared<UDPv4TransportDescriptor>());
   }
   return qos;
 }

@@ -4,6 +4,8 @@
 
 #include "api/dds/message/bytes.h"
 
+// Only sources of this folder include this: it shows the library.
+
 namespace slackwater::dds {
 
 /// A type of which the library knows the name alone: its samples are bytes that are encoded

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/wind/gust.h"
+#include "twin/body/body_dynamics.h"
 #include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
 #include "twin/simulate/conduct.h"

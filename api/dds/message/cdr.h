@@ -24,8 +24,8 @@ template <typename M>
 }
 
 /// Reads a message of any client; what is left at the end may be padding, and no more. Types with
-/// sequences read them one by one (path_message.h): fastddsgen's make room for as many elements as
-/// there are bytes.
+/// sequences read them one by one (`for_each_element`): fastddsgen's make room for as many elements
+/// as there are bytes.
 /// @param M  a type that fastddsgen made, or what reads itself as it does
 /// @throws Error(invalid_input) for bytes that are no such message
 template <typename M>
@@ -56,6 +56,18 @@ template <typename M>
                     " bytes more than its fields take");
   }
   return message;
+}
+
+/// Reads a sequence one by one, so that its count makes no room: that is for what is there.
+template <typename Element, typename Take>
+void for_each_element(eprosima::fastcdr::Cdr& cdr, const Take& take) {
+  std::uint32_t count = 0;
+  cdr >> count;
+  for (; count > 0; --count) {
+    Element element{};
+    cdr >> element;
+    take(element);
+  }
 }
 
 }  // namespace slackwater::dds

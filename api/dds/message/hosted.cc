@@ -16,7 +16,7 @@ twin::Spatial<double> spatial_of(const geometry_msgs::msg::Twist& twist) {
   return nu;
 }
 
-/// slackwater_msgs/msg/AgentCommand, its path read place by place.
+/// slackwater_msgs/msg/AgentCommand, its lists read one by one.
 struct CommandAsked {
   AgentAsked asked;
   void deserialize(eprosima::fastcdr::Cdr& cdr) {
@@ -24,7 +24,7 @@ struct CommandAsked {
     cdr >> asked.step >> asked.kind;
     velocity.deserialize(cdr);
     asked.velocity = spatial_of(velocity);
-    cdr >> asked.thrusters;
+    for_each_element<double>(cdr, [&](double share) { asked.thrusters.push_back(share); });
     PathAsked path;
     path.deserialize(cdr);
     asked.places_m = std::move(path.places_m);

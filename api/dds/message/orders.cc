@@ -10,18 +10,6 @@ namespace {
 
 using eprosima::fastcdr::Cdr;
 
-/// Reads a sequence one by one, so that its count makes no room: that is for what is there.
-template <typename Element, typename Take>
-void for_each_element(Cdr& cdr, const Take& take) {
-  std::uint32_t count = 0;
-  cdr >> count;
-  for (; count > 0; --count) {
-    Element element{};
-    cdr >> element;
-    take(element);
-  }
-}
-
 /// The beginning of a client's text, for people.
 std::string shown(std::string text) {
   constexpr std::size_t most = 80;

@@ -1,8 +1,9 @@
 #pragma once
+#include <fastcdr/Cdr.h>
+
 #include <vector>
 
 #include "api/dds/message/parts.h"
-#include "fastcdr/Cdr.h"
 
 // Only sources of this folder include this: it shows the library.
 

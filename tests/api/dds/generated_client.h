@@ -21,15 +21,18 @@ namespace fdds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
 /// A Fast DDS participant as others would write it: with fastddsgen's own types, nothing of
-/// api/dds. UDP on this machine.
+/// api/dds. Over UDP on this machine, or as the library has it where nobody says anything: so are
+/// nodes of ROS 2 by rmw_fastrtps.
 class GeneratedParticipant {
  public:
-  explicit GeneratedParticipant(int domain) {
+  GeneratedParticipant(int domain, bool is_loopback) {
     fdds::DomainParticipantQos qos;
-    qos.transport().use_builtin_transports = false;
-    const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-    udp->interfaceWhiteList.emplace_back("127.0.0.1");
-    qos.transport().user_transports.push_back(udp);
+    if (is_loopback) {
+      qos.transport().use_builtin_transports = false;
+      const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+      udp->interfaceWhiteList.emplace_back("127.0.0.1");
+      qos.transport().user_transports.push_back(udp);
+    }
     participant_ = fdds::DomainParticipantFactory::get_instance()->create_participant(
         static_cast<std::uint32_t>(domain), qos);
     publisher_ = participant_->create_publisher(fdds::PUBLISHER_QOS_DEFAULT);
@@ -84,12 +87,23 @@ class SpawnClient {
     std::uint64_t sequence = 0;
   };
 
-  SpawnClient(int domain, Convention convention, const std::string& service, bool listens = true)
-      : convention_(convention), service_(service), listener_(replies_), participant_(domain) {
+  struct Settings {
+    bool listens = true;  ///< else it does not before it is told to
+    bool is_loopback = true;
+  };
+
+  SpawnClient(int domain, Convention convention, const std::string& service)
+      : SpawnClient(domain, convention, service, Settings()) {}
+  SpawnClient(int domain, Convention convention, const std::string& service,
+              const Settings& settings)
+      : convention_(convention),
+        service_(service),
+        listener_(replies_),
+        participant_(domain, settings.is_loopback) {
     writer_ =
         participant_.writer("rq" + service + "Request",
                             fdds::TypeSupport(new slackwater_msgs::srv::Spawn_RequestPubSubType));
-    if (listens) listen();
+    if (settings.listens) listen();
   }
   void listen() {
     reader_ = participant_.reader(

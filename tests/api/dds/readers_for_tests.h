@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "api/dds/message/hosted.h"
 #include "api/dds/message/navigate.h"
 #include "api/dds/message/orders.h"
 #include "api/dds/message/services.h"
@@ -74,6 +75,22 @@ struct ReaderCase {
          w.put(std::int32_t{7}).put(8U);
        }},
       {"get_result", [](Payload p) { (void)dds::read_get_result(p); }, id},
+      {"host_request", [](Payload p) { (void)dds::read_host_request(p); },
+       [](HandWriter& w) { w.put(std::uint64_t{7}).put(1U).put(std::uint8_t{2}).put(0.25); },
+       false},
+      {"agent_command", [](Payload p) { (void)dds::read_agent_command(p); },
+       [path](HandWriter& w) {
+         w.put(std::uint64_t{9}).put(std::uint8_t{2}).doubles({1, 2, 3, 4, 5, 6});
+         w.put(2U).doubles({0.5, -1});
+         path(w);
+       },
+       false},
+      {"physics_output", [](Payload p) { (void)dds::read_physics_output(p); },
+       [](HandWriter& w) {
+         w.put(std::uint64_t{9}).put(std::uint8_t{1}).doubles({1, 2, -3}).doubles({0, 0, 0, 1});
+         w.doubles({1, 2, 3, 4, 5, 6}).doubles({7, 8, 9, 10, 11, 12}).put(100.0);
+       },
+       false},
   };
 }
 

@@ -146,7 +146,7 @@ TEST(Service, AnswersWaitForTheReaderOfTheClient) {
     echo(request, client, answer);
     answered.put(client);
   });
-  SpawnClient asking(domain.number(), Convention::plain, spawn.name, false);
+  SpawnClient asking(domain.number(), Convention::plain, spawn.name, {.listens = false});
   SpawnClient other(domain.number(), Convention::plain, spawn.name);
   ASSERT_TRUE(asking.finds_service() && other.finds_service());
   (void)asking.ask("early");
@@ -160,6 +160,20 @@ TEST(Service, AnswersWaitForTheReaderOfTheClient) {
   EXPECT_TRUE(std::all_of(replies.begin(), replies.end(), [&](const SpawnClient::Reply& reply) {
     return reply.to == asking.identity();
   }));
+}
+
+/// Nodes of ROS 2 know of no loopback: they come with the library's own transports.
+TEST_P(Services, OnThisMachineAloneAreThereForNodesOnAllInterfaces) {
+  for (const bool is_udp_only : {false, true}) {
+    DomainSettings here = settings();
+    here.is_udp_only = is_udp_only;
+    Participant server(here);
+    server.serve(spawn, echo);
+    SpawnClient asking(domain_.number(), GetParam(), spawn.name, {.is_loopback = false});
+    ASSERT_TRUE(asking.finds_service()) << is_udp_only;
+    (void)asking.ask("from a node");
+    EXPECT_EQ(asking.replies().wait().at(0).message, "from a node");
+  }
 }
 
 TEST_P(Services, RequestsThatAreNoneAreToldAndTheNextIsAnswered) {

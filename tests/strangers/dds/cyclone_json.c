@@ -4,8 +4,10 @@
 #include <string.h>
 
 static void number(FILE* out, double v) {
-  if (isfinite(v)) fprintf(out, "%.17g", v);
-  else fputs("null", out);
+  if (isfinite(v))
+    fprintf(out, "%.17g", v);
+  else
+    fputs("null", out);
 }
 static void numbers(FILE* out, const char* name, const double* v, size_t count, size_t stride) {
   fprintf(out, "\"%s\": [", name);
@@ -26,8 +28,10 @@ static void text(FILE* out, const char* name, const char* v) {
   fprintf(out, "\"%s\": \"", name);
   for (; *v != 0; ++v) {
     if (*v == '"' || *v == '\\') fputc('\\', out);
-    if ((unsigned char)*v < 0x20) fprintf(out, "\\u%04x", *v);
-    else fputc(*v, out);
+    if ((unsigned char)*v < 0x20)
+      fprintf(out, "\\u%04x", *v);
+    else
+      fputc(*v, out);
   }
   fputs("\"", out);
 }
@@ -84,9 +88,9 @@ static void battery(FILE* out, const sensor_msgs_msg_BatteryState* v) {
   const struct {
     const char* name;
     float value;
-  } fields[] = {{"voltage", v->voltage},     {"temperature", v->temperature},
-                {"current", v->current},     {"charge", v->charge},
-                {"capacity", v->capacity},   {"design_capacity", v->design_capacity},
+  } fields[] = {{"voltage", v->voltage},      {"temperature", v->temperature},
+                {"current", v->current},      {"charge", v->charge},
+                {"capacity", v->capacity},    {"design_capacity", v->design_capacity},
                 {"percentage", v->percentage}};
   header(out, &v->header);
   for (size_t i = 0; i < sizeof fields / sizeof fields[0]; ++i) {

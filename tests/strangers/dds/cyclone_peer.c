@@ -87,14 +87,22 @@ static struct options read_options(int argc, char** argv) {
     }
     if (i + 1 == argc) die("wants a value", argv[i]);
     const char* value = argv[i + 1];
-    if (strcmp(argv[i], "--domain") == 0) o.domain = (dds_domainid_t)atoi(value);
-    else if (strcmp(argv[i], "--vehicle") == 0) o.vehicle = value;
-    else if (strcmp(argv[i], "--site") == 0) o.site = value;
-    else if (strcmp(argv[i], "--seconds") == 0) o.seconds = atof(value);
-    else if (strcmp(argv[i], "--hz") == 0) o.hz = atof(value);
-    else if (strcmp(argv[i], "--wait") == 0) o.wait = atof(value);
-    else if (strcmp(argv[i], "--enough") == 0) o.enough = atol(value);
-    else die("no such option", argv[i]);
+    if (strcmp(argv[i], "--domain") == 0)
+      o.domain = (dds_domainid_t)atoi(value);
+    else if (strcmp(argv[i], "--vehicle") == 0)
+      o.vehicle = value;
+    else if (strcmp(argv[i], "--site") == 0)
+      o.site = value;
+    else if (strcmp(argv[i], "--seconds") == 0)
+      o.seconds = atof(value);
+    else if (strcmp(argv[i], "--hz") == 0)
+      o.hz = atof(value);
+    else if (strcmp(argv[i], "--wait") == 0)
+      o.wait = atof(value);
+    else if (strcmp(argv[i], "--enough") == 0)
+      o.enough = atol(value);
+    else
+      die("no such option", argv[i]);
     ++i;
   }
   return o;
@@ -108,11 +116,11 @@ static void dds_name(const char* ros_topic, char* name, size_t size) {
 static dds_qos_t* qos_of(enum quality quality) {
   dds_qos_t* qos = dds_create_qos();
   dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, quality == LATCHED ? 1 : quality == STATE ? 10 : 5);
-  dds_qset_reliability(
-      qos, quality == SENSOR ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
-      DDS_MSECS(100));
-  dds_qset_durability(qos, quality == LATCHED ? DDS_DURABILITY_TRANSIENT_LOCAL
-                                              : DDS_DURABILITY_VOLATILE);
+  dds_qset_reliability(qos,
+                       quality == SENSOR ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
+                       DDS_MSECS(100));
+  dds_qset_durability(
+      qos, quality == LATCHED ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   return qos;
 }
 
@@ -169,8 +177,7 @@ static void hear(struct heard* heard) {
       heard->first = sample;
       continue;
     }
-    if (heard->last != NULL)
-      dds_sample_free(heard->last, heard->type->descriptor, DDS_FREE_ALL);
+    if (heard->last != NULL) dds_sample_free(heard->last, heard->type->descriptor, DDS_FREE_ALL);
     heard->last = sample;
   }
 }
@@ -271,8 +278,8 @@ static int send(const struct options* o, const char* topic_name, const char* typ
 
 static int run_cmd_vel(const struct options* o) {
   if (o->rest_count != 4) die("wants surge, sway, heave and yaw rate", "cmd_vel");
-  geometry_msgs_msg_Twist twist = {
-      {atof(o->rest[0]), atof(o->rest[1]), atof(o->rest[2])}, {0, 0, atof(o->rest[3])}};
+  geometry_msgs_msg_Twist twist = {{atof(o->rest[0]), atof(o->rest[1]), atof(o->rest[2])},
+                                   {0, 0, atof(o->rest[3])}};
   return send(o, "cmd_vel", "geometry_msgs/msg/Twist", &twist);
 }
 
@@ -313,8 +320,10 @@ int main(int argc, char** argv) {
   static const struct {
     const char* name;
     int (*run)(const struct options*);
-  } commands[] = {{"listen", run_listen},       {"echo", run_echo},
-                  {"cmd_vel", run_cmd_vel},     {"thrusters", run_thrusters},
+  } commands[] = {{"listen", run_listen},
+                  {"echo", run_echo},
+                  {"cmd_vel", run_cmd_vel},
+                  {"thrusters", run_thrusters},
                   {"waypoints", run_waypoints}};
   const struct options o = argc > 1 ? read_options(argc - 2, argv + 2) : (struct options){0};
   for (size_t i = 0; argc > 1 && i < sizeof commands / sizeof commands[0]; ++i)

@@ -32,22 +32,21 @@ static void text(unsigned* n, char** v) {
   *v = dds_string_alloc(8);
   short_text(n, *v);
 }
-#define ARRAY(field, put)                                          \
-  for (size_t i = 0; i < sizeof(field) / sizeof((field)[0]); ++i) \
-  put(n, &(field)[i])
-#define SEQUENCE(field, type, put)                            \
-  do {                                                        \
-    (field)._length = (field)._maximum = (*n)++ % 3;          \
-    (field)._release = true;                                  \
+#define ARRAY(field, put) \
+  for (size_t i = 0; i < sizeof(field) / sizeof((field)[0]); ++i) put(n, &(field)[i])
+#define SEQUENCE(field, type, put)                                                        \
+  do {                                                                                    \
+    (field)._length = (field)._maximum = (*n)++ % 3;                                      \
+    (field)._release = true;                                                              \
     if ((field)._length > 0) (field)._buffer = dds_alloc((field)._length * sizeof(type)); \
-    for (uint32_t i = 0; i < (field)._length; ++i) put(n, &(field)._buffer[i]); \
+    for (uint32_t i = 0; i < (field)._length; ++i) put(n, &(field)._buffer[i]);           \
   } while (0)
 
 #include "cyclone_fields.inc"
 
-#define CASE(package, kind, name)                                             \
-  {#package "/" #kind "/" #name, #package "::" #kind "::dds_::" #name "_",    \
-   &package##_##kind##_##name##_desc,                                         \
+#define CASE(package, kind, name)                                          \
+  {#package "/" #kind "/" #name, #package "::" #kind "::dds_::" #name "_", \
+   &package##_##kind##_##name##_desc,                                      \
    (void (*)(unsigned*, void*))(void (*)(void))fill_##package##_##kind##_##name},
 const struct cyclone_type cyclone_types[] = {SLACKWATER_EVERY_TYPE(CASE){NULL, NULL, NULL, NULL}};
 

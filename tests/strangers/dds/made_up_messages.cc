@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "api/dds/message/cdr.h"
-#include "tests/strangers/dds/counted_values.h"
 #include "every_type.h"
+#include "tests/strangers/dds/counted_values.h"
 
 namespace slackwater::tests {
 namespace {

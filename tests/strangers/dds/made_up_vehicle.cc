@@ -101,13 +101,13 @@ void write(const char* what, const std::string& client, const std::vector<double
 
 void hear_orders(dds::Participant& participant) {
   using dds::Payload;
-  participant.subscribe({"/rov/cmd_vel", "geometry_msgs/msg/Twist", "", state},
-                        [](Payload message, const std::string& client) {
-                          const auto nu = dds::velocity_asked(message);
-                          write("cmd_vel", client,
-                                {nu.linear.x, nu.linear.y, nu.linear.z, nu.angular.x, nu.angular.y,
-                                 nu.angular.z});
-                        });
+  participant.subscribe(
+      {"/rov/cmd_vel", "geometry_msgs/msg/Twist", "", state},
+      [](Payload message, const std::string& client) {
+        const auto nu = dds::velocity_asked(message);
+        write("cmd_vel", client,
+              {nu.linear.x, nu.linear.y, nu.linear.z, nu.angular.x, nu.angular.y, nu.angular.z});
+      });
   participant.subscribe({"/rov/thrusters", "std_msgs/msg/Float64MultiArray", "", state},
                         [](Payload message, const std::string& client) {
                           write("thrusters", client, dds::thrusters_asked(message));
@@ -139,8 +139,8 @@ int main(int argc, char** argv) {
   dds::Participant participant(settings);
   std::vector<std::pair<dds::Participant::WriterId, dds::Bytes>> said;
   for (const tests::Saying& saying : tests::sayings())
-    said.emplace_back(
-        participant.publish_on({saying.topic, saying.type, "", saying.quality}), saying.message);
+    said.emplace_back(participant.publish_on({saying.topic, saying.type, "", saying.quality}),
+                      saying.message);
   tests::hear_orders(participant);
   std::atomic<bool> is_over = false;
   participant.serve({"/slackwater/spawn", "slackwater_msgs/srv/Spawn"},
