@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "fields/base/boxed.h"
 #include "twin/simulate/agent.h"
 
 namespace slackwater::twin {
@@ -35,8 +36,9 @@ struct SetVelocity {
 /// | rotor     | its largest speed             | none: as 0, it stands| that share of it     |
 /// | drive     | its largest thrust            | its largest astern   | that share of thrust |
 ///
-/// Fins stand amidships; a moving mass and a bladder stay as they are. An empty battery and a lost
-/// thruster stop them all the same; neither clearance nor limits look at them.
+/// Fins stand amidships; a moving mass and a bladder stay as they are. What swims and has come out
+/// of the water pushes nothing. An empty battery and a lost thruster stop them all the same;
+/// neither clearance nor limits look at them.
 struct SetThrusters {
   std::vector<double> share;
 };
@@ -46,7 +48,7 @@ struct HoldHere {
   bool is_client_lost = false;  ///< for want of a helm: the way home follows (`HelmRule`)
 };
 
-/// Go home: round the structures as its conduct has it, else straight to where it began.
+/// Go home: as its conduct has it, else round the structures to where it began.
 struct GoHome {};
 
 /// Back to its own mission, where that was left.
@@ -56,7 +58,7 @@ struct Resume {};
 /// told it stay as they were. Of one whose physics are hosted: what those made of the step, put at
 /// the end of it.
 struct PutVehicle {
-  VehicleState<double> vehicle;
+  Boxed<VehicleState<double>> vehicle;
 };
 
 /// Whether the vehicle's physics are made elsewhere, and come by `PutVehicle`; see

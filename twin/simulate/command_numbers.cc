@@ -59,7 +59,7 @@ struct Writer {
   void operator()(const HoldHere& hold) { numbers.push_back(hold.is_client_lost ? 1 : 0); }
   void operator()(const GoHome&) {}
   void operator()(const Resume&) {}
-  void operator()(const PutVehicle& put) { append(put.vehicle, numbers); }
+  void operator()(const PutVehicle& put) { append(*put.vehicle, numbers); }
   void operator()(const HostPhysics& host) { numbers.push_back(host.is_hosted ? 1 : 0); }
 };
 

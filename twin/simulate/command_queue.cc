@@ -30,12 +30,12 @@ std::vector<Command> CommandQueue::take(std::uint64_t step) {
 
 std::vector<Command> CommandQueue::waiting() const {
   const std::lock_guard lock(mutex_);
-  return waiting_;
+  return {waiting_.begin(), waiting_.end()};
 }
 
 void CommandQueue::restore(std::vector<Command> waiting) {
   const std::lock_guard lock(mutex_);
-  waiting_ = std::move(waiting);
+  waiting_.assign(std::make_move_iterator(waiting.begin()), std::make_move_iterator(waiting.end()));
   note_first();
 }
 

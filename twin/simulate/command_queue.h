@@ -1,5 +1,6 @@
 #pragma once
 #include <atomic>
+#include <deque>
 #include <limits>
 #include <mutex>
 
@@ -23,7 +24,7 @@ class CommandQueue {
   void note_first();
 
   mutable std::mutex mutex_;
-  std::vector<Command> waiting_;
+  std::deque<Command> waiting_;  ///< that is taken from the front
   std::atomic<std::uint64_t> first_step_{never};
 };
 

@@ -246,7 +246,7 @@ void Run::take_command(Command& command, const StepTime& time) {
   AgentState& state = states_[index];
   const auto* put = std::get_if<PutVehicle>(&command.what);
   if (put != nullptr && state.is_hosted) {
-    hosted_[index].recorded = put->vehicle;
+    hosted_[index].recorded = *put->vehicle;
   } else {
     apply(command, time.start_s, agents_[index], state);
     if (put != nullptr || std::holds_alternative<HostPhysics>(command.what)) {

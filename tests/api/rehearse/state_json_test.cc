@@ -121,7 +121,7 @@ TEST(StateJson, CommandsComeBackInTheirOrder) {
   EXPECT_TRUE(std::get<twin::Reroute>(back[0].what).loop);
   EXPECT_EQ(back[0].step, 7U);
   EXPECT_EQ(std::get<twin::Reroute>(back[0].what).waypoints[0].speed_m_s, 0.1);
-  const auto& put = std::get<twin::PutVehicle>(back[1].what).vehicle;
+  const twin::VehicleState<double>& put = std::get<twin::PutVehicle>(back[1].what).vehicle;
   EXPECT_EQ(std::memcmp(&put, &elsewhere, sizeof put), 0);
   EXPECT_TRUE(std::get<twin::Reroute>(back[2].what).waypoints.empty());
 }

@@ -82,6 +82,24 @@ TEST(HelmThrusters, AreStoppedByAnEmptyBatteryAndAFault) {
   EXPECT_EQ(without, 1);
 }
 
+TEST(HelmThrusters, DoNotMakeAnRovFly) {
+  const auto run = lone_run(lone("bluerov2_heavy", "north_m: 0, east_m: 0, depth_m: 3"));
+  const twin::Agent& rov = run->agents()[0];
+  // Up with all that pushes up.
+  std::vector<double> up;
+  for (std::size_t i = 0; i < rov.vehicle->mounts; ++i) {
+    const double down = rov.vehicle->mount[i].direction.z;
+    up.push_back(std::abs(down) < 0.5 ? 0 : -std::copysign(1, down));
+  }
+  double highest_m = 0;
+  for (int i = 0; i < 60; ++i) {
+    drive(*run, up, 0.5);
+    highest_m = std::max(highest_m, -state_of_lone(*run).vehicle.body.position_m.z);
+  }
+  EXPECT_GT(highest_m, 0) << "it came up";
+  EXPECT_LT(highest_m, 1);
+}
+
 TEST(HelmThrusters, LeaveTheAutopilotReadyToTakeOver) {
   // After a minute by hand the vehicle holds as if it had never been: no old speeds, no old place.
   const auto run = lone_run(lone("bluerov2_heavy", rov_start));

@@ -67,6 +67,15 @@ TEST(HelmVelocity, GoesFasterOverGroundThanTheVehicleGoesItself) {
   EXPECT_NEAR(mean_velocity(*run, {}, 10).y, 2, 0.03);
 }
 
+TEST(HelmVelocity, OfOneThatGoesByItsInstrumentsIsThroughTheWaterThatItsLogShows) {
+  const std::string east = "north_m: 0, east_m: 0, depth_m: 20, heading_deg: 90";
+  const auto run = lone_run(lone("bluerov2_heavy", east, 0.3, 0, "navigation: sensors\n"));
+  steer(*run, {0.4, 0, 0, 0}, 60);
+  const Triple<double> made = mean_velocity(*run, {0.4, 0, 0, 0}, 30);
+  EXPECT_NEAR(made.y, 0.7, 0.04);
+  EXPECT_NEAR(made.x, 0, 0.04);
+}
+
 TEST(HelmVelocity, MovesAsideDownAndRound) {
   const auto run = lone_run(lone("bluerov2_heavy", rov_start));
   const double yaw = yaw_rad(state_of_lone(*run));
