@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fields/wind/gust.h"
-#include "twin/body/body_dynamics.h"
 #include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
 #include "twin/simulate/conduct.h"
@@ -145,21 +144,14 @@ Triple<double> known_stream(const Agent& agent, const Measured& measured,
   return rotation_of(measured.attitude).to_ned({ahead_m_s, 0, 0});
 }
 
-/// Whether it swims and has come out of the water altogether, where its propellers push nothing.
-bool is_in_the_air(const Agent& agent, const BodyState<double>& body, double elevation_m) {
-  return agent.vehicle->kind != VehicleKind::uav && agent.vehicle->body.hull.strips == 0 &&
-         !(immersed_share(agent.vehicle->body, body.position_m.z, elevation_m) > 0);
-}
-
 /// By hand: fins amidships, mass and bladder as they are.
 void command_thrusters_by_hand(const Agent& agent, AgentState& state,
-                               const ThrusterSurroundings<double>& at_rest, bool has_water,
+                               const ThrusterSurroundings<double>& at_rest,
                                VehicleCommand<double>& command) {
   const Vehicle& vehicle = *agent.vehicle;
   Effort effort;
   for (std::size_t i = 0; i < vehicle.mounts; ++i) {
-    command.thruster[i] =
-        has_water ? command_by_hand(vehicle.thruster, state.helm.thruster[i]) : 0.0;
+    command.thruster[i] = command_by_hand(vehicle.thruster, state.helm.thruster[i]);
     effort.thrust_n[i] = run(vehicle.thruster, command.thruster[i], at_rest).thrust_n;
   }
   note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
@@ -310,8 +302,7 @@ bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& st
     ThrusterSurroundings<double> at_rest;
     at_rest.voltage_v = state.vehicle.bus_voltage_v;
     at_rest.height_m = around.height_above_m;
-    const bool has_water = !is_in_the_air(agent, body, around.water.elevation_m);
-    command_thrusters_by_hand(agent, state, at_rest, has_water, input.command);
+    command_thrusters_by_hand(agent, state, at_rest, input.command);
   } else if (!command_by_autopilot(agent, seen, measured,
                                    known_stream(agent, measured, current_m_s), t_s,
                                    around.height_above_m, state, input.command)) {

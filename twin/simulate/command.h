@@ -36,9 +36,8 @@ struct SetVelocity {
 /// | rotor     | its largest speed             | none: as 0, it stands| that share of it     |
 /// | drive     | its largest thrust            | its largest astern   | that share of thrust |
 ///
-/// Fins stand amidships; a moving mass and a bladder stay as they are. What swims and has come out
-/// of the water pushes nothing. An empty battery and a lost thruster stop them all the same;
-/// neither clearance nor limits look at them.
+/// Fins stand amidships; a moving mass and a bladder stay as they are. An empty battery and a lost
+/// thruster stop them all the same; neither clearance nor limits look at them.
 struct SetThrusters {
   std::vector<double> share;
 };
