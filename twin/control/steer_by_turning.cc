@@ -47,7 +47,8 @@ Effort steer_by_turning(const Autopilot& a, const Measured& measured, const Refe
                         const Outset& outset, double dt_s, ControlState& state) noexcept {
   const double most = a.settings.most_speed_m_s;
   const double most_turn = a.settings.most_yaw_rate_rad_s;
-  Way way{reference.heading, std::clamp(reference.velocity_m_s.x, -most_astern_share * most, most), 0};
+  Way way{reference.heading, std::clamp(reference.velocity_m_s.x, -most_astern_share * most, most),
+          0};
   Triple<double> over_ground;
   if (reference.target != Target::cruise)
     over_ground = wanted_velocity(a, measured, reference, outset);

@@ -36,8 +36,8 @@ vehicles:
      tasks: [{do: hold}]}
 )";
 
-/// Three clients, at each opening: one renews a velocity and then falls silent, one sends lists, one
-/// is refused, and gets a vehicle of its own.
+/// Three clients, at each opening: one renews a velocity and then falls silent, one sends lists,
+/// one is refused and gets a vehicle of its own.
 class Guests {
  public:
   void join(const RunInHand& hand) {
