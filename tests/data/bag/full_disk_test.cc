@@ -68,36 +68,42 @@ void expect_all_flushed(const std::filesystem::path& path, std::size_t flushed) 
   for (std::size_t i = 0; i < messages.size(); ++i) ASSERT_TRUE(messages[i] == numbered(i)) << i;
 }
 
-class FullDisk : public testing::TestWithParam<const char*> {};
+class FullDisk : public testing::TestWithParam<const char*> {
+ protected:
+  ~FullDisk() override {
+    if (is_mounted_) ::umount2(folder_.path().c_str(), MNT_DETACH);
+  }
+  /// Makes the folder a disk of that size; false where that is not permitted.
+  bool mount(const char* size) {
+    is_mounted_ = ::mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, size) == 0;
+    return is_mounted_;
+  }
+
+  TemporaryFolder folder_;
+  bool is_mounted_ = false;
+};
 INSTANTIATE_TEST_SUITE_P(OfEachKind, FullDisk, testing::Values("run", "run.mcap"),
                          [](const auto& kind) {
                            return std::string(kind.param) == "run" ? "Rosbag" : "Mcap";
                          });
 
 TEST_P(FullDisk, LeavesWhatWasFlushed) {
-  const TemporaryFolder folder;
-  if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=3m") != 0)
-    GTEST_SKIP() << "cannot mount a tmpfs here: " << std::strerror(errno);
-  const auto path = folder / GetParam();
+  if (!mount("size=3m")) GTEST_SKIP() << "cannot mount a tmpfs here: " << std::strerror(errno);
+  const auto path = folder_ / GetParam();
   const std::size_t flushed = record_until_refused(path, "o space left");
   expect_all_flushed(path, flushed);
-  ::umount2(folder.path().c_str(), MNT_DETACH);
 }
 
 TEST_P(FullDisk, FromTheStartLeavesNothingBehind) {
-  const TemporaryFolder folder;
-  if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
-    GTEST_SKIP() << "cannot mount a tmpfs here: " << std::strerror(errno);
-  std::ofstream(folder / "filler") << std::string(200'000, 'f');
-  const auto path = folder / GetParam();
+  if (!mount("size=64k")) GTEST_SKIP() << "cannot mount a tmpfs here: " << std::strerror(errno);
+  std::ofstream(folder_ / "filler") << std::string(200'000, 'f');
+  const auto path = folder_ / GetParam();
   EXPECT_THROW(static_cast<void>(open_recording(path)), Error);
   EXPECT_FALSE(std::filesystem::exists(path));
-  ::umount2(folder.path().c_str(), MNT_DETACH);
 }
 
 TEST_P(FullDisk, AFileThatMayNotGrowIsRefusedAlike) {
-  const TemporaryFolder folder;
-  const auto path = folder / GetParam();
+  const auto path = folder_ / GetParam();
   // The limit is of the process: it is set in another.
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
