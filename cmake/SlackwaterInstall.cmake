@@ -16,6 +16,9 @@ foreach(folder ${data_folders})
     install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/slackwater COMPONENT runtime)
   endif()
 endforeach()
+# The types on DDS, for whoever builds clients.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/api/dds/idl
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/slackwater COMPONENT runtime)
 file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/api/docs/*.md)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${pages}
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)

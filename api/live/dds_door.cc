@@ -93,13 +93,6 @@ void DdsDoor::open_run_services() {
                        take_step(request, answer);
                      });
   serve(
-      "/slackwater/spawn", "slackwater_msgs/srv/Spawn",
-      [this](dds::Payload request, const std::string&) {
-        const dds::SpawnAsked asked = dds::read_spawn(request);
-        return done_or(run_.spawn(asked), "it comes with the next step");
-      },
-      not_done);
-  serve(
       "/slackwater/query_profile", "slackwater_msgs/srv/QueryProfile",
       [this](dds::Payload request, const std::string&) {
         return answer_profile(dds::read_query_profile(request));

@@ -18,8 +18,6 @@ struct DoorRun {
   const twin::Environment& environment;
   RunPlace place;
   std::function<std::uint64_t()> steps_made;  ///< for any thread
-  /// Puts a vehicle of the catalogue into the run. @return why not; nothing: it will be there
-  std::function<std::optional<std::string>(const dds::SpawnAsked&)> spawn;
 };
 
 /// The command topics and services of a run on DDS, as the table "Slackwater's names on DDS" has

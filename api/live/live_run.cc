@@ -67,8 +67,7 @@ struct LiveRun::Parts {
   }
 
   void open_doors(const api::RunInHand& hand, const LiveSettings& settings) {
-    DoorRun door_run{hand.control, *hand.environment, place, [this] { return made.load(); },
-                     [](const dds::SpawnAsked&) { return std::optional<std::string>("no"); }};
+    DoorRun door_run{hand.control, *hand.environment, place, [this] { return made.load(); }};
     door = std::make_unique<DdsDoor>(*participant, stream, desk, std::move(door_run));
     hosts = std::make_unique<HostDesk>(*participant, run, hand.control, desk, place,
                                        settings.when_host_fails, settings.on_trouble);
