@@ -178,6 +178,7 @@ bool gather(const Types& types, const std::string& name, std::set<std::string>& 
 }  // namespace
 
 std::optional<std::string> type_hash(std::string_view type, std::string_view definition) {
+  if (type.find("/msg/") == std::string_view::npos) return std::nullopt;
   const auto types = types_of(type, definition);
   const std::string name(type);
   std::set<std::string> held;

@@ -11,8 +11,9 @@ namespace slackwater::bag {
 /// @param type        "nav_msgs/msg/Odometry"
 /// @param definition  "ros2msg": the fields of the type, then of each type that it holds after a
 ///                    line of 80 '=' and "MSG: package/Name"
-/// @return nothing where the definition cannot be followed: a type that it does not define, or one
-///         of `char` and `wstring`, on which readers differ
+/// @return nothing where the definition cannot be followed: a type that it does not define, one of
+///         `char` and `wstring`, on which readers differ, or a part of a service or action, which
+///         "MSG: package/Name" takes for a message
 /// Source: ROS REP-2016; rosidl, rosidl_generator_type_description.
 [[nodiscard]] std::optional<std::string> type_hash(std::string_view type,
                                                    std::string_view definition);

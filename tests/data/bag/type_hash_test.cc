@@ -39,6 +39,7 @@ TEST(TypeHash, CommentsConstantsAndDefaultsDoNotCount) {
 TEST(TypeHash, IsNotGivenOfWhatCannotBeFollowed) {
   EXPECT_EQ(type_hash("a/msg/B", "c/D d"), std::nullopt) << "a type that is not defined";
   EXPECT_EQ(type_hash("a/msg/B", "char c"), std::nullopt);
+  EXPECT_EQ(type_hash("a/action/B_FeedbackMessage", "float64 c"), std::nullopt);
   EXPECT_EQ(type_hash("a/msg/B", "wstring c"), std::nullopt);
   EXPECT_EQ(type_hash("a/msg/B", "alone"), std::nullopt);
   EXPECT_EQ(type_hash("a/msg/B", "int8[x] c"), std::nullopt);
