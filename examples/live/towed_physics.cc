@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
       asked.token(token);
       asked.version(1);
       asked.role(2);
-      asked.timeout_s(0.5);
+      asked.timeout_s(2);
       request->write(&asked);
     }
     msg::HostAnswer answer;
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
       silent = 0;
       ++steps;
       if (steps > die) std::abort();
-      if (steps > late) std::this_thread::sleep_for(std::chrono::seconds(2));
+      if (steps > late) std::this_thread::sleep_for(std::chrono::seconds(5));
       msg::PhysicsOutput out;
       out.step(in.step());
       out.kind(1);
