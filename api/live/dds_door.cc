@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "api/dds/message/orders.h"
+#include "api/live/reroute.h"
 #include "fields/base/text.h"
 
 namespace slackwater::live {
@@ -18,20 +19,11 @@ dds::Bytes done_or(const std::optional<twin::Refusal>& refusal, const std::strin
   return refusal ? not_done(refusal->text) : dds::done_reply(true, done);
 }
 
-twin::Reroute reroute_to(const std::vector<twin::Triple<double>>& places_m, bool loop) {
-  twin::Reroute reroute;
-  reroute.loop = loop;
-  for (const auto& place_m : places_m) reroute.waypoints.push_back({place_m});
-  return reroute;
-}
-
 }  // namespace
 
 DdsDoor::DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk, DoorRun run)
     : participant_(participant), stream_(stream), desk_(desk), run_(std::move(run)) {
-  participant_.on_lost([&steward = desk.steward()](const std::string& client) {
-    steward.lost(client, steward.time_s());
-  });
+  participant_.on_lost([&desk](const std::string& client) { desk.lost(client); });
   open_run_services();
   participant_.announce();
 }
@@ -157,7 +149,7 @@ void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {
     return twin::CommandWhat(twin::SetThrusters{dds::thrusters_asked(message)});
   });
   hear("waypoints", "nav_msgs/msg/Path", [](dds::Payload message) {
-    return twin::CommandWhat(reroute_to(dds::path_asked(message), false));
+    return twin::CommandWhat(reroute_to(dds::path_asked(message)));
   });
 }
 

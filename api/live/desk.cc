@@ -48,6 +48,12 @@ std::optional<std::string> Desk::submit(const std::string& client, std::size_t v
   return std::nullopt;
 }
 
+void Desk::lost(const std::string& client) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(counts_, [&](const auto& count) { return count.first.first == client; });
+  steward_.lost(client, steward_.time_s());
+}
+
 void Desk::refuse(const std::string& client, std::size_t vehicle, const std::string& text) {
   const std::lock_guard lock(mutex_);
   say_refused(client, vehicle, "unreadable", text);

@@ -31,6 +31,9 @@ class Desk {
   /// What could not even be read.
   void refuse(const std::string& client, std::size_t vehicle, const std::string& text);
 
+  /// A client is gone: what it held holds, and nothing of it is kept.
+  void lost(const std::string& client);
+
   [[nodiscard]] twin::Steward& steward() noexcept { return steward_; }
   /// Publishes what came in since the last time.
   void speak(double t_s);

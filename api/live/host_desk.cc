@@ -1,6 +1,7 @@
 #include "api/live/host_desk.h"
 
 #include "api/live/host_check.h"
+#include "api/live/reroute.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -14,7 +15,6 @@ constexpr int most_missed = 5;
 
 std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
   const twin::Spatial<double>& v = asked.velocity;
-  twin::Reroute reroute;
   switch (asked.kind) {
     case 0:
       return std::nullopt;
@@ -23,8 +23,7 @@ std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
     case 2:
       return twin::SetThrusters{asked.thrusters};
     case 3:
-      for (const auto& place_m : asked.places_m) reroute.waypoints.push_back({place_m});
-      return reroute;
+      return reroute_to(asked.places_m);
     case 4:
       return twin::HoldHere{};
     case 5:
@@ -142,10 +141,11 @@ std::optional<std::string> HostDesk::take(std::size_t vehicle, const dds::HostAs
 }
 
 void HostDesk::lose(const std::string& client) {
-  for (std::size_t i = 0; i < hosts_.size(); ++i) {
+  for (std::size_t i = 0;; ++i) {
     bool was_agent = false, was_physics = false;
     {
       const std::lock_guard lock(mutex_);
+      if (i >= hosts_.size()) return;
       was_agent = hosts_[i].agent == client;
       was_physics = hosts_[i].physics == client;
     }
@@ -182,13 +182,11 @@ void HostDesk::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
     timeout_s = host.agent_timeout_s;
   }
   const auto asked = host.from_agent.wait(std::chrono::duration<double>(timeout_s));
-  if (!asked) {
-    if (++host.missed >= most_missed)
-      drop_agent(vehicle, formatted("{} answers in a row did not come within {:g} s", host.missed,
-                                    timeout_s));
-    return;
+  if (const int missed = count_missed(host, !asked.has_value()); missed >= most_missed) {
+    drop_agent(vehicle,
+               formatted("{} answers in a row did not come within {:g} s", missed, timeout_s));
   }
-  host.missed = 0;
+  if (!asked) return;
   try {
     std::optional<twin::CommandWhat> what = command_of(*asked);
     if (!what) return;
@@ -197,6 +195,12 @@ void HostDesk::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
   } catch (const Error& e) {
     drop_agent(vehicle, e.message());
   }
+}
+
+int HostDesk::count_missed(Host& host, bool has_missed) {
+  const std::lock_guard lock(mutex_);
+  host.missed = has_missed ? host.missed + 1 : 0;
+  return host.missed;
 }
 
 std::optional<twin::VehicleState<double>> HostDesk::ask_physics(std::size_t vehicle,

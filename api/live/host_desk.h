@@ -58,6 +58,8 @@ class HostDesk {
   void ask_agent(std::size_t vehicle, const twin::StepTime& time);
   [[nodiscard]] std::optional<twin::VehicleState<double>> ask_physics(std::size_t vehicle,
                                                                       const twin::HostedStep& step);
+  /// @return answers of the agent that did not come, in a row
+  [[nodiscard]] int count_missed(Host& host, bool has_missed);
   void drop_agent(std::size_t vehicle, const std::string& why);
   void drop_physics(std::size_t vehicle, const std::string& why);
   void end_physics(std::size_t vehicle, std::uint64_t step, double t_s);

@@ -29,7 +29,7 @@ struct LiveSettings {
 [[nodiscard]] std::vector<std::string> ros_names(std::span<const twin::Agent> agents);
 
 /// Joins a run and makes it live: voices that tell, desks that take commands and hosts, at their
-/// doors. Must outlive the run.
+/// doors. There until the run has made its last step (`RunChoice::on_over`).
 class LiveRun {
  public:
   /// @throws Error(unavailable) where the domain cannot be joined

@@ -1,19 +1,10 @@
 #include "api/live/navigate_action.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "api/live/reroute.h"
 
 namespace slackwater::live {
-namespace {
-
-std::vector<twin::Waypoint> waypoints_at(const std::vector<twin::Triple<double>>& places_m) {
-  std::vector<twin::Waypoint> waypoints;
-  for (const auto& place_m : places_m) waypoints.push_back({place_m});
-  return waypoints;
-}
-
-}  // namespace
-
 NavigateAction::NavigateAction(dds::Participant& participant, Stream& stream, Desk& desk,
                                const RunPlace& place, const std::string& name, std::size_t vehicle)
     : stream_(stream), desk_(desk), place_(place), vehicle_(vehicle) {
@@ -72,7 +63,7 @@ void NavigateAction::take_goal(dds::Payload request, const std::string& client,
     desk_.refuse(client, vehicle_, "a goal of this id was sent before; give each its own");
     return refuse();
   }
-  twin::Reroute reroute{waypoints_at(asked.places_m)};
+  const twin::Reroute reroute = reroute_to(asked.places_m);
   if (reroute.waypoints.empty()) {
     desk_.refuse(client, vehicle_, "a goal without a place; give its path at least one pose");
     return refuse();
