@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "twin/simulate/helm_rule.h"
+
 namespace slackwater::twin {
 
 /// Until when a client keeps a vehicle.
@@ -25,7 +27,7 @@ enum class Keeping {
 ///   and when the client is gone.
 class Authority {
  public:
-  static constexpr double renewal_s = 1;
+  static constexpr double renewal_s = HelmRule{}.renewal_s;
   static constexpr double take_over_s = 10;
 
   explicit Authority(std::size_t vehicles) : held_(vehicles) {}
