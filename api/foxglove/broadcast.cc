@@ -98,6 +98,13 @@ class Broadcast::Hub final : public http::WebSocketHandler {
     if (topic.quality.is_transient_local) topic.last = message;
   }
 
+  bool is_watched(std::uint32_t id) const {
+    const std::lock_guard lock(mutex_);
+    expects(id < next_id_, "the channel was advertised");
+    const auto found = topics_.find(id);
+    return found != topics_.end() && !found->second.subscribers.empty();
+  }
+
   void set_time(std::uint64_t time_ns) {
     const std::lock_guard lock(mutex_);
     time_ns_ = time_ns;
@@ -258,6 +265,10 @@ void Broadcast::unadvertise(ChannelId id) { hub_->unadvertise(static_cast<std::u
 
 void Broadcast::publish(ChannelId id, std::uint64_t log_time_ns, bag::Payload payload) {
   hub_->publish(static_cast<std::uint32_t>(id), log_time_ns, payload);
+}
+
+bool Broadcast::is_watched(ChannelId id) const {
+  return hub_->is_watched(static_cast<std::uint32_t>(id));
 }
 
 void Broadcast::set_time(std::uint64_t time_ns) { hub_->set_time(time_ns); }

@@ -41,6 +41,8 @@ class Broadcast {
   /// many subscribe, and a place in a queue for each.
   /// @param log_time_ns  since 1970, on the clock of `set_time`
   void publish(ChannelId id, std::uint64_t log_time_ns, bag::Payload payload);
+  /// Whether anybody subscribes to it, so that others need not make its messages.
+  [[nodiscard]] bool is_watched(ChannelId id) const;
   /// Simulation time, for clients to follow; late ones get the last.
   void set_time(std::uint64_t time_ns);
 

@@ -60,14 +60,14 @@ void RecordingOutlet::write_all() {
                       channels_.end());
     }
     try {
-      for (const bag::Channel& channel : channels) ids_.push_back(writer_.add_channel(channel));
-      if (!has_failed_)
+      if (!has_failed_) {
+        for (const bag::Channel& channel : channels) ids_.push_back(writer_.add_channel(channel));
         for (const Item& item : batch)
           writer_.write(ids_[item.channel], item.time_ns, item.message);
+      }
       if (is_over) writer_.close();
     } catch (const std::exception& e) {
       fail(e.what());
-      ids_.resize(channels_.size());
     }
     batch.clear();
   }

@@ -18,7 +18,7 @@ class ViewerOutlet final : public Outlet {
     ids_.push_back(broadcast_->advertise(channel));
   }
   [[nodiscard]] bool wants(std::size_t channel) const override {
-    return is_latched_[channel] || is_clock_[channel] || broadcast_->figures().subscriptions > 0;
+    return is_latched_[channel] || is_clock_[channel] || broadcast_->is_watched(ids_[channel]);
   }
   void publish(std::size_t channel, const dds::Stamp& stamp, const dds::Bytes& message) override {
     const auto now_ns = static_cast<std::uint64_t>(dds::nanoseconds_of(stamp));

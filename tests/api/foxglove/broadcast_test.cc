@@ -124,6 +124,8 @@ TEST(FoxgloveBroadcast, SendsTheMessagesOfSubscribedChannelsAsTheProtocolHasThem
   channels_of(client);
   subscribe(client, 0x01020304, wanted);
   ASSERT_TRUE(served.comes_true([](const auto& f) { return f.subscriptions == 1; }));
+  EXPECT_TRUE(served.live->is_watched(wanted));
+  EXPECT_FALSE(served.live->is_watched(other));
   served.live->publish(other, 1, bytes_of("not for you"));
   served.live->publish(wanted, 0x1112131415161718, bytes_of("payload"));
   EXPECT_EQ(next_bytes(client),

@@ -1,5 +1,5 @@
 """read_records.py LOG.nc FILE.mcap BAG: what mcap and rosbags read in the records of a live run is what its log has."""
-import math
+import datetime
 import pathlib
 import sys
 
@@ -34,7 +34,7 @@ log = netCDF4.Dataset(sys.argv[1])
 names = ["".join(c.decode() for c in row if c).strip("\0 ") for row in log["trajectory"][:].filled(b"")]
 rov = names.index("rov")
 epoch = netCDF4.num2date(log["time"][0], log["time"].units, only_use_cftime_datetimes=False)
-begin = epoch.replace(tzinfo=__import__("datetime").timezone.utc).timestamp() - 0.0
+begin = epoch.replace(tzinfo=datetime.timezone.utc).timestamp()
 seconds = log["time"][:] - log["time"][0]
 tracks = {round(float(t), 3): (float(x), float(y), float(z)) for t, x, y, z in
           zip(seconds, log["x"][rov], log["y"][rov], log["z"][rov])}
