@@ -12,6 +12,7 @@
 #include "api/foxglove/broadcast.h"
 #include "api/http/router.h"
 #include "api/http/server.h"
+#include "api/live/bag_traffic.h"
 #include "api/live/live_run.h"
 #include "api/live/recording_outlet.h"
 #include "api/live/viewer_outlet.h"
@@ -32,6 +33,8 @@ struct LiveArguments {
   double factor = 1;
   std::string when_host_fails = "take-back";
   std::vector<std::filesystem::path> recordings;
+  std::vector<std::filesystem::path> played_commands;
+  std::filesystem::path played_traffic;
   std::filesystem::path out;
   std::filesystem::path html;
   std::optional<int> viewer_port;
@@ -82,6 +85,7 @@ live::LiveSettings settings_of(const LiveArguments& arguments, const twin::Scena
   }
   if (arguments.when_host_fails == "halt") settings.when_host_fails = live::HostRule::halt;
   settings.on_trouble = tell_trouble;
+  settings.played_commands = arguments.played_commands;
   settings.site = site_of(scenario, water);
   return settings;
 }
@@ -113,6 +117,8 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   const auto folder = std::filesystem::absolute(arguments.scenario).parent_path();
   ScenarioWater water = water_of(scenario, context.store_folder, folder);
   with_context(arguments.scenario.string(), [&] { add_heard_traffic(scenario, folder, water); });
+  if (!arguments.played_traffic.empty())
+    live::add_bag_traffic(arguments.played_traffic, scenario, water);
   live::LiveSettings settings = settings_of(arguments, scenario, water);
   std::vector<std::shared_ptr<live::RecordingOutlet>> recordings;
   for (const auto& path : arguments.recordings) {
@@ -180,6 +186,10 @@ void add_live(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"take-back", "halt"}));
   command->add_option("--record", arguments->recordings,
                       "bag of all messages: FILE.mcap, or a folder for rosbag2; repeatable");
+  command->add_option("--play-commands", arguments->played_commands,
+                      "bag whose commands are handed in again as they came; repeatable");
+  command->add_option("--play-traffic", arguments->played_traffic,
+                      "bag whose vehicles pass by, where they were then, as vessels");
   command->add_option("--out", arguments->out, "log as FILE.nc, for replay and score");
   command->add_option("--html", arguments->html, "page of plots as FILE.html");
   command

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "api/dds/message/orders.h"
+#include "api/live/command_topics.h"
 #include "api/live/reroute.h"
 #include "fields/base/text.h"
 
@@ -128,29 +128,13 @@ dds::Bytes DdsDoor::answer_profile(const dds::ProfileAsked& asked) const {
 }
 
 void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {
-  const auto hear = [&](const char* topic, const char* type, auto read) {
-    const bag::Channel channel{"/" + name + "/" + topic, type, "", command_quality};
-    participant_.subscribe(channel,
-                           [this, vehicle, read](dds::Payload message, const std::string& client) {
-                             try {
-                               (void)desk_.submit(client, vehicle, read(message),
-                                                  dds::Bytes(message.begin(), message.end()));
-                             } catch (const std::exception& e) {
-                               desk_.refuse(client, vehicle, e.what());
-                             }
-                           });
-  };
-  hear("cmd_vel", "geometry_msgs/msg/Twist", [](dds::Payload message) {
-    const twin::Spatial<double> nu = dds::velocity_asked(message);
-    return twin::CommandWhat(
-        twin::SetVelocity{{nu.linear.x, nu.linear.y, nu.linear.z, nu.angular.z}});
-  });
-  hear("thrusters", "std_msgs/msg/Float64MultiArray", [](dds::Payload message) {
-    return twin::CommandWhat(twin::SetThrusters{dds::thrusters_asked(message)});
-  });
-  hear("waypoints", "nav_msgs/msg/Path", [](dds::Payload message) {
-    return twin::CommandWhat(reroute_to(dds::path_asked(message)));
-  });
+  for (const CommandTopic& topic : command_topics()) {
+    const bag::Channel channel{"/" + name + "/" + topic.name, topic.type, "", command_quality};
+    participant_.subscribe(channel, [this, vehicle, read = topic.read](dds::Payload message,
+                                                                       const std::string& client) {
+      hand_in(desk_, client, vehicle, read, message);
+    });
+  }
 }
 
 void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle) {

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "api/dds/message/names.h"
+#include "api/live/bag_commands.h"
 #include "api/live/dds_door.h"
 #include "api/live/dds_outlet.h"
 #include "api/live/desk.h"
@@ -62,6 +63,10 @@ struct LiveRun::Parts {
       desk.open(names[i]);
     }
     if (participant) open_doors(hand, settings);
+    for (const auto& bag : settings.played_commands) {
+      BagCommands& played = played_commands.emplace_back(bag, names, desk);
+      run.at_opening([&played](const twin::StepTime& time) { played.hand_in(time.start_s); });
+    }
     speak();
     run.at_barrier([this](const twin::StepTime&) { speak(); });
   }
@@ -99,6 +104,7 @@ struct LiveRun::Parts {
   Desk desk;
   std::unique_ptr<SiteVoice> site;
   std::deque<VehicleVoice> voices;
+  std::deque<BagCommands> played_commands;
   std::unique_ptr<DdsDoor> door;
   std::unique_ptr<HostDesk> hosts;
   std::unique_ptr<dds::Participant> participant;  ///< goes first: it calls all the others

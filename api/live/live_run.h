@@ -18,6 +18,8 @@ struct LiveSettings {
   std::optional<dds::DomainSettings> domain;  ///< nothing: not on DDS
   HostRule when_host_fails = HostRule::take_back;
   std::string site = "site";  ///< its id
+  /// Bags whose commands are handed in again, each as a client of its own.
+  std::vector<std::filesystem::path> played_commands;
   /// Recordings, viewers: told of everything besides.
   std::vector<std::shared_ptr<Outlet>> outlets;
   /// What operators should know of. From any thread.

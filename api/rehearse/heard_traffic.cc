@@ -198,7 +198,7 @@ void add_heard_traffic(const twin::Scenario& scenario, const std::filesystem::pa
 void add_logged_traffic(const ingest::TrajectoryFile& log, const twin::Scenario& scenario,
                         ScenarioWater& water) {
   water.traffic_files = log.attribute("traffic_files_sha256");
-  if (logs_of(scenario).empty()) return;
+  if (logs_of(scenario).empty() && water.traffic_files.empty()) return;
   for (TrafficVessel& vessel : vessels_in(log)) {
     const auto& laid = scenario.traffic.vessels;
     const bool is_laid = std::any_of(laid.begin(), laid.end(), [&](const TrafficVessel& other) {

@@ -4,6 +4,7 @@
 
 #include "api/dds/message/cdr.h"
 #include "api/dds/message/path_message.h"
+#include "nav_msgs.h"
 
 namespace slackwater::dds {
 namespace {
@@ -63,6 +64,16 @@ std::vector<double> thrusters_asked(Payload message) {
 
 std::vector<twin::Triple<double>> path_asked(Payload message) {
   return decoded<PathAsked>(message).places_m;
+}
+
+PlaceTold place_in_pose(Payload message) {
+  const auto told = decoded<geometry_msgs::msg::PoseStamped>(message);
+  return {stamp_of(told.header().stamp()), enu_ned(triple_of(told.pose().position()))};
+}
+
+PlaceTold place_in_odometry(Payload message) {
+  const auto told = decoded<nav_msgs::msg::Odometry>(message);
+  return {stamp_of(told.header().stamp()), enu_ned(triple_of(told.pose().pose().position()))};
 }
 
 }  // namespace slackwater::dds

@@ -20,4 +20,13 @@ namespace slackwater::dds {
 /// @throws Error(invalid_input) for a path in another frame too
 [[nodiscard]] std::vector<twin::Triple<double>> path_asked(Payload message);
 
+/// Where a vehicle told that it was: geometry_msgs/msg/PoseStamped.
+struct PlaceTold {
+  Stamp stamp;
+  twin::Triple<double> position_m;  ///< NED
+};
+[[nodiscard]] PlaceTold place_in_pose(Payload message);
+/// nav_msgs/msg/Odometry.
+[[nodiscard]] PlaceTold place_in_odometry(Payload message);
+
 }  // namespace slackwater::dds

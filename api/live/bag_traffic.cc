@@ -1,0 +1,99 @@
+#include "api/live/bag_traffic.h"
+
+#include <map>
+
+#include "api/dds/message/orders.h"
+#include "data/bag/bag.h"
+#include "fields/base/error.h"
+#include "fields/base/sha256.h"
+
+namespace slackwater::live {
+namespace {
+
+constexpr std::uint32_t first_mmsi = 980'000'001;
+constexpr double every_s = 1;  ///< more often than vessels report
+
+/// "NAME" of a topic "/NAME/ending"; nothing of others.
+std::optional<std::string> name_before(const std::string& topic, const std::string& ending) {
+  const std::string after = "/" + ending;
+  if (!topic.starts_with('/') || !topic.ends_with(after) || topic.size() <= after.size() + 1)
+    return std::nullopt;
+  return topic.substr(1, topic.size() - after.size() - 1);
+}
+
+/// Which channels tell where somebody is: of each name the pose, else the odometry.
+struct Teller {
+  std::size_t channel = 0;
+  bool is_pose = false;
+};
+std::map<std::string, Teller> tellers_of(const bag::Bag& bag) {
+  std::map<std::string, Teller> tellers;
+  for (std::size_t i = 0; i < bag.channels().size(); ++i) {
+    const bag::Channel& channel = bag.channels()[i];
+    if (const auto name = name_before(channel.topic, "pose");
+        name && channel.type == "geometry_msgs/msg/PoseStamped")
+      tellers[*name] = {i, true};
+    else if (const auto odometer = name_before(channel.topic, "odometry");
+             odometer && channel.type == "nav_msgs/msg/Odometry")
+      tellers.try_emplace(*odometer, Teller{i, false});
+  }
+  return tellers;
+}
+
+/// The files of a bag by their checksums, so that a log says what passed by.
+std::string checksums_of(const std::filesystem::path& bag) {
+  if (!std::filesystem::is_directory(bag))
+    return bag.filename().string() + " " + sha256_of_file(bag);
+  std::map<std::string, std::string> sums;
+  for (const auto& entry : std::filesystem::directory_iterator(bag))
+    if (entry.is_regular_file())
+      sums[entry.path().filename().string()] = sha256_of_file(entry.path());
+  std::string text;
+  for (const auto& [name, sum] : sums)
+    text += (text.empty() ? "" : ", ") + bag.filename().string() + "/" + name + " " + sum;
+  return text;
+}
+
+}  // namespace
+
+void add_bag_traffic(const std::filesystem::path& path, const twin::Scenario& scenario,
+                     api::ScenarioWater& water) {
+  const auto bag = bag::open_bag(path);
+  const std::map<std::string, Teller> tellers = tellers_of(*bag);
+  if (tellers.empty()) {
+    throw Error(ErrorKind::invalid_input,
+                path.string() +
+                    ": nobody in it tells where he is; expected topics like /rov/pose "
+                    "(geometry_msgs/msg/PoseStamped) or /rov/odometry");
+  }
+  std::map<std::size_t, std::string> names;
+  for (const auto& [name, teller] : tellers) names[teller.channel] = name;
+  std::map<std::string, std::vector<twin::TrackPoint>> tracks;
+  std::optional<std::int64_t> first_ns;
+  while (const auto message = bag->next()) {
+    if (!first_ns) first_ns = message->log_time_ns;
+    const auto name = names.find(message->channel);
+    if (name == names.end()) continue;
+    const double t_s = 1e-9 * static_cast<double>(message->log_time_ns - *first_ns);
+    if (t_s > scenario.duration_s + every_s) break;
+    std::vector<twin::TrackPoint>& track = tracks[name->second];
+    if (!track.empty() && t_s < track.back().t_s + every_s) continue;
+    const dds::PlaceTold told = tellers.at(name->second).is_pose
+                                    ? dds::place_in_pose(message->payload)
+                                    : dds::place_in_odometry(message->payload);
+    track.push_back({t_s, told.position_m, std::nullopt, std::nullopt});
+  }
+  std::uint32_t mmsi = first_mmsi;
+  for (auto& [name, track] : tracks) {
+    twin::TrafficVessel vessel;
+    vessel.id = mmsi++;
+    vessel.name = name;
+    vessel.track = twin::Track(std::move(track));
+    water.surround.vessels.push_back(std::move(vessel));
+  }
+  for (const std::string& warning : bag->warnings())
+    water.warnings.push_back(path.string() + ": " + warning);
+  water.traffic_files += (water.traffic_files.empty() ? "" : ", ") + checksums_of(path);
+}
+
+}  // namespace slackwater::live
