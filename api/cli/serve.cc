@@ -9,6 +9,7 @@
 #include "api/edr/service.h"
 #include "api/http/server.h"
 #include "api/issued/issued_fields.h"
+#include "api/live/forecast_service.h"
 #include "api/program/version.h"
 #include "fields/base/log.h"
 
@@ -22,7 +23,26 @@ struct ServeArguments {
   std::string token_file;
   std::string base_url;
   std::string stale_after;
+  std::optional<int> domain;
+  bool loopback = false;
+  bool udp_only = false;
 };
+
+/// The forecasts on DDS, where that was asked for.
+std::unique_ptr<live::ForecastService> on_dds(const ServeArguments& arguments,
+                                              const std::shared_ptr<IssuedFields>& forecasts,
+                                              const Context& context) {
+  if (!arguments.domain) return nullptr;
+  dds::DomainSettings settings;
+  settings.domain = *arguments.domain;
+  settings.is_loopback_only = arguments.loopback;
+  settings.is_udp_only = arguments.udp_only;
+  settings.on_trouble = [](const std::string& text) {
+    log_event(LogLevel::warning, "dds", {{"problem", text}});
+  };
+  return std::make_unique<live::ForecastService>(settings, forecasts,
+                                                 [&context] { return context.now(); });
+}
 
 std::optional<std::string> token_of(const std::string& file) {
   if (file.empty()) return std::nullopt;
@@ -107,6 +127,7 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   router.add("GET", "/metrics", http::metrics_handler(options.metrics, [forecasts, freshness] {
                return forecast_gauges(*forecasts->catalogue(), freshness);
              }));
+  const auto dds_service = on_dds(arguments, forecasts, context);
   http::Server server(options, router);
   server.start();
   const std::string url =
@@ -148,6 +169,12 @@ void add_serve(CLI::App& app, Context& context) {
   command->add_option("--stale-after", arguments->stale_after,
                       "a forecast older than this is called stale by /, /health and /metrics "
                       "(default 36h)");
+  command->add_option(
+      "--dds-domain", arguments->domain,
+      "also on DDS: the water of each site as forecast for now, ROS 2 names; domain "
+      "0 to 232");
+  command->add_flag("--loopback", arguments->loopback, "DDS on this machine alone");
+  command->add_flag("--udp-only", arguments->udp_only, "DDS without shared memory");
   command->callback([arguments, &context] { run_serve(*arguments, context); });
 }
 

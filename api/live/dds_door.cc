@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "api/live/command_topics.h"
+#include "api/live/profile_answer.h"
 #include "api/live/reroute.h"
 #include "fields/base/text.h"
 
@@ -87,7 +88,8 @@ void DdsDoor::open_run_services() {
   serve(
       "/slackwater/query_profile", "slackwater_msgs/srv/QueryProfile",
       [this](dds::Payload request, const std::string&) {
-        return answer_profile(dds::read_query_profile(request));
+        return profile_answer(run_.environment.field.get(), run_.environment.member,
+                              dds::read_query_profile(request));
       },
       dds::profile_refusal);
 }
@@ -106,25 +108,6 @@ void DdsDoor::take_step(dds::Payload request, const dds::Answer& answer) {
   const std::lock_guard lock(mutex_);
   waiting_.push_back({run_.steps_made() + steps, answer});
   run_.control.allow_steps(steps);
-}
-
-dds::Bytes DdsDoor::answer_profile(const dds::ProfileAsked& asked) const {
-  const Field& field = *run_.environment.field;
-  const auto is_within = [](double value, double most) { return value >= -most && value <= most; };
-  if (!is_within(asked.latitude_deg, 90) || !is_within(asked.longitude_deg, 360)) {
-    return dds::profile_refusal(
-        formatted("no place on earth: {:g} N, {:g} E; latitudes are from -90 to 90, longitudes "
-                  "from -360 to 360 degrees",
-                  asked.latitude_deg, asked.longitude_deg));
-  }
-  const UtcTime time = dds::time_of(asked.time);
-  const Place place{asked.longitude_deg, asked.latitude_deg, 0, time};
-  if (const CurrentSample top = field.current(place); !has_value(top.status)) {
-    return dds::profile_refusal("no current there and then (" + std::string(name_of(top.status)) +
-                                "); " + field.range().text());
-  }
-  const GeoPoint at = GeoPoint::from_degrees(asked.latitude_deg, asked.longitude_deg);
-  return dds::profile_reply({field, run_.environment.member, at}, time, asked.time);
 }
 
 void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {

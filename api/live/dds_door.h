@@ -41,7 +41,6 @@ class DdsDoor {
   void open_topics(const std::string& name, std::size_t vehicle);
   void open_vehicle_services(const std::string& name, std::size_t vehicle);
   void take_step(dds::Payload request, const dds::Answer& answer);
-  [[nodiscard]] dds::Bytes answer_profile(const dds::ProfileAsked& asked) const;
 
   dds::Participant& participant_;
   Stream& stream_;

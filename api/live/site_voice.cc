@@ -9,14 +9,7 @@
 namespace slackwater::live {
 namespace {
 
-constexpr double profile_every_s = 600, water_every_s = 60, traffic_every_s = 2;
-
-/// Whether it is time again; notes that it was.
-bool is_due(double t_s, double every_s, double& last_s) {
-  if (last_s >= 0 && t_s < last_s + every_s - 1e-6) return false;
-  last_s = t_s;
-  return true;
-}
+constexpr double power_every_s = 60, traffic_every_s = 2;
 
 /// The nearest of the approaches that are foreseen to any vehicle that goes on.
 twin::ClosestApproach nearest_of(const twin::MovingPoint& vessel,
@@ -41,16 +34,11 @@ SiteVoice::SiteVoice(Stream& stream, const RunPlace& place, const std::string& s
       place_(place),
       environment_(environment),
       sampler_(environment),
-      vessels_(vessels.begin(), vessels.end()) {
-  const auto open = [&](const char* what, const char* type) {
-    return stream.open("/" + site + "/" + what, type, latched_quality);
-  };
+      vessels_(vessels.begin(), vessels.end()),
+      water_(stream, site) {
   clock_ = stream.open("/clock", "rosgraph_msgs/msg/Clock", clock_quality);
-  profile_ = open("current_profile", "slackwater_msgs/msg/CurrentProfile");
-  wind_ = open("wind", "geometry_msgs/msg/Vector3Stamped");
-  wave_ = open("wave", "slackwater_msgs/msg/SeaState");
-  tide_ = open("tide_level", "std_msgs/msg/Float64");
-  power_ = open("turbine_power", "std_msgs/msg/Float64MultiArray");
+  power_ =
+      stream.open("/" + site + "/turbine_power", "std_msgs/msg/Float64MultiArray", latched_quality);
   ais_ = stream.open("/ais", "slackwater_msgs/msg/AisTarget", {true, false, 100});
   stream.opened();
 }
@@ -58,20 +46,14 @@ SiteVoice::SiteVoice(Stream& stream, const RunPlace& place, const std::string& s
 void SiteVoice::speak(std::span<const twin::Seen> vehicles, double t_s) {
   const dds::Stamp stamp = dds::stamp_of(place_.epoch, t_s);
   if (stream_.is_wanted(clock_)) stream_.publish(clock_, stamp, dds::clock(stamp));
-  speak_of_water(t_s, stamp);
+  water_.speak({*environment_.field, environment_.member, place_.origin}, sampler_.sea({}, t_s),
+               stamp, t_s);
+  if (is_due(t_s, power_every_s, power_s_)) speak_of_turbines(stamp);
   if (!vessels_.empty() && is_due(t_s, traffic_every_s, traffic_s_) && stream_.is_wanted(ais_))
     speak_of_traffic(vehicles, t_s, stamp);
 }
 
-void SiteVoice::speak_of_water(double t_s, const dds::Stamp& stamp) {
-  const dds::SiteWater water{*environment_.field, environment_.member, place_.origin};
-  const UtcTime now = dds::time_of(stamp);
-  if (is_due(t_s, profile_every_s, profile_s_))
-    stream_.publish(profile_, stamp, dds::current_profile(water, now, stamp));
-  if (!is_due(t_s, water_every_s, minute_s_)) return;
-  stream_.publish(wind_, stamp, dds::wind(water, now, stamp));
-  stream_.publish(wave_, stamp, dds::wave(sampler_.sea({}, t_s), stamp));
-  stream_.publish(tide_, stamp, dds::tide_level(water, now));
+void SiteVoice::speak_of_turbines(const dds::Stamp& stamp) {
   std::vector<double> power_w;
   if (environment_.farm)
     for (const TurbineFlow& turbine : environment_.farm->turbines())

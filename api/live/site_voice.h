@@ -6,6 +6,7 @@
 #include "api/dds/message/site_messages.h"
 #include "api/live/stream.h"
 #include "api/live/vehicle_voice.h"
+#include "api/live/water_voice.h"
 #include "twin/simulate/environment.h"
 #include "twin/simulate/run.h"
 #include "twin/traffic/traffic_picture.h"
@@ -22,7 +23,7 @@ class SiteVoice {
 
  private:
   using ChannelId = Stream::ChannelId;
-  void speak_of_water(double t_s, const dds::Stamp& stamp);
+  void speak_of_turbines(const dds::Stamp& stamp);
   void speak_of_traffic(std::span<const twin::Seen> vehicles, double t_s, const dds::Stamp& stamp);
 
   Stream& stream_;
@@ -31,8 +32,9 @@ class SiteVoice {
   twin::EnvironmentSampler sampler_;
   std::vector<twin::TrafficVessel> vessels_;
   twin::TrafficPicture picture_;
-  ChannelId clock_, profile_, wind_, wave_, tide_, power_, ais_;
-  double profile_s_ = -1, minute_s_ = -1, traffic_s_ = -1;  ///< when each was told last
+  WaterVoice water_;
+  ChannelId clock_, power_, ais_;
+  double power_s_ = -1, traffic_s_ = -1;  ///< when each was told last
 };
 
 }  // namespace slackwater::live
