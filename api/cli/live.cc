@@ -86,6 +86,7 @@ live::LiveSettings settings_of(const LiveArguments& arguments, const twin::Scena
   if (arguments.when_host_fails == "halt") settings.when_host_fails = live::HostRule::halt;
   settings.on_trouble = tell_trouble;
   settings.played_commands = arguments.played_commands;
+  settings.real_time_factor = arguments.factor;
   settings.site = site_of(scenario, water);
   return settings;
 }
@@ -138,9 +139,14 @@ void run_live(const LiveArguments& arguments, const Context& context) {
     print_names(hand.run.agents(), joined->names(), settings.site, arguments);
     stopper = std::make_unique<Stopper>(hand.control);
   };
+  std::optional<live::Punctuality> punctuality;
+  choice.on_over = [&] {
+    stopper.reset();
+    if (joined) punctuality = joined->punctuality();
+    joined.reset();
+  };
   const ScenarioResult result = with_context(arguments.scenario.string(),
                                              [&] { return run_scenario(scenario, water, choice); });
-  stopper.reset();
   for (const auto& recording : recordings) (void)recording->close();
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
@@ -154,8 +160,16 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   }
   for (const std::string& warning : result.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
-  if (!context.json) return print_run(result, arguments.out);
-  const json out = run_json(result, scenario.name, water, arguments.out);
+  if (!context.json) {
+    print_run(result, arguments.out);
+    std::printf("%s\n", punctuality->text().c_str());
+    return;
+  }
+  json out = run_json(result, scenario.name, water, arguments.out);
+  out["punctuality"] = {{"steps", punctuality->steps()},
+                        {"late_steps", punctuality->late_steps()},
+                        {"worst_ms", 1000 * punctuality->worst_s()},
+                        {"pauses", punctuality->pauses()}};
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
 

@@ -47,7 +47,8 @@ struct LiveRun::Parts {
         place(place_of(hand, hand.run.step_s())),
         names(ros_names(hand.run.agents())),
         steward(hand.steward),
-        desk(stream, steward, place) {
+        desk(stream, steward, place),
+        punctuality(settings.real_time_factor, hand.run.step_s()) {
     for (const auto& outlet : settings.outlets) stream.add(outlet);
     if (settings.domain) {
       dds::DomainSettings domain = *settings.domain;
@@ -68,6 +69,9 @@ struct LiveRun::Parts {
       run.at_opening([&played](const twin::StepTime& time) { played.hand_in(time.start_s); });
     }
     speak();
+    run.at_opening([this](const twin::StepTime& time) {
+      punctuality.begin(time.step, Punctuality::WallClock::now());
+    });
     run.at_barrier([this](const twin::StepTime&) { speak(); });
   }
 
@@ -102,6 +106,7 @@ struct LiveRun::Parts {
   twin::Steward& steward;
   Stream stream;
   Desk desk;
+  Punctuality punctuality;
   std::unique_ptr<SiteVoice> site;
   std::deque<VehicleVoice> voices;
   std::deque<BagCommands> played_commands;
@@ -115,5 +120,6 @@ LiveRun::LiveRun(const api::RunInHand& hand, const LiveSettings& settings)
 LiveRun::~LiveRun() = default;
 
 const std::vector<std::string>& LiveRun::names() const noexcept { return parts_->names; }
+const Punctuality& LiveRun::punctuality() const noexcept { return parts_->punctuality; }
 
 }  // namespace slackwater::live

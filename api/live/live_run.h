@@ -8,6 +8,7 @@
 
 #include "api/dds/participant.h"
 #include "api/live/host_desk.h"
+#include "api/live/punctuality.h"
 #include "api/live/stream.h"
 #include "api/rehearse/scenario_run.h"
 
@@ -17,7 +18,8 @@ namespace slackwater::live {
 struct LiveSettings {
   std::optional<dds::DomainSettings> domain;  ///< nothing: not on DDS
   HostRule when_host_fails = HostRule::take_back;
-  std::string site = "site";  ///< its id
+  std::string site = "site";    ///< its id
+  double real_time_factor = 0;  ///< of the run, for its punctuality
   /// Bags whose commands are handed in again, each as a client of its own.
   std::vector<std::filesystem::path> played_commands;
   /// Recordings, viewers: told of everything besides.
@@ -42,6 +44,8 @@ class LiveRun {
 
   /// Vehicles and their names on DDS, in the order of the run.
   [[nodiscard]] const std::vector<std::string>& names() const noexcept;
+  /// Between steps.
+  [[nodiscard]] const Punctuality& punctuality() const noexcept;
 
  private:
   struct Parts;
