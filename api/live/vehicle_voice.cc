@@ -15,6 +15,22 @@ std::uint64_t times_spoken(std::uint64_t every, std::uint64_t steps) {
   return every == 0 || steps == 0 ? 0 : (steps - 1) / every + 1;
 }
 
+const twin::Route& route_of(const AgentState& state) {
+  return state.helm.is_helmed() ? state.helm.way.route : twin::way_of(state).route;
+}
+
+WayAhead way_ahead(const AgentState& state) {
+  const twin::Route& route = route_of(state);
+  WayAhead way{state.helm.mode, state.conduct.doing, 0, state.mission.task,
+               route.next(),    route.is_done(),     {}};
+  if (state.helm.mode == twin::HelmMode::waypoints) way.since_s = state.helm.renewed_s;
+  if (!route.is_done()) {
+    const twin::Triple<double>& to_m = route.to().position_m;
+    way.to_m = {to_m.x, to_m.y, to_m.z};
+  }
+  return way;
+}
+
 const char* doing_of(const Agent& agent, const AgentState& state) {
   if (state.halt != twin::Halt::none) return "halted";
   if (state.helm.is_helmed()) return twin::name_of(state.helm.mode);
@@ -35,23 +51,33 @@ const char* doing_of(const Agent& agent, const AgentState& state) {
 
 }  // namespace
 
-std::string mission_state(const Agent& agent, const AgentState& state, const std::string& holder) {
-  nlohmann::json json{{"doing", doing_of(agent, state)},
-                      {"authority", holder},
-                      {"task", state.mission.task},
-                      {"tasks", agent.mission.tasks.size()},
-                      {"waypoints_taken", state.mission.waypoints_taken},
-                      {"halt", twin::name_of(state.halt)}};
+MissionWords mission_words(const Agent& agent, const AgentState& state, const std::string& holder) {
+  MissionWords words;
+  words.doing = doing_of(agent, state);
+  words.authority = holder;
+  words.task = state.mission.task;
+  words.tasks = agent.mission.tasks.size();
+  words.waypoints_taken = state.mission.waypoints_taken;
+  words.halt = twin::name_of(state.halt);
   if (state.helm.is_helmed())
-    json["cause"] = twin::name_of(state.helm.cause);
+    words.cause = twin::name_of(state.helm.cause);
   else if (agent.conduct)
-    json["cause"] = twin::name_of(state.conduct.cause);
-  if (agent.conduct) json["phase"] = twin::name_of(state.conduct.phase);
+    words.cause = twin::name_of(state.conduct.cause);
+  if (agent.conduct) words.phase = twin::name_of(state.conduct.phase);
+  return words;
+}
+
+std::string MissionWords::json() const {
+  nlohmann::json json{{"doing", doing}, {"authority", authority},
+                      {"task", task},   {"tasks", tasks},
+                      {"halt", halt},   {"waypoints_taken", waypoints_taken}};
+  if (!cause.empty()) json["cause"] = cause;
+  if (!phase.empty()) json["phase"] = phase;
   return json.dump();
 }
 
 std::vector<twin::Waypoint> waypoints_left(const AgentState& state) {
-  twin::Route route = state.helm.is_helmed() ? state.helm.way.route : twin::way_of(state).route;
+  twin::Route route = route_of(state);
   std::vector<twin::Waypoint> left;
   for (; !route.is_done(); route.skip()) left.push_back(route.to());
   return left;
@@ -130,13 +156,12 @@ void VehicleVoice::speak_of_instruments(const Agent& agent, const AgentState& st
 
 void VehicleVoice::speak_of_changes(const Agent& agent, const AgentState& state,
                                     const std::string& holder, const dds::Stamp& stamp) {
-  if (std::string now = mission_state(agent, state, holder); now != mission_said_) {
+  if (MissionWords now = mission_words(agent, state, holder); now != mission_said_) {
+    stream_.publish(mission_, stamp, dds::text(now.json()));
     mission_said_ = std::move(now);
-    stream_.publish(mission_, stamp, dds::text(mission_said_));
   }
-  // Without the stamp: what counts is what is left.
-  if (dds::Bytes left = dds::active_waypoints(waypoints_left(state), {}); left != waypoints_said_) {
-    waypoints_said_ = std::move(left);
+  if (const WayAhead now = way_ahead(state); now != way_said_) {
+    way_said_ = now;
     stream_.publish(waypoints_, stamp, dds::active_waypoints(waypoints_left(state), stamp));
   }
 }

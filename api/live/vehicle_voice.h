@@ -1,5 +1,9 @@
 #pragma once
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "api/live/reserve_advice.h"
 #include "api/live/stream.h"
@@ -14,6 +18,29 @@ struct RunPlace {
   GeoPoint origin;
   double geoid_m = 0;  ///< mean sea level above the ellipsoid there
   double step_s = 0;   ///< of the barrier
+};
+
+/// What a vehicle is about, in words; what `mission_state` tells.
+struct MissionWords {
+  std::string_view doing, cause, phase, halt;  ///< cause and phase may be empty
+  std::string authority;                       ///< the client at the helm, "" where nobody is
+  std::size_t task = 0, tasks = 0, waypoints_taken = 0;
+  bool operator==(const MissionWords&) const = default;
+  /// api/docs/dds.md has its schema.
+  [[nodiscard]] std::string json() const;
+};
+[[nodiscard]] MissionWords mission_words(const twin::Agent& agent, const twin::AgentState& state,
+                                         const std::string& holder);
+
+/// By which what is left of a way is known to be the same as before, without looking at all of it.
+struct WayAhead {
+  twin::HelmMode mode{};
+  twin::Doing doing{};
+  double since_s = 0;  ///< the last command of that mode
+  std::size_t task = 0, next = 0;
+  bool is_done = true;
+  std::array<double, 3> to_m{};  ///< the next place
+  bool operator==(const WayAhead&) const = default;
 };
 
 /// Tells of one vehicle after each barrier: each topic at its own rate, and nothing that nobody
@@ -46,13 +73,10 @@ class VehicleVoice {
   std::uint64_t looked_ = 0;  ///< steps of the instruments that were told of
   double second_s_ = -1;      ///< when it told last of what it tells each second
   int battery_status_ = -1;
-  std::string mission_said_;
-  dds::Bytes waypoints_said_;
+  std::optional<MissionWords> mission_said_;
+  std::optional<WayAhead> way_said_;
 };
 
-/// What a vehicle is about, as JSON (api/docs/dds.md has its schema).
-[[nodiscard]] std::string mission_state(const twin::Agent& agent, const twin::AgentState& state,
-                                        const std::string& holder);
 /// What is left of the waypoints that it goes by now.
 [[nodiscard]] std::vector<twin::Waypoint> waypoints_left(const twin::AgentState& state);
 

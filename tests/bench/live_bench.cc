@@ -1,0 +1,268 @@
+// A live run for robots, with its clients as processes of their own: twenty vehicles at 100 Hz with
+// five subscribers and a recording, beside the same run that tells nobody; two hundred with their
+// state at 10 Hz; an agent in lock-step; from a command to the moved state; a profile to fifty
+// readers. Half a minute of each; SLACKWATER_LIVE_SECONDS=600 for the whole (make soak).
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <sstream>
+#include <thread>
+
+#include "api/live/live_run.h"
+#include "api/live/recording_outlet.h"
+#include "data/bag/bag.h"
+#include "tests/bench/bench_report.h"
+#include "tests/bench/live_clients.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/twin/simulate/run_for_tests.h"
+
+namespace {
+
+using namespace slackwater;
+using namespace slackwater::bench;
+
+constexpr int domain = 91;
+
+double seconds_asked(bool check_only) {
+  if (check_only) return 1;
+  const char* asked = std::getenv("SLACKWATER_LIVE_SECONDS");
+  return asked == nullptr ? 30 : std::strtod(asked, nullptr);
+}
+
+/// ROVs with their instruments on a grid, each on a round of its own, in current and waves.
+twin::Scenario fleet(int vehicles, double step_s, double duration_s, bool has_sensors) {
+  std::string yaml = tests::head(step_s,
+                                 "{partitions: [{significant_height_m: 0.5, "
+                                 "peak_period_s: 5, from_deg: 250}], components: 16}");
+  for (int i = 0; i < vehicles; ++i) {
+    const std::string north = std::to_string(30 * (i / 20)), east = std::to_string(30 * (i % 20));
+    yaml += "  - {name: v" + std::to_string(i) +
+            ", model: bluerov2_heavy, start: {north_m: " + north + ", east_m: " + east +
+            ", depth_m: 10}, speed_m_s: 0.4, tasks: [{do: orbit, "
+            "centre: {north_m: " +
+            north + ", east_m: " + east +
+            ", depth_m: 10}, radius_m: 5, from_deg: 0, turns: 99}]}\n";
+  }
+  if (has_sensors) yaml += "log: {sensors: true}\n";
+  twin::Scenario scenario = twin::parse_scenario(yaml, "bench.yaml");
+  scenario.duration_s = duration_s;
+  scenario.log_every_s = 10;
+  return scenario;
+}
+
+struct Live {
+  live::LiveSettings settings;
+  double factor = 1;
+  std::function<void(const api::RunInHand&)> also{};
+};
+
+struct Ran {
+  live::Punctuality punctuality{0, 1};
+  double wall_s = 0;
+  double simulated_s = 0;
+  std::uint64_t steps = 0;
+};
+
+Ran run(const twin::Scenario& scenario, Live how) {
+  api::ScenarioWater water;
+  water.surround = tests::surround_of(scenario);
+  api::RunChoice choice{1, true, how.factor};
+  std::unique_ptr<live::LiveRun> joined;
+  how.settings.real_time_factor = how.factor;
+  Ran ran;
+  choice.on_ready = [&](const api::RunInHand& hand) {
+    joined = std::make_unique<live::LiveRun>(hand, how.settings);
+    hand.run.at_barrier([&](const twin::StepTime&) { ++ran.steps; });
+    if (how.also) how.also(hand);
+  };
+  choice.on_over = [&] {
+    ran.punctuality = joined->punctuality();
+    joined.reset();
+  };
+  const api::ScenarioResult result = api::run_scenario(scenario, water, choice);
+  ran.wall_s = result.wall_s;
+  ran.simulated_s = result.duration_s;
+  return ran;
+}
+
+live::LiveSettings on_loopback() {
+  live::LiveSettings settings;
+  settings.domain.emplace();
+  settings.domain->domain = domain;
+  settings.domain->is_loopback_only = true;
+  return settings;
+}
+
+double late_share(const Ran& ran) {
+  return static_cast<double>(ran.punctuality.late_steps()) /
+         static_cast<double>(std::max<std::uint64_t>(ran.punctuality.steps(), 1));
+}
+
+void twenty_at_100_hz(BenchReport& report) {
+  const double length_s = seconds_asked(report.options().check_only);
+  const twin::Scenario scenario = fleet(20, 0.01, length_s, true);
+  const tests::TemporaryFolder folder;
+  std::uint64_t recorded = 0;
+  Ran told;
+  const double cpu_before_s = ClientProcess::children_cpu_s();
+  {
+    std::vector<std::unique_ptr<ClientProcess>> subscribers;
+    for (int i = 0; i < 5; ++i)
+      subscribers.push_back(std::make_unique<ClientProcess>(
+          std::vector<std::string>{"hear", std::to_string(domain), "20"}));
+    Live how{on_loopback()};
+    const auto recording = std::make_shared<live::RecordingOutlet>(
+        folder / "run.mcap", [](const std::string& text) { throw std::runtime_error(text); });
+    how.settings.outlets.push_back(recording);
+    told = run(scenario, std::move(how));
+    recorded = recording->close();
+  }
+  const double clients_s = ClientProcess::children_cpu_s() - cpu_before_s;
+  const Ran alone = run(scenario, {});
+  std::size_t poses = 0;
+  const auto bag = bag::open_bag(folder / "run.mcap");
+  while (const auto message = bag->next())
+    poses += bag->channels()[message->channel].topic == "/v7/pose" ? 1U : 0U;
+  // One before the first step.
+  report.answer("each pose of twenty vehicles at 100 Hz is recorded", poses == told.steps + 1,
+                std::to_string(poses) + " of v7 in " + std::to_string(told.steps) + " steps, " +
+                    std::to_string(recorded) + " messages");
+  report.figure(
+      {"20 vehicles at 100 Hz, DDS to 5 processes, recorded: steps that began > 10 ms late",
+       "%",
+       {100 * late_share(told)},
+       0.1,
+       told.punctuality.text() + "; clients " +
+           std::to_string(clients_s / std::max(told.wall_s, 1e-9)) + " cores"});
+  report.figure({"the same run that tells nobody",
+                 "%",
+                 {100 * late_share(alone)},
+                 std::nullopt,
+                 alone.punctuality.text()});
+}
+
+/// Two hundred that step ten times a second tell of themselves ten times a second.
+void two_hundred(BenchReport& report) {
+  const twin::Scenario scenario = fleet(200, 0.1, report.options().check_only ? 2 : 60, false);
+  const ClientProcess subscriber({"hear", std::to_string(domain), "200"});
+  const Ran ran = run(scenario, {on_loopback(), 0});
+  report.answer("200 vehicles run to their end", ran.simulated_s == scenario.duration_s,
+                std::to_string(ran.simulated_s) + " s");
+  report.figure({"200 vehicles, state at 10 Hz on DDS to a process",
+                 "x real time",
+                 {ran.simulated_s / ran.wall_s},
+                 std::nullopt,
+                 "",
+                 5});
+}
+
+void agent_in_lock_step(BenchReport& report) {
+  const twin::Scenario scenario = fleet(1, 0.05, report.options().check_only ? 20 : 600, false);
+  const ClientProcess agent({"agent", std::to_string(domain)});
+  std::uint64_t hosted = 0;
+  double from_s = 0, until_s = 0;
+  Live how{on_loopback(), 0};
+  twin::Steward* steward = nullptr;
+  how.also = [&](const api::RunInHand& hand) {
+    steward = &hand.steward;
+    // It begins once the agent has asked for the vehicle.
+    hand.run.at_opening([&](const twin::StepTime&) {
+      while (steward->holder(0).empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      if (hosted++ == 0) from_s = monotonic_s();
+      until_s = monotonic_s();
+    });
+  };
+  const Ran ran = run(scenario, std::move(how));
+  report.answer("all steps are made with the agent", hosted == ran.steps,
+                std::to_string(hosted) + " of " + std::to_string(ran.steps));
+  report.figure({"an agent in another process, in lock-step over DDS",
+                 "steps/s",
+                 {static_cast<double>(hosted) / (until_s - from_s)},
+                 std::nullopt,
+                 "",
+                 2000});
+}
+
+struct Percentiles {
+  double half_s = -1, p99_s = -1;
+  std::size_t count = 0;
+};
+Percentiles percentiles_of(const std::string& printed) {
+  Percentiles p;
+  std::istringstream(printed) >> p.half_s >> p.p99_s >> p.count;
+  return p;
+}
+
+void command_to_moved_state(BenchReport& report) {
+  const int trials = report.options().check_only ? 3 : 60;
+  ClientProcess pusher({"push", std::to_string(domain), std::to_string(trials)});
+  std::string printed;
+  std::atomic<bool> is_over{false};
+  std::thread waiter([&] {
+    printed = pusher.result();
+    is_over = true;
+  });
+  Live how{on_loopback(), 1};
+  how.also = [&](const api::RunInHand& hand) {
+    hand.run.at_barrier([&, &control = hand.control](const twin::StepTime&) {
+      if (is_over) control.stop();
+    });
+  };
+  (void)run(fleet(1, 0.02, 300, false), std::move(how));
+  if (!is_over) pusher.end();
+  waiter.join();
+  const Percentiles p = percentiles_of(printed);
+  report.answer("each push is seen", p.count == static_cast<std::size_t>(trials), printed);
+  report.figure({"from a thruster command to the odometry that shows it, 50 Hz, p99",
+                 "ms",
+                 {1000 * p.p99_s},
+                 50,
+                 "median " + std::to_string(1000 * p.half_s) + " ms"});
+}
+
+void profile_to_fifty(BenchReport& report) {
+  const std::size_t count = report.options().check_only ? 3 : 50;
+  ClientProcess readers({"readers", std::to_string(domain), std::to_string(count)});
+  dds::DomainSettings settings = *on_loopback().domain;
+  dds::Participant participant(settings);
+  const auto writer = participant.publish_on(
+      {"/bench/current_profile", "slackwater_msgs/msg/CurrentProfile", "", {}});
+  std::string printed;
+  std::atomic<bool> is_over{false};
+  std::thread waiter([&] {
+    printed = readers.result();
+    is_over = true;
+  });
+  dds::Bytes message(7 * 50 * 8 + 200);  // fifty levels
+  message[1] = 1;
+  while (!is_over) {
+    const double now_s = monotonic_s();
+    std::memcpy(message.data() + 4, &now_s, sizeof now_s);
+    participant.send(writer, message);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  waiter.join();
+  const Percentiles p = percentiles_of(printed);
+  report.answer("a thousand to each reader", p.count >= 1000 * count, printed);
+  report.figure({"a profile of 50 levels to 50 readers of another process, p99",
+                 "ms",
+                 {1000 * p.p99_s},
+                 5,
+                 "median " + std::to_string(1000 * p.half_s) + " ms"});
+}
+
+void all(BenchReport& report) {
+  twenty_at_100_hz(report);
+  two_hundred(report);
+  agent_in_lock_step(report);
+  command_to_moved_state(report);
+  profile_to_fifty(report);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 2 && std::string(argv[1]) == "--client")
+    return live_client(std::vector<std::string>(argv + 2, argv + argc));
+  return run_bench(argc, argv, "live", all);
+}

@@ -1,0 +1,247 @@
+#include "tests/bench/live_clients.h"
+
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "api/dds/participant.h"
+
+extern char** environ;
+
+namespace slackwater::bench {
+namespace {
+
+using namespace std::chrono_literals;
+
+dds::DomainSettings loopback(const std::string& domain) {
+  dds::DomainSettings settings;
+  settings.domain = std::stoi(domain);
+  settings.is_loopback_only = true;
+  settings.node = "client";
+  return settings;
+}
+
+template <typename T>
+T read_at(dds::Payload message, std::size_t offset) {
+  T value{};
+  if (message.size() >= offset + sizeof value)
+    std::memcpy(&value, message.data() + offset, sizeof value);
+  return value;
+}
+template <typename T>
+void write_at(dds::Bytes& message, std::size_t offset, T value) {
+  message.resize(std::max(message.size(), offset + sizeof value));
+  std::memcpy(message.data() + offset, &value, sizeof value);
+}
+
+void print_percentiles(std::vector<double>& samples) {
+  std::sort(samples.begin(), samples.end());
+  const auto at = [&](double share) {
+    return samples[static_cast<std::size_t>(share * static_cast<double>(samples.size() - 1))];
+  };
+  std::printf("%.9f %.9f %zu\n", at(0.5), at(0.99), samples.size());
+}
+
+[[noreturn]] void wait_to_be_ended() {
+  for (;;) std::this_thread::sleep_for(1s);
+}
+
+int hear(const std::string& domain, int vehicles) {
+  dds::Participant participant(loopback(domain));
+  std::atomic<std::uint64_t> heard{0};
+  for (int i = 0; i < vehicles; ++i) {
+    const std::string name = "/v" + std::to_string(i);
+    for (const auto& [topic, type] : {std::pair{"/odometry", "nav_msgs/msg/Odometry"},
+                                      std::pair{"/pose", "geometry_msgs/msg/PoseStamped"},
+                                      std::pair{"/imu", "sensor_msgs/msg/Imu"}})
+      participant.subscribe({name + topic, type, "", {}},
+                            [&](dds::Payload, const std::string&) { ++heard; });
+  }
+  wait_to_be_ended();
+}
+
+int readers(const std::string& domain, std::size_t count) {
+  constexpr std::size_t wanted = 1000;
+  dds::Participant participant(loopback(domain));
+  std::mutex mutex;
+  std::vector<double> ages_s;
+  for (std::size_t i = 0; i < count; ++i) {
+    participant.subscribe({"/bench/current_profile", "slackwater_msgs/msg/CurrentProfile", "", {}},
+                          [&](dds::Payload message, const std::string&) {
+                            const double age_s = monotonic_s() - read_at<double>(message, 4);
+                            const std::lock_guard lock(mutex);
+                            ages_s.push_back(age_s);
+                          });
+  }
+  for (;;) {
+    std::this_thread::sleep_for(20ms);
+    const std::lock_guard lock(mutex);
+    if (ages_s.size() < wanted * count) continue;
+    print_percentiles(ages_s);
+    return 0;
+  }
+}
+
+/// By hand: the client's own encoding of what api/dds/idl says.
+int agent(const std::string& domain) {
+  dds::Participant participant(loopback(domain));
+  const auto request =
+      participant.publish_on({"/v0/host/request", "slackwater_msgs/msg/HostRequest", "", {}});
+  const auto command =
+      participant.publish_on({"/v0/host/command", "slackwater_msgs/msg/AgentCommand", "", {}});
+  std::atomic<bool> is_taken{false};
+  participant.subscribe({"/v0/host/answer", "slackwater_msgs/msg/HostAnswer", "", {}},
+                        [&](dds::Payload, const std::string&) { is_taken = true; });
+  participant.subscribe({"/v0/host/observation", "slackwater_msgs/msg/AgentObservation", "", {}},
+                        [&](dds::Payload seen, const std::string&) {
+                          // Behind a header with the frame "v0/base_link": 8 + 4 + 13, on eight.
+                          const auto step = read_at<std::uint64_t>(seen, 4 + 32);
+                          dds::Bytes answer{0, 1, 0, 0};
+                          write_at(answer, 4, step);
+                          answer.resize(4 + 64);                       // kind 0 and a twist
+                          write_at(answer, 4 + 64, std::uint32_t{0});  // no thrusters
+                          answer.resize(4 + 76);                       // a stamp
+                          write_at(answer, 4 + 76, std::uint32_t{1});  // a frame of one byte, NUL
+                          answer.resize(4 + 84);
+                          write_at(answer, 4 + 84, std::uint32_t{0});  // no poses
+                          participant.send(command, answer);
+                        });
+  dds::Bytes asked{0, 1, 0, 0};
+  write_at(asked, 4, std::uint64_t{42});
+  write_at(asked, 4 + 8, std::uint32_t{1});
+  write_at(asked, 4 + 12, std::uint8_t{1});
+  write_at(asked, 4 + 16, 1.0);
+  while (!is_taken) {
+    participant.send(request, asked);
+    std::this_thread::sleep_for(100ms);
+  }
+  wait_to_be_ended();
+}
+
+/// The first odometry after a push whose surge has changed its way.
+int push(const std::string& domain, int trials) {
+  dds::Participant participant(loopback(domain));
+  const auto thrusters =
+      participant.publish_on({"/v0/thrusters", "std_msgs/msg/Float64MultiArray", "", {}});
+  std::mutex mutex;
+  std::condition_variable came;
+  double surge_m_s = 0, change_m_s = 0;
+  std::uint64_t heard = 0;
+  participant.subscribe({"/v0/odometry", "nav_msgs/msg/Odometry", "", {}},
+                        [&](dds::Payload message, const std::string&) {
+                          // Behind header ("map"), child frame ("v0/base_link"), pose, covariance.
+                          const double now_m_s = read_at<double>(message, 4 + 40 + 56 + 288);
+                          const std::lock_guard lock(mutex);
+                          change_m_s = now_m_s - surge_m_s;
+                          surge_m_s = now_m_s;
+                          ++heard;
+                          came.notify_all();
+                        });
+  dds::Bytes asked{0, 1, 0, 0};
+  write_at(asked, 4, std::uint32_t{0});  // no dimensions
+  write_at(asked, 4 + 4, std::uint32_t{0});
+  write_at(asked, 4 + 8, std::uint32_t{8});
+  std::vector<double> times_s;
+  for (int trial = 0; trial < trials + 5; ++trial) {
+    const double share = trial % 2 == 0 ? 0.4 : -0.4;
+    // The BlueROV2's first four push ahead, two of them astern of the others (its file).
+    for (int i = 0; i < 4; ++i)
+      write_at(asked, static_cast<std::size_t>(20 + 8 * i), i < 2 ? -share : share);
+    for (int i = 4; i < 8; ++i) write_at(asked, static_cast<std::size_t>(20 + 8 * i), 0.0);
+    const double from_s = monotonic_s();
+    participant.send(thrusters, asked);
+    {
+      std::unique_lock lock(mutex);
+      const std::uint64_t before = heard;
+      came.wait_for(lock, 2s, [&] {
+        return heard > before && change_m_s * (trial % 2 == 0 ? 1 : -1) > 1e-4;
+      });
+    }
+    if (trial >= 5) times_s.push_back(monotonic_s() - from_s);
+    for (int i = 0; i < 4; ++i) {  // renewed, so that the helm is kept
+      std::this_thread::sleep_for(100ms);
+      participant.send(thrusters, asked);
+    }
+  }
+  print_percentiles(times_s);
+  return 0;
+}
+
+}  // namespace
+
+double monotonic_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+int live_client(const std::vector<std::string>& role) {
+  if (role.at(0) == "hear") return hear(role.at(1), std::stoi(role.at(2)));
+  if (role[0] == "readers") return readers(role.at(1), std::stoul(role.at(2)));
+  if (role[0] == "agent") return agent(role.at(1));
+  if (role[0] == "push") return push(role.at(1), std::stoi(role.at(2)));
+  throw std::runtime_error("no such client: " + role[0]);
+}
+
+ClientProcess::ClientProcess(const std::vector<std::string>& role) {
+  int ends[2];
+  if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
+  std::vector<std::string> arguments{"/proc/self/exe", "--client"};
+  arguments.insert(arguments.end(), role.begin(), role.end());
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_addclose(&actions, ends[0]);
+  const int failed =
+      ::posix_spawn(&process_, "/proc/self/exe", &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  out_ = ends[0];
+  if (failed != 0) throw std::runtime_error("the client cannot be started");
+}
+
+ClientProcess::~ClientProcess() {
+  end();
+  ::close(out_);
+}
+
+void ClientProcess::end() {
+  if (process_ < 0) return;
+  ::kill(process_, SIGKILL);
+  ::waitpid(process_, nullptr, 0);
+  process_ = -1;
+}
+
+std::string ClientProcess::result() {
+  std::string text;
+  char some[256];
+  for (ssize_t got; (got = ::read(out_, some, sizeof some)) > 0;)
+    text.append(some, static_cast<std::size_t>(got));
+  ::waitpid(process_, nullptr, 0);
+  process_ = -1;
+  return text;
+}
+
+double ClientProcess::children_cpu_s() {
+  rusage use{};
+  getrusage(RUSAGE_CHILDREN, &use);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(use.ru_utime) + seconds(use.ru_stime);
+}
+
+}  // namespace slackwater::bench

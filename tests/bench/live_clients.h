@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <vector>
+
+// Clients of a live run as processes of their own: the benchmark starts itself again in one of
+// these roles.
+
+namespace slackwater::bench {
+
+/// What this program is where its first argument is "--client"; nothing: it is the benchmark.
+///
+///   hear DOMAIN VEHICLES    listens to odometry, pose and imu of v0, v1, ... until it is ended
+///   readers DOMAIN COUNT    COUNT readers of a profile; when 1000 messages came to each, prints
+///                           the 50th and 99th percentile of their age, s
+///   agent DOMAIN            hosts the agent of v0 and asks for nothing
+///   push DOMAIN TRIALS      thrusters of v0 to and fro; prints the same of the time until its
+///                           odometry shows it, s
+/// @return the exit code
+int live_client(const std::vector<std::string>& role);
+
+/// A process of this program in a role, with what it prints.
+class ClientProcess {
+ public:
+  explicit ClientProcess(const std::vector<std::string>& role);
+  ~ClientProcess();  ///< ends it
+  ClientProcess(const ClientProcess&) = delete;
+  ClientProcess& operator=(const ClientProcess&) = delete;
+
+  /// Waits for its end. @return what it printed
+  [[nodiscard]] std::string result();
+  /// User and system time of all that were waited for, s.
+  [[nodiscard]] static double children_cpu_s();
+  void end();
+
+ private:
+  int process_ = -1;
+  int out_ = -1;
+};
+
+/// A payload whose first number is the clock of now, so that who reads it knows its age.
+[[nodiscard]] double monotonic_s();
+
+}  // namespace slackwater::bench
