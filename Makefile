@@ -38,6 +38,7 @@ soak: test-packages venv
 	ctest --preset release -V -R 'Encounters'
 	SLACKWATER_TASK_DAYS=4000 SLACKWATER_TWIN_DAYS=300 ctest --preset release -V \
 	  -R 'WindowProbabilities|TwinProbabilities'
+	SLACKWATER_LIVE_SECONDS=600 build/release/tests/bench/slackwater_live_bench
 	SLACKWATER_MUTATIONS=1000000 ctest --preset release -V -R 'MutatedMessages'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store

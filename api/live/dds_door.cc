@@ -26,7 +26,6 @@ DdsDoor::DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk, Door
     : participant_(participant), stream_(stream), desk_(desk), run_(std::move(run)) {
   participant_.on_lost([&desk](const std::string& client) { desk.lost(client); });
   open_run_services();
-  participant_.announce();
 }
 
 void DdsDoor::open(const std::string& name) {
@@ -34,7 +33,6 @@ void DdsDoor::open(const std::string& name) {
   open_topics(name, vehicle);
   open_vehicle_services(name, vehicle);
   actions_.emplace_back(participant_, stream_, desk_, run_.place, name, vehicle);
-  participant_.announce();
 }
 
 void DdsDoor::speak(std::span<const twin::AgentState> states, double t_s) {

@@ -16,7 +16,6 @@ void Desk::open(const std::string& name) {
   vehicle.thrusters = heard("thrusters", "std_msgs/msg/Float64MultiArray");
   vehicle.waypoints = heard("waypoints", "nav_msgs/msg/Path");
   vehicle.refused = stream_.open("/" + name + "/refused", "std_msgs/msg/String", state_quality);
-  stream_.opened();
   const std::lock_guard lock(mutex_);
   vehicles_.push_back(vehicle);
 }

@@ -64,6 +64,7 @@ struct LiveRun::Parts {
       desk.open(names[i]);
     }
     if (participant) open_doors(hand, settings);
+    stream.opened();
     for (const auto& bag : settings.played_commands) {
       BagCommands& played = played_commands.emplace_back(bag, names, desk);
       run.at_opening([&played](const twin::StepTime& time) { played.hand_in(time.start_s); });
@@ -84,7 +85,6 @@ struct LiveRun::Parts {
       door->open(name);
       hosts->open(name);
     }
-    participant->announce();
   }
 
   /// After each barrier: what was asked first, then what came of it.

@@ -22,7 +22,6 @@ NavigateAction::NavigateAction(dds::Participant& participant, Stream& stream, De
                     [this](dds::Payload request, const std::string&, const dds::Answer& answer) {
                       take_result(request, answer);
                     });
-  stream.opened();
 }
 
 NavigateAction::Goal* NavigateAction::active() {

@@ -40,7 +40,6 @@ SiteVoice::SiteVoice(Stream& stream, const RunPlace& place, const std::string& s
   power_ =
       stream.open("/" + site + "/turbine_power", "std_msgs/msg/Float64MultiArray", latched_quality);
   ais_ = stream.open("/ais", "slackwater_msgs/msg/AisTarget", {true, false, 100});
-  stream.opened();
 }
 
 void SiteVoice::speak(std::span<const twin::Seen> vehicles, double t_s) {

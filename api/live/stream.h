@@ -21,7 +21,7 @@ class Outlet {
   /// Whether a message now would reach anybody.
   [[nodiscard]] virtual bool wants(std::size_t channel) const = 0;
   virtual void publish(std::size_t channel, const dds::Stamp& stamp, const dds::Bytes& message) = 0;
-  /// Once all channels of a vehicle or site are open.
+  /// Once all channels that there are now are open.
   virtual void opened() {}
 };
 

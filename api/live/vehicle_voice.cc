@@ -108,7 +108,6 @@ VehicleVoice::VehicleVoice(Stream& stream, const RunPlace& place, std::string na
     }
     looked_ = at_start.navigation.instruments.steps;
   }
-  stream.opened();
 }
 
 void VehicleVoice::speak(const Agent& agent, const AgentState& state, const std::string& holder,

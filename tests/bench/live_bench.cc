@@ -143,7 +143,7 @@ void twenty_at_100_hz(BenchReport& report) {
 
 /// Two hundred that step ten times a second tell of themselves ten times a second.
 void two_hundred(BenchReport& report) {
-  const twin::Scenario scenario = fleet(200, 0.1, report.options().check_only ? 2 : 60, false);
+  const twin::Scenario scenario = fleet(200, 0.1, report.options().check_only ? 2 : 600, false);
   const ClientProcess subscriber({"hear", std::to_string(domain), "200"});
   const Ran ran = run(scenario, {on_loopback(), 0});
   report.answer("200 vehicles run to their end", ran.simulated_s == scenario.duration_s,
@@ -226,7 +226,7 @@ void profile_to_fifty(BenchReport& report) {
   dds::DomainSettings settings = *on_loopback().domain;
   dds::Participant participant(settings);
   const auto writer = participant.publish_on(
-      {"/bench/current_profile", "slackwater_msgs/msg/CurrentProfile", "", {}});
+      {"/bench/current_profile", "slackwater_msgs/msg/CurrentProfile", "", live::latched_quality});
   std::string printed;
   std::atomic<bool> is_over{false};
   std::thread waiter([&] {
