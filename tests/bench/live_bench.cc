@@ -11,6 +11,7 @@
 #include "api/live/live_run.h"
 #include "api/live/recording_outlet.h"
 #include "data/bag/bag.h"
+#include "tests/api/dds/own_domain.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/live_clients.h"
 #include "tests/support/temporary_folder.h"
@@ -21,7 +22,11 @@ namespace {
 using namespace slackwater;
 using namespace slackwater::bench;
 
-constexpr int domain = 91;
+/// Of this process alone.
+int domain_number() {
+  static const tests::OwnDomain own;
+  return own.number();
+}
 
 double seconds_asked(bool check_only) {
   if (check_only) return 1;
@@ -88,7 +93,7 @@ Ran run(const twin::Scenario& scenario, Live how) {
 live::LiveSettings on_loopback() {
   live::LiveSettings settings;
   settings.domain.emplace();
-  settings.domain->domain = domain;
+  settings.domain->domain = domain_number();
   settings.domain->is_loopback_only = true;
   return settings;
 }
@@ -109,7 +114,7 @@ void twenty_at_100_hz(BenchReport& report) {
     std::vector<std::unique_ptr<ClientProcess>> subscribers;
     for (int i = 0; i < 5; ++i)
       subscribers.push_back(std::make_unique<ClientProcess>(
-          std::vector<std::string>{"hear", std::to_string(domain), "20"}));
+          std::vector<std::string>{"hear", std::to_string(domain_number()), "20"}));
     Live how{on_loopback()};
     const auto recording = std::make_shared<live::RecordingOutlet>(
         folder / "run.mcap", [](const std::string& text) { throw std::runtime_error(text); });
@@ -144,7 +149,7 @@ void twenty_at_100_hz(BenchReport& report) {
 /// Two hundred that step ten times a second tell of themselves ten times a second.
 void two_hundred(BenchReport& report) {
   const twin::Scenario scenario = fleet(200, 0.1, report.options().check_only ? 2 : 600, false);
-  const ClientProcess subscriber({"hear", std::to_string(domain), "200"});
+  const ClientProcess subscriber({"hear", std::to_string(domain_number()), "200"});
   const Ran ran = run(scenario, {on_loopback(), 0});
   report.answer("200 vehicles run to their end", ran.simulated_s == scenario.duration_s,
                 std::to_string(ran.simulated_s) + " s");
@@ -158,7 +163,7 @@ void two_hundred(BenchReport& report) {
 
 void agent_in_lock_step(BenchReport& report) {
   const twin::Scenario scenario = fleet(1, 0.05, report.options().check_only ? 20 : 600, false);
-  const ClientProcess agent({"agent", std::to_string(domain)});
+  const ClientProcess agent({"agent", std::to_string(domain_number())});
   std::uint64_t hosted = 0;
   double from_s = 0, until_s = 0;
   Live how{on_loopback(), 0};
@@ -195,7 +200,7 @@ Percentiles percentiles_of(const std::string& printed) {
 
 void command_to_moved_state(BenchReport& report) {
   const int trials = report.options().check_only ? 3 : 60;
-  ClientProcess pusher({"push", std::to_string(domain), std::to_string(trials)});
+  ClientProcess pusher({"push", std::to_string(domain_number()), std::to_string(trials)});
   std::string printed;
   std::atomic<bool> is_over{false};
   std::thread waiter([&] {
@@ -222,7 +227,7 @@ void command_to_moved_state(BenchReport& report) {
 
 void profile_to_fifty(BenchReport& report) {
   const std::size_t count = report.options().check_only ? 3 : 50;
-  ClientProcess readers({"readers", std::to_string(domain), std::to_string(count)});
+  ClientProcess readers({"readers", std::to_string(domain_number()), std::to_string(count)});
   dds::DomainSettings settings = *on_loopback().domain;
   dds::Participant participant(settings);
   const auto writer = participant.publish_on(

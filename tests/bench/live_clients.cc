@@ -131,8 +131,8 @@ int agent(const std::string& domain) {
   wait_to_be_ended();
 }
 
-/// The first odometry after a push whose surge bends: its thrusters come up over a tenth of a second,
-/// so that it takes longer to go the other way. Waves bend it ten times less.
+/// The first odometry after a push whose surge bends: its thrusters come up over a tenth of a
+/// second, so that it takes longer to go the other way. Waves bend it ten times less.
 int push(const std::string& domain, int trials) {
   constexpr double bent_m_s = 5e-4;
   dds::Participant participant(loopback(domain));
