@@ -59,8 +59,8 @@ void print_percentiles(std::vector<double>& samples) {
 }
 
 int hear(const std::string& domain, int vehicles) {
-  dds::Participant participant(loopback(domain));
   std::atomic<std::uint64_t> heard{0};
+  dds::Participant participant(loopback(domain));
   for (int i = 0; i < vehicles; ++i) {
     const std::string name = "/v" + std::to_string(i);
     for (const auto& [topic, type] : {std::pair{"/odometry", "nav_msgs/msg/Odometry"},
@@ -74,9 +74,9 @@ int hear(const std::string& domain, int vehicles) {
 
 int readers(const std::string& domain, std::size_t count) {
   constexpr std::size_t wanted = 1000;
-  dds::Participant participant(loopback(domain));
   std::mutex mutex;
   std::vector<double> ages_s;
+  dds::Participant participant(loopback(domain));  // last: what it calls uses the others
   for (std::size_t i = 0; i < count; ++i) {
     participant.subscribe(
         {"/bench/current_profile", "slackwater_msgs/msg/CurrentProfile", "", {true, true, 1}},
@@ -97,12 +97,12 @@ int readers(const std::string& domain, std::size_t count) {
 
 /// By hand: the client's own encoding of what api/dds/idl says.
 int agent(const std::string& domain) {
+  std::atomic<bool> is_taken{false};
   dds::Participant participant(loopback(domain));
   const auto request =
       participant.publish_on({"/v0/host/request", "slackwater_msgs/msg/HostRequest", "", {}});
   const auto command =
       participant.publish_on({"/v0/host/command", "slackwater_msgs/msg/AgentCommand", "", {}});
-  std::atomic<bool> is_taken{false};
   participant.subscribe({"/v0/host/answer", "slackwater_msgs/msg/HostAnswer", "", {}},
                         [&](dds::Payload, const std::string&) { is_taken = true; });
   participant.subscribe({"/v0/host/observation", "slackwater_msgs/msg/AgentObservation", "", {}},
@@ -135,13 +135,13 @@ int agent(const std::string& domain) {
 /// second, so that it takes longer to go the other way. Waves bend it ten times less.
 int push(const std::string& domain, int trials) {
   constexpr double bent_m_s = 5e-4;
-  dds::Participant participant(loopback(domain));
-  const auto thrusters =
-      participant.publish_on({"/v0/thrusters", "std_msgs/msg/Float64MultiArray", "", {}});
   std::mutex mutex;
   std::condition_variable came;
   double surge_m_s = 0, change_m_s = 0, bend_m_s = 0;
   std::uint64_t heard = 0;
+  dds::Participant participant(loopback(domain));
+  const auto thrusters =
+      participant.publish_on({"/v0/thrusters", "std_msgs/msg/Float64MultiArray", "", {}});
   participant.subscribe({"/v0/odometry", "nav_msgs/msg/Odometry", "", {}},
                         [&](dds::Payload message, const std::string&) {
                           // Behind header ("map"), child frame ("v0/base_link"), pose, covariance.
