@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ enum class SurfaceKind {
 
 /// A piece of a surface, about as wide as it is high: what is seen or not.
 struct Patch {
-  Triple<double> centre_m;  ///< NED of the run, on the mesh
+  Triple<double> centre_m;  ///< NED of the run, on the mesh: within one of its triangles
   Triple<double> normal;    ///< unit, outward
   double area_m2 = 0;       ///< of the mesh
   double along_m = 0;       ///< of its centre on the sheet
@@ -34,7 +35,8 @@ struct Patch {
   float height_m = 0;
 };
 
-/// The surface laid flat, for people: `along` to the right, `down` downwards.
+/// The surface laid flat, for people: `along` to the right, `down` downwards. Parts that do not
+/// hang together lie beside or below one another, with gaps.
 struct Sheet {
   double width_m = 0;
   double height_m = 0;
@@ -45,16 +47,23 @@ struct Sheet {
   double top_z_m = 0;            ///< z of `down` = 0 where `down` is downwards
 };
 
+/// Of a triangle that only stands in the way: the end of a pile, the back of an anode.
+inline constexpr std::uint32_t no_patch = std::numeric_limits<std::uint32_t>::max();
+
 /// One surface of one run.
 struct Surface {
   std::string name;  ///< "A01/monopile"
   SurfaceKind kind{};
   TriangleMesh mesh;
   std::vector<Patch> patches;
-  std::vector<std::uint32_t> patch_of;  ///< of each triangle
+  std::vector<std::uint32_t> patch_of;  ///< of each triangle, or `no_patch`
   Sheet sheet;
 
   [[nodiscard]] double area_m2() const noexcept;  ///< of its patches
 };
+
+/// @throws Error(invalid_input) for a surface with a hole, or that is inside out, in words that say
+///         which and what to mend
+void expect_closed(const Surface& surface);
 
 }  // namespace slackwater::twin

@@ -1,0 +1,52 @@
+#include "twin/inspection/surface/scour_pit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/base/constants.h"
+#include "fields/base/text.h"
+#include "twin/inspection/surface/usual_sizes.h"
+
+namespace slackwater::twin {
+namespace {
+
+constexpr double degree = constants::pi / 180;
+/// Of the pile's diameter: the mean of 1.3 and twice its standard deviation of 0.7 for piles in a
+/// current, Sumer, Fredsoe & Christiansen (1992).
+constexpr double deepest = 2.7;
+
+}  // namespace
+
+double ScourPit::z_m(double north_at_m, double east_at_m) const noexcept {
+  if (!(depth_m > 0)) return bed_m;
+  const double north = north_at_m - north_m, east = east_at_m - east_m;
+  const double off_m = std::hypot(north, east) - pile_radius_m;
+  if (off_m >= width_m) return bed_m;
+  const double here_m = depth_m * (1 + skew * std::cos(std::atan2(east, north) - deepest_rad));
+  return bed_m + here_m * (1 - std::max(off_m, 0.0) / width_m);
+}
+
+double ScourPit::volume_m3() const noexcept {
+  return 2 * constants::pi * depth_m * width_m * (pile_radius_m / 2 + width_m / 6);
+}
+
+ScourPit read_scour_pit(const Config& scour, const ScourPit& level_bed) {
+  ScourPit pit = level_bed;
+  pit.depth_m = scour.number("depth_m", {0, 100});
+  const double most_m = deepest * 2 * pit.pile_radius_m;
+  if (pit.depth_m > most_m)
+    scour.refuse("depth_m", formatted("found {:g} m, expected at most {:.1f} m: {:g} diameters of "
+                                      "the foundation; mend it",
+                                      pit.depth_m, most_m, deepest));
+  if (scour.has("width_m") && scour.has("slope_deg"))
+    scour.refuse("slope_deg", "found beside width_m; give one of them");
+  const double slope_rad =
+      degree * scour.optional_number("slope_deg", {5, 45}).value_or(usual::slope_deg);
+  pit.width_m =
+      scour.optional_number("width_m", {0.1, 500}).value_or(pit.depth_m / std::tan(slope_rad));
+  pit.skew = scour.optional_number("skew", {0, 0.9}).value_or(0);
+  pit.deepest_rad = degree * scour.optional_number("deepest_deg", {-360, 360}).value_or(0);
+  return pit;
+}
+
+}  // namespace slackwater::twin
