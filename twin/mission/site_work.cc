@@ -58,6 +58,7 @@ WorkSite work_site_of(const Site& site) {
   for (const CableRoute& cable : site.cables) {
     WorkCable& out = work.cables.emplace_back();
     out.id = cable.id;
+    out.burial_m = cable.burial_depth_m;
     for (const GeoPoint& point : cable.route) {
       const Horizontal at = horizontal_of(frame.to_local(point));
       out.route_m.push_back({at.imag(), at.real(), work.turbines.front().bed_m});

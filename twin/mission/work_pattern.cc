@@ -8,6 +8,8 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/control/patterns.h"
+#include "twin/inspection/surface/rotor_axes.h"
+#include "twin/inspection/surface/usual_sizes.h"
 #include "twin/mission/read_seconds.h"
 
 namespace slackwater::twin {
@@ -148,25 +150,18 @@ std::vector<WorkLeg> lay_circles(const Config& work, const WorkTurbine& turbine)
 
 /// Along a blade of a stopped rotor: out on one face, back on the next.
 std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine) {
-  constexpr double root_m = 4;      // where a blade begins, an estimate
-  constexpr double overhang_m = 5;  // of the rotor before the tower's axis, NREL 5 MW
   const double hub = hub_of(work, "blade", turbine);
   if (!(turbine.rotor_radius_m > 0))
     work.refuse("blade", "the site gives no rotor_diameter_m; add it to the site");
   const double stand_off_m = read_stand_off(work);
   const int blade = work.integer("blade", 1, 3);
   const double faces_rad = work.number("rotor_faces_deg", {-360, 360}) * degree;
-  const double azimuth =
-      work.optional_number("rotor_azimuth_deg", {-360, 360}).value_or(0) * degree +
-      turn / 3 * (blade - 1);
-  // Axes of the rotor's plane: up, and to the right as seen from upwind.
-  const Triple<double> upwind{std::cos(faces_rad), std::sin(faces_rad), 0};
-  const Triple<double> right{std::sin(faces_rad), -std::cos(faces_rad), 0};
-  const Triple<double> up{0, 0, -1};
-  const Triple<double> along = std::cos(azimuth) * up + std::sin(azimuth) * right;
-  const Triple<double> across = -std::sin(azimuth) * up + std::cos(azimuth) * right;
+  const double first_azimuth_rad =
+      work.optional_number("rotor_azimuth_deg", {-360, 360}).value_or(0) * degree;
+  const auto [upwind, along, across] =
+      blade_axes(faces_rad, blade_azimuth_rad(blade, first_azimuth_rad));
   const Triple<double> hub_m =
-      Triple<double>{turbine.north_m, turbine.east_m, hub} + overhang_m * upwind;
+      Triple<double>{turbine.north_m, turbine.east_m, hub} + usual::overhang_m * upwind;
   std::vector<std::string> faces = work.texts("faces");
   if (faces.empty()) faces = {"leading_edge", "pressure", "trailing_edge", "suction"};
   WorkLeg leg;
@@ -185,7 +180,7 @@ std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine) {
       work.refuse("faces",
                   "found " + face + ", expected leading_edge, trailing_edge, pressure or suction");
     }
-    const Triple<double> root = hub_m + root_m * along + stand_off_m * off;
+    const Triple<double> root = hub_m + usual::blade_root_m * along + stand_off_m * off;
     const Triple<double> tip = hub_m + turbine.rotor_radius_m * along + stand_off_m * off;
     leg.waypoints.push_back({is_out ? root : tip, 0, 0});
     leg.waypoints.push_back({is_out ? tip : root, 0, 0});
@@ -208,7 +203,8 @@ std::vector<WorkLeg> lay_cable(const Config& work, const WorkSite& site,
   const int lines = work.optional_integer("lines", 1, 100).value_or(1);
   const double spacing_m = lines > 1 ? work.number("spacing_m", {0.5, 500}) : 0;
   const double at = read_level(work.child("at"), turbine);
-  const double off_ends_m = work.optional_number("off_ends_m", {0, 500}).value_or(40);
+  const double off_ends_m =
+      work.optional_number("off_ends_m", {0, 500}).value_or(usual::off_ends_m);
   WorkLeg leg;
   for (int line = 0; line < lines; ++line) {
     const double right_m = (line - 0.5 * (lines - 1)) * spacing_m;

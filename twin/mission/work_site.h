@@ -37,6 +37,7 @@ struct WorkTurbine {
 struct WorkCable {
   std::string id;
   std::vector<Triple<double>> route_m;
+  std::optional<double> burial_m;  ///< of its top below the bed; nothing: nobody says
 };
 
 /// All that the geometry of a task is made from.

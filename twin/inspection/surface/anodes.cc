@@ -31,15 +31,15 @@ Surface make_anodes(const Config& config, double patch_m) {
                                     "a longer way from `from` to `to`",
                                     apart_m, length_m));
   if (bars * width_m > 2 * constants::pi * (pile_m + off_m))
-    config.refuse("bars", formatted("{} of {:g} m do not fit round the pile; take fewer", bars,
-                                    width_m));
+    config.refuse("bars",
+                  formatted("{} of {:g} m do not fit round the pile; take fewer", bars, width_m));
   SurfaceBuilder builder({upright.north_m, upright.east_m, upright.top_m});
   for (int row = 0; row < rows; ++row)
     for (int bar = 0; bar < bars; ++bar) {
       const double bearing = first_rad + 2 * constants::pi * bar / bars;
       const Triple<double> out{std::cos(bearing), std::sin(bearing), 0};
-      Triple<double> middle_m = Triple<double>{upright.north_m, upright.east_m, 0} +
-                                (pile_m + off_m) * out;
+      Triple<double> middle_m =
+          Triple<double>{upright.north_m, upright.east_m, 0} + (pile_m + off_m) * out;
       middle_m.z = upright.top_m + (row + 1) * apart_m;
       Block block;
       block.size_m = {width_m, width_m, length_m};

@@ -52,9 +52,8 @@ BladeShape read_blade(const Config& config) {
   const double first_rad =
       config.optional_number("rotor_azimuth_deg", {-360, 360}).value_or(0) * degree;
   blade.axes = blade_axes(faces_rad, blade_azimuth_rad(config.integer("blade", 1, 3), first_rad));
-  blade.hub_m =
-      read_point(config) +
-      length_or(config, "overhang_m", usual::overhang_m, {0, 50}) * blade.axes.upwind;
+  blade.hub_m = read_point(config) +
+                length_or(config, "overhang_m", usual::overhang_m, {0, 50}) * blade.axes.upwind;
   blade.tip_m = config.number("tip_m", {1, 200});
   const double scale = blade.tip_m / usual::rotor_radius_m;
   blade.root_m = length_or(config, "root_m", usual::blade_root_m, {0, 200});

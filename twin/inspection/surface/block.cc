@@ -69,9 +69,9 @@ void add_block(SurfaceBuilder& builder, const Block& block) {
         std::uint32_t patch = no_patch;
         if (sheet) {
           const double aside = off_diagonal / 6, end = (1 - off_diagonal) / 2 + off_diagonal / 3;
-          patch = builder.add_patch(sheet->left_m + (column + 0.5 - aside) * width_m,
-                                    sheet->top_m + (row + 0.5 + aside) * height_m, width_m,
-                                    height_m);
+          patch =
+              builder.add_patch(sheet->left_m + (column + 0.5 - aside) * width_m,
+                                sheet->top_m + (row + 0.5 + aside) * height_m, width_m, height_m);
           builder.put_centre(patch, {a, c, d}, {end, end, off_diagonal / 3});
         }
         // Down and then to the right turn outward.

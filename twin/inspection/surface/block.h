@@ -25,7 +25,7 @@ struct FaceSheet {
 ///   4 lower     to the left                          to the back
 ///   5 upper     to the right                         to the back
 struct Block {
-  Triple<double> size_m;  ///< whole lengths
+  Triple<double> size_m;                                                      ///< whole lengths
   std::function<Triple<double>(double ahead, double right, double down)> at;  ///< NED of the run
   std::array<std::optional<FaceSheet>, 6> faces;  ///< those that are patched
   double patch_m = 0;

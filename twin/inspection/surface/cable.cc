@@ -29,7 +29,8 @@ std::vector<RoutePoint> read_route(const Config& config) {
                                      route.size()));
   for (std::size_t i = 1; i < route.size(); ++i)
     if (length_of(route[i].bed_m - route[i - 1].bed_m) < 0.1)
-      config.refuse("route", formatted("points {} and {} are one; leave one of them out", i, i + 1));
+      config.refuse("route",
+                    formatted("points {} and {} are one; leave one of them out", i, i + 1));
   return route;
 }
 
@@ -135,9 +136,8 @@ Surface make_cable(const Config& config, double patch_m) {
   };
   grid.sheet = [&](std::size_t column, std::size_t row) -> std::optional<SheetCell> {
     const double begin_m = stations[column].along_m, end_m = stations[column + 1].along_m;
-    return SheetCell{0.5 * (begin_m + end_m),
-                     corridor_m * (static_cast<double>(row) + 0.5) / rows, end_m - begin_m,
-                     corridor_m / rows};
+    return SheetCell{0.5 * (begin_m + end_m), corridor_m * (static_cast<double>(row) + 0.5) / rows,
+                     end_m - begin_m, corridor_m / rows};
   };
   (void)add_grid(builder, grid);
   // The cable itself, below the bed: it is not seen but where it lies bare.

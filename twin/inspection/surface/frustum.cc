@@ -56,9 +56,9 @@ void add_frustum(SurfaceBuilder& builder, const Frustum& frustum, const Arc& arc
     if (column >= seen) return std::nullopt;
     const double middle = static_cast<double>(row) + 0.5;
     const double round_rad = (static_cast<double>(column) + 0.5) * column_rad;
-    return SheetCell{left_m + 0.5 * arc.arc_rad * widest_m +
-                         (round_rad - 0.5 * arc.arc_rad) * radius_m(middle),
-                     top_m + middle * row_m, column_rad * radius_m(middle), row_m};
+    return SheetCell{
+        left_m + 0.5 * arc.arc_rad * widest_m + (round_rad - 0.5 * arc.arc_rad) * radius_m(middle),
+        top_m + middle * row_m, column_rad * radius_m(middle), row_m};
   };
   close_ends(builder, add_grid(builder, grid));
 }

@@ -18,9 +18,8 @@ Surface make_nacelle(const Config& config, double patch_m) {
   const double wide_m = length_or(config, "width_m", usual::nacelle_width_m);
   const double tall_m = length_or(config, "tall_m", usual::nacelle_height_m);
   const double ahead_m = length_or(config, "ahead_m", usual::nacelle_ahead_m, {-100, 100});
-  const double rise_m =
-      length_or(config, "roof_rise_m", std::min(usual::nacelle_roof_rise_m, 0.2 * wide_m),
-                {0, 0.5 * wide_m});
+  const double rise_m = length_or(
+      config, "roof_rise_m", std::min(usual::nacelle_roof_rise_m, 0.2 * wide_m), {0, 0.5 * wide_m});
   const Triple<double> ahead{std::cos(faces_rad), std::sin(faces_rad), 0};
   const Triple<double> right{-std::sin(faces_rad), std::cos(faces_rad), 0};
   Block block;

@@ -19,9 +19,9 @@ GridEdges add(SurfaceBuilder& builder, const PatchedGrid& grid, bool is_ring) {
   const std::size_t levels = rows + (is_ring ? 0 : 1);
   for (std::size_t j = 0; j < levels; ++j)
     for (std::size_t i = 0; i < across; ++i)
-      corners.push_back(builder.add_corner(
-          grid.at(static_cast<double>(i) / static_cast<double>(grid.across),
-                  static_cast<double>(j) / static_cast<double>(grid.high))));
+      corners.push_back(
+          builder.add_corner(grid.at(static_cast<double>(i) / static_cast<double>(grid.across),
+                                     static_cast<double>(j) / static_cast<double>(grid.high))));
   const auto corner = [&](std::size_t i, std::size_t j) {
     return corners[(j == levels ? 0 : j) * across + (i == across ? 0 : i)];
   };

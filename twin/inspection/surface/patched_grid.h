@@ -17,8 +17,8 @@ struct SheetCell {
   double height_m = 0;
 };
 
-/// Patches in columns and rows, each of them a grid of quadrilaterals of two triangles; odd numbers,
-/// so that its middle is the middle of one of them.
+/// Patches in columns and rows, each of them a grid of quadrilaterals of two triangles; odd
+/// numbers, so that its middle is the middle of one of them.
 struct PatchedGrid {
   std::size_t columns = 0;
   std::size_t rows = 0;

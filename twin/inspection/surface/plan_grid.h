@@ -18,9 +18,9 @@ struct PlanCircle {
 /// A piece of the bed or of the sea's surface, seen from above: squares of a map, cut at its edges.
 struct PlanGrid {
   std::optional<PlanCircle> within;
-  std::vector<Triple<double>> corners;   ///< of a convex polygon, clockwise; instead of `within`
-  std::optional<PlanCircle> without;     ///< a foundation that stands there
-  double finest_m = 0;                   ///< that the mesh has to show; 0: no finer than patches
+  std::vector<Triple<double>> corners;  ///< of a convex polygon, clockwise; instead of `within`
+  std::optional<PlanCircle> without;    ///< a foundation that stands there
+  double finest_m = 0;                  ///< that the mesh has to show; 0: no finer than patches
   std::function<double(double north_m, double east_m)> z_m;
 };
 

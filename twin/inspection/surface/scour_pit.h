@@ -15,9 +15,9 @@ struct ScourPit {
   double east_m = 0;
   double pile_radius_m = 0;
   double bed_m = 0;
-  double depth_m = 0;  ///< D; 0: a level bed
-  double width_m = 0;  ///< w
-  double skew = 0;     ///< k
+  double depth_m = 0;      ///< D; 0: a level bed
+  double width_m = 0;      ///< w
+  double skew = 0;         ///< k
   double deepest_rad = 0;  ///< b0, a bearing
 
   [[nodiscard]] double z_m(double north_at_m, double east_at_m) const noexcept;

@@ -51,8 +51,7 @@ void SurfaceBuilder::put_centre(std::uint32_t patch, const std::array<std::uint3
 
 void SurfaceBuilder::add_cap(const std::vector<std::uint32_t>& ring) {
   Triple<double> middle_m;
-  for (const std::uint32_t corner : ring)
-    middle_m = middle_m + surface_.mesh.corner_m(corner);
+  for (const std::uint32_t corner : ring) middle_m = middle_m + surface_.mesh.corner_m(corner);
   const std::uint32_t middle = add_corner((1.0 / static_cast<double>(ring.size())) * middle_m);
   for (std::size_t i = 0; i < ring.size(); ++i)
     add_triangle(middle, ring[i], ring[(i + 1) % ring.size()]);

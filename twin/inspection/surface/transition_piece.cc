@@ -90,8 +90,7 @@ void add_bolts(SurfaceBuilder& builder, const Frustum& piece, Shelf& shelf, int 
     const double bearing = 2 * constants::pi * (i + 0.5) / bolts;
     const Triple<double> out{std::cos(bearing), std::sin(bearing), 0};
     const Triple<double> right{-out.y, out.x, 0};
-    Triple<double> middle_m =
-        Triple<double>{piece.north_m, piece.east_m, 0} + circle_m * out;
+    Triple<double> middle_m = Triple<double>{piece.north_m, piece.east_m, 0} + circle_m * out;
     middle_m.z = piece.top_m + flange_thickness_m + 0.5 * size_m.z;
     Block bolt;
     bolt.size_m = size_m;

@@ -17,8 +17,8 @@ struct Across {
 };
 Across across_of(const Triple<double>& way) {
   // Of an upright one from north; else from above.
-  const Triple<double> aim = std::hypot(way.x, way.y) < 1e-6 ? Triple<double>{1, 0, 0}
-                                                             : Triple<double>{0, 0, -1};
+  const Triple<double> aim =
+      std::hypot(way.x, way.y) < 1e-6 ? Triple<double>{1, 0, 0} : Triple<double>{0, 0, -1};
   const Triple<double> off = aim - dot(aim, way) * way;
   const Triple<double> first = (1 / length_of(off)) * off;
   return {first, cross(way, first)};

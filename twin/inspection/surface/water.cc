@@ -16,8 +16,8 @@ constexpr Range from_origin{-1e6, 1e6};
 std::vector<Triple<double>> read_corners(const Config& config) {
   std::vector<Triple<double>> corners;
   for (const Config& corner : config.children("corners"))
-    corners.push_back({corner.number("north_m", from_origin), corner.number("east_m", from_origin),
-                       0});
+    corners.push_back(
+        {corner.number("north_m", from_origin), corner.number("east_m", from_origin), 0});
   const std::size_t n = corners.size();
   if (n < 3) config.refuse("corners", formatted("found {}, expected at least three", n));
   double turned_rad = 0;

@@ -11,8 +11,7 @@ namespace {
 
 double half_thickness(double x, double t) {
   return 5 * t *
-         (0.2969 * std::sqrt(x) +
-          x * (-0.1260 + x * (-0.3516 + x * (0.2843 + x * -0.1036))));
+         (0.2969 * std::sqrt(x) + x * (-0.1260 + x * (-0.3516 + x * (0.2843 + x * -0.1036))));
 }
 
 double camber_line(double x, double m) {
@@ -34,8 +33,8 @@ WingSection::WingSection(double thickness, double camber) {
   points_.back() = points_.front();  // one edge, whatever rounding says
   length_.push_back(0);
   for (std::size_t i = 1; i < points_.size(); ++i)
-    length_.push_back(length_.back() + std::hypot(points_[i].x - points_[i - 1].x,
-                                                  points_[i].y - points_[i - 1].y));
+    length_.push_back(length_.back() +
+                      std::hypot(points_[i].x - points_[i - 1].x, points_[i].y - points_[i - 1].y));
 }
 
 SectionPoint WingSection::at(double share) const {
@@ -43,8 +42,8 @@ SectionPoint WingSection::at(double share) const {
   const auto next = std::clamp(std::upper_bound(length_.begin(), length_.end(), length),
                                length_.begin() + 1, length_.end() - 1);
   const auto i = static_cast<std::size_t>(next - length_.begin());
-  const double part = std::clamp((length - length_[i - 1]) / (length_[i] - length_[i - 1]), 0.0,
-                                 1.0);
+  const double part =
+      std::clamp((length - length_[i - 1]) / (length_[i] - length_[i - 1]), 0.0, 1.0);
   return {points_[i - 1].x + part * (points_[i].x - points_[i - 1].x),
           points_[i - 1].y + part * (points_[i].y - points_[i - 1].y)};
 }

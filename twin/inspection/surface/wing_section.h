@@ -35,10 +35,10 @@ class WingSection {
   std::vector<double> length_;  ///< from the trailing edge to each point
 };
 
-/// Of unit chord: 2 integral of y_t = 10 t (0.2969 2/3 - 0.1260/2 - 0.3516/3 + 0.2843/4 - 0.1036/5).
+/// Of unit chord: 2 integral of y_t
+///   = 10 t (0.2969 2/3 - 0.1260/2 - 0.3516/3 + 0.2843/4 - 0.1036/5).
 [[nodiscard]] constexpr double wing_section_area(double thickness) noexcept {
-  return 10 * thickness *
-         (0.2969 * 2 / 3 - 0.1260 / 2 - 0.3516 / 3 + 0.2843 / 4 - 0.1036 / 5);
+  return 10 * thickness * (0.2969 * 2 / 3 - 0.1260 / 2 - 0.3516 / 3 + 0.2843 / 4 - 0.1036 / 5);
 }
 
 }  // namespace slackwater::twin

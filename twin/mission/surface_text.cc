@@ -1,0 +1,177 @@
+#include "twin/mission/surface_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "fields/base/constants.h"
+#include "fields/base/text.h"
+#include "twin/inspection/surface/make_surface.h"
+#include "twin/inspection/surface/usual_sizes.h"
+#include "twin/mission/scenario_text.h"
+#include "twin/mission/work_pattern.h"
+
+namespace slackwater::twin {
+namespace {
+
+std::string level_text(double z_m) {
+  return z_m < 0 ? "{height_m: " + number_text(-z_m) + "}"
+                 : "{depth_m: " + number_text(std::max(z_m, 0.0)) + "}";
+}
+
+/// An entry of a scenario while it is written.
+class SurfaceWriter {
+ public:
+  SurfaceWriter(const Config& entry, const WorkSite& site, const WorkTurbine& turbine)
+      : entry_(entry), site_(site), turbine_(turbine) {}
+
+  std::string write() {
+    const std::string word = entry_.text("kind");
+    const SurfaceKind kind = surface_kind_of(word, entry_, "kind");
+    switch (kind) {
+      case SurfaceKind::monopile:
+        put_axis();
+        put("radius_m", turbine_.radius_m);
+        put_levels(0, turbine_.foot_m);
+        break;
+      case SurfaceKind::transition_piece:
+        put_axis();
+        put("radius_m", turbine_.radius_m + usual::transition_wider_m);
+        put("landing_deg", turbine_.landing_rad * 180 / constants::pi);
+        put_levels(turbine_.top_m, std::min(usual::transition_foot_depth_m, turbine_.foot_m));
+        break;
+      case SurfaceKind::tower:
+        put_axis();
+        put("radius_m", turbine_.radius_m);
+        put_levels(has_levels() ? 0 : hub_z_m() + usual::tower_below_hub_m, turbine_.top_m);
+        break;
+      case SurfaceKind::nacelle: {
+        put_axis();
+        put("height_m", -hub_z_m());
+        const double scale =
+            turbine_.rotor_radius_m > 0 ? turbine_.rotor_radius_m / usual::rotor_radius_m : 1;
+        put("length_m", scale * usual::nacelle_length_m);
+        put("width_m", scale * usual::nacelle_width_m);
+        put("tall_m", scale * usual::nacelle_height_m);
+        put("ahead_m", scale * usual::nacelle_ahead_m);
+        break;
+      }
+      case SurfaceKind::blade:
+        put_axis();
+        put("height_m", -hub_z_m());
+        if (!(turbine_.rotor_radius_m > 0))
+          entry_.refuse("kind", "the site gives no rotor_diameter_m; add it to the site");
+        put("tip_m", turbine_.rotor_radius_m);
+        name_ = "blade " + std::to_string(entry_.integer("blade", 1, 3));
+        break;
+      case SurfaceKind::anodes:
+        put_axis();
+        put("radius_m", turbine_.radius_m);
+        put("first_bearing_deg", turbine_.landing_rad * 180 / constants::pi);
+        put_levels(5, turbine_.foot_m - 3);
+        break;
+      case SurfaceKind::mooring_line:
+        put_mooring();
+        break;
+      case SurfaceKind::cable:
+        put_cable();
+        break;
+      case SurfaceKind::bed:
+        put_axis();
+        put("depth_m", turbine_.bed_m);
+        put("radius_m", turbine_.radius_m);
+        break;
+      case SurfaceKind::water:
+        if (entry_.has("corners")) break;
+        put_axis();
+        put("radius_m", usual::watch_radius_m);
+        put("inner_m", turbine_.radius_m);
+        break;
+    }
+    std::string text = "{kind: " + word + ", name: ";
+    text += entry_.has("name") ? entry_.flow_yaml("name")
+                               : quoted_yaml(owner_ + (name_.empty() ? word : name_));
+    text += text_;
+    for (const std::string& key : entry_.keys())
+      if (!written_.contains(key)) text += ", " + key + ": " + entry_.flow_yaml(key);
+    return text + "}";
+  }
+
+ private:
+  void put_text(const std::string& key, const std::string& value) {
+    text_ += ", " + key + ": " + value;
+    written_.insert(key);
+  }
+  /// Unless the entry has a size of its own.
+  void put(const std::string& key, double value) {
+    if (!entry_.has(key)) put_text(key, number_text(value));
+  }
+  void put_axis() {
+    put("north_m", turbine_.north_m);
+    put("east_m", turbine_.east_m);
+  }
+  bool has_levels() const { return entry_.has("from"); }
+  void put_levels(double from_m, double to_m) {
+    const auto level = [&](const char* key, double usual_m) {
+      const auto own = entry_.optional_child(key);
+      put_text(key, level_text(own ? read_level(*own, turbine_) : usual_m));
+    };
+    level("from", from_m);
+    level("to", to_m);
+  }
+  double hub_z_m() const {
+    if (turbine_.hub_m < 0) return turbine_.hub_m;
+    entry_.refuse("kind",
+                  "the site gives turbine " + turbine_.id + " no hub_height_m; add it to the site");
+  }
+
+  void put_mooring() {
+    const std::string id = entry_.text("mooring");
+    const auto found = std::find_if(turbine_.moorings.begin(), turbine_.moorings.end(),
+                                    [&](const MooringLine& line) { return line.id == id; });
+    if (found == turbine_.moorings.end())
+      entry_.refuse("mooring", "found " + id + ", which turbine " + turbine_.id + " does not have");
+    name_ = id;
+    written_.insert("mooring");
+    put_text("fairlead", "{" + place_text(found->fairlead_m) + "}");
+    put_text("anchor", "{" + place_text(found->anchor_m) + "}");
+  }
+
+  void put_cable() {
+    const std::string id = entry_.text("cable");
+    const auto found = std::find_if(site_.cables.begin(), site_.cables.end(),
+                                    [&](const WorkCable& cable) { return cable.id == id; });
+    if (found == site_.cables.end()) {
+      std::vector<std::string> known;
+      for (const WorkCable& cable : site_.cables) known.push_back(cable.id);
+      entry_.refuse("cable", "found " + id + ", the site has " +
+                                 (known.empty() ? std::string("no cables") : joined(known, ", ")));
+    }
+    owner_.clear();
+    name_ = "cable " + id;
+    written_.insert("cable");
+    put("off_ends_m", usual::off_ends_m);
+    put("burial_m", found->burial_m.value_or(usual::burial_m));
+    std::vector<std::string> points;
+    for (const Triple<double>& at : found->route_m) points.push_back("{" + place_text(at) + "}");
+    put_text("route", "[" + joined(points, ", ") + "]");
+  }
+
+  const Config& entry_;
+  const WorkSite& site_;
+  const WorkTurbine& turbine_;
+  std::string owner_ = turbine_.id + "/";
+  std::string name_;  ///< empty: its kind
+  std::string text_;
+  std::set<std::string> written_{"kind", "name"};
+};
+
+}  // namespace
+
+std::string surface_text(const Config& entry, const WorkSite& site, const WorkTurbine& turbine) {
+  return SurfaceWriter(entry, site, turbine).write();
+}
+
+}  // namespace slackwater::twin
