@@ -9,7 +9,7 @@ namespace slackwater::tests {
 /// A monopile in 35 m of water with its transition piece and anodes, at north 0, east 0, in about
 /// 50 000 triangles: what rays are cast at in proofs of speed.
 /// @param patch_m  of the pile; the default makes 50 000 triangles within 5 %
-inline std::vector<twin::Surface> foundation_for_tests(double patch_m = 0.232) {
+inline std::vector<twin::Surface> foundation_for_tests(double patch_m = 0.25) {
   std::vector<twin::Surface> surfaces;
   surfaces.push_back(
       surface_of("kind: monopile, name: A01/monopile, north_m: 0, east_m: 0, radius_m: 3, from: "

@@ -18,9 +18,9 @@ Surface make_anodes(const Config& config, double patch_m) {
   const int rows = config.optional_integer("rows", 1, 200).value_or(usual::anode_rows);
   const double first_rad =
       config.optional_number("first_bearing_deg", {-360, 360}).value_or(0) * degree;
-  const double length_m = length_or(config, "length_m", usual::anode_length_m, {0.05, 10});
-  const double width_m = length_or(config, "width_m", usual::anode_width_m, {0.02, 2});
-  const double off_m = length_or(config, "off_m", usual::anode_off_m, {0.01, 5});
+  const double length_m = number_or(config, "length_m", usual::anode_length_m, {0.05, 10});
+  const double width_m = number_or(config, "width_m", usual::anode_width_m, {0.02, 2});
+  const double off_m = number_or(config, "off_m", usual::anode_off_m, {0.01, 5});
   if (off_m < 0.5 * width_m)
     config.refuse("off_m", formatted("{:g} m from the pile to the middle of bars of {:g} m puts "
                                      "them into it; give at least half their width",

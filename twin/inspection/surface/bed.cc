@@ -19,7 +19,7 @@ Surface make_bed(const Config& config, double patch_m) {
   pit.pile_radius_m = config.number("radius_m", {0.05, 50});
   if (const auto scour = config.optional_child("scour")) pit = read_scour_pit(*scour, pit);
   const double outer_m =
-      length_or(config, "outer_m", usual::bed_radii * pit.pile_radius_m, {0.1, 5000});
+      number_or(config, "outer_m", usual::bed_radii * pit.pile_radius_m, {0.1, 5000});
   if (!(outer_m > pit.pile_radius_m))
     config.refuse("outer_m", formatted("found {:g} m, within the foundation's {:g} m; give a "
                                        "radius beyond it",

@@ -53,22 +53,22 @@ BladeShape read_blade(const Config& config) {
       config.optional_number("rotor_azimuth_deg", {-360, 360}).value_or(0) * degree;
   blade.axes = blade_axes(faces_rad, blade_azimuth_rad(config.integer("blade", 1, 3), first_rad));
   blade.hub_m = read_point(config) +
-                length_or(config, "overhang_m", usual::overhang_m, {0, 50}) * blade.axes.upwind;
+                number_or(config, "overhang_m", usual::overhang_m, {0, 50}) * blade.axes.upwind;
   blade.tip_m = config.number("tip_m", {1, 200});
   const double scale = blade.tip_m / usual::rotor_radius_m;
-  blade.root_m = length_or(config, "root_m", usual::blade_root_m, {0, 200});
+  blade.root_m = number_or(config, "root_m", usual::blade_root_m, {0, 200});
   if (!(blade.root_m < blade.tip_m))
     config.refuse("root_m", formatted("at {:g} m is not before the tip, at {:g} m from the hub",
                                       blade.root_m, blade.tip_m));
-  blade.root_chord_m = length_or(config, "chord_m", scale * usual::blade_chord_m, {0.05, 20});
+  blade.root_chord_m = number_or(config, "chord_m", scale * usual::blade_chord_m, {0.05, 20});
   blade.tip_chord_m =
-      length_or(config, "tip_chord_m", scale * usual::blade_tip_chord_m, {0.02, 20});
+      number_or(config, "tip_chord_m", scale * usual::blade_tip_chord_m, {0.02, 20});
   constexpr Range thick{0.05, 0.9};
-  blade.root_thickness = length_or(config, "root_thickness", usual::blade_root_thickness, thick);
-  blade.tip_thickness = length_or(config, "tip_thickness", usual::blade_tip_thickness, thick);
-  blade.root_twist_rad = length_or(config, "twist_deg", usual::blade_twist_deg, {-90, 90}) * degree;
-  blade.pitch_rad = length_or(config, "pitch_deg", 0, {-180, 180}) * degree;
-  blade.camber = length_or(config, "camber", usual::blade_camber, {0, 0.1});
+  blade.root_thickness = number_or(config, "root_thickness", usual::blade_root_thickness, thick);
+  blade.tip_thickness = number_or(config, "tip_thickness", usual::blade_tip_thickness, thick);
+  blade.root_twist_rad = number_or(config, "twist_deg", usual::blade_twist_deg, {-90, 90}) * degree;
+  blade.pitch_rad = number_or(config, "pitch_deg", 0, {-180, 180}) * degree;
+  blade.camber = number_or(config, "camber", usual::blade_camber, {0, 0.1});
   return blade;
 }
 

@@ -20,9 +20,9 @@ struct RoutePoint {
 
 std::vector<RoutePoint> read_route(const Config& config) {
   std::vector<RoutePoint> route;
-  const double everywhere_m = length_or(config, "burial_m", usual::burial_m, {0, 20});
+  const double everywhere_m = number_or(config, "burial_m", usual::burial_m, {0, 20});
   for (const Config& point : config.children("route"))
-    route.push_back({read_point(point), length_or(point, "burial_m", everywhere_m, {0, 20})});
+    route.push_back({read_point(point), number_or(point, "burial_m", everywhere_m, {0, 20})});
   if (route.size() < 2)
     config.refuse("route", formatted("has {} points, expected at least two: where the cable "
                                      "begins and ends",
@@ -114,15 +114,15 @@ std::vector<Station> stations_of(const Config& config, const std::vector<RoutePo
 
 Surface make_cable(const Config& config, double patch_m) {
   std::vector<RoutePoint> route = read_route(config);
-  const double off_ends_m = length_or(config, "off_ends_m", 0, {0, 5000});
+  const double off_ends_m = number_or(config, "off_ends_m", 0, {0, 5000});
   const double whole_m = length_of_route(route);
   if (whole_m - 2 * off_ends_m < patch_m)
     config.refuse("route", formatted("is {:g} m long, of which off_ends_m leaves {:g} m, less "
                                      "than a patch of {:g} m; mend it, or take a smaller patch_m",
                                      whole_m, whole_m - 2 * off_ends_m, patch_m));
   route = shortened(std::move(route), off_ends_m);
-  const double corridor_m = length_or(config, "corridor_m", usual::corridor_m, {0.1, 500});
-  const double radius_m = length_or(config, "radius_m", usual::cable_radius_m, {0.005, 1});
+  const double corridor_m = number_or(config, "corridor_m", usual::corridor_m, {0.1, 500});
+  const double radius_m = number_or(config, "radius_m", usual::cable_radius_m, {0.005, 1});
   const std::vector<Station> stations = stations_of(config, route, corridor_m, patch_m);
   SurfaceBuilder builder(route.front().bed_m);
   PatchedGrid grid;

@@ -9,7 +9,7 @@ namespace slackwater::twin {
 
 Surface make_mooring_line(const Config& config, double patch_m) {
   Tube line{read_point(config.child("fairlead")), read_point(config.child("anchor")),
-            length_or(config, "radius_m", usual::chain_radius_m, {0.005, 2})};
+            number_or(config, "radius_m", usual::chain_radius_m, {0.005, 2})};
   const double whole_m = length_of(line.to_m - line.from_m);
   if (whole_m < patch_m)
     config.refuse("anchor", formatted("is {:g} m from the fairlead, less than a patch of {:g} m; "

@@ -20,6 +20,9 @@ using Piece = std::vector<PlanPoint>;
 /// Not above 0 inside.
 using Bound = std::function<double(double north_m, double east_m)>;
 
+/// Of a square: less is left out, since single precision would not show it.
+constexpr double least_piece = 1e-3;
+
 struct Frame {
   double north_m = -std::numeric_limits<double>::infinity();  ///< upper edge
   double south_m = std::numeric_limits<double>::infinity();
@@ -109,7 +112,10 @@ class PlanMaker {
     const double high_m = frame_.north_m - frame_.south_m;
     const double fine = grid.finest_m > 0 ? std::min(std::ceil(patch_m / grid.finest_m), 9.0) : 1;
     constexpr double most_cells = 4.0 * TooManyPatches::most_triangles;
-    if (wide_m / patch_m * (high_m / patch_m) * fine * fine > most_cells) throw TooManyPatches();
+    const double patches = wide_m / patch_m * (high_m / patch_m);
+    // A disc fills pi / 4 of its square.
+    if (grid.within && 0.78 * patches > TooManyPatches::most_patches) throw TooManyPatches();
+    if (patches * fine * fine > most_cells) throw TooManyPatches();
     parts_ = odd_from(fine);
     columns_ = pieces_in(wide_m, patch_m);
     rows_ = pieces_in(high_m, patch_m);
@@ -158,7 +164,7 @@ class PlanMaker {
         Cut cell{{lattice(i, j), lattice(i + 1, j), lattice(i + 1, j + 1), lattice(i, j + 1)}};
         for (const Bound& bound : bounds_) cell.piece = cut(cell.piece, bound);
         const double whole_m2 = cell_east_m_ * cell_north_m_;
-        if (cell.piece.size() < 3 || area_of(cell.piece) < 1e-6 * whole_m2) continue;
+        if (cell.piece.size() < 3 || area_of(cell.piece) < least_piece * whole_m2) continue;
         cell.is_whole = area_of(cell.piece) > (1 - 1e-9) * whole_m2;
         for (const PlanPoint& at : cell.piece) box.take(at.north_m, at.east_m);
         triangles += cell.piece.size() - 2;
@@ -179,9 +185,10 @@ class PlanMaker {
       std::vector<std::uint32_t> ids;
       for (const PlanPoint& at : piece) ids.push_back(corner_of(at));
       for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
+        const double own_m2 = area_of({piece[0], piece[i], piece[i + 1]});
+        if (own_m2 < 0.1 * least_piece * cell_east_m_ * cell_north_m_) continue;
         made.push_back({ids[0], ids[i + 1], ids[i]});
-        const double m2 = is_whole ? (c == cuts.size() / 2 && i == 1 ? 1 : 0)
-                                   : area_of({piece[0], piece[i], piece[i + 1]});
+        const double m2 = is_whole ? (c == cuts.size() / 2 && i == 1 ? 1 : 0) : own_m2;
         if (m2 <= largest_m2) continue;
         largest_m2 = m2;
         centre = {piece[0], piece[i + 1], piece[i]};

@@ -53,8 +53,8 @@ Arc read_arc(const Config& config) {
   return {bearings[0] * degree, arc_deg * degree};
 }
 
-double length_or(const Config& config, const char* key, double usual_m, Range range) {
-  return config.optional_number(key, range).value_or(usual_m);
+double number_or(const Config& config, const char* key, double usual, Range range) {
+  return config.optional_number(key, range).value_or(usual);
 }
 
 }  // namespace slackwater::twin

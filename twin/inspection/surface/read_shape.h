@@ -26,8 +26,8 @@ struct Upright {
 /// bearings_deg: two, clockwise; absent: all round.
 [[nodiscard]] Arc read_arc(const Config& config);
 
-/// A length, a given key or else the usual one.
-[[nodiscard]] double length_or(const Config& config, const char* key, double usual_m,
+/// A given key or else the usual one.
+[[nodiscard]] double number_or(const Config& config, const char* key, double usual,
                                Range range = {0.001, 500});
 
 }  // namespace slackwater::twin

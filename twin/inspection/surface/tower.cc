@@ -9,7 +9,7 @@ Surface make_tower(const Config& config, double patch_m) {
   const double foot_m = config.number("radius_m", {0.05, 50});
   const Frustum tower{upright.north_m,
                       upright.east_m,
-                      length_or(config, "top_radius_m", usual::tower_top_share * foot_m),
+                      number_or(config, "top_radius_m", usual::tower_top_share * foot_m),
                       foot_m,
                       upright.top_m,
                       upright.bottom_m};

@@ -117,8 +117,8 @@ Surface make_transition_piece(const Config& config, double patch_m) {
   Sheet sheet = sheet_of(piece, all_round);
   Shelf shelf{0, height_m + gap_m, 0, 0};
 
-  const double width_m = length_or(config, "flange_width_m", usual::flange_width_m);
-  const double thickness_m = length_or(config, "flange_thickness_m", usual::flange_thickness_m);
+  const double width_m = number_or(config, "flange_width_m", usual::flange_width_m);
+  const double thickness_m = number_or(config, "flange_thickness_m", usual::flange_thickness_m);
   const int bolts = config.optional_integer("bolts", 0, 1000).value_or(usual::bolts);
   if (bolts * usual::bolt_m > 2 * constants::pi * (radius_m + 0.5 * width_m))
     config.refuse("bolts", formatted("{} heads of {:g} m do not fit round a flange of {:g} m "
@@ -147,7 +147,7 @@ Surface make_transition_piece(const Config& config, double patch_m) {
       add_tube(builder, {begin_m, end_m, r_m}, patch_m, TubeSheet{at.left_m, at.top_m, true});
     };
     const double fender_m = radius_m + usual::fender_off_m;
-    const double fender_r_m = length_or(config, "fender_radius_m", usual::fender_radius_m);
+    const double fender_r_m = number_or(config, "fender_radius_m", usual::fender_radius_m);
     const double ladder_m = radius_m + usual::ladder_off_m;
     for (const double side : {-0.5, 0.5}) {
       bar(landing.at(fender_m, side * usual::fender_spacing_m, from_m),

@@ -28,14 +28,13 @@ Across across_of(const Triple<double>& way) {
 
 void add_tube(SurfaceBuilder& builder, const Tube& tube, double patch_m,
               const std::optional<TubeSheet>& sheet) {
-  constexpr std::size_t least_columns = 6, least_corners = 12;
+  constexpr std::size_t least_columns = 8;
   const Triple<double> along = tube.to_m - tube.from_m;
   const double length_m = length_of(along);
   const Across across = across_of((1 / length_m) * along);
   const double girth_m = turn * tube.radius_m;
   PatchedGrid grid;
   grid.columns = std::max(pieces_in(girth_m, patch_m), least_columns);
-  grid.across = odd_from(static_cast<double>(least_corners) / static_cast<double>(grid.columns));
   grid.rows = sheet ? pieces_in(length_m, patch_m) : 1;
   grid.wraps = true;
   const double columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);

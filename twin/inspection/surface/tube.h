@@ -19,7 +19,7 @@ struct TubeSheet {
   bool lies = false;  ///< its length to the right; else downwards
 };
 
-/// The closed tube. `along` round it begins at its upper side.
+/// The closed tube, of eight corners round at least. Round it the sheet begins at its upper side.
 /// @param sheet  nothing: it is not patched
 void add_tube(SurfaceBuilder& builder, const Tube& tube, double patch_m,
               const std::optional<TubeSheet>& sheet);

@@ -110,13 +110,13 @@ TEST(TransitionPieceSurface, HasItsPartsWithTheirAreas) {
   const Surface without = surface_of(bare, 0.25), no_bolts = surface_of(bare + ", bolts: 0", 0.25);
   EXPECT_EQ(without.patches.size() - no_bolts.patches.size(), 100U);
   EXPECT_NEAR(without.area_m2() - no_bolts.area_m2(), 100 * 0.08 * 0.12, 1e-6);
-  // Two fenders, two stiles and rungs: cylinders, of which the mesh has twelve corners at least.
+  // Two fenders, two stiles and rungs: cylinders, of which the mesh has eight corners at least.
   const double long_m = 23 - 2 * (0.1 + 0.12);
   const double rungs = std::ceil(long_m / 0.3 - 1e-6);
   const double bars_m2 = 2 * pi * (2 * 0.2 * long_m + 2 * 0.04 * long_m + rungs * 0.02 * 0.5);
   const double landing_m2 = whole.area_m2() - without.area_m2();
   EXPECT_LT(landing_m2, bars_m2);
-  EXPECT_GT(landing_m2, bars_m2 * 12 / pi * std::sin(pi / 12) - 1e-6);
+  EXPECT_GT(landing_m2, bars_m2 * 8 / pi * std::sin(pi / 8) - 1e-6);
   // Mantle, and the flange's outer side, top and lower side.
   const double flange_m2 = 2 * pi * 3.35 * 0.1 + 2 * pi * (3.35 * 3.35 - 3.2 * 3.2);
   EXPECT_NEAR(no_bolts.area_m2(), 2 * pi * 3.2 * 23 + flange_m2, 1e-3 * no_bolts.area_m2());
@@ -150,7 +150,7 @@ TEST(NacelleSurface, IsABoxWithAParabolaForARoof) {
 }
 
 TEST(BladeSurface, HoldsWhatItsSectionsHold) {
-  const Surface blade = surface_of(blade_entry, 0.2);
+  const Surface blade = surface_of(blade_entry, 0.1);
   // Chord c and thickness t change evenly with s, so the volume is L times the integral of
   // k t(s) c(s)^2, which Simpson's rule gives exactly (a cubic).
   const double k = twin::wing_section_area(1), length_m = 59;
@@ -159,7 +159,7 @@ TEST(BladeSurface, HoldsWhatItsSectionsHold) {
     return k * t * c * c;
   };
   const double volume_m3 = length_m / 6 * (held(0) + 4 * held(0.5) + held(1));
-  EXPECT_NEAR(twin::volume_m3(blade.mesh), volume_m3, 0.005 * volume_m3);
+  EXPECT_NEAR(twin::volume_m3(blade.mesh), volume_m3, 0.004 * volume_m3);
 }
 
 TEST(WingSection, HasTheAreaOfItsClosedForm) {
@@ -222,7 +222,7 @@ TEST(BladeSurface, EachFaceLooksAtTheWayThatIsFlownAlongIt) {
   double ahead_m = 0;
   for (const twin::Patch& patch : feathered.patches)
     ahead_m = std::max(ahead_m, twin::dot(patch.centre_m - hub_m, axes.upwind));
-  EXPECT_NEAR(ahead_m, 0.3 * 4.65, 0.2);
+  EXPECT_NEAR(ahead_m, 0.3 * 4.65, 0.4);
 }
 
 TEST(AnodesSurface, StandOffThePileWhereTheReadingsAre) {
@@ -303,8 +303,8 @@ TEST(BedSurface, HoldsTheWaterOfItsPitInSecondOrder) {
   pit.depth_m = 2;
   pit.width_m = 4;
   EXPECT_NEAR(pit.volume_m3(), exact_m3, 1e-12);
-  const double coarse = pit_m3(bed_entry, 0.8) - exact_m3;
-  const double fine = pit_m3(bed_entry, 0.2) - exact_m3;
+  const double coarse = pit_m3(bed_entry, 0.6) - exact_m3;
+  const double fine = pit_m3(bed_entry, 0.15) - exact_m3;
   EXPECT_NEAR(pit_m3(bed_entry, 0.2), exact_m3, 2e-3 * exact_m3);
   EXPECT_GT(order_of(coarse, fine) / 2, 1.5);
   // One that is deeper on one side holds as much.
@@ -320,8 +320,8 @@ TEST(BedSurface, ALevelOneIsARing) {
   const std::string level =
       "kind: bed, north_m: 10, east_m: 0, depth_m: 30, radius_m: 3, outer_m: 20";
   const double exact_m2 = pi * (400 - 9);
-  const double coarse = surface_of(level, 1).area_m2() - exact_m2;
-  const Surface bed = surface_of(level, 0.25);
+  const double coarse = surface_of(level, 0.7).area_m2() - exact_m2;
+  const Surface bed = surface_of(level, 0.175);
   EXPECT_GT(order_of(coarse, bed.area_m2() - exact_m2) / 2, 1.5);
   EXPECT_NEAR(bed.area_m2(), exact_m2, 2e-4 * exact_m2);
   for (const twin::Patch& patch : bed.patches) {
