@@ -69,3 +69,11 @@ add_library(slackwater_lib_cbc INTERFACE)
 target_include_directories(slackwater_lib_cbc SYSTEM INTERFACE ${CBC_INCLUDE}/coin)
 target_link_libraries(slackwater_lib_cbc INTERFACE ${CBC_SOLVER_LIBRARY} ${CBC_LIBRARY})
 set_property(GLOBAL APPEND PROPERTY SLACKWATER_LIBRARIES slackwater_lib_cbc)
+
+# Embree's own CMake file names a target that its users would need too; the library alone does.
+find_path(EMBREE_INCLUDE embree3/rtcore.h REQUIRED)
+find_library(EMBREE_LIBRARY embree3 REQUIRED)
+add_library(slackwater_lib_embree INTERFACE)
+target_include_directories(slackwater_lib_embree SYSTEM INTERFACE ${EMBREE_INCLUDE})
+target_link_libraries(slackwater_lib_embree INTERFACE ${EMBREE_LIBRARY})
+set_property(GLOBAL APPEND PROPERTY SLACKWATER_LIBRARIES slackwater_lib_embree)

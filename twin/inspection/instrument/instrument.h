@@ -1,5 +1,7 @@
 #pragma once
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "fields/base/config.h"
@@ -22,6 +24,8 @@ enum class InstrumentKind {
   ais,
 };
 [[nodiscard]] const char* name_of(InstrumentKind kind) noexcept;
+/// Whether what is between dims it as it dims light: cameras and LiDAR, not sound and probes.
+[[nodiscard]] bool works_by_light(InstrumentKind kind) noexcept;
 
 // Where an instrument measures at one moment, about its axis.
 
@@ -79,8 +83,34 @@ struct Instrument {
   std::string status;
 };
 
-/// One file of data/instruments.
-/// @throws Error(invalid_input) for one without a footprint, ...
+/// One file of data/instruments:
+///
+///     name: Camera of a small ROV
+///     source: ...
+///     status: estimate
+///     kind: rgb
+///     range_m: [0.3, 6]
+///     frame: {horizontal_deg: 64, pixels_wide: 1920, pixels_high: 1080, exposure_s: 0.01}
+///     aim: {axis: [1, 0, 0]}      # on the hull; or `aim: surface`: a gimbal
+///     position_m: [0.2, 0, 0.1]   # optional, body axes
+///     needs_light: true           # optional
+///     lamp_range_m: 3             # optional
+///     noise: {sd: 0.002, per_range: 0.001, bias_sd: 0.001, unit: m}   # optional
+///
+/// The footprint is one of
+///
+///     frame: {horizontal_deg, vertical_deg (square pixels if absent), pixels_wide, pixels_high,
+///             exposure_s}
+///     fan:   {across_deg, blind_deg (0 if absent), beam_across_deg, beam_along_deg, pings_per_s}
+///     spot:  {spot_m, dwell_s}
+///     round: {detail_m}
+///
+/// @throws Error(invalid_input) for none of them or two, ranges the wrong way round, angles that no
+///         lens has, a kind that is not known, noise without its unit, a fan along the hull
 [[nodiscard]] Instrument read_instrument(const Config& config);
+/// The one of data/instruments that `key` names.
+/// @throws Error(invalid_input) for a name that is none of those in the folder, and as above
+[[nodiscard]] Instrument read_named_instrument(const Config& config, std::string_view key,
+                                               const std::filesystem::path& data_folder);
 
 }  // namespace slackwater::twin
