@@ -29,7 +29,7 @@ inline twin::WorkSite small_farm() {
   floating.foot_m = 20;
   floating.moorings.push_back({"M1", {3006, 0, 14}, {3250, 0, 33}});
   site.turbines.push_back(floating);
-  site.cables.push_back({"A01-A02", {{0, 0, 35}, {60, 350, 35}, {100, 700, 35}}});
+  site.cables.push_back({"A01-A02", {{0, 0, 35}, {60, 350, 35}, {100, 700, 35}}, 1});
   return site;
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "twin/inspection/defect/detection_score.h"
+#include "twin/inspection/inspection.h"
+
+namespace slackwater::twin {
+
+/// How it went.
+struct InspectionOutcome {
+  /// One surface by one instrument.
+  struct Part {
+    std::string surface;
+    std::string instrument;
+    SurfaceKind kind{};
+    double area_m2 = 0;
+    double seen_m2 = 0;          ///< however well
+    double covered_m2 = 0;       ///< as well as asked
+    double least_detail_m = 0;   ///< of what was seen: the best
+    double median_detail_m = 0;  ///< by area; infinite: less than half was seen
+  };
+  std::vector<Part> parts;  ///< of each pair
+  std::vector<Defect> planted;
+  Findings findings;
+  DetectionScore score;
+  std::uint64_t looks = 0;
+  std::uint64_t rays = 0;
+  double worked_s = 0;
+  bool is_done = false;  ///< each line covered its share
+  std::string left;      ///< in words, the line that did not; empty: done
+
+  /// Of all parts together.
+  [[nodiscard]] double share() const noexcept;
+};
+
+/// Whether a place is covered.
+[[nodiscard]] bool is_covered(const InspectionLine& line, const BestLook& best) noexcept;
+
+[[nodiscard]] InspectionOutcome inspection_outcome(const Inspection& inspection,
+                                                   const InspectionState& state);
+
+}  // namespace slackwater::twin

@@ -1,0 +1,74 @@
+#include <algorithm>
+
+#include "fields/base/constants.h"
+#include "fields/base/text.h"
+#include "twin/inspection/inspection_plan.h"
+#include "twin/inspection/instrument/clarity.h"
+#include "twin/inspection/surface/make_surface.h"
+
+namespace slackwater::twin {
+namespace {
+
+constexpr double degree = constants::pi / 180;
+constexpr double check_patch_m = 2;  // of surfaces that are made to see whether they can be
+
+InspectionLine read_line(const Config& config, const std::vector<SurfaceKind>& there) {
+  InspectionLine line;
+  line.instrument = config.text("instrument");
+  for (const std::string& word : config.texts("kinds")) {
+    const SurfaceKind kind = surface_kind_of(word, config, "kinds");
+    if (std::find(there.begin(), there.end(), kind) == there.end())
+      config.refuse("kinds", "found " + word + ", and no surface is one; add it to surfaces");
+    line.kinds.push_back(kind);
+  }
+  if (line.kinds.empty()) config.refuse("kinds", "missing; say which surfaces it inspects");
+  line.detail_m = 1e-3 * config.number("detail_mm", {0.001, 1e6});
+  line.most_incidence_rad = degree * config.optional_number("incidence_deg", {1, 90}).value_or(90);
+  line.looks = static_cast<std::uint32_t>(config.optional_integer("looks", 1, 1000).value_or(1));
+  line.done_at = config.optional_number("done_at", {0, 1}).value_or(line.done_at);
+  return line;
+}
+
+/// One instrument inspects a surface once.
+void expect_once_each(const std::vector<InspectionLine>& lines, const Config& config) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (const SurfaceKind kind : lines[i].kinds)
+        if (lines[i].instrument == lines[j].instrument &&
+            std::find(lines[j].kinds.begin(), lines[j].kinds.end(), kind) != lines[j].kinds.end())
+          config.refuse("looks", lines[i].instrument + " inspects each " + name_of(kind) +
+                                     " in two entries; make one of them");
+}
+
+}  // namespace
+
+InspectionPlan read_inspection(const Config& config) {
+  InspectionPlan plan;
+  std::vector<SurfaceKind> kinds;
+  for (const Config& entry : config.children("surfaces")) {
+    kinds.push_back(make_surface(entry, check_patch_m).kind);
+    entry.expect_all_read();
+  }
+  if (kinds.empty())
+    config.refuse("surfaces", "missing; an inspection has at least one surface to look at");
+  plan.surfaces = config.flow_yaml("surfaces");
+  for (const Config& entry : config.children("looks"))
+    plan.lines.push_back(read_line(entry, kinds));
+  if (plan.lines.empty())
+    config.refuse("looks", "missing; an inspection has at least one instrument that looks");
+  expect_once_each(plan.lines, config);
+  if (const auto water = config.optional_child("water")) plan.water = read_clarity(*water);
+  if (const auto air = config.optional_child("air")) plan.air = read_clarity(*air);
+  plan.defects = read_defect_plan(config);
+  if (const auto facts = config.optional_text("defect_facts")) plan.defect_facts = *facts;
+  plan.detection = config.texts("detection");
+  if (!plan.defects.entries.empty() && plan.detection.empty())
+    config.refuse("detection",
+                  "missing beside defects; name methods of data/detection by which they are found");
+  plan.patch_m = config.optional_number("patch_m", {0.005, 100});
+  if (const auto rays = config.optional_integer("rays_per_look", 1, 2000))
+    plan.rays_per_look = static_cast<std::size_t>(*rays);
+  return plan;
+}
+
+}  // namespace slackwater::twin

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "fields/base/constants.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+#include "twin/curve/named_file.h"
+#include "twin/inspection/defect/defect_plan.h"
+#include "twin/inspection/inspection.h"
+#include "twin/inspection/surface/make_surface.h"
+
+namespace slackwater::twin {
+namespace {
+
+constexpr double widest_rad = 1.2;           // half a fan's angle that is reckoned with
+constexpr double rough_patch_m = 2;          // of surfaces whose distance is looked up
+constexpr double most_patches_per_ray = 50;  // of one surface: what a whole mission can look at
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(ErrorKind::invalid_input, "inspection: " + what);
+}
+
+std::vector<Config> entries_of(const std::string& surfaces) {
+  return Config::parse("surfaces: " + surfaces, "inspection").children("surfaces");
+}
+
+bool inspects(const InspectionLine& line, SurfaceKind kind) {
+  return std::find(line.kinds.begin(), line.kinds.end(), kind) != line.kinds.end();
+}
+
+double distance_m(const Surface& surface, const Triple<double>& at_m) {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const Patch& patch : surface.patches)
+    nearest_m = std::min(nearest_m, length_of(at_m - patch.centre_m));
+  return nearest_m;
+}
+
+/// From where the work goes by the surface within the instrument's reach: the median.
+double working_range_m(const Instrument& instrument, const Surface& surface,
+                       std::span<const Waypoint> way, double slack_m) {
+  std::vector<double> ranges_m;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const Waypoint& at : way) {
+    const double range_m = distance_m(surface, at.position_m);
+    nearest_m = std::min(nearest_m, range_m);
+    if (range_m <= instrument.most_range_m + slack_m) ranges_m.push_back(range_m);
+  }
+  if (ranges_m.empty())
+    refuse(
+        formatted("its work stays {:.1f} m off {}, and the {} reaches {:g} m; go nearer, or take "
+                  "an instrument that sees farther",
+                  nearest_m, surface.name, instrument.name, instrument.most_range_m));
+  const auto middle = ranges_m.begin() + static_cast<std::ptrdiff_t>(ranges_m.size() / 2);
+  std::nth_element(ranges_m.begin(), middle, ranges_m.end());
+  return std::clamp(*middle, instrument.least_range_m, instrument.most_range_m);
+}
+
+/// What one look holds at a range.
+double footprint_area_m2(const Instrument& instrument, double range_m) {
+  if (const auto* const frame = std::get_if<FrameFootprint>(&instrument.footprint))
+    return 4 * range_m * range_m * std::tan(0.5 * frame->horizontal_rad) *
+           std::tan(0.5 * frame->vertical_rad);
+  if (const auto* const fan = std::get_if<FanFootprint>(&instrument.footprint))
+    return 2 * range_m * std::tan(std::min(0.5 * fan->across_rad, widest_rad)) *
+           step_between_looks_m(instrument, range_m);
+  if (const auto* const spot = std::get_if<SpotFootprint>(&instrument.footprint))
+    return spot->spot_m * spot->spot_m;
+  return constants::pi * instrument.most_range_m * instrument.most_range_m;
+}
+
+/// As long a side as lets a look at that range spend its rays on the patches of its footprint.
+double patch_for(const Instrument& instrument, double range_m, std::size_t rays) {
+  return std::sqrt(footprint_area_m2(instrument, range_m) / static_cast<double>(rays));
+}
+
+Instrument load_instrument(const std::string& name, const std::filesystem::path& data_folder) {
+  const Config named = Config::parse("instrument: " + quoted_yaml(name), "inspection");
+  return read_named_instrument(named, "instrument", data_folder);
+}
+
+DefectFacts load_defect_facts(const std::string& name, const std::filesystem::path& data_folder) {
+  const Config named = Config::parse("defect_facts: " + quoted_yaml(name), "inspection");
+  return read_defect_facts(open_named(named, "defect_facts", data_folder / "defects"));
+}
+
+std::vector<DetectionMethod> load_methods(const std::vector<std::string>& names,
+                                          const std::filesystem::path& data_folder) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + quoted_yaml(name);
+  const Config named = Config::parse("detection: [" + list + "]", "inspection");
+  return read_detection_methods(named, "detection", data_folder);
+}
+
+}  // namespace
+
+std::shared_ptr<const Inspection> ready_inspection(const InspectionPlan& plan,
+                                                   std::span<const Waypoint> way,
+                                                   const std::filesystem::path& data_folder,
+                                                   std::size_t rays_per_look) {
+  auto ready = std::make_shared<Inspection>();
+  ready->plan = plan;
+  ready->rays_per_look = plan.rays_per_look.value_or(rays_per_look);
+  for (const InspectionLine& line : plan.lines)
+    ready->instruments.push_back(load_instrument(line.instrument, data_folder));
+  const std::vector<Config> entries = entries_of(plan.surfaces);
+  std::vector<TriangleMesh> meshes;
+  for (std::size_t s = 0; s < entries.size(); ++s) {
+    const Surface rough = make_surface(entries[s], rough_patch_m);
+    double patch_m = std::numeric_limits<double>::infinity();
+    for (std::size_t l = 0; l < plan.lines.size(); ++l) {
+      if (!inspects(plan.lines[l], rough.kind)) continue;
+      ready->pairs.push_back({l, s});
+      const Instrument& instrument = ready->instruments[l];
+      patch_m = std::min(
+          patch_m, patch_for(instrument, working_range_m(instrument, rough, way, rough_patch_m),
+                             ready->rays_per_look));
+    }
+    if (!std::isfinite(patch_m)) patch_m = rough_patch_m;  // it only stands in the way
+    // No finer than all looks of a mission together can see.
+    const double most = most_patches_per_ray * static_cast<double>(ready->rays_per_look);
+    patch_m = std::max(patch_m, std::sqrt(rough.area_m2() / most));
+    ready->surfaces.push_back(make_surface(entries[s], plan.patch_m.value_or(patch_m)));
+    meshes.push_back(ready->surfaces.back().mesh);
+    ready->indices.push_back(view_index(ready->surfaces.back()));
+  }
+  ready->facts = load_defect_facts(plan.defect_facts, data_folder);
+  ready->methods = load_methods(plan.detection, data_folder);
+  (void)plant(plan.defects, ready->surfaces, ready->facts, 0);  // refused here, or never
+  ready->caster = std::make_unique<const RayCaster>(meshes);
+  return ready;
+}
+
+}  // namespace slackwater::twin
