@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "fields/base/constants.h"
+#include "fields/base/text.h"
+
 #include "twin/mission/conduct.h"
 #include "twin/mission/read_seconds.h"
 #include "twin/mission/scenario_text.h"
+#include "twin/mission/surface_text.h"
 #include "twin/mission/way_round.h"
 #include "twin/mission/work_pattern.h"
 
@@ -25,9 +28,9 @@ std::vector<Structure> structures_of(const WorkSite& site) {
 }
 
 /// What of an agent's entry in a mission is not of its conduct.
-const std::set<std::string> of_the_vehicle{"model", "state_of_charge", "navigation", "speed_m_s",
-                                           "start", "detail",          "carrier",    "swap",
-                                           "swap_s"};
+const std::set<std::string> of_the_vehicle{"model",  "state_of_charge", "navigation", "speed_m_s",
+                                           "start",  "detail",          "carrier",    "swap",
+                                           "swap_s", "inspection"};
 
 /// One agent of a task, made into a vehicle of the scenario.
 class AgentWriter {
@@ -124,7 +127,28 @@ class AgentWriter {
     if (conduct.find("clear_m: ") == std::string::npos)
       text += "clear_m: " + number_text(clear_m_) + ", ";
     if (!assumed.empty()) text += "assume: " + assumed + ", ";
+    if (const std::string inspection = write_inspection(); !inspection.empty())
+      text += "inspection: " + inspection + ", ";
     return text.substr(0, text.size() - 2) + "}";
+  }
+
+  /// What it inspects, laid out at each turbine; empty: nothing.
+  std::string write_inspection() const {
+    const auto base = agent_.optional_child("inspection");
+    const auto over = over_ ? over_->optional_child("inspection") : std::nullopt;
+    if (!base && !over) return "";
+    const Config& stated = over && (over->has("surfaces") || !base) ? *over : *base;
+    std::vector<std::string> surfaces;
+    for (const WorkTurbine* turbine : turbines_)
+      for (const Config& entry : stated.children("surfaces")) {
+        std::string text = surface_text(entry, parts_.site, *turbine);
+        if (std::find(surfaces.begin(), surfaces.end(), text) == surfaces.end())
+          surfaces.push_back(std::move(text));
+      }
+    if (base && base->has("surfaces")) (void)base->flow_yaml("surfaces");
+    const std::string rest = merged(base, over, {"surfaces"});
+    return "{surfaces: [" + joined(surfaces, ", ") + "]" +
+           (rest.size() > 2 ? ", " + rest.substr(1) : "}");
   }
 
   void go_to(const Triple<double>& to_m, Phase phase, std::string& text) {

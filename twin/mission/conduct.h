@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "twin/body/attitude.h"
+#include "twin/inspection/inspection_plan.h"
 #include "twin/mission/fault.h"
 #include "twin/mission/limit.h"
 #include "twin/mission/standard_behaviour.h"
@@ -63,9 +64,10 @@ struct Conduct {
   std::vector<Limit> limits;
   std::vector<Fault> faults;
   std::vector<Assumption> assumed;
-  std::optional<PersonSearch> search;    ///< whom it looks out for
-  std::optional<MammalDuty> mammals;     ///< which animals it watches for
-  std::optional<CleaningPlan> cleaning;  ///< what it takes growth off
+  std::optional<PersonSearch> search;        ///< whom it looks out for
+  std::optional<MammalDuty> mammals;         ///< which animals it watches for
+  std::optional<CleaningPlan> cleaning;      ///< what it takes growth off
+  std::optional<InspectionPlan> inspection;  ///< what it looks at
 };
 
 /// `conduct` of a vehicle's YAML, all keys optional:
@@ -80,7 +82,7 @@ struct Conduct {
 ///       pilot: {wander_m: 0.3, memory_s: 5, haste: 1.2}     # of shared and teleop
 ///       envelope: {most_speed_m_s: 0.5, stand_off_m: 3, fence_m: 100}   # of shared
 ///       deck_point: {forward_m, starboard_m, up_m}
-///       limits, faults, assume, search, mammals, cleaning: see there
+///       limits, faults, assume, search, mammals, cleaning, inspection: see there
 ///       noise_by: NAME      # beside mammals: the vehicle whose work is the noise
 ///       behaviour, trees: see read_behaviour_tree.h; absent: `standard_behaviour`
 ///

@@ -105,6 +105,8 @@ Conduct read_conduct(const Config& config) {
   read_mammals(config, conduct);
   if (const auto cleaning = config.optional_child("cleaning"))
     conduct.cleaning = read_cleaning(*cleaning);
+  if (const auto inspection = config.optional_child("inspection"))
+    conduct.inspection = read_inspection(*inspection);
   if (config.has("behaviour"))
     conduct.behaviour = read_behaviour_tree(config, conduct_leaves());
   else if (config.has("trees"))

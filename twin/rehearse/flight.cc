@@ -20,6 +20,8 @@ Fleet assembled(const Scenario& mission, Surround surround, std::span<const Flig
   Fleet fleet;
   // Vehicles of one kind lie in one block.
   if (surround.vehicles.empty()) surround.vehicles = read_vehicles(mission, surround.data_folder);
+  if (surround.inspections.empty())
+    surround.inspections = read_inspections(mission, surround.data_folder);
   for (const FlightCase& flown : cases) {
     Scenario scenario = mission;
     scenario.start = flown.start;

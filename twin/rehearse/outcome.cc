@@ -155,6 +155,10 @@ VehicleOutcome outcome_of(const Agent& agent, const AgentState& state, double ra
     out.cleaning = cleaning_outcome(*cleaning, own.cleaning);
     if (out.stopped_by.empty()) out.stopped_by = left_text(*out.cleaning);
   }
+  if (agent.inspection) {
+    out.inspection = inspection_outcome(*agent.inspection, state.inspection);
+    if (out.stopped_by.empty()) out.stopped_by = out.inspection->left;
+  }
   out.is_done = out.stopped_by.empty();
   out.risks = risk_causes_of(agent, state, out);
   return out;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "twin/inspection/inspection_outcome.h"
 #include "twin/risk/risk_cause.h"
 #include "twin/simulate/agent.h"
 #include "twin/surface/cleaning_outcome.h"
@@ -27,10 +28,11 @@ struct VehicleOutcome {
   double thrust_used = 0;         ///< at most, of what its thrusters can (`ThrustUse`)
   double line_used = 0;           ///< at most, of what its tether bears; 0: it has none
   std::optional<double> line_parted_s;
-  NearestPasses nearest;                    ///< to what was around it
-  std::optional<double> clearance_alarms;   ///< of one that keeps clear
-  std::optional<CleaningOutcome> cleaning;  ///< of one that cleans
-  RiskCauses risks;                         ///< what befell it
+  NearestPasses nearest;                        ///< to what was around it
+  std::optional<double> clearance_alarms;       ///< of one that keeps clear
+  std::optional<CleaningOutcome> cleaning;      ///< of one that cleans
+  std::optional<InspectionOutcome> inspection;  ///< of one that inspects
+  RiskCauses risks;                             ///< what befell it
   std::vector<ConductEvent> events;
 };
 

@@ -7,6 +7,7 @@
 #include "twin/body/body_dynamics.h"
 #include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
+#include "twin/inspection/inspection.h"
 #include "twin/simulate/conduct.h"
 #include "twin/simulate/follow_datum.h"
 #include "twin/simulate/helm.h"
@@ -202,14 +203,21 @@ void lose_thruster(const Agent& agent, double t_s, VehicleCommand<double>& comma
       command.thruster[fault.thruster] = 0;
 }
 
-/// Its tool works where it is, whatever it knows of that.
-void work_on_surface(const Agent& agent, AgentState& state) {
-  if (!agent.conduct || !agent.conduct->cleaning) return;
+/// Its tool works where it is, whatever it knows of that, and its instruments also while somebody
+/// else has the helm.
+void work_on_surface(const Agent& agent, double t_s, const Rotation<double>& r, AgentState& state) {
+  if (!agent.conduct || (!agent.conduct->cleaning && !agent.inspection)) return;
   ConductState& own = state.conduct;
+  const bool has_power = std::isnan(state.milestones.power_lost_s);
   const bool is_at_work = own.phase == Phase::work && own.doing == Doing::task && !own.has_ended &&
-                          !state.helm.is_helmed() && std::isnan(state.milestones.power_lost_s);
-  clean(*agent.conduct->cleaning, is_at_work, state.vehicle.body.position_m, agent.plan.dt_s,
-        own.cleaning);
+                          !state.helm.is_helmed() && has_power;
+  const BodyState<double>& body = state.vehicle.body;
+  if (agent.conduct->cleaning)
+    clean(*agent.conduct->cleaning, is_at_work, body.position_m, agent.plan.dt_s, own.cleaning);
+  if (agent.inspection)
+    inspect(*agent.inspection, is_at_work || (state.helm.is_helmed() && has_power),
+            {body.position_m, r, r.to_ned(body.nu.linear), body.nu.angular},
+            known_of(agent, state).position_m, t_s, agent.plan.dt_s, state.inspection);
 }
 
 bool is_inside_a_structure(const Agent& agent, const Triple<double>& position_m) {
@@ -276,7 +284,7 @@ bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& st
     halt(state, Halt::struck, t_s);
     return false;
   }
-  work_on_surface(agent, state);
+  work_on_surface(agent, t_s, r, state);
   Surroundings<double>& around = input.around;
   around.water = {};
   around.wind_m_s = {};

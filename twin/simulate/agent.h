@@ -7,6 +7,7 @@
 #include "fields/wind/dryden_gust.h"
 #include "twin/clearance/nearest_pass.h"
 #include "twin/control/autopilot.h"
+#include "twin/inspection/inspection_state.h"
 #include "twin/search/noisy_work.h"
 #include "twin/simulate/coarse.h"
 #include "twin/simulate/common_picture.h"
@@ -39,6 +40,7 @@ enum class Halt {
 [[nodiscard]] std::string_view name_of(Halt halt) noexcept;
 
 struct ReadyConduct;
+struct Inspection;
 
 /// Of a vehicle whose work is noisy: whose word it waits for.
 struct NoiseZone {
@@ -60,12 +62,13 @@ struct Agent {
   Triple<double> tether_top_m;  ///< where it is fixed; of a carrier's deck `AgentState::top`
   std::optional<Navigation>
       navigation;  ///< nothing: it knows the truth, and no instrument is looked at
-  std::optional<HeadwayWatch> headway;          ///< nothing: it is not watched
-  std::optional<std::size_t> carrier;           ///< by its place in the run
-  Triple<double> deck_m;                        ///< where on it, the carrier's body axes
-  std::shared_ptr<const ReadyConduct> conduct;  ///< null: it does its tasks, come what may
-  std::optional<NoiseZone> zone;                ///< nothing: it may be as noisy as it likes
-  std::optional<Clearance> clearance;           ///< nothing: it goes as if it were alone
+  std::optional<HeadwayWatch> headway;           ///< nothing: it is not watched
+  std::optional<std::size_t> carrier;            ///< by its place in the run
+  Triple<double> deck_m;                         ///< where on it, the carrier's body axes
+  std::shared_ptr<const ReadyConduct> conduct;   ///< null: it does its tasks, come what may
+  std::shared_ptr<const Inspection> inspection;  ///< null: it looks at nothing
+  std::optional<NoiseZone> zone;                 ///< nothing: it may be as noisy as it likes
+  std::optional<Clearance> clearance;            ///< nothing: it goes as if it were alone
   /// That pass by and keep their courses; shared by all vehicles of the run, null: none.
   std::shared_ptr<const std::vector<TrafficVessel>> vessels;
   std::optional<CoarsePlan> coarse;  ///< nothing: water and tether are met in full at each step
@@ -91,6 +94,7 @@ struct AgentState {
   CoarseState coarse;
   Milestones milestones;
   ThrustUse thrust;
+  InspectionState inspection;
   Halt halt = Halt::none;
   double halted_at_s = 0;
   /// Of the last step, for logs and observers.

@@ -4,6 +4,7 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "twin/body/frame.h"
+#include "twin/inspection/inspection.h"
 #include "twin/simulate/coarse_step.h"
 #include "twin/simulate/conduct.h"
 #include "twin/simulate/line_on_deck.h"
@@ -139,6 +140,7 @@ AgentState first_state(const Agent& agent, const ScenarioVehicle& entry, std::ui
     // From a deck it hangs as soon as that is known.
     if (entry.tether->top_m) hang_line(agent, 0, state);
   }
+  if (agent.inspection) state.inspection = begin_inspection(*agent.inspection, seed);
   if (agent.conduct) state.conduct = begun(*agent.conduct, agent, state, seed);
   return state;
 }

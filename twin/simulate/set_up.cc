@@ -308,6 +308,9 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
       expect_speeds(entry, ready.agents.back());
     });
     Agent& agent = ready.agents.back();
+    if (entry.conduct && entry.conduct->inspection)
+      with_context("vehicle " + entry.name,
+                   [&] { agent.inspection = inspection_of(scenario, entry, surround); });
     expect_places(scenario, entry, agent);
     add_gusts(scenario, entry, agent);
     // Whose deck its limits may be about.

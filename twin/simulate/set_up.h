@@ -12,6 +12,8 @@ namespace slackwater::twin {
 
 /// Vehicles by their files.
 using VehicleShelf = std::map<std::filesystem::path, std::shared_ptr<const Vehicle>>;
+/// What vehicles inspect, by their names.
+using InspectionShelf = std::map<std::string, std::shared_ptr<const Inspection>>;
 
 /// What a scenario needs from outside.
 struct Surround {
@@ -21,7 +23,8 @@ struct Surround {
   std::shared_ptr<const Turbine> turbine;  ///< of all of them
   std::filesystem::path data_folder;       ///< vehicles/, thrusters/, batteries/
   std::vector<TrafficVessel> vessels;      ///< of the logs of AIS, on the plane of the origin
-  VehicleShelf vehicles;  ///< read already, for many runs of a scenario; others are read
+  VehicleShelf vehicles;        ///< read already, for many runs of a scenario; others are read
+  InspectionShelf inspections;  ///< made ready already, for many runs; others are made ready
 };
 
 /// A scenario made ready: everything is checked, nothing has moved yet.
@@ -44,6 +47,15 @@ struct ReadyRun {
 /// The vehicles of a scenario, read. @throws Error(invalid_input) that names the vehicle
 [[nodiscard]] VehicleShelf read_vehicles(const Scenario& scenario,
                                          const std::filesystem::path& data_folder);
+
+/// What the vehicles of a scenario inspect, made ready for many runs of it.
+/// @throws Error(invalid_input) that names the vehicle
+[[nodiscard]] InspectionShelf read_inspections(const Scenario& scenario,
+                                               const std::filesystem::path& data_folder);
+/// What one of them inspects: from the shelf, or made ready.
+[[nodiscard]] std::shared_ptr<const Inspection> inspection_of(const Scenario& scenario,
+                                                              const ScenarioVehicle& entry,
+                                                              const Surround& surround);
 
 /// The file of a vehicle: data_folder/vehicles/MODEL.yaml, or the path that `model` is.
 /// @throws Error(invalid_input) that lists the known ones where there is neither

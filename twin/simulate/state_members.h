@@ -46,6 +46,10 @@ inline constexpr bool is_numbers<Milestones> = true;
 template <>
 inline constexpr bool is_numbers<ThrustUse> = true;
 template <>
+inline constexpr bool is_numbers<BestLook> = true;
+template <>
+inline constexpr bool is_numbers<Pose> = true;
+template <>
 inline constexpr bool is_numbers<Spent> = true;
 template <>
 inline constexpr bool is_numbers<DeckMotion> = true;
@@ -74,8 +78,8 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [vehicle, control, mission, gust, gust_rng, tether, top, borne, navigation, headway,
-         conduct, helm, clearance, nearest, coarse, milestones, thrust, halt, halted_at_s,
-         water_m_s, wind_m_s, elevation_m, tether_n, is_retired, is_hosted] = s;
+         conduct, helm, clearance, nearest, coarse, milestones, thrust, inspection,
+         halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n, is_retired, is_hosted] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
@@ -93,6 +97,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("coarse", coarse);
   visit("milestones", milestones);
   visit("thrust", thrust);
+  visit("inspection", inspection);
   visit("halt", halt);
   visit("halted_at_s", halted_at_s);
   visit("water_m_s", water_m_s);
@@ -101,6 +106,28 @@ void for_each_member(S& s, Visit&& visit) {
   visit("tether_n", tether_n);
   visit("is_retired", is_retired);
   visit("is_hosted", is_hosted);
+}
+
+template <MaybeConst<InspectionState> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [lines, best, seed, rays, worked_s] = s;
+  visit("lines", lines);
+  visit("best", best);
+  visit("seed", seed);
+  visit("rays", rays);
+  visit("worked_s", worked_s);
+}
+
+template <MaybeConst<InspectionState::Line> S, typename Visit>
+void for_each_member(S& s, Visit&& visit) {
+  auto& [pose, place_m, ahead, range_m, looked_s, looks, has_looked] = s;
+  visit("pose", pose);
+  visit("place_m", place_m);
+  visit("ahead", ahead);
+  visit("range_m", range_m);
+  visit("looked_s", looked_s);
+  visit("looks", looks);
+  visit("has_looked", has_looked);
 }
 
 template <MaybeConst<HelmState> S, typename Visit>
