@@ -10,6 +10,7 @@
 #include "api/cli/progress.h"
 #include "api/rehearse/advice.h"
 #include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/inspection_report.h"
 #include "api/rehearse/mission_file.h"
 #include "api/rehearse/rehearsal.h"
 #include "api/rehearse/rehearsal_file.h"
@@ -110,6 +111,7 @@ void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal,
     if (const std::string why = disagreement_of(start); !why.empty())
       std::printf("  %s\n", why.c_str());
     for (const std::string& cleaned : cleaning_texts(start)) std::printf("  %s\n", cleaned.c_str());
+    for (const std::string& seen : inspection_texts(start)) std::printf("  %s\n", seen.c_str());
     for (const std::string& risk : risk_texts(risks_of(start, mission.consequences)))
       std::printf("  risk: %s\n", risk.c_str());
   }

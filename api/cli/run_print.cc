@@ -7,6 +7,7 @@
 #include "api/cli/clearance_print.h"
 #include "api/cli/traffic_print.h"
 #include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/inspection_report.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -49,6 +50,7 @@ json summary_json(const VehicleSummary& s) {
           {"navigation_error_m", s.by_sensors ? json(s.navigation_error_m) : json(nullptr)},
           {"rms_navigation_error_m", s.by_sensors ? json(s.rms_navigation_error_m) : json(nullptr)},
           {"cleaning", s.cleaning ? cleaning_json(*s.cleaning) : json(nullptr)},
+          {"inspection", s.inspection ? inspection_json(s.inspection->outcome) : json(nullptr)},
           {"fate", s.fate.empty() ? json(nullptr) : json(s.fate)},
           {"events", events_json(s)},
           {"closest", closest_json(s.closest)},
@@ -78,8 +80,11 @@ void print_summary(const ScenarioResult& result, const std::filesystem::path& ou
     std::printf("%s took itself to be %.2f m from where it was at the end, %.2f m rms\n",
                 s.name.c_str(), s.navigation_error_m, s.rms_navigation_error_m);
   }
-  for (const VehicleSummary& s : result.vehicles)
+  for (const VehicleSummary& s : result.vehicles) {
     if (s.cleaning) std::printf("%s: %s\n", s.name.c_str(), cleaning_text(*s.cleaning).c_str());
+    if (s.inspection)
+      std::printf("%s: %s\n", s.name.c_str(), inspection_text(s.inspection->outcome).c_str());
+  }
   std::printf("%g s from %s in %.2f s (%.0f x real time)%s%s\n", result.duration_s,
               format_utc(result.start).c_str(), result.wall_s, result.duration_s / result.wall_s,
               out.empty() ? "" : "; log ", out.c_str());

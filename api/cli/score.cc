@@ -14,6 +14,13 @@ using nlohmann::json;
 
 json maybe(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
 
+json findings_json(const std::optional<LoggedInspection>& inspection) {
+  if (!inspection) return nullptr;
+  return {{"found", inspection->found},
+          {"missed", inspection->missed},
+          {"false_alarms", inspection->false_alarms}};
+}
+
 json score_json(const VehicleScore& s) {
   return {{"name", s.name},
           {"done", s.is_done},
@@ -31,8 +38,8 @@ json score_json(const VehicleScore& s) {
           {"takeover_s", s.takeover_s},
           {"longest_takeover_s", s.longest_takeover_s},
           {"limit_violations", s.limit_violations},
-          {"coverage", nullptr},
-          {"findings", nullptr}};
+          {"coverage", s.inspection ? json(s.inspection->share()) : json(nullptr)},
+          {"findings", findings_json(s.inspection)}};
 }
 
 /// What is compared over runs, by vehicle.
@@ -44,6 +51,7 @@ const std::map<std::string, double (*)(const VehicleScore&)>& pooled() {
        [](const VehicleScore& s) { return s.energy_per_metre_j.value_or(0); }},
       {"interventions", [](const VehicleScore& s) { return static_cast<double>(s.interventions); }},
       {"takeover_s", [](const VehicleScore& s) { return s.takeover_s; }},
+      {"coverage", [](const VehicleScore& s) { return s.inspection ? s.inspection->share() : 0; }},
       {"done", [](const VehicleScore& s) { return s.is_done ? 1.0 : 0.0; }}};
   return all;
 }
@@ -82,6 +90,13 @@ void print_cards(const std::vector<Scorecard>& cards) {
                   metres(s.closest_structure_m).c_str(), metres(s.closest_vehicle_m).c_str(),
                   metres(s.closest_vessel_m).c_str(), s.interventions, s.takeover_s,
                   s.limit_violations);
+  for (const Scorecard& card : cards)
+    for (const VehicleScore& s : card.vehicles)
+      if (s.inspection)
+        std::printf("%s, %s: %.0f %% of %.0f m2 covered; %zu found, %zu missed, %zu false alarms\n",
+                    card.run.c_str(), s.name.c_str(), 100 * s.inspection->share(),
+                    s.inspection->area_m2, s.inspection->found, s.inspection->missed,
+                    s.inspection->false_alarms);
   if (cards.size() < 2) return;
   for (const json& vehicle : pooled_json(cards))
     std::printf(

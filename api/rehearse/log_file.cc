@@ -4,6 +4,7 @@
 
 #include "api/program/version.h"
 #include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/inspection_log.h"
 #include "api/rehearse/closest.h"
 #include "api/rehearse/command_tables.h"
 #include "api/rehearse/mission_events.h"
@@ -106,6 +107,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   file.tables.push_back(approach_table(result.vehicles));
   file.tables.push_back(clearance_table(result.vehicles));
   file.tables.push_back(cleaning_table(result.vehicles));
+  add_inspections(result.vehicles, file);
   for (TrajectoryTable& table : command_tables(result.commands, result.refusals, scenario.step_s))
     file.tables.push_back(std::move(table));
   return file;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/inspection_report.h"
 #include "api/rehearse/risk_report.h"
 #include "api/report/plot_json.h"
 #include "fields/base/text.h"
@@ -68,6 +69,7 @@ json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
           {"thrust_margin", quantiles_json(thrust)},
           {"tether_margin", quantiles_json(line)},
           {"cleaning", cleaning_json(start, vehicle)},
+          {"inspection", inspection_json(start, vehicle)},
           {"closest_m", closest_json(start, vehicle)},
           {"flights_with_clearance_alarms", alarmed_json(start, vehicle)}};
 }
@@ -83,8 +85,11 @@ json flight_json(const twin::Flight& flight) {
                     {"stops", number(noise->stops)},
                     {"mammal_within_s", number(noise->exposed_s)},
                     {"by", noise->by.empty() ? json(nullptr) : json(noise->by)}};
-  for (const twin::VehicleOutcome& vehicle : flight.vehicles)
+  for (const twin::VehicleOutcome& vehicle : flight.vehicles) {
     if (vehicle.cleaning) out["cleaned_share"][vehicle.name] = number(vehicle.cleaning->share());
+    if (vehicle.inspection)
+      out["covered_share"][vehicle.name] = number(vehicle.inspection->share());
+  }
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/inspection_report.h"
 #include "api/rehearse/closest.h"
 #include "api/rehearse/fate.h"
 #include "api/rehearse/mission_events.h"
@@ -211,6 +212,8 @@ std::vector<VehicleOutcome> outcomes_of(const TrajectoryFile& log, const twin::S
     add_energy(vehicle, outcome.margins);
     if (std::string cleaned = cleaned_in(log, i); !cleaned.empty())
       outcome.margins.emplace_back("Cleaned", std::move(cleaned));
+    if (std::string seen = inspected_in(log, i); !seen.empty())
+      outcome.margins.emplace_back("Inspected", std::move(seen));
     add_closest(log, closest_in(log, vehicles, i, scenario), outcome.margins);
     if (const auto alarms = clearance_alarms_in(log, i))
       outcome.margins.emplace_back("Clearance alarms", *alarms);

@@ -53,6 +53,9 @@ VehicleSummary summary_of(const Agent& agent, const AgentState& state, const Run
   s.mission_events = state.conduct.events;
   if (agent.conduct && agent.conduct->cleaning)
     s.cleaning = twin::cleaning_outcome(*agent.conduct->cleaning, state.conduct.cleaning);
+  if (agent.inspection)
+    s.inspection = Inspected{agent.inspection, state.inspection,
+                             twin::inspection_outcome(*agent.inspection, state.inspection)};
   s.fate = fate_text(s.events, start);
   if (agent.clearance) s.clearance = state.clearance;
   return s;

@@ -10,6 +10,7 @@
 
 #include "api/rehearse/closest.h"
 #include "api/rehearse/fate.h"
+#include "api/rehearse/inspected.h"
 #include "api/rehearse/track_following.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/helm/steward.h"
@@ -72,6 +73,7 @@ struct VehicleSummary {
   std::vector<FateEvent> events;                   ///< what befell it, causes first
   std::vector<twin::ConductEvent> mission_events;  ///< of one that conducts itself
   std::optional<twin::CleaningOutcome> cleaning;   ///< of one that cleans
+  std::optional<Inspected> inspection;             ///< of one that inspects
   std::string fate;  ///< the same in a sentence; empty for a normal run
   Closest closest;   ///< to what was around it, over all steps of the barrier
   std::optional<twin::ClearanceState> clearance;  ///< of one that keeps clear, at the end

@@ -96,6 +96,7 @@ Scorecard scorecard_of(const TrajectoryFile& log) {
     score.closest_vehicle_m = distance_m(closest.vehicle);
     score.closest_vessel_m = distance_m(closest.vessel);
     score.closest_tether_m = distance_m(closest.tether);
+    score.inspection = inspection_in(log, i);
     card.vehicles.push_back(score);
   }
   return card;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "api/rehearse/inspection_log.h"
 #include "ingest/cf/trajectory_file.h"
 
 namespace slackwater::api {
@@ -25,11 +26,11 @@ struct VehicleScore {
   std::size_t interventions = 0;  ///< times it left its task: holds and ways home
   double takeover_s = 0;          ///< spent away from it, until it was resumed
   double longest_takeover_s = 0;
-  std::size_t limit_violations = 0;  ///< interventions that a limit called for
+  std::size_t limit_violations = 0;            ///< interventions that a limit called for
+  std::optional<LoggedInspection> inspection;  ///< of one that inspects
 };
 
-/// The scorecard of a run. Coverage and findings need instruments that a log does not hold: they
-/// are not in it.
+/// The scorecard of a run.
 struct Scorecard {
   std::string run;  ///< its title
   std::string seed;

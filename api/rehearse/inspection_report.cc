@@ -1,0 +1,159 @@
+#include "api/rehearse/inspection_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "api/rehearse/inspection_log.h"
+#include "api/rehearse/rehearsal_json.h"
+#include "api/report/plot_json.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+using twin::InspectionOutcome;
+
+double area_of(const InspectionOutcome& outcome) {
+  double area_m2 = 0;
+  for (const InspectionOutcome::Part& part : outcome.parts) area_m2 += part.area_m2;
+  return area_m2;
+}
+
+double share_of(const InspectionOutcome::Part& part) {
+  return part.area_m2 > 0 ? part.covered_m2 / part.area_m2 : 0;
+}
+
+/// Of those flights in which the vehicle inspects, that is of all or none.
+std::vector<const InspectionOutcome*> outcomes_of(const StartOutcome& start, std::size_t vehicle) {
+  std::vector<const InspectionOutcome*> all;
+  for (const twin::Flight& flight : start.flights)
+    if (const auto& inspection = flight.vehicles[vehicle].inspection) all.push_back(&*inspection);
+  return all;
+}
+
+template <typename Of>
+std::vector<double> values_of(const std::vector<const InspectionOutcome*>& outcomes, const Of& of) {
+  std::vector<double> values;
+  for (const InspectionOutcome* outcome : outcomes) values.push_back(of(*outcome));
+  return values;
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what;
+}
+
+json score_json(const twin::DetectionScore& score) {
+  json kinds = json::object();
+  for (const twin::DefectKind kind : twin::all_defect_kinds()) {
+    const auto& of = score.kinds[static_cast<std::size_t>(kind)];
+    if (of.planted + of.false_alarms == 0) continue;
+    kinds[twin::name_of(kind)] = {
+        {"planted", of.planted}, {"found", of.found}, {"false_alarms", of.false_alarms}};
+  }
+  const auto optional = [](const std::optional<double>& value) {
+    return value ? number(*value) : json(nullptr);
+  };
+  return {{"planted", score.all.planted},
+          {"found", score.all.found},
+          {"false_alarms", score.all.false_alarms},
+          {"detection_rate", optional(score.detection_rate)},
+          {"false_alarms_per_100_m2", optional(score.false_alarms_per_100_m2)},
+          {"size_error_rms_m", optional(score.size_error_rms_m)},
+          {"by_kind", kinds}};
+}
+
+}  // namespace
+
+std::string inspection_text(const InspectionOutcome& outcome) {
+  const double area_m2 = area_of(outcome);
+  std::string text = formatted("{:.0f} of {:.0f} m2 covered ({:.0f} %)", outcome.share() * area_m2,
+                               area_m2, 100 * outcome.share());
+  std::string parts;
+  for (const InspectionOutcome::Part& part : outcome.parts)
+    parts += (parts.empty() ? ": " : ", ") + part.surface + " by the " + part.instrument +
+             formatted(" {:.0f} %", 100 * share_of(part));
+  text += parts;
+  if (!outcome.planted.empty() || !outcome.findings.found.empty())
+    text += "; " + counted(outcome.score.all.found, "found") + ", " +
+            counted(outcome.findings.missed.size(), "missed") + ", " +
+            counted(outcome.score.all.false_alarms, "false alarms");
+  return text;
+}
+
+json inspection_json(const InspectionOutcome& outcome) {
+  json parts = json::array();
+  for (const InspectionOutcome::Part& part : outcome.parts)
+    parts.push_back({{"surface", part.surface},
+                     {"kind", twin::name_of(part.kind)},
+                     {"instrument", part.instrument},
+                     {"area_m2", number(part.area_m2)},
+                     {"seen_m2", number(part.seen_m2)},
+                     {"covered_m2", number(part.covered_m2)},
+                     {"share", number(share_of(part))},
+                     {"least_detail_m", number(part.least_detail_m)},
+                     {"median_detail_m", number(part.median_detail_m)}});
+  return {{"share", number(outcome.share())},
+          {"done", outcome.is_done},
+          {"left", outcome.left},
+          {"looks", outcome.looks},
+          {"rays", outcome.rays},
+          {"worked_s", number(outcome.worked_s)},
+          {"surfaces", parts},
+          {"defects", score_json(outcome.score)}};
+}
+
+json inspection_json(const StartOutcome& start, std::size_t vehicle) {
+  const auto all = outcomes_of(start, vehicle);
+  if (all.empty()) return nullptr;
+  json parts = json::array();
+  for (std::size_t p = 0; p < all.front()->parts.size(); ++p) {
+    const InspectionOutcome::Part& first = all.front()->parts[p];
+    parts.push_back({{"surface", first.surface},
+                     {"instrument", first.instrument},
+                     {"area_m2", number(first.area_m2)},
+                     {"share", quantiles_json(values_of(
+                                   all, [p](const auto& o) { return share_of(o.parts[p]); }))}});
+  }
+  const auto rate = [](const auto& o) { return o.score.detection_rate.value_or(0); };
+  return {{"share", quantiles_json(values_of(all, [](const auto& o) { return o.share(); }))},
+          {"surfaces", parts},
+          {"detection_rate",
+           all.front()->planted.empty() ? json(nullptr) : quantiles_json(values_of(all, rate))}};
+}
+
+std::vector<std::string> inspection_texts(const StartOutcome& start) {
+  std::vector<std::string> texts;
+  if (start.flights.empty()) return texts;
+  for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v) {
+    const auto all = outcomes_of(start, v);
+    if (all.empty()) continue;
+    const auto share = [&](double at) {
+      return 100 *
+             quantile_of(values_of(all, [](const auto& o) { return o.share(); }), at).value_or(0);
+    };
+    std::size_t planted = 0, found = 0;
+    for (const InspectionOutcome* outcome : all) {
+      planted += outcome->score.all.planted;
+      found += outcome->score.all.found;
+    }
+    texts.push_back(start.flights.front().vehicles[v].name +
+                    formatted(": {:.0f} % of {:.0f} m2 covered (P10 {:.0f} %, P90 {:.0f} %)",
+                              share(0.5), area_of(*all.front()), share(0.1), share(0.9)) +
+                    (planted == 0 ? std::string()
+                                  : formatted("; of made-up defects {:.0f} % found",
+                                              100.0 * static_cast<double>(found) /
+                                                  static_cast<double>(planted))));
+  }
+  return texts;
+}
+
+std::string inspected_in(const ingest::TrajectoryFile& log, std::size_t vehicle) {
+  const auto inspection = inspection_in(log, vehicle);
+  if (!inspection) return {};
+  return formatted("{:.0f} of {:.0f} m2 covered ({:.0f} %)", inspection->covered_m2,
+                   inspection->area_m2, 100 * inspection->share());
+}
+
+}  // namespace slackwater::api
