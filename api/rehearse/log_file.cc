@@ -4,9 +4,9 @@
 
 #include "api/program/version.h"
 #include "api/rehearse/cleaning_report.h"
-#include "api/rehearse/inspection_log.h"
 #include "api/rehearse/closest.h"
 #include "api/rehearse/command_tables.h"
+#include "api/rehearse/inspection_log.h"
 #include "api/rehearse/mission_events.h"
 #include "api/rehearse/traffic_tables.h"
 #include "fields/base/sha256.h"

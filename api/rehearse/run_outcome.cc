@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "api/rehearse/cleaning_report.h"
-#include "api/rehearse/inspection_report.h"
 #include "api/rehearse/closest.h"
 #include "api/rehearse/fate.h"
+#include "api/rehearse/inspection_report.h"
 #include "api/rehearse/mission_events.h"
 #include "api/rehearse/vehicle_log.h"
 #include "fields/base/error.h"

@@ -138,7 +138,7 @@ struct Scenario {
   double duration_s = 0;
   double step_s = 0;  ///< of the barrier
   double log_every_s = 1;
-  bool logs_sensors = false;  ///< what the vehicles' instruments show
+  bool logs_sensors = false;         ///< what the vehicles' instruments show
   std::size_t rays_per_look = 2000;  ///< of those that inspect, where their plan does not say
   GeoPoint origin;
   bool has_origin = false;  ///< else the site of the forecast

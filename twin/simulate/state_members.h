@@ -78,8 +78,8 @@ concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
 template <MaybeConst<AgentState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [vehicle, control, mission, gust, gust_rng, tether, top, borne, navigation, headway,
-         conduct, helm, clearance, nearest, coarse, milestones, thrust, inspection,
-         halt, halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n, is_retired, is_hosted] = s;
+         conduct, helm, clearance, nearest, coarse, milestones, thrust, inspection, halt,
+         halted_at_s, water_m_s, wind_m_s, elevation_m, tether_n, is_retired, is_hosted] = s;
   visit("vehicle", vehicle);
   visit("control", control);
   visit("mission", mission);
