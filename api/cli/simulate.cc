@@ -9,6 +9,7 @@
 #include "api/cli/progress.h"
 #include "api/cli/recorded_run.h"
 #include "api/cli/run_print.h"
+#include "api/rehearse/findings_file.h"
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/log_csv.h"
 #include "api/rehearse/run_page.h"
@@ -25,6 +26,8 @@ struct SimulateArguments {
   std::filesystem::path out;
   std::filesystem::path html;
   std::filesystem::path csv;
+  std::filesystem::path findings;
+  bool shows_truth = false;
   double real_time = 0;
   std::size_t threads = 1;
   bool one_by_one = false;
@@ -59,10 +62,19 @@ RunChoice choice_of(const SimulateArguments& arguments) {
   return choice;
 }
 
+/// What was found, as a file of the format that its name says; nothing without a name.
+void write_findings(const ingest::TrajectoryFile& log, const std::filesystem::path& file,
+                    bool shows_truth) {
+  if (file.empty()) return;
+  write_text(file, file.extension() == ".csv" ? findings_csv(log, {shows_truth})
+                                              : findings_geojson(log, {shows_truth}));
+}
+
 void run_simulate(const SimulateArguments& arguments, const Context& context) {
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
   expect_output("--csv", arguments.csv, {".csv"});
+  expect_output("--findings", arguments.findings, {".geojson", ".csv"});
   expect_output("--checkpoint", arguments.checkpoint, {});
   const RunChoice choice = choice_of(arguments);
   const twin::Scenario scenario = twin::read_scenario(arguments.scenario);
@@ -80,10 +92,11 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
   }
   if (!arguments.html.empty()) {
     write_beside(arguments.html, [&](const std::filesystem::path& partial) {
-      write_run_page(result.file, partial);
+      write_run_page(result.file, partial, {.shows_truth = arguments.shows_truth});
     });
   }
   if (!arguments.csv.empty()) write_log_csv(result.file, arguments.csv);
+  write_findings(result.file, arguments.findings, arguments.shows_truth);
   for (const std::string& warning : result.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   if (!context.json) {
@@ -99,6 +112,8 @@ struct ReplayArguments {
   std::filesystem::path forecast;
   std::filesystem::path html;
   std::filesystem::path csv;
+  std::filesystem::path findings;
+  bool shows_truth = false;
   std::vector<std::filesystem::path> recordings;
   std::size_t threads = 1;
 };
@@ -106,11 +121,16 @@ struct ReplayArguments {
 void run_replay(const ReplayArguments& arguments, const Context& context) {
   expect_output("--html", arguments.html, {".html"});
   expect_output("--csv", arguments.csv, {".csv"});
+  expect_output("--findings", arguments.findings, {".geojson", ".csv"});
+  if (!arguments.findings.empty())
+    write_findings(ingest::read_trajectories(arguments.log), arguments.findings,
+                   arguments.shows_truth);
   if (!arguments.csv.empty())
     write_log_csv(ingest::read_trajectories(arguments.log), arguments.csv);
   if (!arguments.html.empty()) {
     write_beside(arguments.html, [&](const std::filesystem::path& partial) {
-      write_run_page(ingest::read_trajectories(arguments.log), partial);
+      write_run_page(ingest::read_trajectories(arguments.log), partial,
+                     {.shows_truth = arguments.shows_truth});
     });
   }
   ProgressBar progress("replay " + arguments.log.filename().string(), context.json);
@@ -137,6 +157,13 @@ void run_replay(const ReplayArguments& arguments, const Context& context) {
   }
 }
 
+void add_findings_options(CLI::App& command, std::filesystem::path& findings, bool& shows_truth) {
+  command.add_option("--findings", findings,
+                     "what the inspection found, as FILE.geojson or FILE.csv");
+  command.add_flag("--truth", shows_truth,
+                   "in page and findings: what was planted and missed, which reports are false");
+}
+
 }  // namespace
 
 void add_simulate(CLI::App& app, Context& context) {
@@ -149,6 +176,7 @@ void add_simulate(CLI::App& app, Context& context) {
   command->add_option("--html", arguments->html, "page of plots as FILE.html");
   command->add_option("--csv", arguments->csv,
                       "log as FILE.csv, a row a vehicle and time; its lists as FILE-NAME.csv");
+  add_findings_options(*command, arguments->findings, arguments->shows_truth);
   command
       ->add_option("--real-time", arguments->real_time,
                    "times as fast as the clock (default: as fast as the machine can)")
@@ -177,6 +205,7 @@ void add_replay(CLI::App& app, Context& context) {
                       "bag of what the run tells: FILE.mcap, or a folder for rosbag2; repeatable");
   command->add_option("--csv", arguments->csv,
                       "the log as FILE.csv, a row a vehicle and time; its lists as FILE-NAME.csv");
+  add_findings_options(*command, arguments->findings, arguments->shows_truth);
   command->add_option("--threads", arguments->threads, "1 to 64 (default 1)")
       ->check(CLI::Range(1, 64));
   command->callback([arguments, &context] { run_replay(*arguments, context); });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/rehearse/coverage_page.h"
 #include "api/rehearse/fate.h"
 #include "api/rehearse/limit_bounds.h"
 #include "api/rehearse/mission_timeline.h"
@@ -228,7 +229,8 @@ void say_verdict(const TrajectoryFile& log, const std::vector<MissionEvent>& mis
 
 }  // namespace
 
-std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_library) {
+std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_library,
+                          const RunPageChoice& choice) {
   if (log.t_s.empty() || log.names.empty()) {
     throw Error(ErrorKind::invalid_input,
                 "the log holds no vehicle or no time; give one that `slackwater simulate` wrote");
@@ -243,6 +245,8 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
   const std::optional<twin::Scenario> read = scenario_of(log);
   const twin::Scenario* scenario = read ? &*read : nullptr;
   const std::vector<RunEvent> events = events_of(log, scenario);
+  const std::vector<Coverage> coverages = coverage_in(log);
+  const std::string seen = coverage_html(coverages, choice.shows_truth);
   HtmlPage page;
   page.title = log.attribute("title");
   page.site = log.attribute("forecast");
@@ -254,9 +258,11 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
                 {"member", log.attribute("member")}};
   const std::vector<MissionEvent> missions = mission_events_in(log);
   say_verdict(log, missions, page);
-  page.plots_html = outcome_html(log, scenario) + plots(!missions.empty());
-  page.instead_of_plots_html = outcome_html(log, scenario);
-  page.tables_html = events_html(log, events) + fate_html(log) + traffic_html(log);
+  page.plots_html = outcome_html(log, scenario) + seen + coverage_plots_html(coverages) +
+                    plots(!missions.empty());
+  page.instead_of_plots_html = outcome_html(log, scenario) + seen;
+  page.tables_html = coverage_tables_html(coverages, log.epoch, choice.shows_truth) +
+                     events_html(log, events) + fate_html(log) + traffic_html(log);
   page.data_json = script_safe(
       {{"t", seconds},
        {"epoch", std::chrono::duration_cast<std::chrono::milliseconds>(log.epoch.time_since_epoch())
@@ -267,6 +273,7 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
        {"events", events_json(events)},
        {"timeline", timeline_json(log, missions)},
        {"limits", limits_json(log, scenario)},
+       {"coverage", coverage_json(coverages)},
        {"vessels", vessels_json(log)}});
   if (!log.attribute("attribution").empty()) page.attributions = {log.attribute("attribution")};
   page.generated = log.attribute("source");
@@ -274,8 +281,9 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
   return page_html(page, plotting_library);
 }
 
-void write_run_page(const TrajectoryFile& log, const std::filesystem::path& file) {
-  write_page(run_page_html(log, report_plotting_library()), file);
+void write_run_page(const TrajectoryFile& log, const std::filesystem::path& file,
+                    const RunPageChoice& choice) {
+  write_page(run_page_html(log, report_plotting_library(), choice), file);
 }
 
 }  // namespace slackwater::api

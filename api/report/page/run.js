@@ -141,6 +141,37 @@
     },
   };
 
+  /** Series by surface and instrument share a colour, a dash tells what was asked for. */
+  const asked = (t, j, value, unit) => ({silent: true, symbol: 'none', lineStyle: {color: color(j), type: 'dashed', width: 1.4},
+    label: {color: t.ink, formatter: `asked ${+value.toFixed(1)} ${unit}`, position: j % 2 ? 'insideStartTop' : 'insideEndTop'}, data: [{yAxis: value}]});
+  const dashes = ['solid', 'dashed', 'dotted', [8, 3, 2, 3]];
+  const symbols = ['circle', 'rect', 'triangle', 'diamond'];
+  const look = (t, j) => ({symbol: symbols[j % symbols.length], symbolSize: 6, itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 2, type: dashes[j % dashes.length]}});
+  const quality = (t) => ({animation: false, grid: {left: 70, right: 20, top: 44, bottom: 50}, legend: {type: 'scroll', top: 0, textStyle: {color: t.ink}, data: data.coverage.map((c) => c.name)}});
+  /** A band is drawn as its lower edge, unseen, and what lies above it. */
+  const detailOption = (t) => Object.assign(quality(t), {
+    tooltip: {trigger: 'item', formatter: (x) => `${echarts.format.encodeHTML(x.seriesName)}<br>at ${fixed(x.value[0], 2)} m: <b>${fixed(x.value[1], 2)} mm</b>`
+      + (x.value[2] === undefined ? '' : ` (P10 ${fixed(x.value[2], 2)}, P90 ${fixed(x.value[3], 2)})`)},
+    xAxis: valueAxis(t, 'distance (m)', {scale: true, nameGap: 30}),
+    yAxis: valueAxis(t, 'detail (mm)', {type: 'log', min: (x) => 10 ** Math.floor(Math.log10(Math.min(x.min, ...data.coverage.map((c) => c.asked_mm || x.min))) + 1e-9),
+      max: (x) => 10 ** Math.ceil(Math.log10(Math.max(x.max, ...data.coverage.map((c) => c.asked_mm || x.max))) - 1e-9)}),
+    series: data.coverage.flatMap((c, j) => [
+      {name: c.name, type: 'line', z: 3, data: c.range.map(([m, low, mid, high]) => [m, mid, low, high]), ...look(t, j), markLine: asked(t, j, c.asked_mm, 'mm')},
+      {name: `${c.name} P10 to P90`, type: 'custom', z: 1, silent: true, data: c.range.length > 1 ? [[c.range[0][0], c.range[0][1]]] : [], renderItem: (_, api) => ({type: 'polygon',
+        shape: {points: [...c.range.map((r) => api.coord([r[0], r[1]])), ...c.range.slice().reverse().map((r) => api.coord([r[0], r[3]]))]}, style: {fill: color(j), opacity: 0.2}})},
+    ]),
+  });
+  const coveredOption = (t) => Object.assign(overTime(t, [], 'covered (%)'), quality(t), {
+    tooltip: {trigger: 'axis', formatter: (items) => [stamp(items[0].value[0]), ...items.map((x) => `${x.marker}${echarts.format.encodeHTML(x.seriesName)} <b>${fixed(x.value[1], 1)} %</b>`)].join('<br>')},
+    yAxis: valueAxis(t, 'covered (%)', {min: 0, max: 100}),
+    series: data.coverage.map((c, j) => ({name: c.name, type: 'line', ...look(t, j), showSymbol: false, markLine: asked(t, j, c.done_at, '%'),
+      data: [[at(data.t[0]), 0], ...c.time.map(([s, share]) => [at(s), share]), ...(c.time.length ? [[at(data.t[data.t.length - 1]), c.time[c.time.length - 1][1]]] : [])]})),
+  });
+  for (const [id, option] of [['detail-range', detailOption], ['covered-time', coveredOption]]) {
+    const chart = chartOf(id);
+    if (chart) drawn.push(() => chart.setOption(option(theme()), true));
+  }
+
   const missions = chartOf('missions');
   if (missions) drawn.push(() => missions.setOption(timelineOption(theme()), true));
   const tracks = chartOf('tracks');
