@@ -226,7 +226,7 @@ TEST(StepBetweenLooks, IsHalfOfTheFootprint) {
   Instrument spot;
   spot.footprint = SpotFootprint{0.02, 1};
   EXPECT_EQ(step_between_looks_m(spot, 0.1), 0.01);
-  EXPECT_EQ(step_between_looks_m(fan(5), 10), 10 * std::tan(45 * degree) / 2);
+  EXPECT_NEAR(step_between_looks_m(fan(5), 10), 10 * std::tan(45 * degree) / 2, 1e-12);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(ReadInstrument, ReadsEachThatIsBundled) {
 }
 
 TEST(ReadInstrument, AnglesBecomeRadiansAndPixelsAreSquare) {
-  const Instrument i = read("kind: rgb\nrange_m: [1, 30]\n" + frame + "aim: {axis: [0, 0, 2]}\n");
+  const Instrument i = read("kind: rgb\nrange_m: [1, 30]\n" + frame + "aim: {axis: [0, 0, 0.5]}\n");
   const auto& f = std::get<FrameFootprint>(i.footprint);
   EXPECT_DOUBLE_EQ(f.horizontal_rad, 60 * degree);
   EXPECT_NEAR(std::tan(f.vertical_rad / 2) / 3000, std::tan(f.horizontal_rad / 2) / 4000, 1e-15);
