@@ -172,7 +172,7 @@ Finding finding_of(const Rows& rows, std::size_t i) {
   const Vector3<Enu> nowhere{nothing, nothing, nothing};
   finding.reported_m = is_reported ? rows.triple(place_columns, i) : nowhere;
   finding.size_m = is_reported ? rows.finite("size", i, 0) : nothing;
-  finding.severity = is_reported ? rows.finite("severity", i) : nothing;
+  finding.severity = is_reported ? rows.column("severity")[i] : nothing;  // not all measure it
   finding.t_s = is_reported ? rows.finite("time", i, 0) : nothing;
   finding.detail_m = is_reported ? rows.finite("detail", i, 0) : nothing;
   finding.true_m = is_there ? rows.triple(true_columns, i) : nowhere;
