@@ -12,6 +12,7 @@
 #include "api/rehearse/findings_file.h"
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/log_csv.h"
+#include "api/rehearse/resurvey.h"
 #include "api/rehearse/run_page.h"
 #include "api/rehearse/scenario_run.h"
 #include "fields/base/text.h"
@@ -27,6 +28,7 @@ struct SimulateArguments {
   std::filesystem::path html;
   std::filesystem::path csv;
   std::filesystem::path findings;
+  std::filesystem::path resurvey;
   bool shows_truth = false;
   double real_time = 0;
   std::size_t threads = 1;
@@ -70,11 +72,25 @@ void write_findings(const ingest::TrajectoryFile& log, const std::filesystem::pa
                                               : findings_geojson(log, {shows_truth}));
 }
 
+/// What to fly again, also as the file that was asked for.
+twin::Resurvey written_resurvey(const twin::Scenario& scenario, const ScenarioResult& result,
+                                const std::filesystem::path& file) {
+  if (file.empty()) return {};
+  twin::Resurvey again = resurvey_of(scenario, result);
+  if (again.scenario_yaml.empty())
+    throw Error(ErrorKind::not_found,
+                "--resurvey: nothing is left to fly again, or nothing was inspected; no file is "
+                "written");
+  write_text(file, again.scenario_yaml);
+  return again;
+}
+
 void run_simulate(const SimulateArguments& arguments, const Context& context) {
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
   expect_output("--csv", arguments.csv, {".csv"});
   expect_output("--findings", arguments.findings, {".geojson", ".csv"});
+  expect_output("--resurvey", arguments.resurvey, {".yaml"});
   expect_output("--checkpoint", arguments.checkpoint, {});
   const RunChoice choice = choice_of(arguments);
   const twin::Scenario scenario = twin::read_scenario(arguments.scenario);
@@ -99,8 +115,10 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
   write_findings(result.file, arguments.findings, arguments.shows_truth);
   for (const std::string& warning : result.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
+  const twin::Resurvey again = written_resurvey(scenario, result, arguments.resurvey);
   if (!context.json) {
     print_run(result, arguments.out);
+    for (const std::string& line : again.words) std::printf("%s\n", line.c_str());
     return;
   }
   const json out = run_json(result, scenario.name, water, arguments.out);
@@ -177,6 +195,8 @@ void add_simulate(CLI::App& app, Context& context) {
   command->add_option("--csv", arguments->csv,
                       "log as FILE.csv, a row a vehicle and time; its lists as FILE-NAME.csv");
   add_findings_options(*command, arguments->findings, arguments->shows_truth);
+  command->add_option("--resurvey", arguments->resurvey,
+                      "what was not covered, as a scenario FILE.yaml that flies there again");
   command
       ->add_option("--real-time", arguments->real_time,
                    "times as fast as the clock (default: as fast as the machine can)")

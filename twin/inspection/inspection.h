@@ -18,6 +18,7 @@ namespace slackwater::twin {
 struct InspectedPair {
   std::size_t line = 0;
   std::size_t surface = 0;
+  double range_m = 0;  ///< from which the work passes it by: the median
 };
 
 /// A plan with all that is worked out once: it does not change, and the flights of a rehearsal

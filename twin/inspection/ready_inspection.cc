@@ -111,11 +111,10 @@ std::shared_ptr<const Inspection> ready_inspection(const InspectionPlan& plan,
     double patch_m = std::numeric_limits<double>::infinity();
     for (std::size_t l = 0; l < plan.lines.size(); ++l) {
       if (!inspects(plan.lines[l], rough.kind)) continue;
-      ready->pairs.push_back({l, s});
       const Instrument& instrument = ready->instruments[l];
-      patch_m = std::min(
-          patch_m, patch_for(instrument, working_range_m(instrument, rough, way, rough_patch_m),
-                             ready->rays_per_look));
+      const double range_m = working_range_m(instrument, rough, way, rough_patch_m);
+      ready->pairs.push_back({l, s, range_m});
+      patch_m = std::min(patch_m, patch_for(instrument, range_m, ready->rays_per_look));
     }
     if (!std::isfinite(patch_m)) patch_m = rough_patch_m;  // it only stands in the way
     // No finer than all looks of a mission together can see.
