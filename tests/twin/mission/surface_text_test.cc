@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <stdexcept>
 
 #include "fields/base/constants.h"
 #include "tests/support/error_of.h"

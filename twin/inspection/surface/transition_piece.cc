@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fields/base/constants.h"
@@ -65,8 +66,8 @@ void add_flange(SurfaceBuilder& builder, const Frustum& piece, double patch_m, S
                                   piece.top_m + thickness_m, piece.top_m};
   const std::array<double, 4> high_m{width_m, thickness_m, width_m, thickness_m};
   const FaceSheet place = shelf.put(around_m, 2 * width_m + thickness_m);
-  std::array<double, 4> down_m{0.5 * width_m, width_m + 0.5 * thickness_m,
-                               1.5 * width_m + thickness_m, 0};
+  const std::array<double, 4> down_m{0.5 * width_m, width_m + 0.5 * thickness_m,
+                                     1.5 * width_m + thickness_m, 0};
   ring.at = [&](double column, double row) -> Triple<double> {
     const double bearing = 2 * constants::pi * column / columns;
     const auto r = static_cast<std::size_t>(std::lround(row));
