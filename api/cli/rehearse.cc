@@ -8,6 +8,7 @@
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
 #include "api/cli/progress.h"
+#include "api/rehearse/adapt_mission.h"
 #include "api/rehearse/advice.h"
 #include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/inspection_report.h"
@@ -18,8 +19,10 @@
 #include "api/rehearse/rehearsal_page.h"
 #include "api/rehearse/risk_report.h"
 #include "api/rehearse/zones.h"
+#include "fields/base/check.h"
 #include "fields/base/text.h"
 #include "ingest/cf/trajectory_file.h"
+#include "twin/chance/rank_rule.h"
 #include "twin/rehearse/expect_fit.h"
 
 namespace slackwater::api {
@@ -29,6 +32,8 @@ using nlohmann::json;
 
 /// Futures in which a mission is flown otherwise, for advice.
 constexpr std::size_t most_advised = 24;
+/// Exit code of `--adapted` where there is none, that of a no-go in `windows`.
+constexpr int exit_do_not_fly = 12;
 
 struct RehearseArguments {
   std::filesystem::path mission;
@@ -43,6 +48,8 @@ struct RehearseArguments {
   std::filesystem::path out, html, scenario, log;
   std::string log_start;
   bool advice = false;
+  bool adapt_intensity = false;
+  std::filesystem::path adapted;
   std::size_t log_member = 0;
 };
 
@@ -92,8 +99,59 @@ std::optional<twin::FlightCase> logged_of(const RehearseArguments& arguments,
   return twin::FlightCase{start, arguments.log_member};
 }
 
+/// A mission's files count from its folder, and those of a mission made from it too.
+void expect_beside(const RehearseArguments& arguments) {
+  const auto folder_of = [](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path());
+  };
+  if (arguments.adapted.empty() || folder_of(arguments.adapted) == folder_of(arguments.mission))
+    return;
+  throw Error(ErrorKind::usage, "--adapted: found " + arguments.adapted.string() +
+                                    ", expected a file beside " + arguments.mission.string() +
+                                    ", since the files that a mission names count from "
+                                    "its folder; copy the mission to where you want to have it");
+}
+
+/// The best start of those that may be flown.
+UtcTime best_allowed(const Rehearsal& rehearsal) {
+  const StartOutcome* best = nullptr;
+  for (const StartOutcome& start : rehearsal.starts)
+    if (start.forbidden.empty() && (best == nullptr || start.share_done() > best->share_done()))
+      best = &start;
+  expects(best != nullptr, "best_allowed: some start was flown");
+  return best->start;
+}
+
+/// How closely the best start can look, flown in all futures.
+AdaptedStart adapted_start(const RehearseArguments& arguments, const Context& context,
+                           const std::vector<twin::Assumption>& assumed,
+                           std::optional<bool> height_errors, const LoadedMission& mission,
+                           const RehearsalPlan& plan, UtcTime start) {
+  const Config read = Config::load(arguments.mission);
+  const auto folder = std::filesystem::absolute(arguments.mission).parent_path();
+  twin::IntensityQuestion question;
+  question.start = start;
+  for (std::size_t member = 0; member < plan.members; ++member) question.members.push_back(member);
+  question.threads = plan.threads;
+  question.flights = plan.flights;
+  AdaptedStart out{start, question.keep_share, {}};
+  out.choice = with_context("--adapt-intensity", [&] {
+    return twin::adapt_intensity(
+        [&](const twin::Intensity& thinned_by) {
+          return lay_out_mission(read, folder, arguments.mission.filename().string(),
+                                 context.store_folder, assumed, height_errors, thinned_by)
+              .scenario;
+        },
+        mission.water.surround, question);
+  });
+  if (!arguments.adapted.empty() && out.choice.chosen)
+    write_text(arguments.adapted, adapted_mission_yaml(read, mission.expanded.workers, out));
+  return out;
+}
+
 void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal,
-                     const std::vector<Advice>& advice) {
+                     const std::vector<Advice>& advice,
+                     const std::optional<AdaptedStart>& adapted) {
   std::printf("%s\n", verdict_of(rehearsal).c_str());
   std::printf("%s at %s, %s\n\n", joined(mission.expanded.tasks, ", ").c_str(),
               joined(mission.expanded.turbines, ", ").c_str(), mission.water.forecast_name.c_str());
@@ -117,6 +175,9 @@ void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal,
   }
   if (!advice.empty()) std::printf("\nDone otherwise:\n");
   for (const Advice& one : advice) std::printf("  %s\n", text_of(one).c_str());
+  if (adapted) std::printf("\n");
+  for (const std::string& line : adapted ? intensity_texts(*adapted) : std::vector<std::string>())
+    std::printf("%s\n", line.c_str());
   const Unchecked unchecked = unchecked_of(mission.scenario);
   for (const std::string& limit : unchecked.not_checked)
     std::printf("not checked: %s\n", limit.c_str());
@@ -143,6 +204,8 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   expect_output("--html", arguments.html, {".html"});
   expect_output("--scenario", arguments.scenario, {".yaml"});
   expect_output("--log", arguments.log, {".nc"});
+  expect_output("--adapted", arguments.adapted, {".yaml"});
+  expect_beside(arguments);
   std::vector<twin::Assumption> assumed;
   for (const std::string& text : arguments.assume) assumed.push_back(twin::parse_assumption(text));
   std::optional<bool> height_errors;
@@ -156,6 +219,13 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   plan.starts = starts_of(arguments, mission, context);
   plan.members = hold_futures(arguments, context, plan.threads, mission);
   const std::optional<twin::FlightCase> logged = logged_of(arguments, plan, context);
+  const bool adapts = arguments.adapt_intensity || !arguments.adapted.empty();
+  if (const std::size_t least = twin::members_needed(twin::IntensityQuestion{}.keep_share);
+      adapts && plan.members < least)
+    throw Error(ErrorKind::usage,
+                formatted("--adapt-intensity: found {} futures, expected {} at the least to show "
+                          "that the reserve is kept in nine of ten; give --members {}",
+                          plan.members, least, least));
   plan.narrow_enough = arguments.narrow_enough;
   plan.flights.workers = mission.expanded.workers;
   // A page draws some hundreds of places of a way.
@@ -186,6 +256,10 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   if (arguments.advice)
     advice =
         advice_for(mission, plan, flown_start(rehearsal.starts[rehearsal.best()], most_advised));
+  std::optional<AdaptedStart> adapted;
+  if (adapts)
+    adapted = adapted_start(arguments, context, assumed, height_errors, mission, plan,
+                            best_allowed(rehearsal));
   if (!arguments.scenario.empty()) write_text(arguments.scenario, mission.expanded.scenario_yaml);
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
@@ -200,12 +274,19 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   if (logged) write_flight(arguments, mission, *logged);
   for (const std::string& warning : mission.water.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
-  if (context.json)
-    std::printf("%s\n", rehearsal_json(mission, plan, rehearsal, advice)
-                            .dump(2, ' ', false, json::error_handler_t::replace)
-                            .c_str());
-  else
-    print_rehearsal(mission, rehearsal, advice);
+  // A file that was asked for and is not there is not to pass for one.
+  if (!arguments.adapted.empty() && !adapted->choice.chosen) {
+    std::fprintf(stderr, "slackwater: %s: not written, %s\n", arguments.adapted.c_str(),
+                 adapted->choice.reason.c_str());
+    context.exit_code = exit_do_not_fly;
+  }
+  if (context.json) {
+    json out = rehearsal_json(mission, plan, rehearsal, advice);
+    out["intensity"] = adapted ? intensity_json(*adapted) : json(nullptr);
+    std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+  } else {
+    print_rehearsal(mission, rehearsal, advice, adapted);
+  }
 }
 
 }  // namespace
@@ -238,6 +319,12 @@ void add_rehearse(CLI::App& app, Context& context) {
   command->add_flag("--advice", arguments->advice,
                     "fly the best start otherwise too: an hour off, other side of the tide, half "
                     "speed, more battery, other vehicles");
+  command->add_flag("--adapt-intensity", arguments->adapt_intensity,
+                    "the densest passes with which the reserve is kept in nine of ten futures, at "
+                    "the best start; 9 futures at the least");
+  command->add_option("--adapted", arguments->adapted,
+                      "that mission as FILE.yaml, beside the mission; exit code 12: no density "
+                      "keeps the reserve");
   command->add_option("--threads", arguments->threads, "1 to 64 (default: one a core)")
       ->check(CLI::Range(1, 64));
   command->add_option("--out", arguments->out, "all flights, minute by minute, as FILE.nc");

@@ -37,7 +37,8 @@ std::vector<std::string> known_tasks() {
 LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path& folder,
                               const std::string& name, const std::filesystem::path& store_folder,
                               const std::vector<twin::Assumption>& assumed,
-                              std::optional<bool> height_errors) {
+                              std::optional<bool> height_errors,
+                              const twin::Intensity& thinned_by) {
   LoadedMission out;
   out.name = mission.text("name");
   const std::string named = mission.text("site");
@@ -53,6 +54,7 @@ LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path
   parts.site_id = where;
   parts.assumed = assumed;
   parts.height_errors = height_errors;
+  parts.thinned_by = thinned_by;
   parts.task = [&](const std::string& id) {
     Config task = load_task(id, folder);
     for (twin::Consequence& one : twin::read_consequences(task))

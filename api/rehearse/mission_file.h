@@ -28,13 +28,12 @@ struct LoadedMission {
 /// @param name     of the mission's file, for errors
 /// @param assumed  beside those of the mission
 /// @param height_errors  whether the waves of a forecast err, whatever the mission says
+/// @param thinned_by  of the work of all agents, beside what the mission says of its intensity
 /// @throws Error(invalid_input), Error(not_found)
-[[nodiscard]] LoadedMission lay_out_mission(const Config& mission,
-                                            const std::filesystem::path& folder,
-                                            const std::string& name,
-                                            const std::filesystem::path& store_folder,
-                                            const std::vector<twin::Assumption>& assumed,
-                                            std::optional<bool> height_errors = {});
+[[nodiscard]] LoadedMission lay_out_mission(
+    const Config& mission, const std::filesystem::path& folder, const std::string& name,
+    const std::filesystem::path& store_folder, const std::vector<twin::Assumption>& assumed,
+    std::optional<bool> height_errors = {}, const twin::Intensity& thinned_by = {});
 
 /// Reads a mission, the tasks and the site that it names, and finds its water.
 /// @param assumed            beside those of the mission

@@ -30,7 +30,7 @@ std::vector<Structure> structures_of(const WorkSite& site) {
 /// What of an agent's entry in a mission is not of its conduct.
 const std::set<std::string> of_the_vehicle{"model",  "state_of_charge", "navigation", "speed_m_s",
                                            "start",  "detail",          "carrier",    "swap",
-                                           "swap_s", "inspection"};
+                                           "swap_s", "inspection",      "intensity"};
 
 /// One agent of a task, made into a vehicle of the scenario.
 class AgentWriter {
@@ -48,6 +48,7 @@ class AgentWriter {
   /// @param assumed  as YAML on one line; empty: nothing is
   std::string write(const std::string& name, const std::string& assumed) {
     home_m_ = read_start();
+    intensity_ = chosen_intensity();
     is_at_m_ = home_m_;
     clear_m_ = agent_.optional_number("clear_m", {0.2, 500}).value_or(2);
     has_tether_ = agent_.has("tether");
@@ -81,6 +82,11 @@ class AgentWriter {
     if (agent_.has(key)) value = agent_.flow_yaml(key);
     if (over_ && over_->has(key)) value = over_->flow_yaml(key);
     return value;
+  }
+  /// Of the mission, thinned as the caller wants it.
+  [[nodiscard]] Intensity chosen_intensity() const {
+    const auto said = over_ ? over_->optional_child("intensity") : std::nullopt;
+    return thinned(said ? read_intensity(*said) : Intensity{}, parts_.thinned_by);
   }
   std::string model() const {
     const auto value = chosen("model");
@@ -198,7 +204,7 @@ class AgentWriter {
           go_to(home_m_, Phase::return_home, text);
           text += aboard_text(swap_s, true, Phase::recovery);
         }
-        write_work(lay_out(works[w], parts_.site, *turbines_[i]), text);
+        write_work(lay_out(works[w], parts_.site, *turbines_[i], intensity_), text);
       }
       go_to(home_m_, Phase::return_home, text);
       text += aboard_text(recovery_s, false, Phase::recovery);
@@ -225,7 +231,7 @@ class AgentWriter {
           text += aboard_text(swap_s, true, Phase::recovery);
         }
         is_first = false;
-        write_work(lay_out(work, parts_.site, *turbine), text);
+        write_work(lay_out(work, parts_.site, *turbine, intensity_), text);
       }
     }
     go_to(home_m_, Phase::return_home, text);
@@ -276,6 +282,7 @@ class AgentWriter {
   std::vector<Structure> structures_;
   Triple<double> home_m_;
   Triple<double> is_at_m_;
+  Intensity intensity_;
   double start_down_m_ = 0;
   double clear_m_ = 2;
   bool has_tether_ = false;

@@ -6,6 +6,7 @@
 
 #include "fields/base/config.h"
 #include "fields/geo/geo_point.h"
+#include "twin/mission/intensity.h"
 #include "twin/mission/limit.h"
 #include "twin/mission/work_site.h"
 
@@ -19,6 +20,8 @@ struct MissionParts {
   std::vector<Assumption> assumed;  ///< beside those of the mission
   /// Whether the waves of a forecast err in its members, whatever the mission says.
   std::optional<bool> height_errors;
+  /// Thins the work of every agent, beside what the mission says of its intensity.
+  Intensity thinned_by;
   /// The description of a task by its id or path. @throws Error(not_found)
   std::function<Config(const std::string& id)> task;
 };
@@ -49,6 +52,7 @@ struct ExpandedMission {
 ///     traffic, log: as of a scenario
 ///     agents:                        # by role, what differs from the task's
 ///       inspector: {model: ..., autonomy: shared, faults: [...], state_of_charge: 0.9}
+///       diver: {intensity: {density: 0.5, order: coarse_to_fine}}     # intensity.h
 ///       surveyor: {carrier: {name: tender, forward_m: -4, starboard_m: 6, up_m: 2}, swap: 20min}
 ///     vehicles: [...]                # more vehicles, as of a scenario; carriers: tenders.h
 ///     assume: {visibility_m: 5000}

@@ -27,17 +27,23 @@ double hub_of(const Config& config, std::string_view key, const WorkTurbine& tur
 /// Places on a ring, no more than this apart.
 double chord_for(double radius_m) { return std::clamp(0.4 * radius_m, 1.0, 15.0); }
 
+/// In the order in which they are flown. Fewer than the task's are an even number of them, since an
+/// odd one would be done twice (`rings`), and as far apart as reaches from the first to the last.
 struct Levels {
   std::vector<double> down_m;
 };
-Levels read_levels(const Config& work, const WorkTurbine& turbine, double spacing_m) {
+Levels read_levels(const Config& work, const WorkTurbine& turbine, double spacing_m,
+                   const Intensity& intensity) {
   const double from = read_level(work.child("from"), turbine);
   const double to = read_level(work.child("to"), turbine);
-  const int steps =
-      std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / spacing_m - 1e-6)));
+  if (std::abs(to - from) < 1e-9) return {{from}};
+  const int all =
+      1 + std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / spacing_m - 1e-6)));
+  int kept = passes_at(all, intensity.density);
+  if (kept < all) kept += kept % 2;
   Levels levels;
-  for (int i = 0; i <= steps; ++i) levels.down_m.push_back(from + (to - from) * i / steps);
-  if (std::abs(to - from) < 1e-9) levels.down_m.resize(1);
+  for (const int i : flown_order(kept, intensity.order))
+    levels.down_m.push_back(from + (to - from) * i / (kept - 1));
   return levels;
 }
 
@@ -71,46 +77,62 @@ double read_bearing(const Config& work, const WorkTurbine& turbine) {
   return bearing ? *bearing * degree : turbine.landing_rad;
 }
 
-std::vector<WorkLeg> lay_rings(const Config& work, const WorkTurbine& turbine) {
+std::vector<WorkLeg> lay_rings(const Config& work, const WorkTurbine& turbine,
+                               const Intensity& intensity) {
   const double radius_m = turbine.radius_m + read_stand_off(work);
-  const Levels levels = read_levels(work, turbine, work.number("spacing_m", {0.2, 100}));
+  const Levels levels = read_levels(work, turbine, work.number("spacing_m", {0.2, 100}), intensity);
   return rings(turbine, radius_m, read_bearing(work, turbine), levels, 0);
 }
 
 /// The speed with which a tool of that width cleans an area in an hour.
-std::vector<WorkLeg> lay_bands(const Config& work, const WorkTurbine& turbine) {
+std::vector<WorkLeg> lay_bands(const Config& work, const WorkTurbine& turbine,
+                               const Intensity& intensity) {
   const double swath_m = work.number("swath_m", {0.05, 5});
   const double rate_m2_s = work.number("rate_m2_h", {0.1, 1000}) / 3600;
   const double radius_m = turbine.radius_m + read_stand_off(work);
   const double overlap_m = work.optional_number("overlap_m", {0, 0.9 * swath_m}).value_or(0);
-  const int passes = work.optional_integer("passes", 1, 100).value_or(1);
+  // Bands further apart would leave growth in between, so that they are done less often instead.
+  const int passes =
+      passes_at(work.optional_integer("passes", 1, 100).value_or(1), intensity.density);
   // The tool goes along the face, the vehicle on a wider circle.
   const double speed_m_s = rate_m2_s / swath_m * radius_m / turbine.radius_m;
   const std::vector<WorkLeg> once =
       rings(turbine, radius_m, read_bearing(work, turbine),
-            read_levels(work, turbine, swath_m - overlap_m), std::max(speed_m_s, 0.01));
+            read_levels(work, turbine, swath_m - overlap_m, {}), std::max(speed_m_s, 0.01));
   std::vector<WorkLeg> legs;
   for (int pass = 0; pass < passes; ++pass) legs.insert(legs.end(), once.begin(), once.end());
   return legs;
 }
 
-std::vector<WorkLeg> lay_verticals(const Config& work, const WorkTurbine& turbine) {
+/// On a level from one bearing to another, on which side of the first that may lie, without the
+/// latter; so far out that the chords clear the circle.
+void go_round(const WorkTurbine& turbine, double from, double to, double radius_m, double down_m,
+              std::vector<Waypoint>& way) {
+  const double sign = to < from ? -1 : 1;
+  for (double gone = 0; gone < sign * (to - from) - 1e-9; gone += 20 * degree)
+    way.push_back(
+        {turbine.around(from + sign * gone, radius_m / std::cos(10 * degree), down_m), 0, 0});
+}
+
+std::vector<WorkLeg> lay_verticals(const Config& work, const WorkTurbine& turbine,
+                                   const Intensity& intensity) {
   const double radius_m = turbine.radius_m + read_stand_off(work);
   const double from = read_level(work.child("from"), turbine);
   const double to = read_level(work.child("to"), turbine);
-  const int bearings = work.optional_integer("bearings", 1, 72).value_or(4);
+  const int bearings =
+      passes_at(work.optional_integer("bearings", 1, 72).value_or(4), intensity.density);
   const int stops = work.optional_integer("stops", 0, 1000).value_or(0);
   const double stop_s = stops > 0 ? read_seconds(work, "stop", {1, 86400}) : 0;
   const double first = read_bearing(work, turbine);
   std::vector<WorkLeg> legs;
   std::vector<Waypoint> between;
   double before = first;
-  for (int i = 0; i < bearings; ++i) {
+  bool is_down = false;
+  for (const int i : flown_order(bearings, intensity.order)) {
     const double bearing = first + turn * i / bearings;
-    const bool is_down = i % 2 == 0;
+    is_down = !is_down;
     const double start = is_down ? from : to, end = is_down ? to : from;
-    for (double b = before; b < bearing - 1e-9; b += std::min(20 * degree, bearing - b))
-      between.push_back({turbine.around(b, radius_m / std::cos(10 * degree), start), 0, 0});
+    go_round(turbine, before, bearing, radius_m, start, between);
     between.push_back({turbine.around(bearing, radius_m, start), 0, 0});
     for (int stop = 1; stop <= stops; ++stop) {
       const double at = start + (end - start) * stop / (stops + 1);
@@ -123,8 +145,7 @@ std::vector<WorkLeg> lay_verticals(const Config& work, const WorkTurbine& turbin
   }
   // Back the way it came, so that a line does not lie about the foundation.
   const double last = between.back().position_m.z;
-  for (double b = before; b > first + 1e-9; b -= std::min(20 * degree, b - first))
-    between.push_back({turbine.around(b, radius_m / std::cos(10 * degree), last), 0, 0});
+  go_round(turbine, before, first, radius_m, last, between);
   between.push_back({turbine.around(first, radius_m, last), 0, 0});
   legs.push_back({between, 0});
   return legs;
@@ -148,8 +169,22 @@ std::vector<WorkLeg> lay_circles(const Config& work, const WorkTurbine& turbine)
   return legs;
 }
 
-/// Along a blade of a stopped rotor: out on one face, back on the next.
-std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine) {
+/// The faces that are flown, in that order: fewer than the task's are as far apart as they go.
+std::vector<std::string> faces_of(const Config& work, const Intensity& intensity) {
+  std::vector<std::string> all = work.texts("faces");
+  if (all.empty()) all = {"leading_edge", "pressure", "trailing_edge", "suction"};
+  const int count = static_cast<int>(all.size());
+  const int kept = passes_at(count, intensity.density);
+  std::vector<std::string> faces;
+  for (const int i : flown_order(kept, intensity.order))
+    faces.push_back(all[static_cast<std::size_t>(i * count / kept)]);
+  return faces;
+}
+
+/// Along a blade of a stopped rotor: out on one face, back on the next; between faces that lie
+/// across from each other round the blade.
+std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine,
+                               const Intensity& intensity) {
   const double hub = hub_of(work, "blade", turbine);
   if (!(turbine.rotor_radius_m > 0))
     work.refuse("blade", "the site gives no rotor_diameter_m; add it to the site");
@@ -162,11 +197,10 @@ std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine) {
       blade_axes(faces_rad, blade_azimuth_rad(blade, first_azimuth_rad));
   const Triple<double> hub_m =
       Triple<double>{turbine.north_m, turbine.east_m, hub} + usual::overhang_m * upwind;
-  std::vector<std::string> faces = work.texts("faces");
-  if (faces.empty()) faces = {"leading_edge", "pressure", "trailing_edge", "suction"};
   WorkLeg leg;
   bool is_out = true;
-  for (const std::string& face : faces) {
+  Triple<double> before;
+  for (const std::string& face : faces_of(work, intensity)) {
     Triple<double> off;
     if (face == "leading_edge") {
       off = across;
@@ -182,6 +216,11 @@ std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine) {
     }
     const Triple<double> root = hub_m + usual::blade_root_m * along + stand_off_m * off;
     const Triple<double> tip = hub_m + turbine.rotor_radius_m * along + stand_off_m * off;
+    if (length_of(before + off) < 0.1) {
+      const Triple<double>& beside = face == "pressure" || face == "suction" ? across : upwind;
+      leg.waypoints.push_back({(is_out ? root : tip) + stand_off_m * (beside - off), 0, 0});
+    }
+    before = off;
     leg.waypoints.push_back({is_out ? root : tip, 0, 0});
     leg.waypoints.push_back({is_out ? tip : root, 0, 0});
     is_out = !is_out;
@@ -189,8 +228,8 @@ std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine) {
   return {leg};
 }
 
-std::vector<WorkLeg> lay_cable(const Config& work, const WorkSite& site,
-                               const WorkTurbine& turbine) {
+std::vector<WorkLeg> lay_cable(const Config& work, const WorkSite& site, const WorkTurbine& turbine,
+                               const Intensity& intensity) {
   const std::string id = work.text("cable");
   const auto found = std::find_if(site.cables.begin(), site.cables.end(),
                                   [&](const WorkCable& cable) { return cable.id == id; });
@@ -200,13 +239,17 @@ std::vector<WorkLeg> lay_cable(const Config& work, const WorkSite& site,
     work.refuse("cable", "found " + id + ", the site has " +
                              (known.empty() ? std::string("no cables") : joined(known, ", ")));
   }
-  const int lines = work.optional_integer("lines", 1, 100).value_or(1);
-  const double spacing_m = lines > 1 ? work.number("spacing_m", {0.5, 500}) : 0;
+  const int all = work.optional_integer("lines", 1, 100).value_or(1);
+  const double width_m = all > 1 ? (all - 1) * work.number("spacing_m", {0.5, 500}) : 0;
+  const int lines = passes_at(all, intensity.density);
+  const double spacing_m = lines > 1 ? width_m / (lines - 1) : 0;
   const double at = read_level(work.child("at"), turbine);
   const double off_ends_m =
       work.optional_number("off_ends_m", {0, 500}).value_or(usual::off_ends_m);
   WorkLeg leg;
-  for (int line = 0; line < lines; ++line) {
+  bool is_out = false;
+  for (const int line : flown_order(lines, intensity.order)) {
+    is_out = !is_out;
     const double right_m = (line - 0.5 * (lines - 1)) * spacing_m;
     std::vector<Waypoint> points;
     const auto& route = found->route_m;
@@ -222,7 +265,7 @@ std::vector<WorkLeg> lay_cable(const Config& work, const WorkSite& site,
            0,
            0});
     }
-    if (line % 2 == 1) std::reverse(points.begin(), points.end());
+    if (!is_out) std::reverse(points.begin(), points.end());
     leg.waypoints.insert(leg.waypoints.end(), points.begin(), points.end());
   }
   return {leg};
@@ -302,15 +345,16 @@ double read_level(const Config& level, const WorkTurbine& turbine) {
   return *down;
 }
 
-std::vector<WorkLeg> lay_out(const Config& work, const WorkSite& site, const WorkTurbine& turbine) {
+std::vector<WorkLeg> lay_out(const Config& work, const WorkSite& site, const WorkTurbine& turbine,
+                             const Intensity& intensity) {
   const std::string pattern = work.text("pattern");
-  if (pattern == "rings") return lay_rings(work, turbine);
-  if (pattern == "verticals") return lay_verticals(work, turbine);
+  if (pattern == "rings") return lay_rings(work, turbine, intensity);
+  if (pattern == "verticals") return lay_verticals(work, turbine, intensity);
   if (pattern == "circles") return lay_circles(work, turbine);
-  if (pattern == "blade") return lay_blade(work, turbine);
-  if (pattern == "cable") return lay_cable(work, site, turbine);
+  if (pattern == "blade") return lay_blade(work, turbine, intensity);
+  if (pattern == "cable") return lay_cable(work, site, turbine, intensity);
   if (pattern == "mooring") return lay_mooring(work, turbine);
-  if (pattern == "bands") return lay_bands(work, turbine);
+  if (pattern == "bands") return lay_bands(work, turbine, intensity);
   if (pattern == "landing") return lay_landing(work, turbine);
   if (pattern == "square") return lay_square(work, turbine);
   work.refuse("pattern", "found " + pattern +

@@ -5,6 +5,7 @@
 
 #include "fields/base/config.h"
 #include "twin/control/route.h"
+#include "twin/mission/intensity.h"
 #include "twin/mission/work_site.h"
 
 namespace slackwater::twin {
@@ -41,9 +42,21 @@ struct WorkLeg {
 ///         search by an expanding square; with `frame: drifting` about where whom the vehicle
 ///         searches for is thought to have drifted to
 ///
+/// At a lower density fewer passes look at the same surface, further apart:
+///
+///     rings      levels, an even number of them, from the first to the last; two at the least
+///     verticals  bearings, even about the foundation
+///     blade      faces, as far from each other as they lie
+///     cable      lines, over the same width; one alone is in its middle
+///     bands      passes of the tool over all of the bands
+///
+/// The others have nothing to leave out and stay as they are. The way gets no longer as the density
+/// falls. In either order as many rings lead round one way as the other, and verticals end at the
+/// bearing at which they began, having come back the way that they went: no line winds.
 /// @throws Error(invalid_input) for what the site does not have (a hub, a rotor, a cable, a line)
 [[nodiscard]] std::vector<WorkLeg> lay_out(const Config& work, const WorkSite& site,
-                                           const WorkTurbine& turbine);
+                                           const WorkTurbine& turbine,
+                                           const Intensity& intensity = {});
 
 /// z of a LEVEL at a turbine. @throws Error(invalid_input)
 [[nodiscard]] double read_level(const Config& level, const WorkTurbine& turbine);

@@ -7,8 +7,8 @@
 
 #include "tests/support/shared_data.h"
 #include "tests/twin/mission/mission_for_tests.h"
+#include "tests/twin/rehearse/water_of_members.h"
 #include "tests/twin/risk/said_and_came.h"
-#include "tests/twin/simulate/run_for_tests.h"
 #include "twin/chance/success_interval.h"
 #include "twin/rehearse/by_the_limits.h"
 #include "twin/rehearse/flight.h"
@@ -57,7 +57,7 @@ twin::Scenario mission_of(std::uint64_t seed) {
 
 /// The speed of the current hour by hour: the forecast, then the futures about it, all drawn alike,
 /// and with the last of them what comes.
-using Speeds = std::vector<std::vector<double>>;
+using Speeds = HourlySpeeds;
 Speeds speeds_of(Rng& random) {
   Speeds speeds(flown_futures + 2);
   const double mean = random.uniform(0.25, 0.55), phase = random.uniform(0, 6.283185307179586);
@@ -72,38 +72,6 @@ Speeds speeds_of(Rng& random) {
     }
   }
   return speeds;
-}
-
-/// Members 1, 2, ... are the futures.
-twin::Surround water_of(const twin::Scenario& mission, const Speeds& speeds) {
-  twin::Surround surround = surround_of(mission);
-  surround.field = twin::made_up_field(std::get<twin::MadeUpWater>(mission.water), surround.site,
-                                       midnight, midnight + std::chrono::hours(hours));
-  auto snapshot = std::make_shared<Snapshot>(surround.field->snapshot());
-  snapshot->members = speeds.size();
-  const std::size_t levels = snapshot->depth_m.size();
-  snapshot->time.clear();
-  for (std::size_t i = 0; i <= hours; ++i)
-    snapshot->time.push_back(midnight + std::chrono::hours(i));
-  const auto hourly = [](auto& values, std::size_t size) {
-    if (!values.empty()) values.assign(size, values.front());
-  };
-  for (ForecastColumn& column : snapshot->columns) {
-    hourly(column.current_m_s, levels * (hours + 1));
-    hourly(column.current_sigma_m_s, levels * (hours + 1));
-    hourly(column.current_status, levels * (hours + 1));
-    hourly(column.wind_m_s, hours + 1);
-    hourly(column.wind_source, hours + 1);
-    hourly(column.sea, hours + 1);
-    hourly(column.sea_source, hours + 1);
-    for (std::size_t i = 0; i < column.current_m_s.size(); ++i)
-      column.current_m_s[i] = speeds[0][i / levels];
-    for (std::size_t f = 1; f < speeds.size(); ++f)
-      for (std::size_t i = 0; i < column.current_m_s.size(); ++i)
-        column.member_m_s.emplace_back(speeds[f][i / levels]);
-  }
-  surround.field = std::make_shared<Field>(std::move(snapshot));
-  return surround;
 }
 
 Case case_of(twin::Scenario mission, const twin::Surround& surround, UtcTime start) {
@@ -124,7 +92,7 @@ Day day_of(std::size_t number, std::size_t wanted) {
   Rng random(2025, "twin_probabilities/" + std::to_string(number));
   const twin::Scenario mission = mission_of(number + 1);
   const Speeds speeds = speeds_of(random);
-  const twin::Surround surround = water_of(mission, speeds);
+  const twin::Surround surround = water_of_members(mission, speeds, midnight);
   std::vector<int> near;
   const auto minutes = static_cast<int>(60 * (hours - 1));
   for (int minute = 0; minute < minutes; minute += 10) {
@@ -192,11 +160,11 @@ TEST(TwinProbabilities, ComeTrueOverAFewDays) {
 TEST(TwinProbabilities, AreSureWhereAllFuturesAgree) {
   const twin::Scenario mission = mission_of(1);
   const Speeds slow(flown_futures + 2, std::vector<double>(hours + 1, 0.1));
-  const Case calm = case_of(mission, water_of(mission, slow), midnight);
+  const Case calm = case_of(mission, water_of_members(mission, slow, midnight), midnight);
   EXPECT_NEAR(calm.probability, 18.5 / 19, 1e-9);
   EXPECT_TRUE(calm.held && calm.by_threshold && calm.by_alpha);
   const Speeds fast(flown_futures + 2, std::vector<double>(hours + 1, 0.7));
-  const Case wild = case_of(mission, water_of(mission, fast), midnight);
+  const Case wild = case_of(mission, water_of_members(mission, fast, midnight), midnight);
   EXPECT_NEAR(wild.probability, 0.5 / 19, 1e-9);
   EXPECT_FALSE(wild.held || wild.by_threshold || wild.by_alpha);
 }
