@@ -36,10 +36,12 @@ json tried_json(const TriedIntensity& one) {
 }
 
 /// "0.21 0.24 0.27".
-std::string quantiles_text(const std::vector<double>& values, double unit, int decimals) {
+std::string quantiles_text(const std::vector<double>& values, double unit, bool is_fine) {
   std::string text;
-  for (const double share : {0.1, 0.5, 0.9})
-    text += formatted("{:7.{}f}", quantile_of(values, share).value_or(0) / unit, decimals);
+  for (const double share : {0.1, 0.5, 0.9}) {
+    const double value = quantile_of(values, share).value_or(0) / unit;
+    text += is_fine ? formatted("{:7.2f}", value) : formatted("{:7.1f}", value);
+  }
   return text;
 }
 
@@ -70,12 +72,12 @@ std::vector<std::string> intensity_texts(const AdaptedStart& adapted) {
       "     covered 10 50 90 %");
   for (std::size_t i = 0; i < choice.tried.size(); ++i) {
     const TriedIntensity& one = choice.tried[i];
-    lines.push_back(
-        formatted("{} {:7.2f} {:6} {:12} {:7} {:9}   {}  {}  {}", choice.chosen == i ? ">" : " ",
-                  one.thinned_by.density, one.kept(), one.count(ReserveFate::called_home),
-                  one.count(ReserveFate::broken), one.count(ReserveFate::not_home),
-                  quantiles_text(one.charge_left, 1, 2), quantiles_text(one.duration_s, 60, 1),
-                  quantiles_text(one.coverage, 1, 2)));
+    lines.push_back(formatted(
+        "{} {:7.2f} {:6} {:12} {:7} {:9}   {}  {}  {}", choice.chosen == i ? ">" : " ",
+        one.thinned_by.density, one.kept(), one.count(ReserveFate::called_home),
+        one.count(ReserveFate::broken), one.count(ReserveFate::not_home),
+        quantiles_text(one.charge_left, 1, true), quantiles_text(one.duration_s, 60, false),
+        quantiles_text(one.coverage, 1, true)));
   }
   lines.push_back(choice.reason);
   return lines;
