@@ -39,6 +39,7 @@ soak: test-packages venv
 	SLACKWATER_TASK_DAYS=4000 SLACKWATER_TWIN_DAYS=300 ctest --preset release -V \
 	  -R 'WindowProbabilities|TwinProbabilities'
 	SLACKWATER_LIVE_SECONDS=600 build/release/tests/bench/slackwater_live_bench
+	SLACKWATER_PLANNED_MISSIONS=200 ctest --preset release -V -R 'FixedAndAdapted'
 	SLACKWATER_MUTATIONS=1000000 ctest --preset release -V -R 'MutatedMessages'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
