@@ -37,7 +37,7 @@ class AdaptIntensityCommand : public testing::Test {
 };
 
 TEST_F(AdaptIntensityCommand, WritesAMissionThatKeepsTheReserveWhereTheFixedOneDoesNot) {
-  const std::string mission = write_mission(0.26);
+  const std::string mission = write_mission(0.30);
   const ProgramResult run = made_.run({"rehearse", mission, "--members", "9", "--adapt-intensity",
                                        "--adapted", made_.path("adapted.yaml"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
