@@ -142,7 +142,8 @@ std::size_t pair_of(const Inspected& inspected, std::size_t surface,
   const twin::Inspection& what = *inspected.what;
   for (std::size_t i = 0; i < what.pairs.size(); ++i)
     if (what.pairs[i].surface == surface &&
-        (instrument.empty() || inspected.outcome.parts[i].instrument == instrument))
+        (instrument.empty() ||
+         what.inspector + "/" + inspected.outcome.parts[i].instrument == instrument))
       return i;
   return what.pairs.size();
 }

@@ -86,12 +86,13 @@ bool is_due(const Instrument& instrument, const InspectionState::Line& line,
   return turned * line.range_m >= step_m;
 }
 
-/// A probe has touched one place since its last look.
-bool is_held_still(const Instrument& instrument, const InspectionState::Line& line,
-                   const Carriage& carriage, double t_s) {
-  const auto* const spot = std::get_if<SpotFootprint>(&instrument.footprint);
-  return spot != nullptr && t_s - line.looked_s < 2 * spot->dwell_s + 1 &&
-         length_of(carriage.position_m - line.place_m) <= instrument.most_range_m;
+/// Whether it can look: a probe stands on one place while its vehicle has hardly moved, which is
+/// what an arm and a pilot's hand make up for, an estimate.
+bool is_steady(const Instrument& instrument, const InspectionState::Line& line,
+               const Carriage& carriage) {
+  constexpr double made_up_for_m = 0.3;
+  return !std::holds_alternative<SpotFootprint>(instrument.footprint) ||
+         (line.has_looked && length_of(carriage.position_m - line.place_m) <= made_up_for_m);
 }
 
 struct Meanwhile {
@@ -112,7 +113,7 @@ void take(const Inspection& inspection, std::size_t l, const Pose& before, const
                                static_cast<std::uint32_t>(s)};
     view(inspection.instruments[l], before, now, viewed, clarity,
          {inspection.rays_per_look, line.looks}, mine.view, mine.seen);
-    state.rays += std::min(mine.view.candidates.size(), inspection.rays_per_look);
+    state.rays += mine.view.rays;
     for (const SeenPatch& seen : mine.seen)
       keep(inspection.plan.lines[l],
            taken(seen, off_m, meanwhile.from_s + seen.share * (meanwhile.to_s - meanwhile.from_s)),
@@ -146,8 +147,7 @@ void inspect(const Inspection& inspection, bool is_at_work, const Carriage& carr
     if (!is_due(instrument, line, carriage, t_s)) continue;
     const NearestPlace nearest = nearest_place(inspection, l, carriage.position_m);
     const Pose now = pose_of(instrument, carriage, nearest.place_m);
-    const bool is_held = line.has_looked && is_held_still(instrument, line, carriage, t_s);
-    if (!std::holds_alternative<SpotFootprint>(instrument.footprint) || is_held)
+    if (is_steady(instrument, line, carriage))
       take(inspection, l, line.has_looked ? line.pose : now, now,
            {line.has_looked ? line.looked_s : t_s, t_s}, known_m - carriage.position_m, state);
     line.pose = now;

@@ -24,6 +24,7 @@ struct InspectedPair {
 /// A plan with all that is worked out once: it does not change, and the flights of a rehearsal
 /// share it.
 struct Inspection {
+  std::string inspector;  ///< the vehicle: what it draws, no other does
   InspectionPlan plan;
   std::vector<Instrument> instruments;  ///< of each line
   std::vector<Surface> surfaces;
@@ -35,13 +36,14 @@ struct Inspection {
   std::unique_ptr<const RayCaster> caster;  ///< of the surfaces' meshes
 };
 
+/// @param inspector      name of the vehicle
 /// @param way            all waypoints of the vehicle's work
 /// @param data_folder    instruments/, detection/
 /// @param rays_per_look  where the plan does not say
 /// @throws Error(invalid_input) where the work does not come within an instrument's reach of what
 ///         it is to inspect
 [[nodiscard]] std::shared_ptr<const Inspection> ready_inspection(
-    const InspectionPlan& plan, std::span<const Waypoint> way,
+    const std::string& inspector, const InspectionPlan& plan, std::span<const Waypoint> way,
     const std::filesystem::path& data_folder, std::size_t rays_per_look);
 
 [[nodiscard]] InspectionState begin_inspection(const Inspection& inspection, std::uint64_t seed);

@@ -18,13 +18,15 @@ InspectionOutcome::Part part_of(const Inspection& inspection, const InspectedPai
   part.instrument = inspection.instruments[pair.line].name;
   part.kind = surface.kind;
   part.least_detail_m = part.median_detail_m = std::numeric_limits<double>::infinity();
+  part.covered.resize(surface.patches.size());
   std::vector<std::pair<float, double>> details;  // with the area that was seen so
   for (std::size_t p = 0; p < surface.patches.size(); ++p) {
     const double area_m2 = surface.patches[p].area_m2;
     part.area_m2 += area_m2;
     if (!best[p].is_seen()) continue;
     part.seen_m2 += area_m2;
-    if (is_covered(line, best[p])) part.covered_m2 += area_m2;
+    part.covered[p] = is_covered(line, best[p]);
+    if (part.covered[p]) part.covered_m2 += area_m2;
     details.emplace_back(best[p].detail_m, area_m2);
   }
   std::sort(details.begin(), details.end());
@@ -58,7 +60,8 @@ std::vector<SurfaceLooks> looks_of(const Inspection& inspection, const Inspectio
   std::vector<SurfaceLooks> looks;
   for (std::size_t i = 0; i < inspection.pairs.size(); ++i) {
     const InspectedPair& pair = inspection.pairs[i];
-    looks.push_back({pair.surface, inspection.instruments[pair.line].name,
+    looks.push_back({pair.surface,
+                     inspection.inspector + "/" + inspection.instruments[pair.line].name,
                      &inspection.instruments[pair.line], state.best[i],
                      inspection.plan.lines[pair.line].detail_m});
   }

@@ -19,6 +19,7 @@ struct InspectionOutcome {
     double covered_m2 = 0;       ///< as well as asked
     double least_detail_m = 0;   ///< of what was seen: the best
     double median_detail_m = 0;  ///< by area; infinite: less than half was seen
+    std::vector<bool> covered;   ///< of each patch
   };
   std::vector<Part> parts;  ///< of each pair
   std::vector<Defect> planted;

@@ -37,13 +37,29 @@ double distance_m(const Surface& surface, const Triple<double>& at_m) {
   return nearest_m;
 }
 
+/// Places of the way, no more than some metres apart, but for long legs.
+std::vector<Triple<double>> places_of(std::span<const Waypoint> way) {
+  constexpr double apart_m = 5;
+  constexpr double most_of_leg = 40;
+  std::vector<Triple<double>> places_m;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Triple<double>& to_m = way[i].position_m;
+    const Triple<double>& from_m = i > 0 ? way[i - 1].position_m : to_m;
+    const double parts =
+        std::clamp(std::ceil(length_of(to_m - from_m) / apart_m), 1.0, most_of_leg);
+    for (double part = 1; part <= parts; ++part)
+      places_m.push_back(from_m + part / parts * (to_m - from_m));
+  }
+  return places_m;
+}
+
 /// From where the work goes by the surface within the instrument's reach: the median.
 double working_range_m(const Instrument& instrument, const Surface& surface,
-                       std::span<const Waypoint> way, double slack_m) {
+                       std::span<const Triple<double>> places_m, double slack_m) {
   std::vector<double> ranges_m;
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (const Waypoint& at : way) {
-    const double range_m = distance_m(surface, at.position_m);
+  for (const Triple<double>& place_m : places_m) {
+    const double range_m = distance_m(surface, place_m);
     nearest_m = std::min(nearest_m, range_m);
     if (range_m <= instrument.most_range_m + slack_m) ranges_m.push_back(range_m);
   }
@@ -66,13 +82,15 @@ double footprint_area_m2(const Instrument& instrument, double range_m) {
     return 2 * range_m * std::tan(std::min(0.5 * fan->across_rad, widest_rad)) *
            step_between_looks_m(instrument, range_m);
   if (const auto* const spot = std::get_if<SpotFootprint>(&instrument.footprint))
-    return spot->spot_m * spot->spot_m;
+    return constants::pi * spot->speaks_for_m * spot->speaks_for_m;
   return constants::pi * instrument.most_range_m * instrument.most_range_m;
 }
 
 /// As long a side as lets a look at that range spend its rays on the patches of its footprint.
-double patch_for(const Instrument& instrument, double range_m, std::size_t rays) {
-  return std::sqrt(footprint_area_m2(instrument, range_m) / static_cast<double>(rays));
+double patch_for(const Instrument& instrument, double range_m, const Surface& surface,
+                 std::size_t rays) {
+  const double held_m2 = std::min(footprint_area_m2(instrument, range_m), surface.area_m2());
+  return std::sqrt(held_m2 / static_cast<double>(rays));
 }
 
 Instrument load_instrument(const std::string& name, const std::filesystem::path& data_folder) {
@@ -95,16 +113,19 @@ std::vector<DetectionMethod> load_methods(const std::vector<std::string>& names,
 
 }  // namespace
 
-std::shared_ptr<const Inspection> ready_inspection(const InspectionPlan& plan,
+std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
+                                                   const InspectionPlan& plan,
                                                    std::span<const Waypoint> way,
                                                    const std::filesystem::path& data_folder,
                                                    std::size_t rays_per_look) {
   auto ready = std::make_shared<Inspection>();
+  ready->inspector = inspector;
   ready->plan = plan;
   ready->rays_per_look = plan.rays_per_look.value_or(rays_per_look);
   for (const InspectionLine& line : plan.lines)
     ready->instruments.push_back(load_instrument(line.instrument, data_folder));
   const std::vector<Config> entries = entries_of(plan.surfaces);
+  const std::vector<Triple<double>> places_m = places_of(way);
   std::vector<TriangleMesh> meshes;
   for (std::size_t s = 0; s < entries.size(); ++s) {
     const Surface rough = make_surface(entries[s], rough_patch_m);
@@ -112,9 +133,9 @@ std::shared_ptr<const Inspection> ready_inspection(const InspectionPlan& plan,
     for (std::size_t l = 0; l < plan.lines.size(); ++l) {
       if (!inspects(plan.lines[l], rough.kind)) continue;
       const Instrument& instrument = ready->instruments[l];
-      const double range_m = working_range_m(instrument, rough, way, rough_patch_m);
+      const double range_m = working_range_m(instrument, rough, places_m, rough_patch_m);
       ready->pairs.push_back({l, s, range_m});
-      patch_m = std::min(patch_m, patch_for(instrument, range_m, ready->rays_per_look));
+      patch_m = std::min(patch_m, patch_for(instrument, range_m, rough, ready->rays_per_look));
     }
     if (!std::isfinite(patch_m)) patch_m = rough_patch_m;  // it only stands in the way
     // No finer than all looks of a mission together can see.

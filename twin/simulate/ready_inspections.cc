@@ -11,7 +11,8 @@ std::shared_ptr<const Inspection> readied(const Scenario& scenario, const Scenar
   for (const ScenarioTask& task : entry.tasks)
     if (task.phase == Phase::work)
       way.insert(way.end(), task.waypoints.begin(), task.waypoints.end());
-  return ready_inspection(*entry.conduct->inspection, way, data_folder, scenario.rays_per_look);
+  return ready_inspection(entry.name, *entry.conduct->inspection, way, data_folder,
+                          scenario.rays_per_look);
 }
 
 }  // namespace

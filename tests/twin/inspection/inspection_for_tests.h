@@ -33,7 +33,7 @@ class InspectionFolder {
                                                        const std::vector<Waypoint>& way,
                                                        std::size_t rays = 1000000) const {
     const Config config = Config::parse(yaml, "test.yaml");
-    return ready_inspection(read_inspection(config), way, folder_.path(), rays);
+    return ready_inspection("eye", read_inspection(config), way, folder_.path(), rays);
   }
 
  private:

@@ -47,8 +47,9 @@ struct FanFootprint {
 };
 /// A probe that touches, or nearly.
 struct SpotFootprint {
-  double spot_m = 0;   ///< diameter
-  double dwell_s = 0;  ///< that a reading takes
+  double spot_m = 0;        ///< diameter
+  double dwell_s = 0;       ///< that a reading takes
+  double speaks_for_m = 0;  ///< how far about the spot a reading stands for the surface
 };
 /// All round, as far as it reaches.
 struct RoundFootprint {
@@ -102,7 +103,7 @@ struct Instrument {
 ///     frame: {horizontal_deg, vertical_deg (square pixels if absent), pixels_wide, pixels_high,
 ///             exposure_s}
 ///     fan:   {across_deg, blind_deg (0 if absent), beam_across_deg, beam_along_deg, pings_per_s}
-///     spot:  {spot_m, dwell_s}
+///     spot:  {spot_m, dwell_s, speaks_for_m (half of spot_m if absent)}
 ///     round: {detail_m}
 ///
 /// @throws Error(invalid_input) for none of them or two, ranges the wrong way round, angles that no

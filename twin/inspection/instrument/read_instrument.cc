@@ -85,8 +85,11 @@ InstrumentFootprint read_footprint(const Config& c) {
                                given));
   if (const auto frame = c.optional_child("frame")) return read_frame(*frame);
   if (const auto fan = c.optional_child("fan")) return read_fan(*fan);
-  if (const auto spot = c.optional_child("spot"))
-    return SpotFootprint{spot->number("spot_m", {1e-4, 10}), spot->number("dwell_s", {0, 600})};
+  if (const auto spot = c.optional_child("spot")) {
+    const double spot_m = spot->number("spot_m", {1e-4, 10});
+    return SpotFootprint{spot_m, spot->number("dwell_s", {0, 600}),
+                         spot->optional_number("speaks_for_m", {0, 100}).value_or(0.5 * spot_m)};
+  }
   return RoundFootprint{c.child("round").number("detail_m", {1e-3, 1e4})};
 }
 

@@ -82,15 +82,28 @@ void gather(const FanFootprint& fan, const Look& look) {
       });
 }
 
-void touch(const Look& look, const ViewedSurface& viewed, std::vector<SeenPatch>& seen) {
+/// One reading: it stands for all patches of the surface about the place that is touched.
+void touch(const SpotFootprint& spot, const Look& look, const ViewedSurface& viewed,
+           std::vector<SeenPatch>& seen) {
   const Ray ray{look.now.position_m, look.now.axis};
   const auto hit = viewed.caster.first_hit(ray, look.instrument.most_range_m);
   if (!hit || hit->mesh != viewed.mesh) return;
-  const std::uint32_t patch = viewed.surface.patch_of[hit->triangle];
-  const auto quality =
-      quality_of(look.instrument, look.now, look.clarity, ray.from_m + hit->range_m * ray.direction,
-                 viewed.surface.patches[patch].normal);
-  if (quality) seen.push_back({patch, *quality, 1});
+  const std::uint32_t touched = viewed.surface.patch_of[hit->triangle];
+  if (touched == no_patch) return;
+  const Triple<double> at_m = ray.from_m + hit->range_m * ray.direction;
+  const auto quality = quality_of(look.instrument, look.now, look.clarity, at_m,
+                                  viewed.surface.patches[touched].normal);
+  if (!quality) return;
+  seen.push_back({touched, *quality, 1});
+  for (const ViewIndex::Block& block : look.index.blocks) {
+    if (length_of(block.centre_m - at_m) - block.radius_m > spot.speaks_for_m) continue;
+    for (std::uint32_t i = block.first; i < block.end; ++i) {
+      const std::uint32_t patch = look.index.patches[i];
+      const Triple<double>& centre_m = viewed.surface.patches[patch].centre_m;
+      if (patch != touched && length_of(centre_m - at_m) <= spot.speaks_for_m)
+        seen.push_back({patch, *quality, 1});
+    }
+  }
 }
 
 bool is_hidden(const Look& look, const SeenPatch& candidate, const RayCaster& caster) {
@@ -112,8 +125,9 @@ void view(const Instrument& instrument, const Pose& before, const Pose& now,
   seen.clear();
   const Look look{instrument,        before, now, viewed.surface, viewed.index, clarity,
                   scratch.candidates};
-  if (std::holds_alternative<SpotFootprint>(instrument.footprint)) {
-    touch(look, viewed, seen);
+  if (const auto* spot = std::get_if<SpotFootprint>(&instrument.footprint)) {
+    scratch.rays = 1;
+    touch(*spot, look, viewed, seen);
     return;
   }
   if (const auto* frame = std::get_if<FrameFootprint>(&instrument.footprint)) gather(*frame, look);
@@ -121,6 +135,7 @@ void view(const Instrument& instrument, const Pose& before, const Pose& now,
   if (const auto* round = std::get_if<RoundFootprint>(&instrument.footprint)) gather(*round, look);
   const std::size_t n = scratch.candidates.size();
   const std::size_t m = std::min(n, budget.most_rays);
+  scratch.rays = m;
   for (std::size_t k = 0; k < m; ++k) {
     const SeenPatch& candidate = scratch.candidates[m == n ? k : (k * n / m + budget.look % n) % n];
     if (!is_hidden(look, candidate, viewed.caster)) seen.push_back(candidate);

@@ -31,6 +31,7 @@ struct SeenPatch {
 /// What a look needs beside its answer; kept from look to look it asks nothing of the heap.
 struct ViewScratch {
   std::vector<SeenPatch> candidates;
+  std::size_t rays = 0;  ///< that the look cast
 };
 
 /// Which patches an instrument sees in one look, and how well.
@@ -44,7 +45,8 @@ struct ViewScratch {
 /// - fan: swept from the pose before to the pose now. A patch is crossed where its way ahead of the
 ///   fan changes sign, and is measured once, from the pose between, in proportion. Nothing is swept
 ///   where the fan turned by more than 60 degrees from look to look.
-/// - spot: the patch that the axis meets, measured where it meets it.
+/// - spot: the patch that the axis meets, measured where it meets it, and with it those whose
+///   middles are as near as the reading speaks for.
 ///
 /// With more candidates than rays, n > m, the look casts at the candidates floor(k n/m) + look
 /// (mod n), k = 0 ... m - 1, in the order of the index, in which neighbours are near each other:

@@ -11,25 +11,13 @@
 #include "fields/base/parallel.h"
 #include "fields/base/random.h"
 #include "tests/bench/counted_allocations.h"
+#include "tests/twin/inspection/brute_force_caster.h"
 #include "tests/twin/inspection/meshes_for_tests.h"
 
 namespace slackwater::twin {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-
-/// The definition: all triangles, one after the other.
-std::optional<CastHit> by_brute_force(const std::vector<TriangleMesh>& meshes, const Ray& ray,
-                                      double most_range_m) {
-  std::optional<CastHit> best;
-  for (std::uint32_t m = 0; m < meshes.size(); ++m)
-    for (std::uint32_t t = 0; t < meshes[m].triangles.size(); ++t) {
-      const auto range_m = range_to(meshes[m], t, ray);
-      if (range_m && *range_m <= most_range_m && (!best || *range_m < best->range_m))
-        best = CastHit{m, t, *range_m};
-    }
-  return best;
-}
 
 /// A pile, a bed below it and a smaller pile a stone's throw away, each about its own origin; with
 /// triangles that lie twice, or have shrunk to a line.

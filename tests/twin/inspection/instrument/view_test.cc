@@ -227,6 +227,34 @@ TEST(View, AProbeTouchesThePatchBeforeIt) {
   EXPECT_TRUE(stage.seen(probe, {}, at(4.3)).empty());
 }
 
+TEST(View, AReadingStandsForThePatchesAboutIt) {
+  const Stage stage(surface_of(cylinder_mesh({0, 0, 0}, 4, 20, 40, 20), 0.63));
+  Instrument probe;
+  probe.kind = InstrumentKind::potential;
+  probe.footprint = SpotFootprint{0.01, 2, 1.5};
+  probe.most_range_m = 0.2;
+  const double bearing = 31 * degree;
+  const Triple<double> out{std::cos(bearing), std::sin(bearing), 0};
+  const Pose pose = looking(4.1 * out + Triple<double>{0, 0, 7.3}, -1.0 * out);
+  const auto seen = stage.seen(probe, {}, pose);
+  const Triple<double> touched_m = pose.position_m + seen.front().quality.range_m * pose.axis;
+  EXPECT_EQ(seen.front().patch, 7U * 40 + 3);
+  EXPECT_EQ(patches_of(seen), patches_where(stage.surface, [&](const Triple<double>& centre_m) {
+              return length_of(centre_m - touched_m) <= 1.5;
+            }));
+}
+
+TEST(View, AProbeOnWhatOnlyStandsInTheWayReadsNothing) {
+  Surface pile = surface_of(cylinder_mesh({0, 0, 0}, 4, 20, 40, 20), 0.63);
+  std::fill(pile.patch_of.begin(), pile.patch_of.end(), no_patch);
+  const Stage stage(std::move(pile));
+  Instrument probe;
+  probe.kind = InstrumentKind::thickness;
+  probe.footprint = SpotFootprint{0.01, 2, 0.5};
+  probe.most_range_m = 0.2;
+  EXPECT_TRUE(stage.seen(probe, {}, looking({4.1, 0, 7.3}, {-1, 0, 0})).empty());
+}
+
 TEST(View, AWatchSeesAllRound) {
   const Stage stage(bed());
   Instrument watch;
