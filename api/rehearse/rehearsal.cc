@@ -17,9 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Of flights in many futures: coverage within two points of that with 2000 (tests/bench).
-constexpr std::size_t rays_per_look_of_many = 80;
-
 double seconds_since(Clock::time_point from) {
   return std::chrono::duration<double>(Clock::now() - from).count();
 }
@@ -70,15 +67,13 @@ std::size_t Rehearsal::best() const noexcept {
   return best;
 }
 
-Rehearsal rehearse(const twin::Scenario& asked, twin::Surround surround, const RehearsalPlan& plan,
+Rehearsal rehearse(const twin::Scenario& mission, twin::Surround surround,
+                   const RehearsalPlan& plan,
                    const std::function<void(double, const Rehearsal&)>& on_progress) {
   const Clock::time_point began = Clock::now();
-  if (surround.vehicles.empty())
-    surround.vehicles = twin::read_vehicles(asked, surround.data_folder);
-  twin::Scenario mission = asked;
-  mission.rays_per_look = std::min(mission.rays_per_look, rays_per_look_of_many);
-  surround.inspections = twin::read_inspections(mission, surround.data_folder);
+  surround = twin::shared_by_flights(mission, std::move(surround));
   Rehearsal rehearsal;
+  rehearsal.inspections = surround.inspections;
   for (const UtcTime start : plan.starts) {
     StartOutcome& outcome = rehearsal.starts.emplace_back();
     outcome.start = start;

@@ -53,6 +53,7 @@ struct StartOutcome {
 
 struct Rehearsal {
   std::vector<StartOutcome> starts;
+  twin::InspectionShelf inspections;  ///< of the vehicles that inspect: the same in all flights
 
   /// The start that a coordinator looks at first: the first of those done most often.
   [[nodiscard]] std::size_t best() const noexcept;

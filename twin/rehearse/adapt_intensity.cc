@@ -84,8 +84,9 @@ std::vector<Rung> rungs_of(const MissionThinned& mission, const IntensityQuestio
   return rungs;
 }
 
-TriedIntensity tried(const Rung& rung, const Scenario& fixed_plan, const Surround& surround,
+TriedIntensity tried(const Rung& rung, const Scenario& fixed_plan, const Surround& given,
                      const IntensityQuestion& question) {
+  const Surround surround = shared_by_flights(rung.mission, given);
   const std::size_t members = question.members.size();
   const std::size_t batches = (members + block_lanes - 1) / block_lanes;
   TriedIntensity out;
@@ -162,22 +163,23 @@ double coverage_of(const Flight& flight, const Scenario& flown, const Scenario& 
   std::size_t vehicles = 0;
   for (std::size_t v = 0; v < flight.vehicles.size(); ++v) {
     if (!counts(flown.vehicles[v], settings)) continue;
+    ++vehicles;
+    if (const auto& inspection = flight.vehicles[v].inspection) {
+      sum += inspection->share();
+      continue;
+    }
     const double whole_m = work_way_m(fixed_plan.vehicles[v]);
     const double planned = whole_m > 0 ? work_way_m(flown.vehicles[v]) / whole_m : 1;
     sum += planned * flight.vehicles[v].work_share;
-    ++vehicles;
   }
   return vehicles > 0 ? sum / static_cast<double>(vehicles) : 1;
 }
 
-IntensityChoice adapt_intensity(const MissionThinned& mission, const Surround& given,
+IntensityChoice adapt_intensity(const MissionThinned& mission, const Surround& surround,
                                 const IntensityQuestion& question) {
   check(question);
   const std::vector<Rung> rungs = rungs_of(mission, question);
   const Scenario& fixed_plan = rungs.front().mission;
-  Surround surround = given;
-  if (surround.vehicles.empty())
-    surround.vehicles = read_vehicles(fixed_plan, surround.data_folder);
   IntensityChoice choice;
   choice.members = question.members.size();
   choice.needed = rank_needed(choice.members, question.keep_share);

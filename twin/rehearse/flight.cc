@@ -18,10 +18,7 @@ struct Fleet {
 
 Fleet assembled(const Scenario& mission, Surround surround, std::span<const FlightCase> cases) {
   Fleet fleet;
-  // Vehicles of one kind lie in one block.
-  if (surround.vehicles.empty()) surround.vehicles = read_vehicles(mission, surround.data_folder);
-  if (surround.inspections.empty())
-    surround.inspections = read_inspections(mission, surround.data_folder);
+  surround = shared_by_flights(mission, std::move(surround));
   for (const FlightCase& flown : cases) {
     Scenario scenario = mission;
     scenario.start = flown.start;
@@ -164,6 +161,17 @@ void note_noise(std::span<const Agent> agents, std::span<const AgentState> state
 }
 
 }  // namespace
+
+Surround shared_by_flights(const Scenario& mission, Surround surround) {
+  // Vehicles of one kind lie in one block.
+  if (surround.vehicles.empty()) surround.vehicles = read_vehicles(mission, surround.data_folder);
+  if (surround.inspections.empty()) {
+    Scenario flown = mission;
+    flown.rays_per_look = std::min(flown.rays_per_look, rays_per_look_of_many);
+    surround.inspections = read_inspections(flown, surround.data_folder);
+  }
+  return surround;
+}
 
 std::uint64_t seed_of(std::uint64_t mission_seed, const FlightCase& flown) noexcept {
   const auto start = static_cast<std::uint64_t>(flown.start.time_since_epoch().count());

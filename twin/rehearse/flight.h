@@ -50,8 +50,17 @@ struct FlightSettings {
 /// cases are flown. Below 2^31, as scenarios have it.
 [[nodiscard]] std::uint64_t seed_of(std::uint64_t mission_seed, const FlightCase& flown) noexcept;
 
+/// Rays of a look of what inspects, where many futures are flown: coverage is within two points of
+/// that with 2000 (tests/twin/inspection/coverage_test.cc).
+inline constexpr std::size_t rays_per_look_of_many = 80;
+
+/// The surround of a mission with what all its flights share: vehicles read, inspections made
+/// ready. @throws Error(invalid_input) that names the vehicle
+[[nodiscard]] Surround shared_by_flights(const Scenario& mission, Surround surround);
+
 /// Flies some cases side by side in one run, eight vehicles of a kind at a time: the same to the
 /// last bit as each by itself.
+/// @param surround  `shared_by_flights`, or it is done here
 /// @throws Error(invalid_input) as `set_up`
 [[nodiscard]] std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
                                       std::span<const FlightCase> cases,

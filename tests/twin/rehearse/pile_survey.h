@@ -3,39 +3,33 @@
 
 #include "fields/base/text.h"
 #include "tests/twin/mission/mission_for_tests.h"
+#include "tests/twin/rehearse/eye_task.h"
 #include "tests/twin/rehearse/water_of_members.h"
 #include "twin/rehearse/adapt_intensity.h"
 
 namespace slackwater::tests {
 
-/// Twelve rings round a pile from 5 to 27 m of depth, by an ROV that has to bring a fifth of its
-/// battery's charge home.
-inline constexpr const char* pile_survey_task = R"(id: survey
-name: A survey of a pile
-agents:
-  - role: eye
-    kinds: [rov]
-    needs: [camera]
-    model: bluerov2_heavy
-    speed_m_s: 0.4
-    start: {distance_m: 12, depth_m: 3}
-    launch_s: 10
-    recovery_s: 10
-    conduct:
-      autonomy: auto
-      reserve: {share: 0.2, margin: 1.3}
-      limits:
-        - {current_speed_m_s: 1.2, phases: [transit, work], source: nobody, status: estimate}
+/// Twelve rings round a pile from 5 to 27 m of depth, by an ROV that films it: two metres of it at
+/// a time, in clear water.
+inline std::string pile_survey_task() {
+  return eye_task("survey", 0.4, 1.2, R"(    inspection:
+      surfaces: [{kind: monopile, from: {depth_m: 4}, to: {depth_m: 28}}]
+      looks:
+        - {instrument: rov_camera, kinds: [monopile], detail_mm: 50, incidence_deg: 60, done_at: 0}
+      water: {visibility_m: 15}
     work:
       - {pattern: rings, stand_off_m: 3, from: {depth_m: 5}, to: {depth_m: 27}, spacing_m: 2}
-)";
+)");
+}
 
 /// @param charge  with which it begins
 inline twin::MissionThinned pile_survey(std::uint64_t seed, double charge) {
   return [seed, charge](const twin::Intensity& thinned_by) {
     twin::MissionParts parts = small_farm_parts();
     parts.thinned_by = thinned_by;
-    parts.task = [](const std::string&) { return Config::parse(pile_survey_task, "survey.yaml"); };
+    parts.task = [](const std::string&) {
+      return Config::parse(pile_survey_task(), "survey.yaml");
+    };
     const std::string yaml = formatted(
         "name: survey\nseed: {}\nduration: 1h\nstep_s: 0.05\nlog_every_s: 10\nwater: {{made_up: "
         "{{depth_m: 35, current: [{{depth_m: 0, east_m_s: 0.4, north_m_s: 0}}], wind: {{speed_m_s: "

@@ -7,6 +7,7 @@
 
 #include "tests/support/shared_data.h"
 #include "tests/twin/mission/mission_for_tests.h"
+#include "tests/twin/rehearse/eye_task.h"
 #include "tests/twin/rehearse/water_of_members.h"
 #include "tests/twin/risk/said_and_came.h"
 #include "twin/chance/success_interval.h"
@@ -22,29 +23,15 @@ constexpr std::size_t hours = 10;
 const UtcTime midnight = parse_utc("2025-06-02T00:00:00Z");
 
 /// A few minutes at a pile: in a stream beyond its limit it holds, until the reserve calls it home.
-constexpr const char* look = R"(id: look
-name: A look at a pile
-agents:
-  - role: eye
-    kinds: [rov]
-    needs: [camera]
-    model: bluerov2_heavy
-    speed_m_s: 0.5
-    start: {distance_m: 12, depth_m: 3}
-    launch_s: 10
-    recovery_s: 10
-    conduct:
-      autonomy: auto
-      reserve: {share: 0.2, margin: 1.3}
-      limits:
-        - {current_speed_m_s: 0.5, phases: [transit, work], source: nobody, status: estimate}
-    work:
+std::string look() {
+  return eye_task("look", 0.5, 0.5, R"(    work:
       - {pattern: verticals, stand_off_m: 3, from: {depth_m: 4}, to: {depth_m: 8}, bearings: 2}
-)";
+)");
+}
 
 twin::Scenario mission_of(std::uint64_t seed) {
   twin::MissionParts parts = small_farm_parts();
-  parts.task = [](const std::string&) { return Config::parse(look, "look.yaml"); };
+  parts.task = [](const std::string&) { return Config::parse(look(), "look.yaml"); };
   const std::string yaml =
       "name: look\nseed: " + std::to_string(seed) +
       "\nduration: 10min\nstep_s: 0.05\nlog_every_s: 10\nwater: {made_up: {depth_m: 35, current: "
