@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/rehearse/over_flights.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/scenario_run.h"
 #include "api/report/plot_json.h"
@@ -16,26 +17,6 @@ using twin::CleaningOutcome;
 
 json mass_json(const CleaningOutcome& cleaning, double volume_m3) {
   return cleaning.density_kg_m3 > 0 ? number(cleaning.density_kg_m3 * volume_m3) : json(nullptr);
-}
-
-/// Of those flights in which the vehicle cleans, that is of all or none.
-std::vector<const CleaningOutcome*> outcomes_of(const StartOutcome& start, std::size_t vehicle) {
-  std::vector<const CleaningOutcome*> all;
-  for (const twin::Flight& flight : start.flights)
-    if (const auto& cleaning = flight.vehicles[vehicle].cleaning) all.push_back(&*cleaning);
-  return all;
-}
-
-template <typename Of>
-std::vector<double> values_of(const std::vector<const CleaningOutcome*>& outcomes, const Of& of) {
-  std::vector<double> values;
-  for (const CleaningOutcome* outcome : outcomes) values.push_back(of(*outcome));
-  return values;
-}
-
-template <typename Of>
-json over_flights(const std::vector<const CleaningOutcome*>& outcomes, const Of& of) {
-  return quantiles_json(values_of(outcomes, of));
 }
 
 std::string area_text(double cleaned_m2, double area_m2) {
@@ -76,29 +57,29 @@ json cleaning_json(const CleaningOutcome& c) {
 }
 
 json cleaning_json(const StartOutcome& start, std::size_t vehicle) {
-  const auto all = outcomes_of(start, vehicle);
+  const OverFlights all(start, vehicle, &twin::VehicleOutcome::cleaning);
   if (all.empty()) return nullptr;
-  const CleaningOutcome& first = *all.front();
+  const CleaningOutcome& first = all.first();
   json bands = json::array();
   for (std::size_t b = 0; b < first.bands.size(); ++b)
     bands.push_back(
         {{"from_depth_m", number(first.bands[b].top_m)},
          {"to_depth_m", number(first.bands[b].bottom_m)},
          {"area_m2", number(first.bands[b].area_m2)},
-         {"cleaned_m2", over_flights(all, [b](const auto& c) { return c.bands[b].cleaned_m2; })},
-         {"growth_left_m3", over_flights(all, [b](const auto& c) { return c.bands[b].left_m3; })}});
+         {"cleaned_m2", all.quantiles([b](const auto& c) { return c.bands[b].cleaned_m2; })},
+         {"growth_left_m3", all.quantiles([b](const auto& c) { return c.bands[b].left_m3; })}});
   return {{"area_m2", number(first.area_m2)},
           {"done_at", number(first.done_at)},
           {"passes_needed", first.passes_needed},
-          {"cleaned_m2", over_flights(all, [](const auto& c) { return c.cleaned_m2; })},
-          {"share", over_flights(all, [](const auto& c) { return c.share(); })},
-          {"growth_removed_m3", over_flights(all, [](const auto& c) { return c.removed_m3; })},
-          {"growth_left_m3", over_flights(all, [](const auto& c) { return c.left_m3; })},
-          {"growth_removed_kg",
-           first.density_kg_m3 > 0
-               ? over_flights(all, [](const auto& c) { return c.density_kg_m3 * c.removed_m3; })
-               : json(nullptr)},
-          {"tool_time_s", over_flights(all, [](const auto& c) { return c.worked_s; })},
+          {"cleaned_m2", all.quantiles([](const auto& c) { return c.cleaned_m2; })},
+          {"share", all.quantiles([](const auto& c) { return c.share(); })},
+          {"growth_removed_m3", all.quantiles([](const auto& c) { return c.removed_m3; })},
+          {"growth_left_m3", all.quantiles([](const auto& c) { return c.left_m3; })},
+          {"growth_removed_kg", first.density_kg_m3 > 0 ? all.quantiles([](const auto& c) {
+             return c.density_kg_m3 * c.removed_m3;
+           })
+                                                        : json(nullptr)},
+          {"tool_time_s", all.quantiles([](const auto& c) { return c.worked_s; })},
           {"by_depth", bands}};
 }
 
@@ -106,17 +87,16 @@ std::vector<std::string> cleaning_texts(const StartOutcome& start) {
   std::vector<std::string> texts;
   if (start.flights.empty()) return texts;
   for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v) {
-    const auto all = outcomes_of(start, v);
+    const OverFlights all(start, v, &twin::VehicleOutcome::cleaning);
     if (all.empty()) continue;
     const auto share = [&](double at) {
-      return 100 *
-             quantile_of(values_of(all, [](const auto& c) { return c.share(); }), at).value_or(0);
+      return 100 * all.quantile(at, [](const auto& c) { return c.share(); });
     };
     texts.push_back(start.flights.front().vehicles[v].name +
                     formatted(": {:.0f} % of {:.1f} m2 clean (P10 {:.0f} %, P90 {:.0f} %, asked "
                               "for {:g} %)",
-                              share(0.5), all.front()->area_m2, share(0.1), share(0.9),
-                              100 * all.front()->done_at));
+                              share(0.5), all.first().area_m2, share(0.1), share(0.9),
+                              100 * all.first().done_at));
   }
   return texts;
 }

@@ -46,7 +46,7 @@ Row row_of(const Coverage& coverage, const CoverageMark& mark, const LocalFrame&
       coverage.sheet.is_all_round ? coverage.sheet.bearing_deg(mark.along_m) : std::nan("");
   row.properties = {
       {"number", mark.label},
-      {"kind", std::string(words_of(f.kind))},
+      {"kind", words_of(f.kind)},
       {"surface", coverage.surface},
       {"instrument", coverage.instrument},
       {"vehicle", coverage.vehicle},
@@ -58,7 +58,8 @@ Row row_of(const Coverage& coverage, const CoverageMark& mark, const LocalFrame&
       {"down_m", rounded(mark.down_m)},
       {"size_m", rounded(f.size_m)},
       {"severity", rounded(f.severity)},
-      {"severity_unit", std::string(severity_unit(f.kind))},
+      {"severity_unit",
+       std::string(twin::severity_unit_of(f.kind) == twin::SeverityUnit::share ? "1" : "m")},
       {"detail_m", rounded(f.detail_m)},
       {"time_utc", f.is_reported() ? format_utc(add_hours(epoch, f.t_s / 3600)) : std::string()}};
   if (shows_truth)

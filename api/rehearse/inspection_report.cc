@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/rehearse/inspection_log.h"
+#include "api/rehearse/over_flights.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/report/plot_json.h"
 #include "fields/base/text.h"
@@ -23,21 +24,6 @@ double area_of(const InspectionOutcome& outcome) {
 
 double share_of(const InspectionOutcome::Part& part) {
   return part.area_m2 > 0 ? part.covered_m2 / part.area_m2 : 0;
-}
-
-/// Of those flights in which the vehicle inspects, that is of all or none.
-std::vector<const InspectionOutcome*> outcomes_of(const StartOutcome& start, std::size_t vehicle) {
-  std::vector<const InspectionOutcome*> all;
-  for (const twin::Flight& flight : start.flights)
-    if (const auto& inspection = flight.vehicles[vehicle].inspection) all.push_back(&*inspection);
-  return all;
-}
-
-template <typename Of>
-std::vector<double> values_of(const std::vector<const InspectionOutcome*>& outcomes, const Of& of) {
-  std::vector<double> values;
-  for (const InspectionOutcome* outcome : outcomes) values.push_back(of(*outcome));
-  return values;
 }
 
 std::string counted(std::size_t count, const char* what) {
@@ -105,33 +91,31 @@ json inspection_json(const InspectionOutcome& outcome) {
 }
 
 json inspection_json(const StartOutcome& start, std::size_t vehicle) {
-  const auto all = outcomes_of(start, vehicle);
+  const OverFlights all(start, vehicle, &twin::VehicleOutcome::inspection);
   if (all.empty()) return nullptr;
   json parts = json::array();
-  for (std::size_t p = 0; p < all.front()->parts.size(); ++p) {
-    const InspectionOutcome::Part& first = all.front()->parts[p];
-    parts.push_back({{"surface", first.surface},
-                     {"instrument", first.instrument},
-                     {"area_m2", number(first.area_m2)},
-                     {"share", quantiles_json(values_of(
-                                   all, [p](const auto& o) { return share_of(o.parts[p]); }))}});
+  for (std::size_t p = 0; p < all.first().parts.size(); ++p) {
+    const InspectionOutcome::Part& first = all.first().parts[p];
+    parts.push_back(
+        {{"surface", first.surface},
+         {"instrument", first.instrument},
+         {"area_m2", number(first.area_m2)},
+         {"share", all.quantiles([p](const auto& o) { return share_of(o.parts[p]); })}});
   }
   const auto rate = [](const auto& o) { return o.score.detection_rate.value_or(0); };
-  return {{"share", quantiles_json(values_of(all, [](const auto& o) { return o.share(); }))},
+  return {{"share", all.quantiles([](const auto& o) { return o.share(); })},
           {"surfaces", parts},
-          {"detection_rate",
-           all.front()->planted.empty() ? json(nullptr) : quantiles_json(values_of(all, rate))}};
+          {"detection_rate", all.first().planted.empty() ? json(nullptr) : all.quantiles(rate)}};
 }
 
 std::vector<std::string> inspection_texts(const StartOutcome& start) {
   std::vector<std::string> texts;
   if (start.flights.empty()) return texts;
   for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v) {
-    const auto all = outcomes_of(start, v);
+    const OverFlights all(start, v, &twin::VehicleOutcome::inspection);
     if (all.empty()) continue;
     const auto share = [&](double at) {
-      return 100 *
-             quantile_of(values_of(all, [](const auto& o) { return o.share(); }), at).value_or(0);
+      return 100 * all.quantile(at, [](const auto& o) { return o.share(); });
     };
     std::size_t planted = 0, found = 0;
     for (const InspectionOutcome* outcome : all) {
@@ -140,7 +124,7 @@ std::vector<std::string> inspection_texts(const StartOutcome& start) {
     }
     texts.push_back(start.flights.front().vehicles[v].name +
                     formatted(": {:.0f} % of {:.0f} m2 covered (P10 {:.0f} %, P90 {:.0f} %)",
-                              share(0.5), area_of(*all.front()), share(0.1), share(0.9)) +
+                              share(0.5), area_of(all.first()), share(0.1), share(0.9)) +
                     (planted == 0 ? std::string()
                                   : formatted("; of made-up defects {:.0f} % found",
                                               100.0 * static_cast<double>(found) /
