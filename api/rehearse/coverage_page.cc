@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "api/rehearse/coverage_marks.h"
-#include "api/rehearse/coverage_sheet.h"
-#include "api/rehearse/coverage_still.h"
+#include "api/rehearse/coverage_pictures.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
@@ -37,17 +35,9 @@ std::string length_text(const std::optional<double>& length_m) {
 
 std::string severity_text(twin::DefectKind kind, double severity) {
   if (!std::isfinite(severity)) return "-";
-  return severity_unit(kind) == std::string("1") ? formatted("{:.0f} %", 100 * severity)
-                                                 : length_text(severity);
-}
-
-/// Shares that sum to 100 %: what is left over by rounding is not seen.
-std::string percent(double share) {
-  // Never "100 %" of what is not whole, nor "0 %" of what is there.
-  const double whole = 100 * share;
-  if (whole > 99.5 && whole < 100) return formatted("{:.1f} %", std::min(99.9, whole));
-  if (whole > 0 && whole < 0.5) return formatted("{:.1f} %", std::max(0.1, whole));
-  return formatted("{:.0f} %", whole);
+  return twin::severity_unit_of(kind) == twin::SeverityUnit::share
+             ? formatted("{:.0f} %", 100 * severity)
+             : length_text(severity);
 }
 
 /// Where on its sheet: "bearing 214°, depth 12.3 m", "along 12.0 m, down 3.1 m".
@@ -62,46 +52,9 @@ std::string where_text(const Coverage& coverage, const CoverageMark& mark) {
                                : formatted(", height {:.1f} m", -depth_m));
 }
 
-/// Grounds of the three states, told apart by lightness and by pattern.
-const char* patterns_html() {
-  return "<svg class=\"patterns\" aria-hidden=\"true\" width=\"0\" height=\"0\"><defs>"
-         "<pattern id=\"seen-poorly\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" "
-         "patternTransform=\"rotate(45)\"><rect class=\"ground\" width=\"5\" height=\"5\"/>"
-         "<rect class=\"stripe\" width=\"2\" height=\"5\"/></pattern>"
-         "<pattern id=\"not-seen\" width=\"8\" height=\"8\" patternUnits=\"userSpaceOnUse\">"
-         "<rect class=\"ground\" width=\"8\" height=\"8\"/><circle class=\"dot\" cx=\"2\" "
-         "cy=\"2\" r=\"0.8\"/><circle class=\"dot\" cx=\"6\" cy=\"6\" r=\"0.8\"/></pattern>"
-         "</defs></svg>";
-}
-
-std::string legend_html(const Coverage& coverage, const std::vector<CoverageMark>& marks) {
-  const auto shares = coverage.shares();
-  std::string html = "<ul class=\"legend\">";
-  const auto item = [&](const std::string& swatch, const std::string& words) {
-    html += "<li><svg aria-hidden=\"true\" viewBox=\"0 0 22 16\" width=\"22\" height=\"16\">" +
-            swatch + "</svg>" + escaped_html(words) + "</li>";
-  };
-  for (std::size_t s = 0; s < patch_states; ++s)
-    item(formatted("<rect class=\"state{} edge\" x=\"1\" y=\"1\" width=\"20\" height=\"14\"/>", s),
-         words_of(static_cast<PatchState>(s)) + (" " + percent(shares[s])));
-  std::set<std::string> shown;
-  for (const CoverageMark& mark : marks)
-    if (shown.insert(mark.shape).second) item(shape_svg(mark.shape, 11, 8), mark.words);
-  return html + "</ul>";
-}
-
 std::string asked_text(const Coverage& c) {
   return formatted("{} or finer, at most {:g}° off square, {} {}", length_text(c.asked_detail_m),
                    c.asked_incidence_deg, c.asked_looks, c.asked_looks == 1 ? "look" : "looks");
-}
-
-std::string pair_html(const Coverage& coverage, const std::vector<CoverageMark>& marks) {
-  return "<article><h3>" + escaped_html(coverage.surface) + "</h3><p>" +
-         escaped_html(coverage_text(coverage)) + "</p>" + legend_html(coverage, marks) +
-         "<div class=\"pair\"><figure>" + sheet_svg(coverage, marks) +
-         "<figcaption>Unrolled, seen from outside.</figcaption></figure><figure>" +
-         still_svg(coverage, marks) +
-         "<figcaption>In space, in parallel from 25° above.</figcaption></figure></div></article>";
 }
 
 std::vector<std::vector<CoverageMark>> all_marks(const std::vector<Coverage>& coverages,
@@ -167,10 +120,11 @@ ReportTable coverage_table(const std::vector<Coverage>& coverages) {
                    "Done",    "Least detail",    "Median detail", "A patch is covered at"};
   for (const Coverage& c : coverages) {
     const auto shares = c.shares();
-    table.rows.push_back(
-        {c.surface, c.instrument, c.vehicle, formatted("{:.1f} m2", c.area_m2), percent(shares[0]),
-         percent(shares[1]), percent(shares[2]), percent(c.done_at), c.is_done() ? "yes" : "no",
-         length_text(c.least_detail_m), length_text(c.median_detail_m), asked_text(c)});
+    table.rows.push_back({c.surface, c.instrument, c.vehicle, formatted("{:.1f} m2", c.area_m2),
+                          percent_text(shares[0]), percent_text(shares[1]), percent_text(shares[2]),
+                          percent_text(c.done_at), c.is_done() ? "yes" : "no",
+                          length_text(c.least_detail_m), length_text(c.median_detail_m),
+                          asked_text(c)});
   }
   return table;
 }
@@ -239,23 +193,22 @@ ReportTable missed_table(const std::vector<Coverage>& coverages) {
 
 std::string coverage_text(const Coverage& coverage) {
   return coverage.instrument + " of " + coverage.vehicle +
-         formatted(": {} of {:.1f} m2 covered, asked for {}", percent(coverage.shares()[0]),
-                   coverage.area_m2, percent(coverage.done_at)) +
+         formatted(": {} of {:.1f} m2 covered, asked for {}", percent_text(coverage.shares()[0]),
+                   coverage.area_m2, percent_text(coverage.done_at)) +
          "; covered is what was seen at " + asked_text(coverage) + ".";
 }
 
 std::string coverage_html(const std::vector<Coverage>& coverages, bool shows_truth) {
   if (coverages.empty()) return {};
   const auto marks = all_marks(coverages, shows_truth);
-  std::string html = "<section class=\"coverage\" id=\"coverage\"><h2>What was seen</h2>" +
-                     std::string(patterns_html());
-  for (std::size_t i = 0; i < coverages.size(); ++i) html += pair_html(coverages[i], marks[i]);
-  html +=
-      "<p class=\"note\">Marks stand where something was reported; the numbers are those of the "
-      "table of findings.";
+  std::string articles;
+  for (std::size_t i = 0; i < coverages.size(); ++i)
+    articles += pictures_html(coverages[i], marks[i], coverage_text(coverages[i]));
+  std::string note =
+      "Marks stand where something was reported; the numbers are those of the table of findings.";
   if (shows_truth)
-    html += " The truth is shown: M are planted defects that nobody reported, where they are.";
-  return html + "</p></section>\n";
+    note += " The truth is shown: M are planted defects that nobody reported, where they are.";
+  return coverage_section_html("What was seen", articles, note);
 }
 
 std::string coverage_plots_html(const std::vector<Coverage>& coverages) {

@@ -189,11 +189,10 @@ std::string sheet_svg(const Coverage& coverage, const std::vector<CoverageMark>&
   const CoverageSheet& sheet = coverage.sheet;
   const Frame frame(sheet);
   const auto shares = coverage.shares();
-  std::string label = "Sheet of " + coverage.name() +
-                      formatted(
-                          ": {:.0f} % covered, {:.0f} % seen but not well enough, {:.0f} % "
-                          "not seen, {} marks",
-                          100 * shares[0], 100 * shares[1], 100 * shares[2], marks.size());
+  std::string label = "Sheet of " + coverage.name() + ": ";
+  for (std::size_t s = 0; s < patch_states; ++s)
+    label += formatted("{:.0f} % {}, ", 100 * shares[s], coverage.words[s]);
+  label += formatted("{} marks", marks.size());
   std::string svg = formatted("<svg role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:g} {:.0f}\">",
                               escaped_html(label), picture_wide, top + frame.high + bottom);
   svg += cells_svg(raster_of(coverage, sheet_columns, sheet_rows), frame);

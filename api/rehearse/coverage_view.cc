@@ -158,12 +158,11 @@ CoveragePatch patch_of(const Rows& rows, std::size_t i) {
 }
 
 constexpr std::size_t outcomes = 5;
-constexpr std::size_t defect_kinds = static_cast<std::size_t>(twin::DefectKind::chain_wear) + 1;
 
 Finding finding_of(const Rows& rows, std::size_t i) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   Finding finding;
-  finding.kind = static_cast<twin::DefectKind>(rows.whole("kind", i, defect_kinds));
+  finding.kind = static_cast<twin::DefectKind>(rows.whole("kind", i, twin::defect_kinds));
   finding.outcome = static_cast<FindingOutcome>(rows.whole("outcome", i, outcomes));
   finding.along_m = rows.finite("along", i);
   finding.down_m = rows.finite("down", i);
@@ -188,29 +187,16 @@ double CoverageSheet::bearing_deg(double along_m) const noexcept {
   return bearing < 0 ? bearing + 360 : bearing;
 }
 
-const char* words_of(PatchState state) noexcept {
-  constexpr const char* words[] = {"covered", "seen, not well enough", "not seen"};
-  return words[static_cast<std::size_t>(state)];
-}
-
 const char* words_of(FindingOutcome outcome) noexcept {
   constexpr const char* words[] = {"found", "false alarm", "missed: never seen",
                                    "missed: seen too poorly", "missed: overlooked"};
   return words[static_cast<std::size_t>(outcome)];
 }
 
-const char* words_of(twin::DefectKind kind) noexcept {
-  constexpr const char* words[] = {
-      "crack",      "corrosion", "marine growth", "missing fastener", "leading edge erosion",
-      "anode loss", "scour",     "burial loss",   "chain wear"};
-  return words[static_cast<std::size_t>(kind)];
-}
-
-const char* severity_unit(twin::DefectKind kind) noexcept {
-  const bool is_share = kind == twin::DefectKind::anode_loss ||
-                        kind == twin::DefectKind::chain_wear ||
-                        kind == twin::DefectKind::missing_fastener;
-  return is_share ? "1" : "m";
+std::string words_of(twin::DefectKind kind) {
+  std::string words = twin::name_of(kind);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
 }
 
 std::array<double, patch_states> Coverage::shares() const noexcept {

@@ -7,7 +7,7 @@
 
 #include "fields/base/frame.h"
 #include "ingest/cf/trajectory_file.h"
-#include "twin/inspection/defect/defect.h"
+#include "twin/inspection/defect/defect_kind.h"
 
 // What instruments saw of surfaces, as a log holds it: what pages and files of findings draw from.
 
@@ -31,8 +31,9 @@ struct CoverageSheet {
 
 enum class PatchState { covered, seen_poorly, unseen };
 inline constexpr std::size_t patch_states = 3;
-/// "covered", "seen, not well enough", "not seen".
-[[nodiscard]] const char* words_of(PatchState state) noexcept;
+/// What the states stand for, in the order of PatchState.
+using StateWords = std::array<const char*, patch_states>;
+inline constexpr StateWords words_of_a_run{"covered", "seen, not well enough", "not seen"};
 
 struct CoveragePatch {
   double along_m = 0;  ///< of its centre on the sheet
@@ -61,7 +62,7 @@ struct Finding {
   // As reported; NaN where it was missed.
   Vector3<Enu> reported_m{0, 0, 0};
   double size_m = 0;
-  double severity = 0;  ///< unit: see `severity_unit`
+  double severity = 0;  ///< in its kind's unit (`severity_unit_of`)
   double t_s = 0;
   double detail_m = 0;
   // As it is; NaN of a false alarm.
@@ -77,9 +78,7 @@ struct Finding {
 /// "found", "false alarm", "missed: never seen", ...
 [[nodiscard]] const char* words_of(FindingOutcome outcome) noexcept;
 /// "leading edge erosion"
-[[nodiscard]] const char* words_of(twin::DefectKind kind) noexcept;
-/// "m", or "1" of a share.
-[[nodiscard]] const char* severity_unit(twin::DefectKind kind) noexcept;
+[[nodiscard]] std::string words_of(twin::DefectKind kind);
 
 /// One surface under one instrument of one vehicle.
 struct Coverage {
@@ -91,6 +90,7 @@ struct Coverage {
   double asked_incidence_deg = 0;
   int asked_looks = 1;  ///< at least
   double done_at = 0;   ///< share of the area
+  StateWords words = words_of_a_run;
   CoverageSheet sheet;
   double area_m2 = 0;
   double seen_m2 = 0;  ///< covered or not

@@ -8,6 +8,8 @@
 #include "api/program/version.h"
 #include "api/rehearse/advice.h"
 #include "api/rehearse/cleaning_report.h"
+#include "api/rehearse/coverage_over_flights.h"
+#include "api/rehearse/inspection_report.h"
 #include "api/rehearse/limit_bounds.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/risk_report.h"
@@ -94,6 +96,7 @@ json vehicle_json(const StartOutcome& start, std::size_t v, const twin::Scenario
           {"flights", flights},
           {"tether", tether_json(scenario.vehicles[v])},
           {"bounds", limit_bounds_json(scenario.vehicles[v])},
+          {"covered", covered_against_current_json(start, v)},
           {"charge", band([](const FlightSample& s) { return 100.0 * double{s.charge}; })},
           {"needed", band([](const FlightSample& s) { return 100.0 * double{s.needed}; })},
           {"current", band([](const FlightSample& s) { return double{s.current_m_s}; })},
@@ -176,6 +179,9 @@ std::string words_html(const Rehearsal& rehearsal, const Unchecked& unchecked) {
   for (const StartOutcome& start : rehearsal.starts)
     for (const std::string& cleaned : cleaning_texts(start))
       say(format_utc(start.start).substr(0, 16) + "Z: " + cleaned + ".");
+  for (const StartOutcome& start : rehearsal.starts)
+    for (const std::string& seen : inspection_texts(start))
+      say(format_utc(start.start).substr(0, 16) + "Z: " + seen + ".");
   for (const std::string& limit : unchecked.not_checked) say("Not checked: " + limit + ".");
   for (const std::string& value : unchecked.assumed) say("Assumed, not forecast: " + value + ".");
   return html.empty() ? html : "<section class=\"words\">" + html + "</section>\n";
@@ -186,7 +192,12 @@ std::string choice_html(const char* id, const char* label) {
          "\"></select> ";
 }
 
-std::string plots() {
+std::string plots(bool is_inspected) {
+  const std::string covered =
+      is_inspected ? plot_html("covered", "Covered against current",
+                               "A point a future: the mean current felt at work (m/s) and the "
+                               "share of all surfaces that was covered (%).")
+                   : "";
   return "<p class=\"control\">" + choice_html("start", "Start") +
          choice_html("vehicle", "Vehicle") + "</p><p id=\"start-verdict\"></p>" +
          plot_html("timeline", "What it does, future by future",
@@ -200,6 +211,7 @@ std::string plots() {
          plot_html("reserve", "Charge left, and what the way home takes",
                    "State of charge (%), P10 to P90 over the futures, and the charge at which it "
                    "has to turn for home: way home, its margin and the reserve.") +
+         covered +
          plot_html("current", "Current felt", "At the vehicle (m/s), P10 to P90; red: its limit.") +
          plot_html("wind", "Wind felt", "Mean, at the vehicle (m/s), P10 to P90; red: its limit.") +
          plot_html("waves", "Waves", "Significant wave height (m), P10 to P90; red: its limit.");
@@ -247,8 +259,10 @@ std::string rehearsal_page_html(const LoadedMission& mission, const RehearsalPla
   page.first_html = words_html(rehearsal, unchecked);
   const std::string tables = starts_html(rehearsal) + risks_html(mission, rehearsal.starts[best]) +
                              advice_table_html("What would change the answer", advice);
-  page.plots_html = tables + plots();
-  page.instead_of_plots_html = tables;
+  const std::string pictures =
+      rehearsed_coverage_html(rehearsal.starts[best], rehearsal.inspections);
+  page.plots_html = tables + pictures + plots(!pictures.empty());
+  page.instead_of_plots_html = tables + pictures;
   std::size_t best_flown = 0;
   const json starts = starts_json(mission, rehearsal, best, best_flown);
   page.data_json = script_safe(

@@ -8,8 +8,9 @@
 namespace slackwater::api {
 
 /// A rehearsal for people: the verdict with its cause, the starts, and of one start what each
-/// vehicle does when, the plan, the charge left against what the way home takes, and the weather
-/// felt with the limits drawn in.
+/// vehicle does when, the plan, the charge left against what the way home takes, what is covered of
+/// the surfaces it inspects and what the current has to do with that, and the weather felt with
+/// the limits drawn in.
 /// @param advice  for its best start; may be empty
 [[nodiscard]] std::string rehearsal_page_html(const LoadedMission& mission,
                                               const RehearsalPlan& plan, const Rehearsal& rehearsal,

@@ -108,7 +108,22 @@
     series: [...band('charge left', t.first, vehicle().charge), ...band('charge needed', colours.home, vehicle().needed)],
   });
 
-  const plots = {timeline: timelineOption, plan: planOption, reserve: reserveOption, current: felt('current', 'm/s', 'current'), wind: felt('wind', 'm/s', 'wind'), waves: felt('wave height', 'm', 'waves')};
+  const coveredOption = (t) => {
+    const points = (vehicle().covered || []).filter((p) => p[0] !== null);
+    const axis = (values, least) => ({min: Math.max(0, Math.floor((Math.min(...values) - least) / least) * least), max: Math.ceil((Math.max(...values) + least) / least) * least});
+    const none = {show: points.length === 0, type: 'text', left: 'center', top: 'middle', style: {text: `${vehicle().name} inspects nothing`, fill: t.quiet, fontSize: 14}};
+    return {
+      animation: false,
+      grid: {left: 70, right: 20, top: 20, bottom: 46},
+      graphic: [points.length ? {type: 'text', style: {text: ''}} : none],
+      tooltip: {trigger: 'item', formatter: (x) => `future ${x.value[2]}: ${fixed(x.value[1], 1)} % covered in ${fixed(x.value[0], 2)} m/s`},
+      xAxis: valueAxis(t, 'mean current felt at work (m/s)', {nameGap: 30, ...(points.length ? axis(points.map((p) => p[0]), 0.05) : {min: 0, max: 1})}),
+      yAxis: valueAxis(t, 'covered (%)', points.length ? {...axis(points.map((p) => p[1]), 5), max: Math.min(100, axis(points.map((p) => p[1]), 5).max)} : {min: 0, max: 100}),
+      series: [{name: 'covered', type: 'scatter', symbolSize: 9, data: points, itemStyle: {color: t.first, opacity: 0.75, borderColor: t.ink, borderWidth: 0.6}}],
+    };
+  };
+
+  const plots = {timeline: timelineOption, plan: planOption, reserve: reserveOption, covered: coveredOption, current: felt('current', 'm/s', 'current'), wind: felt('wind', 'm/s', 'wind'), waves: felt('wave height', 'm', 'waves')};
   Object.entries(plots).forEach(([id, option]) => {
     const chart = chartOf(id);
     if (!chart) return;

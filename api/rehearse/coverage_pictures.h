@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "api/rehearse/coverage_marks.h"
+#include "api/rehearse/coverage_view.h"
+
+namespace slackwater::api {
+
+/// "82 %"; never "100 %" of what is not whole, nor "0 %" of what is there.
+[[nodiscard]] std::string percent_text(double share);
+
+/// One surface: a sentence, a legend, the sheet unrolled and the surface in space.
+[[nodiscard]] std::string pictures_html(const Coverage& coverage,
+                                        const std::vector<CoverageMark>& marks,
+                                        const std::string& sentence);
+
+/// The part of a page that holds them, with the patterns that they are filled with.
+[[nodiscard]] std::string coverage_section_html(const std::string& title,
+                                                const std::string& pictures,
+                                                const std::string& note);
+
+}  // namespace slackwater::api

@@ -1,0 +1,170 @@
+// `inspection` in `rehearse`, `simulate`, `replay` and `score`: what comes out, in a checkpoint, on
+// pages and as files; and what is flown again.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "api/rehearse/coverage_view.h"
+#include "tests/support/farm_for_tests.h"
+#include "tests/support/store_for_tests.h"
+
+namespace slackwater::tests {
+namespace {
+
+using nlohmann::json;
+
+/// One ring at 10 m of depth about four metres of a pile: it sees a band of them.
+const std::string film = R"(id: film
+name: Film a pile
+)" + eye_yaml + R"(    conduct: {clear_m: 1}
+    inspection:
+      surfaces: [{kind: monopile, from: {depth_m: 8}, to: {depth_m: 12}}]
+      looks:
+        - {instrument: rov_camera, kinds: [monopile], detail_mm: 40, incidence_deg: 70,
+           done_at: 0.3}
+      water: {visibility_m: 10}
+      defects: [{kind: corrosion, count: 8}]
+      detection: [rgb_corrosion]
+    work:
+      - {pattern: rings, stand_off_m: 2, from: {depth_m: 9}, to: {depth_m: 9}, spacing_m: 1}
+)";
+const std::string mission =
+    "name: film\nseed: 3\nsite: farm.yaml\ntasks: [film.yaml]\nturbines: [T1]\nstart: "
+    "2025-03-10T06:00:00Z\nduration: 10min\nstep_s: 0.05\nwater: {made_up: {depth_m: 30, current: "
+    "[{depth_m: 0, east_m_s: 0.05, north_m_s: 0}]}}\nwaves: {from: calm}\n";
+
+class InspectionCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    (void)made_.write("film.yaml", film);
+    (void)made_.write("farm.yaml",
+                      "id: farm\nlatitude_deg: 48.9\nlongitude_deg: -3.1\n" + pile_yaml +
+                          "turbines: [{id: T1, latitude_deg: 48.9, longitude_deg: -3.1}]\n");
+    (void)made_.write("mission.yaml", mission);
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return made_.path(name); }
+  /// Lays the mission out as laid_out.yaml.
+  void lay_out() {
+    ASSERT_EQ(made_.run({"rehearse", path("mission.yaml"), "--scenario", path("laid_out.yaml")})
+                  .exit_code,
+              0);
+  }
+  StoreForTests made_;
+};
+
+TEST_F(InspectionCommand, TellsWhatWasCoveredOverTheFuturesAndInOneRun) {
+  const ProgramResult run =
+      made_.run({"rehearse", path("mission.yaml"), "--members", "3", "--scenario",
+                 path("laid_out.yaml"), "--html", path("page.html"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json start = json::parse(run.out).at("starts")[0];
+  const json inspection = start.at("vehicles")[0].at("inspection");
+  EXPECT_NEAR(inspection.at("surfaces")[0].at("area_m2").get<double>(), 3.14159 * 5 * 4, 0.3);
+  const double p50 = inspection.at("share").at("p50");
+  EXPECT_GT(p50, 0.3);
+  EXPECT_LT(p50, 0.7);
+  EXPECT_EQ(start.at("done"), 3) << start.dump(1);
+  const std::string page = read_bytes(path("page.html"));
+  EXPECT_NE(page.find("m2 covered (P10"), std::string::npos);
+  EXPECT_NE(page.find("What is covered, whatever comes"), std::string::npos);
+  EXPECT_NE(page.find("Covered against current"), std::string::npos);
+
+  const ProgramResult one = made_.run({"simulate", path("laid_out.yaml"), "--out", path("one.nc"),
+                                       "--findings", path("found.csv"), "--truth", "--json"});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  const json own = json::parse(one.out).at("vehicles")[0].at("inspection");
+  // With more rays and smaller patches: within half a patch of 0.2 m at both edges of the one band
+  // that is seen of 4 m.
+  EXPECT_NEAR(own.at("share").get<double>(), p50, 0.05);
+  EXPECT_EQ(own.at("defects").at("planted"), 8);
+  // The log has the same, and so have those who read it.
+  const auto coverage = api::coverage_in(ingest::read_trajectories(path("one.nc")));
+  ASSERT_EQ(coverage.size(), 1U);
+  EXPECT_NEAR(coverage[0].covered_m2 / coverage[0].area_m2, own.at("share").get<double>(), 1e-4);
+  EXPECT_EQ(coverage[0].findings.size(),
+            8U + own.at("defects").at("false_alarms").get<std::size_t>());
+  const ProgramResult score = made_.run({"score", path("one.nc"), "--json"});
+  ASSERT_EQ(score.exit_code, 0) << score.err;
+  const json card = json::parse(score.out).at("runs")[0].at("vehicles")[0];
+  EXPECT_NEAR(card.at("coverage").get<double>(), own.at("share").get<double>(), 1e-4);
+  EXPECT_EQ(card.at("findings").at("found"), own.at("defects").at("found"));
+  EXPECT_EQ(made_.run({"replay", path("one.nc"), "--html", path("one.html")}).exit_code, 0);
+  EXPECT_NE(read_bytes(path("one.html")).find("What was seen"), std::string::npos);
+}
+
+TEST_F(InspectionCommand, IsPartOfACheckpoint) {
+  lay_out();
+  ASSERT_EQ(made_
+                .run({"simulate", path("laid_out.yaml"), "--out", path("whole.nc"), "--checkpoint",
+                      path("half.checkpoint"), "--checkpoint-at", "1min"})
+                .exit_code,
+            0);
+  ASSERT_EQ(made_
+                .run({"simulate", path("laid_out.yaml"), "--restore", path("half.checkpoint"),
+                      "--threads", "2", "--out", path("restored.nc")})
+                .exit_code,
+            0);
+  EXPECT_EQ(read_bytes(path("restored.nc")), read_bytes(path("whole.nc")));
+}
+
+TEST_F(InspectionCommand, WhatIsLeftIsFlownAgain) {
+  lay_out();
+  const ProgramResult first = made_.run({"simulate", path("laid_out.yaml"), "--out",
+                                         path("first.nc"), "--resurvey", path("again.yaml")});
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.out.find("places once more"), std::string::npos) << first.out;
+  const ProgramResult again =
+      made_.run({"simulate", path("again.yaml"), "--out", path("again.nc")});
+  ASSERT_EQ(again.exit_code, 0) << again.err << read_bytes(path("again.yaml"));
+  const auto before = api::coverage_in(ingest::read_trajectories(path("first.nc")));
+  const auto after = api::coverage_in(ingest::read_trajectories(path("again.nc")));
+  // Patches are as large where the way is other: both together, by the place of each.
+  double left_m2 = 0, seen_again_m2 = 0;
+  for (const api::CoveragePatch& patch : before[0].patches) {
+    if (patch.state == api::PatchState::covered) continue;
+    left_m2 += patch.area_m2;
+    const api::CoveragePatch* same = after[0].nearest_patch(patch.centre_m);
+    if (same != nullptr && same->state == api::PatchState::covered) seen_again_m2 += patch.area_m2;
+  }
+  ASSERT_GT(left_m2, 10);
+  EXPECT_GT(seen_again_m2, 0.8 * left_m2);
+}
+
+TEST_F(InspectionCommand, AFlightThatCoversTooLittleIsNotDone) {
+  std::string yaml = film;
+  yaml.replace(yaml.find("done_at: 0.3"), 12, "done_at: 0.9");
+  (void)made_.write("film.yaml", yaml);
+  const ProgramResult run = made_.run({"rehearse", path("mission.yaml"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json start = json::parse(run.out).at("starts")[0];
+  EXPECT_EQ(start.at("done"), 0);
+  EXPECT_EQ(start.at("stopped_by")[0].at("cause"),
+            "eye: less than 90 % covered by the Camera of a small ROV");
+}
+
+TEST_F(InspectionCommand, RefusesWhatCannotBeInspectedBeforeTheFirstStep) {
+  struct Bad {
+    const char* what;
+    const char* instead;
+    const char* says;
+  };
+  const Bad all[] = {{"stand_off_m: 2", "stand_off_m: 30", "go nearer, or take"},
+                     {"{visibility_m: 10}", "{turbidity_ntu: 10}", "turbidity"},
+                     {"kind: corrosion", "kind: chain_wear", "it needs one of: mooring_line"},
+                     {"[rgb_corrosion]", "[rgb_corosion]", "rgb_corrosion"},
+                     {"surfaces: [{kind: monopile, from: {depth_m: 8}, to: {depth_m: 12}}]",
+                      "surfaces: []", "at least one surface"}};
+  for (const Bad& bad : all) {
+    std::string yaml = film;
+    yaml.replace(yaml.find(bad.what), std::string(bad.what).size(), bad.instead);
+    (void)made_.write("film.yaml", yaml);
+    const ProgramResult run =
+        made_.run({"rehearse", path("mission.yaml"), "--out", path("bad.nc")});
+    EXPECT_EQ(run.exit_code, 3) << bad.instead << "\n" << run.err;
+    EXPECT_NE(run.err.find(bad.says), std::string::npos) << bad.instead << "\n-> " << run.err;
+    EXPECT_FALSE(std::filesystem::exists(path("bad.nc"))) << bad.instead;
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::tests
