@@ -15,6 +15,7 @@
 #include "fields/base/random.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/counted_allocations.h"
+#include "tests/twin/inspection/brute_force_caster.h"
 #include "tests/twin/inspection/meshes_for_tests.h"
 #include "twin/inspection/cast/ray_caster.h"
 
@@ -60,18 +61,6 @@ std::vector<Ray> rays_of_looks(std::size_t looks) {
   return rays;
 }
 
-bool is_as_by_brute_force(const std::vector<TriangleMesh>& meshes, const Ray& ray,
-                          const std::optional<CastHit>& hit) {
-  std::optional<CastHit> best;
-  for (std::uint32_t m = 0; m < meshes.size(); ++m)
-    for (std::uint32_t t = 0; t < meshes[m].triangles.size(); ++t) {
-      const auto range_m = range_to(meshes[m], t, ray);
-      if (range_m && *range_m <= most_range_m && (!best || *range_m < best->range_m))
-        best = CastHit{m, t, *range_m};
-    }
-  return hit == best;
-}
-
 double seconds_since(std::chrono::steady_clock::time_point from) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
@@ -101,7 +90,7 @@ void run(BenchReport& report) {
   std::size_t wrong = 0;
   const std::size_t step = std::max<std::size_t>(1, rays.size() / (few ? 50 : 500));
   for (std::size_t i = 0; i < rays.size(); i += step)
-    wrong += is_as_by_brute_force(meshes, rays[i], hits[i]) ? 0 : 1;
+    wrong += hits[i] == by_brute_force(meshes, rays[i], most_range_m) ? 0 : 1;
   const auto met = std::count_if(hits.begin(), hits.end(), [](const auto& h) { return !!h; });
   report.answer("hits as by going through all triangles", wrong == 0 && met > 0,
                 std::to_string(met) + " of " + std::to_string(rays.size()) + " rays hit one of " +

@@ -1,8 +1,6 @@
 // Rehearsing a tethered inspection of a monopile in 1200 waters (24 starts, 50 members): the coarse
 // step holds the figures of the full one; then how long it takes, on the way that `slackwater
 // rehearse` goes.
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,12 +9,9 @@
 #include <vector>
 
 #include "api/rehearse/rehearsal.h"
-#include "fields/base/config.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/coarse_beside_full.h"
-#include "tests/support/shared_data.h"
-#include "tests/twin/mission/mission_for_tests.h"
-#include "twin/simulate/made_up_field.h"
+#include "tests/bench/pile_mission.h"
 #include "twin/simulate/run.h"
 
 using namespace slackwater;
@@ -25,134 +20,11 @@ using namespace slackwater::twin;
 
 namespace {
 
-constexpr double hour_s = 3600;
-constexpr std::size_t all_starts = 24, all_members = 50;
-
-/// An hour and more up and down a monopile in 35 m, as cp_anode has it, in limits that are looked
-/// at and that the current of some starts exceeds.
-constexpr const char* inspection = R"(
-id: inspection
-name: Inspection of a monopile
-agents:
-  - role: inspector
-    kinds: [rov]
-    needs: [depth]
-    model: bluerov2_heavy
-    speed_m_s: 0.3
-    start: {distance_m: 18, depth_m: 3}
-    tether: {top: {distance_m: 22, depth_m: 0}, length_m: 90}
-    launch_s: 180
-    clear_m: 1.5
-    conduct:
-      reserve: {share: 0.2, margin: 1.3}
-      holding: {resume_after_s: 120, overlap_m: 1}
-      limits:
-        - {significant_wave_height_m: 1.5}
-        - {current_speed_m_s: 0.5, phases: [transit, work]}
-        - {wind_speed_10m_m_s: 12}
-    work:
-      - {pattern: verticals, stand_off_m: 1.5, from: {depth_m: 4}, to: {above_bed_m: 2},
-         bearings: 16, stops: 3, stop_s: 30}
-)";
-constexpr const char* mission_yaml = R"(
-name: bench
-seed: 7
-duration: 1h
-step_s: 0.05
-tasks: [inspection]
-turbines: [A01]
-water:
-  made_up:
-    depth_m: 35
-    current: [{depth_m: 0, east_m_s: 0.4, north_m_s: 0}]
-    wind: {speed_m_s: 5, from_deg: 270}
-waves: {partitions: [{significant_height_m: 1, peak_period_s: 6, from_deg: 270}]}
-)";
-
-UtcTime first_start() { return parse_utc("2025-06-02T06:00:00Z"); }
-
-/// @param agents  more of the mission; empty: as every mission is
-Scenario inspection_mission(const std::string& agents) {
-  WorkSite site = tests::small_farm();
-  MissionParts parts;
-  parts.site = std::move(site);
-  parts.task = [](const std::string&) { return Config::parse(inspection, "inspection.yaml"); };
-  const Config mission = Config::parse(mission_yaml + agents, "mission.yaml");
-  Scenario scenario = parse_scenario(expand_mission(mission, parts).scenario_yaml, "laid_out.yaml");
-  scenario.origin = GeoPoint::from_degrees(54, 6.6);
-  scenario.has_origin = true;
-  return scenario;
-}
-
-/// A sheared tide of 0.55 m/s at most: a current of its own for each start. The members of a start
-/// differ in their seas.
-Surround tidal_water(const Scenario& mission) {
-  const std::vector<double> depths_m{0, 5, 10, 15, 20, 30, 35};
-  std::vector<UtcTime> times;
-  std::vector<Horizontal> current;
-  for (int hour = 0; hour <= static_cast<int>(all_starts) + 2; ++hour) {
-    times.push_back(first_start() + std::chrono::hours(hour));
-    const double tide_m_s = 0.55 * std::cos(2 * constants::pi * hour / 12.42);
-    for (const double depth_m : depths_m)
-      current.push_back(tide_m_s * Horizontal(1 - depth_m / 60, 0.1));
-  }
-  Surround surround;
-  surround.site = mission.origin;
-  surround.data_folder = tests::source_folder() / "data";
-  surround.field = made_up_field(times, depths_m, current, {5, 0}, mission.origin, 35);
-  return surround;
-}
-
-double cpu_s() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
-struct Flown {
-  std::size_t flights = 0;
-  double flown_s = 0;  ///< of all of them together
-  double cpu_s = 0;
-  double wall_s = 0;
-  double first_answer_s = 0;
-  bool none_broke = true;  ///< they went on, or stopped for what stops a mission
-  std::vector<double> energy_j;
-};
-Flown flown(const Scenario& mission, std::size_t starts, std::size_t members, int threads) {
-  api::RehearsalPlan plan;
-  for (std::size_t i = 0; i < starts; ++i)
-    plan.starts.push_back(first_start() +
-                          std::chrono::hours(static_cast<int>(i * all_starts / starts)));
-  plan.members = members;
-  plan.threads = threads;
-  const Surround surround = tidal_water(mission);
-  const double before_s = cpu_s();
-  const api::Rehearsal rehearsal = api::rehearse(mission, surround, plan);
-  Flown out;
-  out.cpu_s = cpu_s() - before_s;
-  out.wall_s = rehearsal.wall_s;
-  out.first_answer_s = rehearsal.first_answer_s;
-  for (const api::StartOutcome& start : rehearsal.starts) {
-    for (const Flight& flight : start.flights) {
-      ++out.flights;
-      out.flown_s += flight.ended_s;
-      const VehicleOutcome& outcome = flight.vehicles.front();
-      out.energy_j.push_back(outcome.energy_j);
-      out.none_broke = out.none_broke && (flight.is_done || outcome.stopped_by == "out of time" ||
-                                          outcome.stopped_by.find("limit") == 0);
-    }
-  }
-  return out;
-}
-
 /// That the way of a rehearsal is the coarse one, holds the energy of the full one, and does not
 /// depend on the number of threads.
 void check_rehearsal(BenchReport& report) {
-  Scenario coarse = inspection_mission("");
-  Scenario full = inspection_mission("agents: {inspector: {detail: full}}\n");
+  Scenario coarse = pile_mission();
+  Scenario full = pile_mission("agents: {inspector: {detail: full}}\n");
   report.answer("a mission's tether is stepped coarsely, if it does not say full",
                 coarse.vehicles[0].detail == StepDetail::coarse &&
                     full.vehicles[0].detail == StepDetail::full,
@@ -174,7 +46,7 @@ void check_rehearsal(BenchReport& report) {
 /// A part of the rehearsal, in rounds as full as those of the whole: all 24 starts, 9 members of
 /// 50.
 void time_rehearsal(BenchReport& report) {
-  const Scenario mission = inspection_mission("");
+  const Scenario mission = pile_mission();
   constexpr std::size_t members = 9;
   std::vector<double> wall_s, step_us, first_s;
   bool whole = true;
@@ -209,23 +81,23 @@ double bare_step_us(const TetherCase& c, StepDetail detail) {
   settings.seed = 7;
   settings.step_s = tether_step_s;
   Run run(std::move(agents), std::move(states), settings);
-  const double before_s = cpu_s();
+  const double before_s = cpu_seconds();
   const auto steps = std::llround(duration_s / tether_step_s);
   for (long long i = 0; i < steps; ++i) run.step();
-  return 1e6 * (cpu_s() - before_s) / static_cast<double>(steps * block_lanes);
+  return 1e6 * (cpu_seconds() - before_s) / static_cast<double>(steps * block_lanes);
 }
 
 double set_up_ms(StepDetail detail) {
-  Scenario mission = inspection_mission("");
+  Scenario mission = pile_mission();
   mission.vehicles[0].detail = detail;
   const Surround surround = tidal_water(mission);
   constexpr int times = 24;
-  const double before_s = cpu_s();
+  const double before_s = cpu_seconds();
   for (int i = 0; i < times; ++i) {
     mission.start = first_start() + std::chrono::hours(i);
     (void)set_up(mission, surround);
   }
-  return 1e3 * (cpu_s() - before_s) / times;
+  return 1e3 * (cpu_seconds() - before_s) / times;
 }
 
 void time_parts(BenchReport& report) {
