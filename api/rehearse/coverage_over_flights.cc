@@ -87,9 +87,9 @@ std::string sentence(const OverFlights<InspectionOutcome>& all, const Coverage& 
   };
   return coverage.instrument + " of " + coverage.vehicle +
          formatted(
-             ": {} of {:.1f} m2 covered in the middle future, {} in the P10 and {} in the P90 "
-             "one, asked for {}.",
-             share(0.5), coverage.area_m2, share(0.1), share(0.9), percent_text(coverage.done_at));
+             ": {} of {:.1f} m2 covered in the middle future, {} in the P10 and {} in the P90 one",
+             share(0.5), coverage.area_m2, share(0.1), share(0.9)) +
+         asked_share_text(coverage) + ".";
 }
 
 /// Mean over the samples at work; nothing: it never was.

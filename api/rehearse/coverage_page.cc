@@ -193,9 +193,9 @@ ReportTable missed_table(const std::vector<Coverage>& coverages) {
 
 std::string coverage_text(const Coverage& coverage) {
   return coverage.instrument + " of " + coverage.vehicle +
-         formatted(": {} of {:.1f} m2 covered, asked for {}", percent_text(coverage.shares()[0]),
-                   coverage.area_m2, percent_text(coverage.done_at)) +
-         "; covered is what was seen at " + asked_text(coverage) + ".";
+         formatted(": {} of {:.1f} m2 covered", percent_text(coverage.shares()[0]),
+                   coverage.area_m2) +
+         asked_share_text(coverage) + "; covered is what was seen at " + asked_text(coverage) + ".";
 }
 
 std::string coverage_html(const std::vector<Coverage>& coverages, bool shows_truth) {

@@ -49,6 +49,10 @@ std::string percent_text(double share) {
   return formatted("{:.0f} %", whole);
 }
 
+std::string asked_share_text(const Coverage& coverage) {
+  return coverage.done_at > 0 ? ", asked for " + percent_text(coverage.done_at) : std::string();
+}
+
 std::string pictures_html(const Coverage& coverage, const std::vector<CoverageMark>& marks,
                           const std::string& sentence) {
   return "<article><h3>" + escaped_html(coverage.surface) + "</h3><p>" + escaped_html(sentence) +

@@ -10,6 +10,9 @@ namespace slackwater::api {
 /// "82 %"; never "100 %" of what is not whole, nor "0 %" of what is there.
 [[nodiscard]] std::string percent_text(double share);
 
+/// ", asked for 90 %"; empty where nothing is.
+[[nodiscard]] std::string asked_share_text(const Coverage& coverage);
+
 /// One surface: a sentence, a legend, the sheet unrolled and the surface in space.
 [[nodiscard]] std::string pictures_html(const Coverage& coverage,
                                         const std::vector<CoverageMark>& marks,
