@@ -32,6 +32,9 @@ class Authority {
 
   explicit Authority(std::size_t vehicles) : held_(vehicles) {}
 
+  /// One more vehicle, which nobody holds.
+  void add_vehicle() { held_.emplace_back(); }
+
   /// Empty: nobody.
   [[nodiscard]] const std::string& holder(std::size_t vehicle) const;
   /// Nothing, or who is in the way, for people. @param name  of the vehicle

@@ -258,12 +258,16 @@ const char* name_of(RefusalReason reason) noexcept {
       return "vehicle_halted";
     case RefusalReason::vehicle_not_free:
       return "vehicle_not_free";
+    case RefusalReason::unknown_model:
+      return "unknown_model";
+    case RefusalReason::bad_name:
+      return "bad_name";
   }
   return "unknown";
 }
 
 std::optional<RefusalReason> refusal_reason_of(std::string_view name) noexcept {
-  for (int i = 0; i <= static_cast<int>(RefusalReason::vehicle_not_free); ++i)
+  for (int i = 0; i <= static_cast<int>(RefusalReason::bad_name); ++i)
     if (const auto reason = static_cast<RefusalReason>(i); name == name_of(reason)) return reason;
   return std::nullopt;
 }

@@ -16,10 +16,12 @@ enum class RefusalReason : std::uint8_t {
   not_finite,
   out_of_range,      ///< a thruster beyond 1, a speed beyond the vehicle's most
   wrong_count,       ///< of thrusters
-  too_many,          ///< waypoints
-  no_place,          ///< a waypoint outside the forecast, on land, below the bed, in a structure
+  too_many,          ///< waypoints, vehicles
+  no_place,          ///< outside the forecast, on land, below the bed, in a structure
   vehicle_halted,    ///< it goes no further
-  vehicle_not_free,  ///< aboard its carrier, or it needs its energy for the way home; the last one
+  vehicle_not_free,  ///< aboard its carrier, or it needs its energy for the way home;
+  unknown_model,     ///< a newcomer's, not of the catalogue
+  bad_name,          ///< a newcomer's: taken, or none; the last one
 };
 [[nodiscard]] const char* name_of(RefusalReason reason) noexcept;
 /// The reason of that name; nothing for other names.

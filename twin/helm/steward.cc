@@ -2,19 +2,13 @@
 
 #include <algorithm>
 
+#include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/simulate/helm.h"
+#include "twin/simulate/printable.h"
 
 namespace slackwater::twin {
 namespace {
-
-/// What goes into the record: letters that every file can hold, and not without end.
-std::string printable(std::string_view text, std::size_t longest = 200) {
-  std::string out(text.substr(0, longest));
-  std::replace_if(
-      out.begin(), out.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return out;
-}
 
 Keeping keeping_of(const CommandWhat& what) {
   if (std::holds_alternative<SetVelocity>(what) || std::holds_alternative<SetThrusters>(what))
@@ -40,22 +34,18 @@ Standing standing_of(const Run& run, std::size_t vehicle) {
 }  // namespace
 
 Steward::Steward(Run& run, const RefusalLimits& limits)
-    : run_(run),
-      limits_(limits),
-      authority_(run.agents().size()),
-      standing_(run.agents().size()),
-      accepted_at_(run.agents().size()),
-      time_s_(run.time_s()) {
-  for (std::size_t i = 0; i < standing_.size(); ++i) standing_[i] = standing_of(run, i);
+    : run_(run), limits_(limits), authority_(0), time_s_(run.time_s()) {
+  know_newcomers();
   run.at_opening([this](const StepTime&) { open(); });
   run.at_barrier([this](const StepTime& time) { look(time.end_s()); });
 }
 
 std::optional<Refusal> Steward::submit(std::string_view client, Command command, double now_s) {
   const std::size_t vehicle = command.agent;
-  if (vehicle >= run_.agents().size()) return counted_unknown(client, vehicle, now_s);
+  const Agent* const found = agent(vehicle);
+  if (found == nullptr) return counted_unknown(client, vehicle, now_s);
+  const Agent& agent = *found;
   command.source = printable(command.source.empty() ? client : command.source);
-  const Agent& agent = run_.agents()[vehicle];
   Standing standing;
   std::optional<std::uint64_t> last;
   {
@@ -79,6 +69,53 @@ std::optional<Refusal> Steward::submit(std::string_view client, Command command,
   last_sequence_.insert_or_assign({std::string(client), vehicle}, command.sequence);
   accepted_at_[vehicle] = openings_;
   run_.enqueue(std::move(command));
+  return std::nullopt;
+}
+
+std::optional<Refusal> Steward::spawn(std::string_view client, const Newcomer& newcomer,
+                                      const Slipway& slipway, double now_s) {
+  Command command;
+  command.source = printable(client);
+  command.received_s = now_s;
+  std::optional<Refusal> refusal;
+  {
+    const std::lock_guard lock(mutex_);
+    refusal = look_at_name(newcomer.name);
+  }
+  if (!refusal) {
+    try {
+      command.what = Spawn{newcomer, slipway.ready(newcomer, now_s)};
+    } catch (const Error& e) {
+      const bool is_unknown = e.kind() == ErrorKind::not_found;
+      refusal =
+          Refusal{is_unknown ? RefusalReason::unknown_model : RefusalReason::no_place, e.message()};
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  if (!refusal) refusal = look_at_name(newcomer.name);  // another thread was faster
+  if (refusal) return count(client, newcomer.name, std::move(*refusal), now_s);
+  coming_.push_back(newcomer.name);
+  run_.enqueue(std::move(command));
+  return std::nullopt;
+}
+
+std::optional<Refusal> Steward::look_at_name(const std::string& name) const {
+  const auto is_taken = [&](const Agent* agent) { return agent->name == name; };
+  if (name.empty() || name != printable(name))
+    return Refusal{RefusalReason::bad_name,
+                   formatted("name: found '{}', expected 1 to 200 letters of ASCII; give the "
+                             "vehicle such a name",
+                             printable(name))};
+  if (std::any_of(agents_.begin(), agents_.end(), is_taken) ||
+      std::find(coming_.begin(), coming_.end(), name) != coming_.end())
+    return Refusal{RefusalReason::bad_name,
+                   formatted("name: {} is taken; give the vehicle another one", name)};
+  const std::size_t most = run_.most_vehicles();
+  if (agents_.size() + coming_.size() >= most)
+    return Refusal{RefusalReason::too_many,
+                   formatted("found {} vehicles, and this run has room for no more; begin another "
+                             "one",
+                             most)};
   return std::nullopt;
 }
 
@@ -118,11 +155,11 @@ std::string Steward::holder(std::size_t vehicle) const {
 }
 
 std::optional<std::size_t> Steward::vehicle(std::string_view name) const {
-  const std::span<const Agent> agents = run_.agents();
-  const auto found = std::find_if(agents.begin(), agents.end(),
-                                  [&](const Agent& agent) { return agent.name == name; });
-  if (found == agents.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - agents.begin());
+  const std::lock_guard lock(mutex_);
+  const auto found = std::find_if(agents_.begin(), agents_.end(),
+                                  [&](const Agent* agent) { return agent->name == name; });
+  if (found == agents_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - agents_.begin());
 }
 
 double Steward::time_s() const {
@@ -145,10 +182,16 @@ void Steward::restore(std::vector<RefusalCount> refusals) {
   counts_ = std::move(refusals);
 }
 
-Refusal Steward::refuse_unknown(std::string_view client, std::string_view vehicle, double now_s) {
-  std::string known;
-  for (const Agent& agent : run_.agents()) known += (known.empty() ? "" : ", ") + agent.name;
+Refusal Steward::refuse(std::string_view client, std::string_view vehicle, Refusal refusal,
+                        double now_s) {
   const std::lock_guard lock(mutex_);
+  return count(client, std::string(vehicle), std::move(refusal), now_s);
+}
+
+Refusal Steward::refuse_unknown(std::string_view client, std::string_view vehicle, double now_s) {
+  const std::lock_guard lock(mutex_);
+  std::string known;
+  for (const Agent* agent : agents_) known += (known.empty() ? "" : ", ") + agent->name;
   return count(client, std::string(vehicle),
                {RefusalReason::unknown_vehicle,
                 formatted("found vehicle {}, expected one of {}", vehicle, known)},
@@ -163,6 +206,7 @@ void Steward::open() {
 void Steward::look(double time_s) {
   const std::lock_guard lock(mutex_);
   time_s_ = time_s;
+  know_newcomers();
   authority_.look(time_s);
   for (std::size_t i = 0; i < standing_.size(); ++i) {
     standing_[i] = standing_of(run_, i);
@@ -172,6 +216,24 @@ void Steward::look(double time_s) {
                               standing_[i].mode != HelmMode::waypoints;
     if (is_list_over || standing_[i].halt != Halt::none) authority_.end(i);
   }
+}
+
+void Steward::know_newcomers() {
+  const std::span<const Agent> agents = run_.agents();
+  while (agents_.size() < agents.size()) {
+    const std::size_t i = agents_.size();
+    agents_.push_back(&agents[i]);
+    standing_.push_back(standing_of(run_, i));
+    accepted_at_.push_back(0);
+    authority_.add_vehicle();
+    std::erase(coming_, agents[i].name);
+  }
+}
+
+/// Null: there is none.
+const Agent* Steward::agent(std::size_t vehicle) const {
+  const std::lock_guard lock(mutex_);
+  return vehicle < agents_.size() ? agents_[vehicle] : nullptr;
 }
 
 std::optional<std::uint64_t> Steward::last_sequence(std::string_view client,
@@ -214,8 +276,9 @@ std::optional<Refusal> Steward::counted_unknown(std::string_view client, std::si
 template <typename Do>
 std::optional<Refusal> Steward::with_vehicle(std::string_view client, std::size_t vehicle,
                                              double now_s, const Do& act) {
-  if (vehicle >= run_.agents().size()) return counted_unknown(client, vehicle, now_s);
-  const std::string& name = run_.agents()[vehicle].name;
+  const Agent* const found = agent(vehicle);
+  if (found == nullptr) return counted_unknown(client, vehicle, now_s);
+  const std::string& name = found->name;
   const std::lock_guard lock(mutex_);
   if (std::optional<std::string> answer = act(name))
     return count(client, name, {RefusalReason::unauthorised, std::move(*answer)}, now_s);

@@ -11,6 +11,7 @@
 #include "twin/helm/authority.h"
 #include "twin/helm/refusal.h"
 #include "twin/simulate/run.h"
+#include "twin/simulate/slipway.h"
 
 namespace slackwater::twin {
 
@@ -45,6 +46,12 @@ class Steward {
   [[nodiscard]] std::optional<Refusal> submit(std::string_view client, Command command,
                                               double now_s);
 
+  /// Makes a vehicle ready that joins the run with the next step. Nobody is at its helm, and it is
+  /// known here (`vehicle`) from the barrier after that step on. Takes as long as files take.
+  /// @return nothing: it comes
+  [[nodiscard]] std::optional<Refusal> spawn(std::string_view client, const Newcomer& newcomer,
+                                             const Slipway& slipway, double now_s);
+
   // Authority; see `Authority`. Each answers with nothing where it was done.
   [[nodiscard]] std::optional<Refusal> ask(std::string_view client, std::size_t vehicle,
                                            double now_s);
@@ -71,6 +78,8 @@ class Steward {
   static constexpr std::size_t most_counts = 1000;
   /// Of a run that is taken up from a checkpoint.
   void restore(std::vector<RefusalCount> refusals);
+  /// What a door refuses by itself, counted like any other. @param vehicle  what was given for one
+  Refusal refuse(std::string_view client, std::string_view vehicle, Refusal refusal, double now_s);
   /// For doors that know vehicles by name. Counted like any other.
   [[nodiscard]] Refusal refuse_unknown(std::string_view client, std::string_view vehicle,
                                        double now_s);
@@ -78,6 +87,9 @@ class Steward {
  private:
   void open();
   void look(double time_s);
+  void know_newcomers();
+  [[nodiscard]] const Agent* agent(std::size_t vehicle) const;
+  [[nodiscard]] std::optional<Refusal> look_at_name(const std::string& name) const;
   [[nodiscard]] std::optional<std::uint64_t> last_sequence(std::string_view client,
                                                            std::size_t vehicle) const;
   [[nodiscard]] Refusal count(std::string_view client, std::string vehicle, Refusal refusal,
@@ -93,6 +105,9 @@ class Steward {
   RefusalLimits limits_;
   mutable std::mutex mutex_;
   Authority authority_;
+  /// Of the run; those that join are here from the barrier after their first step on.
+  std::vector<const Agent*> agents_;
+  std::vector<std::string> coming_;  ///< names of those that are on their way
   std::vector<Standing> standing_;
   std::vector<std::uint64_t> accepted_at_;  ///< opening of each vehicle's last command
   std::map<std::pair<std::string, std::size_t>, std::uint64_t, std::less<>> last_sequence_;

@@ -10,7 +10,7 @@ namespace slackwater::twin {
 namespace {
 
 constexpr std::array<std::string_view, std::variant_size_v<CommandWhat>> names{
-    "waypoints", "put", "velocity", "thrusters", "hold", "home", "resume", "host"};
+    "waypoints", "put", "velocity", "thrusters", "hold", "home", "resume", "host", "spawn"};
 
 /// What is done, with whom and when.
 struct Doer {
@@ -51,6 +51,8 @@ struct Doer {
     state.is_hosted = host.is_hosted;
     state.coarse = {};
   }
+
+  void operator()(const Spawn&) const {}  // nothing that is done to one that is there
 
   void take(const HelmDue& due) const { take_helm(due, t_s, agent, state); }
 };

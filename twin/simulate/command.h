@@ -1,19 +1,20 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "fields/base/boxed.h"
-#include "twin/simulate/agent.h"
+#include "twin/simulate/newcomer.h"
 
 namespace slackwater::twin {
 
-// What may be done to a vehicle from outside. But for `PutVehicle`, `HostPhysics` and `Resume` each
-// puts it under the helm (`HelmState`): its own mission and behaviour tree stand still until
-// `Resume`. The latest one is in force.
+// What may be done to a vehicle from outside. But for `PutVehicle`, `HostPhysics`, `Resume` and
+// `Spawn` each puts it under the helm (`HelmState`): its own mission and behaviour tree stand still
+// until `Resume`. The latest one is in force.
 
 /// Waypoints, from where the vehicle takes itself to be; at the last of them it holds, and the list
 /// is done (`HelmCause::list_done`). None: it stays where it is.
@@ -67,8 +68,16 @@ struct HostPhysics {
   bool is_hosted = true;
 };
 
+/// A vehicle that joins the run, behind those that are there; `Command::agent` is its place from
+/// then on, whatever it was before. Of a record the newcomer alone is kept, and it is made ready
+/// again for the time at which the command came in (`Command::received_s`).
+struct Spawn {
+  Newcomer newcomer;
+  std::shared_ptr<const ReadyNewcomer> ready;
+};
+
 using CommandWhat = std::variant<Reroute, PutVehicle, SetVelocity, SetThrusters, HoldHere, GoHome,
-                                 Resume, HostPhysics>;
+                                 Resume, HostPhysics, Spawn>;
 
 /// What is done to a vehicle from outside while a run goes on. A value: the list of those that a
 /// run took makes the run again.
@@ -90,7 +99,8 @@ struct Command {
 [[nodiscard]] bool leads_elsewhere(const CommandWhat& what) noexcept;
 
 /// What of its numbers no vehicle can follow: waypoints, velocities or thrusters that are not
-/// finite, thrusters beyond 1 or of another number than the vehicle's. Empty: nothing.
+/// finite, thrusters beyond 1 or of another number than the vehicle's. Empty: nothing, as for a
+/// vehicle that joins, which was looked at when it was made ready.
 [[nodiscard]] std::string_view unsoundness_of(const Command& command, const Agent& agent) noexcept;
 
 /// A vehicle that has halted, or stands on a deck, stays as it is; one whose energy is needed for

@@ -1,5 +1,6 @@
 #include "twin/simulate/command_numbers.h"
 
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -39,6 +40,17 @@ struct Reader {
     expect(value == 0 || value == 1);
     return value == 1;
   }
+  std::string text() {
+    const auto size = take<double>();
+    expect(size >= 0 && size <= static_cast<double>(left.size()) && size == std::floor(size));
+    std::string letters;
+    for (std::size_t i = static_cast<std::size_t>(size); i > 0; --i) {
+      const auto code = take<double>();
+      expect(code >= 0 && code <= 255 && code == std::floor(code));
+      letters += static_cast<char>(static_cast<unsigned char>(code));
+    }
+    return letters;
+  }
   void expect(bool condition) const {
     if (!condition)
       throw Error(ErrorKind::invalid_input, "found " + std::to_string(left.size()) +
@@ -61,6 +73,16 @@ struct Writer {
   void operator()(const Resume&) {}
   void operator()(const PutVehicle& put) { append(*put.vehicle, numbers); }
   void operator()(const HostPhysics& host) { numbers.push_back(host.is_hosted ? 1 : 0); }
+  void operator()(const Spawn& spawn) {
+    append_text(spawn.newcomer.model);
+    append_text(spawn.newcomer.name);
+    append(spawn.newcomer.position_m, numbers);
+    numbers.push_back(spawn.newcomer.heading_rad);
+  }
+  void append_text(const std::string& text) {
+    numbers.push_back(static_cast<double>(text.size()));
+    for (const char c : text) numbers.push_back(static_cast<unsigned char>(c));
+  }
 };
 
 CommandWhat read(Reader& reader) {
@@ -83,6 +105,14 @@ CommandWhat read(Reader& reader) {
   if (kind == name_of(CommandWhat{PutVehicle{}}))
     return PutVehicle{reader.take<VehicleState<double>>()};
   if (kind == name_of(CommandWhat{HostPhysics{}})) return HostPhysics{reader.flag()};
+  if (kind == name_of(CommandWhat{Spawn{}})) {
+    Newcomer newcomer;
+    newcomer.model = reader.text();
+    newcomer.name = reader.text();
+    newcomer.position_m = reader.take<Triple<double>>();
+    newcomer.heading_rad = reader.take<double>();
+    return Spawn{std::move(newcomer), nullptr};
+  }
   throw Error(ErrorKind::invalid_input, "found a command of the kind " + std::string(kind) +
                                             ", which this version does not know");
 }

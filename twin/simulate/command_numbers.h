@@ -19,8 +19,11 @@ namespace slackwater::twin {
 // | home, resume          | none                                                                |
 // | put                   | `VehicleState<double>` as it lies in memory                         |
 // | host                  | 1 for physics made elsewhere, 0 for our own again                   |
+// | spawn                 | letters of the model, their codes; letters of the name, their codes;|
+// |                       | north, east, down (m), heading (rad)                                |
 
 [[nodiscard]] std::vector<double> numbers_of(const CommandWhat& what);
+/// A vehicle that joins is not made ready by that.
 /// @throws Error(invalid_input) for an unknown kind, or numbers that are none of it
 [[nodiscard]] CommandWhat what_of(std::string_view kind, std::span<const double> numbers);
 

@@ -21,10 +21,21 @@ bool steps_alike(const Agent& a, const Agent& b) {
          a.coarse.has_value() == b.coarse.has_value();
 }
 
+Seen seen_of(const AgentState& state) {
+  const BodyState<double>& body = state.vehicle.body;
+  return {body.position_m, rotation_of(body.attitude).to_ned(body.nu.linear), state.halt,
+          state.halted_at_s};
+}
+
 }  // namespace
 
 Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSettings& settings)
-    : agents_(std::move(agents)),
+    : began_with_(agents.size()),
+      most_vehicles_(agents.size() + settings.most_newcomers),
+      most_in_block_(settings.is_batch ? block_lanes : 1),
+      there_(agents.size()),
+      expected_(agents.size()),
+      agents_(std::move(agents)),
       states_(std::move(states)),
       seen_(states_.size()),
       carried_(states_.size()),
@@ -41,27 +52,15 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
     expects(std::abs(steps_s - settings.step_s) < 1e-9 * settings.step_s,
             "the steps of a vehicle fill that of the barrier");
   }
+  agents_.reserve(most_vehicles_);
+  states_.reserve(most_vehicles_);
+  seen_.reserve(most_vehicles_);
+  carried_.reserve(most_vehicles_);
+  companies_.reserve(most_vehicles_);
+  hosted_.reserve(most_vehicles_);
   for (std::size_t i = 0; i < agents_.size(); ++i)
     if (agents_[i].carrier) carried_[*agents_[i].carrier].push_back(i);
-  const std::size_t most = settings.is_batch ? block_lanes : 1;
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const auto room = [&](const Group& group) {
-      return group.agents.size() < most && steps_alike(agents_[group.agents.front()], agents_[i]);
-    };
-    const auto found = std::find_if(groups_.rbegin(), groups_.rend(), room);
-    if (found == groups_.rend())
-      groups_.emplace_back().agents.push_back(i);
-    else
-      found->agents.push_back(i);
-  }
-  for (Group& group : groups_) {
-    scheduler_.add_client([this, &group](const StepTime& time) {
-      if (group.agents.size() > 1)
-        step_group(group, time);
-      else
-        step_one(group.agents.front(), time);
-    });
-  }
+  for (std::size_t i = 0; i < agents_.size(); ++i) put_in_a_group(i);
   scheduler_.before_step([this](const StepTime& time) {
     for (const Scheduler::Client& driver : drivers_) driver(time);
     take_commands(time);
@@ -78,13 +77,43 @@ Run::Run(std::vector<Agent> agents, std::vector<AgentState> states, const RunSet
   });
 }
 
+/// Into the last one with room, or one of its own.
+void Run::put_in_a_group(std::size_t agent) {
+  const auto has_room = [&](const Group& group) {
+    return group.agents.empty() || (group.agents.size() < most_in_block_ &&
+                                    steps_alike(agents_[group.agents.front()], agents_[agent]));
+  };
+  const auto found = std::find_if(groups_.rbegin(), groups_.rend(), has_room);
+  if (found != groups_.rend()) return found->agents.push_back(agent);
+  Group& group = groups_.emplace_back();
+  group.agents.push_back(agent);
+  scheduler_.add_client([this, &group](const StepTime& time) { step_any(group, time); });
+}
+
+/// Of the vehicles that are there now, none of which has moved.
+void Run::look_round(double t_s) {
+  picture_ = CommonPicture(agents_);
+  picture_.publish(agents_, states_, t_s);
+  approaches_ = ApproachWatch(agents_);
+  approaches_.begin(states_, t_s);
+}
+
+void Run::join(const ReadyNewcomer& newcomer) {
+  expects(agents_.size() < most_vehicles_, "room for a vehicle that joins");
+  agents_.push_back(newcomer.agent);
+  states_.push_back(newcomer.state);
+  seen_.push_back(seen_of(newcomer.state));
+  carried_.emplace_back();
+  companies_.emplace_back();
+  hosted_.emplace_back();
+  put_in_a_group(agents_.size() - 1);
+  for (Group& group : groups_) group.is_loaded = false;
+  there_ = agents_.size();
+}
+
 void Run::publish() {
   move_tops(agents_, states_, time_s());
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    const BodyState<double>& body = states_[i].vehicle.body;
-    seen_[i] = {body.position_m, rotation_of(body.attitude).to_ned(body.nu.linear), states_[i].halt,
-                states_[i].halted_at_s};
-  }
+  for (std::size_t i = 0; i < states_.size(); ++i) seen_[i] = seen_of(states_[i]);
   picture_.publish(agents_, states_, time_s());
 }
 
@@ -152,6 +181,14 @@ void Run::unload(Group& group) {
     if (is_stepped(state)) state.vehicle = taken(group.block, lane);
   }
   group.is_ahead = false;
+}
+
+void Run::step_any(Group& group, const StepTime& time) {
+  if (group.agents.empty()) return;
+  if (group.agents.size() > 1)
+    step_group(group, time);
+  else
+    step_one(group.agents.front(), time);
 }
 
 void Run::step_group(Group& group, const StepTime& time) {
@@ -222,9 +259,15 @@ std::span<const AgentState> Run::states() {
 }
 
 void Run::enqueue(Command command) {
-  expects(command.agent < agents_.size(), "a command is for a vehicle of the run");
-  expects(unsoundness_of(command, agents_[command.agent]).empty(),
-          "the numbers of a command are those that a vehicle can follow");
+  if (const auto* spawn = std::get_if<Spawn>(&command.what)) {
+    expects(spawn->ready != nullptr, "a vehicle that joins is ready");
+    expects(expected_++ < most_vehicles_, "room for a vehicle that joins");
+  } else {
+    expects(command.agent < expected_, "a command is for a vehicle of the run");
+    // Of one that is on its way, when it is taken.
+    expects(command.agent >= there_ || unsoundness_of(command, agents_[command.agent]).empty(),
+            "the numbers of a command are those that a vehicle can follow");
+  }
   commands_.put(std::move(command));
 }
 
@@ -242,7 +285,15 @@ void Run::take_commands(const StepTime& time) {
 }
 
 void Run::take_command(Command& command, const StepTime& time) {
+  if (const auto* spawn = std::get_if<Spawn>(&command.what)) {
+    command.agent = agents_.size();
+    join(*spawn->ready);
+    look_round(time.start_s);
+  }
   const std::size_t index = command.agent;
+  expects(index < agents_.size(), "a command is for a vehicle of the run");
+  expects(index < began_with_ || unsoundness_of(command, agents_[index]).empty(),
+          "the numbers of a command are those that a vehicle can follow");
   AgentState& state = states_[index];
   const auto* put = std::get_if<PutVehicle>(&command.what);
   if (put != nullptr && state.is_hosted) {
@@ -352,10 +403,46 @@ void Run::run_until(double end_s, RunControl& control) {
   (void)scheduler_.run(steps, control);
 }
 
+/// In the place of those of this run.
+void Run::bring_back_newcomers(std::span<const Command> taken) {
+  if (agents_.size() > began_with_) {
+    const auto keep = [&](auto& list) {
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(began_with_), list.end());
+    };
+    keep(agents_);
+    keep(states_);
+    keep(seen_);
+    keep(carried_);
+    keep(companies_);
+    keep(hosted_);
+    for (Group& group : groups_)
+      std::erase_if(group.agents, [&](std::size_t agent) { return agent >= began_with_; });
+    there_ = agents_.size();
+  }
+  for (const Command& command : taken)
+    if (const auto* spawn = std::get_if<Spawn>(&command.what)) {
+      expects(spawn->ready != nullptr, "a vehicle that joins is ready");
+      join(*spawn->ready);
+    }
+}
+
 void Run::restore(const Checkpoint& checkpoint) {
-  expects(checkpoint.states.size() == states_.size(), "a checkpoint of this run's vehicles");
+  const auto newcomers = [](std::span<const Command> commands) {
+    return static_cast<std::size_t>(std::count_if(
+        commands.begin(), commands.end(),
+        [](const Command& command) { return std::holds_alternative<Spawn>(command.what); }));
+  };
+  const std::size_t there = began_with_ + newcomers(checkpoint.taken);
+  const std::size_t expected = there + newcomers(checkpoint.waiting);
+  expects(checkpoint.states.size() == there && expected <= most_vehicles_,
+          "a checkpoint of this run's vehicles");
   for (const Command& command : checkpoint.waiting)
-    expects(command.agent < agents_.size(), "a command is for a vehicle of the run");
+    expects(command.agent < expected, "a command is for a vehicle of the run");
+  if (there > began_with_ || agents_.size() > began_with_) {
+    bring_back_newcomers(checkpoint.taken);
+    look_round(time_s());
+  }
+  expected_ = expected;
   states_ = checkpoint.states;
   taken_ = checkpoint.taken;
   commands_.restore(checkpoint.waiting);

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -22,6 +23,9 @@ struct RunSettings {
   std::size_t threads = 1;
   bool is_batch = true;            ///< eight vehicles of one kind at a time; else one by one
   std::optional<KernelPath> path;  ///< absent: the widest of this machine
+  /// Vehicles for which room is kept: so many may join while it goes on (`Spawn`). Those that are
+  /// there stay where they are in memory.
+  std::size_t most_newcomers = 0;
 };
 
 /// What others see of a vehicle.
@@ -54,8 +58,11 @@ class Run {
 
   /// From any thread: takes effect between two steps, before the step it asks for or the next one.
   /// Where several do, by the step they ask for and then as they came.
-  /// @throws ContractViolation for a vehicle that is not there, waypoints that are not finite
+  /// @throws ContractViolation for a vehicle that is not there nor on its way, waypoints that are
+  ///         not finite, a newcomer that is not ready or for which there is no room
   void enqueue(Command command);
+  /// Vehicles that it can have in all. For any thread.
+  [[nodiscard]] std::size_t most_vehicles() const noexcept { return most_vehicles_; }
   /// Between steps: all that took effect, in order, each with the step before which it did.
   /// Enqueued at the start of a run like this one was, they make it again to the last bit.
   [[nodiscard]] std::span<const Command> commands_taken() const noexcept { return taken_; }
@@ -77,6 +84,8 @@ class Run {
   /// what is its own.
   void add_client(Scheduler::Client client) { scheduler_.add_client(std::move(client)); }
 
+  /// For the thread of the run, as all that follows: who joins comes last. Its vehicles stay where
+  /// they are in memory.
   [[nodiscard]] std::span<const Agent> agents() const noexcept { return agents_; }
   /// As of the last barrier.
   [[nodiscard]] const Seen& seen(std::size_t agent) const { return seen_[agent]; }
@@ -109,7 +118,8 @@ class Run {
     std::vector<Command> waiting;
   };
   [[nodiscard]] Checkpoint checkpoint();
-  /// Forgets the commands of this run for those of the checkpoint.
+  /// Forgets the commands of this run for those of the checkpoint, and its newcomers for those of
+  /// these commands, which are ready.
   /// @throws ContractViolation for that of another number of vehicles
   void restore(const Checkpoint& checkpoint);
 
@@ -130,6 +140,10 @@ class Run {
   void halt_lane(Group& group, std::size_t lane, const VehicleState<Eight>& last);
   void take_commands(const StepTime& time);
   void take_command(Command& command, const StepTime& time);
+  void put_in_a_group(std::size_t agent);
+  void join(const ReadyNewcomer& newcomer);
+  void look_round(double t_s);
+  void bring_back_newcomers(std::span<const Command> taken);
   void mind_helms(const StepTime& time);
   void step_hosted(std::size_t agent, const StepTime& time);
   void note_hosted(const StepTime& time);
@@ -137,9 +151,15 @@ class Run {
   void meet_companies(const StepTime& time);
   void tick_behaviours(const StepTime& time);
   void publish();
+  void step_any(Group& group, const StepTime& time);
   void step_group(Group& group, const StepTime& time);
   void step_one(std::size_t agent, const StepTime& time);
 
+  std::size_t began_with_;     ///< vehicles
+  std::size_t most_vehicles_;  ///< for which the lists below have room
+  std::size_t most_in_block_;
+  /// For any thread: those that are there, and with those that are on their way.
+  std::atomic<std::size_t> there_, expected_;
   std::vector<Agent> agents_;
   std::vector<AgentState> states_;
   std::vector<Seen> seen_;

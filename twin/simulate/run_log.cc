@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "fields/base/check.h"
@@ -195,12 +196,25 @@ void RunLog::reserve(std::size_t vehicles, std::size_t times) {
 void RunLog::append(double time_s, std::span<const Agent> agents,
                     std::span<const AgentState> states) {
   const std::size_t size = log_row_size();
-  rows.resize(agents.size());
+  let_join(agents.size());
   t_s.push_back(time_s);
   for (std::size_t i = 0; i < agents.size(); ++i) {
     rows[i].resize(rows[i].size() + size);
     write_row(agents[i], states[i], time_s, std::span(rows[i]).last(size));
   }
+}
+
+void RunLog::let_join(std::size_t vehicles) {
+  rows.resize(vehicles);
+  for (std::vector<double>& row : rows) row.resize(t_s.size() * log_row_size(), no_number);
+}
+
+std::size_t RunLog::first_time(std::size_t vehicle) const {
+  const std::size_t size = log_row_size();
+  const std::vector<double>& row = rows.at(vehicle);
+  std::size_t time = 0;
+  while (time * size < row.size() && std::isnan(row[time * size])) ++time;  // its x
+  return time;
 }
 
 std::vector<double> RunLog::column(std::size_t vehicle, std::string_view name) const {

@@ -20,7 +20,7 @@ struct LogColumn {
 [[nodiscard]] std::size_t log_row_size() noexcept;
 
 /// What a run leaves behind: a row for each vehicle at each of the log's times, whether it moves or
-/// has halted.
+/// has halted; one without a number for each time before it joined the run.
 struct RunLog {
   std::vector<double> t_s;
   std::vector<std::vector<double>> rows;  ///< of each vehicle: times x numbers of a row
@@ -28,6 +28,10 @@ struct RunLog {
   /// Room for what is to come, so that a step allocates nothing.
   void reserve(std::size_t vehicles, std::size_t times);
   void append(double time_s, std::span<const Agent> agents, std::span<const AgentState> states);
+  /// Gives those that joined the run a row without a number for each time so far.
+  void let_join(std::size_t vehicles);
+  /// The first time at which a vehicle was there, by its place in `t_s`; past them all: at none.
+  [[nodiscard]] std::size_t first_time(std::size_t vehicle) const;
   /// A column of one vehicle, times x per.
   [[nodiscard]] std::vector<double> column(std::size_t vehicle, std::string_view name) const;
 };

@@ -125,6 +125,7 @@ void SensorLog::reserve(std::size_t most_times) {
 
 void SensorLog::append(double time_s, std::span<const Agent> agents,
                        std::span<const AgentState> states) {
+  let_join(agents.size());
   if (row_size_ > 0) {
     for (std::size_t i = 0; i < agents.size(); ++i) {
       rows[i].resize(rows[i].size() + row_size_, nothing_shown);
@@ -133,6 +134,11 @@ void SensorLog::append(double time_s, std::span<const Agent> agents,
   }
   ++times;
   last_s = time_s;
+}
+
+void SensorLog::let_join(std::size_t vehicles) {
+  rows.resize(vehicles);
+  for (std::vector<double>& row : rows) row.resize(times * row_size_, nothing_shown);
 }
 
 void SensorLog::write(double time_s, const Agent& agent, const AgentState& state,

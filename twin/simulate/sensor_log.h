@@ -8,7 +8,8 @@ namespace slackwater::twin {
 
 /// What the vehicles' instruments showed, at the times of the run's log: how far off they took
 /// themselves to be, and, where the scenario asks for it, the readings themselves. Columns only for
-/// instruments that one of the vehicles has; NaN where a vehicle has none or it gave nothing.
+/// instruments that one of the vehicles has that the run begins with; NaN where a vehicle has none
+/// or it gave nothing, and before it joined.
 ///
 /// GNSS, DVL, depth, compass and IMU are those that the vehicle navigates by, as they stood. Sonar
 /// and ADCP look when a row is written, an ADCP once a minute; the noise of each look is that of
@@ -20,6 +21,9 @@ class SensorLog {
 
   void reserve(std::size_t times);
   void append(double time_s, std::span<const Agent> agents, std::span<const AgentState> states);
+
+  /// As `RunLog::let_join`.
+  void let_join(std::size_t vehicles);
 
   [[nodiscard]] std::span<const LogColumn> columns() const noexcept { return columns_; }
   /// A column of one vehicle, times x per. @throws ContractViolation for one that is not there

@@ -10,6 +10,7 @@
 #include "fields/base/text.h"
 #include "twin/body/frame.h"
 #include "twin/scene/structure.h"
+#include "twin/simulate/expect_places.h"
 #include "twin/simulate/expect_speeds.h"
 #include "twin/simulate/follow_tracks.h"
 #include "twin/simulate/look_out.h"
@@ -48,27 +49,6 @@ std::shared_ptr<const FarmFlow> wakes_of(const Scenario& scenario, const Surroun
                                     FarmSettings{});
 }
 
-/// A way that touches a structure does not lead through it.
-bool leads_through(const ScenarioStructure& s, const Triple<double>& from_m,
-                   const Triple<double>& to_m) {
-  constexpr double touch_m = 1e-3;
-  return least_distance_m(shape_of(s), from_m, to_m) < -touch_m;
-}
-
-void add_gusts(const Scenario& scenario, const ScenarioVehicle& entry, Agent& agent) {
-  const bool is_in_air =
-      agent.vehicle->kind == VehicleKind::uav || agent.vehicle->body.hull.strips > 0;
-  if (scenario.gusts == GustModel::none || !is_in_air) return;
-  constexpr double twenty_feet_m = 6.096;
-  const auto low = agent.water->wind({entry.start_m.x, entry.start_m.y, -twenty_feet_m}, 0);
-  const auto here = agent.water->wind(entry.start_m, 0);
-  const double speed = std::hypot(here.velocity_m_s.x, here.velocity_m_s.y);
-  if (!has_value(low.status) || !(speed > 0.1) || !(low.ratio > 0)) return;
-  // The turbulence of the free wind: what a wake makes of it is known at each step.
-  const double low_m_s = std::hypot(low.velocity_m_s.x, low.velocity_m_s.y) / low.ratio;
-  agent.gusts.emplace(dryden_turbulence(height_of(entry.start_m), low_m_s), speed, agent.plan.dt_s);
-}
-
 /// Those of the logs and those made up, each number once.
 std::vector<TrafficVessel> vessels_of(const Scenario& scenario, const Surround& surround) {
   std::vector<TrafficVessel> vessels = surround.vessels;
@@ -80,52 +60,6 @@ std::vector<TrafficVessel> vessels_of(const Scenario& scenario, const Surround& 
     vessels.push_back(made_up);
   }
   return vessels;
-}
-
-/// That the vehicle can be where it starts and where it is to go.
-void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const Agent& agent) {
-  const bool flies = agent.vehicle->kind == VehicleKind::uav;
-  const bool floats = agent.vehicle->body.hull.strips > 0;
-  const auto on_water = [&](const Triple<double>& at_m) {
-    return Triple<double>{at_m.x, at_m.y, floats ? 0.0 : at_m.z};
-  };
-  const auto expect_place = [&](const Triple<double>& at_m, const std::string& what) {
-    const std::string named = "vehicle " + entry.name + ": " + what;
-    if (flies && at_m.z > 0) refuse(named + " is below the sea; give a multirotor a height_m");
-    if (!flies && !floats && at_m.z < 0) refuse(named + " is above the sea; give it a depth_m");
-    // As deep as its hull reaches: what is looked at in each step.
-    const SampleStatus status =
-        flies ? agent.water->wind(at_m, 0).status
-              : agent.water->current(on_water(at_m), agent.vehicle->body.height_m, 0).status;
-    if (!has_value(status)) {
-      refuse(named + " is " + std::string(name_of(status)) + " (" +
-             agent.water->environment().field->range().text() +
-             "); move it into the water of the forecast");
-    }
-    for (const ScenarioStructure& s : scenario.structures)
-      if (leads_through(s, on_water(at_m), on_water(at_m)))
-        refuse(named + " lies in " + s.name + "; move it out");
-  };
-  expect_place(entry.start_m, "the start");
-  std::size_t task = 0;
-  Triple<double> before_m = entry.start_m;
-  bool is_carried = false;  // it comes to the next waypoint from wherever its carrier is
-  for (const ScenarioTask& t : entry.tasks) {
-    ++task;
-    is_carried = is_carried || t.until_stand_by;
-    std::size_t number = 0;
-    for (const Waypoint& waypoint : t.waypoints) {
-      const std::string what =
-          "waypoint " + std::to_string(++number) + " of task " + std::to_string(task);
-      expect_place(waypoint.position_m, what);
-      for (const ScenarioStructure& s : scenario.structures)
-        if (!is_carried && leads_through(s, on_water(before_m), on_water(waypoint.position_m)))
-          refuse("vehicle " + entry.name + ": the way to " + what + " leads through " + s.name +
-                 "; give waypoints round it");
-      before_m = waypoint.position_m;
-      is_carried = false;
-    }
-  }
 }
 
 /// A pattern that comes along over ground comes to what stands there.
@@ -216,12 +150,16 @@ std::filesystem::path vehicle_file(const std::string& model,
   std::filesystem::path named = data_folder / "vehicles" / (model + ".yaml");
   if (model.find('/') == std::string::npos && std::filesystem::exists(named)) return named;
   if (std::filesystem::exists(model)) return model;
+  refuse("model: found " + model + ", expected one of " + joined(catalogue(data_folder), ", ") +
+         ", or the path of a file");
+}
+
+std::vector<std::string> catalogue(const std::filesystem::path& data_folder) {
   std::vector<std::string> ids;
   for (const auto& entry : std::filesystem::directory_iterator(data_folder / "vehicles"))
     if (entry.path().extension() == ".yaml") ids.push_back(entry.path().stem().string());
   std::sort(ids.begin(), ids.end());
-  refuse("model: found " + model + ", expected one of " + joined(ids, ", ") +
-         ", or the path of a file");
+  return ids;
 }
 
 VehicleShelf read_vehicles(const Scenario& scenario, const std::filesystem::path& data_folder) {
@@ -231,6 +169,20 @@ VehicleShelf read_vehicles(const Scenario& scenario, const std::filesystem::path
       (void)taken_from(shelf, vehicle_file(entry.model, data_folder), data_folder);
     });
   return shelf;
+}
+
+void add_gusts(const Scenario& scenario, const ScenarioVehicle& entry, double t_s, Agent& agent) {
+  const bool is_in_air =
+      agent.vehicle->kind == VehicleKind::uav || agent.vehicle->body.hull.strips > 0;
+  if (scenario.gusts == GustModel::none || !is_in_air) return;
+  constexpr double twenty_feet_m = 6.096;
+  const auto low = agent.water->wind({entry.start_m.x, entry.start_m.y, -twenty_feet_m}, t_s);
+  const auto here = agent.water->wind(entry.start_m, t_s);
+  const double speed = std::hypot(here.velocity_m_s.x, here.velocity_m_s.y);
+  if (!has_value(low.status) || !(speed > 0.1) || !(low.ratio > 0)) return;
+  // The turbulence of the free wind: what a wake makes of it is known at each step.
+  const double low_m_s = std::hypot(low.velocity_m_s.x, low.velocity_m_s.y) / low.ratio;
+  agent.gusts.emplace(dryden_turbulence(height_of(entry.start_m), low_m_s), speed, agent.plan.dt_s);
 }
 
 GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept {
@@ -311,8 +263,8 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     if (entry.conduct && entry.conduct->inspection)
       with_context("vehicle " + entry.name,
                    [&] { agent.inspection = inspection_of(scenario, entry, surround); });
-    expect_places(scenario, entry, agent);
-    add_gusts(scenario, entry, agent);
+    expect_places(scenario, entry, agent, 0);
+    add_gusts(scenario, entry, 0, agent);
     // Whose deck its limits may be about.
     if (entry.carrier) agent.carrier = carrier_of(scenario, entry);
     with_context("vehicle " + entry.name,
@@ -328,6 +280,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     for (std::string& warning : too_fast_tracks(agent, scenario.duration_s))
       ready.warnings.push_back(std::move(warning));
   }
+  ready.vehicles = std::move(vehicles);
   tie_watches(scenario, ready.agents);
   ready_company(scenario, ready.agents, ready.states);
   return ready;

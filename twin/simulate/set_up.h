@@ -36,6 +36,7 @@ struct ReadyRun {
   std::vector<AgentState> states;
   std::vector<TrafficVessel> vessels;  ///< of logs and made up
   std::vector<std::string> warnings;
+  VehicleShelf vehicles;  ///< what was read for it
 };
 
 /// Throws Error(invalid_input) before the first step for what cannot be run: a time or place
@@ -61,6 +62,12 @@ struct ReadyRun {
 /// @throws Error(invalid_input) that lists the known ones where there is neither
 [[nodiscard]] std::filesystem::path vehicle_file(const std::string& model,
                                                  const std::filesystem::path& data_folder);
+
+/// The vehicles that have a file in data_folder/vehicles, in the order of their names.
+[[nodiscard]] std::vector<std::string> catalogue(const std::filesystem::path& data_folder);
+
+/// Gives a vehicle that the wind reaches the gusts of its scenario. @param t_s  when it starts
+void add_gusts(const Scenario& scenario, const ScenarioVehicle& entry, double t_s, Agent& agent);
 
 /// The body of a structure of a scenario.
 [[nodiscard]] Structure shape_of(const ScenarioStructure& structure);

@@ -83,14 +83,22 @@ void TrafficWatch::look_from(std::size_t vehicle, double t_s, const Seen& own) {
 }
 
 void TrafficWatch::look(double t_s, std::span<const Seen> vehicles) {
-  expects(vehicles.size() == state_.alarms.size(), "the vehicles of the watch");
+  expects(vehicles.size() >= state_.alarms.size(), "the vehicles of the watch");
+  make_room(vehicles.size());
   populate(vessels_, t_s, rule_, picture_);
   for (std::size_t i = 0; i < vehicles.size(); ++i) look_from(i, t_s, vehicles[i]);
 }
 
 void TrafficWatch::restore(State state) {
-  expects(state.alarms.size() == state_.alarms.size(), "a watch of this run's vehicles");
+  expects(state.alarms.size() >= state_.alarms.size(), "a watch of this run's vehicles");
   state_ = std::move(state);
+  make_room(state_.alarms.size());
+}
+
+/// Those that joined the run are concerned by everybody.
+void TrafficWatch::make_room(std::size_t vehicles) {
+  state_.alarms.resize(vehicles);
+  not_of_concern_.resize(vehicles);
 }
 
 void keep_watch(TrafficWatch& watch, Run& run, double step_s) {

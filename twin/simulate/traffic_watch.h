@@ -41,7 +41,8 @@ class TrafficWatch {
   TrafficWatch(std::vector<TrafficVessel> vessels, const AlarmLimits& limits,
                std::vector<std::vector<std::uint32_t>> not_of_concern, const TrackRule& rule = {});
 
-  /// @param t_s  since the epoch, later than that of the last look
+  /// @param t_s       since the epoch, later than that of the last look
+  /// @param vehicles  as before; those that joined the run since come last
   void look(double t_s, std::span<const Seen> vehicles);
 
   struct State {
@@ -49,12 +50,13 @@ class TrafficWatch {
     std::vector<AlarmRecord> records;        ///< by their beginning, then by vehicle
   };
   [[nodiscard]] const State& state() const noexcept { return state_; }
-  /// Goes on from there. @throws ContractViolation for that of another number of vehicles
+  /// Goes on from there. @throws ContractViolation for that of fewer vehicles
   void restore(State state);
   [[nodiscard]] std::span<const AlarmRecord> records() const noexcept { return state_.records; }
 
  private:
   AlarmRecord& open_record(std::size_t vehicle, std::uint32_t mmsi);
+  void make_room(std::size_t vehicles);
   void look_from(std::size_t vehicle, double t_s, const Seen& own);
 
   std::vector<TrafficVessel> vessels_;

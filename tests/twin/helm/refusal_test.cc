@@ -177,7 +177,7 @@ TEST(Refusal, OfVehiclesThatAreNotFree) {
 }
 
 TEST(Refusal, EachReasonHasAName) {
-  for (int i = 0; i <= static_cast<int>(RefusalReason::vehicle_not_free); ++i)
+  for (int i = 0; i <= static_cast<int>(RefusalReason::bad_name); ++i)
     EXPECT_STRNE(name_of(static_cast<RefusalReason>(i)), "unknown");
 }
 
