@@ -43,7 +43,8 @@ json head_of(const StandingRun& run, const CheckpointOrigin& origin) {
           {"states", states},
           {"commands_taken", commands_json(run.checkpoint.taken)},
           {"commands_waiting", commands_json(run.checkpoint.waiting)},
-          {"refusals", refusals_json(run.refusals)}};
+          {"refusals", refusals_json(run.refusals)},
+          {"newcomer_files_sha256", run.newcomers}};
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
@@ -98,6 +99,7 @@ StandingRun run_of(const json& head, std::string_view rows) {
   run.checkpoint.waiting = commands_of(head.at("commands_waiting"));
   run.watch = watch_of(head.at("watch"));
   run.refusals = refusals_of(head.at("refusals"));
+  run.newcomers = head.at("newcomer_files_sha256").get<std::string>();
   Rows numbers{rows};
   run.log.t_s = numbers.take(head.at("times").get<std::size_t>());
   for (const json& size : head.at("rows"))

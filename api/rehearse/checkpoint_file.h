@@ -36,6 +36,7 @@ struct StandingRun {
   double last_sensor_row_s = -1;
   twin::TrafficWatch::State watch;
   std::vector<twin::RefusalCount> refusals;  ///< of commands from outside
+  std::string newcomers;  ///< checksums of the files of vehicles that joined; empty: none
 };
 
 /// Whole or not at all: written beside the file, synced and moved into its place.

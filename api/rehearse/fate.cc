@@ -87,14 +87,16 @@ TrackQuality track_quality(const twin::RunLog& log, std::size_t vehicle) {
   TrackQuality q;
   double across2 = 0, below2 = 0;
   std::size_t rows = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  const std::size_t first = log.first_time(vehicle);
+  for (std::size_t i = first; i < x.size(); ++i) {
     across2 += across[i] * across[i];
     below2 += below[i] * below[i];
     q.largest_depth_error_m = std::max(q.largest_depth_error_m, std::abs(below[i]));
-    if (i > 0) q.sailed_m += std::hypot(x[i] - x[i - 1], y[i] - y[i - 1], z[i] - z[i - 1]);
+    if (i > first) q.sailed_m += std::hypot(x[i] - x[i - 1], y[i] - y[i - 1], z[i] - z[i - 1]);
     ++rows;
     if (halt[i] != 0) break;
   }
+  if (rows == 0) return q;
   q.rms_across_m = std::sqrt(across2 / static_cast<double>(rows));
   q.rms_depth_error_m = std::sqrt(below2 / static_cast<double>(rows));
   return q;

@@ -40,11 +40,17 @@ void add_places(const GeoPoint& origin, const twin::RunLog& log, std::size_t veh
 }  // namespace
 
 std::string vehicle_checksums(const twin::Scenario& scenario,
-                              const std::filesystem::path& data_folder) {
+                              const std::filesystem::path& data_folder,
+                              std::span<const twin::Command> commands) {
   std::map<std::string, std::string> sums;
   for (const twin::ScenarioVehicle& vehicle : scenario.vehicles) {
     sums[vehicle.model] = sha256_of_file(twin::vehicle_file(vehicle.model, data_folder));
   }
+  for (const twin::Command& command : commands)
+    if (const auto* spawn = std::get_if<twin::Spawn>(&command.what)) {
+      const std::string& model = spawn->newcomer.model;
+      sums[model] = sha256_of_file(twin::catalogue_file(model, data_folder));
+    }
   std::string text;
   for (const auto& [model, sum] : sums) text += (text.empty() ? "" : ", ") + model + " " + sum;
   return text;
@@ -85,7 +91,8 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
       {"source", "slackwater " + code_version()},
       {"log_format", std::to_string(twin::log_format)},
       {"vehicles", models},
-      {"vehicle_files_sha256", vehicle_checksums(scenario, water.surround.data_folder)},
+      {"vehicle_files_sha256",
+       vehicle_checksums(scenario, water.surround.data_folder, result.commands)},
       {"seed", std::to_string(scenario.seed)},
       {"member", std::to_string(scenario.member)},
       {"origin", formatted("{:.9f} N, {:.9f} E", origin.latitude_deg(), origin.longitude_deg())},

@@ -14,7 +14,9 @@ namespace slackwater::api {
 
 /// "bluerov2_heavy 3f2a..., x500 ...": checksums of the vehicles' files, in the order of their
 /// names.
+/// @param commands  those that join the run by them are vehicles of it too
 [[nodiscard]] std::string vehicle_checksums(const twin::Scenario& scenario,
-                                            const std::filesystem::path& data_folder);
+                                            const std::filesystem::path& data_folder,
+                                            std::span<const twin::Command> commands = {});
 
 }  // namespace slackwater::api

@@ -139,15 +139,16 @@ ReplayResult replay(const std::filesystem::path& log, const std::filesystem::pat
   ScenarioWater water =
       water_of_log(scenario, was.attribute("forecast_sha256"), store_folder, forecast);
   add_logged_traffic(was, scenario, water);
-  const std::string vehicles = vehicle_checksums(scenario, water.surround.data_folder);
+  RunChoice recorded = choice;
+  recorded.record = with_context(log.string(), [&] { return record_in(was); });
+  const std::string vehicles =
+      vehicle_checksums(scenario, water.surround.data_folder, recorded.record.commands);
   if (vehicles != was.attribute("vehicle_files_sha256")) {
     throw Error(ErrorKind::not_found,
                 log.string() + ": its vehicles are not those of data/vehicles any more (found " +
                     vehicles + ", the log has " + was.attribute("vehicle_files_sha256") +
                     "); replay it with the version it is of, " + was.attribute("source"));
   }
-  RunChoice recorded = choice;
-  recorded.record = with_context(log.string(), [&] { return record_in(was); });
   const ScenarioResult again = run_scenario(scenario, water, recorded, on_progress);
   const Scratch scratch;
   ingest::write_trajectories(again.file, scratch.path());

@@ -102,7 +102,8 @@ void on_change(const TrajectoryFile& log, const char* name, std::size_t vehicle,
   const std::size_t times = log.t_s.size();
   for (std::size_t t = 0; t < times; ++t) {
     const double now = variable->values[(vehicle * times + t) * variable->per];
-    const double before = t == 0 ? 0 : variable->values[(vehicle * times + t - 1) * variable->per];
+    const double last = t == 0 ? 0 : variable->values[(vehicle * times + t - 1) * variable->per];
+    const double before = std::isfinite(last) ? last : 0;  // of one that has just joined
     if (now != before && std::isfinite(now)) tell(log.t_s[t], static_cast<int>(now), *variable);
   }
 }
@@ -174,6 +175,8 @@ std::vector<RunEvent> events_of(const TrajectoryFile& log, const twin::Scenario*
         events.push_back(
             {t_s, i, is_last ? "all tasks done" : "task " + std::to_string(task + 1) + " begins"});
       });
+    if (const std::size_t first = VehicleLog(log, i).first(); first > 0)
+      events.push_back({log.t_s[first], i, "joins the run"});
     on_change(log, "battery_off", i, [&](double t_s, int off, const auto&) {
       events.push_back({t_s, i, off != 0 ? "battery cut off" : "battery on again"});
     });

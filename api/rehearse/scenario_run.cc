@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "api/program/version.h"
@@ -36,7 +37,8 @@ VehicleSummary summary_of(const Agent& agent, const AgentState& state, const Run
   s.largest_depth_error_m = quality.largest_depth_error_m;
   s.largest_roll_deg = state.milestones.largest_roll_rad() * 180 / constants::pi;
   s.largest_pitch_deg = state.milestones.largest_pitch_rad() * 180 / constants::pi;
-  s.least_voltage_v = *std::min_element(voltage.begin(), voltage.end());
+  s.least_voltage_v = std::numeric_limits<double>::quiet_NaN();
+  for (const double v : voltage) s.least_voltage_v = std::fmin(s.least_voltage_v, v);
   s.has_battery = agent.vehicle->battery.has_value();
   s.burns_fuel = twin::burns_fuel(*agent.vehicle);
   s.is_electric = s.has_battery || !s.burns_fuel || agent.vehicle->hotel_w > 0;
@@ -86,32 +88,74 @@ struct WatchedRun {
   twin::TrafficWatch& watch;
   ScenarioResult& so_far;
   const twin::Scenario& scenario;
+  const twin::Slipway& slipway;
+  const std::filesystem::path& data_folder;
   std::unique_ptr<twin::Steward> steward{};  ///< where somebody takes part
 };
+
+/// Vehicles that joined by these commands, ready once more: nothing is read while the run goes on.
+void make_ready(const twin::Slipway& slipway, std::vector<twin::Command>& commands) {
+  for (twin::Command& command : commands)
+    if (auto* spawn = std::get_if<twin::Spawn>(&command.what))
+      with_context("vehicle " + spawn->newcomer.name,
+                   [&] { spawn->ready = slipway.ready(spawn->newcomer, command.received_s); });
+}
+
+std::size_t newcomers_in(std::span<const twin::Command> commands) {
+  return static_cast<std::size_t>(std::count_if(
+      commands.begin(), commands.end(),
+      [](const twin::Command& c) { return std::holds_alternative<twin::Spawn>(c.what); }));
+}
+
+/// Of those that joined or are about to.
+std::string newcomer_checksums(const twin::Run::Checkpoint& checkpoint,
+                               const std::filesystem::path& data_folder) {
+  std::vector<twin::Command> commands = checkpoint.taken;
+  commands.insert(commands.end(), checkpoint.waiting.begin(), checkpoint.waiting.end());
+  return vehicle_checksums({}, data_folder, commands);
+}
 
 void save(const WatchedRun& watched, const CheckpointOrigin& origin,
           const std::filesystem::path& file) {
   const twin::SensorLog& sensed = watched.so_far.sensed;
   const auto& steward = watched.steward;
-  write_checkpoint({watched.run.checkpoint(), watched.so_far.log, sensed.rows, sensed.last_s,
-                    watched.watch.state(), steward ? steward->refusals() : watched.so_far.refusals},
-                   origin, file);
+  twin::Run::Checkpoint checkpoint = watched.run.checkpoint();
+  std::string newcomers = newcomer_checksums(checkpoint, watched.data_folder);
+  write_checkpoint(
+      {std::move(checkpoint), watched.so_far.log, sensed.rows, sensed.last_s, watched.watch.state(),
+       steward ? steward->refusals() : watched.so_far.refusals, std::move(newcomers)},
+      origin, file);
 }
 
 /// Puts a run where a checkpoint stands, with what was logged until then.
 void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
              const WatchedRun& watched) {
-  auto& [run, watch, result, scenario, steward] = watched;
-  const std::size_t vehicles = run.agents().size();
+  twin::Run& run = watched.run;
+  ScenarioResult& result = watched.so_far;
   StandingRun standing = read_checkpoint(file, origin);
-  if (standing.checkpoint.states.size() != vehicles || standing.log.rows.size() != vehicles ||
-      standing.sensor_rows.size() != vehicles || standing.watch.alarms.size() != vehicles) {
+  twin::Run::Checkpoint& checkpoint = standing.checkpoint;
+  // Who joined since the last row has none yet.
+  const std::size_t began_with = run.agents().size();
+  const std::size_t vehicles = began_with + newcomers_in(checkpoint.taken);
+  const auto fits = [&](std::size_t size) { return size >= began_with && size <= vehicles; };
+  if (checkpoint.states.size() != vehicles || !fits(standing.log.rows.size()) ||
+      !fits(standing.sensor_rows.size()) || !fits(standing.watch.alarms.size()) ||
+      vehicles + newcomers_in(checkpoint.waiting) > run.most_vehicles()) {
     throw Error(ErrorKind::invalid_input,
                 file.string() + ": holds another number of vehicles than the scenario");
   }
-  run.restore(standing.checkpoint);
-  watch.restore(std::move(standing.watch));
-  for (std::size_t i = 0; i < vehicles; ++i) {
+  with_context(file.string(), [&] {
+    if (newcomer_checksums(checkpoint, watched.data_folder) != standing.newcomers)
+      throw Error(ErrorKind::invalid_input,
+                  "the files of vehicles that joined its run are others now; take it up with the "
+                  "version that wrote it");
+    make_ready(watched.slipway, checkpoint.taken);
+    make_ready(watched.slipway, checkpoint.waiting);
+  });
+  run.restore(checkpoint);
+  watched.watch.restore(std::move(standing.watch));
+  result.log.rows.resize(std::max(result.log.rows.size(), standing.log.rows.size()));
+  for (std::size_t i = 0; i < standing.log.rows.size(); ++i) {
     // Into the room that is kept for the whole run.
     auto& row = result.log.rows[i];
     row.insert(row.end(), standing.log.rows[i].begin(), standing.log.rows[i].end());
@@ -123,23 +167,37 @@ void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
   result.refusals = std::move(standing.refusals);
 }
 
+void expect_record(bool condition, std::string_view otherwise) {
+  if (!condition)
+    throw Error(ErrorKind::invalid_input,
+                "a command of the record cannot be: " + std::string(otherwise));
+}
+
 /// What is done from outside: the record of a run, or who takes part in this one.
 void let_in(const RunChoice& choice, const ScenarioWater& water, const twin::ReadyRun& ready,
             twin::RunControl& control, WatchedRun& watched) {
   twin::Run& run = watched.run;
   if (!choice.record.refusals.empty()) watched.so_far.refusals = choice.record.refusals;
-  for (const twin::Command& command : choice.record.commands) {
-    const std::string_view problem = twin::unsoundness_of(command, run.agents()[command.agent]);
-    if (!problem.empty())
-      throw Error(ErrorKind::invalid_input,
-                  "a command of the record cannot be: " + std::string(problem));
+  std::vector<twin::Command> commands = choice.record.commands;
+  make_ready(watched.slipway, commands);
+  std::vector<const Agent*> agents;
+  for (const Agent& agent : run.agents()) agents.push_back(&agent);
+  for (const twin::Command& command : commands) {
+    if (const auto* spawn = std::get_if<twin::Spawn>(&command.what)) {
+      expect_record(agents.size() < run.most_vehicles(),
+                    "more vehicles join than there is room for");
+      agents.push_back(&spawn->ready->agent);
+    }
+    expect_record(command.agent < agents.size(), "it is for a vehicle that has not joined yet");
+    const std::string_view problem = twin::unsoundness_of(command, *agents[command.agent]);
+    expect_record(problem.empty(), problem);
     run.enqueue(command);
   }
   if (!choice.on_ready) return;
   watched.steward = std::make_unique<twin::Steward>(run);
   watched.steward->restore(watched.so_far.refusals);
   choice.on_ready({run, control, *watched.steward, watched.scenario, water, ready.start,
-                   ready.origin, ready.environment, watched.so_far.vessels});
+                   ready.origin, ready.environment, watched.so_far.vessels, watched.slipway});
 }
 
 /// Tells whoever took part that it is over.
@@ -171,6 +229,7 @@ twin::RunSettings settings_of(const twin::Scenario& scenario, const RunChoice& c
   settings.step_s = scenario.step_s;
   settings.threads = choice.threads;
   settings.is_batch = choice.is_batch;
+  settings.most_newcomers = most_newcomers;
   return settings;
 }
 
@@ -192,10 +251,12 @@ ScenarioResult begun(const ScenarioWater& water, const twin::ReadyRun& ready) {
 
 /// What is known after the last one.
 void conclude(const WatchedRun& watched) {
-  auto& [run, watch, result, scenario, steward] = watched;
+  auto& [run, watch, result, scenario, slipway, data_folder, steward] = watched;
   result.duration_s = run.time_s();
   result.commands.assign(run.commands_taken().begin(), run.commands_taken().end());
   if (steward) result.refusals = steward->refusals();
+  result.log.let_join(run.agents().size());
+  result.sensed.let_join(run.agents().size());
   const auto states = run.states();
   for (std::size_t i = 0; i < states.size(); ++i) {
     result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i, result.start));
@@ -223,7 +284,9 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   result.log.reserve(run.agents().size(), steps / every + 2);
   result.sensed = twin::SensorLog(run.agents(), scenario.logs_sensors, scenario.seed);
 
-  WatchedRun watched{run, watch, result, scenario};
+  const twin::Slipway slipway(scenario, water.surround.data_folder, std::move(ready.vehicles),
+                              run.agents());
+  WatchedRun watched{run, watch, result, scenario, slipway, water.surround.data_folder};
   const CheckpointOrigin origin = checkpoint_origin(scenario, water, ready.vessels);
   const Recorder recorder{run, result.log, result.sensed};
   if (choice.restore.empty())

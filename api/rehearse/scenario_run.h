@@ -19,6 +19,7 @@
 #include "twin/simulate/scenario.h"
 #include "twin/simulate/sensor_log.h"
 #include "twin/simulate/set_up.h"
+#include "twin/simulate/slipway.h"
 #include "twin/simulate/traffic_watch.h"
 #include "twin/surface/cleaning_outcome.h"
 
@@ -115,7 +116,11 @@ struct RunInHand {
   GeoPoint origin;
   std::shared_ptr<const twin::Environment> environment;
   std::span<const twin::TrafficVessel> vessels;  ///< the traffic
+  const twin::Slipway& slipway;                  ///< for vehicles that join it
 };
+
+/// Vehicles that may join a run while it goes on.
+inline constexpr std::size_t most_newcomers = 64;
 
 /// What was done to a run from outside, so that it is made again.
 struct RunRecord {

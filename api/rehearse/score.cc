@@ -27,7 +27,7 @@ double rms_of(const VehicleLog& vehicle, const char* name) {
 
 double sailed_m(const VehicleLog& vehicle) {
   double sum_m = 0;
-  for (std::size_t t = 1; t < vehicle.rows(); ++t)
+  for (std::size_t t = vehicle.first() + 1; t < vehicle.rows(); ++t)
     sum_m += twin::length_of(vehicle.place_m(t) - vehicle.place_m(t - 1));
   return sum_m;
 }
@@ -84,6 +84,7 @@ Scorecard scorecard_of(const TrajectoryFile& log) {
     count_interventions(events, i, log.t_s.back(), score);
     // What it does when its work is over, hovering where others still work, is not scored.
     const VehicleLog vehicle(log, i, score.time_s);
+    score.time_s -= log.t_s[vehicle.first()] - log.t_s.front();
     score.sailed_m = sailed_m(vehicle);
     score.rms_across_track_m = rms_of(vehicle, "across_track");
     if (const auto largest = vehicle.largest("across_track"))

@@ -11,7 +11,7 @@ namespace slackwater::api {
 /// How well one vehicle of one logged run did, whatever steered it.
 struct VehicleScore {
   std::string name;
-  double time_s = 0;     ///< until its last task ended; without an end, of the log
+  double time_s = 0;     ///< until its last task ended; without an end, that it is in the log
   bool is_done = false;  ///< its log says that it finished without turning for home or halting
   double sailed_m = 0;   ///< over ground
   double rms_across_track_m = 0;

@@ -19,7 +19,8 @@ struct Extreme {
   double t_s = 0;
 };
 
-/// The rows of one vehicle's variables, up to the one at which it stopped.
+/// The rows of one vehicle's variables, up to the one at which it stopped; those before it joined
+/// the run have no numbers.
 class VehicleLog {
  public:
   /// @param until_s  the first row from then on is the last one
@@ -33,6 +34,12 @@ class VehicleLog {
       if (of(*halt, t) > 0) rows_ = t + 1;
   }
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+  /// The first row that has a place; the last one where none has.
+  [[nodiscard]] std::size_t first() const {
+    std::size_t row = 0;
+    while (row + 1 < rows_ && !std::isfinite(at("x", row))) ++row;
+    return row;
+  }
   /// No number where the log has no such variable.
   [[nodiscard]] double at(std::string_view name, std::size_t row) const {
     const ingest::TrajectoryFile::Variable* variable = log_->find(name);
