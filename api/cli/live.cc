@@ -64,12 +64,15 @@ class Stopper {
   std::jthread watch_;
 };
 
+void print_name(const twin::Agent& vehicle, const std::string& name) {
+  std::fprintf(stderr, "  vehicle %-20s /%s/...\n", vehicle.name.c_str(), name.c_str());
+}
+
 /// The names under which the vehicles are found, where a client must know them.
 void print_names(std::span<const twin::Agent> agents, const std::vector<std::string>& names,
                  const std::string& site, const LiveArguments& arguments) {
   if (arguments.domain) std::fprintf(stderr, "DDS domain %d, ROS 2 names:\n", *arguments.domain);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    std::fprintf(stderr, "  vehicle %-20s /%s/...\n", agents[i].name.c_str(), names[i].c_str());
+  for (std::size_t i = 0; i < names.size(); ++i) print_name(agents[i], names[i]);
   std::fprintf(stderr, "  site    %-20s /%s/...\n", site.c_str(), site.c_str());
   std::fflush(stderr);
 }
@@ -85,6 +88,7 @@ live::LiveSettings settings_of(const LiveArguments& arguments, const twin::Scena
   }
   if (arguments.when_host_fails == "halt") settings.when_host_fails = live::HostRule::halt;
   settings.on_trouble = tell_trouble;
+  settings.on_newcomer = print_name;
   settings.played_commands = arguments.played_commands;
   settings.real_time_factor = arguments.factor;
   settings.site = site_of(scenario, water);

@@ -225,9 +225,15 @@ struct Participant::State {
     return made;
   }
 
+  template <typename List, typename... Parts>
+  auto& added(List& list, Parts&&... parts) {
+    const std::lock_guard lock(mutex);
+    return list.emplace_back(std::forward<Parts>(parts)...);
+  }
+
   Writer& write(const std::string& name, const std::string& type, const bag::Quality& quality) {
     fdds::Topic* const of = topic(name, type);
-    Writer& writer = writers.emplace_back(name, guard);
+    Writer& writer = added(writers, name, guard);
     writer.is_transient_local = quality.is_transient_local;
     writer.writer = publisher->create_datawriter(of, writer_qos(quality), &writer);
     expects(writer.writer != nullptr, "a writer of a topic");
@@ -236,7 +242,7 @@ struct Participant::State {
   void read(const std::string& name, const std::string& type, const bag::Quality& quality,
             Reader::OnBytes on_bytes) {
     fdds::Topic* const of = topic(name, type);
-    Reader& reader = readers.emplace_back(name, guard, std::move(on_bytes));
+    Reader& reader = added(readers, name, guard, std::move(on_bytes));
     reader.reader = subscriber->create_datareader(of, reader_qos(quality), &reader);
     expects(reader.reader != nullptr, "a reader of a topic");
   }
@@ -254,6 +260,10 @@ struct Participant::State {
   fdds::DomainParticipant* participant = nullptr;
   fdds::Publisher* publisher = nullptr;
   fdds::Subscriber* subscriber = nullptr;
+  /// While endpoints are made. The library waits there for the threads that call us, and these may
+  /// be about to `send`: nothing that it calls takes this one, and nobody makes an endpoint with
+  /// the other.
+  std::mutex making;
   mutable std::mutex mutex;  ///< of the lists; what is in them stays where it is
   std::deque<Writer> writers;
   std::deque<Reader> readers;
@@ -271,8 +281,9 @@ Participant::Participant(DomainSettings settings)
 Participant::~Participant() = default;
 
 Participant::WriterId Participant::publish_on(const bag::Channel& channel) {
-  const std::lock_guard lock(state_->mutex);
+  const std::lock_guard one_at_a_time(state_->making);
   Writer& writer = state_->write(dds_topic(channel.topic), dds_type(channel.type), channel.quality);
+  const std::lock_guard lock(state_->mutex);
   state_->by_id.push_back(&writer);
   return state_->by_id.size() - 1;
 }
@@ -293,7 +304,7 @@ void Participant::send(WriterId writer, Payload message) {
 }
 
 void Participant::subscribe(const bag::Channel& channel, OnMessage on_message) {
-  const std::lock_guard lock(state_->mutex);
+  const std::lock_guard one_at_a_time(state_->making);
   state_->read(dds_topic(channel.topic), dds_type(channel.type), channel.quality,
                [on_message = std::move(on_message)](Payload message, const Sender& sender) {
                  on_message(message, sender.client);
@@ -301,7 +312,7 @@ void Participant::subscribe(const bag::Channel& channel, OnMessage on_message) {
 }
 
 void Participant::serve(const Service& service, OnRequest on_request) {
-  const std::lock_guard lock(state_->mutex);
+  const std::lock_guard one_at_a_time(state_->making);
   const bag::Quality quality;
   Writer& writer = state_->write(reply_topic(service.name), reply_type(service.type), quality);
   state_->read(request_topic(service.name), request_type(service.type), quality,
@@ -318,7 +329,7 @@ void Participant::serve(const Service& service, OnRequest on_request) {
 void Participant::on_lost(OnLost on_lost) { state_->watcher.add(std::move(on_lost)); }
 
 void Participant::announce() {
-  const std::lock_guard lock(state_->mutex);
+  const std::lock_guard one_at_a_time(state_->making);
   NodeEntities node;
   node.participant = gid_of(state_->participant->guid());
   node.name = ros_token(state_->settings.node);

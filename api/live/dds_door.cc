@@ -23,7 +23,11 @@ dds::Bytes done_or(const std::optional<twin::Refusal>& refusal, const std::strin
 }  // namespace
 
 DdsDoor::DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk, DoorRun run)
-    : participant_(participant), stream_(stream), desk_(desk), run_(std::move(run)) {
+    : participant_(participant),
+      stream_(stream),
+      desk_(desk),
+      run_(std::move(run)),
+      spawn_(participant, desk.steward(), run_.slipway, run_.site) {
   participant_.on_lost([&desk](const std::string& client) { desk.lost(client); });
   open_run_services();
 }
@@ -33,10 +37,12 @@ void DdsDoor::open(const std::string& name) {
   open_topics(name, vehicle);
   open_vehicle_services(name, vehicle);
   actions_.emplace_back(participant_, stream_, desk_, run_.place, name, vehicle);
+  spawn_.open(name);
 }
 
 void DdsDoor::speak(std::span<const twin::AgentState> states, double t_s) {
   for (std::size_t i = 0; i < actions_.size(); ++i) actions_[i].speak(states[i], t_s);
+  spawn_.speak();
   const std::uint64_t made = run_.steps_made();
   const std::lock_guard lock(mutex_);
   std::erase_if(waiting_, [&](const WaitingStep& step) {

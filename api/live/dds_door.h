@@ -8,6 +8,7 @@
 #include "api/dds/participant.h"
 #include "api/live/desk.h"
 #include "api/live/navigate_action.h"
+#include "api/live/spawn_service.h"
 #include "twin/simulate/run_control.h"
 
 namespace slackwater::live {
@@ -18,6 +19,8 @@ struct DoorRun {
   const twin::Environment& environment;
   RunPlace place;
   std::function<std::uint64_t()> steps_made;  ///< for any thread
+  const twin::Slipway& slipway;
+  std::string site;  ///< a token of ROS
 };
 
 /// The command topics and services of a run on DDS, as the table "Slackwater's names on DDS" has
@@ -46,6 +49,7 @@ class DdsDoor {
   Stream& stream_;
   Desk& desk_;
   DoorRun run_;
+  SpawnService spawn_;
   std::deque<NavigateAction> actions_;  ///< of each vehicle
   struct WaitingStep {
     std::uint64_t until = 0;

@@ -55,15 +55,19 @@ void HostDesk::open(const std::string& name) {
   const auto topic = [&](const char* what, const char* type) {
     return bag::Channel{"/" + name + "/host/" + what, type, "", state_quality};
   };
+  // Without the lock, for which clients' threads may wait that the library waits for.
+  const auto answer = participant_.publish_on(topic("answer", "slackwater_msgs/msg/HostAnswer"));
+  const auto observation =
+      participant_.publish_on(topic("observation", "slackwater_msgs/msg/AgentObservation"));
+  const auto input =
+      participant_.publish_on(topic("physics_input", "slackwater_msgs/msg/PhysicsInput"));
   {
     const std::lock_guard lock(mutex_);
     Host& host = hosts_.emplace_back();
     host.name = name;
-    host.answer = participant_.publish_on(topic("answer", "slackwater_msgs/msg/HostAnswer"));
-    host.observation =
-        participant_.publish_on(topic("observation", "slackwater_msgs/msg/AgentObservation"));
-    host.input =
-        participant_.publish_on(topic("physics_input", "slackwater_msgs/msg/PhysicsInput"));
+    host.answer = answer;
+    host.observation = observation;
+    host.input = input;
   }
   Host& host = hosts_[vehicle];
   // Who answers wrongly is dropped by who waits for it; what nobody waits for counts for nothing.

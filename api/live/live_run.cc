@@ -1,7 +1,7 @@
 #include "api/live/live_run.h"
 
-#include <algorithm>
 #include <atomic>
+#include <set>
 
 #include "api/dds/message/names.h"
 #include "api/live/bag_commands.h"
@@ -20,22 +20,16 @@ RunPlace place_of(const api::RunInHand& hand, double step_s) {
   return {hand.start, hand.origin, geoid_height_m(hand.origin), step_s};
 }
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> ros_names(std::span<const twin::Agent> agents) {
-  std::vector<std::string> names, taken{"slackwater", "clock", "ais"};
+  std::vector<std::string> names;
+  std::set<std::string> taken = reserved_names();
   for (const twin::Agent& agent : agents) {
     const std::string plain = dds::ros_token(agent.name);
     std::string name = plain;
-    for (int n = 2; std::find(taken.begin(), taken.end(), lower(name)) != taken.end(); ++n)
+    for (int n = 2; !taken.insert(lower_case(name)).second; ++n)
       name = plain + "_" + std::to_string(n);
-    taken.push_back(lower(name));
     names.push_back(std::move(name));
   }
   return names;
@@ -45,7 +39,7 @@ struct LiveRun::Parts {
   Parts(const api::RunInHand& hand, const LiveSettings& settings)
       : run(hand.run),
         place(place_of(hand, hand.run.step_s())),
-        names(ros_names(hand.run.agents())),
+        on_newcomer(settings.on_newcomer),
         steward(hand.steward),
         desk(stream, steward, place),
         punctuality(settings.real_time_factor, hand.run.step_s()) {
@@ -58,13 +52,8 @@ struct LiveRun::Parts {
     }
     site = std::make_unique<SiteVoice>(stream, place, dds::ros_token(settings.site),
                                        *hand.environment, hand.vessels);
-    const auto states = run.states();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      voices.emplace_back(stream, place, names[i], run.agents()[i], states[i]);
-      desk.open(names[i]);
-    }
     if (participant) open_doors(hand, settings);
-    stream.opened();
+    open_for_all();
     for (const auto& bag : settings.played_commands) {
       BagCommands& played = played_commands.emplace_back(bag, names, desk);
       run.at_opening([&played](const twin::StepTime& time) { played.hand_in(time.start_s); });
@@ -77,20 +66,42 @@ struct LiveRun::Parts {
   }
 
   void open_doors(const api::RunInHand& hand, const LiveSettings& settings) {
-    DoorRun door_run{hand.control, *hand.environment, place, [this] { return made.load(); }};
+    DoorRun door_run{hand.control, *hand.environment,
+                     place,        [this] { return made.load(); },
+                     hand.slipway, dds::ros_token(settings.site)};
     door = std::make_unique<DdsDoor>(*participant, stream, desk, std::move(door_run));
     hosts = std::make_unique<HostDesk>(*participant, run, hand.control, desk, place,
                                        settings.when_host_fails, settings.on_trouble);
-    for (const std::string& name : names) {
-      door->open(name);
-      hosts->open(name);
+  }
+
+  /// Voice, desk and doors of the vehicles that have none yet: all at the start, then those that
+  /// join the run.
+  void open_for_all() {
+    const auto agents = run.agents();
+    const auto states = run.states();
+    const std::vector<std::string> all = ros_names(agents);
+    for (std::size_t i = names.size(); i < agents.size(); ++i) {
+      const std::string& name = names.emplace_back(all[i]);
+      voices.emplace_back(stream, place, name, agents[i], states[i]);
+      desk.open(name);
+      if (door) door->open(name);
+      if (hosts) hosts->open(name);
     }
+    stream.opened();
+  }
+  void welcome_newcomers() {
+    const std::size_t known = names.size();
+    if (run.agents().size() == known) return;
+    open_for_all();
+    for (std::size_t i = known; on_newcomer && i < names.size(); ++i)
+      on_newcomer(run.agents()[i], names[i]);
   }
 
   /// After each barrier: what was asked first, then what came of it.
   void speak() {
     const double t_s = run.time_s();
     made = run.steps_made();
+    welcome_newcomers();
     desk.speak(t_s);
     const auto states = run.states();
     site->speak(run.seen(), t_s);
@@ -101,6 +112,7 @@ struct LiveRun::Parts {
 
   twin::Run& run;
   RunPlace place;
+  std::function<void(const twin::Agent&, const std::string&)> on_newcomer;
   std::vector<std::string> names;
   std::atomic<std::uint64_t> made{0};
   twin::Steward& steward;

@@ -26,6 +26,8 @@ struct LiveSettings {
   std::vector<std::shared_ptr<Outlet>> outlets;
   /// What operators should know of. From any thread.
   std::function<void(const std::string&)> on_trouble;
+  /// A vehicle joined the run, and has this name on DDS. On the thread of the run.
+  std::function<void(const twin::Agent& vehicle, const std::string& name)> on_newcomer;
 };
 
 /// The names of a run's vehicles as tokens of ROS, each once: "ROV 1" and "rov-1" become ROV_1 and
@@ -42,7 +44,7 @@ class LiveRun {
   LiveRun(const LiveRun&) = delete;
   LiveRun& operator=(const LiveRun&) = delete;
 
-  /// Vehicles and their names on DDS, in the order of the run.
+  /// Vehicles and their names on DDS, in the order of the run. Between steps.
   [[nodiscard]] const std::vector<std::string>& names() const noexcept;
   /// Between steps.
   [[nodiscard]] const Punctuality& punctuality() const noexcept;

@@ -1,8 +1,7 @@
 #include "api/dds/message/orders.h"
 
-#include <algorithm>
-
 #include "api/dds/message/cdr.h"
+#include "api/dds/message/map_frame.h"
 #include "api/dds/message/path_message.h"
 #include "nav_msgs.h"
 
@@ -10,21 +9,6 @@ namespace slackwater::dds {
 namespace {
 
 using eprosima::fastcdr::Cdr;
-
-/// The beginning of a client's text, for people.
-std::string shown(std::string text) {
-  constexpr std::size_t most = 80;
-  if (text.size() > most) text.resize(most);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '.');
-  return text;
-}
-
-void expect_map(const std::string& frame_id) {
-  if (frame_id.empty() || frame_id == "map") return;
-  throw Error(ErrorKind::invalid_input, "the path is in the frame '" + shown(frame_id) +
-                                            "'; give it in `map`: east, north, up of the origin");
-}
 
 /// std_msgs/msg/Float64MultiArray, of which the numbers count and not how they are laid out.
 struct NumbersAsked {
@@ -43,9 +27,9 @@ struct NumbersAsked {
 void PathAsked::deserialize(Cdr& cdr) {
   std_msgs::msg::Header header;
   cdr >> header;
-  expect_map(header.frame_id());
+  expect_map("the path", header.frame_id());
   for_each_element<geometry_msgs::msg::PoseStamped>(cdr, [&](const auto& pose) {
-    expect_map(pose.header().frame_id());
+    expect_map("the path", pose.header().frame_id());
     places_m.push_back(enu_ned(triple_of(pose.pose().position())));
   });
 }

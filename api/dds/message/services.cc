@@ -1,8 +1,13 @@
 #include "api/dds/message/services.h"
 
+#include <cmath>
+
 #include "api/dds/message/cdr.h"
+#include "api/dds/message/map_frame.h"
 #include "api/dds/message/path_message.h"
 #include "api/dds/message/profile_message.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "std_srvs.h"
 #include "twin/body/attitude.h"
 
@@ -45,10 +50,19 @@ Bytes step_reply(bool success) {
   return encoded(reply);
 }
 
-SpawnAsked read_spawn(Payload request) {
+twin::Newcomer read_spawn(Payload request) {
   const auto asked = decoded<slackwater_msgs::srv::Spawn_Request>(request);
+  expect_map("the pose", asked.pose().header().frame_id());
   const geometry_msgs::msg::Quaternion& q = asked.pose().pose().orientation();
-  const twin::Attitude<double> attitude = enu_flu_ned_frd({q.w(), q.x(), q.y(), q.z()});
+  const double length = std::sqrt(q.x() * q.x() + q.y() * q.y() + q.z() * q.z() + q.w() * q.w());
+  constexpr double rounding = 0.01;  // of what people type
+  if (!(std::abs(length - 1) <= rounding))
+    throw Error(ErrorKind::invalid_input,
+                formatted("the pose has an orientation of length {:g}, expected a quaternion of "
+                          "length 1: {{w: 1}} looks east",
+                          length));
+  const twin::Attitude<double> attitude =
+      enu_flu_ned_frd({q.w() / length, q.x() / length, q.y() / length, q.z() / length});
   return {asked.model(), asked.name(), enu_ned(triple_of(asked.pose().pose().position())),
           twin::euler_angles(attitude).yaw_rad};
 }

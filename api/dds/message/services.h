@@ -6,6 +6,7 @@
 #include "api/dds/message/bytes.h"
 #include "api/dds/message/site_messages.h"
 #include "twin/body/attitude.h"
+#include "twin/simulate/newcomer.h"
 
 namespace slackwater::dds {
 
@@ -23,14 +24,10 @@ void read_trigger(Payload request);
 [[nodiscard]] std::uint32_t read_step(Payload request);
 [[nodiscard]] Bytes step_reply(bool success);
 
-/// Of slackwater_msgs/srv/Spawn.
-struct SpawnAsked {
-  std::string model;  ///< of the catalogue, data/vehicles
-  std::string name;
-  twin::Triple<double> position_m;  ///< NED
-  double heading_rad = 0;           ///< clockwise from north
-};
-[[nodiscard]] SpawnAsked read_spawn(Payload request);
+/// Of slackwater_msgs/srv/Spawn; of the orientation of its pose the heading.
+/// @throws Error(invalid_input) also for a pose in another frame than `map`, and for an orientation
+///         that is none
+[[nodiscard]] twin::Newcomer read_spawn(Payload request);
 
 /// Of slackwater_msgs/srv/SetWaypoints.
 struct WaypointsAsked {

@@ -126,6 +126,7 @@ class SpawnClient {
     slackwater_msgs::srv::Spawn_Request request;
     request.model("model");
     request.name(name);
+    request.pose().pose().orientation().w(1);
     rtps::WriteParams params;
     if (convention_ == Convention::rmw_fastrtps)
       params.related_sample_identity().writer_guid() = reader_->guid();

@@ -103,16 +103,19 @@ TEST_P(OrdersOfClients, RequestsOfServices) {
 }
 
 TEST_P(OrdersOfClients, SpawnIsAPlaceAndAHeading) {
-  const auto asked = [&](double yaw) {
+  const auto in_frame = [&](const char* frame, std::initializer_list<double> orientation) {
     return read_spawn(HandWriter(GetParam())
                           .string("bluerov2_heavy")
                           .string("second")
-                          .header(10, 20, "map")
+                          .header(10, 20, frame)
                           .doubles({1, 2, -3})
-                          .doubles({0, 0, std::sin(yaw / 2), std::cos(yaw / 2)})
+                          .doubles(orientation)
                           .bytes());
   };
-  const SpawnAsked spawn = asked(0);  // looks east
+  const auto asked = [&](double yaw) {
+    return in_frame("map", {0, 0, std::sin(yaw / 2), std::cos(yaw / 2)});
+  };
+  const twin::Newcomer spawn = asked(0);  // looks east
   EXPECT_EQ(spawn.model, "bluerov2_heavy");
   EXPECT_EQ(spawn.name, "second");
   EXPECT_EQ(spawn.position_m.x, 2);
@@ -121,6 +124,14 @@ TEST_P(OrdersOfClients, SpawnIsAPlaceAndAHeading) {
   EXPECT_NEAR(spawn.heading_rad, std::numbers::pi / 2, 1e-15);
   EXPECT_NEAR(asked(std::numbers::pi / 2).heading_rad, 0, 1e-15);  // north
   EXPECT_NEAR(asked(1).heading_rad, std::numbers::pi / 2 - 1, 1e-15);
+  // As people type it, tilted, and without a frame.
+  EXPECT_NEAR(in_frame("", {0, 0, 0.707, 0.707}).heading_rad, 0, 1e-15);
+  EXPECT_NEAR(in_frame("map", {std::sin(0.1), 0, 0, std::cos(0.1)}).heading_rad,
+              std::numbers::pi / 2, 1e-15);
+  EXPECT_THROW((void)in_frame("odom", {0, 0, 0, 1}), Error);
+  EXPECT_THROW((void)in_frame("map", {0, 0, 0, 0}), Error);
+  EXPECT_THROW((void)in_frame("map", {0, 0, 0, 2}), Error);
+  EXPECT_THROW((void)in_frame("map", {0, 0, std::nan(""), 1}), Error);
 }
 
 GoalId id_of(std::uint8_t first) {

@@ -2,80 +2,24 @@
 // VEHICLE is free, and flies a navigation goal, as a ROS 2 node on rmw_fastrtps would. Prints what
 // it saw; exit 0: all as the page "Driving a vehicle from ROS 2" says.
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "action_msgsPubSubTypes.h"
 #include "geometry_msgsPubSubTypes.h"
-#include "nav_msgsPubSubTypes.h"
-#include "slackwater_msgsPubSubTypes.h"
-#include "std_srvsPubSubTypes.h"
-#include "tests/strangers/live/service_client.h"
+#include "tests/strangers/live/peer_checks.h"
 
 namespace {
 
 using namespace peer;
 
-int failures = 0;
-void expect(bool is_true, const std::string& what) {
-  std::printf("%s %s\n", is_true ? "ok  " : "FAIL", what.c_str());
-  std::fflush(stdout);
-  if (!is_true) ++failures;
-}
-
-using Trigger = ServiceClient<std_srvs::srv::Trigger_RequestPubSubType,
-                              std_srvs::srv::Trigger_ResponsePubSubType>;
-using SetBool = ServiceClient<std_srvs::srv::SetBool_RequestPubSubType,
-                              std_srvs::srv::SetBool_ResponsePubSubType>;
 using Step = ServiceClient<slackwater_msgs::srv::Step_RequestPubSubType,
                            slackwater_msgs::srv::Step_ResponsePubSubType>;
-using SetWaypoints = ServiceClient<slackwater_msgs::srv::SetWaypoints_RequestPubSubType,
-                                   slackwater_msgs::srv::SetWaypoints_ResponsePubSubType>;
 using QueryProfile = ServiceClient<slackwater_msgs::srv::QueryProfile_RequestPubSubType,
                                    slackwater_msgs::srv::QueryProfile_ResponsePubSubType>;
-using SendGoal = ServiceClient<slackwater_msgs::action::Navigate_SendGoal_RequestPubSubType,
-                               slackwater_msgs::action::Navigate_SendGoal_ResponsePubSubType>;
 using CancelGoal = ServiceClient<action_msgs::srv::CancelGoal_RequestPubSubType,
                                  action_msgs::srv::CancelGoal_ResponsePubSubType>;
 using GetResult = ServiceClient<slackwater_msgs::action::Navigate_GetResult_RequestPubSubType,
                                 slackwater_msgs::action::Navigate_GetResult_ResponsePubSubType>;
-
-template <typename Message, typename Support>
-std::optional<Message> next(fdds::DataReader* reader, double at_most_s = 5) {
-  const auto until = Clock::now() + std::chrono::duration<double>(at_most_s);
-  Message message;
-  fdds::SampleInfo info;
-  while (Clock::now() < until) {
-    if (reader->take_next_sample(&message, &info) == ReturnCode_t::RETCODE_OK && info.valid_data)
-      return message;
-    reader->wait_for_unread_message({0, 20'000'000});
-  }
-  return std::nullopt;
-}
-
-/// The newest there is; waits for one where there is none.
-template <typename Message>
-std::optional<Message> newest(fdds::DataReader* reader) {
-  auto message = next<Message, void>(reader);
-  Message later;
-  fdds::SampleInfo info;
-  while (reader->take_next_sample(&later, &info) == ReturnCode_t::RETCODE_OK)
-    if (info.valid_data) message = later;
-  return message;
-}
-
-nav_msgs::msg::Path path_of(std::initializer_list<std::array<double, 3>> places) {
-  nav_msgs::msg::Path path;
-  path.header().frame_id("map");
-  for (const auto& [x, y, z] : places) {
-    geometry_msgs::msg::PoseStamped pose;
-    pose.pose().position().x(x);
-    pose.pose().position().y(y);
-    pose.pose().position().z(z);
-    path.poses().push_back(pose);
-  }
-  return path;
-}
 
 }  // namespace
 

@@ -1,0 +1,160 @@
+// spawn_peer DOMAIN SITE: lets vehicles join a run of `slackwater live data/scenarios/live_square.yaml`
+// and drives one of them, as two ROS 2 nodes on rmw_fastrtps would. Prints what it saw; exit 0: all
+// as the page "Driving a vehicle from ROS 2" says.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "rmw_dds_commonPubSubTypes.h"
+#include "sensor_msgsPubSubTypes.h"
+#include "std_msgsPubSubTypes.h"
+#include "tests/strangers/live/peer_checks.h"
+
+namespace {
+
+using namespace peer;
+
+using Spawn = ServiceClient<slackwater_msgs::srv::Spawn_RequestPubSubType,
+                            slackwater_msgs::srv::Spawn_ResponsePubSubType>;
+
+/// Looking north.
+slackwater_msgs::srv::Spawn_Request asked(const std::string& model, const std::string& name,
+                                          const std::array<double, 3>& at_m) {
+  slackwater_msgs::srv::Spawn_Request request;
+  request.model(model);
+  request.name(name);
+  request.pose().header().frame_id("map");
+  request.pose().pose().position().x(at_m[0]);
+  request.pose().pose().position().y(at_m[1]);
+  request.pose().pose().position().z(at_m[2]);
+  request.pose().pose().orientation().z(std::sqrt(0.5));
+  request.pose().pose().orientation().w(std::sqrt(0.5));
+  return request;
+}
+
+double apart_m(const nav_msgs::msg::Odometry& odometry, double x, double y) {
+  const auto& at = odometry.pose().pose().position();
+  return std::hypot(at.x() - x, at.y() - y);
+}
+
+/// Endpoints of the run's node in the newest word of `ros_discovery_info`.
+std::size_t endpoints_told(fdds::DataReader* graph) {
+  std::size_t most = 0;
+  while (const auto info = next<rmw_dds_common::msg::ParticipantEntitiesInfo, void>(graph, 0.5))
+    for (const auto& node : info->node_entities_info_seq())
+      if (node.node_name() == "slackwater")
+        most = node.reader_gid_seq().size() + node.writer_gid_seq().size();
+  return most;
+}
+
+void see_refusals(Spawn& spawn) {
+  const auto refused = [&](const slackwater_msgs::srv::Spawn_Request& request,
+                           const std::string& what, const std::string& word) {
+    const auto answer = spawn.call(request);
+    expect(answer && !answer->success() && answer->message().find(word) != std::string::npos,
+           what + ": " + (answer ? answer->message() : "no answer"));
+  };
+  const std::array<double, 3> here{10, -60, -6};
+  for (const char* model : {"no_such_boat", "", "../vehicles/x500", "/etc/passwd", "x500.yaml"})
+    refused(asked(model, "other", here), std::string("model '") + model + "'", "catalogue");
+  for (const char* name : {"", "7_up", "a b", "a/b", "a__b", "a_"})
+    refused(asked("x500", name, here), std::string("name '") + name + "'", "token of ROS");
+  for (const char* name : {"rov", "ROV", "late", "slackwater", "clock", "site"})
+    refused(asked("x500", name, here), std::string("name '") + name + "'", "taken");
+  const double nan = std::nan("");
+  refused(asked("bluerov2_heavy", "other", {nan, 0, -6}), "a place that is no number", "nan");
+  refused(asked("bluerov2_heavy", "other", {10, -60, -31}), "below the bed", "below_bed");
+  refused(asked("bluerov2_heavy", "other", {10, -60, 5}), "an ROV in the air", "above the sea");
+  refused(asked("bluerov2_heavy", "other", {0, 0, -6}), "in the monopile", "lies in monopile");
+  refused(asked("bluerov2_heavy", "other", {4e5, 0, -6}), "out of the area", "outside_area");
+  refused(asked("wamv16", "other", {10, -60, 30}), "a boat in the air", "floats");
+  refused(asked("x500", "other", {10, -60, -6}), "a multirotor in the sea", "below the sea");
+  auto elsewhere = asked("bluerov2_heavy", "other", here);
+  elsewhere.pose().header().frame_id("odom");
+  refused(elsewhere, "another frame", "frame");
+  auto no_way = asked("bluerov2_heavy", "other", here);
+  no_way.pose().pose().orientation().w(0);
+  no_way.pose().pose().orientation().z(0);
+  refused(no_way, "an orientation that is none", "quaternion");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  const int domain = std::atoi(argv[1]);
+  Node node(domain), other(domain);
+  auto* graph = node.reader<rmw_dds_common::msg::ParticipantEntitiesInfoPubSubType>(
+      "ros_discovery_info", true);
+
+  // --- it joins ---
+  Spawn spawn(node, "/slackwater/spawn");
+  const std::size_t before = endpoints_told(graph);
+  const auto joined = spawn.call(asked("bluerov2_heavy", "late", {10, -40, -6}), 30);
+  expect(joined && joined->success(),
+         "a vehicle joins: " + (joined ? joined->message() : "no answer"));
+  if (!joined || !joined->success()) return 1;
+  auto* odometry = node.reader<nav_msgs::msg::OdometryPubSubType>("rt/late/odometry");
+  auto* battery =
+      node.reader<sensor_msgs::msg::BatteryStatePubSubType>("rt/late/battery_state", true);
+  auto* mission = node.reader<std_msgs::msg::StringPubSubType>("rt/late/mission_state", true);
+  const auto at = next<nav_msgs::msg::Odometry, void>(odometry);
+  expect(at && apart_m(*at, 10, -40) < 1 && std::abs(at->pose().pose().position().z() + 6) < 1,
+         "where it was asked for");
+  expect(at && at->header().frame_id() == "map" && at->child_frame_id() == "late/base_link",
+         "in its frames");
+  const auto charge = next<sensor_msgs::msg::BatteryState, void>(battery);
+  expect(charge && charge->percentage() > 0.9 && charge->current() < 0,
+         "with a battery that it draws from");
+  const auto state = next<std_msgs::msg::String, void>(mission);
+  expect(state && state->data().find("\"authority\":\"\"") != std::string::npos,
+         "which nobody holds: " + (state ? state->data() : ""));
+  const std::size_t after = endpoints_told(graph);
+  expect(after > before + 20, "the node's list has its topics: " + std::to_string(before) + ", " +
+                                  std::to_string(after));
+
+  // --- who drives it ---
+  SetBool authority(node, "/late/authority"), others(other, "/late/authority");
+  SetWaypoints set_waypoints(node, "/late/set_waypoints");
+  SetWaypoints by_other(other, "/late/set_waypoints");
+  std_srvs::srv::SetBool_Request ask, give;
+  ask.data(true);
+  const auto got = others.call(ask);
+  expect(got && got->success(), "another client asks for it and has it");
+  slackwater_msgs::srv::SetWaypoints_Request waypoints;
+  waypoints.path(path_of({{14, -40, -8}}));
+  const auto unauthorised = set_waypoints.call(waypoints);
+  expect(unauthorised && !unauthorised->success(),
+         "who let it in has no word in that: " + (unauthorised ? unauthorised->message() : ""));
+  const auto set = by_other.call(waypoints);
+  expect(set && set->success(), "its holder drives it");
+  double least_m = 1e9;
+  for (int i = 0; i < 4000 && least_m > 0.5; ++i)
+    if (const auto now = next<nav_msgs::msg::Odometry, void>(odometry, 1))
+      least_m = std::min(least_m, apart_m(*now, 14, -40));
+  expect(least_m <= 0.5, "and sees it come to its waypoint");
+  const auto given = others.call(give);
+  expect(given && given->success(), "which gives it back");
+
+  SendGoal send_goal(node, "/late/navigate/_action/send_goal");
+  slackwater_msgs::action::Navigate_SendGoal_Request goal;
+  goal.goal_id().uuid()[0] = 1;
+  goal.goal().path(path_of({{10, -40, -6}}));
+  const auto sent = send_goal.call(goal);
+  expect(sent && sent->accepted(), "a goal of the navigation action is accepted");
+
+  // --- a second one while the run is paused ---
+  Trigger pause(node, "/slackwater/pause"), resume(other, "/slackwater/resume");
+  const auto paused = pause.call({});
+  expect(paused && paused->success(), "paused");
+  const auto waiting = spawn.call(asked("wamv16", "late_usv", {40, -40, 0}), 1.5);
+  expect(!waiting, "a paused run lets nobody in");
+  const auto resumed = resume.call({});
+  expect(resumed && resumed->success(), "resumed");
+  auto* second = node.reader<nav_msgs::msg::OdometryPubSubType>("rt/late_usv/odometry");
+  expect(next<nav_msgs::msg::Odometry, void>(second, 10).has_value(), "it comes when it goes on");
+
+  see_refusals(spawn);
+  std::printf("%d failed\n", failures);
+  return failures == 0 ? 0 : 1;
+}
