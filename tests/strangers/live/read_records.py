@@ -60,7 +60,8 @@ for name, records in (("mcap", of_mcap(sys.argv[2])), ("bag", of_bag(sys.argv[3]
     assert worst < 1e-6, (name, worst)
     for topic in ("/clock", "/rov/odometry", "/rov/imu", "/usv/nav_sat_fix", "/rov/battery_state", "/rov/mission_state",
                   "/site/current_profile", "/site/wind", "/rov/waypoints", "/rov/refused",
-                  "/rov/navigate/_action/feedback"):
+                  "/rov/navigate/_action/feedback", "/late/pose", "/late/battery_state", "/late/waypoints",
+                  "/late/navigate/_action/feedback", "/late_usv/odometry"):
         assert count.get(topic, 0) > 0, (name, topic)
     counts[name] = count
     print(f"{name}: {sum(count.values())} messages on {len(count)} topics, {poses} poses as in the log")
