@@ -60,7 +60,8 @@ std::string as_listed(const std::vector<Newcomer>& newcomers) {
     yaml += "  - {name: " + n.name + ", model: " + n.model +
             ", start: {north_m: " + std::to_string(n.position_m.x) +
             ", east_m: " + std::to_string(n.position_m.y) +
-            ", depth_m: " + std::to_string(n.position_m.z) +
+            (n.position_m.z < 0 ? ", height_m: " : ", depth_m: ") +
+            std::to_string(std::abs(n.position_m.z)) +
             ", heading_deg: " + std::to_string(heading_deg) + "}, tasks: [{do: hold}]}\n";
   }
   return yaml;
@@ -239,7 +240,9 @@ TEST(Newcomers, KeepTheirPlacesAndAreNobodys) {
   for (std::size_t i = 1; i < agents.size(); ++i) {
     const AgentState& state = run->states()[i];
     const Triple<double> off_m = state.vehicle.body.position_m - one_of_each()[i - 1].position_m;
-    const double most_m = std::max(3.0, 2 * agents[i].autopilot->settings.holding_radius_m);
+    // Within their own length, or the circle of those that cannot stand still.
+    const double most_m = std::max(2 * agents[i].vehicle->body.radius_m,
+                                   2 * agents[i].autopilot->settings.holding_radius_m);
     EXPECT_LT(std::hypot(off_m.x, off_m.y), most_m) << agents[i].name;
     EXPECT_EQ(state.halt, Halt::none) << agents[i].name;
     EXPECT_FALSE(state.helm.is_helmed()) << agents[i].name;
