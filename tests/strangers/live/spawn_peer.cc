@@ -1,9 +1,12 @@
-// spawn_peer DOMAIN SITE: lets vehicles join a run of `slackwater live data/scenarios/live_square.yaml`
-// and drives one of them, as two ROS 2 nodes on rmw_fastrtps would. Prints what it saw; exit 0: all
-// as the page "Driving a vehicle from ROS 2" says.
+// spawn_peer DOMAIN [fill]: lets vehicles join a run of `slackwater live` with the scenario
+// data/scenarios/live_square.yaml and drives one of them, as two ROS 2 nodes on rmw_fastrtps would.
+// Prints what it saw; exit 0: all as the page "Driving a vehicle from ROS 2" says. fill: as many
+// join as there is room for, while another client asks without a pause.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <thread>
 
 #include "rmw_dds_commonPubSubTypes.h"
 #include "sensor_msgsPubSubTypes.h"
@@ -65,7 +68,7 @@ void see_refusals(Spawn& spawn) {
   refused(asked("bluerov2_heavy", "other", {nan, 0, -6}), "a place that is no number", "nan");
   refused(asked("bluerov2_heavy", "other", {10, -60, -31}), "below the bed", "below_bed");
   refused(asked("bluerov2_heavy", "other", {10, -60, 5}), "an ROV in the air", "above the sea");
-  refused(asked("bluerov2_heavy", "other", {0, 0, -6}), "in the monopile", "lies in monopile");
+  refused(asked("bluerov2_heavy", "other", {0, 0, -6}), "in the monopile", "is land");
   refused(asked("bluerov2_heavy", "other", {4e5, 0, -6}), "out of the area", "outside_area");
   refused(asked("wamv16", "other", {10, -60, 30}), "a boat in the air", "floats");
   refused(asked("x500", "other", {10, -60, -6}), "a multirotor in the sea", "below the sea");
@@ -78,11 +81,52 @@ void see_refusals(Spawn& spawn) {
   refused(no_way, "an orientation that is none", "quaternion");
 }
 
+/// As many as there is room for, while another client asks as fast as it can.
+int fill(int domain) {
+  Node node(domain);
+  std::atomic<bool> is_over = false;
+  std::atomic<int> answers = 0;
+  std::thread busy([&] {
+    Node other(domain);
+    SetBool authority(other, "/rov/authority");
+    std_srvs::srv::SetBool_Request request;
+    for (; !is_over; request.data(!request.data()))
+      if (authority.call(request)) ++answers;
+  });
+  Spawn spawn(node, "/slackwater/spawn");
+  int joined = 0;
+  double longest_s = 0;
+  std::string refusal;
+  while (joined <= 64) {
+    const auto asked_at = Clock::now();
+    const auto answer = spawn.call(asked("bluerov2_heavy", "v" + std::to_string(joined),
+                                         {10.0 + 5 * (joined % 8), -100.0 + 5 * (joined / 8), -6}),
+                                   30);
+    longest_s = std::max(longest_s, std::chrono::duration<double>(Clock::now() - asked_at).count());
+    if (!answer || !answer->success()) {
+      refusal = answer ? answer->message() : "no answer";
+      break;
+    }
+    ++joined;
+  }
+  is_over = true;
+  busy.join();
+  expect(joined == 64, "64 vehicles join");
+  expect(refusal.find("room for no more") != std::string::npos, "and no more: " + refusal);
+  expect(answers > joined, "while another client is answered all the time");
+  auto* last = node.reader<nav_msgs::msg::OdometryPubSubType>("rt/v63/odometry");
+  expect(next<nav_msgs::msg::Odometry, void>(last, 10).has_value(), "the last one is there");
+  std::printf("%d answers to another client meanwhile; the slowest to join took %.0f ms\n",
+              answers.load(), 1000 * longest_s);
+  return failures == 0 ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
+  if (argc < 2) return 2;
   const int domain = std::atoi(argv[1]);
+  if (argc > 2) return fill(domain);
   Node node(domain), other(domain);
   auto* graph = node.reader<rmw_dds_common::msg::ParticipantEntitiesInfoPubSubType>(
       "ros_discovery_info", true);
