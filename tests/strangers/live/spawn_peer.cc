@@ -93,6 +93,14 @@ int fill(int domain) {
     for (; !is_over; request.data(!request.data()))
       if (authority.call(request)) ++answers;
   });
+  // One that is told by topic, from threads for which the run may have to wait.
+  std::thread busy_too([&] {
+    Node other(domain);
+    auto* writer = other.writer<slackwater_msgs::msg::HostRequestPubSubType>("rt/rov/host/request");
+    slackwater_msgs::msg::HostRequest request;
+    for (request.version(99); !is_over; std::this_thread::sleep_for(std::chrono::microseconds(50)))
+      writer->write(&request);
+  });
   Spawn spawn(node, "/slackwater/spawn");
   int joined = 0;
   double longest_s = 0;
@@ -111,6 +119,7 @@ int fill(int domain) {
   }
   is_over = true;
   busy.join();
+  busy_too.join();
   expect(joined == 64, "64 vehicles join");
   expect(refusal.find("room for no more") != std::string::npos, "and no more: " + refusal);
   expect(answers > joined, "while another client is answered all the time");
