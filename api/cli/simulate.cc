@@ -9,7 +9,7 @@
 #include "api/cli/progress.h"
 #include "api/cli/recorded_run.h"
 #include "api/cli/run_print.h"
-#include "api/rehearse/findings_file.h"
+#include "api/coverage/findings_file.h"
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/log_csv.h"
 #include "api/rehearse/resurvey.h"

@@ -7,6 +7,7 @@
 #include "api/rehearse/rehearsal_json.h"
 #include "api/windows/windows_answer.h"
 #include "api/windows/worth.h"
+#include "fields/base/quantile.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

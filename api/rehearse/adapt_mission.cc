@@ -6,6 +6,7 @@
 #include "api/rehearse/rehearsal_json.h"
 #include "api/report/plot_json.h"
 #include "fields/base/check.h"
+#include "fields/base/quantile.h"
 #include "fields/base/text.h"
 #include "twin/chance/success_interval.h"
 #include "twin/mission/scenario_text.h"

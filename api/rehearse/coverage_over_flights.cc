@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/rehearse/coverage_pictures.h"
+#include "api/coverage/pictures.h"
 #include "api/rehearse/over_flights.h"
 #include "api/report/plot_json.h"
 #include "fields/base/constants.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/view.h"
 #include "api/rehearse/rehearsal.h"
 
 // What the futures of a start leave of an inspection: where it is covered whatever comes, and what

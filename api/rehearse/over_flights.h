@@ -5,6 +5,7 @@
 
 #include "api/rehearse/rehearsal.h"
 #include "api/rehearse/rehearsal_json.h"
+#include "fields/base/quantile.h"
 
 namespace slackwater::api {
 

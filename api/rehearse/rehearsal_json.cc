@@ -9,6 +9,7 @@
 #include "api/rehearse/inspection_report.h"
 #include "api/rehearse/risk_report.h"
 #include "api/report/plot_json.h"
+#include "fields/base/quantile.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -136,16 +137,6 @@ std::string count_text(std::size_t done, std::size_t flights) {
 }
 
 }  // namespace
-
-std::optional<double> quantile_of(std::vector<double> values, double share) {
-  std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const double at = share * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(at);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
-}
 
 json quantiles_json(const std::vector<double>& values) {
   json out = json::object();

@@ -26,8 +26,6 @@ struct Unchecked {
 };
 [[nodiscard]] Unchecked unchecked_of(const twin::Scenario& mission);
 
-/// The value below which a share of them lies, linear between values; nothing of none.
-[[nodiscard]] std::optional<double> quantile_of(std::vector<double> values, double share);
 /// {"p10", "p50", "p90"}; null of none.
 [[nodiscard]] nlohmann::json quantiles_json(const std::vector<double>& values);
 

@@ -17,6 +17,7 @@
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
+#include "fields/base/quantile.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/rehearse/coverage_page.h"
+#include "api/coverage/page.h"
 #include "api/rehearse/fate.h"
 #include "api/rehearse/limit_bounds.h"
 #include "api/rehearse/mission_timeline.h"

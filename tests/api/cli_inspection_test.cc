@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/view.h"
 #include "tests/support/farm_for_tests.h"
 #include "tests/support/store_for_tests.h"
 

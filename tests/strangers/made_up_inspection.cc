@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "api/rehearse/findings_file.h"
+#include "api/coverage/findings_file.h"
 #include "api/rehearse/run_page.h"
-#include "tests/api/rehearse/made_up_inspection.h"
+#include "tests/api/coverage/made_up_inspection.h"
 
 namespace {
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "api/rehearse/coverage_raster.h"
-#include "api/rehearse/coverage_sheet.h"
-#include "api/rehearse/coverage_still.h"
-#include "tests/api/rehearse/made_up_inspection.h"
+#include "api/coverage/raster.h"
+#include "api/coverage/sheet.h"
+#include "api/coverage/still.h"
+#include "tests/api/coverage/made_up_inspection.h"
 
 namespace slackwater::tests {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/view.h"
 #include "fields/base/time.h"
 
 // What was seen of surfaces, as parts of a page. Nothing of what was planted shows unless the truth

@@ -1,14 +1,14 @@
-#include "api/rehearse/coverage_page.h"
+#include "api/coverage/page.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/rehearse/coverage_marks.h"
-#include "api/rehearse/coverage_pictures.h"
-#include "api/rehearse/rehearsal_json.h"
+#include "api/coverage/marks.h"
+#include "api/coverage/pictures.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
+#include "fields/base/quantile.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

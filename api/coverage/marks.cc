@@ -1,6 +1,6 @@
-#include "api/rehearse/coverage_marks.h"
+#include "api/coverage/marks.h"
 
-#include "api/rehearse/coverage_tangents.h"
+#include "api/coverage/tangents.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
 

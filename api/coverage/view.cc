@@ -1,4 +1,4 @@
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/view.h"
 
 #include <algorithm>
 #include <cmath>

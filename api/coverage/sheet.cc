@@ -1,10 +1,10 @@
-#include "api/rehearse/coverage_sheet.h"
+#include "api/coverage/sheet.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "api/rehearse/coverage_raster.h"
+#include "api/coverage/raster.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
 

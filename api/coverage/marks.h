@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/view.h"
 
 namespace slackwater::api {
 

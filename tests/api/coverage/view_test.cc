@@ -1,13 +1,13 @@
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/view.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "api/rehearse/coverage_tangents.h"
+#include "api/coverage/tangents.h"
 #include "ingest/cf/trajectory_file.h"
-#include "tests/api/rehearse/made_up_inspection.h"
+#include "tests/api/coverage/made_up_inspection.h"
 #include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,12 +1,12 @@
-#include "api/rehearse/findings_file.h"
+#include "api/coverage/findings_file.h"
 
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "api/rehearse/coverage_marks.h"
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/marks.h"
+#include "api/coverage/view.h"
 #include "fields/base/csv.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"

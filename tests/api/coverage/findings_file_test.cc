@@ -1,4 +1,4 @@
-#include "api/rehearse/findings_file.h"
+#include "api/coverage/findings_file.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "fields/base/csv.h"
 #include "fields/geo/local_frame.h"
-#include "tests/api/rehearse/made_up_inspection.h"
+#include "tests/api/coverage/made_up_inspection.h"
 #include "tests/support/error_of.h"
 
 namespace slackwater::tests {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "api/rehearse/coverage_marks.h"
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/marks.h"
+#include "api/coverage/view.h"
 
 namespace slackwater::api {
 

@@ -1,10 +1,10 @@
-#include "api/rehearse/coverage_pictures.h"
+#include "api/coverage/pictures.h"
 
 #include <algorithm>
 #include <set>
 
-#include "api/rehearse/coverage_sheet.h"
-#include "api/rehearse/coverage_still.h"
+#include "api/coverage/sheet.h"
+#include "api/coverage/still.h"
 #include "api/report/html_page.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"

@@ -1,11 +1,11 @@
-#include "api/rehearse/coverage_still.h"
+#include "api/coverage/still.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "api/rehearse/coverage_sheet.h"
-#include "api/rehearse/coverage_tangents.h"
+#include "api/coverage/sheet.h"
+#include "api/coverage/tangents.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
 

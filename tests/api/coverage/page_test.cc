@@ -1,4 +1,4 @@
-#include "api/rehearse/coverage_page.h"
+#include "api/coverage/page.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/rehearse/run_page.h"
-#include "tests/api/rehearse/made_up_inspection.h"
+#include "tests/api/coverage/made_up_inspection.h"
 
 namespace slackwater::tests {
 namespace {

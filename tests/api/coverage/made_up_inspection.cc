@@ -1,4 +1,4 @@
-#include "tests/api/rehearse/made_up_inspection.h"
+#include "tests/api/coverage/made_up_inspection.h"
 
 #include <cmath>
 #include <initializer_list>

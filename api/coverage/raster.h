@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "api/rehearse/coverage_view.h"
+#include "api/coverage/view.h"
 
 namespace slackwater::api {
 

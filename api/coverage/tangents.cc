@@ -1,4 +1,4 @@
-#include "api/rehearse/coverage_tangents.h"
+#include "api/coverage/tangents.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "api/rehearse/coverage_raster.h"
+#include "api/coverage/raster.h"
 
 #include <algorithm>
 #include <array>
