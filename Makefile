@@ -27,8 +27,8 @@ bench: test-packages
 	cmake --build --preset release -j$(JOBS) --target slackwater slackwater_bench_all
 	tests/bench/run build/release
 
-# Long runs: 200 kills instead of 20, 210 days of bands, 500 twins, ten minutes of serving, half an
-# hour of fuzzing.
+# Long runs: 200 kills instead of 20, 210 days of bands, 500 twins, a vehicle behind a lossy link,
+# 10 000 readers that come and go, ten minutes of serving, half an hour of fuzzing.
 soak: test-packages venv
 	cmake --preset release
 	cmake --build --preset release -j$(JOBS)
@@ -41,6 +41,8 @@ soak: test-packages venv
 	SLACKWATER_LIVE_SECONDS=600 build/release/tests/bench/slackwater_live_bench
 	SLACKWATER_PLANNED_MISSIONS=200 ctest --preset release -V -R 'FixedAndAdapted'
 	SLACKWATER_MUTATIONS=1000000 ctest --preset release -V -R 'MutatedMessages'
+	SLACKWATER_LOSSY_LINK=1 ctest --preset release -V -R 'LossyLink'
+	SLACKWATER_JOINS=10000 build/release/tests/slackwater_api_dds_tests --gtest_filter='Joins.*'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	tests/soak/morning build/release/api/slackwater build/soak-demo/store

@@ -2,6 +2,7 @@
 
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <algorithm>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
@@ -14,15 +15,19 @@ namespace {
 
 namespace fdds = eprosima::fastdds::dds;
 
+/// Keeps the last of `depth`, and has room for so many, not for the hundred of the default.
+template <typename Qos>
+void keep_last(std::int32_t depth, Qos& qos) {
+  qos.history().kind = fdds::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = depth;
+  qos.resource_limits().max_samples_per_instance = depth;
+  qos.resource_limits().max_samples = depth;
+  qos.resource_limits().max_instances = 1;
+  qos.resource_limits().allocated_samples = depth;
+}
+
 template <typename Qos>
 void be_of(const bag::Quality& quality, Qos& qos) {
-  qos.history().kind = fdds::KEEP_LAST_HISTORY_QOS;
-  qos.history().depth = quality.depth;
-  // Room for what is kept, not for the hundred samples of the default.
-  qos.resource_limits().max_samples_per_instance = quality.depth;
-  qos.resource_limits().max_samples = quality.depth;
-  qos.resource_limits().max_instances = 1;
-  qos.resource_limits().allocated_samples = quality.depth;
   qos.reliability().kind =
       quality.is_reliable ? fdds::RELIABLE_RELIABILITY_QOS : fdds::BEST_EFFORT_RELIABILITY_QOS;
   qos.durability().kind = quality.is_transient_local ? fdds::TRANSIENT_LOCAL_DURABILITY_QOS
@@ -33,6 +38,12 @@ void be_of(const bag::Quality& quality, Qos& qos) {
 }
 
 }  // namespace
+
+// Of readers, whatever the depth: what comes is taken at once, but what comes behind a sample that
+// was lost waits for the word that it is. With room for one it would be refused; and a reliable
+// writer that keeps the last one alone has a newer one whenever it is asked again, so that the
+// reader would hear next to nothing.
+constexpr std::int32_t most_out_of_order = 64;
 
 void expect_domain(int domain) {
   // RTPS's ports: 7400 + 250 x 232 and some are the last below 65536.
@@ -64,6 +75,7 @@ fdds::DomainParticipantQos participant_qos(const DomainSettings& settings) {
 fdds::DataWriterQos writer_qos(const bag::Quality& quality) {
   fdds::DataWriterQos qos;
   be_of(quality, qos);
+  keep_last(quality.depth, qos);
   qos.publish_mode().kind = fdds::SYNCHRONOUS_PUBLISH_MODE;
   // What got lost is asked for again after a tenth of a second, not after three.
   qos.reliable_writer_qos().times.heartbeatPeriod = {0, 100'000'000};
@@ -73,6 +85,8 @@ fdds::DataWriterQos writer_qos(const bag::Quality& quality) {
 fdds::DataReaderQos reader_qos(const bag::Quality& quality) {
   fdds::DataReaderQos qos;
   be_of(quality, qos);
+  keep_last(std::max(quality.depth, most_out_of_order), qos);
+  qos.resource_limits().allocated_samples = quality.depth;  // the others when they are needed
   return qos;
 }
 

@@ -15,7 +15,7 @@
 namespace slackwater::tests {
 namespace {
 
-pid_t spawn(const std::vector<std::string>& arguments,
+pid_t spawn(const std::filesystem::path& path, const std::vector<std::string>& arguments,
             const std::map<std::string, std::string>& environment, const std::string& out,
             const std::string& err) {
   const pid_t child = ::fork();
@@ -28,7 +28,7 @@ pid_t spawn(const std::vector<std::string>& arguments,
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(out_descriptor, STDOUT_FILENO);
   ::dup2(err_descriptor, STDERR_FILENO);
-  std::string program = program_path().string();
+  std::string program = path.string();
   std::vector<std::string> copies = arguments;
   std::vector<char*> argv{program.data()};
   for (std::string& argument : copies) argv.push_back(argument.data());
@@ -54,8 +54,8 @@ std::filesystem::path program_path() {
 ProgramResult run_program(const std::vector<std::string>& arguments,
                           const std::map<std::string, std::string>& environment) {
   const TemporaryFolder folder;
-  const pid_t child =
-      spawn(arguments, environment, (folder / "out").string(), (folder / "err").string());
+  const pid_t child = spawn(program_path(), arguments, environment, (folder / "out").string(),
+                            (folder / "err").string());
   ProgramResult result;
   result.exit_code = wait_for_program(child);
   result.out = read_all(folder / "out");
@@ -65,8 +65,14 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
 
 pid_t start_program(const std::vector<std::string>& arguments,
                     const std::map<std::string, std::string>& environment,
-                    const std::filesystem::path& out) {
-  return spawn(arguments, environment, out.string(), "/dev/null");
+                    const std::filesystem::path& out, const std::filesystem::path& err) {
+  return spawn(program_path(), arguments, environment, out.string(), err.string());
+}
+
+pid_t start_other_program(const std::filesystem::path& program,
+                          const std::vector<std::string>& arguments,
+                          const std::filesystem::path& out) {
+  return spawn(program, arguments, {}, out.string(), "/dev/null");
 }
 
 int wait_for_program(pid_t program) {

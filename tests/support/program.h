@@ -19,11 +19,17 @@ struct ProgramResult {
 [[nodiscard]] ProgramResult run_program(const std::vector<std::string>& arguments,
                                         const std::map<std::string, std::string>& environment = {});
 
-/// Starts it and returns at once, standard output to a file (discarded unless named); the caller
-/// waits or kills.
+/// Starts it and returns at once, standard output and error to files (discarded unless named); the
+/// caller waits or kills.
 [[nodiscard]] pid_t start_program(const std::vector<std::string>& arguments,
                                   const std::map<std::string, std::string>& environment = {},
-                                  const std::filesystem::path& out = "/dev/null");
+                                  const std::filesystem::path& out = "/dev/null",
+                                  const std::filesystem::path& err = "/dev/null");
+
+/// The same of another program.
+[[nodiscard]] pid_t start_other_program(const std::filesystem::path& program,
+                                        const std::vector<std::string>& arguments,
+                                        const std::filesystem::path& out = "/dev/null");
 
 /// Waits for a started program. @return its exit code, 128 + signal where a signal ended it.
 int wait_for_program(pid_t program);

@@ -53,16 +53,20 @@ class GeneratedParticipant {
     return publisher_->create_datawriter(made(topic, std::move(type)), qos);
   }
   fdds::DataReader* reader(const std::string& topic, fdds::TypeSupport type,
-                           fdds::DataReaderListener* listener) {
+                           fdds::DataReaderListener* listener, bool is_latched = false) {
     fdds::DataReaderQos qos;
     qos.reliability().kind = fdds::RELIABLE_RELIABILITY_QOS;
+    if (is_latched) qos.durability().kind = fdds::TRANSIENT_LOCAL_DURABILITY_QOS;
     qos.history().depth = 10;
     qos.data_sharing().off();
     return subscriber_->create_datareader(made(topic, std::move(type)), qos, listener);
   }
+  void leave(fdds::DataReader* reader) { subscriber_->delete_datareader(reader); }
 
  private:
   fdds::Topic* made(const std::string& topic, fdds::TypeSupport type) {
+    if (auto* known = dynamic_cast<fdds::Topic*>(participant_->lookup_topicdescription(topic)))
+      return known;
     type.register_type(participant_);
     return participant_->create_topic(topic, type.get_type_name(), fdds::TOPIC_QOS_DEFAULT);
   }

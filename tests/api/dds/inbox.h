@@ -1,10 +1,10 @@
 #pragma once
 #include <chrono>
 #include <condition_variable>
-#include <functional>
 #include <mutex>
-#include <thread>
 #include <vector>
+
+#include "tests/support/comes_true.h"
 
 namespace slackwater::tests {
 
@@ -34,16 +34,5 @@ class Inbox {
   std::condition_variable changed_;
   std::vector<Item> items_;
 };
-
-/// Whether it comes true within the time.
-inline bool comes_true(const std::function<bool()>& is_so,
-                       std::chrono::milliseconds most = std::chrono::seconds(20)) {
-  const auto end = std::chrono::steady_clock::now() + most;
-  while (!is_so()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
-}
 
 }  // namespace slackwater::tests

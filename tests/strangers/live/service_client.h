@@ -1,6 +1,8 @@
 #pragma once
 // A client of ROS 2 services as rmw_fastrtps is one, over fastddsgen's own type support: nothing of
 // Slackwater's code is in it.
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+
 #include <chrono>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -20,10 +22,18 @@ namespace fdds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using Clock = std::chrono::steady_clock;
 
+enum class Transports { as_given, udp_only };
+
 struct Node {
-  explicit Node(int domain) {
+  explicit Node(int domain, Transports transports = Transports::as_given) {
+    fdds::DomainParticipantQos qos;
+    if (transports == Transports::udp_only) {
+      qos.transport().use_builtin_transports = false;
+      qos.transport().user_transports.push_back(
+          std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>());
+    }
     participant = fdds::DomainParticipantFactory::get_instance()->create_participant(
-        static_cast<std::uint32_t>(domain), fdds::PARTICIPANT_QOS_DEFAULT);
+        static_cast<std::uint32_t>(domain), qos);
     publisher = participant->create_publisher(fdds::PUBLISHER_QOS_DEFAULT);
     subscriber = participant->create_subscriber(fdds::SUBSCRIBER_QOS_DEFAULT);
   }

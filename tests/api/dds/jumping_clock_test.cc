@@ -1,0 +1,192 @@
+// The clock on the wall jumps by hours while a vehicle is driven.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "api/dds/participant.h"
+#include "geometry_msgsPubSubTypes.h"
+#include "tests/api/dds/cdr_by_hand.h"
+#include "tests/api/dds/generated_client.h"
+#include "tests/api/dds/own_domain.h"
+#include "tests/api/live/live_records.h"
+#include "tests/support/started_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace slackwater::tests {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// That of a program which has shifted_clock.c loaded into it.
+class WallClock {
+ public:
+  explicit WallClock(const std::filesystem::path& file) : file_(file) {
+    const std::int64_t none = 0;
+    std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(&none), sizeof none);
+    const int handle = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+    shift_s_ = static_cast<volatile std::int64_t*>(
+        ::mmap(nullptr, sizeof none, PROT_READ | PROT_WRITE, MAP_SHARED, handle, 0));
+    ::close(handle);
+  }
+  ~WallClock() { ::munmap(const_cast<std::int64_t*>(shift_s_), sizeof *shift_s_); }
+  WallClock(const WallClock&) = delete;
+  WallClock& operator=(const WallClock&) = delete;
+
+  void shift(std::chrono::seconds by) { *shift_s_ = by.count(); }
+  [[nodiscard]] std::map<std::string, std::string> environment() const {
+    const char* asan = std::getenv("ASAN_OPTIONS");
+    return {{"LD_PRELOAD", SLACKWATER_SHIFTED_CLOCK_LIBRARY},
+            {"SLACKWATER_SHIFTED_CLOCK", file_},
+            // It comes before the sanitizer; leaks of Fast DDS at its end are not ours to report.
+            {"ASAN_OPTIONS", std::string(asan != nullptr ? asan : "") +
+                                 ":verify_asan_link_order=0:detect_leaks=0"}};
+  }
+
+ private:
+  std::filesystem::path file_;
+  volatile std::int64_t* shift_s_;
+};
+
+/// A pose as a stranger's reader gets it.
+struct Seen {
+  double run_s = 0;                               ///< its stamp
+  double sent_s = 0;                              ///< by the wall clock of who sent it
+  std::chrono::steady_clock::time_point at = {};  ///< when it came
+};
+class PoseListener final : public fdds::DataReaderListener {
+ public:
+  void on_data_available(fdds::DataReader* reader) override {
+    geometry_msgs::msg::PoseStamped pose;
+    fdds::SampleInfo info;
+    while (reader->take_next_sample(&pose, &info) ==
+           eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+      if (!info.valid_data) continue;
+      const auto& stamp = pose.header().stamp();
+      seen_.put({stamp.sec() + 1e-9 * stamp.nanosec(),
+                 1e-9 * static_cast<double>(info.source_timestamp.to_ns()),
+                 std::chrono::steady_clock::now()});
+    }
+  }
+  [[nodiscard]] Seen last() { return seen_.wait().empty() ? Seen() : seen_.wait().back(); }
+
+ private:
+  Inbox<Seen> seen_;
+};
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+/// What the vehicle was doing, from when on, s.
+struct Doing {
+  double from_s = 0;
+  std::string what, cause, authority;
+};
+std::vector<Doing> doings(const std::vector<LiveMessage>& record) {
+  std::vector<Doing> doings;
+  for (const LiveMessage& message : record) {
+    if (message.topic != "/rov/mission_state") continue;
+    const auto json = nlohmann::json::parse(HandReader(message.payload).string());
+    doings.push_back({1e-9 * static_cast<double>(message.log_time_ns), json.at("doing"),
+                      json.value("cause", ""), json.at("authority")});
+  }
+  return doings;
+}
+
+class JumpingClock : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Over, JumpingClock, testing::Bool(), [](const auto& is_udp_only) {
+  return is_udp_only.param ? "Udp" : "SharedMemory";
+});
+
+TEST_P(JumpingClock, MovesNeitherARunNorItsTimeOuts) {
+  const OwnDomain domain;
+  const TemporaryFolder folder;
+  WallClock wall(folder / "shift");
+  // Half as fast as real time: a client that a busy machine holds up for two seconds is in time.
+  std::vector<std::string> arguments{"live",
+                                     live_scenario(),
+                                     "--dds-domain",
+                                     std::to_string(domain.number()),
+                                     "--loopback",
+                                     "--real-time-factor",
+                                     "0.5",
+                                     "--record",
+                                     folder / "run.mcap"};
+  if (GetParam()) arguments.emplace_back("--udp-only");
+  StartedProgram run(start_program(arguments, wall.environment()));
+
+  PoseListener poses;
+  GeneratedParticipant stranger(domain.number(), true);
+  stranger.reader("rt/rov/pose", fdds::TypeSupport(new geometry_msgs::msg::PoseStampedPubSubType),
+                  &poses);
+  dds::DomainSettings settings;
+  settings.domain = domain.number();
+  settings.is_loopback_only = true;
+  settings.is_udp_only = GetParam();
+  Inbox<std::string> doing;
+  std::atomic<bool> is_sent = true;
+  std::thread sender;
+  {
+    dds::Participant helm(settings);
+    helm.subscribe({"/rov/mission_state", "std_msgs/msg/String", "", {true, true, 1}},
+                   [&](dds::Payload message, const std::string&) {
+                     const std::string text = HandReader({message.begin(), message.end()}).string();
+                     doing.put(nlohmann::json::parse(text).at("doing"));
+                   });
+    const auto velocity =
+        helm.publish_on({"/rov/cmd_vel", "geometry_msgs/msg/Twist", "", {true, false, 1}});
+    sender = std::thread([&] {
+      const dds::Bytes message = HandWriter().doubles({0.2, 0, 0, 0, 0, 0}).bytes();
+      for (; is_sent; std::this_thread::sleep_for(50ms)) helm.send(velocity, message);
+    });
+    const auto does = [&](const char* what) {
+      return comes_true([&] { return doing.size() > 0 && doing.wait().back() == what; }, 60s);
+    };
+    EXPECT_TRUE(does("velocity"));
+    const Seen first = poses.last();
+    for (const auto shift : {std::chrono::hours(3), std::chrono::hours(-3)}) {
+      wall.shift(shift);
+      const double expected_s = std::chrono::duration<double>(shift).count();
+      EXPECT_TRUE(comes_true([&] {
+        return std::abs(poses.last().sent_s - now_s() - expected_s) < 60;
+      })) << "the program does not see its clock jump";
+      std::this_thread::sleep_for(1s);
+    }
+    const Seen last = poses.last();
+    const double waited_s = std::chrono::duration<double>(last.at - first.at).count();
+    EXPECT_GT(waited_s, 1.5);
+    EXPECT_NEAR((last.run_s - first.run_s) / waited_s, 0.5, 0.25) << "the pace of the run";
+    is_sent = false;
+    sender.join();
+    EXPECT_TRUE(does("hold"));
+  }
+  EXPECT_EQ(run.end(SIGINT), 0);
+
+  const auto record = messages_of(folder / "run.mcap");
+  EXPECT_GT(expect_even_clock(record), 20U);
+  double last_command_s = 0;
+  for (const LiveMessage& message : record)
+    if (message.topic == "/rov/cmd_vel")
+      last_command_s = 1e-9 * static_cast<double>(message.log_time_ns);
+  const auto changes = doings(record);
+  const auto driven = std::find_if(changes.begin(), changes.end(),
+                                   [](const Doing& d) { return d.what == "velocity"; });
+  // Through both jumps it was driven, by the same client; then the time-out, to some steps.
+  const auto left =
+      std::find_if(driven, changes.end(), [](const Doing& d) { return d.authority.empty(); });
+  const auto held =
+      std::find_if(driven, changes.end(), [](const Doing& d) { return d.what != "velocity"; });
+  ASSERT_TRUE(left != changes.end() && held != changes.end());
+  EXPECT_EQ(held->what, "hold");
+  EXPECT_EQ(held->cause, "not_renewed");
+  EXPECT_NEAR(left->from_s - last_command_s, 1, 0.15);
+  EXPECT_NEAR(held->from_s - last_command_s, 1, 0.15);
+}
+
+}  // namespace
+}  // namespace slackwater::tests
