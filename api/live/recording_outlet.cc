@@ -7,6 +7,7 @@ namespace slackwater::live {
 namespace {
 
 constexpr std::size_t most_waiting_bytes = 256U << 20U;
+constexpr std::chrono::seconds quiet_time{1};
 
 }  // namespace
 
@@ -49,6 +50,7 @@ void RecordingOutlet::fail(const std::string& why) {
 void RecordingOutlet::write_all() {
   std::deque<Item> batch;
   std::vector<bag::Channel> channels;
+  auto said_last = std::chrono::steady_clock::now();
   for (bool is_over = false; !is_over;) {
     {
       std::unique_lock lock(mutex_);
@@ -64,6 +66,13 @@ void RecordingOutlet::write_all() {
         for (const bag::Channel& channel : channels) ids_.push_back(writer_.add_channel(channel));
         for (const Item& item : batch)
           writer_.write(ids_[item.channel], item.time_ns, item.message);
+        const auto now = std::chrono::steady_clock::now();
+        if (!batch.empty()) said_last = now;
+        // The writer lets go of a batch with a message that comes later: in a pause none does.
+        if (now - said_last >= quiet_time) {
+          writer_.flush();
+          said_last = now;
+        }
       }
       if (is_over) writer_.close();
     } catch (const std::exception& e) {

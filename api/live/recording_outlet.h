@@ -15,7 +15,8 @@ namespace slackwater::live {
 
 /// Records a run in a bag, on a thread of its own: the run never waits for a disk. Where the disk
 /// fails, or cannot keep up with 256 MiB of messages, that is told, the recording ends with what it
-/// has and the run goes on without it.
+/// has and the run goes on without it. What is older than some two seconds outlives the death of
+/// the process, in a pause too.
 class RecordingOutlet final : public Outlet {
  public:
   /// @throws Error(invalid_input) where something lies at the path, Error(unavailable)

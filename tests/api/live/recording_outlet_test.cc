@@ -8,6 +8,7 @@
 
 #include "data/bag/bag.h"
 #include "fields/base/error.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests {
@@ -37,6 +38,19 @@ TEST(RecordingOutlet, HasAllThatWasSaid) {
     for (std::uint8_t i = 0; i < 200; ++i) outlet.publish(0, {i, 0}, message_of(i));
     EXPECT_EQ(outlet.close(), 200U);
     EXPECT_EQ(messages_in(folder / name), 200U) << name;
+  }
+}
+
+TEST(RecordingOutlet, WhatWasSaidBeforeAPauseIsReadableWhileItLasts) {
+  const TemporaryFolder folder;
+  for (const char* name : {"run.mcap", "run"}) {
+    live::RecordingOutlet outlet(folder / name, [](const std::string& text) { FAIL() << text; });
+    outlet.open(level, live::Direction::told);
+    for (std::uint8_t i = 0; i < 10; ++i) outlet.publish(0, {i, 0}, message_of(i));
+    EXPECT_TRUE(comes_true([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      return messages_in(folder / name) == 10;
+    })) << name;
   }
 }
 
