@@ -1,4 +1,5 @@
 // Who lets a vehicle join a run, and who is at its helm.
+#include <atomic>
 #include <thread>
 
 #include "tests/twin/simulate/helm_for_tests.h"
@@ -31,7 +32,7 @@ struct Served {
     return steward.submit(client, {0, vehicle, std::move(what), "", ++sequence, steward.time_s()},
                           steward.time_s());
   }
-  std::uint64_t sequence = 0;
+  std::atomic<std::uint64_t> sequence = 0;
 };
 
 Newcomer named(const std::string& name) { return {"bluerov2_heavy", name, {30, 0, 15}, 0}; }
