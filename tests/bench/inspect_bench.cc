@@ -52,7 +52,7 @@ std::size_t triangles_of(const Scenario& mission) {
 void check_coverage(BenchReport& report) {
   Scenario few = pile_mission(with_coverage(0)), many = pile_mission(with_coverage(2000));
   few.duration_s = many.duration_s = 900;
-  const Flown a = flown(few, 4, 2, 2), b = flown(few, 4, 2, 1), c = flown(many, 4, 2, 2);
+  const Flown a = flown(few, 8, 2, 2), b = flown(few, 8, 2, 1), c = flown(many, 8, 2, 2);
   report.answer("two threads as one", a.covered == b.covered && a.rays == b.rays, "to the bit");
   double worst = 0;
   for (std::size_t i = 0; i < a.covered.size(); ++i)
