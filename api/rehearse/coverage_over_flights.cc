@@ -92,15 +92,29 @@ std::string sentence(const OverFlights<InspectionOutcome>& all, const Coverage& 
          asked_share_text(coverage) + ".";
 }
 
+bool is_at_work(const twin::FlightSample& sample) {
+  return sample.phase == static_cast<std::uint8_t>(twin::Phase::work) &&
+         sample.doing == static_cast<std::uint8_t>(twin::Doing::task);
+}
+
+/// Whether it is above the sea at more than half of its samples at work, over all flights.
+bool works_in_the_air(const StartOutcome& start, std::size_t vehicle) {
+  constexpr float above_deck_m = 3;
+  std::ptrdiff_t in_air = 0;
+  for (const twin::Flight& flight : start.flights)
+    for (const twin::FlightSample& sample : flight.samples[vehicle])
+      if (is_at_work(sample)) in_air += sample.down_m < -above_deck_m ? 1 : -1;
+  return in_air > 0;
+}
+
 /// Mean over the samples at work; nothing: it never was.
-std::optional<double> current_at_work_m_s(const std::vector<twin::FlightSample>& samples) {
+std::optional<double> flow_at_work_m_s(const std::vector<twin::FlightSample>& samples,
+                                       float twin::FlightSample::*flow) {
   double sum = 0;
   std::size_t count = 0;
   for (const twin::FlightSample& sample : samples) {
-    if (sample.phase != static_cast<std::uint8_t>(twin::Phase::work) ||
-        sample.doing != static_cast<std::uint8_t>(twin::Doing::task))
-      continue;
-    sum += double{sample.current_m_s};
+    if (!is_at_work(sample)) continue;
+    sum += double{sample.*flow};
     ++count;
   }
   if (count == 0) return std::nullopt;
@@ -137,20 +151,23 @@ std::string rehearsed_coverage_html(const StartOutcome& start,
   return coverage_section_html(
       "What is covered, whatever comes", pictures,
       formatted("Of a start at {}Z, over its {} futures. What is covered in some of them hangs on "
-                "the current and the waves of the day.",
+                "the current, the wind and the waves that come.",
                 format_utc(start.start).substr(0, 16), start.flights.size()));
 }
 
-json covered_against_current_json(const StartOutcome& start, std::size_t vehicle) {
+json covered_against_flow_json(const StartOutcome& start, std::size_t vehicle) {
+  const bool in_air = works_in_the_air(start, vehicle);
+  const auto flow = in_air ? &twin::FlightSample::wind_m_s : &twin::FlightSample::current_m_s;
   json points = json::array();
   for (const twin::Flight& flight : start.flights) {
     const auto& inspection = flight.vehicles[vehicle].inspection;
     if (!inspection) continue;
-    const auto current_m_s = current_at_work_m_s(flight.samples[vehicle]);
-    points.push_back({current_m_s ? number(*current_m_s) : json(nullptr),
+    const auto flow_m_s = flow_at_work_m_s(flight.samples[vehicle], flow);
+    points.push_back({flow_m_s ? number(*flow_m_s) : json(nullptr),
                       number(100 * inspection->share()), flight.flown.member});
   }
-  return points.empty() ? json(nullptr) : points;
+  if (points.empty()) return nullptr;
+  return {{"in", in_air ? "wind" : "current"}, {"points", points}};
 }
 
 }  // namespace slackwater::api

@@ -7,7 +7,7 @@
 #include "api/rehearse/rehearsal.h"
 
 // What the futures of a start leave of an inspection: where it is covered whatever comes, and what
-// the current that was felt has to do with it.
+// the current or the wind that was felt has to do with it.
 
 namespace slackwater::api {
 
@@ -26,9 +26,10 @@ inline constexpr double sure_share = 0.9;
 [[nodiscard]] std::string rehearsed_coverage_html(const StartOutcome& start,
                                                   const twin::InspectionShelf& inspections);
 
-/// Of each future, `[m/s, %, member]`: mean current felt at work, share of all surfaces covered.
-/// Null: the vehicle inspects nothing.
-[[nodiscard]] nlohmann::json covered_against_current_json(const StartOutcome& start,
-                                                          std::size_t vehicle);
+/// `{"in": "current" | "wind", "points": [[m/s, %, member], ...]}`, a point a future: the mean at
+/// work of the current felt, or of the wind by one that works in the air; null where it never was
+/// at work; and the share of all surfaces that was covered. Null: the vehicle inspects nothing.
+[[nodiscard]] nlohmann::json covered_against_flow_json(const StartOutcome& start,
+                                                       std::size_t vehicle);
 
 }  // namespace slackwater::api

@@ -97,7 +97,7 @@ json vehicle_json(const StartOutcome& start, std::size_t v, const twin::Scenario
           {"flights", flights},
           {"tether", tether_json(scenario.vehicles[v])},
           {"bounds", limit_bounds_json(scenario.vehicles[v])},
-          {"covered", covered_against_current_json(start, v)},
+          {"covered", covered_against_flow_json(start, v)},
           {"charge", band([](const FlightSample& s) { return 100.0 * double{s.charge}; })},
           {"needed", band([](const FlightSample& s) { return 100.0 * double{s.needed}; })},
           {"current", band([](const FlightSample& s) { return double{s.current_m_s}; })},
@@ -195,10 +195,12 @@ std::string choice_html(const char* id, const char* label) {
 
 std::string plots(bool is_inspected) {
   const std::string covered =
-      is_inspected ? plot_html("covered", "Covered against current",
-                               "A point a future: the mean current felt at work (m/s) and the "
-                               "share of all surfaces that was covered (%).")
-                   : "";
+      is_inspected
+          ? plot_html("covered", "Covered against current or wind",
+                      "A point a future: the mean current felt at work (m/s), or the wind by what "
+                      "works in the air, and the share of all surfaces that was covered (%). "
+                      "Triangles: futures in which its work never began, at the left edge.")
+          : "";
   return "<p class=\"control\">" + choice_html("start", "Start") +
          choice_html("vehicle", "Vehicle") + "</p><p id=\"start-verdict\"></p>" +
          plot_html("timeline", "What it does, future by future",

@@ -67,7 +67,7 @@ TEST_F(InspectionCommand, TellsWhatWasCoveredOverTheFuturesAndInOneRun) {
   const std::string page = read_bytes(path("page.html"));
   EXPECT_NE(page.find("m2 covered (P10"), std::string::npos);
   EXPECT_NE(page.find("What is covered, whatever comes"), std::string::npos);
-  EXPECT_NE(page.find("Covered against current"), std::string::npos);
+  EXPECT_NE(page.find("Covered against current or wind"), std::string::npos);
 
   const ProgramResult one = made_.run({"simulate", path("laid_out.yaml"), "--out", path("one.nc"),
                                        "--findings", path("found.csv"), "--truth", "--json"});

@@ -109,17 +109,21 @@
   });
 
   const coveredOption = (t) => {
-    const points = (vehicle().covered || []).filter((p) => p[0] !== null);
-    const axis = (values, least) => ({min: Math.max(0, Math.floor((Math.min(...values) - least) / least) * least), max: Math.ceil((Math.max(...values) + least) / least) * least});
-    const none = {show: points.length === 0, type: 'text', left: 'center', top: 'middle', style: {text: `${vehicle().name} inspects nothing`, fill: t.quiet, fontSize: 14}};
+    const {in: flow, points} = vehicle().covered || {in: 'current', points: []};
+    const begun = points.filter((p) => p[0] !== null);
+    const around = (values, step) => (values.length ? {min: Math.max(0, Math.floor(Math.min(...values) / step - 1) * step), max: Math.ceil(Math.max(...values) / step + 1) * step} : {min: 0, max: 1});
+    const speeds = around(begun.map((p) => p[0]), flow === 'wind' ? 1 : 0.05), shares = around(points.map((p) => p[1]), 5);
+    const never = points.filter((p) => p[0] === null).map((p) => [speeds.min, p[1], p[2]]);
+    const text = (x) => `future ${x.value[2]}: ${fixed(x.value[1], 1)} % covered${x.seriesName === 'begun' ? ` in ${fixed(x.value[0], 2)} m/s` : ', its work never began'}`;
+    const dots = {symbolSize: 10, itemStyle: {color: t.first, opacity: 0.75, borderColor: t.ink, borderWidth: 0.6}};
     return {
       animation: false,
       grid: {left: 70, right: 20, top: 20, bottom: 46},
-      graphic: [points.length ? {type: 'text', style: {text: ''}} : none],
-      tooltip: {trigger: 'item', formatter: (x) => `future ${x.value[2]}: ${fixed(x.value[1], 1)} % covered in ${fixed(x.value[0], 2)} m/s`},
-      xAxis: valueAxis(t, 'mean current felt at work (m/s)', {nameGap: 30, ...(points.length ? axis(points.map((p) => p[0]), 0.05) : {min: 0, max: 1})}),
-      yAxis: valueAxis(t, 'covered (%)', points.length ? {...axis(points.map((p) => p[1]), 5), max: Math.min(100, axis(points.map((p) => p[1]), 5).max)} : {min: 0, max: 100}),
-      series: [{name: 'covered', type: 'scatter', symbolSize: 9, data: points, itemStyle: {color: t.first, opacity: 0.75, borderColor: t.ink, borderWidth: 0.6}}],
+      title: {show: points.length === 0, text: `${vehicle().name} inspects nothing`, left: 'center', top: 'middle', textStyle: {color: t.quiet, fontSize: 14, fontWeight: 'normal'}},
+      tooltip: {trigger: 'item', formatter: text},
+      xAxis: valueAxis(t, `mean ${flow} felt at work (m/s)`, {nameGap: 30, ...speeds}),
+      yAxis: valueAxis(t, 'covered (%)', {min: shares.min, max: points.length ? Math.min(100, shares.max) : 100}),
+      series: [{name: 'begun', type: 'scatter', data: begun, ...dots}, {name: 'never begun', type: 'scatter', symbol: 'triangle', data: never, ...dots}],
     };
   };
 

@@ -106,7 +106,7 @@ TEST(CoverageOverFlights, NothingIsSaidOfOneThatInspectsNothing) {
   EXPECT_TRUE(coverage_over_flights({}, 1, what.get()).empty());
   EXPECT_EQ(rehearsed_coverage_html(ten_futures(), {}), "");
   EXPECT_EQ(rehearsed_coverage_html({}, {{"eye", what}}), "");
-  EXPECT_TRUE(covered_against_current_json(ten_futures(), 0).is_null());
+  EXPECT_TRUE(covered_against_flow_json(ten_futures(), 0).is_null());
 }
 
 TEST(CoverageOverFlights, ThePicturesSayInWordsWhatTheyShow) {
@@ -121,14 +121,28 @@ TEST(CoverageOverFlights, ThePicturesSayInWordsWhatTheyShow) {
 }
 
 TEST(CoverageOverFlights, ThePointsAreTheCurrentAtWorkAndTheShareCovered) {
-  const json points = covered_against_current_json(ten_futures(), 1);
+  const json flow = covered_against_flow_json(ten_futures(), 1);
+  EXPECT_EQ(flow.at("in"), "current");
+  const json points = flow.at("points");
   ASSERT_EQ(points.size(), 10U);
   EXPECT_NEAR(points[4][0].get<double>(), 0.24, 1e-6);  // not the 9 m/s on its way
   EXPECT_NEAR(points[4][1].get<double>(), 60, 1e-9);    // 1 + 2 + 3 of 10
   EXPECT_EQ(points[4][2], 4);
   StartOutcome never_at_work = ten_futures();
   never_at_work.flights[0].samples[1].resize(1);
-  EXPECT_TRUE(covered_against_current_json(never_at_work, 1)[0][0].is_null());
+  EXPECT_TRUE(covered_against_flow_json(never_at_work, 1).at("points")[0][0].is_null());
+}
+
+TEST(CoverageOverFlights, InTheAirItIsTheWind) {
+  StartOutcome start = ten_futures();
+  for (twin::Flight& flight : start.flights)
+    for (twin::FlightSample& sample : flight.samples[1]) {
+      sample.down_m = -60;
+      sample.wind_m_s = 7;
+    }
+  const json flow = covered_against_flow_json(start, 1);
+  EXPECT_EQ(flow.at("in"), "wind");
+  EXPECT_NEAR(flow.at("points")[0][0].get<double>(), 7, 1e-6);
 }
 
 }  // namespace
