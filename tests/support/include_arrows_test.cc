@@ -105,9 +105,9 @@ const Arrows& allowed_arrows_of_api() {
        {"api/pipeline", "api/plan", "api/program", "api/rehearse", "api/report", "api/windows"}},
       {"api/demo", {"api/morning", "api/pipeline", "api/program", "api/report", "api/synthetic"}},
       {"api/cli",
-       {"api/demo", "api/edr", "api/foxglove", "api/history", "api/http", "api/issued", "api/live",
-        "api/morning", "api/pipeline", "api/plan", "api/program", "api/rehearse", "api/report",
-        "api/windows"}}};
+       {"api/coverage", "api/demo", "api/edr", "api/foxglove", "api/history", "api/http",
+        "api/issued", "api/live", "api/morning", "api/pipeline", "api/plan", "api/program",
+        "api/rehearse", "api/report", "api/windows"}}};
   return arrows;
 }
 
