@@ -10,6 +10,7 @@
 #include "api/live/desk.h"
 #include "api/live/site_voice.h"
 #include "api/live/vehicle_voice.h"
+#include "fields/base/text.h"
 #include "fields/geo/geoid.h"
 #include "twin/helm/steward.h"
 

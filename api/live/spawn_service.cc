@@ -24,12 +24,6 @@ const std::set<std::string>& reserved_names() {
   return names;
 }
 
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return text;
-}
-
 SpawnService::SpawnService(dds::Participant& participant, twin::Steward& steward,
                            const twin::Slipway& slipway, const std::string& site)
     : steward_(steward), slipway_(slipway), taken_(reserved_names()) {

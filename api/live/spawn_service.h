@@ -46,6 +46,5 @@ class SpawnService {
 
 /// Names on DDS that belong to the run itself.
 [[nodiscard]] const std::set<std::string>& reserved_names();
-[[nodiscard]] std::string lower_case(std::string text);
 
 }  // namespace slackwater::live

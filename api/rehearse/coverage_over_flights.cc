@@ -76,14 +76,10 @@ Coverage over_flights(const OverFlights<InspectionOutcome>& all, const twin::Ins
   return coverage;
 }
 
-double share_of(const InspectionOutcome::Part& part) {
-  return part.area_m2 > 0 ? part.covered_m2 / part.area_m2 : 0;
-}
-
 std::string sentence(const OverFlights<InspectionOutcome>& all, const Coverage& coverage,
                      std::size_t pair) {
   const auto share = [&](double at) {
-    return percent_text(all.quantile(at, [&](const auto& o) { return share_of(o.parts[pair]); }));
+    return percent_text(all.quantile(at, [&](const auto& o) { return o.parts[pair].share(); }));
   };
   return coverage.instrument + " of " + coverage.vehicle +
          formatted(

@@ -22,10 +22,6 @@ double area_of(const InspectionOutcome& outcome) {
   return area_m2;
 }
 
-double share_of(const InspectionOutcome::Part& part) {
-  return part.area_m2 > 0 ? part.covered_m2 / part.area_m2 : 0;
-}
-
 std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what;
 }
@@ -59,7 +55,7 @@ std::string inspection_text(const InspectionOutcome& outcome) {
   std::string parts;
   for (const InspectionOutcome::Part& part : outcome.parts)
     parts += (parts.empty() ? ": " : ", ") + part.surface + " by the " + part.instrument +
-             formatted(" {:.0f} %", 100 * share_of(part));
+             formatted(" {:.0f} %", 100 * part.share());
   text += parts;
   if (!outcome.planted.empty() || !outcome.findings.found.empty())
     text += "; " + counted(outcome.score.all.found, "found") + ", " +
@@ -77,7 +73,7 @@ json inspection_json(const InspectionOutcome& outcome) {
                      {"area_m2", number(part.area_m2)},
                      {"seen_m2", number(part.seen_m2)},
                      {"covered_m2", number(part.covered_m2)},
-                     {"share", number(share_of(part))},
+                     {"share", number(part.share())},
                      {"least_detail_m", number(part.least_detail_m)},
                      {"median_detail_m", number(part.median_detail_m)}});
   return {{"share", number(outcome.share())},
@@ -96,11 +92,10 @@ json inspection_json(const StartOutcome& start, std::size_t vehicle) {
   json parts = json::array();
   for (std::size_t p = 0; p < all.first().parts.size(); ++p) {
     const InspectionOutcome::Part& first = all.first().parts[p];
-    parts.push_back(
-        {{"surface", first.surface},
-         {"instrument", first.instrument},
-         {"area_m2", number(first.area_m2)},
-         {"share", all.quantiles([p](const auto& o) { return share_of(o.parts[p]); })}});
+    parts.push_back({{"surface", first.surface},
+                     {"instrument", first.instrument},
+                     {"area_m2", number(first.area_m2)},
+                     {"share", all.quantiles([p](const auto& o) { return o.parts[p].share(); })}});
   }
   const auto rate = [](const auto& o) { return o.score.detection_rate.value_or(0); };
   return {{"share", all.quantiles([](const auto& o) { return o.share(); })},

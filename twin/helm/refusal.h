@@ -19,7 +19,7 @@ enum class RefusalReason : std::uint8_t {
   too_many,          ///< waypoints, vehicles
   no_place,          ///< outside the forecast, on land, below the bed, in a structure
   vehicle_halted,    ///< it goes no further
-  vehicle_not_free,  ///< aboard its carrier, or it needs its energy for the way home;
+  vehicle_not_free,  ///< aboard its carrier, or it needs its energy for the way home
   unknown_model,     ///< a newcomer's, not of the catalogue
   bad_name,          ///< a newcomer's: taken, or none; the last one
 };

@@ -20,6 +20,8 @@ struct InspectionOutcome {
     double least_detail_m = 0;   ///< of what was seen: the best
     double median_detail_m = 0;  ///< by area; infinite: less than half was seen
     std::vector<bool> covered;   ///< of each patch
+
+    [[nodiscard]] double share() const noexcept { return area_m2 > 0 ? covered_m2 / area_m2 : 0; }
   };
   std::vector<Part> parts;  ///< of each pair
   std::vector<Defect> planted;
