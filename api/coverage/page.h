@@ -27,8 +27,8 @@ namespace slackwater::api {
 [[nodiscard]] std::string coverage_tables_html(const std::vector<Coverage>& coverages,
                                                UtcTime epoch, bool shows_truth);
 
-/// "Camera of a small ROV of inspector: 61 % of 18.2 m2 covered, asked for 90 %; covered is what was
-/// seen at 10 mm or finer, at most 60° off square, 1 look."
+/// "Camera of inspector: 61 % of 18.2 m2 covered, asked for 90 %; covered is what was seen at 10 mm
+/// or finer, at most 60 degrees off square, 1 look."
 [[nodiscard]] std::string coverage_text(const Coverage& coverage);
 
 }  // namespace slackwater::api

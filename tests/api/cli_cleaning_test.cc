@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ingest/cf/trajectory_file.h"
-#include "tests/support/store_for_tests.h"
+#include "tests/support/farm_for_tests.h"
 
 namespace slackwater::tests {
 namespace {
@@ -34,11 +34,6 @@ agents:
          overlap_m: 0.1, rate_m2_h: 400}
 )";
 
-const std::string farm =
-    "id: farm\nlatitude_deg: 48.9\nlongitude_deg: -3.1\nwater_depth_m: 30\nhub_height_m: "
-    "80\nlanding_deg: 0\nfoundation: {kind: monopile, diameter_m: 5, top_height_m: 18}\nturbines: "
-    "[{id: T1, latitude_deg: 48.9, longitude_deg: -3.1}]\n";
-
 const std::string mission =
     "name: scrub\nseed: 3\nsite: farm.yaml\ntasks: [scrub.yaml]\nturbines: [T1]\nstart: "
     "2025-03-10T06:00:00Z\nduration: 8min\nstep_s: 0.05\nwater: {made_up: {depth_m: 30, current: "
@@ -48,7 +43,7 @@ class CleaningCommand : public testing::Test {
  protected:
   void SetUp() override {
     (void)made_.write("scrub.yaml", scrub);
-    (void)made_.write("farm.yaml", farm);
+    (void)made_.write("farm.yaml", farm_yaml());
     (void)made_.write("mission.yaml", mission);
   }
   [[nodiscard]] std::string path(const std::string& name) const { return made_.path(name); }
@@ -101,17 +96,7 @@ TEST_F(CleaningCommand, IsPartOfACheckpoint) {
   ASSERT_EQ(
       made_.run({"rehearse", path("mission.yaml"), "--scenario", path("laid_out.yaml")}).exit_code,
       0);
-  ASSERT_EQ(made_
-                .run({"simulate", path("laid_out.yaml"), "--out", path("whole.nc"), "--checkpoint",
-                      path("half.checkpoint"), "--checkpoint-at", "2min"})
-                .exit_code,
-            0);
-  ASSERT_EQ(made_
-                .run({"simulate", path("laid_out.yaml"), "--restore", path("half.checkpoint"),
-                      "--threads", "2", "--out", path("restored.nc")})
-                .exit_code,
-            0);
-  EXPECT_EQ(read_bytes(path("restored.nc")), read_bytes(path("whole.nc")));
+  expect_in_a_checkpoint(made_, "2min");
 }
 
 TEST_F(CleaningCommand, AFlightThatLeavesTooMuchIsNotDone) {
@@ -128,25 +113,11 @@ TEST_F(CleaningCommand, AFlightThatLeavesTooMuchIsNotDone) {
 }
 
 TEST_F(CleaningCommand, RefusesWhatCannotBeCleanedBeforeTheFirstStep) {
-  struct Bad {
-    const char* what;
-    const char* instead;
-    const char* says;
-  };
-  const Bad all[] = {{"tool: {swath_m: 0.4", "tool: {swath_m: 0", "expected a value from 0.05"},
-                     {"to: {depth_m: 5.4}", "to: {depth_m: 31}", "the foundation from"},
-                     {"thickness_mm: 40", "thickness: 40", "has no unit; say thickness_mm"},
-                     {"reach_m: 1.2", "reach_m: 0.3", "the tool reaches 0.3 m"}};
-  for (const Bad& bad : all) {
-    std::string yaml = scrub;
-    yaml.replace(yaml.find(bad.what), std::string(bad.what).size(), bad.instead);
-    (void)made_.write("scrub.yaml", yaml);
-    const ProgramResult run =
-        made_.run({"rehearse", path("mission.yaml"), "--out", path("bad.nc")});
-    EXPECT_EQ(run.exit_code, 3) << bad.instead << "\n" << run.err;
-    EXPECT_NE(run.err.find(bad.says), std::string::npos) << bad.instead << "\n-> " << run.err;
-    EXPECT_FALSE(std::filesystem::exists(path("bad.nc"))) << bad.instead;
-  }
+  const BadTask all[] = {{"tool: {swath_m: 0.4", "tool: {swath_m: 0", "expected a value from 0.05"},
+                         {"to: {depth_m: 5.4}", "to: {depth_m: 31}", "the foundation from"},
+                         {"thickness_mm: 40", "thickness: 40", "has no unit; say thickness_mm"},
+                         {"reach_m: 1.2", "reach_m: 0.3", "the tool reaches 0.3 m"}};
+  expect_refused(made_, "scrub.yaml", scrub, all);
 }
 
 }  // namespace

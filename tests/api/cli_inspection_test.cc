@@ -6,7 +6,6 @@
 
 #include "api/coverage/view.h"
 #include "tests/support/farm_for_tests.h"
-#include "tests/support/store_for_tests.h"
 
 namespace slackwater::tests {
 namespace {
@@ -37,9 +36,7 @@ class InspectionCommand : public testing::Test {
  protected:
   void SetUp() override {
     (void)made_.write("film.yaml", film);
-    (void)made_.write("farm.yaml",
-                      "id: farm\nlatitude_deg: 48.9\nlongitude_deg: -3.1\n" + pile_yaml +
-                          "turbines: [{id: T1, latitude_deg: 48.9, longitude_deg: -3.1}]\n");
+    (void)made_.write("farm.yaml", farm_yaml());
     (void)made_.write("mission.yaml", mission);
   }
   [[nodiscard]] std::string path(const std::string& name) const { return made_.path(name); }
@@ -94,17 +91,7 @@ TEST_F(InspectionCommand, TellsWhatWasCoveredOverTheFuturesAndInOneRun) {
 
 TEST_F(InspectionCommand, IsPartOfACheckpoint) {
   lay_out();
-  ASSERT_EQ(made_
-                .run({"simulate", path("laid_out.yaml"), "--out", path("whole.nc"), "--checkpoint",
-                      path("half.checkpoint"), "--checkpoint-at", "1min"})
-                .exit_code,
-            0);
-  ASSERT_EQ(made_
-                .run({"simulate", path("laid_out.yaml"), "--restore", path("half.checkpoint"),
-                      "--threads", "2", "--out", path("restored.nc")})
-                .exit_code,
-            0);
-  EXPECT_EQ(read_bytes(path("restored.nc")), read_bytes(path("whole.nc")));
+  expect_in_a_checkpoint(made_, "1min");
 }
 
 TEST_F(InspectionCommand, WhatIsLeftIsFlownAgain) {
@@ -143,27 +130,13 @@ TEST_F(InspectionCommand, AFlightThatCoversTooLittleIsNotDone) {
 }
 
 TEST_F(InspectionCommand, RefusesWhatCannotBeInspectedBeforeTheFirstStep) {
-  struct Bad {
-    const char* what;
-    const char* instead;
-    const char* says;
-  };
-  const Bad all[] = {{"stand_off_m: 2", "stand_off_m: 30", "go nearer, or take"},
-                     {"{visibility_m: 10}", "{turbidity_ntu: 10}", "turbidity"},
-                     {"kind: corrosion", "kind: chain_wear", "it needs one of: mooring_line"},
-                     {"[rgb_corrosion]", "[rgb_corosion]", "rgb_corrosion"},
-                     {"surfaces: [{kind: monopile, from: {depth_m: 8}, to: {depth_m: 12}}]",
-                      "surfaces: []", "at least one surface"}};
-  for (const Bad& bad : all) {
-    std::string yaml = film;
-    yaml.replace(yaml.find(bad.what), std::string(bad.what).size(), bad.instead);
-    (void)made_.write("film.yaml", yaml);
-    const ProgramResult run =
-        made_.run({"rehearse", path("mission.yaml"), "--out", path("bad.nc")});
-    EXPECT_EQ(run.exit_code, 3) << bad.instead << "\n" << run.err;
-    EXPECT_NE(run.err.find(bad.says), std::string::npos) << bad.instead << "\n-> " << run.err;
-    EXPECT_FALSE(std::filesystem::exists(path("bad.nc"))) << bad.instead;
-  }
+  const BadTask all[] = {{"stand_off_m: 2", "stand_off_m: 30", "go nearer, or take"},
+                         {"{visibility_m: 10}", "{turbidity_ntu: 10}", "turbidity"},
+                         {"kind: corrosion", "kind: chain_wear", "it needs one of: mooring_line"},
+                         {"[rgb_corrosion]", "[rgb_corosion]", "rgb_corrosion"},
+                         {"surfaces: [{kind: monopile, from: {depth_m: 8}, to: {depth_m: 12}}]",
+                          "surfaces: []", "at least one surface"}};
+  expect_refused(made_, "film.yaml", film, all);
 }
 
 }  // namespace

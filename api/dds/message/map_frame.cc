@@ -4,6 +4,7 @@
 #include "twin/simulate/printable.h"
 
 namespace slackwater::dds {
+
 void expect_map(const char* what, const std::string& frame_id) {
   if (frame_id.empty() || frame_id == "map") return;
   throw Error(ErrorKind::invalid_input, std::string(what) + " is in the frame '" +

@@ -5,10 +5,9 @@
 #include <thread>
 
 #include "api/rehearse/command_tables.h"
-#include "api/rehearse/scenario_run.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/api/rehearse/logged_runs.h"
 #include "twin/simulate/command_numbers.h"
 
 namespace slackwater::tests {
@@ -68,35 +67,14 @@ class Guests {
   std::uint64_t sequence_ = 0;
 };
 
-struct Made {
-  ScenarioResult result;
-  std::filesystem::path log;
-};
-
-class HelmedRun : public ::testing::Test {
+class HelmedRun : public LoggedRuns {
  protected:
-  Made make(const std::string& name, const RunChoice& choice) {
-    Made made;
-    made.result = run_scenario(scenario_, water_, choice);
-    made.log = folder_.path() / name;
-    ingest::write_trajectories(made.result.file, made.log);
-    return made;
-  }
+  HelmedRun() : LoggedRuns(yaml) {}
   Made make_with_guests(const std::string& name, RunChoice choice = {}) {
     choice.on_ready = [this](const RunInHand& hand) { guests_.join(hand); };
     return make(name, choice);
   }
-  ReplayResult replayed(const std::filesystem::path& log, std::size_t threads = 1,
-                        bool is_batch = true) {
-    RunChoice choice;
-    choice.threads = threads;
-    choice.is_batch = is_batch;
-    return replay(log, folder_.path() / "store", {}, choice);
-  }
 
-  TemporaryFolder folder_;
-  twin::Scenario scenario_ = twin::parse_scenario(yaml, "helmed.yaml");
-  ScenarioWater water_ = water_of(scenario_, folder_.path() / "store", folder_.path());
   Guests guests_;
 };
 

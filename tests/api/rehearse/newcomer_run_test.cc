@@ -6,11 +6,10 @@
 #include "api/rehearse/command_tables.h"
 #include "api/rehearse/run_outcome.h"
 #include "api/rehearse/run_page.h"
-#include "api/rehearse/scenario_run.h"
 #include "api/rehearse/score.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/api/rehearse/logged_runs.h"
 
 namespace slackwater::tests {
 namespace {
@@ -71,30 +70,12 @@ class Hosts {
   std::unique_ptr<RunInHand> hand_;
 };
 
-struct Made {
-  ScenarioResult result;
-  std::filesystem::path log;
-};
-
-class RunThatVehiclesJoin : public ::testing::Test {
+class RunThatVehiclesJoin : public LoggedRuns {
  protected:
-  Made make(const std::string& name, const RunChoice& choice) {
-    Made made;
-    made.result = run_scenario(scenario_, water_, choice);
-    made.log = folder_.path() / name;
-    ingest::write_trajectories(made.result.file, made.log);
-    return made;
-  }
+  RunThatVehiclesJoin() : LoggedRuns(yaml) {}
   Made make_joined(const std::string& name, RunChoice choice = {}) {
     choice.on_ready = [this](const RunInHand& hand) { hosts_.join(hand); };
     return make(name, choice);
-  }
-  ReplayResult replayed(const std::filesystem::path& log, std::size_t threads = 1,
-                        bool is_batch = true) {
-    RunChoice choice;
-    choice.threads = threads;
-    choice.is_batch = is_batch;
-    return replay(log, folder_.path() / "store", {}, choice);
   }
   [[nodiscard]] std::filesystem::path changed(const ingest::TrajectoryFile& log) const {
     const std::filesystem::path file = folder_.path() / "changed.nc";
@@ -102,9 +83,6 @@ class RunThatVehiclesJoin : public ::testing::Test {
     return file;
   }
 
-  TemporaryFolder folder_;
-  twin::Scenario scenario_ = twin::parse_scenario(yaml, "joined.yaml");
-  ScenarioWater water_ = water_of(scenario_, folder_.path() / "store", folder_.path());
   Hosts hosts_;
 };
 
