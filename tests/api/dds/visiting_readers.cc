@@ -1,9 +1,10 @@
-// visiting_readers DOMAIN JOINS: readers of /test/latched and /test/stream join that often, hear
-// something on each and leave: of a node that stays, and each 25th time with a node of their own.
-// Exit 1: one heard nothing within 20 s.
+// visiting_readers DOMAIN JOINS udp|shared-memory: readers of /test/latched and /test/stream join
+// that often, hear something on each and leave: of a node that stays, and the last time with a node
+// of their own. Exit 1: one heard nothing within 20 s.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include "api/dds/participant.h"
 #include "std_msgsPubSubTypes.h"
@@ -27,10 +28,10 @@ bool visit(GeneratedParticipant& node) {
   return is_heard;
 }
 
-bool visit_as_a_node(int domain) {
+bool visit_as_a_node(int domain, bool is_udp_only) {
   dds::DomainSettings settings;
   settings.domain = domain;
-  settings.is_loopback_only = settings.is_udp_only = true;
+  settings.is_loopback_only = settings.is_udp_only = is_udp_only;
   dds::Participant node(settings);
   std::atomic<int> latched = 0, stream = 0;
   const auto hear = [&](const char* topic, bool is_latched, std::atomic<int>& heard) {
@@ -42,10 +43,10 @@ bool visit_as_a_node(int domain) {
   return comes_true([&] { return latched > 0 && stream > 0; });
 }
 
-int visit_all(int domain, int joins) {
-  GeneratedParticipant node(domain, true);
+int visit_all(int domain, int joins, bool is_udp_only) {
+  GeneratedParticipant node(domain, is_udp_only);
   for (int join = 1; join <= joins; ++join) {
-    if (join % 25 == 0 ? visit_as_a_node(domain) : visit(node)) continue;
+    if (join == joins ? visit_as_a_node(domain, is_udp_only) : visit(node)) continue;
     std::fprintf(stderr, "join %d heard nothing\n", join);
     return 1;
   }
@@ -56,6 +57,7 @@ int visit_all(int domain, int joins) {
 }  // namespace slackwater::tests
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
-  return slackwater::tests::visit_all(std::atoi(argv[1]), std::atoi(argv[2]));
+  if (argc != 4) return 2;
+  return slackwater::tests::visit_all(std::atoi(argv[1]), std::atoi(argv[2]),
+                                      std::string_view(argv[3]) == "udp");
 }
