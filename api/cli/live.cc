@@ -172,8 +172,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   json out = run_json(result, scenario.name, water, arguments.out);
   out["punctuality"] = {{"steps", punctuality->steps()},
                         {"late_steps", punctuality->late_steps()},
-                        {"worst_ms", 1000 * punctuality->worst_s()},
-                        {"pauses", punctuality->pauses()}};
+                        {"worst_ms", 1000 * punctuality->worst_s()}};
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
 

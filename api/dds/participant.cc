@@ -1,6 +1,7 @@
 #include "api/dds/participant.h"
 
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <exception>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -14,9 +15,11 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
+#include <map>
 #include <mutex>
 
 #include "api/dds/endpoint_quality.h"
+#include "api/dds/held_back.h"
 #include "api/dds/library_faults.h"
 #include "api/dds/message/graph.h"
 #include "api/dds/message/names.h"
@@ -109,6 +112,29 @@ class Writer final : public fdds::DataWriterListener {
 struct Sender {
   rtps::SampleIdentity request;  ///< whom an answer is for
   std::string client;
+  double held_back_s = 0;
+};
+
+/// Of all writers of a topic.
+class HeldBackByWriter {
+ public:
+  double look(const fdds::SampleInfo& info) {
+    // Where its writer does not say when it was sent there is nothing to go by.
+    if (info.source_timestamp.seconds() <= 0 || info.source_timestamp == rtps::c_RTPSTimeInfinite)
+      return 0;
+    const std::chrono::duration<double> came = std::chrono::steady_clock::now().time_since_epoch();
+    const std::lock_guard lock(mutex_);
+    return of_[info.sample_identity.writer_guid()].look(
+        1e-9 * static_cast<double>(info.source_timestamp.to_ns()), came.count());
+  }
+  void forget(const rtps::GUID_t& writer) {
+    const std::lock_guard lock(mutex_);
+    of_.erase(writer);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<rtps::GUID_t, HeldBack> of_;
 };
 
 class Reader final : public fdds::DataReaderListener {
@@ -123,8 +149,17 @@ class Reader final : public fdds::DataReaderListener {
     fdds::SampleInfo info;
     while (source->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
       if (!info.valid_data) continue;
-      guard_(topic_, [&] { on_bytes_(bytes, sender_of(info)); });
+      Sender sender = sender_of(info);
+      sender.held_back_s = held_back_.look(info);
+      guard_(topic_, [&] { on_bytes_(bytes, sender); });
     }
+  }
+  void on_subscription_matched(fdds::DataReader*,
+                               const fdds::SubscriptionMatchedStatus& status) override {
+    if (status.current_count_change >= 0) return;
+    rtps::GUID_t writer;
+    rtps::iHandle2GUID(writer, status.last_publication_handle);
+    held_back_.forget(writer);
   }
   void on_requested_incompatible_qos(fdds::DataReader*,
                                      const fdds::RequestedIncompatibleQosStatus& status) override {
@@ -148,6 +183,7 @@ class Reader final : public fdds::DataReaderListener {
   std::string topic_;
   const Guard& guard_;
   OnBytes on_bytes_;
+  HeldBackByWriter held_back_;
 };
 
 /// Tells of participants that left.
@@ -304,10 +340,16 @@ void Participant::send(WriterId writer, Payload message) {
 }
 
 void Participant::subscribe(const bag::Channel& channel, OnMessage on_message) {
+  subscribe_timed(channel,
+                  [on_message = std::move(on_message)](Payload message, const std::string& client,
+                                                       double) { on_message(message, client); });
+}
+
+void Participant::subscribe_timed(const bag::Channel& channel, OnTimedMessage on_message) {
   const std::lock_guard one_at_a_time(state_->making);
   state_->read(dds_topic(channel.topic), dds_type(channel.type), channel.quality,
                [on_message = std::move(on_message)](Payload message, const Sender& sender) {
-                 on_message(message, sender.client);
+                 on_message(message, sender.client, sender.held_back_s);
                });
 }
 

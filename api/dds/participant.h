@@ -39,6 +39,9 @@ using Answer = std::function<void(Bytes)>;
 class Participant {
  public:
   using OnMessage = std::function<void(Payload message, const std::string& client)>;
+  /// @param held_back_s  longer on its way than its writer's messages were of late; see HeldBack
+  using OnTimedMessage =
+      std::function<void(Payload message, const std::string& client, double held_back_s)>;
   using OnRequest =
       std::function<void(Payload request, const std::string& client, const Answer& answer)>;
   using OnLost = std::function<void(const std::string& client)>;
@@ -58,6 +61,7 @@ class Participant {
   void send(WriterId writer, Payload message);
 
   void subscribe(const bag::Channel& channel, OnMessage on_message);
+  void subscribe_timed(const bag::Channel& channel, OnTimedMessage on_message);
   void serve(const Service& service, OnRequest on_request);
   /// A client left, or has not been heard of for its lease.
   void on_lost(OnLost on_lost);

@@ -110,17 +110,20 @@ void DdsDoor::take_step(dds::Payload request, const dds::Answer& answer) {
   if (steps == 0 || steps > most || !run_.control.is_paused())
     return answer(dds::step_reply(false));
   const std::lock_guard lock(mutex_);
-  waiting_.push_back({run_.steps_made() + steps, answer});
+  // Behind what others wait for.
+  const std::uint64_t from = waiting_.empty() ? run_.steps_made() : waiting_.back().until;
+  waiting_.push_back({from + steps, answer});
   run_.control.allow_steps(steps);
 }
 
 void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {
   for (const CommandTopic& topic : command_topics()) {
     const bag::Channel channel{"/" + name + "/" + topic.name, topic.type, "", command_quality};
-    participant_.subscribe(channel, [this, vehicle, read = topic.read](dds::Payload message,
-                                                                       const std::string& client) {
-      hand_in(desk_, client, vehicle, read, message);
-    });
+    participant_.subscribe_timed(
+        channel, [this, vehicle, read = topic.read](dds::Payload message, const std::string& client,
+                                                    double held_back_s) {
+          hand_in(desk_, client, vehicle, read, message, held_back_s);
+        });
   }
 }
 
@@ -131,7 +134,8 @@ void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle
       [&steward, vehicle](dds::Payload request, const std::string& client) {
         const double now_s = steward.time_s();
         if (dds::read_set_bool(request))
-          return done_or(steward.ask(client, vehicle, now_s), "you are at the helm");
+          // A client whose replies cannot be told from others' finds itself by its name.
+          return done_or(steward.ask(client, vehicle, now_s), "at the helm: " + client);
         return done_or(steward.release(client, vehicle, now_s), "given back");
       },
       not_done);
@@ -147,7 +151,8 @@ void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle
       "/" + name + "/resume_mission", "std_srvs/srv/Trigger",
       [this, vehicle](dds::Payload request, const std::string& client) {
         dds::read_trigger(request);
-        return done_or(desk_.submit(client, vehicle, twin::Resume{}), "at its own mission again");
+        return done_or(desk_.submit(client, vehicle, twin::Resume{}).refusal,
+                       "at its own mission again");
       },
       not_done);
   serve(
@@ -156,7 +161,7 @@ void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle
         const dds::WaypointsAsked asked = dds::read_set_waypoints(request);
         const twin::Reroute reroute = reroute_to(asked.places_m, asked.loop);
         const dds::Bytes heard = dds::active_waypoints(reroute.waypoints, {});
-        return done_or(desk_.submit(client, vehicle, reroute, heard),
+        return done_or(desk_.submit(client, vehicle, reroute, heard).refusal,
                        formatted("{} waypoints", reroute.waypoints.size()));
       },
       not_done);

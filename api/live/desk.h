@@ -11,6 +11,12 @@
 
 namespace slackwater::live {
 
+/// What became of a command that was handed in.
+struct Submitted {
+  std::optional<std::string> refusal;  ///< why it was not taken, for people; nothing: it was
+  std::uint64_t number = 0;  ///< of those that its vehicle has taken; see `Steward::taken`
+};
+
 /// Where all doors hand in what clients ask of vehicles. It counts for them, lets the steward
 /// decide, and sees to it that what was heard and what was refused is told and recorded:
 /// `/NAME/cmd_vel`, `/NAME/thrusters` and `/NAME/waypoints` as they were taken, and
@@ -25,9 +31,9 @@ class Desk {
   void open(const std::string& name);
 
   /// @param heard  the message as it came, of a command topic; empty: none
-  /// @return why it was refused, for people; nothing: it was taken
-  std::optional<std::string> submit(const std::string& client, std::size_t vehicle,
-                                    twin::CommandWhat what, const dds::Bytes& heard = {});
+  /// @param held_back_s  on its way here; velocity and thrusters of too long ago are stale
+  Submitted submit(const std::string& client, std::size_t vehicle, twin::CommandWhat what,
+                   const dds::Bytes& heard = {}, double held_back_s = 0);
   /// What could not even be read.
   void refuse(const std::string& client, std::size_t vehicle, const std::string& text);
 
@@ -40,23 +46,28 @@ class Desk {
 
  private:
   struct Vehicle {
+    std::string name;
     Stream::ChannelId velocity, thrusters, waypoints, refused;
   };
   struct Said {
     Stream::ChannelId channel;
     dds::Bytes message;
   };
+  [[nodiscard]] std::optional<twin::Refusal> stale(const std::string& client, std::size_t vehicle,
+                                                   double held_back_s, double now_s);
   void say_refused(const std::string& client, std::size_t vehicle, const char* reason,
                    const std::string& text);
 
   Stream& stream_;
   twin::Steward& steward_;
   RunPlace place_;
-  std::mutex mutex_;
-  std::vector<Vehicle> vehicles_;
+  std::mutex order_;  ///< of what comes in, which may take long to look at
   std::map<std::pair<std::string, std::size_t>, std::uint64_t> counts_;
+  std::mutex mutex_;  ///< of what is told, for which a barrier waits
+  std::vector<Vehicle> vehicles_;
   std::vector<Said> said_;
-  static constexpr std::size_t most_said = 10'000;  ///< between two barriers; what is more is lost
+  std::size_t refused_ = 0;                          ///< among them
+  static constexpr std::size_t most_refused = 1000;  ///< between two barriers; more are not told
 };
 
 }  // namespace slackwater::live

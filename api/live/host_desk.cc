@@ -8,8 +8,10 @@
 namespace slackwater::live {
 namespace {
 
-constexpr double shortest_s = 0.001, longest_s = 10;
 constexpr int most_missed = 5;
+/// A run stands still for nobody longer than that.
+constexpr double longest_s = 10;
+constexpr double shortest_s = 0.001;
 
 }  // namespace
 
@@ -112,14 +114,16 @@ std::optional<std::string> HostDesk::take(std::size_t vehicle, const dds::HostAs
     return formatted("version {} of the protocol was asked for, this is version {}", asked.version,
                      dds::host_version);
   }
-  if (!(asked.timeout_s >= shortest_s && asked.timeout_s <= longest_s)) {
+  const bool is_agent = asked.role == static_cast<std::uint8_t>(dds::HostRole::agent);
+  const double most_s = is_agent ? longest_s / most_missed : longest_s;
+  if (!(asked.timeout_s >= shortest_s && asked.timeout_s <= most_s)) {
     return formatted("a time-out of {:g} s; it is from {:g} to {:g} s", asked.timeout_s, shortest_s,
-                     longest_s);
+                     most_s);
   }
   twin::Steward& steward = desk_.steward();
   const std::lock_guard lock(mutex_);
   Host& host = hosts_[vehicle];
-  if (asked.role == static_cast<std::uint8_t>(dds::HostRole::agent)) {
+  if (is_agent) {
     if (!host.agent.empty() && host.agent != client)
       return host.name + " has an agent already: " + host.agent;
     if (const auto refusal = steward.ask(client, vehicle, steward.time_s())) return refusal->text;
@@ -185,7 +189,9 @@ void HostDesk::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
     client = host.agent;
     timeout_s = host.agent_timeout_s;
   }
-  const auto asked = host.from_agent.wait(std::chrono::duration<double>(timeout_s));
+  const auto is_stopped = [this] { return control_.is_stopped(); };
+  const auto asked = host.from_agent.wait(std::chrono::duration<double>(timeout_s), is_stopped);
+  if (!asked && is_stopped()) return;
   if (const int missed = count_missed(host, !asked.has_value()); missed >= most_missed) {
     drop_agent(vehicle,
                formatted("{} answers in a row did not come within {:g} s", missed, timeout_s));
@@ -194,7 +200,7 @@ void HostDesk::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
   try {
     std::optional<twin::CommandWhat> what = command_of(*asked);
     if (!what) return;
-    if (const auto refusal = desk_.submit(client, vehicle, std::move(*what)))
+    if (const auto refusal = desk_.submit(client, vehicle, std::move(*what)).refusal)
       drop_agent(vehicle, *refusal);
   } catch (const Error& e) {
     drop_agent(vehicle, e.message());
@@ -219,9 +225,12 @@ std::optional<twin::VehicleState<double>> HostDesk::ask_physics(std::size_t vehi
   host.from_physics.ask(step.time.step);
   participant_.send(host.input, dds::physics_input(step, host.name,
                                                    dds::stamp_of(place_.epoch, step.time.start_s)));
-  const auto made = host.from_physics.wait(std::chrono::duration<double>(timeout_s));
+  const auto is_stopped = [this] { return control_.is_stopped(); };
+  const auto made = host.from_physics.wait(std::chrono::duration<double>(timeout_s), is_stopped);
   if (!made) {
-    drop_physics(vehicle, formatted("its answer did not come within {:g} s", timeout_s));
+    drop_physics(vehicle, is_stopped()
+                              ? "the run was stopped while it was asked"
+                              : formatted("its answer did not come within {:g} s", timeout_s));
     return std::nullopt;
   }
   if (const auto why = unphysical(*made, step)) {

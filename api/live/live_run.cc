@@ -43,7 +43,7 @@ struct LiveRun::Parts {
         on_newcomer(settings.on_newcomer),
         steward(hand.steward),
         desk(stream, steward, place),
-        punctuality(settings.real_time_factor, hand.run.step_s()) {
+        punctuality(settings.real_time_factor) {
     for (const auto& outlet : settings.outlets) stream.add(outlet);
     if (settings.domain) {
       dds::DomainSettings domain = *settings.domain;
@@ -60,8 +60,8 @@ struct LiveRun::Parts {
       run.at_opening([&played](const twin::StepTime& time) { played.hand_in(time.start_s); });
     }
     speak();
-    run.at_opening([this](const twin::StepTime& time) {
-      punctuality.begin(time.step, Punctuality::WallClock::now());
+    run.at_opening([this, &control = hand.control](const twin::StepTime&) {
+      punctuality.begin(control.due(), Punctuality::WallClock::now());
     });
     run.at_barrier([this](const twin::StepTime&) { speak(); });
   }
@@ -83,7 +83,7 @@ struct LiveRun::Parts {
     const std::vector<std::string> all = ros_names(agents);
     for (std::size_t i = names.size(); i < agents.size(); ++i) {
       const std::string& name = names.emplace_back(all[i]);
-      voices.emplace_back(stream, place, name, agents[i], states[i]);
+      voices.emplace_back(stream, place, name, agents[i], states[i], run.time_s());
       desk.open(name);
       if (door) door->open(name);
       if (hosts) hosts->open(name);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -29,10 +30,15 @@ class LockStep {
     came_.notify_one();
     return true;
   }
-  /// Nothing where it did not come in time.
-  [[nodiscard]] std::optional<T> wait(std::chrono::duration<double> at_most) {
+  /// Nothing where it did not come in time, or before the run was stopped.
+  template <typename IsStopped>
+  [[nodiscard]] std::optional<T> wait(std::chrono::duration<double> at_most,
+                                      const IsStopped& is_stopped) {
+    using namespace std::chrono;
+    const auto until = steady_clock::now() + duration_cast<steady_clock::duration>(at_most);
     std::unique_lock lock(mutex_);
-    came_.wait_for(lock, at_most, [&] { return answer_.has_value(); });
+    while (!answer_ && steady_clock::now() < until && !is_stopped())
+      came_.wait_until(lock, std::min(until, steady_clock::now() + milliseconds(100)));
     step_.reset();
     return std::exchange(answer_, std::nullopt);
   }

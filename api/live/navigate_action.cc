@@ -57,8 +57,11 @@ void NavigateAction::take_goal(dds::Payload request, const std::string& client,
     desk_.refuse(client, vehicle_, e.what());
     return refuse();
   }
-  const std::lock_guard lock(mutex_);
-  if (find(asked.id) != nullptr) {
+  const auto is_known = [&] {
+    const std::lock_guard lock(mutex_);
+    return find(asked.id) != nullptr;
+  };
+  if (is_known()) {
     desk_.refuse(client, vehicle_, "a goal of this id was sent before; give each its own");
     return refuse();
   }
@@ -67,14 +70,18 @@ void NavigateAction::take_goal(dds::Payload request, const std::string& client,
     desk_.refuse(client, vehicle_, "a goal without a place; give its path at least one pose");
     return refuse();
   }
-  if (desk_.submit(client, vehicle_, reroute, dds::active_waypoints(reroute.waypoints, now)))
-    return refuse();
+  // Without the lock, for which a barrier waits: a long path takes its time to be looked at.
+  const Submitted submitted =
+      desk_.submit(client, vehicle_, reroute, dds::active_waypoints(reroute.waypoints, now));
+  if (submitted.refusal) return refuse();
+  const std::lock_guard lock(mutex_);
   if (Goal* before = active())
     end(*before, dds::GoalStatus::aborted, "another goal took its place");
   if (goals_.size() >= most_goals) goals_.pop_front();
   Goal& goal = goals_.emplace_back();
   goal.is = {{asked.id, now}, dds::GoalStatus::executing};
   goal.client = client;
+  goal.number = submitted.number;
   goal.waypoints = reroute.waypoints.size();
   goal.accepted_s = now_s;
   has_changed_ = true;
@@ -102,7 +109,7 @@ void NavigateAction::take_cancel(dds::Payload request, const std::string& client
   }
   if (dds::is_over(goal->is.status))
     return answer(dds::cancel_goal_reply(dds::CancelAnswer::is_over, {}));
-  if (desk_.submit(client, vehicle_, twin::HoldHere{}))
+  if (desk_.submit(client, vehicle_, twin::HoldHere{}).refusal)
     return answer(dds::cancel_goal_reply(dds::CancelAnswer::rejected, {}));
   const dds::GoalInfo canceling = goal->is.goal;
   answer(dds::cancel_goal_reply(dds::CancelAnswer::none, {&canceling, 1}));
@@ -110,45 +117,60 @@ void NavigateAction::take_cancel(dds::Payload request, const std::string& client
 }
 
 void NavigateAction::take_result(dds::Payload request, const dds::Answer& answer) {
-  const dds::GoalId id = dds::read_get_result(request);
+  dds::GoalId id;
+  try {
+    id = dds::read_get_result(request);
+  } catch (const std::exception&) {
+    return answer(dds::unknown_result_reply());
+  }
   const std::lock_guard lock(mutex_);
   Goal* goal = find(id);
   if (goal == nullptr) return answer(dds::unknown_result_reply());
-  if (!dds::is_over(goal->is.status)) return goal->waiting.push_back(answer);
+  if (!dds::is_over(goal->is.status)) {
+    if (goal->waiting.size() >= most_waiting) return answer(dds::unknown_result_reply());
+    return goal->waiting.push_back(answer);
+  }
   answer(dds::result_reply(goal->is.status, goal->is.status == dds::GoalStatus::succeeded,
                            goal->message));
+}
+
+void NavigateAction::follow(Goal& goal, const twin::AgentState& state, const dds::Stamp& stamp,
+                            double t_s) {
+  const twin::HelmState& helm = state.helm;
+  if (state.halt != twin::Halt::none) {
+    end(goal, dds::GoalStatus::aborted,
+        "the vehicle goes no further: " + std::string(twin::name_of(state.halt)));
+  } else if (desk_.steward().taken(vehicle_) != goal.number) {
+    end(goal, dds::GoalStatus::aborted, "another command took its place");
+  } else if (helm.mode == twin::HelmMode::hold && helm.cause == twin::HelmCause::list_done) {
+    end(goal, dds::GoalStatus::succeeded, "at the last place");
+  } else if (helm.mode != twin::HelmMode::waypoints) {
+    end(goal, dds::GoalStatus::aborted,
+        std::string("the vehicle does something else: ") + twin::name_of(helm.mode) + ", " +
+            twin::name_of(helm.cause));
+  } else if (constexpr double every_s = 0.2; t_s >= told_s_ + every_s - 1e-6) {
+    told_s_ = t_s;
+    if (stream_.is_wanted(feedback_)) say_feedback(goal, state, stamp);
+  }
+}
+
+void NavigateAction::say_feedback(const Goal& goal, const twin::AgentState& state,
+                                  const dds::Stamp& stamp) {
+  const twin::Route& route = state.helm.way.route;
+  const std::size_t left = std::min(waypoints_left(state).size(), goal.waypoints);
+  const double distance_m =
+      route.is_done() ? 0 : twin::length_of(route.to().position_m - state.vehicle.body.position_m);
+  stream_.publish(feedback_, stamp,
+                  dds::feedback(goal.is.goal.id, static_cast<std::uint32_t>(goal.waypoints - left),
+                                distance_m));
 }
 
 void NavigateAction::speak(const twin::AgentState& state, double t_s) {
   const dds::Stamp stamp = dds::stamp_of(place_.epoch, t_s);
   const std::lock_guard lock(mutex_);
   // A goal is in force from the step after the one in which it was accepted.
-  if (Goal* goal = active(); goal != nullptr && t_s > goal->accepted_s + 1e-9) {
-    const twin::HelmState& helm = state.helm;
-    if (state.halt != twin::Halt::none) {
-      end(*goal, dds::GoalStatus::aborted,
-          "the vehicle goes no further: " + std::string(twin::name_of(state.halt)));
-    } else if (helm.mode == twin::HelmMode::hold && helm.cause == twin::HelmCause::list_done) {
-      end(*goal, dds::GoalStatus::succeeded, "at the last place");
-    } else if (helm.mode != twin::HelmMode::waypoints) {
-      end(*goal, dds::GoalStatus::aborted,
-          std::string("the vehicle does something else: ") + twin::name_of(helm.mode) + ", " +
-              twin::name_of(helm.cause));
-    } else if (constexpr double every_s = 0.2; t_s >= told_s_ + every_s - 1e-6) {
-      told_s_ = t_s;
-      const std::size_t left = waypoints_left(state).size();
-      const std::size_t at = goal->waypoints - std::min(left, goal->waypoints);
-      const double distance_m =
-          helm.way.route.is_done()
-              ? 0
-              : twin::length_of(helm.way.route.to().position_m - state.vehicle.body.position_m);
-      if (stream_.is_wanted(feedback_)) {
-        stream_.publish(
-            feedback_, stamp,
-            dds::feedback(goal->is.goal.id, static_cast<std::uint32_t>(at), distance_m));
-      }
-    }
-  }
+  if (Goal* goal = active(); goal != nullptr && t_s > goal->accepted_s + 1e-9)
+    follow(*goal, state, stamp, t_s);
   if (!has_changed_) return;
   has_changed_ = false;
   std::vector<dds::GoalState> states;

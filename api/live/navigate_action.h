@@ -10,8 +10,9 @@
 
 namespace slackwater::live {
 
-/// `/NAME/navigate` of one vehicle: a path as a goal, with feedback, result and cancelling. A new
-/// goal of whoever holds the vehicle takes the place of the one under way, which is aborted.
+/// `/NAME/navigate` of one vehicle: a path as a goal, with feedback, result and cancelling. What
+/// else the vehicle is told to do, another goal or a command of any door, takes the place of the one
+/// under way, which is aborted.
 ///
 /// `speak` is for the thread of the run, the services for any thread.
 class NavigateAction {
@@ -25,6 +26,7 @@ class NavigateAction {
   struct Goal {
     dds::GoalState is;
     std::string client;
+    std::uint64_t number = 0;  ///< of its command; see `Submitted`
     std::size_t waypoints = 0;
     double accepted_s = 0;
     std::string message;               ///< of its end
@@ -37,6 +39,9 @@ class NavigateAction {
   [[nodiscard]] Goal* active();
   [[nodiscard]] Goal* find(const dds::GoalId& id);
   void end(Goal& goal, dds::GoalStatus status, const std::string& message);
+  /// How it goes with the one that goes on.
+  void follow(Goal& goal, const twin::AgentState& state, const dds::Stamp& stamp, double t_s);
+  void say_feedback(const Goal& goal, const twin::AgentState& state, const dds::Stamp& stamp);
 
   Stream& stream_;
   Desk& desk_;
@@ -47,7 +52,8 @@ class NavigateAction {
   std::deque<Goal> goals_;  ///< the newest last
   bool has_changed_ = true;
   double told_s_ = -1;
-  static constexpr std::size_t most_goals = 100;  ///< kept for those who ask late
+  static constexpr std::size_t most_goals = 100;    ///< kept for those who ask late
+  static constexpr std::size_t most_waiting = 100;  ///< for the end of one
 };
 
 }  // namespace slackwater::live

@@ -37,8 +37,10 @@ double straight_home_j(const twin::Agent& agent, const twin::AgentState& state,
 
 }  // namespace
 
-ReserveAdvice::ReserveAdvice(const twin::AgentState& at_start)
-    : start_m_(at_start.vehicle.body.position_m), drawn_j_(at_start.vehicle.drawn_j) {}
+ReserveAdvice::ReserveAdvice(const twin::AgentState& at_start, double t_s)
+    : start_m_(at_start.vehicle.body.position_m),
+      looked_s_(t_s),
+      drawn_j_(at_start.vehicle.drawn_j) {}
 
 dds::Reserve ReserveAdvice::look(const twin::Agent& agent, const twin::AgentState& state,
                                  UtcTime now, double t_s) {

@@ -14,15 +14,16 @@ namespace slackwater::live {
 /// to where it began, at its cruising speed through the water there and the power it draws.
 class ReserveAdvice {
  public:
-  explicit ReserveAdvice(const twin::AgentState& at_start);
+  /// @param t_s  of the run, when it begins or the vehicle joins it
+  ReserveAdvice(const twin::AgentState& at_start, double t_s);
   /// @param now  of the run
   [[nodiscard]] dds::Reserve look(const twin::Agent& agent, const twin::AgentState& state,
                                   UtcTime now, double t_s);
 
  private:
   twin::Triple<double> start_m_;
-  double looked_s_ = 0;
-  double drawn_j_ = 0;
+  double looked_s_;
+  double drawn_j_;
   double power_w_ = -1;  ///< below 0: not known yet
 };
 

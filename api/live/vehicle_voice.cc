@@ -57,7 +57,8 @@ MissionWords mission_words(const Agent& agent, const AgentState& state, const st
   words.authority = holder;
   words.task = state.mission.task;
   words.tasks = agent.mission.tasks.size();
-  words.waypoints_taken = state.mission.waypoints_taken;
+  words.waypoints_taken =
+      state.helm.is_helmed() ? state.helm.way.waypoints_taken : state.mission.waypoints_taken;
   words.halt = twin::name_of(state.halt);
   if (state.helm.is_helmed())
     words.cause = twin::name_of(state.helm.cause);
@@ -84,8 +85,8 @@ std::vector<twin::Waypoint> waypoints_left(const AgentState& state) {
 }
 
 VehicleVoice::VehicleVoice(Stream& stream, const RunPlace& place, std::string name,
-                           const Agent& agent, const AgentState& at_start)
-    : stream_(stream), place_(place), name_(std::move(name)), advice_(at_start) {
+                           const Agent& agent, const AgentState& at_start, double t_s)
+    : stream_(stream), place_(place), name_(std::move(name)), advice_(at_start, t_s) {
   const auto open = [&](const char* what, const char* type, const bag::Quality& quality) {
     return stream.open("/" + name_ + "/" + what, type, quality);
   };

@@ -48,8 +48,9 @@ struct WayAhead {
 class VehicleVoice {
  public:
   /// @param name  a token of ROS, of the vehicle alone
+  /// @param t_s   of the run, when it begins or the vehicle joins it
   VehicleVoice(Stream& stream, const RunPlace& place, std::string name, const twin::Agent& agent,
-               const twin::AgentState& at_start);
+               const twin::AgentState& at_start, double t_s);
   /// @param holder    the client at its helm, "" where nobody is
   void speak(const twin::Agent& agent, const twin::AgentState& state, const std::string& holder,
              double t_s);

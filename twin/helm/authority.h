@@ -11,9 +11,10 @@ namespace slackwater::twin {
 
 /// Until when a client keeps a vehicle.
 enum class Keeping {
-  asked,     ///< until it gives it back or is gone
-  renewed,   ///< while it renews velocity or thrusters
-  waypoints  ///< until its list is done
+  asked,      ///< until it gives it back or is gone
+  renewed,    ///< while it renews velocity or thrusters
+  waypoints,  ///< until its list is done
+  loop        ///< as long as its list goes round
 };
 
 /// Which client holds which vehicle: at most one, for all doors. Pure: run time is passed in.

@@ -5,6 +5,7 @@
 #include "fields/base/text.h"
 #include "twin/control/velocity_range.h"
 #include "twin/scene/structure.h"
+#include "twin/simulate/slipway.h"
 
 namespace slackwater::twin {
 namespace {
@@ -166,6 +167,12 @@ class PlaceLooker {
 
   [[nodiscard]] Answer look_at_place(const Triple<double>& at_m, const std::string& name) const {
     const Vehicle& vehicle = *agent_.vehicle;
+    for (const double value : {at_m.x, at_m.y, at_m.z})
+      if (std::abs(value) > farthest_m)
+        return no(RefusalReason::no_place,
+                  formatted("{}: found {:g} m, expected at most {:g} m from the origin of the "
+                            "scenario; move it nearer",
+                            name, value, farthest_m));
     if (flies_ && at_m.z > 0)
       return refuse(name, at_m, "is below the sea, and this one flies; give a height above it");
     if (!flies_ && !floats_ && at_m.z < 0)
@@ -175,6 +182,11 @@ class PlaceLooker {
                     formatted("is deeper than the {:g} m that a {} is rated for; stay "
                               "above that",
                               *vehicle.rated_depth_m, vehicle.name));
+    const auto& structures = agent_.water->environment().structures;
+    for (std::size_t i = 0; i < structures.size(); ++i)
+      if (signed_distance_m(structures[i], met(at_m)) < -touch_m)
+        return refuse(name, at_m,
+                      formatted("lies in structure {} of the scenario; move it out", i + 1));
     const SampleStatus status =
         flies_ ? agent_.water->wind(at_m, now_s_).status
                : agent_.water->current(met(at_m), vehicle.body.height_m, now_s_).status;
@@ -182,11 +194,6 @@ class PlaceLooker {
       return refuse(name, at_m,
                     formatted("is {} ({}); move it into the water of the forecast", name_of(status),
                               agent_.water->environment().field->range().text()));
-    const auto& structures = agent_.water->environment().structures;
-    for (std::size_t i = 0; i < structures.size(); ++i)
-      if (signed_distance_m(structures[i], met(at_m)) < -touch_m)
-        return refuse(name, at_m,
-                      formatted("lies in structure {} of the scenario; move it out", i + 1));
     return std::nullopt;
   }
 

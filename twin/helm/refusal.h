@@ -16,7 +16,7 @@ enum class RefusalReason : std::uint8_t {
   not_finite,
   out_of_range,      ///< a thruster beyond 1, a speed beyond the vehicle's most
   wrong_count,       ///< of thrusters
-  too_many,          ///< waypoints, vehicles
+  too_many,          ///< waypoints, vehicles, commands at once
   no_place,          ///< outside the forecast, on land, below the bed, in a structure
   vehicle_halted,    ///< it goes no further
   vehicle_not_free,  ///< aboard its carrier, or it needs its energy for the way home
@@ -47,7 +47,8 @@ struct Standing {
 
 struct RefusalLimits {
   std::size_t most_waypoints = 10000;
-  double oldest_s = 1;  ///< of velocity and thrusters, since they came in
+  double oldest_s = 1;              ///< of velocity and thrusters, since they came in
+  std::size_t most_at_once = 1000;  ///< commands of a vehicle that wait for one step
 };
 
 /// What speaks against a command itself, whoever gives it: its numbers, its age, the vehicle, the

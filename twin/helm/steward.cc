@@ -13,7 +13,9 @@ namespace {
 Keeping keeping_of(const CommandWhat& what) {
   if (std::holds_alternative<SetVelocity>(what) || std::holds_alternative<SetThrusters>(what))
     return Keeping::renewed;
-  return std::holds_alternative<Reroute>(what) ? Keeping::waypoints : Keeping::asked;
+  if (const auto* reroute = std::get_if<Reroute>(&what))
+    return reroute->loop ? Keeping::loop : Keeping::waypoints;
+  return Keeping::asked;
 }
 
 Standing standing_of(const Run& run, std::size_t vehicle) {
@@ -50,6 +52,9 @@ std::optional<Refusal> Steward::submit(std::string_view client, Command command,
   std::optional<std::uint64_t> last;
   {
     const std::lock_guard lock(mutex_);
+    // Before what takes long to look at.
+    if (auto refusal = refusal_to(client, vehicle, now_s))
+      return count(client, agent.name, std::move(*refusal), now_s);
     standing = standing_[vehicle];
     last = last_sequence(client, vehicle);
   }
@@ -57,9 +62,8 @@ std::optional<Refusal> Steward::submit(std::string_view client, Command command,
   auto refusal = refusal_of(command, agent, standing, last, now_s, limits_);
   const std::lock_guard lock(mutex_);
   if (!refusal) {
-    if (auto held = authority_.refusal(client, vehicle, agent.name, now_s))
-      refusal = Refusal{RefusalReason::unauthorised, std::move(*held)};
-    else if (last_sequence(client, vehicle) != last)  // another thread was faster
+    refusal = refusal_to(client, vehicle, now_s);
+    if (!refusal && last_sequence(client, vehicle) != last)  // another thread was faster
       refusal = refusal_of(command, agent, standing_[vehicle], last_sequence(client, vehicle),
                            now_s, limits_);
   }
@@ -67,8 +71,30 @@ std::optional<Refusal> Steward::submit(std::string_view client, Command command,
   authority_.note_command(client, vehicle, keeping_of(command.what), now_s);
   if (std::holds_alternative<Resume>(command.what)) authority_.end(vehicle);
   last_sequence_.insert_or_assign({std::string(client), vehicle}, command.sequence);
-  accepted_at_[vehicle] = openings_;
+  taken_[vehicle].note(openings_);
+  ++taken_[vehicle].all;
   run_.enqueue(std::move(command));
+  return std::nullopt;
+}
+
+void Steward::Taken::note(std::uint64_t now) noexcept {
+  if (opening != now) at_once = 0;
+  opening = now;
+  ++at_once;
+}
+
+/// What speaks against any command of the client now.
+std::optional<Refusal> Steward::refusal_to(std::string_view client, std::size_t vehicle,
+                                           double now_s) const {
+  const std::string& name = agents_[vehicle]->name;
+  if (auto held = authority_.refusal(client, vehicle, name, now_s))
+    return Refusal{RefusalReason::unauthorised, std::move(*held)};
+  const Taken& taken = taken_[vehicle];
+  if (taken.opening == openings_ && taken.at_once >= limits_.most_at_once)
+    return Refusal{RefusalReason::too_many,
+                   formatted("{} commands of {} wait for its next step already; send the next when "
+                             "the run goes on",
+                             taken.at_once, name)};
   return std::nullopt;
 }
 
@@ -130,7 +156,8 @@ std::optional<Refusal> Steward::release(std::string_view client, std::size_t veh
   return with_vehicle(client, vehicle, now_s, [&](const std::string& name) {
     const Keeping keeping = authority_.keeping(vehicle);
     auto answer = authority_.release(client, vehicle, name, now_s);
-    if (!answer && keeping == Keeping::renewed) enqueue_hold(client, vehicle, now_s);
+    if (!answer && (keeping == Keeping::renewed || keeping == Keeping::loop))
+      enqueue_hold(client, vehicle, now_s);
     return answer;
   });
 }
@@ -160,6 +187,11 @@ std::optional<std::size_t> Steward::vehicle(std::string_view name) const {
                                   [&](const Agent* agent) { return agent->name == name; });
   if (found == agents_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - agents_.begin());
+}
+
+std::uint64_t Steward::taken(std::size_t vehicle) const {
+  const std::lock_guard lock(mutex_);
+  return taken_.at(vehicle).all;
 }
 
 double Steward::time_s() const {
@@ -211,9 +243,10 @@ void Steward::look(double time_s) {
   for (std::size_t i = 0; i < standing_.size(); ++i) {
     standing_[i] = standing_of(run_, i);
     // What was accepted since the opening has not taken effect yet.
-    const bool is_waiting = accepted_at_[i] == openings_;
-    const bool is_list_over = authority_.keeping(i) == Keeping::waypoints && !is_waiting &&
-                              standing_[i].mode != HelmMode::waypoints;
+    const bool is_waiting = taken_[i].at_once > 0 && taken_[i].opening == openings_;
+    const Keeping keeping = authority_.keeping(i);
+    const bool is_by_list = keeping == Keeping::waypoints || keeping == Keeping::loop;
+    const bool is_list_over = is_by_list && !is_waiting && standing_[i].mode != HelmMode::waypoints;
     if (is_list_over || standing_[i].halt != Halt::none) authority_.end(i);
   }
 }
@@ -224,7 +257,7 @@ void Steward::know_newcomers() {
     const std::size_t i = agents_.size();
     agents_.push_back(&agents[i]);
     standing_.push_back(standing_of(run_, i));
-    accepted_at_.push_back(0);
+    taken_.emplace_back();
     authority_.add_vehicle();
     std::erase(coming_, agents[i].name);
   }
@@ -286,7 +319,7 @@ std::optional<Refusal> Steward::with_vehicle(std::string_view client, std::size_
 }
 
 void Steward::enqueue_hold(std::string_view client, std::size_t vehicle, double now_s) {
-  accepted_at_[vehicle] = openings_;
+  taken_[vehicle].note(openings_);
   Command hold;
   hold.agent = vehicle;
   hold.what = HoldHere{true};

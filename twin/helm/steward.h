@@ -42,7 +42,8 @@ class Steward {
   /// Checks and enqueues for the next step (`command.step` 0) or a later one; in an opening of the
   /// run that is the step which begins. An empty `command.source` is set to the client.
   /// @param now_s  run time, see `time_s`; never falls
-  /// @return nothing: it was taken
+  /// @return nothing: it was taken; a vehicle takes `RefusalLimits::most_at_once` between two
+  ///         openings, in a pause too
   [[nodiscard]] std::optional<Refusal> submit(std::string_view client, Command command,
                                               double now_s);
 
@@ -55,7 +56,8 @@ class Steward {
   // Authority; see `Authority`. Each answers with nothing where it was done.
   [[nodiscard]] std::optional<Refusal> ask(std::string_view client, std::size_t vehicle,
                                            double now_s);
-  /// A vehicle that goes by velocity or thrusters holds; a list of waypoints goes on.
+  /// A vehicle that goes by velocity, by thrusters or round and round a loop holds; a list of
+  /// waypoints goes on to its last.
   [[nodiscard]] std::optional<Refusal> release(std::string_view client, std::size_t vehicle,
                                                double now_s);
   [[nodiscard]] std::optional<Refusal> allow_take_over(std::string_view client, std::size_t vehicle,
@@ -67,6 +69,9 @@ class Steward {
   /// The place of a vehicle in the run by its name; where there is none, `refuse_unknown` has the
   /// answer.
   [[nodiscard]] std::optional<std::size_t> vehicle(std::string_view name) const;
+
+  /// How many commands of clients a vehicle has taken, the one submitted last included.
+  [[nodiscard]] std::uint64_t taken(std::size_t vehicle) const;
 
   /// Of the last barrier.
   [[nodiscard]] double time_s() const;
@@ -90,6 +95,8 @@ class Steward {
   void know_newcomers();
   [[nodiscard]] const Agent* agent(std::size_t vehicle) const;
   [[nodiscard]] std::optional<Refusal> look_at_name(const std::string& name) const;
+  [[nodiscard]] std::optional<Refusal> refusal_to(std::string_view client, std::size_t vehicle,
+                                                  double now_s) const;
   [[nodiscard]] std::optional<std::uint64_t> last_sequence(std::string_view client,
                                                            std::size_t vehicle) const;
   [[nodiscard]] Refusal count(std::string_view client, std::string vehicle, Refusal refusal,
@@ -109,7 +116,14 @@ class Steward {
   std::vector<const Agent*> agents_;
   std::vector<std::string> coming_;  ///< names of those that are on their way
   std::vector<Standing> standing_;
-  std::vector<std::uint64_t> accepted_at_;  ///< opening of each vehicle's last command
+  /// What each vehicle has taken.
+  struct Taken {
+    std::uint64_t all = 0;
+    std::uint64_t opening = 0;  ///< of the last one
+    std::size_t at_once = 0;    ///< since that opening
+    void note(std::uint64_t now) noexcept;
+  };
+  std::vector<Taken> taken_;
   std::map<std::pair<std::string, std::size_t>, std::uint64_t, std::less<>> last_sequence_;
   std::vector<RefusalCount> counts_;
   std::uint64_t openings_ = 0;

@@ -43,8 +43,14 @@ void RunControl::start_clock(std::uint64_t step) {
   started_ = WallClock::now();
 }
 
+std::optional<RunControl::WallClock::time_point> RunControl::due() const {
+  const std::lock_guard lock(mutex_);
+  return due_;
+}
+
 bool RunControl::may_step(std::uint64_t step, double step_s) {
   std::unique_lock lock(mutex_);
+  due_.reset();
   while (!stopped_) {
     if (paused_) {
       if (allowed_ > 0) {
@@ -61,7 +67,10 @@ bool RunControl::may_step(std::uint64_t step, double step_s) {
     const std::chrono::duration<double> due(static_cast<double>(step - first_step_) * step_s /
                                             factor_);
     const auto at = started_ + std::chrono::duration_cast<WallClock::duration>(due);
-    if (WallClock::now() >= at) return true;
+    if (WallClock::now() >= at) {
+      due_ = at;
+      return true;
+    }
     changed_.wait_until(lock, at);
   }
   return false;

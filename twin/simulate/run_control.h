@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 
 namespace slackwater::twin {
 
@@ -10,6 +11,8 @@ namespace slackwater::twin {
 /// fast it goes. Thread-safe. It changes when steps are made, never what they are.
 class RunControl {
  public:
+  using WallClock = std::chrono::steady_clock;
+
   /// @param real_time_factor  1: as the clock on the wall; 0: as fast as the machine can
   explicit RunControl(double real_time_factor = 0) : factor_(real_time_factor) {}
 
@@ -25,9 +28,10 @@ class RunControl {
   void start_clock(std::uint64_t step);
   /// Waits until the next step may be made. @return whether it may: not when stopped
   [[nodiscard]] bool may_step(std::uint64_t step, double step_s);
+  /// When the step was due that was let go last; nothing: by hand, or as fast as the machine can.
+  [[nodiscard]] std::optional<WallClock::time_point> due() const;
 
  private:
-  using WallClock = std::chrono::steady_clock;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   double factor_;
@@ -36,6 +40,7 @@ class RunControl {
   std::uint64_t allowed_ = 0;
   std::uint64_t first_step_ = 0;
   WallClock::time_point started_;
+  std::optional<WallClock::time_point> due_;
 };
 
 }  // namespace slackwater::twin

@@ -36,7 +36,6 @@ ScenarioVehicle entry_of(const Newcomer& newcomer, const Scenario& scenario) {
 
 void expect_numbers(const Newcomer& newcomer) {
   const auto& [north, east, down] = newcomer.position_m;
-  constexpr double farthest_m = 1e6;  // what `is_sound` lets a vehicle have
   for (const auto& [name, value] :
        {std::pair{"east", east}, std::pair{"north", north}, std::pair{"down", down}})
     if (!(std::abs(value) <= farthest_m))

@@ -74,6 +74,11 @@ WaypointsAsked read_set_waypoints(Payload request) {
 
 ProfileAsked read_query_profile(Payload request) {
   const auto asked = decoded<slackwater_msgs::srv::QueryProfile_Request>(request);
+  if (asked.time().nanosec() >= 1'000'000'000)
+    throw Error(ErrorKind::invalid_input,
+                formatted("time: found {} ns within a second, expected less than 1e9; carry them "
+                          "into its seconds",
+                          asked.time().nanosec()));
   return {asked.latitude(), asked.longitude(), stamp_of(asked.time())};
 }
 

@@ -37,8 +37,14 @@ Bytes velocity_over(const twin::Triple<double>& velocity_m_s, double sd_m_s,
   nu.linear = velocity_m_s;
   message.twist().twist(twist_message(nu));
   std::array<double, 36> covariance{};
-  for (const std::size_t i : {0, 7, 14}) covariance[i] = sd_m_s * sd_m_s;
-  for (const std::size_t i : {21, 28, 35}) covariance[i] = -1;  // of turning it knows nothing
+  // What is not measured has no number, and no variance either; of turning it knows nothing.
+  const auto variance = [&](double value) {
+    return std::isnan(value) ? no_number : sd_m_s * sd_m_s;
+  };
+  covariance[0] = variance(velocity_m_s.x);
+  covariance[7] = variance(velocity_m_s.y);
+  covariance[14] = variance(velocity_m_s.z);
+  for (const std::size_t i : {21, 28, 35}) covariance[i] = -1;
   message.twist().covariance(covariance);
   return encoded(message);
 }

@@ -40,7 +40,7 @@ TEST(ReserveAdvice, IsWhatIsLeftOverWhatItDraws) {
       "  - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, depth_m: 10}}\n");
   const twin::Agent& agent = ready.agents[0];
   twin::AgentState state = ready.states[0];
-  live::ReserveAdvice advice(state);
+  live::ReserveAdvice advice(state, 0);
   const UtcTime now = parse_utc("2025-06-02T14:00:00Z");
   constexpr double power_w = 100;
   state.vehicle.drawn_j += 10 * power_w;
@@ -55,6 +55,11 @@ TEST(ReserveAdvice, IsWhatIsLeftOverWhatItDraws) {
   const dds::Reserve away = advice.look(agent, state, now, 10);
   EXPECT_NEAR(away.energy_home_j, 100 / agent.vehicle->cruise_speed_m_s * power_w, 1e-6 * full_j);
   EXPECT_NEAR(away.margin_s, (0.8 * full_j - 1.3 * away.energy_home_j) / power_w, 1);
+  // One that joins late drew nothing before.
+  live::ReserveAdvice of_newcomer(ready.states[0], 3600);
+  state.vehicle.body.position_m.x -= 100;
+  const dds::Reserve joined = of_newcomer.look(agent, state, now, 3610);
+  EXPECT_NEAR(joined.margin_s, 0.8 * full_j / power_w, 1e-6 * reserve.margin_s);
 }
 
 }  // namespace

@@ -10,11 +10,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
+bool never() { return false; }
+
 TEST(LockStep, TheAnswerToTheStepThatIsAskedIsTaken) {
   live::LockStep<int> lock;
   lock.ask(5);
   EXPECT_TRUE(lock.answer(5, 50));
-  EXPECT_EQ(lock.wait(1s), 50) << "it came before anybody waited";
+  EXPECT_EQ(lock.wait(1s, never), 50) << "it came before anybody waited";
 }
 
 TEST(LockStep, LateAndEarlyAnswersAreDropped) {
@@ -23,10 +25,23 @@ TEST(LockStep, LateAndEarlyAnswersAreDropped) {
   lock.ask(5);
   EXPECT_FALSE(lock.answer(4, 40));
   EXPECT_FALSE(lock.answer(6, 60));
-  EXPECT_EQ(lock.wait(1ms), std::nullopt);
+  EXPECT_EQ(lock.wait(1ms, never), std::nullopt);
   EXPECT_FALSE(lock.answer(5, 50)) << "nobody waits any more";
   lock.ask(6);
-  EXPECT_EQ(lock.wait(1ms), std::nullopt) << "nothing is left of the step before";
+  EXPECT_EQ(lock.wait(1ms, never), std::nullopt) << "nothing is left of the step before";
+}
+
+TEST(LockStep, NobodyIsWaitedForWhenTheRunIsStopped) {
+  live::LockStep<int> lock;
+  std::atomic<bool> is_stopped = false;
+  std::jthread stopping([&] {
+    std::this_thread::sleep_for(50ms);
+    is_stopped = true;
+  });
+  lock.ask(5);
+  const auto begun = std::chrono::steady_clock::now();
+  EXPECT_EQ(lock.wait(600s, [&] { return is_stopped.load(); }), std::nullopt);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, 60s);
 }
 
 TEST(LockStep, AThousandStepsWithAnotherThread) {
@@ -41,7 +56,7 @@ TEST(LockStep, AThousandStepsWithAnotherThread) {
   for (std::uint64_t step = 1; step <= 1000; ++step) {
     lock.ask(step);
     asked = step;
-    ASSERT_EQ(lock.wait(20s), 10 * step);
+    ASSERT_EQ(lock.wait(20s, never), 10 * step);
   }
 }
 

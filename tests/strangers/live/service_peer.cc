@@ -6,6 +6,7 @@
 
 #include "action_msgsPubSubTypes.h"
 #include "geometry_msgsPubSubTypes.h"
+#include "std_msgsPubSubTypes.h"
 #include "tests/strangers/live/peer_checks.h"
 
 namespace {
@@ -105,17 +106,60 @@ int main(int argc, char** argv) {
   result.goal_id(goal.goal_id());
   const auto result_of_second = get_result.call(result);
   expect(result_of_second && result_of_second->status() == 5, "its result says so");
+  goal.goal_id().uuid()[0] = 3;
+  const auto third = send_goal.call(goal);
+  expect(third && third->accepted(), "a third goal is accepted");
+  waypoints.path(path_of({{here.x() + 0.5, here.y(), here.z()}}));
+  const auto elsewhere = set_waypoints.call(waypoints);
+  expect(elsewhere && elsewhere->success(), "and its client sends the vehicle elsewhere");
+  result.goal_id(goal.goal_id());
+  const auto replaced = get_result.call(result, 60);
+  expect(replaced && replaced->status() == 6 && !replaced->result().success() &&
+             replaced->result().message().find("another command") != std::string::npos,
+         "which aborts the goal: " + (replaced ? replaced->result().message() : ""));
+
+  // --- what is not taken ---
+  auto* refusals = node.reader<std_msgs::msg::StringPubSubType>("rt" + vehicle + "/refused");
+  auto* cmd_vel = node.writer<geometry_msgs::msg::TwistPubSubType>("rt" + vehicle + "/cmd_vel");
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const auto send = [&](const geometry_msgs::msg::Twist& asked, double seconds_ago) {
+    geometry_msgs::msg::Twist twist = asked;
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    const double sent_s = std::chrono::duration<double>(now).count() - seconds_ago;
+    const eprosima::fastrtps::Time_t at(static_cast<std::int32_t>(sent_s),
+                                        static_cast<std::uint32_t>(1e9 * std::fmod(sent_s, 1)));
+    cmd_vel->write_w_timestamp(&twist, fdds::HANDLE_NIL, at);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  };
+  const auto refusal_of = [&](const geometry_msgs::msg::Twist& asked, double seconds_ago) {
+    send(asked, 0);
+    send(asked, seconds_ago);
+    const auto refusal = next<std_msgs::msg::String, void>(refusals, 1);
+    return refusal ? refusal->data() : std::string();
+  };
+  geometry_msgs::msg::Twist slowly;
+  slowly.linear().x(0.1);
+  const std::string in_time = refusal_of(slowly, 0.5);
+  expect(in_time.empty(), "a velocity of half a second ago is taken: " + in_time);
+  const std::string stale = refusal_of(slowly, 3);
+  expect(stale.find("\"stale\"") != std::string::npos,
+         "one that was held back for three is not: " + stale);
+  geometry_msgs::msg::Twist rolling = slowly;
+  rolling.angular().x(std::nan(""));
+  const std::string rolled = refusal_of(rolling, 0);
+  expect(rolled.find("of roll") != std::string::npos, "nor a roll that is no number: " + rolled);
+
   result.goal_id().uuid()[0] = 9;
   const auto unknown = get_result.call(result);
   expect(unknown && unknown->status() == 0, "of a goal that nobody sent there is none");
   std::optional<action_msgs::msg::GoalStatusArray> states;
-  for (int i = 0; i < 50 && (!states || states->status_list().size() < 2 ||
-                             states->status_list()[1].status() != 5);
+  for (int i = 0; i < 50 && (!states || states->status_list().size() < 3 ||
+                             states->status_list()[2].status() != 6);
        ++i)
     if (auto later = next<action_msgs::msg::GoalStatusArray, void>(status, 0.2)) states = later;
-  expect(states && states->status_list().size() == 2 && states->status_list()[0].status() == 4 &&
-             states->status_list()[1].status() == 5,
-         "the status topic has both");
+  expect(states && states->status_list().size() == 3 && states->status_list()[0].status() == 4 &&
+             states->status_list()[1].status() == 5 && states->status_list()[2].status() == 6,
+         "the status topic has all three");
 
   // --- the current ---
   QueryProfile query(node, "/slackwater/query_profile");

@@ -54,6 +54,14 @@ Reroute to(double north_m, double east_m, double down_m, double speed_m_s = 0) {
   return Reroute{{{{north_m, east_m, down_m}, speed_m_s}}};
 }
 
+/// A turn of longitude away, and where a longitude has no digits left behind its point.
+TEST(Refusal, NoPlaceIsFurtherAwayThanAVehicleCanBe) {
+  for (const double east_m : {23'036'700.0, 69'110'100.0, -23'036'700.0, 1e25, 1e200, 1e308}) {
+    expect_no(answer(to(0, east_m, 30)), RefusalReason::no_place, {"waypoint 1", "1e+06 m"});
+    expect_no(answer(to(east_m, 0, 30)), RefusalReason::no_place, {"waypoint 1", "1e+06 m"});
+  }
+}
+
 TEST(Refusal, WhatCanBeDoneIsNotRefused) {
   EXPECT_FALSE(answer(SetVelocity{{0.5, -0.3, 0.2, 0.3}}));
   EXPECT_FALSE(answer(SetThrusters{std::vector<double>(8, -1)}));
@@ -113,7 +121,7 @@ TEST(Refusal, OfPlacesWhereTheVehicleCannotBe) {
   expect_no(answer(to(0, 0, 1), {uav}), RefusalReason::no_place, {"below the sea", "flies"});
   expect_no(answer(to(102, 1, 30)), RefusalReason::no_place, {"structure 1", "move it out"});
   expect_no(answer(to(102, 1, 30), {usv}), RefusalReason::no_place, {"structure 1"});
-  expect_no(answer(to(9e6, 0, 10)), RefusalReason::no_place, {"outside"});
+  expect_no(answer(to(9e5, 0, 10)), RefusalReason::no_place, {"outside"});
   // The one that is meant is named.
   Reroute list{{{{0, 0, 10}, 0}, {{0, 5, 10}, 0}, {{0, 0, 99}, 0}}};
   expect_no(answer(list), RefusalReason::no_place, {"waypoint 3"});

@@ -129,6 +129,45 @@ TEST(Steward, WhoGivesAMovingVehicleBackLeavesItHolding) {
   EXPECT_EQ(served.steward.holder(0), "");
 }
 
+TEST(Steward, WhoGivesALoopBackLeavesItHoldingAndAListGoingOn) {
+  const twin::Waypoint there{{30, 0, 20}, 0}, back{{0, 0, 20}, 0};
+  for (const bool is_loop : {false, true}) {
+    Served served;
+    ASSERT_FALSE(served.say("ann", twin::Reroute{{there, back}, is_loop}));
+    go_on(*served.run, 2);
+    ASSERT_EQ(served.helm().mode, HelmMode::waypoints);
+    EXPECT_EQ(served.steward.holder(0), "ann");
+    EXPECT_FALSE(served.steward.release("ann", 0, served.steward.time_s()));
+    go_on(*served.run, 2);
+    EXPECT_EQ(served.helm().mode, is_loop ? HelmMode::hold : HelmMode::waypoints);
+    EXPECT_EQ(served.steward.holder(0), "");
+  }
+}
+
+TEST(Steward, TakesNoMoreThanAThousandCommandsOfAVehicleForOneStep) {
+  Served served;
+  const std::size_t most = twin::RefusalLimits{}.most_at_once;
+  for (std::size_t i = 0; i < most; ++i) ASSERT_FALSE(served.say("ann", ahead)) << i;
+  EXPECT_EQ(served.steward.taken(0), most);
+  const auto answer = served.say("ann", ahead);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->reason, RefusalReason::too_many);
+  EXPECT_NE(answer->text.find("1000 commands"), std::string::npos) << answer->text;
+  EXPECT_EQ(served.steward.taken(0), most);
+  served.run->step();
+  EXPECT_EQ(served.run->commands_taken().size(), most);
+  EXPECT_FALSE(served.say("ann", ahead)) << "the next step has room again";
+}
+
+/// Whoever is not at the helm keeps nobody waiting with a list that takes long to look at.
+TEST(Steward, AsksWhoItIsBeforeWhatItSays) {
+  Served served;
+  ASSERT_FALSE(served.steward.ask("ann", 0, 0));
+  const auto answer = served.say("bob", twin::Reroute{{{{1e300, 0, 20}, 0}}});
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->reason, RefusalReason::unauthorised);
+}
+
 TEST(Steward, WhoGivesItBackToItsMissionHoldsItNoMore) {
   Served served;
   ASSERT_FALSE(served.say("ann", ahead));
