@@ -15,12 +15,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// How many are readable of a file that grows. The copy is cut short somewhere, as a killed one is.
+/// How many are readable of a file that grows, which is empty at first. The copy is cut short
+/// somewhere, as a killed one is.
 std::size_t readable(const std::filesystem::path& growing, const std::filesystem::path& copy) {
   std::error_code none;
   std::filesystem::copy_file(growing, copy, std::filesystem::copy_options::overwrite_existing,
                              none);
-  return none ? 0 : messages_of(copy).size();
+  return none || std::filesystem::file_size(copy) == 0 ? 0 : messages_of(copy).size();
 }
 
 /// What both have, and how far that goes, is the same.
