@@ -14,6 +14,15 @@ namespace {
 /// Long enough for another process to finish a commit on a slow disk.
 constexpr int busy_timeout_ms = 30'000;
 
+constexpr int operations_at_a_time = 1000;
+
+int take_work(void* left_of_all) {
+  auto& left = *static_cast<std::uint64_t*>(left_of_all);
+  if (left < operations_at_a_time) return 1;  // ends the statement
+  left -= operations_at_a_time;
+  return 0;
+}
+
 Error error_of(int code, const std::filesystem::path& file, const DatabaseWords& words,
                const std::string& text, int system_errno) {
   const std::string found = std::string(words.name) + " " + file.string() + ": ";
@@ -50,6 +59,10 @@ Error error_of(int code, const std::filesystem::path& file, const DatabaseWords&
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
       return advised(ErrorKind::invalid_input, "is damaged: " + cause, words.when_damaged);
+    case SQLITE_INTERRUPT:
+      return advised(ErrorKind::invalid_input,
+                     "is damaged: reading it takes more work than a file of its size can ask for",
+                     words.when_damaged);
     case SQLITE_NOMEM:
       return Error(ErrorKind::unavailable, found + "out of memory");
     default:
@@ -196,6 +209,12 @@ Database Database::open_copy(const std::filesystem::path& file, std::string_view
       SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_READONLY);
   if (code != SQLITE_OK) database.fail(code);
   return database;
+}
+
+void Database::bound_work(std::uint64_t operations) {
+  if (!work_left_) work_left_ = std::make_unique<std::uint64_t>();
+  *work_left_ = operations;
+  sqlite3_progress_handler(connection_.get(), operations_at_a_time, take_work, work_left_.get());
 }
 
 void Database::leave_log() noexcept {

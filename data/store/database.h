@@ -99,6 +99,10 @@ class Database {
   /// Runs one or several statements that return nothing of interest.
   void execute(const std::string& sql);
   [[nodiscard]] std::int64_t last_inserted_id() const;
+  /// From now on the connection's statements do no more than so many operations of SQLite's machine
+  /// together: whoever asks for more has a file whose pages go round in circles.
+  /// @throws Error(invalid_input), from the statement that goes on
+  void bound_work(std::uint64_t operations);
   /// Closing this connection leaves the write-ahead log where it is.
   void leave_log() noexcept;
   [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
@@ -114,6 +118,8 @@ class Database {
 
   std::filesystem::path file_;
   DatabaseWords words_;
+  /// What is left of the work allowed; at a place of its own, as SQLite is told where it is.
+  std::unique_ptr<std::uint64_t> work_left_;
   std::unique_ptr<sqlite3, Close> connection_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "data/store/database.h"
 #include "fields/base/error.h"
 #include "tests/data/bag/made_up_mcap.h"
 #include "tests/support/error_of.h"
@@ -121,6 +122,99 @@ TEST(RosbagFile, AMessageOfNoTopicIsDamage) {
   const std::string said = error_of([&] { return all_in(folder / "a.db3"); });
   EXPECT_NE(said.find("message 2 is of topic 1, which is not in its table"), std::string::npos)
       << said;
+}
+
+/// A time before 1970 is no time of a log, as in MCAP, and no difference of two can overflow.
+TEST(RosbagFile, ATimeBefore1970IsDamage) {
+  const TemporaryFolder folder;
+  run_sql(folder / "a.db3", topics_1 + messages_table + topic_1 +
+                                "INSERT INTO messages VALUES "
+                                "(1, 1, -9223372036854775808, x'00010000'), "
+                                "(2, 1, 9223372036854775807, x'00010000');");
+  const std::string said = error_of([&] { return all_in(folder / "a.db3"); });
+  EXPECT_NE(said.find("message 1 is of a time of -9223372036854775808 ns"), std::string::npos)
+      << said;
+}
+
+/// A file of SQLite, page by page (its file format, sections 1.6 and 2).
+class Pages {
+ public:
+  explicit Pages(const std::filesystem::path& file) : bytes_(bytes_of(file)) {}
+  [[nodiscard]] const Bytes& bytes() const { return bytes_; }
+
+  /// Pages of a tree with so many levels, all of one child: its root names one page again and
+  /// again, that one the next, the last a leaf.
+  void tie(std::size_t root, std::size_t levels) {
+    std::vector<std::size_t> others;
+    for (const std::size_t at : children(root)) others.push_back(number(at));
+    ASSERT_GT(others.size(), levels);
+    const Bytes form(page(root), page(root) + size);
+    for (std::size_t level = 1; level < levels; ++level)
+      std::copy(form.begin(), form.end(), page(others[level]));
+    std::size_t above = root;
+    for (std::size_t level = 1; level <= levels; ++level) {
+      const std::size_t below = level < levels ? others[level] : others[0];
+      for (const std::size_t at : children(above))
+        for (std::size_t i = 0; i < 4; ++i)
+          bytes_[at + i] = static_cast<std::uint8_t>(below >> (24 - 8 * i));
+      above = below;
+    }
+  }
+
+ private:
+  static constexpr std::size_t size = 512;
+  [[nodiscard]] static std::size_t start(std::size_t page) { return (page - 1) * size; }
+  [[nodiscard]] Bytes::iterator page(std::size_t page) {
+    return bytes_.begin() + static_cast<std::ptrdiff_t>(start(page));
+  }
+  [[nodiscard]] std::size_t short_number(std::size_t at) const {
+    return static_cast<std::size_t>(bytes_[at] << 8U | bytes_[at + 1]);
+  }
+  [[nodiscard]] std::size_t number(std::size_t at) const {
+    return short_number(at) << 16U | short_number(at + 2);
+  }
+  /// Where a page that is no leaf names those below it.
+  [[nodiscard]] std::vector<std::size_t> children(std::size_t page) const {
+    std::vector<std::size_t> places{start(page) + 8};
+    for (std::size_t cell = 0; cell < short_number(start(page) + 3); ++cell)
+      places.push_back(start(page) + short_number(start(page) + 12 + 2 * cell));
+    return places;
+  }
+
+  Bytes bytes_;
+};
+
+std::size_t root_of(const std::filesystem::path& file, const std::string& name) {
+  auto database = store::Database::open(file, store::Database::Access::read);
+  auto root = database.prepare("SELECT rootpage FROM sqlite_schema WHERE name = ?1");
+  root.bind(1, name).step();
+  return static_cast<std::size_t>(root.integer(0));
+}
+
+/// Twenty children to each page, eighteen levels: more messages than anybody will live to read.
+TEST(RosbagFile, PagesThatAreNamedAgainAndAgainAreDamage) {
+  const std::string index = "CREATE INDEX timestamp_idx ON messages (timestamp ASC);";
+  ASSERT_TRUE(messages_table.ends_with(index));
+  const std::string plain_table = messages_table.substr(0, messages_table.size() - index.size());
+  struct Case {
+    std::string table, tied, said;
+  };
+  for (const Case& c :
+       {Case{messages_table, "timestamp_idx", "comes twice, or before its time"},
+        Case{plain_table, "messages", "takes more work than a file of its size can ask for"}}) {
+    SCOPED_TRACE(c.tied);
+    const TemporaryFolder folder;
+    const auto file = folder / "a.db3";
+    run_sql(file, "PRAGMA page_size = 512;" + topics_1 + c.table + topic_1 +
+                      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n LIMIT 1000) "
+                      "INSERT INTO messages SELECT i, 1, 1000000 + i, x'00010000' FROM n;");
+    ASSERT_EQ(all_in(file).size(), 1000U);
+    Pages pages(file);
+    pages.tie(root_of(file, c.tied), 18);
+    write_file(file, pages.bytes());
+    const std::string said = error_of([&] { return all_in(file); });
+    EXPECT_NE(said.find(c.said), std::string::npos) << said;
+  }
 }
 
 /// Bytes changed and cut at many places: an Error or messages, never anything else.
