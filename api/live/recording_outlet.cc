@@ -9,6 +9,8 @@ namespace {
 constexpr std::size_t most_waiting_bytes = 256U << 20U;
 constexpr std::chrono::seconds quiet_time{1};
 
+bool is_hidden(const std::string& topic) { return topic.find("/_") != std::string::npos; }
+
 }  // namespace
 
 RecordingOutlet::RecordingOutlet(const std::filesystem::path& path,
@@ -21,12 +23,14 @@ RecordingOutlet::RecordingOutlet(const std::filesystem::path& path,
 RecordingOutlet::~RecordingOutlet() { (void)close(); }
 
 void RecordingOutlet::open(const bag::Channel& channel, Direction) {
+  is_hidden_.push_back(is_hidden(channel.topic));
   const std::lock_guard lock(mutex_);
   channels_.push_back(channel);
 }
 
 void RecordingOutlet::publish(std::size_t channel, const dds::Stamp& stamp,
                               const dds::Bytes& message) {
+  if (is_hidden_[channel]) return;
   {
     const std::lock_guard lock(mutex_);
     if (waiting_bytes_ <= most_waiting_bytes) {
@@ -63,9 +67,12 @@ void RecordingOutlet::write_all() {
     }
     try {
       if (!has_failed_) {
-        for (const bag::Channel& channel : channels) ids_.push_back(writer_.add_channel(channel));
+        for (const bag::Channel& channel : channels) {
+          ids_.emplace_back();
+          if (!is_hidden(channel.topic)) ids_.back() = writer_.add_channel(channel);
+        }
         for (const Item& item : batch)
-          writer_.write(ids_[item.channel], item.time_ns, item.message);
+          writer_.write(*ids_[item.channel], item.time_ns, item.message);
         const auto now = std::chrono::steady_clock::now();
         if (!batch.empty()) said_last = now;
         // The writer lets go of a batch with a message that comes later: in a pause none does.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace slackwater::live {
 /// fails, or cannot keep up with 256 MiB of messages, that is told, the recording ends with what it
 /// has and the run goes on without it. What is older than some two seconds outlives the death of
 /// the process, in a pause too.
+///
+/// It leaves out hidden topics, as `ros2 bag record -a` does: those with a part of their name that
+/// begins with '_'. The action's feedback is one, whose type is none that readers of bags know.
 class RecordingOutlet final : public Outlet {
  public:
   /// @throws Error(invalid_input) where something lies at the path, Error(unavailable)
@@ -28,7 +32,9 @@ class RecordingOutlet final : public Outlet {
   RecordingOutlet& operator=(const RecordingOutlet&) = delete;
 
   void open(const bag::Channel& channel, Direction direction) override;
-  [[nodiscard]] bool wants(std::size_t) const override { return !has_failed_; }
+  [[nodiscard]] bool wants(std::size_t channel) const override {
+    return !has_failed_ && !is_hidden_[channel];
+  }
   void publish(std::size_t channel, const dds::Stamp& stamp, const dds::Bytes& message) override;
 
   /// Writes all there is and completes the recording. @return messages recorded
@@ -47,6 +53,7 @@ class RecordingOutlet final : public Outlet {
   std::filesystem::path path_;
   std::function<void(const std::string&)> on_trouble_;
   bag::Writer writer_;
+  std::vector<bool> is_hidden_;  ///< of the channels; the run's thread's alone
   std::mutex mutex_;
   std::condition_variable came_;
   std::vector<bag::Channel> channels_;
@@ -54,7 +61,8 @@ class RecordingOutlet final : public Outlet {
   std::size_t waiting_bytes_ = 0;
   bool is_over_ = false;
   std::atomic<bool> has_failed_{false};
-  std::vector<bag::ChannelId> ids_;  ///< of the writer; its thread's alone
+  /// Of the channels, in the writer: nothing of those that are hidden. Its thread's alone.
+  std::vector<std::optional<bag::ChannelId>> ids_;
   std::thread thread_;
 };
 

@@ -54,6 +54,26 @@ TEST(RecordingOutlet, WhatWasSaidBeforeAPauseIsReadableWhileItLasts) {
   }
 }
 
+/// As `ros2 bag record -a` does: readers of bags know no type of an action's topics.
+TEST(RecordingOutlet, LeavesHiddenTopicsOut) {
+  const TemporaryFolder folder;
+  const bag::Channel feedback{
+      "/rov/navigate/_action/feedback", "slackwater_msgs/action/Navigate_FeedbackMessage", "", {}};
+  for (const char* name : {"run.mcap", "run"}) {
+    live::RecordingOutlet outlet(folder / name, [](const std::string& text) { FAIL() << text; });
+    outlet.open(feedback, live::Direction::told);
+    outlet.open(level, live::Direction::told);
+    EXPECT_FALSE(outlet.wants(0));
+    EXPECT_TRUE(outlet.wants(1));
+    outlet.publish(0, {1, 0}, message_of(1));
+    outlet.publish(1, {2, 0}, message_of(2));
+    EXPECT_EQ(outlet.close(), 1U);
+    const auto recording = bag::open_bag(folder / name);
+    ASSERT_EQ(recording->channels().size(), 1U) << name;
+    EXPECT_EQ(recording->channels()[0].topic, level.topic);
+  }
+}
+
 TEST(RecordingOutlet, WhereSomethingLiesNothingIsBegun) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "run");
