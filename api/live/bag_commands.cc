@@ -7,8 +7,12 @@
 namespace slackwater::live {
 
 BagCommands::BagCommands(const std::filesystem::path& bag, const std::vector<std::string>& names,
-                         Desk& desk)
-    : client_("bag " + bag.filename().string()), desk_(desk), bag_(bag::open_bag(bag)) {
+                         Desk& desk, std::function<void(const std::string&)> on_trouble)
+    : path_(bag),
+      client_("bag " + bag.filename().string()),
+      desk_(desk),
+      on_trouble_(std::move(on_trouble)),
+      bag_(bag::open_bag(bag)) {
   bool has_any = false;
   for (const bag::Channel& channel : bag_->channels()) {
     std::optional<Target>& target = targets_.emplace_back();
@@ -26,6 +30,11 @@ BagCommands::BagCommands(const std::filesystem::path& bag, const std::vector<std
                     names.front() + "/cmd_vel");
   }
   due_ = next();
+  for (const std::string& warning : bag_->warnings()) tell(warning);
+}
+
+void BagCommands::tell(const std::string& text) const {
+  if (on_trouble_) on_trouble_(text);
 }
 
 std::optional<BagCommands::Due> BagCommands::next() {
@@ -39,9 +48,19 @@ std::optional<BagCommands::Due> BagCommands::next() {
   return std::nullopt;
 }
 
+std::optional<BagCommands::Due> BagCommands::next_or_end() {
+  try {
+    return next();
+  } catch (const Error& e) {
+    tell("the commands played from " + path_.string() +
+         " end here, the run goes on without them: " + e.message());
+    return std::nullopt;
+  }
+}
+
 void BagCommands::hand_in(double start_s) {
   constexpr double soon_s = 1e-6;  // what rounding leaves of a number of steps
-  for (; due_ && due_->at_s <= start_s + soon_s; due_ = next())
+  for (; due_ && due_->at_s <= start_s + soon_s; due_ = next_or_end())
     live::hand_in(desk_, client_, due_->target.vehicle, due_->target.read, due_->message);
 }
 

@@ -1,17 +1,21 @@
 #include "api/live/bag_traffic.h"
 
+#include <cmath>
 #include <map>
 
 #include "api/dds/message/orders.h"
 #include "data/bag/bag.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
+#include "fields/base/text.h"
 
 namespace slackwater::live {
 namespace {
 
 constexpr std::uint32_t first_mmsi = 980'000'001;
 constexpr double every_s = 1;  ///< more often than vessels report
+/// Far beyond where anything meets the run, and within what its plane can say of a round earth.
+constexpr double farthest_m = 1e6;
 
 /// "NAME" of a topic "/NAME/ending"; nothing of others.
 std::optional<std::string> name_before(const std::string& topic, const std::string& ending) {
@@ -38,6 +42,21 @@ std::map<std::string, Teller> tellers_of(const bag::Bag& bag) {
       tellers.try_emplace(*odometer, Teller{i, false});
   }
   return tellers;
+}
+
+twin::Triple<double> place_in(const bag::Recorded& message, bool is_pose) {
+  const twin::Triple<double> place_m = is_pose ? dds::place_in_pose(message.payload).position_m
+                                               : dds::place_in_odometry(message.payload).position_m;
+  for (const double part_m : {place_m.x, place_m.y, place_m.z}) {
+    if (std::abs(part_m) <= farthest_m) continue;  // what is no number is not
+    throw Error(
+        ErrorKind::invalid_input,
+        formatted("found a place of north {:g}, east {:g}, down {:g} m; expected numbers of "
+                  "at most {:g} m from the origin of the run; leave the topic out of the "
+                  "bag, or give the scenario the origin that it was recorded about",
+                  place_m.x, place_m.y, place_m.z, farthest_m));
+  }
+  return place_m;
 }
 
 /// The files of a bag by their checksums, so that a log says what passed by.
@@ -78,10 +97,11 @@ void add_bag_traffic(const std::filesystem::path& path, const twin::Scenario& sc
     if (t_s > scenario.duration_s + every_s) break;
     std::vector<twin::TrackPoint>& track = tracks[name->second];
     if (!track.empty() && t_s < track.back().t_s + every_s) continue;
-    const dds::PlaceTold told = tellers.at(name->second).is_pose
-                                    ? dds::place_in_pose(message->payload)
-                                    : dds::place_in_odometry(message->payload);
-    track.push_back({t_s, told.position_m, std::nullopt, std::nullopt});
+    const auto place_m = with_context(
+        formatted("{}, topic {}, the message of {} ns ({:g} s from its first)", path.string(),
+                  bag->channels()[message->channel].topic, message->log_time_ns, t_s),
+        [&] { return place_in(*message, tellers.at(name->second).is_pose); });
+    track.push_back({t_s, place_m, std::nullopt, std::nullopt});
   }
   std::uint32_t mmsi = first_mmsi;
   for (auto& [name, track] : tracks) {
@@ -91,8 +111,7 @@ void add_bag_traffic(const std::filesystem::path& path, const twin::Scenario& sc
     vessel.track = twin::Track(std::move(track));
     water.surround.vessels.push_back(std::move(vessel));
   }
-  for (const std::string& warning : bag->warnings())
-    water.warnings.push_back(path.string() + ": " + warning);
+  water.warnings.insert(water.warnings.end(), bag->warnings().begin(), bag->warnings().end());
   water.traffic_files += (water.traffic_files.empty() ? "" : ", ") + checksums_of(path);
 }
 

@@ -55,8 +55,11 @@ struct LiveRun::Parts {
                                        *hand.environment, hand.vessels);
     if (participant) open_doors(hand, settings);
     open_for_all();
+    // At once, and not only in what is said at the end: a run may take hours.
+    for (std::size_t i = 0; settings.on_trouble && i < hand.water.warnings.size(); ++i)
+      settings.on_trouble(hand.water.warnings[i]);
     for (const auto& bag : settings.played_commands) {
-      BagCommands& played = played_commands.emplace_back(bag, names, desk);
+      BagCommands& played = played_commands.emplace_back(bag, names, desk, settings.on_trouble);
       run.at_opening([&played](const twin::StepTime& time) { played.hand_in(time.start_s); });
     }
     speak();

@@ -73,8 +73,11 @@ void SiteVoice::speak_of_traffic(std::span<const twin::Seen> vehicles, double t_
     dds::AisTarget target;
     target.mmsi = contact.id;
     if (vessel != vessels_.end()) target.name = vessel->name;
-    target.point = GeoPoint::from_degrees(place_.origin.latitude_deg() + at_m.x * per_m.north,
-                                          place_.origin.longitude_deg() + at_m.y * per_m.east);
+    // Far off, the plane of the run goes beyond the pole, and no vessel is there.
+    const double latitude_deg = place_.origin.latitude_deg() + at_m.x * per_m.north;
+    const double longitude_deg = place_.origin.longitude_deg() + at_m.y * per_m.east;
+    if (!(std::abs(latitude_deg) <= 90) || !std::isfinite(longitude_deg)) continue;
+    target.point = GeoPoint::from_degrees(latitude_deg, longitude_deg);
     target.speed_m_s = std::hypot(v.x, v.y);
     const double course_deg = std::atan2(v.y, v.x) * 180 / constants::pi;
     target.course_deg = course_deg < 0 ? course_deg + 360 : course_deg;

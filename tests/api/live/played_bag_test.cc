@@ -1,10 +1,11 @@
 // Bags played back: as commands of a client, as vessels that pass by.
-#include <cstring>
-
 #include "api/live/bag_traffic.h"
 #include "api/live/live_run.h"
-#include "data/bag/recording.h"
+#include "api/live/recording_outlet.h"
 #include "fields/base/error.h"
+#include "tests/api/live/live_records.h"
+#include "tests/api/live/made_up_commands.h"
+#include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
@@ -13,39 +14,19 @@ namespace {
 
 constexpr double step_s = 0.05;
 
-/// geometry_msgs/msg/Twist: six numbers behind the encapsulation header.
-dds::Bytes twist(double surge_m_s, double yaw_rate_rad_s) {
-  dds::Bytes bytes(52);
-  bytes[1] = 1;
-  std::memcpy(bytes.data() + 4, &surge_m_s, 8);
-  std::memcpy(bytes.data() + 44, &yaw_rate_rad_s, 8);
-  return bytes;
-}
-
-std::int64_t ns_of(double t_s) { return 1'700'000'000'000'000'000 + std::llround(1e9 * t_s); }
-
-/// A bag that begins with a clock, and has `topic` from 2 to 4 s, ten times a second.
-std::filesystem::path bag_of_commands(const std::filesystem::path& path, const std::string& topic,
-                                      const dds::Bytes& message) {
-  bag::Writer writer = bag::open_recording(path);
-  const auto clock = writer.add_channel({"/clock", "rosgraph_msgs/msg/Clock", "", {}});
-  const auto commands = writer.add_channel({topic, "geometry_msgs/msg/Twist", "", {}});
-  writer.write(clock, ns_of(0), dds::Bytes{0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
-  for (int i = 0; i <= 20; ++i) writer.write(commands, ns_of(2 + 0.1 * i), message);
-  writer.close();
-  return path;
-}
-
 const std::string scenario_text =
     calm_head(step_s) +
     "  - {name: rov 1, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, depth_m: 10}, tasks: "
     "[{do: hold}]}\n";
 
-api::ScenarioResult played(const std::filesystem::path& bag, api::ScenarioWater water,
-                           const twin::Scenario& scenario) {
+api::ScenarioResult played(const std::filesystem::path& bag, const api::ScenarioWater& water,
+                           const twin::Scenario& scenario,
+                           std::vector<std::string>* troubles = nullptr) {
   std::unique_ptr<live::LiveRun> joined;
   live::LiveSettings settings;
   settings.played_commands = {bag};
+  if (troubles != nullptr)
+    settings.on_trouble = [troubles](const std::string& text) { troubles->push_back(text); };
   api::RunChoice choice;
   choice.on_ready = [&](const api::RunInHand& hand) {
     joined = std::make_unique<live::LiveRun>(hand, settings);
@@ -107,6 +88,35 @@ TEST(PlayedBag, OfOtherVehiclesIsRefused) {
   }
 }
 
+/// Half of its messages can be read; then its bytes are not those that were written.
+TEST(PlayedBag, DamagedInItsMiddleEndsAndTheRunGoesOn) {
+  const TemporaryFolder folder;
+  const twin::Scenario scenario = ten_seconds();
+  const auto bag = bag_damaged_in_its_middle(folder / "half.mcap", "/rov_1/cmd_vel", twist(0.3, 0));
+  std::vector<std::string> troubles;
+  const api::ScenarioResult result = played(bag, water_of(scenario), scenario, &troubles);
+  EXPECT_EQ(result.commands.size(), 11U);
+  EXPECT_FALSE(result.stopped_at_step.has_value());
+  ASSERT_EQ(troubles.size(), 1U);
+  EXPECT_NE(troubles[0].find("half.mcap end here, the run goes on without them: "),
+            std::string::npos)
+      << troubles[0];
+}
+
+TEST(PlayedBag, CutShortIsToldBeforeTheRun) {
+  const TemporaryFolder folder;
+  const twin::Scenario scenario = ten_seconds();
+  const auto bag = folder / "cut.mcap";
+  const std::uintmax_t half = write_commands(bag, "/rov_1/cmd_vel", twist(0.3, 0));
+  std::filesystem::resize_file(bag, half + 30);
+  std::vector<std::string> troubles;
+  const api::ScenarioResult result = played(bag, water_of(scenario), scenario, &troubles);
+  EXPECT_EQ(result.commands.size(), 11U);
+  ASSERT_EQ(troubles.size(), 1U);
+  EXPECT_NE(troubles[0].find("cut.mcap: cut short or damaged at byte"), std::string::npos)
+      << troubles[0];
+}
+
 /// A vessel that went north at 2 m/s, told ten times a second, passes by at 2 m/s.
 TEST(PlayedBag, ItsVehiclesPassByWhereTheyWereThen) {
   const TemporaryFolder folder;
@@ -138,6 +148,88 @@ TEST(PlayedBag, ItsVehiclesPassByWhereTheyWereThen) {
                                      scenario, water),
                Error)
       << "nobody tells where he is";
+}
+
+/// A bag with a vessel of which one message is not as it should be.
+class DamagedTraffic {
+ public:
+  std::string refusal(const twin::Triple<double>& position_m, std::size_t bytes_cut = 0) {
+    const auto path = folder_ / ("tug" + std::to_string(bags_++) + ".mcap");
+    {
+      bag::Writer writer = bag::open_recording(path);
+      const auto pose = writer.add_channel({"/tug/pose", "geometry_msgs/msg/PoseStamped", "", {}});
+      twin::AgentState state = twin::set_up(scenario_, water_.surround).states[0];
+      for (const double t_s : {0.0, 2.0, 4.0}) {
+        state.vehicle.body.position_m = {0, 50, 0};
+        if (t_s == 2) state.vehicle.body.position_m = position_m;
+        dds::Bytes message = dds::pose(state, {});
+        if (t_s == 2) message.resize(message.size() - bytes_cut);
+        writer.write(pose, ns_of(t_s), message);
+      }
+      writer.close();
+    }
+    return error_of([&] {
+      live::add_bag_traffic(path, scenario_, water_);
+      return 0;
+    });
+  }
+  [[nodiscard]] const api::ScenarioWater& water() const { return water_; }
+
+ private:
+  TemporaryFolder folder_;
+  twin::Scenario scenario_ = ten_seconds();
+  api::ScenarioWater water_ = water_of(scenario_);
+  int bags_ = 0;
+};
+
+TEST(PlayedBag, AVesselWhereNoneCanBeIsRefusedByFileTopicAndMessage) {
+  DamagedTraffic bags;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const std::string named =
+      ".mcap, topic /tug/pose, the message of 1700000002000000000 ns (2 s from its first): ";
+  for (const twin::Triple<double>& place_m :
+       {twin::Triple<double>{none, 0, 0}, {0, endless, 0}, {2e7, 0, 0}, {0, -1.1e6, 0}}) {
+    const std::string said = bags.refusal(place_m);
+    EXPECT_NE(said.find(named + "found a place of north "), std::string::npos) << said;
+    EXPECT_NE(said.find("at most 1e+06 m from the origin"), std::string::npos) << said;
+  }
+  EXPECT_TRUE(bags.water().surround.vessels.empty());
+  const std::string said = bags.refusal({0, 50, 0}, 30);
+  EXPECT_NE(said.find(named + "the message is cut short"), std::string::npos) << said;
+  EXPECT_EQ(bags.refusal({9e5, -9e5, 0}), "no error");
+}
+
+/// At 85 degrees north 900 km to the north are beyond the pole: it is not told of, and nothing else.
+TEST(PlayedBag, AVesselBeyondThePoleEndsNoRun) {
+  const TemporaryFolder folder;
+  twin::Scenario scenario = ten_seconds();
+  scenario.origin = GeoPoint::from_degrees(85, 5);
+  scenario.has_origin = true;
+  api::ScenarioWater water = water_of(scenario);
+  std::vector<twin::TrackPoint> far, near;
+  for (const double t_s : {0.0, 20.0}) {
+    far.push_back({t_s, {9e5, 0, 0}, std::nullopt, std::nullopt});
+    near.push_back({t_s, {100, 0, 0}, std::nullopt, std::nullopt});
+  }
+  water.surround.vessels = {{1, "far", {}, {}, twin::Track(far)},
+                            {2, "near", {}, {}, twin::Track(near)}};
+  live::LiveSettings settings;
+  settings.outlets = {std::make_shared<live::RecordingOutlet>(
+      folder / "run.mcap", [](const std::string& text) { ADD_FAILURE() << text; })};
+  std::unique_ptr<live::LiveRun> joined;
+  api::RunChoice choice;
+  choice.on_ready = [&](const api::RunInHand& hand) {
+    ASSERT_NEAR(hand.origin.latitude_deg(), 85, 1e-9);
+    joined = std::make_unique<live::LiveRun>(hand, settings);
+  };
+  choice.on_over = [&] { joined.reset(); };
+  (void)api::run_scenario(scenario, water, choice);
+  settings.outlets.clear();
+  std::size_t told = 0;
+  for (const LiveMessage& message : messages_of(folder / "run.mcap"))
+    told += message.topic == "/ais" ? 1 : 0;
+  EXPECT_EQ(told, 6U) << "the near one alone, each two seconds";
 }
 
 }  // namespace
