@@ -1,5 +1,6 @@
 #include "api/live/host_desk.h"
 
+#include "api/dds/message/orders.h"
 #include "api/live/host_check.h"
 #include "api/live/reroute.h"
 #include "fields/base/error.h"
@@ -35,6 +36,19 @@ std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
     default:
       throw Error(ErrorKind::invalid_input,
                   formatted("a command of kind {}; kinds are from 0 to 6", int{asked.kind}));
+  }
+}
+
+dds::Bytes heard_of(const dds::AgentAsked& asked) {
+  switch (asked.kind) {
+    case 1:
+      return dds::velocity_order(asked.velocity);
+    case 2:
+      return dds::thrusters_order(asked.thrusters);
+    case 3:
+      return dds::path_order(asked.places_m);
+    default:
+      return {};
   }
 }
 
@@ -200,8 +214,8 @@ void HostDesk::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
   try {
     std::optional<twin::CommandWhat> what = command_of(*asked);
     if (!what) return;
-    if (const auto refusal = desk_.submit(client, vehicle, std::move(*what)).refusal)
-      drop_agent(vehicle, *refusal);
+    const Submitted submitted = desk_.submit(client, vehicle, std::move(*what), heard_of(*asked));
+    if (submitted.refusal) drop_agent(vehicle, *submitted.refusal);
   } catch (const Error& e) {
     drop_agent(vehicle, e.message());
   }

@@ -79,5 +79,8 @@ class HostDesk {
 /// What an agent asked for, as a command; nothing where it asks for nothing.
 /// @throws Error(invalid_input) for a kind that there is not
 [[nodiscard]] std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked);
+/// The same as the message of the command topic that it could have come on, for recordings; empty
+/// where there is no such topic.
+[[nodiscard]] dds::Bytes heard_of(const dds::AgentAsked& asked);
 
 }  // namespace slackwater::live

@@ -18,6 +18,27 @@ using tests::HandWriter;
 using tests::hex;
 using tests::Order;
 
+/// What was asked in another way is read as it was, and has the bytes that a client would send.
+TEST(OrdersAsMessages, AreReadAsTheyWereAsked) {
+  twin::Spatial<double> nu;
+  nu.linear = {1.5, -0.25, 0.5};
+  nu.angular = {0.125, -0.5, -0.75};
+  EXPECT_EQ(velocity_order(nu),
+            HandWriter(Order::little).doubles({1.5, 0.25, -0.5, 0.125, 0.5, 0.75}).bytes());
+  EXPECT_EQ(thrusters_order({-1, 0.5, 1}),
+            HandWriter(Order::little).put(0U).put(0U).put(3U).doubles({-1, 0.5, 1}).bytes());
+  EXPECT_EQ(thrusters_asked(thrusters_order({-1, 0.5, 1})), (std::vector<double>{-1, 0.5, 1}));
+  const auto places = path_asked(path_order({{2, 1, 3}, {20, 10, 30}}));
+  ASSERT_EQ(places.size(), 2U);
+  for (const std::size_t i : {0U, 1U}) {
+    const double scale = i == 0 ? 1 : 10;
+    EXPECT_EQ(places[i].x, 2 * scale);
+    EXPECT_EQ(places[i].y, scale);
+    EXPECT_EQ(places[i].z, 3 * scale);
+  }
+  EXPECT_TRUE(path_asked(path_order({})).empty());
+}
+
 class OrdersOfClients : public testing::TestWithParam<Order> {};
 
 TEST_P(OrdersOfClients, VelocityIsTurnedForwardRightDown) {

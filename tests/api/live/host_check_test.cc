@@ -1,8 +1,10 @@
 // What physics from outside may answer, and what becomes of it.
 #include "api/live/host_check.h"
 
+#include <array>
 #include <limits>
 
+#include "api/live/command_topics.h"
 #include "api/live/host_desk.h"
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
@@ -117,6 +119,35 @@ TEST(HostCheck, AgentsAskForWhatThereIs) {
   EXPECT_FALSE(reroute.loop);
   asked.kind = 7;
   EXPECT_THROW((void)live::command_of(asked), Error);
+}
+
+/// So that a bag of it, played, drives as the agent did.
+TEST(HostCheck, WhatAgentsAskForIsHeardAsOnTheTopicThatHasIt) {
+  const auto topics = live::command_topics();
+  dds::AgentAsked asked;
+  EXPECT_TRUE(live::heard_of(asked).empty()) << "nothing";
+  asked.kind = 1;
+  asked.velocity.linear = {0.5, 0.1, -0.2};
+  asked.velocity.angular.z = 0.3;
+  const auto velocity = std::get<twin::SetVelocity>(topics[0].read(live::heard_of(asked))).velocity;
+  EXPECT_EQ(velocity.surge_m_s, 0.5);
+  EXPECT_EQ(velocity.sway_m_s, 0.1);
+  EXPECT_EQ(velocity.heave_m_s, -0.2);
+  EXPECT_EQ(velocity.yaw_rate_rad_s, 0.3);
+  asked.kind = 2;
+  asked.thrusters = {0.25, -1};
+  EXPECT_EQ(std::get<twin::SetThrusters>(topics[1].read(live::heard_of(asked))).share,
+            asked.thrusters);
+  asked.kind = 3;
+  asked.places_m = {{1, 2, 3}, {4, 5, 6}};
+  const auto reroute = std::get<twin::Reroute>(topics[2].read(live::heard_of(asked)));
+  ASSERT_EQ(reroute.waypoints.size(), 2U);
+  EXPECT_EQ(reroute.waypoints[1].position_m.x, 4);
+  EXPECT_EQ(reroute.waypoints[1].position_m.z, 6);
+  for (const std::uint8_t kind : std::array<std::uint8_t, 3>{4, 5, 6}) {
+    asked.kind = kind;
+    EXPECT_TRUE(live::heard_of(asked).empty()) << "no topic has it";
+  }
 }
 
 }  // namespace
