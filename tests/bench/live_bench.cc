@@ -59,6 +59,7 @@ struct Live {
   live::LiveSettings settings;
   double factor = 1;
   std::function<void(const api::RunInHand&)> also{};
+  std::vector<ClientProcess*> subscribers{};  ///< it begins when they have met its vehicles
 };
 
 struct Ran {
@@ -79,6 +80,7 @@ Ran run(const twin::Scenario& scenario, Live how) {
     joined = std::make_unique<live::LiveRun>(hand, how.settings);
     hand.run.at_barrier([&](const twin::StepTime&) { ++ran.steps; });
     if (how.also) how.also(hand);
+    for (ClientProcess* subscriber : how.subscribers) subscriber->wait_for_line();
   };
   choice.on_over = [&] {
     ran.punctuality = joined->punctuality();
@@ -103,6 +105,19 @@ double late_share(const Ran& ran) {
          static_cast<double>(std::max<std::uint64_t>(ran.punctuality.steps(), 1));
 }
 
+/// Of each step of each vehicle, but for what a reader of the last ten may lose.
+void check_heard(BenchReport& report, const std::string& what, ClientProcess& subscriber,
+                 std::uint64_t steps, std::size_t topics) {
+  const std::string printed = subscriber.asked_result();
+  std::istringstream counts(printed);
+  std::size_t good = 0;
+  for (std::uint64_t heard = 0; good < topics && counts >> heard && heard <= steps + 1 &&
+                                static_cast<double>(heard) >= 0.95 * static_cast<double>(steps);)
+    ++good;
+  report.answer(what + " hears 95 % of the steps on every topic", good == topics,
+                "odometry, pose, imu of " + std::to_string(steps) + " steps: " + printed);
+}
+
 void twenty_at_100_hz(BenchReport& report) {
   const double length_s = seconds_asked(report.options().check_only);
   const twin::Scenario scenario = fleet(20, 0.01, length_s, true);
@@ -119,7 +134,11 @@ void twenty_at_100_hz(BenchReport& report) {
     const auto recording = std::make_shared<live::RecordingOutlet>(
         folder / "run.mcap", [](const std::string& text) { throw std::runtime_error(text); });
     how.settings.outlets.push_back(recording);
+    for (const auto& subscriber : subscribers) how.subscribers.push_back(subscriber.get());
     told = run(scenario, std::move(how));
+    for (std::size_t i = 0; i < subscribers.size(); ++i)
+      check_heard(report, "subscriber " + std::to_string(i + 1) + " of five", *subscribers[i],
+                  told.steps, 3);
     recorded = recording->close();
   }
   const double clients_s = ClientProcess::children_cpu_s() - cpu_before_s;
@@ -149,8 +168,9 @@ void twenty_at_100_hz(BenchReport& report) {
 /// Two hundred that step ten times a second tell of themselves ten times a second.
 void two_hundred(BenchReport& report) {
   const twin::Scenario scenario = fleet(200, 0.1, report.options().check_only ? 2 : 600, false);
-  const ClientProcess subscriber({"hear", std::to_string(domain_number()), "200"});
-  const Ran ran = run(scenario, {on_loopback(), 0});
+  ClientProcess subscriber({"hear", std::to_string(domain_number()), "200"});
+  const Ran ran = run(scenario, {on_loopback(), 0, {}, {&subscriber}});
+  check_heard(report, "the subscriber of 200 vehicles", subscriber, ran.steps, 2);  // no sensors
   report.answer("200 vehicles run to their end", ran.simulated_s == scenario.duration_s,
                 std::to_string(ran.simulated_s) + " s");
   report.figure({"200 vehicles, state at 10 Hz on DDS to a process",
@@ -199,7 +219,7 @@ Percentiles percentiles_of(const std::string& printed) {
 }
 
 void command_to_moved_state(BenchReport& report) {
-  const int trials = report.options().check_only ? 3 : 60;
+  const int trials = report.options().check_only ? 3 : 200;
   ClientProcess pusher({"push", std::to_string(domain_number()), std::to_string(trials)});
   std::string printed;
   std::atomic<bool> is_over{false};
@@ -213,7 +233,7 @@ void command_to_moved_state(BenchReport& report) {
       if (is_over) control.stop();
     });
   };
-  (void)run(fleet(1, 0.02, 300, false), std::move(how));
+  (void)run(fleet(1, 0.02, 600, false), std::move(how));
   if (!is_over) pusher.end();
   waiter.join();
   const Percentiles p = percentiles_of(printed);

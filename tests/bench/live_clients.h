@@ -9,12 +9,14 @@ namespace slackwater::bench {
 
 /// What this program is where its first argument is "--client"; nothing: it is the benchmark.
 ///
-///   hear DOMAIN VEHICLES    listens to odometry, pose and imu of v0, v1, ... until it is ended
+///   hear DOMAIN VEHICLES    listens to odometry, pose and imu of v0, v1, ...; prints "ready" when
+///                           it has met them all and, asked to end by SIGTERM, how many came of
+///                           each of the three, from the vehicle of which the fewest came
 ///   readers DOMAIN COUNT    COUNT readers of a profile; when 1000 messages came to each, prints
 ///                           the 50th and 99th percentile of their age, s
 ///   agent DOMAIN            hosts the agent of v0 and asks for nothing
 ///   push DOMAIN TRIALS      thrusters of v0 to and fro; prints the same of the time until its
-///                           odometry shows it, s
+///                           odometry shows it, s, of those that it shows within 2 s
 /// @return the exit code
 int live_client(const std::vector<std::string>& role);
 
@@ -26,6 +28,10 @@ class ClientProcess {
   ClientProcess(const ClientProcess&) = delete;
   ClientProcess& operator=(const ClientProcess&) = delete;
 
+  /// Waits for a line of its. @throws std::runtime_error where it ends without one
+  void wait_for_line();
+  /// Asks it to end. @return what it printed, but for lines waited for
+  [[nodiscard]] std::string asked_result();
   /// Waits for its end. @return what it printed
   [[nodiscard]] std::string result();
   /// User and system time of all that were waited for, s.
