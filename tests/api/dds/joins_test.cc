@@ -89,7 +89,9 @@ TEST_P(Joins, LeaveNothingBehind) {
   // Some messages on their way more or less, and what is known of one that left late; of a reader
   // alone that is kilobytes. Fast DDS counts what it sends by address and port, and forgets none:
   // new processes take the ports of those that left, so a machine's are met but once.
-  if (counts_heap) EXPECT_LT(at_last.heap_bytes, at_first.heap_bytes + 32'768);
+  if (counts_heap) {
+    EXPECT_LT(at_last.heap_bytes, at_first.heap_bytes + 32'768);
+  }
 }
 
 }  // namespace
