@@ -108,7 +108,8 @@ double late_share(const Ran& ran) {
 /// Of each step of each vehicle, but for what a reader of the last ten may lose.
 void check_heard(BenchReport& report, const std::string& what, ClientProcess& subscriber,
                  std::uint64_t steps, std::size_t topics) {
-  const std::string printed = subscriber.asked_result();
+  std::string printed = subscriber.asked_result();
+  printed.erase(std::min(printed.find_last_not_of(" \n") + 1, printed.size()));
   std::istringstream counts(printed);
   std::size_t good = 0;
   for (std::uint64_t heard = 0; good < topics && counts >> heard && heard <= steps + 1 &&
