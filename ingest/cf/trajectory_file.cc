@@ -135,21 +135,13 @@ TrajectoryFile read_trajectories(const std::filesystem::path& path) {
   const netcdf::Variable* time = file.find("time");
   const netcdf::Variable* name = file.find("trajectory");
   if (file.text("featureType") != "trajectory" || time == nullptr || name == nullptr ||
-      name->shape.size() != 2 || time->shape.size() != 1)
+      name->type != netcdf::Type::character || name->shape.size() != 2 || time->shape.size() != 1)
     refuse("found no tracks (featureType trajectory, with variables time and trajectory)");
   TrajectoryFile tracks;
   tracks.epoch = epoch_from(file, *time);
   tracks.t_s = file.read_all(*time);
   const std::size_t things = name->shape[0];
-  const std::string letters = [&] {
-    std::string all = file.read_text(*name);
-    all.resize(name->size(), '\0');
-    return all;
-  }();
-  for (std::size_t i = 0; i < things; ++i) {
-    const std::string one = letters.substr(i * name->shape[1], name->shape[1]);
-    tracks.names.push_back(one.substr(0, one.find('\0')));
-  }
+  tracks.names = file.read_texts(*name);
   for (const netcdf::Variable& v : file.variables()) {
     if (&v == time || &v == name) continue;
     if (is_of_a_table(v)) {

@@ -71,10 +71,12 @@ void TableWriter::write(Writer& out) const {
     if (table.rows() == 0) continue;
     for (const TrajectoryTable::Column& column : table.columns) out.write_all(*id++, column.values);
     for (const TrajectoryTable::TextColumn& column : table.texts) {
+      const std::size_t longest = longest_of(column.values);
       std::string letters;
-      for (std::string text : column.values) {
-        text.resize(longest_of(column.values), '\0');
+      letters.reserve(longest * column.values.size());
+      for (const std::string& text : column.values) {
         letters += text;
+        letters.append(longest - text.size(), '\0');
       }
       out.write_text(*id++, letters);
     }
@@ -105,14 +107,7 @@ void read_into(std::vector<TrajectoryTable>& tables, const netcdf::File& file,
         {name, variable.text("units").value_or(""), long_name, file.read_all(variable)});
     return;
   }
-  std::string letters = file.read_text(variable);
-  letters.resize(variable.size(), '\0');
-  std::vector<std::string> values;
-  for (std::size_t i = 0; i < variable.shape[0]; ++i) {
-    const std::string one = letters.substr(i * variable.shape[1], variable.shape[1]);
-    values.push_back(one.substr(0, one.find('\0')));
-  }
-  table->texts.push_back({name, long_name, std::move(values)});
+  table->texts.push_back({name, long_name, file.read_texts(variable)});
 }
 
 }  // namespace slackwater::ingest

@@ -19,6 +19,8 @@ namespace {
 constexpr int max_variables = 4096;
 constexpr std::size_t max_read_all = std::size_t{64} << 20;
 constexpr std::size_t max_text = std::size_t{1} << 16;
+constexpr std::size_t max_texts_bytes = std::size_t{1} << 30;  // as strings in memory
+constexpr std::size_t letters_at_once = std::size_t{1} << 20;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw Error(ErrorKind::invalid_input, path.string() + ": " + why);
@@ -69,6 +71,22 @@ void expect_hyperslab(const Variable& variable, std::span<const std::size_t> sta
     product *= count[d];
   }
   expects(product == values, "read: the buffer holds product(count) values");
+}
+
+/// What a header claims is not allocated before it is known to be plausible.
+void expect_bounded_texts(const std::filesystem::path& path, const Variable& variable) {
+  const std::size_t rows = variable.shape[0];
+  const std::size_t letters = variable.shape[1];
+  const std::string found = "variable '" + variable.name + "' holds " + std::to_string(rows) +
+                            " texts of " + std::to_string(letters) + " letters";
+  if (rows != 0 && max_texts_bytes / rows < sizeof(std::string) + letters)
+    refuse(path, found + "; expected at most 1 GiB of them in memory");
+  std::error_code none;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, none);
+  if (!none && variable.chunks.empty() && variable.size() > bytes) {
+    refuse(path, found + ", more than the " + std::to_string(bytes) +
+                     " bytes of the file; it is damaged or truncated; fetch it again");
+  }
 }
 
 }  // namespace
@@ -237,6 +255,31 @@ std::string File::read_text(const Variable& variable) const {
   const auto last = text.find_last_not_of(std::string_view(" \0\t", 3));
   text.resize(last == std::string::npos ? 0 : last + 1);
   return text;
+}
+
+std::vector<std::string> File::read_texts(const Variable& variable) const {
+  expects(variable.type == Type::character && variable.shape.size() == 2,
+          "read_texts: letters of rows");
+  expect_bounded_texts(path_, variable);
+  const std::size_t rows = variable.shape[0];
+  const std::size_t width = variable.shape[1];
+  std::vector<std::string> texts(rows);
+  if (width == 0) return texts;
+  const std::size_t rows_at_once = std::max<std::size_t>(1, letters_at_once / width);
+  std::string letters;
+  const LibraryLock lock;
+  for (std::size_t first = 0; first < rows; first += rows_at_once) {
+    const std::size_t start[] = {first, 0};
+    const std::size_t count[] = {std::min(rows_at_once, rows - first), width};
+    letters.resize(count[0] * width);
+    check(nc_get_vara_text(id_, variable.id, start, count, letters.data()), path_,
+          "reading text variable '" + variable.name + "'");
+    for (std::size_t i = 0; i < count[0]; ++i) {
+      const auto one = std::string_view(letters).substr(i * width, width);
+      texts[first + i] = one.substr(0, one.find('\0'));
+    }
+  }
+  return texts;
 }
 
 }  // namespace slackwater::ingest::netcdf

@@ -94,6 +94,53 @@ TEST(NetcdfFile, WhatIsWrittenIsRead) {
                ContractViolation);
 }
 
+TEST(NetcdfFile, AnyNumberOfTextsIsReadRowByRow) {
+  const TemporaryFolder folder;
+  // Three slices and a bit: rows begin and end on both sides of a cut.
+  constexpr std::size_t rows = 450'001, width = 7;
+  std::vector<std::string> written(rows);
+  std::string letters;
+  for (std::size_t i = 0; i < rows; ++i) {
+    written[i] = i % 5 == 0 ? "" : std::to_string(i).append(i % 2, ' ');
+    letters += written[i] + std::string(width - written[i].size(), '\0');
+  }
+  Writer writer = Writer::create(folder / "f.nc");
+  const int row = writer.dimension("row", rows), letter = writer.dimension("letter", width);
+  const int texts = writer.variable("texts", Type::character, {row, letter});
+  writer.end_definitions();
+  writer.write_text(texts, letters);
+  writer.close();
+  const File file = File::open(folder / "f.nc");
+  EXPECT_EQ(file.read_texts(*file.find("texts")), written);
+}
+
+/// A header of 10 kB claims what it likes.
+TEST(NetcdfFile, TextsThatNoFileCanHoldAreRefusedBeforeTheyAreMade) {
+  const TemporaryFolder folder;
+  const auto refusal_of = [&](std::size_t rows, std::size_t width, Writer::Layout layout) {
+    Writer writer = Writer::create(folder / "f.nc");
+    const int row = writer.dimension("row", rows), letter = writer.dimension("letter", width);
+    (void)writer.variable("texts", Type::character, {row, letter}, layout);
+    writer.end_definitions();
+    writer.close();
+    EXPECT_LT(std::filesystem::file_size(folder / "f.nc"), 20'000U);
+    const File file = File::open(folder / "f.nc");
+    try {
+      (void)file.read_texts(*file.find("texts"));
+    } catch (const Error& error) {
+      return std::string(name_of(error.kind())) + ": " + error.message();
+    }
+    return std::string("nothing was thrown");
+  };
+  const std::string contiguous = refusal_of(1'000'000, 8, {});
+  EXPECT_TRUE(holds(contiguous, "1000000 texts of 8 letters, more than the ")) << contiguous;
+  const std::string deflated = refusal_of(std::size_t{1} << 26, 1, {{1 << 16, 1}, 1, {}});
+  EXPECT_TRUE(holds(deflated, "invalid_input: ")) << deflated;
+  EXPECT_TRUE(holds(deflated, "67108864 texts of 1 letters; expected at most 1 GiB")) << deflated;
+  const std::string vast = refusal_of(std::size_t{1} << 40, 8, {{1 << 16, 8}, 1, {}});
+  EXPECT_TRUE(holds(vast, "expected at most 1 GiB")) << vast;
+}
+
 TEST(NetcdfFile, WhatIsNoNetcdfFileIsRefusedWithAReason) {
   const TemporaryFolder folder;
   EXPECT_TRUE(holds(refusal(folder / "absent.nc"), "not_found: no such file"));
