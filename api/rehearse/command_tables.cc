@@ -1,7 +1,7 @@
 #include "api/rehearse/command_tables.h"
 
-#include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "fields/base/error.h"
 #include "twin/simulate/command_numbers.h"
@@ -22,10 +22,9 @@ using twin::RefusalCount;
 class Clients {
  public:
   double index_of(const std::string& source) {
-    const auto index =
-        static_cast<std::size_t>(std::find(names_.begin(), names_.end(), source) - names_.begin());
-    if (index == names_.size()) names_.push_back(source);
-    return static_cast<double>(index);
+    const auto [known, is_new] = indices_.try_emplace(source, names_.size());
+    if (is_new) names_.push_back(source);
+    return static_cast<double>(known->second);
   }
   [[nodiscard]] TrajectoryTable table() const {
     return {"client", {}, {{"name", "which door a command came by, and from whom", names_}}};
@@ -33,6 +32,7 @@ class Clients {
 
  private:
   std::vector<std::string> names_;
+  std::unordered_map<std::string, std::size_t> indices_;
 };
 
 TrajectoryTable command_table(std::span<const Command> commands, double step_s, Clients& clients,

@@ -108,6 +108,57 @@ TEST_F(HelmedRun, TheLogHoldsWhatWasDoneAndMakesTheRunAgain) {
     }
 }
 
+/// A drive of an hour: what the tables of its log hold is not bounded by what is usual in a minute.
+TEST_F(HelmedRun, ALogOfALongDriveIsReadAsItWasWritten) {
+  std::vector<Command> commands;
+  for (std::uint64_t i = 0; i < 40'000; ++i) {
+    twin::CommandWhat what = twin::SetVelocity{{0.001 * static_cast<double>(i), 0, 0, 0.1}};
+    if (i % 3 == 1) what = twin::HoldHere{};
+    if (i % 3 == 2) what = twin::SetThrusters{{0.25, -0.5}};
+    commands.push_back({2 * i, i % 3, what, "dds " + std::to_string(i * i % 2000), i, 0.1});
+  }
+  for (std::uint64_t i = 0; i < 2000; ++i)
+    commands.push_back({80'000, 0, twin::HoldHere{}, "http " + std::to_string(i), i, 4000});
+  std::vector<twin::RefusalCount> refusals;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    refusals.push_back({"http " + std::to_string(i), "rov", twin::RefusalReason::unauthorised,
+                        i + 1, 0.5, std::string(103, 'x') + std::to_string(1000 + i)});
+  }
+  ingest::TrajectoryFile log = make("run.nc", {}).result.file;
+  log.tables = command_tables(commands, refusals, 0.05);
+  const std::filesystem::path path = folder_.path() / "long.nc";
+  ingest::write_trajectories(log, path);
+  const ingest::TrajectoryFile read = ingest::read_trajectories(path);
+  EXPECT_GT(read.find_table("client")->rows(), 2000U);
+  const std::vector<Command> is = commands_in(read);
+  ASSERT_EQ(is.size(), commands.size());
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    ASSERT_EQ(is[i].step, commands[i].step);
+    ASSERT_EQ(is[i].source, commands[i].source);
+    ASSERT_EQ(is[i].what.index(), commands[i].what.index());
+    ASSERT_EQ(twin::numbers_of(is[i].what), twin::numbers_of(commands[i].what));
+  }
+  EXPECT_EQ(refusals_in(read), refusals);
+}
+
+TEST_F(HelmedRun, OfTenThousandCommandsTheLogMakesTheRunAgain) {
+  RunChoice choice;
+  std::uint64_t sequence = 0;
+  choice.on_ready = [&](const RunInHand& hand) {
+    hand.run.at_opening([&, steward = &hand.steward](const twin::StepTime& time) {
+      for (int i = 0; i < 9; ++i) {
+        const twin::SetVelocity what{{0.3, 0.01 * i, 0, 0.1}};
+        (void)steward->submit("dds 01.0f", {0, 0, what, "", ++sequence, time.start_s},
+                              time.start_s);
+      }
+    });
+  };
+  const Made made = make("run.nc", choice);
+  EXPECT_GT(made.result.commands.size(), 10'000U);
+  const ReplayResult again = replayed(made.log);
+  EXPECT_TRUE(again.is_identical) << again.difference;
+}
+
 TEST_F(HelmedRun, ARunThatNobodyTookPartInHasNoneOfIt) {
   const Made made = make("run.nc", {});
   const ingest::TrajectoryFile log = ingest::read_trajectories(made.log);
