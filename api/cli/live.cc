@@ -8,13 +8,13 @@
 #include "api/cli/command.h"
 #include "api/cli/output_file.h"
 #include "api/cli/recorded_run.h"
+#include "api/cli/recordings.h"
 #include "api/cli/run_print.h"
 #include "api/foxglove/broadcast.h"
 #include "api/http/router.h"
 #include "api/http/server.h"
 #include "api/live/bag_traffic.h"
 #include "api/live/live_run.h"
-#include "api/live/recording_outlet.h"
 #include "api/live/viewer_outlet.h"
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/run_page.h"
@@ -118,6 +118,7 @@ Viewers open_viewers(int port, const std::string& name) {
 void run_live(const LiveArguments& arguments, const Context& context) {
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
+  Recordings recordings(arguments.recordings);
   twin::Scenario scenario = twin::read_scenario(arguments.scenario);
   const auto folder = std::filesystem::absolute(arguments.scenario).parent_path();
   ScenarioWater water = water_of(scenario, context.store_folder, folder);
@@ -125,11 +126,6 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   if (!arguments.played_traffic.empty())
     live::add_bag_traffic(arguments.played_traffic, scenario, water);
   live::LiveSettings settings = settings_of(arguments, scenario, water);
-  std::vector<std::shared_ptr<live::RecordingOutlet>> recordings;
-  for (const auto& path : arguments.recordings) {
-    recordings.push_back(std::make_shared<live::RecordingOutlet>(path, tell_trouble));
-    settings.outlets.push_back(recordings.back());
-  }
   Viewers viewers;
   if (arguments.viewer_port) {
     viewers = open_viewers(*arguments.viewer_port, scenario.name);
@@ -139,6 +135,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   std::unique_ptr<Stopper> stopper;
   RunChoice choice{arguments.threads, true, arguments.factor};
   choice.on_ready = [&](const RunInHand& hand) {
+    for (auto& outlet : recordings.open(hand.run)) settings.outlets.push_back(std::move(outlet));
     joined = std::make_unique<live::LiveRun>(hand, settings);
     print_names(hand.run.agents(), joined->names(), settings.site, arguments);
     stopper = std::make_unique<Stopper>(hand.control);
@@ -151,7 +148,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   };
   const ScenarioResult result = with_context(arguments.scenario.string(),
                                              [&] { return run_scenario(scenario, water, choice); });
-  for (const auto& recording : recordings) (void)recording->close();
+  recordings.close();
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
       ingest::write_trajectories(result.file, partial);
@@ -167,13 +164,17 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   if (!context.json) {
     print_run(result, arguments.out);
     std::printf("%s\n", punctuality->text().c_str());
+    recordings.expect_complete();
     return;
   }
   json out = run_json(result, scenario.name, water, arguments.out);
   out["punctuality"] = {{"steps", punctuality->steps()},
                         {"late_steps", punctuality->late_steps()},
                         {"worst_ms", 1000 * punctuality->worst_s()}};
+  out["recordings"] = recordings.json();
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+  context.answered = true;
+  recordings.expect_complete();
 }
 
 }  // namespace

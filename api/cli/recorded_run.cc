@@ -1,23 +1,22 @@
 #include "api/cli/recorded_run.h"
 
 #include "api/live/live_run.h"
-#include "api/live/recording_outlet.h"
 #include "fields/base/log.h"
 
 namespace slackwater::api {
 
 struct RecordedRun::Parts {
+  explicit Parts(const std::vector<std::filesystem::path>& paths) : recordings(paths) {}
+  Recordings recordings;
   live::LiveSettings settings;
   std::unique_ptr<live::LiveRun> joined;
 };
 
 RecordedRun::RecordedRun(const std::vector<std::filesystem::path>& paths, RunChoice& choice)
-    : parts_(std::make_unique<Parts>()) {
+    : parts_(std::make_unique<Parts>(paths)) {
   if (paths.empty()) return;
-  for (const auto& path : paths) {
-    parts_->settings.outlets.push_back(std::make_shared<live::RecordingOutlet>(path, tell_trouble));
-  }
   choice.on_ready = [parts = parts_.get()](const RunInHand& hand) {
+    parts->settings.outlets = parts->recordings.open(hand.run);
     parts->settings.site = site_of(hand.scenario, hand.water);
     parts->joined = std::make_unique<live::LiveRun>(hand, parts->settings);
   };
@@ -25,6 +24,11 @@ RecordedRun::RecordedRun(const std::vector<std::filesystem::path>& paths, RunCho
 }
 
 RecordedRun::~RecordedRun() = default;
+
+const Recordings& RecordedRun::completed() {
+  parts_->recordings.close();
+  return parts_->recordings;
+}
 
 std::string site_of(const twin::Scenario& scenario, const ScenarioWater& water) {
   const std::string& id = water.surround.field->snapshot().site_id;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "api/cli/recordings.h"
 #include "api/rehearse/scenario_run.h"
 
 namespace slackwater::api {
@@ -11,10 +12,14 @@ namespace slackwater::api {
 class RecordedRun {
  public:
   /// Joins the run of a choice. @param paths  of bags; none: does nothing
+  /// @throws Error(invalid_input) where something lies at one of them
   RecordedRun(const std::vector<std::filesystem::path>& paths, RunChoice& choice);
   ~RecordedRun();
   RecordedRun(const RecordedRun&) = delete;
   RecordedRun& operator=(const RecordedRun&) = delete;
+
+  /// Of the run, once it is over and they are completed.
+  [[nodiscard]] const Recordings& completed();
 
  private:
   struct Parts;

@@ -155,14 +155,16 @@ void run_replay(const ReplayArguments& arguments, const Context& context) {
   std::optional<std::filesystem::path> forecast;
   if (!arguments.forecast.empty()) forecast = arguments.forecast;
   RunChoice choice{arguments.threads, true, 0};
-  const RecordedRun recorded(arguments.recordings, choice);
+  RecordedRun recorded(arguments.recordings, choice);
   const ReplayResult result = replay(arguments.log, context.store_folder, forecast, choice,
                                      [&](double share) { progress.update(share); });
+  const Recordings& recordings = recorded.completed();
   if (context.json) {
     const json out = {{"log", arguments.log.string()},
                       {"identical", result.is_identical},
                       {"difference", result.is_identical ? json(nullptr) : json(result.difference)},
-                      {"wall_s", result.wall_s}};
+                      {"wall_s", result.wall_s},
+                      {"recordings", recordings.json()}};
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     context.answered = true;
   } else if (result.is_identical) {
@@ -173,6 +175,7 @@ void run_replay(const ReplayArguments& arguments, const Context& context) {
     throw Error(ErrorKind::invalid_input,
                 arguments.log.string() + ": does not replay to the byte; " + result.difference);
   }
+  recordings.expect_complete();
 }
 
 void add_findings_options(CLI::App& command, std::filesystem::path& findings, bool& shows_truth) {

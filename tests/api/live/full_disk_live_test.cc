@@ -60,7 +60,8 @@ TEST(FullDiskOfALiveRun, IsSaidAndTheRunGoesOnAndItsRecordsStayReadable) {
   const auto in_mcap = messages_of(mcap), in_rosbag = messages_of(rosbag);
   std::this_thread::sleep_for(500ms);
   fill_disk(run.process(), RLIM_INFINITY);
-  ASSERT_EQ(run.end(SIGINT), 0) << text_of(folder / "err");
+  ASSERT_EQ(run.end(SIGINT), 5) << text_of(folder / "err");
+  EXPECT_NE(text_of(folder / "err").find("incomplete is " + mcap.string()), std::string::npos);
 
   // What there was when it was full is what there is; of all later steps the log alone knows.
   for (const auto* record : {&in_mcap, &in_rosbag}) EXPECT_GT(expect_even_clock(*record), 10U);
@@ -68,6 +69,12 @@ TEST(FullDiskOfALiveRun, IsSaidAndTheRunGoesOnAndItsRecordsStayReadable) {
   EXPECT_EQ(messages_of(mcap), in_mcap);
   EXPECT_EQ(messages_of(rosbag), in_rosbag);
   const auto result = nlohmann::json::parse(text_of(folder / "out"));
+  const auto told_of = [](const auto& record, const auto& messages) {
+    return nlohmann::json{
+        {"path", record.string()}, {"messages", messages.size()}, {"complete", false}};
+  };
+  EXPECT_EQ(result.at("recordings"),
+            (nlohmann::json{told_of(mcap, in_mcap), told_of(rosbag, in_rosbag)}));
   const auto steps = result.at("punctuality").at("steps").get<std::size_t>();
   EXPECT_GT(steps, expect_even_clock(in_mcap) + 20);
   EXPECT_GT(steps, expect_even_clock(in_rosbag) + 20);
