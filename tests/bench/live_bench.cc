@@ -63,7 +63,7 @@ struct Live {
 };
 
 struct Ran {
-  live::Punctuality punctuality{0, 1};
+  live::Punctuality punctuality{0};
   double wall_s = 0;
   double simulated_s = 0;
   std::uint64_t steps = 0;
