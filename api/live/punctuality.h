@@ -8,8 +8,8 @@
 namespace slackwater::live {
 
 /// How punctual the steps of a run at the pace of a clock are: when each began, beside when it was
-/// due by the clock of the run, which goes on while a step or who answers for it is slow, and stands
-/// in a pause. An observer, at the opening of each step.
+/// due by the clock of the run, which goes on while a step or who answers for it is slow, and
+/// stands in a pause. An observer, at the opening of each step.
 class Punctuality {
  public:
   using WallClock = twin::RunControl::WallClock;

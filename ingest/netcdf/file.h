@@ -96,10 +96,11 @@ class File {
             std::span<const std::size_t> count, std::span<std::int64_t> out) const;
   /// A whole numeric variable as double. Refuses more than 64 Mi values.
   [[nodiscard]] std::vector<double> read_all(const Variable& variable) const;
-  /// A char array or string scalar as text (trailing blanks and NULs cut). Refuses more than 64 KiB.
+  /// A char array or string scalar as text (trailing blanks and NULs cut). Refuses more than
+  /// 64 KiB.
   [[nodiscard]] std::string read_text(const Variable& variable) const;
-  /// The rows of a char array of two dimensions, each up to its first NUL. Millions of them; refuses
-  /// more than 1 GiB in memory, and more letters than the file can hold.
+  /// The rows of a char array of two dimensions, each up to its first NUL. Millions of them;
+  /// refuses more than 1 GiB in memory, and more letters than the file can hold.
   [[nodiscard]] std::vector<std::string> read_texts(const Variable& variable) const;
 
  private:

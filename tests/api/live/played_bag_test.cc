@@ -200,7 +200,7 @@ TEST(PlayedBag, AVesselWhereNoneCanBeIsRefusedByFileTopicAndMessage) {
   EXPECT_EQ(bags.refusal({9e5, -9e5, 0}), "no error");
 }
 
-/// At 85 degrees north 900 km to the north are beyond the pole: it is not told of, and nothing else.
+/// At 85 degrees north, 900 km to the north are beyond the pole: it is not told of, nothing more.
 TEST(PlayedBag, AVesselBeyondThePoleEndsNoRun) {
   const TemporaryFolder folder;
   twin::Scenario scenario = ten_seconds();
