@@ -11,8 +11,8 @@
 namespace slackwater::live {
 
 /// `/NAME/navigate` of one vehicle: a path as a goal, with feedback, result and cancelling. What
-/// else the vehicle is told to do, another goal or a command of any door, takes the place of the one
-/// under way, which is aborted.
+/// else the vehicle is told to do, another goal or a command of any door, takes the place of the
+/// one under way, which is aborted.
 ///
 /// `speak` is for the thread of the run, the services for any thread.
 class NavigateAction {
