@@ -1,9 +1,11 @@
 #include "api/live/live_run.h"
+#include "api/live/alarm_voice.h"
 
 #include <atomic>
 #include <set>
 
 #include "api/dds/message/names.h"
+#include "api/live/alarm_voice.h"
 #include "api/live/bag_commands.h"
 #include "api/live/dds_door.h"
 #include "api/live/dds_outlet.h"
@@ -53,6 +55,7 @@ struct LiveRun::Parts {
     }
     site = std::make_unique<SiteVoice>(stream, place, dds::ros_token(settings.site),
                                        *hand.environment, hand.vessels);
+    alarms = std::make_unique<AlarmVoice>(stream, place, hand.watch, hand.vessels);
     if (participant) open_doors(hand, settings);
     open_for_all();
     // At once, and not only in what is said at the end: a run may take hours.
@@ -87,6 +90,7 @@ struct LiveRun::Parts {
     for (std::size_t i = names.size(); i < agents.size(); ++i) {
       const std::string& name = names.emplace_back(all[i]);
       voices.emplace_back(stream, place, name, agents[i], states[i], run.time_s());
+      alarms->open(name);
       desk.open(name);
       if (door) door->open(name);
       if (hosts) hosts->open(name);
@@ -109,6 +113,7 @@ struct LiveRun::Parts {
     desk.speak(t_s);
     const auto states = run.states();
     site->speak(run.seen(), t_s);
+    alarms->speak(t_s);
     for (std::size_t i = 0; i < voices.size(); ++i)
       voices[i].speak(run.agents()[i], states[i], steward.holder(i), t_s);
     if (door) door->speak(states, t_s);
@@ -124,6 +129,7 @@ struct LiveRun::Parts {
   Desk desk;
   Punctuality punctuality;
   std::unique_ptr<SiteVoice> site;
+  std::unique_ptr<AlarmVoice> alarms;
   std::deque<VehicleVoice> voices;
   std::deque<BagCommands> played_commands;
   std::unique_ptr<DdsDoor> door;

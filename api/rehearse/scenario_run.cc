@@ -197,7 +197,8 @@ void let_in(const RunChoice& choice, const ScenarioWater& water, const twin::Rea
   watched.steward = std::make_unique<twin::Steward>(run);
   watched.steward->restore(watched.so_far.refusals);
   choice.on_ready({run, control, *watched.steward, watched.scenario, water, ready.start,
-                   ready.origin, ready.environment, watched.so_far.vessels, watched.slipway});
+                   ready.origin, ready.environment, watched.so_far.vessels, watched.watch,
+                   watched.slipway});
 }
 
 /// Tells whoever took part that it is over.

@@ -116,6 +116,7 @@ struct RunInHand {
   GeoPoint origin;
   std::shared_ptr<const twin::Environment> environment;
   std::span<const twin::TrafficVessel> vessels;  ///< the traffic
+  const twin::TrafficWatch& watch;               ///< whom its vehicles are alarmed about
   const twin::Slipway& slipway;                  ///< for vehicles that join it
 };
 
