@@ -132,7 +132,7 @@ bool fly(int domain, PilotOutside& pilot) {
       asked.token(1);
       asked.version(1);
       asked.role(1);
-      asked.timeout_s(5);
+      asked.timeout_s(2);
       peer::fdds::PublicationMatchedStatus hears;
       command->get_publication_matched_status(hears);
       if (hears.current_count > 0) request->write(&asked);
