@@ -210,6 +210,9 @@ int main(int argc, char** argv) {
   expect(resumed && resumed->success(), "resumed");
 
   // --- handing over ---
+  // A second after the last velocity the helm was free.
+  const auto again = authority.call(ask);
+  expect(again && again->success(), "authority is asked for again");
   Trigger allow(node, vehicle + "/allow_take_over");
   const auto allowed = allow.call({});
   expect(allowed && allowed->success(), "the holder allows a take-over");
