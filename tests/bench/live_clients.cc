@@ -88,8 +88,8 @@ int hear(const std::string& domain, int vehicles) {
     participant.subscribe({name + "/mission_state", "std_msgs/msg/String", "", {true, true, 1}},
                           [&, i](dds::Payload, const std::string&) {
                             const std::lock_guard lock(mutex);
-                            met.insert(i);
-                            if (met.size() != static_cast<std::size_t>(vehicles)) return;
+                            const bool is_new = met.insert(i).second;
+                            if (!is_new || met.size() != static_cast<std::size_t>(vehicles)) return;
                             std::puts("ready");
                             std::fflush(stdout);
                           });
