@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::uint32_t first_mmsi = 980'000'001;
 constexpr double every_s = 1;  ///< more often than vessels report
-/// Far beyond where anything meets the run, and within what its plane can say of a round earth.
-constexpr double farthest_m = 1e6;
 
 /// "NAME" of a topic "/NAME/ending"; nothing of others.
 std::optional<std::string> name_before(const std::string& topic, const std::string& ending) {
@@ -48,13 +46,13 @@ twin::Triple<double> place_in(const bag::Recorded& message, bool is_pose) {
   const twin::Triple<double> place_m = is_pose ? dds::place_in_pose(message.payload).position_m
                                                : dds::place_in_odometry(message.payload).position_m;
   for (const double part_m : {place_m.x, place_m.y, place_m.z}) {
-    if (std::abs(part_m) <= farthest_m) continue;  // what is no number is not
+    if (std::abs(part_m) <= twin::farthest_from_origin_m) continue;  // what is no number is not
     throw Error(
         ErrorKind::invalid_input,
         formatted("found a place of north {:g}, east {:g}, down {:g} m; expected numbers of "
                   "at most {:g} m from the origin of the run; leave the topic out of the "
                   "bag, or give the scenario the origin that it was recorded about",
-                  place_m.x, place_m.y, place_m.z, farthest_m));
+                  place_m.x, place_m.y, place_m.z, twin::farthest_from_origin_m));
   }
   return place_m;
 }

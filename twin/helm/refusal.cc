@@ -5,7 +5,7 @@
 #include "fields/base/text.h"
 #include "twin/control/velocity_range.h"
 #include "twin/scene/structure.h"
-#include "twin/simulate/slipway.h"
+#include "twin/simulate/agent.h"
 
 namespace slackwater::twin {
 namespace {
@@ -168,11 +168,11 @@ class PlaceLooker {
   [[nodiscard]] Answer look_at_place(const Triple<double>& at_m, const std::string& name) const {
     const Vehicle& vehicle = *agent_.vehicle;
     for (const double value : {at_m.x, at_m.y, at_m.z})
-      if (std::abs(value) > farthest_m)
+      if (std::abs(value) > farthest_from_origin_m)
         return no(RefusalReason::no_place,
                   formatted("{}: found {:g} m, expected at most {:g} m from the origin of the "
                             "scenario; move it nearer",
-                            name, value, farthest_m));
+                            name, value, farthest_from_origin_m));
     if (flies_ && at_m.z > 0)
       return refuse(name, at_m, "is below the sea, and this one flies; give a height above it");
     if (!flies_ && !floats_ && at_m.z < 0)

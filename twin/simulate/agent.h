@@ -140,17 +140,20 @@ struct StepInput {
 [[nodiscard]] bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& state,
                            StepInput& input);
 
+/// Along each axis, of a vehicle and of any place that it is sent to: far beyond every forecast.
+inline constexpr double farthest_from_origin_m = 1e6;
+
 /// Whether a step left numbers that a vehicle can have.
 [[nodiscard]] inline bool is_sound(const BodyState<double>& body, double state_of_charge) noexcept {
-  constexpr double fastest_m_s = 200, fastest_rad_s = 200, farthest_m = 1e6, longest = 1.001;
+  constexpr double fastest_m_s = 200, fastest_rad_s = 200, longest = 1.001;
   // False for what is no number; all are asked, without a branch.
   const auto is_within = [](const Triple<double>& v, double most) -> bool {
     return (std::abs(v.x) <= most) & (std::abs(v.y) <= most) & (std::abs(v.z) <= most);
   };
   const Attitude<double>& q = body.attitude;
-  return is_within(body.position_m, farthest_m) & is_within(body.nu.linear, fastest_m_s) &
-         is_within(body.nu.angular, fastest_rad_s) & is_within({q.x, q.y, q.z}, longest) &
-         (std::abs(q.w) <= longest) & (state_of_charge >= 0);
+  return is_within(body.position_m, farthest_from_origin_m) &
+         is_within(body.nu.linear, fastest_m_s) & is_within(body.nu.angular, fastest_rad_s) &
+         is_within({q.x, q.y, q.z}, longest) & (std::abs(q.w) <= longest) & (state_of_charge >= 0);
 }
 void halt(AgentState& state, Halt why, double t_s) noexcept;
 

@@ -38,9 +38,9 @@ void expect_numbers(const Newcomer& newcomer) {
   const auto& [north, east, down] = newcomer.position_m;
   for (const auto& [name, value] :
        {std::pair{"east", east}, std::pair{"north", north}, std::pair{"down", down}})
-    if (!(std::abs(value) <= farthest_m))
+    if (!(std::abs(value) <= farthest_from_origin_m))
       refuse(formatted("pose: found {} m {}, expected a number within {:g} m of the origin", value,
-                       name, farthest_m));
+                       name, farthest_from_origin_m));
   if (!std::isfinite(newcomer.heading_rad))
     refuse("pose: its orientation is none; send a quaternion of length 1");
 }

@@ -8,9 +8,6 @@
 
 namespace slackwater::twin {
 
-/// From the origin of its scenario: what `is_sound` lets a vehicle have.
-inline constexpr double farthest_m = 1e6;
-
 /// Makes vehicles ready for a run that goes on, as they are made ready for its start: by their
 /// files, in the same water, keeping clear as the scenario has it, their randomness from (seed,
 /// name). Thread-safe, so that files are read and autopilots worked out while the run goes on.
