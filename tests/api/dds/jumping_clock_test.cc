@@ -4,7 +4,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,7 @@
 #include "tests/api/dds/cdr_by_hand.h"
 #include "tests/api/dds/generated_client.h"
 #include "tests/api/dds/own_domain.h"
+#include "tests/api/dds/without_leaks.h"
 #include "tests/api/live/live_records.h"
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
@@ -39,12 +39,11 @@ class WallClock {
 
   void shift(std::chrono::seconds by) { *shift_s_ = by.count(); }
   [[nodiscard]] std::map<std::string, std::string> environment() const {
-    const char* asan = std::getenv("ASAN_OPTIONS");
-    return {{"LD_PRELOAD", SLACKWATER_SHIFTED_CLOCK_LIBRARY},
-            {"SLACKWATER_SHIFTED_CLOCK", file_},
-            // It comes before the sanitizer; leaks of Fast DDS at its end are not ours to report.
-            {"ASAN_OPTIONS", std::string(asan != nullptr ? asan : "") +
-                                 ":verify_asan_link_order=0:detect_leaks=0"}};
+    // It comes before the sanitizer.
+    auto environment = without_leaks(":verify_asan_link_order=0");
+    environment["LD_PRELOAD"] = SLACKWATER_SHIFTED_CLOCK_LIBRARY;
+    environment["SLACKWATER_SHIFTED_CLOCK"] = file_;
+    return environment;
   }
 
  private:

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "slackwater_msgsPubSubTypes.h"
 #include "std_srvsPubSubTypes.h"
 #include "tests/api/dds/own_domain.h"
+#include "tests/api/dds/without_leaks.h"
 #include "tests/api/live/live_records.h"
 #include "tests/strangers/live/service_client.h"
 #include "tests/support/comes_true.h"
@@ -51,11 +51,7 @@ class KilledPhysics : public testing::Test {
                                        number(), "--real-time-factor", "2",
                                        "--out",  folder_ / "run.nc"};
     arguments.insert(arguments.end(), rule.begin(), rule.end());
-    // Leaks of Fast DDS at its end are not ours to report.
-    const char* asan = std::getenv("ASAN_OPTIONS");
-    run_.emplace(start_program(
-        arguments, {{"ASAN_OPTIONS", std::string(asan != nullptr ? asan : "") + ":detect_leaks=0"}},
-        "/dev/null", folder_ / "err"));
+    run_.emplace(start_program(arguments, without_leaks(), "/dev/null", folder_ / "err"));
     ASSERT_TRUE(comes_true([&] { return is_met(answers_) && is_met(odometry_); }, 40s)) << said();
     physics_.emplace(
         start_other_program(SLACKWATER_TOWED_PHYSICS, {"--domain", number(), "--vehicle", "rov"}));

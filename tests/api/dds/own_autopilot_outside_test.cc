@@ -2,15 +2,14 @@
 // vehicle over DDS and asks for velocities.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
-#include <map>
 #include <optional>
 
 #include "api/dds/message/frames.h"
 #include "slackwater_msgsPubSubTypes.h"
 #include "tests/api/dds/cdr_by_hand.h"
 #include "tests/api/dds/own_domain.h"
+#include "tests/api/dds/without_leaks.h"
 #include "tests/api/live/live_records.h"
 #include "tests/strangers/live/service_client.h"
 #include "tests/support/started_program.h"
@@ -57,11 +56,6 @@ std::vector<Triple<double>> way_in(const std::filesystem::path& record) {
     way.push_back(dds::enu_ned({enu[0], enu[1], enu[2]}));
   }
   return way;
-}
-
-std::map<std::string, std::string> no_leaks() {  // those of Fast DDS at its end are not ours
-  const char* asan = std::getenv("ASAN_OPTIONS");
-  return {{"ASAN_OPTIONS", std::string(asan != nullptr ? asan : "") + ":detect_leaks=0"}};
 }
 
 /// The vehicle's guidance and the law from a place on the path to a velocity, by what is observed.
@@ -159,7 +153,7 @@ TEST(OwnAutopilotOutside, GivesTheTrackOfTheOneAtHomeWithinTheLatencysWorth) {
   StartedProgram run(start_program(
       {"live", folder / "outside.yaml", "--dds-domain", std::to_string(domain.number()),
        "--real-time-factor", "10", "--record", folder / "outside.mcap"},
-      no_leaks()));
+      without_leaks()));
   const twin::ReadyRun ready = ready_of(scenario("[{do: hold}]", "20min"));
   PilotOutside pilot(ready.agents[0]);
   ASSERT_TRUE(fly(domain.number(), pilot));

@@ -2,12 +2,12 @@
 // the clock, by its own clock on the wall.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
 
 #include "api/dds/participant.h"
 #include "tests/api/dds/inbox.h"
 #include "tests/api/dds/own_domain.h"
+#include "tests/api/dds/without_leaks.h"
 #include "tests/api/live/live_records.h"
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
@@ -30,7 +30,6 @@ double wall_s(const Tick& from, const Tick& to) {
 std::vector<Tick> ticks_at(const char* factor, std::size_t count) {
   const OwnDomain domain;
   const TemporaryFolder folder;
-  const char* asan = std::getenv("ASAN_OPTIONS");  // leaks of Fast DDS are not ours to report
   Inbox<Tick> ticks;
   dds::DomainSettings settings;
   settings.domain = domain.number();
@@ -45,10 +44,10 @@ std::vector<Tick> ticks_at(const char* factor, std::size_t count) {
                        std::memcpy(&nanoseconds, message.data() + 8, 4);
                        ticks.put({seconds + 1e-9 * nanoseconds, std::chrono::steady_clock::now()});
                      });
-  StartedProgram run(start_program(
-      {"live", live_scenario(), "--dds-domain", std::to_string(domain.number()), "--loopback",
-       "--real-time-factor", factor, "--record", folder / "run.mcap"},
-      {{"ASAN_OPTIONS", std::string(asan != nullptr ? asan : "") + ":detect_leaks=0"}}));
+  StartedProgram run(
+      start_program({"live", live_scenario(), "--dds-domain", std::to_string(domain.number()),
+                     "--loopback", "--real-time-factor", factor, "--record", folder / "run.mcap"},
+                    without_leaks()));
   std::vector<Tick> heard = ticks.wait(count + 2, 60s);
   EXPECT_EQ(run.end(SIGINT), 0);
   EXPECT_GE(expect_even_clock(messages_of(folder / "run.mcap")), heard.size());
