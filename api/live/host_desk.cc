@@ -1,6 +1,7 @@
 #include "api/live/host_desk.h"
 
 #include "api/dds/message/orders.h"
+#include "api/dds/message/vehicle_messages.h"
 #include "api/live/host_check.h"
 #include "api/live/reroute.h"
 #include "fields/base/error.h"
@@ -46,7 +47,7 @@ dds::Bytes heard_of(const dds::AgentAsked& asked) {
     case 2:
       return dds::thrusters_order(asked.thrusters);
     case 3:
-      return dds::path_order(asked.places_m);
+      return dds::active_waypoints(reroute_to(asked.places_m).waypoints, {});
     default:
       return {};
   }
@@ -131,8 +132,10 @@ std::optional<std::string> HostDesk::take(std::size_t vehicle, const dds::HostAs
   const bool is_agent = asked.role == static_cast<std::uint8_t>(dds::HostRole::agent);
   const double most_s = is_agent ? longest_s / most_missed : longest_s;
   if (!(asked.timeout_s >= shortest_s && asked.timeout_s <= most_s)) {
-    return formatted("a time-out of {:g} s; it is from {:g} to {:g} s", asked.timeout_s, shortest_s,
-                     most_s);
+    return formatted(
+        "time-out: found {:g} s, expected {:g} to {:g} s of {}: the whole run waits "
+        "for it; ask for one within that",
+        asked.timeout_s, shortest_s, most_s, is_agent ? "an agent" : "physics");
   }
   twin::Steward& steward = desk_.steward();
   const std::lock_guard lock(mutex_);

@@ -10,8 +10,6 @@ namespace {
 
 using eprosima::fastcdr::Cdr;
 
-constexpr const char* map_frame = "map";
-
 /// std_msgs/msg/Float64MultiArray, of which the numbers count and not how they are laid out.
 struct NumbersAsked {
   std::vector<double> numbers;
@@ -57,18 +55,6 @@ Bytes velocity_order(const twin::Spatial<double>& nu) { return encoded(twist_mes
 Bytes thrusters_order(const std::vector<double>& shares) {
   std_msgs::msg::Float64MultiArray message;
   message.data(shares);
-  return encoded(message);
-}
-
-Bytes path_order(const std::vector<twin::Triple<double>>& places_m) {
-  nav_msgs::msg::Path message;
-  message.header(header_message({}, map_frame));
-  for (const twin::Triple<double>& place_m : places_m) {
-    geometry_msgs::msg::PoseStamped pose;
-    pose.header(message.header());
-    pose.pose(pose_message(place_m, {}));
-    message.poses().push_back(std::move(pose));
-  }
   return encoded(message);
 }
 

@@ -20,12 +20,10 @@ namespace slackwater::dds {
 /// @throws Error(invalid_input) for a path in another frame too
 [[nodiscard]] std::vector<twin::Triple<double>> path_asked(Payload message);
 
-// The same as messages, of what was asked in another way.
+// The same as messages, of what was asked in another way; of a path see `active_waypoints`.
 
 [[nodiscard]] Bytes velocity_order(const twin::Spatial<double>& nu);
 [[nodiscard]] Bytes thrusters_order(const std::vector<double>& shares);
-/// Without a time. @param places_m  NED
-[[nodiscard]] Bytes path_order(const std::vector<twin::Triple<double>>& places_m);
 
 /// Where a vehicle told that it was: geometry_msgs/msg/PoseStamped.
 struct PlaceTold {

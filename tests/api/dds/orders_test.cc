@@ -5,6 +5,7 @@
 
 #include "api/dds/message/navigate.h"
 #include "api/dds/message/services.h"
+#include "api/dds/message/vehicle_messages.h"
 #include "fields/base/error.h"
 #include "tests/api/dds/cdr_by_hand.h"
 
@@ -28,7 +29,7 @@ TEST(OrdersAsMessages, AreReadAsTheyWereAsked) {
   EXPECT_EQ(thrusters_order({-1, 0.5, 1}),
             HandWriter(Order::little).put(0U).put(0U).put(3U).doubles({-1, 0.5, 1}).bytes());
   EXPECT_EQ(thrusters_asked(thrusters_order({-1, 0.5, 1})), (std::vector<double>{-1, 0.5, 1}));
-  const auto places = path_asked(path_order({{2, 1, 3}, {20, 10, 30}}));
+  const auto places = path_asked(active_waypoints({{{2, 1, 3}}, {{20, 10, 30}}}, {}));
   ASSERT_EQ(places.size(), 2U);
   for (const std::size_t i : {0U, 1U}) {
     const double scale = i == 0 ? 1 : 10;
@@ -36,7 +37,7 @@ TEST(OrdersAsMessages, AreReadAsTheyWereAsked) {
     EXPECT_EQ(places[i].y, scale);
     EXPECT_EQ(places[i].z, 3 * scale);
   }
-  EXPECT_TRUE(path_asked(path_order({})).empty());
+  EXPECT_TRUE(path_asked(active_waypoints({}, {})).empty());
 }
 
 class OrdersOfClients : public testing::TestWithParam<Order> {};
