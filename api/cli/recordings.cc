@@ -76,7 +76,8 @@ void Recordings::expect_complete() const {
   if (broken.empty()) return;
   throw Error(ErrorKind::unavailable,
               "the run went on to its end, but not its recording: incomplete is " + broken +
-                  "; free space and record it from the log: slackwater replay LOG --record FILE");
+                  "; free space, and where there is a log of the run, record it from that: "
+                  "slackwater replay LOG --record FILE");
 }
 
 }  // namespace slackwater::api

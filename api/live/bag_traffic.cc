@@ -8,6 +8,7 @@
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
+#include "twin/simulate/agent.h"
 
 namespace slackwater::live {
 namespace {

@@ -66,9 +66,9 @@ std::optional<twin::Refusal> Desk::stale(const std::string& client, std::size_t 
   }
   return steward_.refuse(client, name,
                          {twin::RefusalReason::stale,
-                          formatted("was held back for {:.1f} s on its way here: velocity and "
-                                    "thrusters are taken within {:g} s; send a new one, keep the "
-                                    "last one only, and look at the link",
+                          formatted("found a command held back for {:.1f} s on its way here, "
+                                    "expected at most {:g} s of velocity and thrusters; send a new "
+                                    "one, keep the last one only, and look at the link",
                                     held_back_s, oldest_s)},
                          now_s);
 }

@@ -1,5 +1,4 @@
 #include "api/live/live_run.h"
-#include "api/live/alarm_voice.h"
 
 #include <atomic>
 #include <set>

@@ -57,13 +57,12 @@ void NavigateAction::take_goal(dds::Payload request, const std::string& client,
     desk_.refuse(client, vehicle_, e.what());
     return refuse();
   }
-  const auto is_known = [&] {
+  {
     const std::lock_guard lock(mutex_);
-    return find(asked.id) != nullptr;
-  };
-  if (is_known()) {
-    desk_.refuse(client, vehicle_, "a goal of this id was sent before; give each its own");
-    return refuse();
+    if (find(asked.id) != nullptr) {
+      desk_.refuse(client, vehicle_, "a goal of this id was sent before; give each its own");
+      return refuse();
+    }
   }
   const twin::Reroute reroute = reroute_to(asked.places_m);
   if (reroute.waypoints.empty()) {

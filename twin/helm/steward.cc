@@ -91,10 +91,11 @@ std::optional<Refusal> Steward::refusal_to(std::string_view client, std::size_t 
     return Refusal{RefusalReason::unauthorised, std::move(*held)};
   const Taken& taken = taken_[vehicle];
   if (taken.opening == openings_ && taken.at_once >= limits_.most_at_once)
-    return Refusal{RefusalReason::too_many,
-                   formatted("{} commands of {} wait for its next step already; send the next when "
-                             "the run goes on",
-                             taken.at_once, name)};
+    return Refusal{
+        RefusalReason::too_many,
+        formatted("found {} commands of {} that wait for its next step, expected at most "
+                  "as many; send the next when the run goes on",
+                  taken.at_once, name)};
   return std::nullopt;
 }
 
