@@ -68,8 +68,10 @@ class IdleParticipant {
     std::ifstream maps(process / "maps");
     for (std::string line; std::getline(maps, line);)
       if (const auto at = line.find('/'); at != std::string::npos) add(line.substr(at));
-    for (const auto& entry : std::filesystem::directory_iterator(process / "fd"))
-      add(std::filesystem::read_symlink(entry.path()).string());
+    for (const auto& entry : std::filesystem::directory_iterator(process / "fd")) {
+      std::error_code closed_since;
+      add(std::filesystem::read_symlink(entry.path(), closed_since).string());
+    }
     return files;
   }
   void kill() {
