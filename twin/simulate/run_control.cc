@@ -8,10 +8,12 @@ void RunControl::pause() {
   changed_.notify_all();
 }
 
-void RunControl::allow_steps(std::uint64_t steps) {
+std::optional<std::uint64_t> RunControl::allow_steps(std::uint64_t steps) {
   const std::lock_guard lock(mutex_);
+  if (!paused_) return std::nullopt;
   allowed_ += steps;
   changed_.notify_all();
+  return let_go_ + allowed_;
 }
 
 void RunControl::resume() {
@@ -39,6 +41,7 @@ bool RunControl::is_stopped() const {
 
 void RunControl::start_clock(std::uint64_t step) {
   const std::lock_guard lock(mutex_);
+  let_go_ = step;
   first_step_ = step;
   started_ = WallClock::now();
 }
@@ -52,26 +55,27 @@ bool RunControl::may_step(std::uint64_t step, double step_s) {
   std::unique_lock lock(mutex_);
   due_.reset();
   while (!stopped_) {
-    if (paused_) {
-      if (allowed_ > 0) {
-        --allowed_;
-        return true;
-      }
+    if (paused_ && allowed_ == 0) {
       changed_.wait(lock);
       // The time that was spent waiting is not caught up with.
       first_step_ = step;
       started_ = WallClock::now();
       continue;
     }
-    if (factor_ <= 0) return true;
-    const std::chrono::duration<double> due(static_cast<double>(step - first_step_) * step_s /
-                                            factor_);
-    const auto at = started_ + std::chrono::duration_cast<WallClock::duration>(due);
-    if (WallClock::now() >= at) {
+    if (paused_) {
+      --allowed_;
+    } else if (factor_ > 0) {
+      const std::chrono::duration<double> after(static_cast<double>(step - first_step_) * step_s /
+                                                factor_);
+      const auto at = started_ + std::chrono::duration_cast<WallClock::duration>(after);
+      if (WallClock::now() < at) {
+        changed_.wait_until(lock, at);
+        continue;
+      }
       due_ = at;
-      return true;
     }
-    changed_.wait_until(lock, at);
+    let_go_ = step + 1;
+    return true;
   }
   return false;
 }

@@ -17,8 +17,9 @@ class RunControl {
   explicit RunControl(double real_time_factor = 0) : factor_(real_time_factor) {}
 
   void pause();
-  /// Lets a paused run make this many steps.
-  void allow_steps(std::uint64_t steps);
+  /// Lets a paused run make so many steps more, behind those that it was let make before.
+  /// @return how many the run has made once it has made these; nothing: it is not paused
+  std::optional<std::uint64_t> allow_steps(std::uint64_t steps);
   void resume();
   void stop();
   [[nodiscard]] bool is_paused() const;
@@ -38,6 +39,7 @@ class RunControl {
   bool paused_ = false;
   bool stopped_ = false;
   std::uint64_t allowed_ = 0;
+  std::uint64_t let_go_ = 0;  ///< steps, the one under way included
   std::uint64_t first_step_ = 0;
   WallClock::time_point started_;
   std::optional<WallClock::time_point> due_;

@@ -45,6 +45,29 @@ TEST(RunControlOfARun, PausingSteppingAndResumingKeepTheBits) {
   tests::expect_same_bits(log, plain, "paused and resumed");
 }
 
+// Whoever pauses a run and asks for a step at once gets that one behind the step under way.
+TEST(RunControlOfARun, StepsAreBehindTheOneUnderWay) {
+  const ReadyRun ready = tests::mixed_fleet_ready();
+  twin::Run run(ready.agents, ready.states, tests::settings_of(0.05));
+  RunControl control;
+  std::vector<std::optional<std::uint64_t>> until{control.allow_steps(1)};
+  run.at_opening([&](const StepTime& time) {
+    if (time.step != 6) return;
+    control.pause();
+    until.push_back(control.allow_steps(1));
+    until.push_back(control.allow_steps(3));
+  });
+  std::vector<std::uint64_t> made_in_pause;
+  run.at_barrier([&](const StepTime& time) {
+    if (control.is_paused()) made_in_pause.push_back(time.step + 1);
+    if (time.step == 10) control.resume();
+  });
+  run.run_until(1, control);
+  until.push_back(control.allow_steps(1));
+  EXPECT_EQ(until, (std::vector<std::optional<std::uint64_t>>{{}, 8, 11, {}}));
+  EXPECT_EQ(made_in_pause, (std::vector<std::uint64_t>{7, 8, 9, 10, 11}));
+}
+
 TEST(RunControlOfARun, StopEndsBetweenStepsAndItGoesOnFromThere) {
   const ReadyRun ready = tests::mixed_fleet_ready();
   RunLog plain, log;
