@@ -37,6 +37,12 @@ struct Node {
     publisher = participant->create_publisher(fdds::PUBLISHER_QOS_DEFAULT);
     subscriber = participant->create_subscriber(fdds::SUBSCRIBER_QOS_DEFAULT);
   }
+  ~Node() {
+    participant->delete_contained_entities();
+    fdds::DomainParticipantFactory::get_instance()->delete_participant(participant);
+  }
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
   template <typename Support>
   fdds::Topic* topic(const std::string& name) {
     const fdds::TypeSupport type(new Support);
