@@ -1,29 +1,19 @@
 #include "api/dds/participant.h"
 
-#include <atomic>
+#include <algorithm>
 #include <chrono>
 #include <deque>
-#include <exception>
-#include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
-#include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/dds/subscriber/DataReader.hpp>
-#include <fastdds/dds/subscriber/DataReaderListener.hpp>
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
-#include <map>
 #include <mutex>
 
 #include "api/dds/endpoint_quality.h"
-#include "api/dds/held_back.h"
+#include "api/dds/endpoints.h"
 #include "api/dds/library_faults.h"
 #include "api/dds/message/graph.h"
 #include "api/dds/message/names.h"
-#include "api/dds/replies.h"
 #include "api/dds/shared_memory.h"
 #include "api/dds/wire_type.h"
 #include "fields/base/check.h"
@@ -41,178 +31,6 @@ Gid gid_of(const rtps::GUID_t& guid) {
   std::copy_n(guid.entityId.value, guid.entityId.size, gid.begin() + guid.guidPrefix.size);
   return gid;
 }
-
-std::string client_of(const rtps::GuidPrefix_t& prefix) {
-  static constexpr const char* digits = "0123456789abcdef";
-  std::string name = "dds ";
-  for (unsigned i = 0; i < rtps::GuidPrefix_t::size; ++i) {
-    if (i > 0) name += '.';
-    name += digits[prefix.value[i] >> 4];
-    name += digits[prefix.value[i] & 15];
-  }
-  return name;
-}
-
-/// What is thrown where the library calls us goes no further.
-class Guard {
- public:
-  explicit Guard(const DomainSettings& settings) : settings_(settings) {}
-  template <typename Work>
-  void operator()(const std::string& where, const Work& work) const noexcept {
-    try {
-      work();
-    } catch (const std::exception& e) {
-      tell(where + ": " + e.what());
-    } catch (...) {
-      tell(where + ": failed");
-    }
-  }
-  void tell(const std::string& text) const noexcept {
-    try {
-      if (settings_.on_trouble) settings_.on_trouble(text);
-    } catch (...) {  // Nobody is left to tell.
-    }
-  }
-
- private:
-  const DomainSettings& settings_;
-};
-
-class Writer final : public fdds::DataWriterListener {
- public:
-  Writer(std::string topic, const Guard& guard) : topic_(std::move(topic)), guard_(guard) {}
-  fdds::DataWriter* writer = nullptr;
-  bool is_transient_local = false;
-  std::atomic<int> readers{0};
-  Replies replies;  ///< of a service
-
-  void on_publication_matched(fdds::DataWriter* source,
-                              const fdds::PublicationMatchedStatus& status) override {
-    readers = status.current_count;
-    rtps::GUID_t reader;
-    rtps::iHandle2GUID(reader, status.last_subscription_handle);
-    if (status.current_count_change > 0)
-      replies.reader_found(*source, reader);
-    else
-      replies.reader_lost(reader);
-  }
-  void on_offered_incompatible_qos(fdds::DataWriter*,
-                                   const fdds::OfferedIncompatibleQosStatus& status) override {
-    guard_.tell("a reader of " + topic_ + " asks for more than is offered (" +
-                name_of_policy(status.last_policy_id) +
-                "): it gets nothing; let it ask for best effort and volatile");
-  }
-
- private:
-  std::string topic_;
-  const Guard& guard_;
-};
-
-/// What comes with a message.
-struct Sender {
-  rtps::SampleIdentity request;  ///< whom an answer is for
-  std::string client;
-  double held_back_s = 0;
-};
-
-/// Of all writers of a topic.
-class HeldBackByWriter {
- public:
-  double look(const fdds::SampleInfo& info) {
-    // Where its writer does not say when it was sent there is nothing to go by.
-    if (info.source_timestamp.seconds() <= 0 || info.source_timestamp == rtps::c_RTPSTimeInfinite)
-      return 0;
-    const std::chrono::duration<double> came = std::chrono::steady_clock::now().time_since_epoch();
-    const std::lock_guard lock(mutex_);
-    return of_[info.sample_identity.writer_guid()].look(
-        1e-9 * static_cast<double>(info.source_timestamp.to_ns()), came.count());
-  }
-  void forget(const rtps::GUID_t& writer) {
-    const std::lock_guard lock(mutex_);
-    of_.erase(writer);
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<rtps::GUID_t, HeldBack> of_;
-};
-
-class Reader final : public fdds::DataReaderListener {
- public:
-  using OnBytes = std::function<void(Payload, const Sender&)>;
-  Reader(std::string topic, const Guard& guard, OnBytes on_bytes)
-      : topic_(std::move(topic)), guard_(guard), on_bytes_(std::move(on_bytes)) {}
-  fdds::DataReader* reader = nullptr;
-
-  void on_data_available(fdds::DataReader* source) override {
-    Bytes bytes;
-    fdds::SampleInfo info;
-    while (source->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
-      if (!info.valid_data) continue;
-      Sender sender = sender_of(info);
-      sender.held_back_s = held_back_.look(info);
-      guard_(topic_, [&] { on_bytes_(bytes, sender); });
-    }
-  }
-  void on_subscription_matched(fdds::DataReader*,
-                               const fdds::SubscriptionMatchedStatus& status) override {
-    if (status.current_count_change >= 0) return;
-    rtps::GUID_t writer;
-    rtps::iHandle2GUID(writer, status.last_publication_handle);
-    held_back_.forget(writer);
-  }
-  void on_requested_incompatible_qos(fdds::DataReader*,
-                                     const fdds::RequestedIncompatibleQosStatus& status) override {
-    guard_.tell("a writer of " + topic_ + " offers less than is asked for (" +
-                name_of_policy(status.last_policy_id) +
-                "): it is not heard; let it write reliably");
-  }
-
- private:
-  /// Clients by rmw_fastrtps name the reader that waits for the answer in the request's related
-  /// identity; a plain one is answered by the identity of its sample.
-  static Sender sender_of(const fdds::SampleInfo& info) {
-    Sender sender;
-    sender.request = info.sample_identity;
-    const rtps::GUID_t& reply_reader = info.related_sample_identity.writer_guid();
-    if (reply_reader != rtps::GUID_t::unknown()) sender.request.writer_guid(reply_reader);
-    sender.client = client_of(info.sample_identity.writer_guid().guidPrefix);
-    return sender;
-  }
-
-  std::string topic_;
-  const Guard& guard_;
-  OnBytes on_bytes_;
-  HeldBackByWriter held_back_;
-};
-
-/// Tells of participants that left.
-class Watcher final : public fdds::DomainParticipantListener {
- public:
-  explicit Watcher(const Guard& guard) : guard_(guard) {}
-  void on_participant_discovery(fdds::DomainParticipant*,
-                                rtps::ParticipantDiscoveryInfo&& info) override {
-    using Info = rtps::ParticipantDiscoveryInfo;
-    if (info.status != Info::REMOVED_PARTICIPANT && info.status != Info::DROPPED_PARTICIPANT)
-      return;
-    std::vector<Participant::OnLost> told;
-    {
-      const std::lock_guard lock(mutex_);
-      told = on_lost_;
-    }
-    const std::string client = client_of(info.info.m_guid.guidPrefix);
-    for (const auto& on_lost : told) guard_("a client left", [&] { on_lost(client); });
-  }
-  void add(Participant::OnLost on_lost) {
-    const std::lock_guard lock(mutex_);
-    on_lost_.push_back(std::move(on_lost));
-  }
-
- private:
-  const Guard& guard_;
-  std::mutex mutex_;
-  std::vector<Participant::OnLost> on_lost_;
-};
 
 }  // namespace
 
@@ -240,6 +58,7 @@ struct Participant::State {
       const std::lock_guard lock(life->mutex);
       life->is_over = true;
     }
+    let_last_words_arrive();
     participant->set_listener(nullptr);
     participant->delete_contained_entities();
     fdds::DomainParticipantFactory::get_instance()->delete_participant(participant);
@@ -283,6 +102,17 @@ struct Participant::State {
     expects(reader.reader != nullptr, "a reader of a topic");
   }
 
+  /// What was written last is still on its way; who is gone without a word is not waited for long.
+  void let_last_words_arrive() {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
+    for (const Writer& writer : writers) {
+      const std::chrono::duration<double> left = until - std::chrono::steady_clock::now();
+      if (left.count() <= 0) return;
+      (void)writer.writer->wait_for_acknowledgments(
+          eprosima::fastrtps::Duration_t(static_cast<long double>(left.count())));
+    }
+  }
+
   /// Outlives the participant in answers that nobody waits for any more.
   struct Life {
     std::mutex mutex;
@@ -290,7 +120,7 @@ struct Participant::State {
   };
 
   DomainSettings settings;
-  Guard guard{settings};
+  Guard guard{settings.on_trouble};
   Watcher watcher{guard};
   std::shared_ptr<Life> life = std::make_shared<Life>();
   fdds::DomainParticipant* participant = nullptr;
