@@ -246,6 +246,41 @@ void command_to_moved_state(BenchReport& report) {
                  "median " + std::to_string(1000 * p.half_s) + " ms"});
 }
 
+/// Two clients send the longest lists there are beside a monopile; one of them is at the helm.
+void long_lists(BenchReport& report) {
+  twin::Scenario scenario = fleet(1, 0.01, report.options().check_only ? 5 : 30, false);
+  scenario.structures.push_back({.name = "monopile",
+                                 .kind = twin::ScenarioStructure::Kind::cylinder,
+                                 .centre_m = {0, 40, 0},
+                                 .diameter_m = 6,
+                                 .size_m = {},
+                                 .top_m = -20,
+                                 .bottom_m = 60});
+  std::uint64_t taken = 0, refused = 0;
+  Live how{on_loopback()};
+  how.also = [&](const api::RunInHand& hand) {
+    hand.run.at_barrier([&, &steward = hand.steward](const twin::StepTime&) {
+      taken = steward.taken(0);
+      refused = 0;
+      for (const twin::RefusalCount& of : steward.refusals())
+        if (of.reason == twin::RefusalReason::unauthorised) refused += of.count;
+    });
+  };
+  const ClientProcess one({"lists", std::to_string(domain_number())});
+  const ClientProcess other({"lists", std::to_string(domain_number())});
+  const Ran ran = run(scenario, std::move(how));
+  report.answer("lists of 10 000 places are taken from one client and refused to the other",
+                taken >= 20 && refused >= 20,
+                std::to_string(taken) + " taken, " + std::to_string(refused) + " refused");
+  report.figure(
+      {"100 Hz, with lists of 10 000 waypoints from two clients, ten a second each: steps "
+       "that began > 10 ms late",
+       "%",
+       {100 * late_share(ran)},
+       0.1,
+       ran.punctuality.text()});
+}
+
 void profile_to_fifty(BenchReport& report) {
   const std::size_t count = report.options().check_only ? 3 : 50;
   ClientProcess readers({"readers", std::to_string(domain_number()), std::to_string(count)});
@@ -282,6 +317,7 @@ void all(BenchReport& report) {
   two_hundred(report);
   agent_in_lock_step(report);
   command_to_moved_state(report);
+  long_lists(report);
   profile_to_fifty(report);
 }
 

@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "api/dds/message/vehicle_messages.h"
 #include "api/dds/participant.h"
 
 extern char** environ;
@@ -216,6 +217,21 @@ int push(const std::string& domain, int trials) {
   return 0;
 }
 
+/// As long as a list may be: to and fro past where the vehicle is, leg after leg.
+int lists(const std::string& domain) {
+  dds::Participant participant(loopback(domain));
+  const auto waypoints =
+      participant.publish_on({"/v0/waypoints", "nav_msgs/msg/Path", "", {true, false, 10}});
+  std::vector<twin::Waypoint> list(10'000);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    list[i].position_m = {i % 2 == 0 ? -20.0 : 20.0, 1e-3 * static_cast<double>(i), 10};
+  const dds::Bytes message = dds::active_waypoints(list, {});
+  for (;;) {
+    participant.send(waypoints, message);
+    std::this_thread::sleep_for(100ms);
+  }
+}
+
 }  // namespace
 
 double monotonic_s() {
@@ -227,6 +243,7 @@ int live_client(const std::vector<std::string>& role) {
   if (role[0] == "readers") return readers(role.at(1), std::stoul(role.at(2)));
   if (role[0] == "agent") return agent(role.at(1));
   if (role[0] == "push") return push(role.at(1), std::stoi(role.at(2)));
+  if (role[0] == "lists") return lists(role.at(1));
   throw std::runtime_error("no such client: " + role[0]);
 }
 

@@ -17,6 +17,7 @@ namespace slackwater::bench {
 ///   agent DOMAIN            hosts the agent of v0 and asks for nothing
 ///   push DOMAIN TRIALS      thrusters of v0 to and fro; prints the same of the time until its
 ///                           odometry shows it, s, of those that it shows within 2 s
+///   lists DOMAIN            lists of 10 000 waypoints for v0, ten a second
 /// @return the exit code
 int live_client(const std::vector<std::string>& role);
 
