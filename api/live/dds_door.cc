@@ -107,13 +107,20 @@ void DdsDoor::take_step(dds::Payload request, const dds::Answer& answer) {
   } catch (const std::exception&) {
     steps = 0;
   }
-  if (steps == 0 || steps > most || !run_.control.is_paused())
-    return answer(dds::step_reply(false));
+  if (steps == 0 || steps > most) return answer(dds::step_reply(false));
   const std::lock_guard lock(mutex_);
-  // Behind what others wait for.
-  const std::uint64_t from = waiting_.empty() ? run_.steps_made() : waiting_.back().until;
-  waiting_.push_back({from + steps, answer});
-  run_.control.allow_steps(steps);
+  if (const auto until = run_.control.allow_steps(steps))
+    waiting_.push_back({*until, answer});
+  else
+    answer(dds::step_reply(false));
+}
+
+void DdsDoor::end_run(double t_s) {
+  for (NavigateAction& action : actions_) action.end_run(t_s);
+  spawn_.end_run();
+  const std::lock_guard lock(mutex_);
+  for (const WaitingStep& step : waiting_) step.answer(dds::step_reply(false));
+  waiting_.clear();
 }
 
 void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {

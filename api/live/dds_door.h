@@ -26,7 +26,7 @@ struct DoorRun {
 /// The command topics and services of a run on DDS, as the table "Slackwater's names on DDS" has
 /// them.
 ///
-/// `open` and `speak` are for the thread of the run.
+/// `open`, `speak` and `end_run` are for the thread of the run.
 class DdsDoor {
  public:
   DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk, DoorRun run);
@@ -34,6 +34,8 @@ class DdsDoor {
   /// The next vehicle of the run.
   void open(const std::string& name);
   void speak(std::span<const twin::AgentState> states, double t_s);
+  /// The run is over: who still waits for something is told that it will not come.
+  void end_run(double t_s);
 
  private:
   using Handler = std::function<dds::Bytes(dds::Payload, const std::string& client)>;
@@ -52,7 +54,7 @@ class DdsDoor {
   SpawnService spawn_;
   std::deque<NavigateAction> actions_;  ///< of each vehicle
   struct WaitingStep {
-    std::uint64_t until = 0;
+    std::uint64_t until = 0;  ///< so many the run has made
     dds::Answer answer;
   };
   std::mutex mutex_;

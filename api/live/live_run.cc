@@ -138,7 +138,9 @@ struct LiveRun::Parts {
 
 LiveRun::LiveRun(const api::RunInHand& hand, const LiveSettings& settings)
     : parts_(std::make_unique<Parts>(hand, settings)) {}
-LiveRun::~LiveRun() = default;
+LiveRun::~LiveRun() {
+  if (parts_->door) parts_->door->end_run(parts_->run.time_s());
+}
 
 const std::vector<std::string>& LiveRun::names() const noexcept { return parts_->names; }
 const Punctuality& LiveRun::punctuality() const noexcept { return parts_->punctuality; }

@@ -1,6 +1,7 @@
 #include "api/live/navigate_action.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "api/live/reroute.h"
 
@@ -170,11 +171,20 @@ void NavigateAction::speak(const twin::AgentState& state, double t_s) {
   // A goal is in force from the step after the one in which it was accepted.
   if (Goal* goal = active(); goal != nullptr && t_s > goal->accepted_s + 1e-9)
     follow(*goal, state, stamp, t_s);
-  if (!has_changed_) return;
-  has_changed_ = false;
+  say_status(stamp);
+}
+
+void NavigateAction::say_status(const dds::Stamp& stamp) {
+  if (!std::exchange(has_changed_, false)) return;
   std::vector<dds::GoalState> states;
   for (const Goal& goal : goals_) states.push_back(goal.is);
   stream_.publish(status_, stamp, dds::goal_status(states));
+}
+
+void NavigateAction::end_run(double t_s) {
+  const std::lock_guard lock(mutex_);
+  if (Goal* goal = active()) end(*goal, dds::GoalStatus::aborted, "the run is over");
+  say_status(dds::stamp_of(place_.epoch, t_s));
 }
 
 }  // namespace slackwater::live

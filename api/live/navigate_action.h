@@ -14,13 +14,15 @@ namespace slackwater::live {
 /// else the vehicle is told to do, another goal or a command of any door, takes the place of the
 /// one under way, which is aborted.
 ///
-/// `speak` is for the thread of the run, the services for any thread.
+/// `speak` and `end_run` are for the thread of the run, the services for any thread.
 class NavigateAction {
  public:
   NavigateAction(dds::Participant& participant, Stream& stream, Desk& desk, const RunPlace& place,
                  const std::string& name, std::size_t vehicle);
 
   void speak(const twin::AgentState& state, double t_s);
+  /// The run is over, and with it the goal under way.
+  void end_run(double t_s);
 
  private:
   struct Goal {
@@ -41,6 +43,8 @@ class NavigateAction {
   void end(Goal& goal, dds::GoalStatus status, const std::string& message);
   /// How it goes with the one that goes on.
   void follow(Goal& goal, const twin::AgentState& state, const dds::Stamp& stamp, double t_s);
+  /// Where it has changed.
+  void say_status(const dds::Stamp& stamp);
   void say_feedback(const Goal& goal, const twin::AgentState& state, const dds::Stamp& stamp);
 
   Stream& stream_;

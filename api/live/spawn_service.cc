@@ -103,4 +103,11 @@ void SpawnService::speak() {
                         one.newcomer.name, one.newcomer.model)));
 }
 
+void SpawnService::end_run() {
+  const std::lock_guard lock(mutex_);
+  for (const Waiting& one : waiting_)
+    one.answer(dds::done_reply(false, "the run ended before " + one.newcomer.name + " joined it"));
+  waiting_.clear();
+}
+
 }  // namespace slackwater::live

@@ -13,7 +13,7 @@ namespace slackwater::live {
 /// its topics and services. Its name is that of all of these: a token of ROS which nobody else has,
 /// in whatever case.
 ///
-/// `open` and `speak` are for the thread of the run, requests come on any thread.
+/// `open`, `speak` and `end_run` are for the thread of the run, requests come on any thread.
 class SpawnService {
  public:
   /// @param site  a token of ROS, which no vehicle can have for a name
@@ -24,6 +24,8 @@ class SpawnService {
   void open(const std::string& name);
   /// Answers for those that have come.
   void speak();
+  /// Answers for those that will not come any more.
+  void end_run();
 
  private:
   struct Waiting {
