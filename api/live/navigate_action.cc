@@ -83,7 +83,6 @@ void NavigateAction::take_goal(dds::Payload request, const std::string& client,
   goal.client = client;
   goal.number = submitted.number;
   goal.waypoints = reroute.waypoints.size();
-  goal.accepted_s = now_s;
   has_changed_ = true;
   answer(dds::send_goal_reply(true, now));
 }
@@ -142,6 +141,8 @@ void NavigateAction::follow(Goal& goal, const twin::AgentState& state, const dds
         "the vehicle goes no further: " + std::string(twin::name_of(state.halt)));
   } else if (desk_.steward().taken(vehicle_) != goal.number) {
     end(goal, dds::GoalStatus::aborted, "another command took its place");
+  } else if (desk_.steward().is_waiting(vehicle_)) {
+    // Accepted while a step was under way: what the vehicle does is still of before.
   } else if (helm.mode == twin::HelmMode::hold && helm.cause == twin::HelmCause::list_done) {
     end(goal, dds::GoalStatus::succeeded, "at the last place");
   } else if (helm.mode != twin::HelmMode::waypoints) {
@@ -168,9 +169,7 @@ void NavigateAction::say_feedback(const Goal& goal, const twin::AgentState& stat
 void NavigateAction::speak(const twin::AgentState& state, double t_s) {
   const dds::Stamp stamp = dds::stamp_of(place_.epoch, t_s);
   const std::lock_guard lock(mutex_);
-  // A goal is in force from the step after the one in which it was accepted.
-  if (Goal* goal = active(); goal != nullptr && t_s > goal->accepted_s + 1e-9)
-    follow(*goal, state, stamp, t_s);
+  if (Goal* goal = active()) follow(*goal, state, stamp, t_s);
   say_status(stamp);
 }
 

@@ -30,7 +30,6 @@ class NavigateAction {
     std::string client;
     std::uint64_t number = 0;  ///< of its command; see `Submitted`
     std::size_t waypoints = 0;
-    double accepted_s = 0;
     std::string message;               ///< of its end
     std::vector<dds::Answer> waiting;  ///< for that
   };

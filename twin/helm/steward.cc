@@ -195,6 +195,11 @@ std::uint64_t Steward::taken(std::size_t vehicle) const {
   return taken_.at(vehicle).all;
 }
 
+bool Steward::is_waiting(std::size_t vehicle) const {
+  const std::lock_guard lock(mutex_);
+  return taken_.at(vehicle).is_waiting(openings_);
+}
+
 double Steward::time_s() const {
   const std::lock_guard lock(mutex_);
   return time_s_;
@@ -243,8 +248,7 @@ void Steward::look(double time_s) {
   authority_.look(time_s);
   for (std::size_t i = 0; i < standing_.size(); ++i) {
     standing_[i] = standing_of(run_, i);
-    // What was accepted since the opening has not taken effect yet.
-    const bool is_waiting = taken_[i].at_once > 0 && taken_[i].opening == openings_;
+    const bool is_waiting = taken_[i].is_waiting(openings_);
     const Keeping keeping = authority_.keeping(i);
     const bool is_by_list = keeping == Keeping::waypoints || keeping == Keeping::loop;
     const bool is_list_over = is_by_list && !is_waiting && standing_[i].mode != HelmMode::waypoints;

@@ -73,6 +73,9 @@ class Steward {
   /// How many commands of clients a vehicle has taken, the one submitted last included.
   [[nodiscard]] std::uint64_t taken(std::size_t vehicle) const;
 
+  /// Whether the command of a vehicle that it has taken last is not in force yet.
+  [[nodiscard]] bool is_waiting(std::size_t vehicle) const;
+
   /// Of the last barrier.
   [[nodiscard]] double time_s() const;
   /// As of the last barrier: what is in force.
@@ -122,6 +125,10 @@ class Steward {
     std::uint64_t opening = 0;  ///< of the last one
     std::size_t at_once = 0;    ///< since that opening
     void note(std::uint64_t now) noexcept;
+    /// What was accepted since the opening `now` has not taken effect yet.
+    [[nodiscard]] bool is_waiting(std::uint64_t now) const noexcept {
+      return at_once > 0 && opening == now;
+    }
   };
   std::vector<Taken> taken_;
   std::map<std::pair<std::string, std::size_t>, std::uint64_t, std::less<>> last_sequence_;

@@ -98,8 +98,10 @@ TEST(Steward, AListThatComesBetweenOpeningAndBarrierIsNotOverAtThatBarrier) {
   ASSERT_TRUE(was_said);
   EXPECT_EQ(served.steward.holder(0), "ann");
   EXPECT_EQ(served.helm().mode, HelmMode::own);
+  EXPECT_TRUE(served.steward.is_waiting(0));
   served.run->step();
   EXPECT_EQ(served.helm().mode, HelmMode::waypoints);
+  EXPECT_FALSE(served.steward.is_waiting(0));
   EXPECT_EQ(served.steward.holder(0), "ann");
 }
 
