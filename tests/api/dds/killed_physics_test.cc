@@ -53,6 +53,17 @@ class KilledPhysics : public testing::Test {
     arguments.insert(arguments.end(), rule.begin(), rule.end());
     run_.emplace(start_program(arguments, without_leaks(), "/dev/null", folder_ / "err"));
     ASSERT_TRUE(comes_true([&] { return is_met(answers_) && is_met(odometry_); }, 40s)) << said();
+    // Who has met a writer may not have been met by it: it is asked for an answer until one comes.
+    slackwater_msgs::msg::HostRequest nonsense;
+    nonsense.version(99);
+    ASSERT_TRUE(comes_true(
+        [&] {
+          requests_->write(&nonsense);
+          std::this_thread::sleep_for(100ms);
+          return !taken<slackwater_msgs::msg::HostAnswer>(answers_).empty();
+        },
+        40s))
+        << said();
     physics_.emplace(
         start_other_program(SLACKWATER_TOWED_PHYSICS, {"--domain", number(), "--vehicle", "rov"}));
     std::size_t inputs = 0;
@@ -129,6 +140,8 @@ class KilledPhysics : public testing::Test {
   peer::Node node_{domain_.number()};
   peer::fdds::DataReader* answers_ =
       node_.reader<slackwater_msgs::msg::HostAnswerPubSubType>("rt/rov/host/answer");
+  peer::fdds::DataWriter* requests_ =
+      node_.writer<slackwater_msgs::msg::HostRequestPubSubType>("rt/rov/host/request");
   peer::fdds::DataReader* inputs_ =
       node_.reader<slackwater_msgs::msg::PhysicsInputPubSubType>("rt/rov/host/physics_input");
   peer::fdds::DataReader* odometry_ =
