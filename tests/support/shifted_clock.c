@@ -2,14 +2,11 @@
 // int64_t, in the file that SLACKWATER_SHIFTED_CLOCK names, which others may write while it runs.
 // CLOCK_MONOTONIC stays what it is.
 //
-// Waits of a semaphore until a time of the wall clock last as long as they would: the kernel, whose
-// clock has not jumped, is asked for them without the shift. Other waits of that kind are left to
-// it: whoever makes one waits for the shift too, or not at all, for as long as it lasts. That is
-// worse than what a clock that is set does, which hurts the waits under way alone.
+// Waits until a time of the wall clock are left to the kernel, whose clock has not jumped: whoever
+// makes one waits for the shift too, or not at all, for as long as it lasts. That is worse than
+// what a clock that is set does, which hurts the waits under way alone.
 #define _GNU_SOURCE
-#include <dlfcn.h>
 #include <fcntl.h>
-#include <semaphore.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -53,13 +50,4 @@ time_t time(time_t* told) {
   if (clock_gettime(CLOCK_REALTIME, &at) != 0) return (time_t)-1;
   if (told != NULL) *told = at.tv_sec;
   return at.tv_sec;
-}
-
-int sem_timedwait(sem_t* restrict semaphore, const struct timespec* restrict until) {
-  static int (*wait)(sem_t*, const struct timespec*);
-  // POSIX lets a pointer to a function come as one to an object.
-  if (wait == NULL) *(void**)&wait = dlsym(RTLD_NEXT, "sem_timedwait");
-  struct timespec at = *until;
-  if (shift_s != NULL) at.tv_sec -= *shift_s;
-  return wait(semaphore, &at);
 }

