@@ -16,8 +16,8 @@
 #include "api/dds/message/bytes.h"
 #include "api/dds/replies.h"
 
-// What Fast DDS calls, on threads of its own: writers, readers, and peers that come and go. Only
-// sources of this folder include this: it shows the library.
+// What Fast DDS calls, on threads of its own: writers, readers, and peers that come and go.
+// Only sources of this folder include this: it shows the library.
 
 namespace slackwater::dds {
 
