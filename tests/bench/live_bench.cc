@@ -1,7 +1,8 @@
 // A live run for robots, with its clients as processes of their own: twenty vehicles at 100 Hz with
 // five subscribers and a recording, beside the same run that tells nobody; two hundred with their
-// state at 10 Hz; an agent in lock-step; from a command to the moved state; a profile to fifty
-// readers. Half a minute of each; SLACKWATER_LIVE_SECONDS=600 for the whole (make soak).
+// state at 10 Hz; an agent in lock-step; from a command to the moved state; the longest lists of
+// waypoints; a profile to fifty readers. Half a minute of each; SLACKWATER_LIVE_SECONDS=600 for the
+// whole (make soak).
 #include <cstdlib>
 #include <cstring>
 #include <memory>

@@ -73,7 +73,7 @@ class Steward {
   /// How many commands of clients a vehicle has taken, the one submitted last included.
   [[nodiscard]] std::uint64_t taken(std::size_t vehicle) const;
 
-  /// Whether the command of a vehicle that it has taken last is not in force yet.
+  /// Whether what a vehicle was told last is in force only with a step that has not begun.
   [[nodiscard]] bool is_waiting(std::size_t vehicle) const;
 
   /// Of the last barrier.

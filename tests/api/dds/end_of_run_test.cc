@@ -3,29 +3,16 @@
 
 #include <future>
 
-#include "slackwater_msgsPubSubTypes.h"
-#include "std_srvsPubSubTypes.h"
 #include "tests/api/dds/own_domain.h"
 #include "tests/api/dds/without_leaks.h"
 #include "tests/api/live/live_records.h"
-#include "tests/strangers/live/service_client.h"
+#include "tests/strangers/live/services.h"
 #include "tests/support/started_program.h"
 
 namespace slackwater::tests {
 namespace {
 
 using namespace std::chrono_literals;
-using Trigger = peer::ServiceClient<std_srvs::srv::Trigger_RequestPubSubType,
-                                    std_srvs::srv::Trigger_ResponsePubSubType>;
-using Step = peer::ServiceClient<slackwater_msgs::srv::Step_RequestPubSubType,
-                                 slackwater_msgs::srv::Step_ResponsePubSubType>;
-using Spawn = peer::ServiceClient<slackwater_msgs::srv::Spawn_RequestPubSubType,
-                                  slackwater_msgs::srv::Spawn_ResponsePubSubType>;
-using SendGoal = peer::ServiceClient<slackwater_msgs::action::Navigate_SendGoal_RequestPubSubType,
-                                     slackwater_msgs::action::Navigate_SendGoal_ResponsePubSubType>;
-using GetResult =
-    peer::ServiceClient<slackwater_msgs::action::Navigate_GetResult_RequestPubSubType,
-                        slackwater_msgs::action::Navigate_GetResult_ResponsePubSubType>;
 
 constexpr double at_most_s = 60;  // of what the end of the run would have to answer
 
@@ -33,7 +20,7 @@ class EndOfRun : public testing::Test {
  protected:
   /// Whether it was paused, and does not move on by itself any more.
   bool pauses() {
-    const auto reply = Trigger(node_, "/slackwater/pause").call({}, 40);
+    const auto reply = pause_.call({}, 40);
     return reply && reply->success();
   }
   /// With everything that was asked of it on its way.
@@ -54,6 +41,12 @@ class EndOfRun : public testing::Test {
       start_program({"live", live_scenario(), "--dds-domain", std::to_string(domain_.number())},
                     without_leaks(), "/dev/null", "/dev/null")};
   peer::Node node_{domain_.number()};
+  // All from the start: who is new to a service may have to ask it twice.
+  peer::Trigger pause_{node_, "/slackwater/pause"};
+  peer::Step step_{node_, "/slackwater/step"};
+  peer::Spawn spawn_{node_, "/slackwater/spawn"};
+  peer::SendGoal send_goal_{node_, "/rov/navigate/_action/send_goal"};
+  peer::GetResult get_result_{node_, "/rov/navigate/_action/get_result"};
 };
 
 TEST_F(EndOfRun, AbortsTheGoalAndRefusesWhoHasNotJoined) {
@@ -64,17 +57,14 @@ TEST_F(EndOfRun, AbortsTheGoalAndRefusesWhoHasNotJoined) {
   place.pose().position().y(-25);
   place.pose().position().z(-8);
   goal.goal().path().poses().push_back(place);
-  const std::string action = "/rov/navigate/_action/";
-  const auto sent = SendGoal(node_, action + "send_goal").call(goal, 40);
+  const auto sent = send_goal_.call(goal, 40);
   ASSERT_TRUE(sent && sent->accepted());
   ASSERT_TRUE(pauses());
-  GetResult get_result(node_, action + "get_result");
   auto result = std::async(std::launch::async, [&] {
     slackwater_msgs::action::Navigate_GetResult_Request asked;
     asked.goal_id(goal.goal_id());
-    return get_result.call(asked, at_most_s);
+    return get_result_.call(asked, at_most_s);
   });
-  Spawn spawn(node_, "/slackwater/spawn");
   auto joined = std::async(std::launch::async, [&] {
     slackwater_msgs::srv::Spawn_Request asked;
     asked.model("bluerov2_heavy");
@@ -82,7 +72,7 @@ TEST_F(EndOfRun, AbortsTheGoalAndRefusesWhoHasNotJoined) {
     asked.pose().pose().position().y(40);
     asked.pose().pose().position().z(-5);
     asked.pose().pose().orientation().w(1);
-    return spawn.call(asked, at_most_s);
+    return spawn_.call(asked, at_most_s);
   });
   EXPECT_EQ(end(), 0);
   const auto aborted = in_time(result);
@@ -97,11 +87,10 @@ TEST_F(EndOfRun, AbortsTheGoalAndRefusesWhoHasNotJoined) {
 
 TEST_F(EndOfRun, SaysOfStepsThatTheyWereNotMade) {
   ASSERT_TRUE(pauses());
-  Step step(node_, "/slackwater/step");
   auto made = std::async(std::launch::async, [&] {
     slackwater_msgs::srv::Step_Request asked;
     asked.steps(1'000'000);
-    return step.call(asked, at_most_s);
+    return step_.call(asked, at_most_s);
   });
   EXPECT_EQ(end(), 0);
   const auto reply = in_time(made);

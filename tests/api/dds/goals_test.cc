@@ -1,22 +1,16 @@
 // Goals of the navigation action of `slackwater live`, whenever they come.
 #include <gtest/gtest.h>
 
-#include "action_msgsPubSubTypes.h"
-#include "slackwater_msgsPubSubTypes.h"
 #include "tests/api/dds/own_domain.h"
 #include "tests/api/dds/without_leaks.h"
 #include "tests/api/live/live_records.h"
-#include "tests/strangers/live/service_client.h"
+#include "tests/strangers/live/services.h"
 #include "tests/support/started_program.h"
 
 namespace slackwater::tests {
 namespace {
 
 using namespace std::chrono_literals;
-using SendGoal = peer::ServiceClient<slackwater_msgs::action::Navigate_SendGoal_RequestPubSubType,
-                                     slackwater_msgs::action::Navigate_SendGoal_ResponsePubSubType>;
-using CancelGoal = peer::ServiceClient<action_msgs::srv::CancelGoal_RequestPubSubType,
-                                       action_msgs::srv::CancelGoal_ResponsePubSubType>;
 
 // Twenty times as fast as the clock, steps are under way much of the time: what is accepted then is
 // in force with the next, and not over by what the vehicle did before.
@@ -27,8 +21,8 @@ TEST(Goals, AcceptedInTheMiddleOfAStepGoOn) {
                                    without_leaks()));
   peer::Node node(domain.number());
   const std::string action = "/rov/navigate/_action/";
-  SendGoal send_goal(node, action + "send_goal");
-  CancelGoal cancel_goal(node, action + "cancel_goal");
+  peer::SendGoal send_goal(node, action + "send_goal");
+  peer::CancelGoal cancel_goal(node, action + "cancel_goal");
   for (std::uint8_t i = 1; i <= 30; ++i) {
     slackwater_msgs::action::Navigate_SendGoal_Request goal;
     goal.goal_id().uuid()[0] = i;

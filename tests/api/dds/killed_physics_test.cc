@@ -8,11 +8,10 @@
 
 #include "nav_msgsPubSubTypes.h"
 #include "slackwater_msgsPubSubTypes.h"
-#include "std_srvsPubSubTypes.h"
 #include "tests/api/dds/own_domain.h"
 #include "tests/api/dds/without_leaks.h"
 #include "tests/api/live/live_records.h"
-#include "tests/strangers/live/service_client.h"
+#include "tests/strangers/live/services.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
@@ -21,8 +20,6 @@ namespace slackwater::tests {
 namespace {
 
 using namespace std::chrono_literals;
-using Trigger = peer::ServiceClient<std_srvs::srv::Trigger_RequestPubSubType,
-                                    std_srvs::srv::Trigger_ResponsePubSubType>;
 constexpr double step_s = 0.05;  // of the scenario
 
 /// All that came since it was asked last.
@@ -96,7 +93,7 @@ class KilledPhysics : public testing::Test {
     return look();
   }
   bool calls(const std::string& service) {
-    const auto reply = Trigger(node_, service).call({}, 20);
+    const auto reply = peer::Trigger(node_, service).call({}, 20);
     return reply && reply->success();
   }
   /// It never went further in a step than it swims.

@@ -8,14 +8,11 @@
 #include <cstdlib>
 
 #include "nav_msgsPubSubTypes.h"
-#include "slackwater_msgsPubSubTypes.h"
-#include "tests/strangers/live/service_client.h"
+#include "tests/strangers/live/services.h"
 
 namespace {
 
 using namespace peer;
-using SetWaypoints = ServiceClient<slackwater_msgs::srv::SetWaypoints_RequestPubSubType,
-                                   slackwater_msgs::srv::SetWaypoints_ResponsePubSubType>;
 constexpr double patience_s = 180;
 
 void say(const char* what) {

@@ -6,9 +6,7 @@
 #include <initializer_list>
 
 #include "nav_msgsPubSubTypes.h"
-#include "slackwater_msgsPubSubTypes.h"
-#include "std_srvsPubSubTypes.h"
-#include "tests/strangers/live/service_client.h"
+#include "tests/strangers/live/services.h"
 
 namespace peer {
 
@@ -19,14 +17,6 @@ inline void expect(bool is_true, const std::string& what) {
   if (!is_true) ++failures;
 }
 
-using Trigger = ServiceClient<std_srvs::srv::Trigger_RequestPubSubType,
-                              std_srvs::srv::Trigger_ResponsePubSubType>;
-using SetBool = ServiceClient<std_srvs::srv::SetBool_RequestPubSubType,
-                              std_srvs::srv::SetBool_ResponsePubSubType>;
-using SetWaypoints = ServiceClient<slackwater_msgs::srv::SetWaypoints_RequestPubSubType,
-                                   slackwater_msgs::srv::SetWaypoints_ResponsePubSubType>;
-using SendGoal = ServiceClient<slackwater_msgs::action::Navigate_SendGoal_RequestPubSubType,
-                               slackwater_msgs::action::Navigate_SendGoal_ResponsePubSubType>;
 template <typename Message, typename Support>
 std::optional<Message> next(fdds::DataReader* reader, double at_most_s = 5) {
   const auto until = Clock::now() + std::chrono::duration<double>(at_most_s);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "action_msgsPubSubTypes.h"
 #include "geometry_msgsPubSubTypes.h"
 #include "std_msgsPubSubTypes.h"
 #include "tests/strangers/live/peer_checks.h"
@@ -12,15 +11,6 @@
 namespace {
 
 using namespace peer;
-
-using Step = ServiceClient<slackwater_msgs::srv::Step_RequestPubSubType,
-                           slackwater_msgs::srv::Step_ResponsePubSubType>;
-using QueryProfile = ServiceClient<slackwater_msgs::srv::QueryProfile_RequestPubSubType,
-                                   slackwater_msgs::srv::QueryProfile_ResponsePubSubType>;
-using CancelGoal = ServiceClient<action_msgs::srv::CancelGoal_RequestPubSubType,
-                                 action_msgs::srv::CancelGoal_ResponsePubSubType>;
-using GetResult = ServiceClient<slackwater_msgs::action::Navigate_GetResult_RequestPubSubType,
-                                slackwater_msgs::action::Navigate_GetResult_ResponsePubSubType>;
 
 }  // namespace
 

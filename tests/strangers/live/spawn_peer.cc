@@ -17,9 +17,6 @@ namespace {
 
 using namespace peer;
 
-using Spawn = ServiceClient<slackwater_msgs::srv::Spawn_RequestPubSubType,
-                            slackwater_msgs::srv::Spawn_ResponsePubSubType>;
-
 /// Looking north.
 slackwater_msgs::srv::Spawn_Request asked(const std::string& model, const std::string& name,
                                           const std::array<double, 3>& at_m) {
