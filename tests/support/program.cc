@@ -71,8 +71,9 @@ pid_t start_program(const std::vector<std::string>& arguments,
 
 pid_t start_other_program(const std::filesystem::path& program,
                           const std::vector<std::string>& arguments,
-                          const std::filesystem::path& out) {
-  return spawn(program, arguments, {}, out.string(), "/dev/null");
+                          const std::filesystem::path& out,
+                          const std::map<std::string, std::string>& environment) {
+  return spawn(program, arguments, environment, out.string(), "/dev/null");
 }
 
 int wait_for_program(pid_t program) {

@@ -29,7 +29,8 @@ struct ProgramResult {
 /// The same of another program.
 [[nodiscard]] pid_t start_other_program(const std::filesystem::path& program,
                                         const std::vector<std::string>& arguments,
-                                        const std::filesystem::path& out = "/dev/null");
+                                        const std::filesystem::path& out = "/dev/null",
+                                        const std::map<std::string, std::string>& environment = {});
 
 /// Waits for a started program. @return its exit code, 128 + signal where a signal ended it.
 int wait_for_program(pid_t program);

@@ -2,11 +2,16 @@
 // int64_t, in the file that SLACKWATER_SHIFTED_CLOCK names, which others may write while it runs.
 // CLOCK_MONOTONIC stays what it is.
 //
-// Waits until a time of the wall clock are left to the kernel, whose clock has not jumped: whoever
-// makes one waits for the shift too, or not at all, for as long as it lasts. That is worse than
-// what a clock that is set does, which hurts the waits under way alone.
+// Waits of semaphores and mutexes until a time of the wall clock are put to the kernel without the
+// shift, for its clock has not jumped: those of shared memory in Fast DDS, whose locks else give up
+// at once or for hours, and whose ports then end in memory that is gone. Other waits of that kind
+// are left to the kernel: whoever makes one waits for the shift too, or not at all, for as long as
+// it lasts. That is worse than what a clock that is set does, which hurts the waits under way alone.
 #define _GNU_SOURCE
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
+#include <semaphore.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -50,4 +55,27 @@ time_t time(time_t* told) {
   if (clock_gettime(CLOCK_REALTIME, &at) != 0) return (time_t)-1;
   if (told != NULL) *told = at.tv_sec;
   return at.tv_sec;
+}
+
+static struct timespec unshifted(const struct timespec* at) {
+  struct timespec of_kernel = *at;
+  if (shift_s != NULL) of_kernel.tv_sec -= *shift_s;
+  return of_kernel;
+}
+
+// POSIX lets a pointer to a function come as one to an object.
+
+int sem_timedwait(sem_t* restrict semaphore, const struct timespec* restrict until) {
+  static int (*wait)(sem_t*, const struct timespec*);
+  if (wait == NULL) *(void**)&wait = dlsym(RTLD_NEXT, "sem_timedwait");
+  const struct timespec at = unshifted(until);
+  return wait(semaphore, &at);
+}
+
+int pthread_mutex_timedlock(pthread_mutex_t* restrict mutex,
+                            const struct timespec* restrict until) {
+  static int (*lock)(pthread_mutex_t*, const struct timespec*);
+  if (lock == NULL) *(void**)&lock = dlsym(RTLD_NEXT, "pthread_mutex_timedlock");
+  const struct timespec at = unshifted(until);
+  return lock(mutex, &at);
 }
