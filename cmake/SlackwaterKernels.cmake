@@ -14,6 +14,7 @@ target_compile_options(slackwater_unsanitized INTERFACE -fno-sanitize=all)
 
 function(slackwater_kernels room name source)
   cmake_parse_arguments(K "" "" "OPTIONS" ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY SLACKWATER_KERNELS ${name})
   set(sets baseline)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
     set(flags_avx2 -mavx2)
