@@ -1,6 +1,7 @@
 #include "tests/bench/live_clients.h"
 
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,6 +23,7 @@
 
 #include "api/dds/message/vehicle_messages.h"
 #include "api/dds/participant.h"
+#include "api/live/punctuality.h"
 
 extern char** environ;
 
@@ -65,12 +67,18 @@ void print_percentiles(std::vector<double>& samples) {
   for (;;) std::this_thread::sleep_for(1s);
 }
 
-/// Each topic by itself: one that nobody hears is not made up for by the others.
-int hear(const std::string& domain, int vehicles) {
+/// Blocked in all threads to come; who asks is waited for by sigwait.
+sigset_t asked_to_end() {
   sigset_t asked;
   sigemptyset(&asked);
   sigaddset(&asked, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &asked, nullptr);  // also of the threads to come
+  pthread_sigmask(SIG_BLOCK, &asked, nullptr);
+  return asked;
+}
+
+/// Each topic by itself: one that nobody hears is not made up for by the others.
+int hear(const std::string& domain, int vehicles) {
+  const sigset_t asked = asked_to_end();
   constexpr std::array topics{std::pair{"/odometry", "nav_msgs/msg/Odometry"},
                               std::pair{"/pose", "geometry_msgs/msg/PoseStamped"},
                               std::pair{"/imu", "sensor_msgs/msg/Imu"}};
@@ -232,6 +240,25 @@ int lists(const std::string& domain) {
   }
 }
 
+/// A run at the same pace that has nothing to do: how late the machine itself lets it begin.
+int pace(double step_s) {
+  const sigset_t asked = asked_to_end();
+  twin::RunControl control(1);
+  std::thread waiter([&] {
+    int signal = 0;
+    sigwait(&asked, &signal);
+    control.stop();
+  });
+  live::Punctuality punctuality(1);
+  control.start_clock(0);
+  for (std::uint64_t step = 0; control.may_step(step, step_s); ++step)
+    punctuality.begin(control.due(), live::Punctuality::WallClock::now());
+  waiter.join();
+  std::printf("%llu %llu %s\n", static_cast<unsigned long long>(punctuality.late_steps()),
+              static_cast<unsigned long long>(punctuality.steps()), punctuality.text().c_str());
+  return 0;
+}
+
 }  // namespace
 
 double monotonic_s() {
@@ -239,11 +266,13 @@ double monotonic_s() {
 }
 
 int live_client(const std::vector<std::string>& role) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // of a benchmark that was killed none stays
   if (role.at(0) == "hear") return hear(role.at(1), std::stoi(role.at(2)));
   if (role[0] == "readers") return readers(role.at(1), std::stoul(role.at(2)));
   if (role[0] == "agent") return agent(role.at(1));
   if (role[0] == "push") return push(role.at(1), std::stoi(role.at(2)));
   if (role[0] == "lists") return lists(role.at(1));
+  if (role[0] == "pace") return pace(std::stod(role.at(1)));
   throw std::runtime_error("no such client: " + role[0]);
 }
 
