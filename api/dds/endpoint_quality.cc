@@ -78,8 +78,8 @@ fdds::DataWriterQos writer_qos(const bag::Quality& quality) {
   keep_last(quality.depth, qos);
   qos.publish_mode().kind = fdds::SYNCHRONOUS_PUBLISH_MODE;
   // What got lost is asked for again after a twentieth of a second, not after three. Of itself the
-  // library would ask each reader with each sample, once the history is full, whether it came: a
-  // third of all that a run and its readers compute.
+  // library would ask each reader with each sample, once the history is full, whether it came: of
+  // five subscribers to 20 vehicles at 100 Hz a third of what they compute (live_bench).
   qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000};
   qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
   return qos;

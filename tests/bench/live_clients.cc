@@ -67,8 +67,8 @@ void print_percentiles(std::vector<double>& samples) {
   for (;;) std::this_thread::sleep_for(1s);
 }
 
-/// Blocked in all threads to come; who asks is waited for by sigwait.
-sigset_t asked_to_end() {
+/// In this thread and all to come. @return it, for sigwait
+sigset_t block_end_signal() {
   sigset_t asked;
   sigemptyset(&asked);
   sigaddset(&asked, SIGTERM);
@@ -78,7 +78,7 @@ sigset_t asked_to_end() {
 
 /// Each topic by itself: one that nobody hears is not made up for by the others.
 int hear(const std::string& domain, int vehicles) {
-  const sigset_t asked = asked_to_end();
+  const sigset_t asked = block_end_signal();
   constexpr std::array topics{std::pair{"/odometry", "nav_msgs/msg/Odometry"},
                               std::pair{"/pose", "geometry_msgs/msg/PoseStamped"},
                               std::pair{"/imu", "sensor_msgs/msg/Imu"}};
@@ -242,7 +242,7 @@ int lists(const std::string& domain) {
 
 /// A run at the same pace that has nothing to do: how late the machine itself lets it begin.
 int pace(double step_s) {
-  const sigset_t asked = asked_to_end();
+  const sigset_t asked = block_end_signal();
   twin::RunControl control(1);
   std::thread waiter([&] {
     int signal = 0;
