@@ -152,6 +152,7 @@ void twenty_at_100_hz(BenchReport& report) {
     how.also = [&](const api::RunInHand&) {
       empty_loop = std::make_unique<ClientProcess>(
           std::vector<std::string>{"pace", std::to_string(scenario.step_s)});
+      empty_loop->wait_for_line();
     };
     told = run(scenario, std::move(how));
     empty = empty_loop->asked_result();

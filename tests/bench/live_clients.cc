@@ -249,6 +249,8 @@ int pace(double step_s) {
     sigwait(&asked, &signal);
     control.stop();
   });
+  std::puts("ready");
+  std::fflush(stdout);
   live::Punctuality punctuality(1);
   control.start_clock(0);
   for (std::uint64_t step = 0; control.may_step(step, step_s); ++step)

@@ -18,8 +18,9 @@ namespace slackwater::bench {
 ///   push DOMAIN TRIALS      thrusters of v0 to and fro; prints the same of the time until its
 ///                           odometry shows it, s, of those that it shows within 2 s
 ///   lists DOMAIN            lists of 10 000 waypoints for v0, ten a second
-///   pace STEP_S             a loop at that pace that does nothing; asked to end by SIGTERM, prints
-///                           how many steps it began late, of how many, and that in words
+///   pace STEP_S             a loop at that pace that does nothing; prints "ready" when it begins
+///                           and, asked to end by SIGTERM, how many steps it began late, of how
+///                           many, and that in words
 /// @return the exit code
 int live_client(const std::vector<std::string>& role);
 
