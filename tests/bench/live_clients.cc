@@ -67,7 +67,8 @@ void print_percentiles(std::vector<double>& samples) {
   for (;;) std::this_thread::sleep_for(1s);
 }
 
-/// In this thread and all to come. @return it, for sigwait
+/// In this thread and all to come. @return it, for sigwait by this thread, which is asked first:
+/// libraries may have threads already
 sigset_t block_end_signal() {
   sigset_t asked;
   sigemptyset(&asked);
@@ -244,18 +245,18 @@ int lists(const std::string& domain) {
 int pace(double step_s) {
   const sigset_t asked = block_end_signal();
   twin::RunControl control(1);
-  std::thread waiter([&] {
-    int signal = 0;
-    sigwait(&asked, &signal);
-    control.stop();
+  live::Punctuality punctuality(1);
+  std::thread loop([&] {
+    control.start_clock(0);
+    for (std::uint64_t step = 0; control.may_step(step, step_s); ++step)
+      punctuality.begin(control.due(), live::Punctuality::WallClock::now());
   });
   std::puts("ready");
   std::fflush(stdout);
-  live::Punctuality punctuality(1);
-  control.start_clock(0);
-  for (std::uint64_t step = 0; control.may_step(step, step_s); ++step)
-    punctuality.begin(control.due(), live::Punctuality::WallClock::now());
-  waiter.join();
+  int signal = 0;
+  sigwait(&asked, &signal);
+  control.stop();
+  loop.join();
   std::printf("%llu %llu %s\n", static_cast<unsigned long long>(punctuality.late_steps()),
               static_cast<unsigned long long>(punctuality.steps()), punctuality.text().c_str());
   return 0;
