@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-double hours(Duration duration) {
+double hours_of(Duration duration) {
   return std::chrono::duration<double, std::ratio<3600>>(duration).count();
 }
 
@@ -82,10 +82,10 @@ CampaignAnswer answer_of(const History& history, const CampaignFile& campaign,
   twin::StepRanges known{{0, clock.steps}};
   for (const CampaignTaskText& task : campaign.tasks) {
     if (!task.split && task.duration + task.contingency > clock.end() - clock.first)
-      throw Error(
-          ErrorKind::invalid_input,
-          formatted("task '{}': found {:g} h, longer than the series: it has {:g} h", task.name,
-                    hours(task.duration + task.contingency), hours(clock.end() - clock.first)));
+      throw Error(ErrorKind::invalid_input,
+                  formatted("task '{}': found {:g} h, longer than the series: it has {:g} h",
+                            task.name, hours_of(task.duration + task.contingency),
+                            hours_of(clock.end() - clock.first)));
     LimitedHistory limited = api::limited(history, task.limits, vocabulary, campaign.zone);
     known = twin::common_to(known, twin::outside(limited.access.missing, clock.steps));
     if (task.daylight) {
@@ -119,7 +119,7 @@ json campaign_json(const History& history, const CampaignFile& campaign,
                    {"missing_steps", twin::steps_in(answer.missing)},
                    {"gaps", gaps_json(clock, answer.missing)},
                    {"time_zone", campaign.zone ? campaign.zone->name() : "UTC"},
-                   {"work_h", hours(answer.work)},
+                   {"work_h", hours_of(answer.work)},
                    {"tasks", json::array()},
                    {"seasons", json::array()},
                    {"notes", history.notes}};
@@ -128,8 +128,8 @@ json campaign_json(const History& history, const CampaignFile& campaign,
     for (const SeriesLimit& limit : task.limits) limits.push_back(limit.text);
     document["tasks"].push_back({{"name", task.name},
                                  {"times", task.times},
-                                 {"duration_h", hours(task.duration)},
-                                 {"contingency_h", hours(task.contingency)},
+                                 {"duration_h", hours_of(task.duration)},
+                                 {"contingency_h", hours_of(task.contingency)},
                                  {"split", task.split.has_value()},
                                  {"limits", limits}});
   }
@@ -162,7 +162,7 @@ std::string campaign_text(const History& history, const CampaignFile& campaign,
   const StepClock& clock = history.regular.clock;
   std::string text =
       formatted("{}: {:g} h of work without the weather.\n{}: {}.\n\n", campaign.name,
-                hours(answer.work), history.source, extent_text(clock, answer.missing));
+                hours_of(answer.work), history.source, extent_text(clock, answer.missing));
   // One team is what is meant where nothing is said.
   const bool says_teams = campaign.teams != std::vector<std::size_t>{1};
   if (says_teams) text += formatted("{:>5}  ", "teams");

@@ -15,8 +15,6 @@
 namespace slackwater::api {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
-
 std::vector<std::string> wanted_by(const std::vector<SeriesLimit>& limits) {
   std::vector<std::string> wanted;
   for (const SeriesLimit& limit : limits) {

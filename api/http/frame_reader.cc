@@ -10,7 +10,7 @@
 namespace slackwater::api::http {
 namespace {
 
-constexpr std::size_t read_bytes = std::size_t{16} * 1024;
+constexpr std::size_t frame_bytes = std::size_t{16} * 1024;
 constexpr std::size_t longest_control = 125;
 constexpr std::size_t mask_bytes = 4;
 
@@ -53,9 +53,9 @@ std::span<char> FrameReader::room() {
     end_ -= std::exchange(begin_, 0);
   }
   // A client that is silent, or says little at a time, holds little.
-  if (end_ == 0 && buffer_.size() > read_bytes) buffer_ = {};
-  if (buffer_.size() < end_ + read_bytes) buffer_.resize(end_ + read_bytes);
-  return {buffer_.data() + end_, read_bytes};
+  if (end_ == 0 && buffer_.size() > frame_bytes) buffer_ = {};
+  if (buffer_.size() < end_ + frame_bytes) buffer_.resize(end_ + frame_bytes);
+  return {buffer_.data() + end_, frame_bytes};
 }
 
 void FrameReader::received(std::size_t bytes) {

@@ -24,7 +24,7 @@ namespace asio = boost::asio;
 using ErrorCode = boost::system::error_code;
 
 /// What a client must take in within `Limits::write_time`.
-constexpr std::size_t write_stride_bytes = std::size_t{256} * 1024;
+constexpr std::size_t frame_stride_bytes = std::size_t{256} * 1024;
 /// Frames that go out at once: so many bytes, or one more.
 constexpr std::size_t batch_bytes = std::size_t{64} * 1024;
 constexpr std::size_t batch_frames = 32;
@@ -106,7 +106,7 @@ class Outbox final : public WebSocket {
   std::optional<Farewell> farewell_;
 };
 
-enum class State { open, closing, closed };
+enum class SocketState { open, closing, closed };
 
 class WebSocketSession final : public Session,
                                public std::enable_shared_from_this<WebSocketSession> {
@@ -141,12 +141,12 @@ class WebSocketSession final : public Session,
   }
 
   void tick(Moment now) override {
-    if (state_ == State::closed) return;
+    if (state_ == SocketState::closed) return;
     const auto silence = now - heard_;
-    if ((state_ == State::closing && now > deadline_) || (is_writing_ && now > write_deadline_) ||
-        silence > 2 * site_.limits.ping_time) {
+    if ((state_ == SocketState::closing && now > deadline_) ||
+        (is_writing_ && now > write_deadline_) || silence > 2 * site_.limits.ping_time) {
       close();
-    } else if (state_ == State::open && silence > site_.limits.ping_time && !is_pinged_) {
+    } else if (state_ == SocketState::open && silence > site_.limits.ping_time && !is_pinged_) {
       is_pinged_ = true;
       control_ += control_frame(Opcode::ping, {});
       write();
@@ -158,7 +158,7 @@ class WebSocketSession final : public Session,
   void drain() override { bid_farewell({close_code::going_away, "the server is stopping"}); }
 
   void close() override {
-    if (std::exchange(state_, State::closed) == State::closed) return;
+    if (std::exchange(state_, SocketState::closed) == SocketState::closed) return;
     ErrorCode ignored;
     socket_.close(ignored);
     if (outbox_) outbox_->end();
@@ -195,7 +195,7 @@ class WebSocketSession final : public Session,
   // --- reading ---
 
   void read() {
-    if (state_ == State::closed) return;
+    if (state_ == SocketState::closed) return;
     const std::span<char> room = reader_.room();
     socket_.async_read_some(asio::buffer(room.data(), room.size()),
                             [self = shared_from_this()](const ErrorCode& problem, std::size_t n) {
@@ -204,11 +204,11 @@ class WebSocketSession final : public Session,
   }
 
   void on_read(const ErrorCode& problem, std::size_t n) {
-    if (state_ == State::closed) return;
+    if (state_ == SocketState::closed) return;
     if (problem) return close();
     if (!is_deaf_) {
       reader_.received(n);
-      while (state_ != State::closed && !is_deaf_) {
+      while (state_ != SocketState::closed && !is_deaf_) {
         auto incoming = reader_.next();
         if (!incoming) break;
         heard();
@@ -225,7 +225,7 @@ class WebSocketSession final : public Session,
       bid_farewell({incoming.code, incoming.kind == Kind::failed ? incoming.bytes : ""});
       return end_if_done();
     }
-    if (state_ != State::open) return;
+    if (state_ != SocketState::open) return;
     if (incoming.kind == Kind::ping) {
       pong_ = control_frame(Opcode::pong, incoming.bytes);  // the latest will do (§5.5.3)
       return write();
@@ -242,9 +242,9 @@ class WebSocketSession final : public Session,
 
   /// Writes what waits, unless it is writing.
   void write() {
-    if (state_ == State::closed || is_writing_) return;
+    if (state_ == SocketState::closed || is_writing_) return;
     control_ += std::exchange(pong_, {});
-    if (state_ == State::open) {
+    if (state_ == SocketState::open) {
       batch_ = outbox_->take();
       const auto farewell = batch_.empty() ? outbox_->farewell() : std::nullopt;
       if (farewell) say_last(*farewell);
@@ -267,7 +267,7 @@ class WebSocketSession final : public Session,
       bytes += frame.size();
     }
     is_writing_ = true;
-    const auto strides = static_cast<int>(1 + bytes / write_stride_bytes);
+    const auto strides = static_cast<int>(1 + bytes / frame_stride_bytes);
     write_deadline_ = std::chrono::steady_clock::now() + strides * site_.limits.write_time;
     asio::async_write(socket_, buffers,
                       [self = shared_from_this()](const ErrorCode& problem, std::size_t) {
@@ -277,7 +277,7 @@ class WebSocketSession final : public Session,
 
   void on_written(const ErrorCode& problem) {
     is_writing_ = false;
-    if (state_ == State::closed) return;
+    if (state_ == SocketState::closed) return;
     if (problem) return close();
     if (site_.metrics != nullptr) site_.metrics->frames_sent(batch_.size());
     batch_.clear();  // what others share is let go of
@@ -289,7 +289,7 @@ class WebSocketSession final : public Session,
 
   /// The farewell is the last that is written; messages that come are not heard any more.
   void say_last(const Farewell& farewell) {
-    state_ = State::closing;
+    state_ = SocketState::closing;
     deadline_ = std::chrono::steady_clock::now() + farewell_time;
     pong_.clear();
     control_ += close_frame(farewell.code, farewell.reason);
@@ -298,7 +298,7 @@ class WebSocketSession final : public Session,
 
   /// Says so at once, whatever else waits.
   void bid_farewell(const Farewell& farewell) {
-    if (state_ != State::open) return;
+    if (state_ != SocketState::open) return;
     say_last(farewell);
     write();
   }
@@ -306,7 +306,7 @@ class WebSocketSession final : public Session,
   /// Both have said farewell: the server ends the connection first (§7.1.1), and reads on until the
   /// client does so too, lest the kernel take the farewell back.
   void end_if_done() {
-    if (state_ != State::closing || !is_deaf_ || is_writing_ || is_shut_) return;
+    if (state_ != SocketState::closing || !is_deaf_ || is_writing_ || is_shut_) return;
     is_shut_ = true;
     ErrorCode problem;
     socket_.shutdown(asio::ip::tcp::socket::shutdown_send, problem);
@@ -330,7 +330,7 @@ class WebSocketSession final : public Session,
   std::vector<std::string> heads_;
   bool is_writing_ = false;
   Moment write_deadline_;
-  State state_ = State::open;
+  SocketState state_ = SocketState::open;
   Moment deadline_;  ///< of `closing`
   bool is_shut_ = false;
   asio::ip::tcp::socket socket_;  // last of what may throw: the descriptor is ours from here on

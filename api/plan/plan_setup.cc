@@ -14,8 +14,6 @@ namespace {
 
 constexpr Duration widest_gap = std::chrono::hours(1);
 
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
-
 Minute minutes_up(Duration duration) {
   return static_cast<Minute>(std::chrono::ceil<std::chrono::minutes>(duration).count());
 }

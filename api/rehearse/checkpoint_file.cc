@@ -79,7 +79,7 @@ void expect_same(const std::filesystem::path& file, const char* what, const json
 }
 
 /// Takes numbers off the end of the file's text, one list after the other.
-struct Rows {
+struct CheckpointRows {
   std::string_view left;
   std::vector<double> take(std::size_t count) {
     if (left.size() / sizeof(double) < count)
@@ -100,7 +100,7 @@ StandingRun run_of(const json& head, std::string_view rows) {
   run.watch = watch_of(head.at("watch"));
   run.refusals = refusals_of(head.at("refusals"));
   run.newcomers = head.at("newcomer_files_sha256").get<std::string>();
-  Rows numbers{rows};
+  CheckpointRows numbers{rows};
   run.log.t_s = numbers.take(head.at("times").get<std::size_t>());
   for (const json& size : head.at("rows"))
     run.log.rows.push_back(numbers.take(size.get<std::size_t>()));

@@ -16,8 +16,6 @@ namespace {
 using twin::AisLog;
 using twin::TrafficVessel;
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 /// What of a log is wanted.
 struct Wanted {
   UtcTime from;  ///< of the log's time

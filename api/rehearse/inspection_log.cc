@@ -16,7 +16,7 @@ using nlohmann::json;
 using twin::Triple;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double degrees = 180 / constants::pi;
+constexpr double degrees_of_radian = 180 / constants::pi;
 
 /// Rows of a table whose columns are known beforehand.
 class Rows {
@@ -100,7 +100,7 @@ json pair_json(const Inspected& inspected, std::size_t vehicle, std::size_t pair
           {"kind", twin::name_of(surface.kind)},
           {"instrument", part.instrument},
           {"detail_m", number(line.detail_m)},
-          {"incidence_deg", number(line.most_incidence_rad * degrees)},
+          {"incidence_deg", number(line.most_incidence_rad * degrees_of_radian)},
           {"looks", line.looks},
           {"done_at", number(line.done_at)},
           {"sheet",
@@ -109,7 +109,7 @@ json pair_json(const Inspected& inspected, std::size_t vehicle, std::size_t pair
             {"is_all_round", sheet.is_all_round},
             {"along", sheet.along},
             {"down", sheet.down},
-            {"first_bearing_deg", number(sheet.first_bearing_rad * degrees)},
+            {"first_bearing_deg", number(sheet.first_bearing_rad * degrees_of_radian)},
             {"top_z_m", number(sheet.top_z_m)}}},
           {"area_m2", number(part.area_m2)},
           {"seen_m2", number(part.seen_m2)},
@@ -130,7 +130,7 @@ void add_patches(const Inspected& inspected, std::size_t first_pair, std::size_t
               double{patch.width_m}, double{patch.height_m}, patch.centre_m.y, patch.centre_m.x,
               -patch.centre_m.z, patch.normal.y, patch.normal.x, -patch.normal.z, patch.area_m2,
               seen(best.detail_m),
-              seen(std::acos(std::fmin(1.0, double{best.incidence_cosine})) * degrees),
+              seen(std::acos(std::fmin(1.0, double{best.incidence_cosine})) * degrees_of_radian),
               seen(best.range_m), seen(best.t_s), static_cast<double>(best.looks),
               twin::is_covered(line, best) ? 1.0 : 0.0});
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
@@ -11,6 +10,7 @@
 #include "api/report/forecast_speed.h"
 #include "api/report/time_text.h"
 #include "calibration/verify/skill_set.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/service/field.h"
@@ -24,7 +24,7 @@ using std::chrono::days;
 using std::chrono::hours;
 using std::chrono::minutes;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 /// A stretch of the forecast, and the clock that its times are told by.
 struct Span {
@@ -348,7 +348,7 @@ FetchDoubt fetch_doubt_of(const std::string& summary_json) {
   return {std::min(half, 1.0), std::max(twice, 1.0)};
 }
 
-std::string wind_text(WindPolicy wind) {
+std::string wind_policy_text(WindPolicy wind) {
   switch (wind) {
     case WindPolicy::best:
       return "best: the newest wind known then";
@@ -364,7 +364,7 @@ void add_facts(const Snapshot& s, const PageClock& clock, ReportInput& page) {
   page.facts = {{"Issued (UTC)", clock.stamp(s.issued)},
                 {"Valid (UTC)", clock.stamp(s.time.front()) + " to " + clock.stamp(s.time.back())},
                 {"Fitted on day D", format_day(s.day)}};
-  if (s.wind_policy) page.facts.emplace_back("Wind", wind_text(*s.wind_policy));
+  if (s.wind_policy) page.facts.emplace_back("Wind", wind_policy_text(*s.wind_policy));
   if (const std::string waves = wave_sources_text(s); !waves.empty())
     page.facts.emplace_back("Waves", waves);
 }

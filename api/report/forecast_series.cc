@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "api/report/forecast_page.h"
 #include "fields/base/constants.h"
@@ -13,7 +12,7 @@
 namespace slackwater::api {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 /// Standard deviation of a component of the wind over the members; NaN without an ensemble.
 double wind_sigma_m_s(const ForecastColumn& column, std::size_t t) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "fields/service/speed_quantiles.h"
 
@@ -14,7 +14,7 @@ namespace {
 using std::chrono::hours;
 using std::chrono::minutes;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 /// The depths on offer, the wanted one among them.
 std::vector<double> offered_depths(double water_depth_m, double wanted_m) {

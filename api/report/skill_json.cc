@@ -28,7 +28,7 @@ json correlation_json(const std::optional<double>& modulus, const std::optional<
 }
 
 template <std::size_t n>
-json numbers(const std::array<double, n>& values) {
+json numbers_of(const std::array<double, n>& values) {
   json list = json::array();
   for (const double value : values) list.push_back(number(value));
   return list;
@@ -37,8 +37,8 @@ json numbers(const std::array<double, n>& values) {
 json reliability_json(const std::optional<calibration::Reliability>& reliability) {
   if (!reliability) return nullptr;
   return {{"probability", calibration::Reliability::probability},
-          {"below", numbers(reliability->below)},
-          {"pit", numbers(reliability->pit)}};
+          {"below", numbers_of(reliability->below)},
+          {"pit", numbers_of(reliability->pit)}};
 }
 
 void add_scalar(json& j, const calibration::ScalarScore& s) {

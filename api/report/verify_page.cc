@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -10,12 +9,13 @@
 #include "api/report/verdict_text.h"
 #include "calibration/verify/skill_set.h"
 #include "calibration/verify/verdict.h"
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 bool is_current(const calibration::SkillSet& set) {
   return set.of.variable == calibration::current_variable && !set.of.column;

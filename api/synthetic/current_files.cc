@@ -1,9 +1,9 @@
 #include <cmath>
-#include <limits>
 
 #include "api/synthetic/product_file.h"
 #include "api/synthetic/product_files.h"
 #include "api/synthetic/product_grid.h"
+#include "fields/base/constants.h"
 
 namespace slackwater::api {
 namespace {
@@ -12,7 +12,7 @@ constexpr double white_noise_m_s = 0.004;
 constexpr const char* physics_source = "Slackwater synthetic ocean in the shape of AMM15 (NEMO)";
 constexpr const char* physics_title =
     "hourly instantaneous fields in the shape of NWSHELF_ANALYSISFORECAST_PHY_004_013";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 /// How much of the model's error is left at a depth: all at the surface, 40 % at the bed.
 double share_of_error(double depth_m, double water_depth_m) {

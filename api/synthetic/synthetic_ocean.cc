@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
@@ -42,7 +41,7 @@ WindDrivenColumn driven_by(const ColumnPhysics& physics, const Weather& weather,
           }};
 }
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 }  // namespace
 

@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "api/synthetic/product_file.h"
 #include "api/synthetic/product_files.h"
 #include "api/synthetic/product_grid.h"
+#include "fields/base/constants.h"
 
 namespace slackwater::api {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 constexpr const char* dataset = "cmems_mod_nws_wav_anfc_1.5km_PT1H-i";
 
 ProductVariable packed(const char* name, const char* standard_name, const char* long_name,

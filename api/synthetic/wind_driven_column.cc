@@ -11,7 +11,7 @@ namespace slackwater::api {
 namespace {
 
 constexpr Horizontal imaginary{0, 1};
-constexpr double step_h = 1.0 / 6;
+constexpr double column_step_h = 1.0 / 6;
 constexpr std::size_t fractions = 65;
 constexpr int modes = 48;
 
@@ -77,7 +77,7 @@ WindDrivenColumn::WindDrivenColumn(const ColumnPhysics& physics, double first_h,
                                    const std::function<Horizontal(double)>& stress)
     : first_h_(first_h),
       reference_depth_m_(physics.reference_depth_m),
-      times_(static_cast<std::size_t>(std::ceil((last_h - first_h) / step_h)) + 1) {
+      times_(static_cast<std::size_t>(std::ceil((last_h - first_h) / column_step_h)) + 1) {
   expects(last_h > first_h + 1, "a wind history lasts more than an hour");
   const double depth = physics.reference_depth_m;
   const double viscosity = physics.reference.eddy_viscosity_m2_s;
@@ -101,11 +101,11 @@ WindDrivenColumn::WindDrivenColumn(const ColumnPhysics& physics, double first_h,
     }
   }
 
-  const double step_s = step_h * 3600;
+  const double step_s = column_step_h * 3600;
   table_.assign(times_ * fractions, Horizontal{});
   Horizontal before = stress(first_h);
   for (std::size_t t = 1; t < times_; ++t) {
-    const Horizontal after = stress(first_h + static_cast<double>(t) * step_h);
+    const Horizontal after = stress(first_h + static_cast<double>(t) * column_step_h);
     const Horizontal slope = (after - before) / step_s;
     Horizontal* row = &table_[t * fractions];
     for (std::size_t k = 0; k < fractions; ++k) row[k] = tail[k] * after;
@@ -125,7 +125,7 @@ WindDrivenColumn::WindDrivenColumn(const ColumnPhysics& physics, double first_h,
 Horizontal WindDrivenColumn::velocity(double water_depth_m, double depth_m,
                                       double hours) const noexcept {
   const double fraction = std::clamp(depth_m / water_depth_m, 0.0, 1.0);
-  const Stencil in_time = stencil_at((hours - first_h_) / step_h, times_);
+  const Stencil in_time = stencil_at((hours - first_h_) / column_step_h, times_);
   const Stencil in_depth = stencil_at(fraction * (fractions - 1), fractions);
   Horizontal sum = 0;
   for (std::size_t t = 0; t < 4; ++t) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
+#include "fields/base/constants.h"
 #include "fields/interpolate/temporal.h"
 
 namespace slackwater::calibration {
@@ -17,7 +17,7 @@ using std::chrono::hours;
 constexpr Duration widest_gap = hours(12);
 /// What a run has to say at least: the day that skill is judged by.
 constexpr Duration shortest_reach = hours(24);
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 using Pieces = std::vector<const PieceColumn<Horizontal>*>;
 

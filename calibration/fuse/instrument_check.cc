@@ -24,7 +24,7 @@ constexpr double noise_worth_saying_m_s = 0.10;
 constexpr double forgotten_share = 1.0 / 3.0;
 constexpr double least_silence_worth_saying_h = 6.0;
 
-double square(double value) { return value * value; }
+double squared(double value) { return value * value; }
 
 std::optional<UtcTime> last_value(const VectorColumn& column) {
   for (std::size_t t = column.times(); t-- > 0;) {
@@ -145,8 +145,8 @@ InstrumentErrors errors_of(const VectorColumn& column, std::optional<double> sta
   double noise = 0;
   for (const double one : errors.noise_m_s) noise += one * one;
   noise /= static_cast<double>(errors.noise_m_s.size());
-  const double known = std::max(noise, square(settings.instrument_error_m_s));
-  errors.lasting_m_s = std::sqrt(std::max(0.0, square(*stated_m_s) - known));
+  const double known = std::max(noise, squared(settings.instrument_error_m_s));
+  errors.lasting_m_s = std::sqrt(std::max(0.0, squared(*stated_m_s) - known));
   return errors;
 }
 

@@ -18,8 +18,6 @@ namespace {
 constexpr std::size_t starts_per_form = 3;
 constexpr std::size_t fewest_levels = 5;  // ten numbers for nine parameters
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 void check_level(const ProfileLevel& level) {
   if (std::isfinite(level.depth_m) && level.depth_m >= 0 &&
       std::isfinite(level.current_m_s.real()) && std::isfinite(level.current_m_s.imag())) {

@@ -10,7 +10,7 @@
 namespace slackwater::calibration {
 namespace {
 
-constexpr std::size_t fewest_levels = 9;
+constexpr std::size_t fewest_held_against = 9;
 /// Below it a profile is held out as a whole.
 constexpr double deep_m = 60.0;
 
@@ -29,10 +29,10 @@ Split split(std::span<const ProfileLevel> levels, const std::vector<bool>& train
 }
 
 void check(std::span<const ProfileLevel> levels) {
-  if (levels.size() < fewest_levels) {
+  if (levels.size() < fewest_held_against) {
     throw Error(ErrorKind::invalid_input,
                 "profile has " + std::to_string(levels.size()) + " levels: expected at least " +
-                    std::to_string(fewest_levels) + " so that five train in each parity");
+                    std::to_string(fewest_held_against) + " so that five train in each parity");
   }
   if (!std::is_sorted(
           levels.begin(), levels.end(),

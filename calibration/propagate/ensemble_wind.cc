@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 
 namespace slackwater::calibration {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 /// Linear between times, from 0 at the end of D, held after the last; NaN next to what is.
 template <typename T>

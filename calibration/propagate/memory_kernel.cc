@@ -39,7 +39,7 @@ Horizontal mean_decay(const HourCell& a, const HourCell& b, Horizontal mu_per_h)
          (a.length_h() * b.length_h());
 }
 
-double squared(double value) { return value * value; }
+double square(double value) { return value * value; }
 
 }  // namespace
 
@@ -69,20 +69,20 @@ MemoryCovariance::MemoryCovariance(const MemoryKernel& kernel, double inertial_d
 }
 
 Horizontal MemoryCovariance::between(const HourCell& a, const HourCell& b) const {
-  const double slow_m2_s2 = squared(kernel_.slow_m_s);
-  const double recent_m2_s2 = squared(kernel_.recent_m_s);
-  const double inertial_m2_s2 = squared(kernel_.inertial_m_s);
+  const double slow_m2_s2 = square(kernel_.slow_m_s);
+  const double recent_m2_s2 = square(kernel_.recent_m_s);
+  const double inertial_m2_s2 = square(kernel_.inertial_m_s);
   const Horizontal line = kernel_.line_m_s == 0
                               ? Horizontal{}
-                              : squared(kernel_.line_m_s) * mean_decay(a, b, line_per_h_);
+                              : square(kernel_.line_m_s) * mean_decay(a, b, line_per_h_);
   if (a.is_instant() && b.is_instant()) {  // the same as below, with real exponentials
     const double lag_h = a.from_h - b.from_h;
     const double apart_h = std::abs(lag_h);
-    return squared(kernel_.constant_m_s) + slow_m2_s2 * std::exp(-apart_h / kernel_.slow_h) +
+    return square(kernel_.constant_m_s) + slow_m2_s2 * std::exp(-apart_h / kernel_.slow_h) +
            recent_m2_s2 * std::exp(-apart_h / kernel_.recent_h) +
            inertial_m2_s2 * decay(lag_h, inertial_per_h_) + line;
   }
-  return squared(kernel_.constant_m_s) + slow_m2_s2 * mean_decay(a, b, 1.0 / kernel_.slow_h) +
+  return square(kernel_.constant_m_s) + slow_m2_s2 * mean_decay(a, b, 1.0 / kernel_.slow_h) +
          recent_m2_s2 * mean_decay(a, b, 1.0 / kernel_.recent_h) +
          inertial_m2_s2 * mean_decay(a, b, inertial_per_h_) + line;
 }
@@ -99,8 +99,8 @@ Eigen::MatrixXcd MemoryCovariance::between(std::span<const HourCell> a,
 }
 
 double MemoryCovariance::variance_m2_s2() const noexcept {
-  return squared(kernel_.constant_m_s) + squared(kernel_.slow_m_s) + squared(kernel_.inertial_m_s) +
-         squared(kernel_.recent_m_s) + squared(kernel_.line_m_s);
+  return square(kernel_.constant_m_s) + square(kernel_.slow_m_s) + square(kernel_.inertial_m_s) +
+         square(kernel_.recent_m_s) + square(kernel_.line_m_s);
 }
 
 }  // namespace slackwater::calibration

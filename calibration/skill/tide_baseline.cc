@@ -12,27 +12,27 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::array<std::string_view, 5> names{"M2", "S2", "K1", "O1", "M4"};
+constexpr std::array<std::string_view, 5> constituents{"M2", "S2", "K1", "O1", "M4"};
 constexpr Duration record_needed = std::chrono::days(15);
 
-const std::array<double, names.size()>& speeds_rad_s() {
-  static const std::array<double, names.size()> speeds = [] {
-    std::array<double, names.size()> found{};
-    for (std::size_t i = 0; i < names.size(); ++i)
-      found[i] = tidal_constituent(names[i]).speed_rad_s;
+const std::array<double, constituents.size()>& speeds_rad_s() {
+  static const std::array<double, constituents.size()> speeds = [] {
+    std::array<double, constituents.size()> found{};
+    for (std::size_t i = 0; i < constituents.size(); ++i)
+      found[i] = tidal_constituent(constituents[i]).speed_rad_s;
     return found;
   }();
   return speeds;
 }
 
 /// e^{i w t} of the five constituents at a cell, averaged over it where it is a mean.
-std::array<Horizontal, names.size()> phases_at(UtcTime reference, const TimeCell& cell) {
-  std::array<Horizontal, names.size()> phases;
+std::array<Horizontal, constituents.size()> phases_at(UtcTime reference, const TimeCell& cell) {
+  std::array<Horizontal, constituents.size()> phases;
   TideFit unit;
   unit.reference = reference;
   unit.terms.resize(1);
   unit.terms[0].counter_clockwise = 1.0;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < constituents.size(); ++i) {
     unit.terms[0].speed_rad_s = speeds_rad_s()[i];
     phases[i] = tidal_oscillation(unit, cell);
   }
@@ -41,12 +41,13 @@ std::array<Horizontal, names.size()> phases_at(UtcTime reference, const TimeCell
 
 Eigen::MatrixXcd design(UtcTime reference, const VectorColumn& history,
                         const std::vector<std::size_t>& times) {
-  Eigen::MatrixXcd rows(static_cast<Index>(times.size()), 1 + 2 * static_cast<Index>(names.size()));
+  Eigen::MatrixXcd rows(static_cast<Index>(times.size()),
+                        1 + 2 * static_cast<Index>(constituents.size()));
   for (std::size_t r = 0; r < times.size(); ++r) {
     const auto row = static_cast<Index>(r);
     const auto phases = phases_at(reference, history.time[times[r]]);
     rows(row, 0) = 1.0;
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t i = 0; i < constituents.size(); ++i) {
       rows(row, static_cast<Index>(1 + 2 * i)) = phases[i];
       rows(row, static_cast<Index>(2 + 2 * i)) = std::conj(phases[i]);
     }
@@ -106,7 +107,7 @@ std::vector<Horizontal> ColumnTide::oscillation(std::span<const TimeCell> cells)
     for (std::size_t k = 0; k < level_.size(); ++k) {
       if (!level_[k]) continue;
       Horizontal& sum = result[t * level_.size() + k];
-      for (std::size_t i = 0; i < names.size(); ++i)
+      for (std::size_t i = 0; i < constituents.size(); ++i)
         sum += (*level_[k])[1 + 2 * i] * phases[i] + (*level_[k])[2 + 2 * i] * std::conj(phases[i]);
     }
   }

@@ -15,7 +15,9 @@ namespace {
 /// Loose messages are read by so many bytes at a time.
 constexpr std::uint64_t loose_stretch = std::uint64_t{1} << 20U;
 
-[[noreturn]] void damaged(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
+[[noreturn]] void damaged_index(const std::string& what) {
+  throw Error(ErrorKind::invalid_input, what);
+}
 
 class Indexer {
  public:
@@ -24,7 +26,7 @@ class Indexer {
   McapIndex index() {
     if (!file_.has(0, mcap_magic.size()) ||
         !std::equal(mcap_magic.begin(), mcap_magic.end(), window_.at(0, mcap_magic.size()).begin()))
-      damaged("no MCAP file: it does not begin as one");
+      damaged_index("no MCAP file: it does not begin as one");
     std::optional<McapSummary> summary;
     try {
       summary = read_summary(file_, definitions_);
@@ -65,33 +67,34 @@ class Indexer {
         ++next_chunk;
         continue;
       }
-      if (!file_.has(at_, mcap_record_head)) damaged("it ends without an end");
+      if (!file_.has(at_, mcap_record_head)) damaged_index("it ends without an end");
       McapFields head(window_.at(at_, mcap_record_head));
       const auto op = static_cast<McapOp>(head.number<std::uint8_t>());
       const auto length = head.number<std::uint64_t>();
-      if (!file_.has(at_ + mcap_record_head, length)) damaged("a record goes beyond the end");
+      if (!file_.has(at_ + mcap_record_head, length)) damaged_index("a record goes beyond the end");
       if (op == McapOp::data_end || op == McapOp::footer) break;
       take(op, length);
       at_ += mcap_record_head + length;
     }
     if (summary && next_chunk < summary->chunks.size())
-      damaged("the data end before all chunks of the summary were met");
+      damaged_index("the data end before all chunks of the summary were met");
   }
 
   void take(McapOp op, std::uint64_t length) {
     const std::uint64_t content = at_ + mcap_record_head;
     switch (op) {
       case McapOp::none:
-        damaged("there is no record of kind 0");
+        damaged_index("there is no record of kind 0");
       case McapOp::schema:
       case McapOp::channel:
-        if (length > largest_chunk) damaged("a definition of " + std::to_string(length) + " bytes");
+        if (length > largest_chunk)
+          damaged_index("a definition of " + std::to_string(length) + " bytes");
         file_.read(content, length, work_);
         op == McapOp::schema ? definitions_.take_schema(work_) : definitions_.take_channel(work_);
         break;
       case McapOp::message: {
         if (length < mcap_message_head)
-          damaged("a message of " + std::to_string(length) + " bytes");
+          damaged_index("a message of " + std::to_string(length) + " bytes");
         McapFields fields(window_.at(content, mcap_message_head));
         take_loose(time_of_message(fields), mcap_record_head + length);
         break;
@@ -108,14 +111,14 @@ class Indexer {
   std::int64_t time_of_message(McapFields& fields) const {
     const auto channel = fields.number<std::uint16_t>();
     if (definitions_.channels().find(channel) == nullptr)
-      damaged("a message of channel " + std::to_string(channel) + ", which is not defined");
+      damaged_index("a message of channel " + std::to_string(channel) + ", which is not defined");
     static_cast<void>(fields.number<std::uint32_t>());
     return fields.time_ns();
   }
 
   void take_loose(std::int64_t time_ns, std::uint64_t length) {
     if (loose_ && at_ + length - loose_->offset > loose_stretch) end_loose();
-    if (length > largest_chunk) damaged("a message of " + std::to_string(length) + " bytes");
+    if (length > largest_chunk) damaged_index("a message of " + std::to_string(length) + " bytes");
     if (!loose_) loose_ = McapStretch{at_, 0, time_ns, false};
     loose_->length = at_ + length - loose_->offset;
     loose_->first_ns = std::min(loose_->first_ns, time_ns);

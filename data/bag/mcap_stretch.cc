@@ -9,15 +9,17 @@
 namespace slackwater::bag {
 namespace {
 
-[[noreturn]] void damaged(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
+[[noreturn]] void damaged_stretch(const std::string& what) {
+  throw Error(ErrorKind::invalid_input, what);
+}
 
 }  // namespace
 
 void read_stretch(const InputFile& file, const McapStretch& stretch, Bytes& file_bytes,
                   Bytes& records) {
   if (stretch.length > largest_chunk) {
-    damaged("a chunk of " + std::to_string(stretch.length) + " bytes; no more than " +
-            std::to_string(largest_chunk) + " are read");
+    damaged_stretch("a chunk of " + std::to_string(stretch.length) + " bytes; no more than " +
+                    std::to_string(largest_chunk) + " are read");
   }
   if (!stretch.is_chunk) {
     file.read(stretch.offset, stretch.length, records);
@@ -26,7 +28,8 @@ void read_stretch(const InputFile& file, const McapStretch& stretch, Bytes& file
   file.read(stretch.offset, stretch.length, file_bytes);
   ByteView rest = file_bytes;
   const McapRecord record = take_record(rest);
-  if (record.op != McapOp::chunk || !rest.empty()) damaged("no chunk where one is said to be");
+  if (record.op != McapOp::chunk || !rest.empty())
+    damaged_stretch("no chunk where one is said to be");
   McapFields fields(record.content);
   fields.time_ns();
   fields.time_ns();
@@ -35,7 +38,7 @@ void read_stretch(const InputFile& file, const McapStretch& stretch, Bytes& file
   const std::string compression = fields.text();
   const ByteView packed = fields.raw(fields.number<std::uint64_t>());
   unpack_chunk(compression, packed, size, records);
-  if (sum != 0 && sum != crc32(records)) damaged("the sum of a chunk is another");
+  if (sum != 0 && sum != crc32(records)) damaged_stretch("the sum of a chunk is another");
 }
 
 }  // namespace slackwater::bag

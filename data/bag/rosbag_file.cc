@@ -13,7 +13,7 @@ namespace {
 using store::Database;
 using store::Statement;
 
-constexpr store::DatabaseWords words{
+constexpr store::DatabaseWords words_of_reader{
     .name = "the recording",
     .when_full = "free some space and try again",
     .when_locked = "wait until its writer is done and try again",
@@ -63,7 +63,7 @@ std::uint64_t bytes_of(const std::filesystem::path& file) {
 
 /// A connection that reads what is in the file, and not what pages that are named twice make of it.
 Database bounded(const std::filesystem::path& file, Database::Access access) {
-  Database database = Database::open(file, access, words);
+  Database database = Database::open(file, access, words_of_reader);
   bound_work(database, bytes_of(file));
   return database;
 }
@@ -131,7 +131,8 @@ class RosbagFile : public Bag {
 
   [[noreturn]] void damaged(const std::string& what) const {
     throw Error(ErrorKind::invalid_input, "the recording " + database_.file().string() + ": " +
-                                              what + "; " + std::string(words.when_damaged));
+                                              what + "; " +
+                                              std::string(words_of_reader.when_damaged));
   }
   [[noreturn]] void damaged(std::int64_t row, const std::string& what) const {
     damaged("message " + std::to_string(row) + " " + what);

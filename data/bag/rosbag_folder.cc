@@ -57,10 +57,10 @@ std::vector<fs::path> files_by_name(const fs::path& folder) {
 }
 
 /// When the next message of a file comes.
-struct Turn {
+struct FileTurn {
   std::int64_t time_ns = 0;
   std::size_t file = 0;  ///< of two at one time the earlier file
-  bool operator>(const Turn& other) const {
+  bool operator>(const FileTurn& other) const {
     return std::pair(time_ns, file) > std::pair(other.time_ns, other.file);
   }
 };
@@ -85,7 +85,7 @@ class SeveralFiles : public Bag {
     if (handed_out_) go_on(*handed_out_);
     handed_out_.reset();
     if (turns_.empty()) return std::nullopt;
-    const Turn turn = turns_.top();
+    const FileTurn turn = turns_.top();
     turns_.pop();
     File& file = files_[turn.file];
     if (file.bag == nullptr) {
@@ -121,7 +121,7 @@ class SeveralFiles : public Bag {
   ChannelTable table_;
   std::vector<File> files_;
   std::vector<std::string> warnings_;
-  std::priority_queue<Turn, std::vector<Turn>, std::greater<>> turns_;
+  std::priority_queue<FileTurn, std::vector<FileTurn>, std::greater<>> turns_;
   std::optional<std::size_t> handed_out_;
 };
 

@@ -8,7 +8,7 @@
 namespace slackwater::store {
 namespace {
 
-std::size_t count(Database& database, std::string_view table) {
+std::size_t count_of(Database& database, std::string_view table) {
   Statement query = database.prepare("SELECT count(*) FROM " + std::string(table));
   query.step();
   return static_cast<std::size_t>(query.integer(0));
@@ -16,9 +16,9 @@ std::size_t count(Database& database, std::string_view table) {
 
 /// The content that was named before and is named no more is left to the caller to remove.
 void delete_rows(Database& database, const PruneOptions& options, PruneReport& report) {
-  const std::size_t forecasts = count(database, "forecast");
-  const std::size_t granules = count(database, "granule");
-  const std::size_t sources = count(database, "source");
+  const std::size_t forecasts = count_of(database, "forecast");
+  const std::size_t granules = count_of(database, "granule");
+  const std::size_t sources = count_of(database, "source");
   if (options.forecasts) {
     database.prepare("DELETE FROM forecast WHERE issued_ms < ?").bind(1, *options.older_than).run();
   }
@@ -31,9 +31,9 @@ void delete_rows(Database& database, const PruneOptions& options, PruneReport& r
           "                WHERE g.source_id = source.id)")
       .bind(1, *options.older_than)
       .run();
-  report.forecasts = forecasts - count(database, "forecast");
-  report.granules = granules - count(database, "granule");
-  report.sources = sources - count(database, "source");
+  report.forecasts = forecasts - count_of(database, "forecast");
+  report.granules = granules - count_of(database, "granule");
+  report.sources = sources - count_of(database, "source");
 }
 
 /// In a dry run, only counted.

@@ -1,9 +1,14 @@
 #pragma once
+#include <limits>
 
 /// Physical and mathematical constants, SI. One place, each with its source.
 namespace slackwater::constants {
 
 inline constexpr double pi = 3.141592653589793238462643383279502884;
+/// Radians of a degree.
+inline constexpr double degree = pi / 180;
+/// No number: what is missing, where a status says so beside it.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Sidereal rotation rate of the Earth (IERS Conventions 2010, table 1.2).
 inline constexpr double earth_rotation_rad_s = 7.292115e-5;
 /// Standard gravity (CGPM 1901).

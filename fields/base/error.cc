@@ -25,4 +25,8 @@ Error::Error(ErrorKind kind, std::string message, SourcePlace where)
 
 void Error::prepend(std::string_view context) { message_.insert(0, std::string(context) + ": "); }
 
+void refuse(const std::string& why, SourcePlace where) {
+  throw Error(ErrorKind::invalid_input, why, where);
+}
+
 }  // namespace slackwater

@@ -42,6 +42,9 @@ class Error : public std::exception {
   SourcePlace where_;
 };
 
+/// Throws Error(invalid_input).
+[[noreturn]] void refuse(const std::string& why, SourcePlace where = SourcePlace::current());
+
 /// Runs `work`; an `Error` that leaves it carries `context` in front of its message.
 template <typename Work>
 decltype(auto) with_context(std::string_view context, Work&& work) {

@@ -16,8 +16,6 @@ namespace {
 /// values five minutes apart would make a clock of five minutes.
 constexpr Duration::rep finest_share = 12;
 
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
-
 std::string name_of(const HistorySeries& series) {
   return series.source.empty() ? series.name : series.source + ": " + series.name;
 }

@@ -26,8 +26,6 @@ std::string range_text(double from_deg, double to_deg) {
   return formatted("{:g} to {:g} degrees", on_circle(from_deg), on_circle(to_deg));
 }
 
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
-
 /// Each sector has to end where the next one begins.
 void expect_circle(const std::vector<FetchSector>& clockwise) {
   constexpr double same_deg = 1e-6;

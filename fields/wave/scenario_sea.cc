@@ -10,7 +10,7 @@ namespace slackwater {
 namespace {
 
 /// A height at the limit, worked out elsewhere, may pass it by rounding alone.
-constexpr double rounding_allowance = 1.0 + 1e-9;
+constexpr double room_for_rounding = 1.0 + 1e-9;
 
 /// Shortest period that carries this height: `steepest_height_m` grows with the period.
 double least_period_s(double height_m) {
@@ -35,7 +35,7 @@ void expect_range(const std::string& what, const char* key, double found, double
 
 void expect_existing(const std::string& what, double height_m, double period_s) {
   const double limit_m = steepest_height_m(period_s);
-  if (height_m <= limit_m * rounding_allowance) return;
+  if (height_m <= limit_m * room_for_rounding) return;
   refuse(
       what,
       formatted("found Hs {:.4g} m with Tp {:.4g} s, a steepness 2 pi Hs/(g Tp^2) of {:.3f}; such "

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/wave/sea_moment_kernel.h"
 
 namespace slackwater {
@@ -23,7 +23,7 @@ SeaMomentKernel kernel_of(KernelPath path) noexcept {
   }
 }
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 MomentSample without_value(SampleStatus status, double elevation_m, double rise_m_s) noexcept {
   return {{elevation_m, {nan, nan, nan}, status}, {nan, nan, nan}, rise_m_s};

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 
 namespace slackwater {
 namespace {
@@ -38,7 +38,7 @@ SampleStatus status_of(const WavePlace& place) noexcept {
   return std::abs(place.t_s) <= longest_s ? SampleStatus::ok : SampleStatus::outside_time;
 }
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 struct Evaluated {
   SeaKernelSums sums;

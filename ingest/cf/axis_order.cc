@@ -13,8 +13,6 @@ namespace {
 // A cell that stands alone is 10 km wide (DESIGN §2), about 0.045 degrees either side.
 constexpr double lone_half_cell_deg = 0.045;
 
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
-
 void expect_finite(const std::vector<double>& values, double limit, const char* what) {
   if (values.empty())
     refuse(std::string("the ") + what + " axis is empty; expected at least one cell");

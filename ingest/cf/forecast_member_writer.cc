@@ -13,10 +13,10 @@ using netcdf::Type;
 using netcdf::Writer;
 
 /// Values of a chunk: 1 MiB of floats, so that one column of many is read without inflating all.
-constexpr std::size_t chunk_values = std::size_t{256} << 10;
+constexpr std::size_t member_chunk_values = std::size_t{256} << 10;
 /// A fifth of the bytes go at level 1; higher levels save 2 % more and take twice the time.
 constexpr int deflate_level = 1;
-constexpr auto fill = static_cast<float>(forecast_names::fill);
+constexpr auto member_fill_value = static_cast<float>(forecast_names::fill);
 
 std::string rounding(double step_m_s) {
   return "rounded to multiples of 2^" + std::to_string(std::ilogb(step_m_s)) +
@@ -42,7 +42,7 @@ bool MemberWriter::has(const MemberVariable& variable) const {
 
 std::size_t MemberWriter::columns_per_chunk(const MemberVariable& variable) const {
   const std::size_t per_column = s_.time.size() * variable.levels(s_) * (s_.members - 1);
-  return std::clamp<std::size_t>(chunk_values / per_column, 1, s_.columns.size());
+  return std::clamp<std::size_t>(member_chunk_values / per_column, 1, s_.columns.size());
 }
 
 void MemberWriter::define(int time, int depth, std::optional<int> column) {
@@ -84,15 +84,15 @@ void MemberWriter::define(const MemberVariable& variable, const std::vector<int>
   const std::size_t levels = variable.levels(s_);
   const std::size_t columns = columns_per_chunk(variable);
   const std::size_t members = s_.members - 1;
-  const std::size_t times_per_chunk =
-      std::clamp<std::size_t>(chunk_values / (levels * columns * members), 1, s_.time.size());
+  const std::size_t times_per_chunk = std::clamp<std::size_t>(
+      member_chunk_values / (levels * columns * members), 1, s_.time.size());
   Writer::Layout layout;
   layout.chunks = {times_per_chunk};
   if (variable.on_depth) layout.chunks.push_back(levels);
   if (many_) layout.chunks.push_back(columns);
   layout.chunks.push_back(members);
   layout.deflate = deflate_level;
-  layout.fill_value = fill;
+  layout.fill_value = member_fill_value;
   const int id = out_.variable(variable.name(), Type::float32, dimensions, layout);
   out_.attribute(id, "standard_name", variable.standard_name);
   out_.attribute(id, "long_name", variable.long_name);
@@ -145,7 +145,7 @@ std::vector<float> MemberWriter::block(const MemberVariable& variable, std::size
                                        std::size_t columns) const {
   const std::size_t cells = s_.time.size() * variable.levels(s_);
   const std::size_t members = s_.members - 1;
-  std::vector<float> values(cells * columns * members, fill);
+  std::vector<float> values(cells * columns * members, member_fill_value);
   for (std::size_t c = 0; c < columns; ++c) {
     const ForecastColumn& column = s_.columns[first + c];
     const std::vector<Horizontal>& all = column.*variable.values;

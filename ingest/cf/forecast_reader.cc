@@ -2,12 +2,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "ingest/cf/averaged_json.h"
 #include "ingest/cf/forecast_file.h"
@@ -21,7 +21,7 @@ namespace {
 
 using forecast_names::fill;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/service/wave_source.h"
@@ -23,7 +23,7 @@ using forecast_names::fill;
 using netcdf::Type;
 using netcdf::Writer;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 /// Values of a chunk, 8 MiB of doubles.
 constexpr std::size_t chunk_values = std::size_t{1} << 20;
 

@@ -15,7 +15,7 @@ namespace {
 using netcdf::Type;
 using netcdf::Writer;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_float = std::numeric_limits<float>::quiet_NaN();
 
 double seconds_of(UtcTime time) {
   return static_cast<double>(time.time_since_epoch().count()) / 1000.0;
@@ -81,7 +81,7 @@ struct Definition {
 
   int values(const GranuleVariable& variable) {
     const int id = writer.variable(variable.standard_name, Type::float32, dimensions,
-                                   {layout.chunks(), 0, static_cast<double>(nan)});
+                                   {layout.chunks(), 0, static_cast<double>(no_float)});
     writer.attribute(id, "standard_name", variable.standard_name);
     writer.attribute(id, "long_name", long_name(variable));
     writer.attribute(id, "units", variable.unit);

@@ -1,9 +1,9 @@
 #include "ingest/cf/trajectory_file.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "ingest/cf/trajectory_table_file.h"
 #include "ingest/netcdf/file.h"
@@ -16,7 +16,7 @@ using netcdf::Type;
 using netcdf::Writer;
 
 constexpr const char* since = "seconds since ";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 constexpr std::size_t most_values = std::size_t{64} << 20;
 
 /// "2025-06-02 06:00:00" of an epoch, as CF writes it.

@@ -23,8 +23,6 @@ bool begins_with(std::span<const std::byte> bytes, const char* four) {
   return bytes.size() >= 4 && std::memcmp(bytes.data(), four, 4) == 0;
 }
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 }  // namespace
 
 std::string name_of(const FieldPosition& position) {

@@ -17,8 +17,6 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
-
 bool is_number(const netcdf::Variable& variable) {
   return variable.type != netcdf::Type::character && variable.type != netcdf::Type::string;
 }

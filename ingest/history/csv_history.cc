@@ -18,9 +18,7 @@
 namespace slackwater::ingest {
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
+constexpr double missing_cell = std::numeric_limits<double>::quiet_NaN();
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blank = " \t\r";
@@ -84,8 +82,8 @@ double number_in(std::string_view cell, const std::string& column) {
   const char* const end = digits.data() + digits.size();
   const auto [stop, problem] = std::from_chars(digits.data(), end, value);
   if (problem == std::errc{} && stop == end && !digits.empty())
-    return std::isfinite(value) ? value : missing;
-  if (is_missing(cell)) return missing;
+    return std::isfinite(value) ? value : missing_cell;
+  if (is_missing(cell)) return missing_cell;
   const auto meant = with_decimal_point(cell);
   refuse(
       "column '" + column + "': found " + shown(cell) + ", expected a number" +

@@ -19,8 +19,6 @@
 namespace slackwater::ingest {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::invalid_input, why); }
-
 const netcdf::Variable* spectrum_in(const netcdf::File& file) {
   for (const netcdf::Variable& variable : file.variables()) {
     const std::string name = variable.text("standard_name").value_or("");

@@ -18,13 +18,11 @@ namespace {
 constexpr std::size_t most_bands = 1000;  ///< instruments give 20 to 130
 constexpr double highest_hz = 10.0;
 /// A year of hourly spectra of 64 bands holds 0.6 million; a few bytes can claim any size.
-constexpr std::size_t most_values = 8'000'000;
+constexpr std::size_t most_densities = 8'000'000;
 
 constexpr std::string_view density_unit = "m2 Hz-1";
 /// The same in the spelling of the archive, which UDUNITS cannot read.
 constexpr std::string_view ndbc_density_unit = "(meter * meter)/Hz";
-
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
 
 const netcdf::Variable& wanted(const netcdf::File& file, const char* name, const char* symbol) {
   if (const netcdf::Variable* found = file.find(name)) return *found;
@@ -75,9 +73,10 @@ std::vector<double> frequencies_of(const netcdf::File& file, std::vector<std::st
 /// Refuses what is not (time, frequency) with nothing beside it but lone values.
 void expect_shape(const netcdf::Variable& variable, const StationAxes& axes,
                   const std::string& frequency_dimension) {
-  if (variable.size() > most_values) {
+  if (variable.size() > most_densities) {
     refuse("'" + variable.name + "' claims " + std::to_string(variable.size()) +
-           " values; expected at most " + std::to_string(most_values) + ": cut the file by time");
+           " values; expected at most " + std::to_string(most_densities) +
+           ": cut the file by time");
   }
   std::vector<std::string> long_ones;
   for (std::size_t d = 0; d < variable.dimensions.size(); ++d) {

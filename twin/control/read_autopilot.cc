@@ -7,7 +7,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 
 double read(const Config& config, std::string_view key, Range range, double absent) {
   return config.optional_number(key, range).value_or(absent);

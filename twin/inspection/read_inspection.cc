@@ -9,7 +9,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 constexpr double check_patch_m = 2;  // of surfaces that are made to see whether they can be
 
 InspectionLine read_line(const Config& config, const std::vector<SurfaceKind>& there) {

@@ -18,7 +18,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 
 std::vector<Structure> structures_of(const WorkSite& site) {
   std::vector<Structure> all;

@@ -16,7 +16,7 @@ namespace {
 constexpr double longest_s = 30 * 86400.0;
 constexpr std::size_t most_trees = 100;  // each may refer to the next
 
-const std::vector<std::string>& kinds() {
+const std::vector<std::string>& node_kinds() {
   static const std::vector<std::string> words{"do",    "when",  "sequence", "fallback", "parallel",
                                               "guard", "retry", "timeout",  "tree"};
   return words;
@@ -45,7 +45,7 @@ std::size_t read_word(const Config& config, std::string_view key,
 /// The key that says what a node is.
 std::string read_kind(const Config& node) {
   std::string kind;
-  for (const std::string& word : kinds()) {
+  for (const std::string& word : node_kinds()) {
     if (!node.has(word)) continue;
     if (!kind.empty()) node.refuse(word, "found beside " + kind + "; a node is of one kind");
     kind = word;
@@ -53,11 +53,11 @@ std::string read_kind(const Config& node) {
   if (!kind.empty()) return kind;
   for (const std::string& key : node.keys()) {
     if (key == "name" || key == "reactive") continue;
-    if (std::find(kinds().begin(), kinds().end(), key) != kinds().end())
+    if (std::find(node_kinds().begin(), node_kinds().end(), key) != node_kinds().end())
       node.refuse(key, "found nothing after it; say what");
-    refuse_word(node, key, key, kinds(), "kind");
+    refuse_word(node, key, key, node_kinds(), "kind");
   }
-  node.refuse("do", "missing; a node has one of the keys " + joined(kinds(), ", "));
+  node.refuse("do", "missing; a node has one of the keys " + joined(node_kinds(), ", "));
 }
 
 double read_limit_s(const Config& timeout) {

@@ -6,10 +6,10 @@ namespace slackwater::twin {
 
 namespace {
 
-constexpr Range distance{-50e3, 50e3};
+constexpr Range of_a_post{-50e3, 50e3};
 
 Triple<double> read_surface_place(const Config& place) {
-  return {place.number("north_m", distance), place.number("east_m", distance), 0};
+  return {place.number("north_m", of_a_post), place.number("east_m", of_a_post), 0};
 }
 
 }  // namespace

@@ -9,9 +9,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
-
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
+using constants::degree;
 
 WorkTurbine work_turbine_of(const Site& site, const TurbinePlace& place, const LocalFrame& frame) {
   const std::string who = "site " + site.id + ": turbine " + place.id + " ";

@@ -10,7 +10,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 /// Off foundations on its way: an estimate, as of the crew vessel's task.
 constexpr double vessel_clear_m = 15;
 

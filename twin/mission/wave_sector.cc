@@ -8,7 +8,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 
 bool is_in(const Range& range, double value) { return range.low <= value && value <= range.high; }
 

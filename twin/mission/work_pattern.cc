@@ -15,7 +15,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 constexpr double turn = 2 * constants::pi;
 
 double hub_of(const Config& config, std::string_view key, const WorkTurbine& turbine) {

@@ -11,8 +11,6 @@
 namespace slackwater::twin {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 void check(const IntensityQuestion& question) {
   const std::vector<double>& ladder = question.densities;
   if (ladder.empty() || ladder.front() != 1)

@@ -10,8 +10,6 @@
 namespace slackwater::twin {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 bool has_instrument(const Sensors& sensors, const std::string& name) {
   if (name == "imu") return sensors.imu.has_value();
   if (name == "gnss") return sensors.gnss.has_value();

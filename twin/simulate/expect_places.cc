@@ -9,8 +9,6 @@
 namespace slackwater::twin {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 /// A way that touches a structure does not lead through it.
 bool leads_through(const ScenarioStructure& s, const Triple<double>& from_m,
                    const Triple<double>& to_m) {

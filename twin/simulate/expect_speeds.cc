@@ -8,13 +8,13 @@
 namespace slackwater::twin {
 namespace {
 
-struct Asked {
+struct AskedPace {
   double m_s = 0;
   bool is_over_ground = false;
 };
 
 /// Found, expected, what to do; `where` is of the scenario.
-void expect_speed(const Agent& agent, const Asked& asked, const std::string& where) {
+void expect_speed(const Agent& agent, const AskedPace& asked, const std::string& where) {
   const Vehicle& vehicle = *agent.vehicle;
   const double top_m_s = agent.mission.pursuit.most_speed_m_s;
   const bool flies = vehicle.kind == VehicleKind::uav;

@@ -9,8 +9,6 @@
 namespace slackwater::twin {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 std::string called(std::uint32_t mmsi, const std::string& name) {
   return std::to_string(mmsi) + (name.empty() ? "" : " (" + name + ")");
 }

@@ -10,13 +10,13 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double wind_up_m = 10;
+constexpr double wind_height_m = 10;
 
 /// Nothing where the forecast does not say it.
 std::optional<SearchWater> water_at(const EnvironmentSampler& environment,
                                     const Triple<double>& at_m, double t_s) {
   const WaterSample water = environment.current({at_m.x, at_m.y, 0}, 0, t_s);
-  const auto wind = environment.wind({at_m.x, at_m.y, -wind_up_m}, t_s);
+  const auto wind = environment.wind({at_m.x, at_m.y, -wind_height_m}, t_s);
   const SeaSample sea = environment.sea({at_m.x, at_m.y, 0}, t_s);
   if (!has_value(water.status) || !has_value(wind.status) || !has_value(sea.status))
     return std::nullopt;
@@ -48,7 +48,7 @@ void search(const Agent& agent, const PersonSearch& plan, double t_s, AgentState
 
 void watch(const Agent& agent, const MammalDuty& duty, double t_s, AgentState& state) {
   const Triple<double>& at_m = state.vehicle.body.position_m;
-  const auto wind = agent.water->wind({at_m.x, at_m.y, -wind_up_m}, t_s);
+  const auto wind = agent.water->wind({at_m.x, at_m.y, -wind_height_m}, t_s);
   // Where nobody knows the wind nobody knows how far one sees.
   const bool is_out = moves(state) && has_value(wind.status);
   watch_on(duty, std::hypot(wind.velocity_m_s.x, wind.velocity_m_s.y), at_m, is_out, t_s,

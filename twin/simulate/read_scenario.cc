@@ -17,7 +17,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 constexpr double farthest_m = 50e3;
 constexpr Range distance{-farthest_m, farthest_m};
 constexpr Range depth{0, 12000};

@@ -10,7 +10,7 @@ namespace slackwater::twin {
 namespace {
 
 constexpr int largest_mmsi = 999'999'999;
-constexpr Range distance{-50e3, 50e3};
+constexpr Range of_traffic{-50e3, 50e3};
 
 std::uint32_t read_mmsi(const Config& config) {
   return static_cast<std::uint32_t>(config.integer("mmsi", 1, largest_mmsi));
@@ -50,7 +50,7 @@ TrafficVessel read_vessel(const Config& config, double duration_s) {
       config.optional_number("begins_s", {-30 * 86400.0, 30 * 86400.0}).value_or(0);
   std::vector<Triple<double>> places;
   for (const Config& at : config.children("waypoints"))
-    places.push_back({at.number("north_m", distance), at.number("east_m", distance), 0});
+    places.push_back({at.number("north_m", of_traffic), at.number("east_m", of_traffic), 0});
   if (places.empty()) config.refuse("waypoints", "none; give places with north_m and east_m");
   if (places.size() > 1000) config.refuse("waypoints", "found more than 1000");
   const double speed_m_s =

@@ -10,8 +10,6 @@
 namespace slackwater::twin {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 std::size_t count_of(const ScenarioVehicle& entry, bool (*counts)(const ScenarioTask&)) {
   return static_cast<std::size_t>(std::count_if(entry.tasks.begin(), entry.tasks.end(), counts));
 }

@@ -17,8 +17,6 @@ namespace {
 
 constexpr double never_s = -std::numeric_limits<double>::infinity();
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 void expect_faults(const Conduct& plan, const Agent& agent) {
   for (const Fault& fault : plan.faults) {
     if (fault.kind == FaultKind::fouled_tether && !agent.tether)

@@ -20,8 +20,6 @@
 namespace slackwater::twin {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 UtcTime start_of(const Scenario& scenario, const Field& field) {
   const ValidRange& range = field.range();
   const UtcTime start = scenario.start.value_or(range.from);

@@ -17,8 +17,6 @@ namespace {
 /// Of what floats, above and below mean sea level: more than tide and waves lift it.
 constexpr double most_off_the_surface_m = 10;
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 /// It keeps its place until the run ends, or until somebody commands it.
 ScenarioVehicle entry_of(const Newcomer& newcomer, const Scenario& scenario) {
   ScenarioVehicle entry;

@@ -7,7 +7,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 
 double read_down(const Config& level) {
   const auto deep = level.optional_number("depth_m", {0, 12000});

@@ -12,7 +12,7 @@ namespace {
 
 using constants::gravity_m_s2;
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 
 double weight_n(const Vehicle& vehicle) { return vehicle.body.mass_kg * gravity_m_s2; }
 

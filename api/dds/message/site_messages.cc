@@ -10,7 +10,7 @@
 namespace slackwater::dds {
 namespace {
 
-constexpr const char* map = "map";
+constexpr const char* map_frame = "map";
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 Place place_of(const SiteWater& water, double vertical_m, UtcTime time) {
@@ -29,7 +29,7 @@ slackwater_msgs::msg::CurrentProfile profile_message(const SiteWater& water, Utc
                                                      const Stamp& stamp) {
   slackwater_msgs::msg::CurrentProfile message;
   const Snapshot& forecast = water.field.snapshot();
-  message.header(header_message(stamp, map));
+  message.header(header_message(stamp, map_frame));
   message.instance(forecast.site_id + " " + format_day(forecast.day) + " issued " +
                    format_utc(forecast.issued));
   message.latitude(water.point.latitude_deg());
@@ -65,7 +65,7 @@ Bytes wind(const SiteWater& water, UtcTime time, const Stamp& stamp) {
   if (has_value(sample.status))
     towards = {sample.velocity_m_s.real(), sample.velocity_m_s.imag(), 0};
   geometry_msgs::msg::Vector3Stamped message;
-  message.header(header_message(stamp, map));
+  message.header(header_message(stamp, map_frame));
   message.vector(xyz_message<geometry_msgs::msg::Vector3>(towards));
   return encoded(message);
 }
@@ -73,7 +73,7 @@ Bytes wind(const SiteWater& water, UtcTime time, const Stamp& stamp) {
 Bytes wave(const SeaSample& sea, const Stamp& stamp) {
   const bool has = has_value(sea.status);
   slackwater_msgs::msg::SeaState message;
-  message.header(header_message(stamp, map));
+  message.header(header_message(stamp, map_frame));
   message.hs_m(has ? sea.sea.significant_height_m : no_number);
   message.tp_s(has ? sea.sea.peak_period_s : no_number);
   message.from_deg(has ? sea.sea.from_direction_deg : no_number);
@@ -102,7 +102,7 @@ Bytes turbine_power(std::span<const double> power_w) {
 
 Bytes ais_target(const AisTarget& target, const Stamp& stamp) {
   slackwater_msgs::msg::AisTarget message;
-  message.header(header_message(stamp, map));
+  message.header(header_message(stamp, map_frame));
   message.mmsi(target.mmsi);
   message.name(target.name);
   message.latitude(target.point.latitude_deg());

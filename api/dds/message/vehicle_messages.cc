@@ -14,7 +14,7 @@ namespace slackwater::dds {
 namespace {
 
 constexpr const char* map = "map";
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
 constexpr double gravity_m_s2 = 9.80665;
 constexpr double standard_atmosphere_pa = 101325;
 
@@ -39,7 +39,7 @@ Bytes velocity_over(const twin::Triple<double>& velocity_m_s, double sd_m_s,
   std::array<double, 36> covariance{};
   // What is not measured has no number, and no variance either; of turning it knows nothing.
   const auto variance = [&](double value) {
-    return std::isnan(value) ? no_number : sd_m_s * sd_m_s;
+    return std::isnan(value) ? no_reading : sd_m_s * sd_m_s;
   };
   covariance[0] = variance(velocity_m_s.x);
   covariance[7] = variance(velocity_m_s.y);
@@ -162,9 +162,9 @@ Bytes nav_sat_fix(const twin::AgentState& state, const GeoPoint& origin, double 
     message.position_covariance(
         diagonal(level, level, square(kind.white_vertical_sd_m) + square(kind.slow_vertical_m.sd)));
   } else {
-    message.latitude(no_number);
-    message.longitude(no_number);
-    message.altitude(no_number);
+    message.latitude(no_reading);
+    message.longitude(no_reading);
+    message.altitude(no_reading);
   }
   message.position_covariance_type(has_fix ? approximated : unknown);
   return encoded(message);
@@ -182,7 +182,7 @@ Bytes fluid_pressure(const twin::AgentState& state, double density_kg_m3, const 
 Bytes dvl(const twin::Agent& agent, const twin::AgentState& state, const std::string& name,
           const Stamp& stamp) {
   const twin::Shown& shown = state.navigation.instruments.shown;
-  const twin::Triple<double> nothing{no_number, no_number, no_number};
+  const twin::Triple<double> nothing{no_reading, no_reading, no_reading};
   return velocity_over(shown.dvl_is_bottom > 0.5 ? shown.dvl_velocity_m_s : nothing,
                        dvl_sd_m_s(agent), name, stamp);
 }
@@ -190,7 +190,7 @@ Bytes dvl(const twin::Agent& agent, const twin::AgentState& state, const std::st
 Bytes dvl_water(const twin::Agent& agent, const twin::AgentState& state, const std::string& name,
                 const Stamp& stamp) {
   const twin::Shown& shown = state.navigation.instruments.shown;
-  twin::Triple<double> through{shown.dvl_ahead_m_s, no_number, no_number};
+  twin::Triple<double> through{shown.dvl_ahead_m_s, no_reading, no_reading};
   if (shown.dvl_is_bottom < 0.5) through = shown.dvl_velocity_m_s;
   return velocity_over(through, dvl_sd_m_s(agent), name, stamp);
 }

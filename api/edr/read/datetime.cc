@@ -11,7 +11,7 @@ namespace slackwater::api::edr {
 namespace {
 
 constexpr std::size_t max_datetime_bytes = 128;
-constexpr std::string_view forms =
+constexpr std::string_view forms_of_time =
     "a time such as 2025-03-09T06:00:00Z, a day such as 2025-03-09, or an interval such as "
     "2025-03-09T00:00:00Z/2025-03-10T00:00:00Z, ../2025-03-10 or 2025-03-09/..";
 
@@ -57,13 +57,14 @@ TimeRange moment_of(std::string_view text) {
     }
     auto split = split_offset(text);
     if (!split)
-      throw bad_parameter("datetime", text, std::string(forms) + "; Z or an offset is missing");
+      throw bad_parameter("datetime", text,
+                          std::string(forms_of_time) + "; Z or an offset is missing");
     std::replace(split->local.begin(), split->local.end(), 't', 'T');
     const UtcTime time = parse_utc(split->local + "Z") - split->offset;
     return {time, time};
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::usage) throw;
-    throw bad_parameter("datetime", text, forms);
+    throw bad_parameter("datetime", text, forms_of_time);
   }
 }
 
@@ -79,7 +80,7 @@ TimeRange parse_datetime(std::string_view text) {
   const std::string_view end = text.substr(slash + 1);
   if (end.find('/') != std::string_view::npos ||
       (is_open(start) && is_open(end) && text != "../..")) {
-    throw bad_parameter("datetime", text, forms);
+    throw bad_parameter("datetime", text, forms_of_time);
   }
   TimeRange range;
   if (!is_open(start)) range.from = moment_of(start).from;

@@ -10,7 +10,7 @@
 namespace slackwater::api::edr {
 namespace {
 
-constexpr std::size_t max_bytes = 64;
+constexpr std::size_t most_bytes = 64;
 /// Half the circumference of the earth, rounded up.
 constexpr double max_distance_m = 20'040'000;
 
@@ -46,11 +46,11 @@ constexpr std::array units_known{Unit{"m", 1.0},
 
 constexpr std::array<std::string_view, 6> offered{"m", "km", "mi", "nmi", "ft", "yd"};
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+char lower_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 double metres_of(std::string_view parameter, std::string_view units) {
   std::string name(units);
-  std::transform(name.begin(), name.end(), name.begin(), lower);
+  std::transform(name.begin(), name.end(), name.begin(), lower_letter);
   const auto found = std::find_if(units_known.begin(), units_known.end(),
                                   [&](const Unit& unit) { return unit.name == name; });
   if (found == units_known.end()) {
@@ -65,8 +65,8 @@ std::span<const std::string_view> distance_units() noexcept { return offered; }
 
 double parse_distance_m(std::string_view parameter, std::string_view value,
                         std::string_view units_parameter, std::string_view units) {
-  expect_short(parameter, value, max_bytes);
-  expect_short(units_parameter, units, max_bytes);
+  expect_short(parameter, value, most_bytes);
+  expect_short(units_parameter, units, most_bytes);
   const double metres = metres_of(units_parameter, units);
   const auto number = number_of(value);
   if (!number || !(*number > 0)) {

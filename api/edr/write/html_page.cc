@@ -215,20 +215,20 @@ std::string identifiers_of(const json& list) {
   return "<h2>Conforms to</h2>\n" + element("ul", out);
 }
 
-struct Part {
+struct DocumentPart {
   const char* key;
   std::string (*write)(const json&);
 };
 
 /// The parts of all documents, in the order of a page.
-constexpr std::array<Part, 8> parts{{{"slackwater:sites", sites_of},
-                                     {"collections", list_of},
-                                     {"instances", list_of},
-                                     {"features", features_of},
-                                     {"extent", extent_of},
-                                     {"data_queries", queries_of},
-                                     {"parameter_names", parameters_of},
-                                     {"conformsTo", identifiers_of}}};
+constexpr std::array<DocumentPart, 8> parts{{{"slackwater:sites", sites_of},
+                                             {"collections", list_of},
+                                             {"instances", list_of},
+                                             {"features", features_of},
+                                             {"extent", extent_of},
+                                             {"data_queries", queries_of},
+                                             {"parameter_names", parameters_of},
+                                             {"conformsTo", identifiers_of}}};
 
 /// A parameter of an operation, itself or as it is referred to.
 const json& resolved(const json& openapi, const json& parameter) {
@@ -258,7 +258,7 @@ std::string html_page(const std::string& title, const std::string& base, const j
   if (const std::string text = text_at(document, "description"); !text.empty())
     body += "<p>" + escaped_html(text) + "</p>\n";
   if (is_feature) body += properties_of(document);
-  for (const Part& part : parts)
+  for (const DocumentPart& part : parts)
     if (const auto found = document.find(part.key); found != document.end())
       body += part.write(*found);
   const std::string links = links_line(document);

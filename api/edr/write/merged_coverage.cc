@@ -170,7 +170,7 @@ class Merger {
   }
 
   void put_grid(const Coverage& part) {
-    const Shape whole{time_.size(), level_.size(), y_.size(), x_.size()};
+    const AnswerShape whole{time_.size(), level_.size(), y_.size(), x_.size()};
     const auto levels = level_.places(part.vertical_m);
     const auto rows = y_.places(part.latitude_deg);
     const auto columns = x_.places(part.longitude_deg);

@@ -9,9 +9,9 @@ namespace {
 using nlohmann::json;
 
 json schema(const char* name) { return openapi_reference("schemas", name); }
-json text() { return {{"type", "string"}}; }
+json any_text() { return {{"type", "string"}}; }
 json constant(const char* value) { return {{"type", "string"}, {"enum", json::array({value})}}; }
-json list_of(json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
+json array_of(json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
 
 json object(std::vector<std::string> required, json properties) {
   return {
@@ -22,15 +22,15 @@ json described_collection() {
   return object(
       {"id", "title", "description", "links", "extent", "data_queries", "crs", "output_formats",
        "parameter_names"},
-      {{"id", text()},
-       {"title", text()},
-       {"description", text()},
-       {"keywords", list_of(text())},
-       {"links", list_of(schema("Link"))},
+      {{"id", any_text()},
+       {"title", any_text()},
+       {"description", any_text()},
+       {"keywords", array_of(any_text())},
+       {"links", array_of(schema("Link"))},
        {"extent", object({"spatial"}, {{"spatial", object({"bbox", "crs"}, json::object())}})},
        {"data_queries", {{"type", "object"}, {"minProperties", 1}}},
-       {"crs", list_of(text())},
-       {"output_formats", list_of(text())},
+       {"crs", array_of(any_text())},
+       {"output_formats", array_of(any_text())},
        {"parameter_names",
         {{"type", "object"},
          {"additionalProperties",
@@ -42,10 +42,10 @@ json feature() {
                 {{"type", constant("Feature")},
                  {"geometry", {{"type", "object"}}},
                  {"properties", object({"datetime", "parameter-name", "label", "edrqueryendpoint"},
-                                       {{"datetime", text()},
-                                        {"parameter-name", list_of(text())},
-                                        {"label", text()},
-                                        {"edrqueryendpoint", text()}})}});
+                                       {{"datetime", any_text()},
+                                        {"parameter-name", array_of(any_text())},
+                                        {"label", any_text()},
+                                        {"edrqueryendpoint", any_text()}})}});
 }
 
 json response(const std::string& description,
@@ -73,44 +73,46 @@ constexpr std::array refusals{
 }  // namespace
 
 json openapi_schemas() {
-  const json links = list_of(schema("Link"));
+  const json links = array_of(schema("Link"));
   return {
-      {"Link", object({"href", "rel"}, {{"href", text()}, {"rel", text()}, {"type", text()}})},
-      {"LandingPage", object({"title", "description", "links"},
-                             {{"title", text()}, {"description", text()}, {"links", links}})},
-      {"Conformance", object({"conformsTo"}, {{"conformsTo", list_of(text())}})},
+      {"Link",
+       object({"href", "rel"}, {{"href", any_text()}, {"rel", any_text()}, {"type", any_text()}})},
+      {"LandingPage",
+       object({"title", "description", "links"},
+              {{"title", any_text()}, {"description", any_text()}, {"links", links}})},
+      {"Conformance", object({"conformsTo"}, {{"conformsTo", array_of(any_text())}})},
       {"Interface", object({"openapi", "info", "paths"}, {{"openapi", constant("3.0.3")}})},
       {"Health", object({"status", "uptime_s", "version"},
-                        {{"status", text()}, {"uptime_s", {{"type", "number"}}}})},
+                        {{"status", any_text()}, {"uptime_s", {{"type", "number"}}}})},
       {"Collection", described_collection()},
       {"Collections", object({"links", "collections"},
-                             {{"links", links}, {"collections", list_of(schema("Collection"))}})},
+                             {{"links", links}, {"collections", array_of(schema("Collection"))}})},
       {"Instances", object({"links", "instances"},
-                           {{"links", links}, {"instances", list_of(schema("Collection"))}})},
+                           {{"links", links}, {"instances", array_of(schema("Collection"))}})},
       {"Feature", feature()},
       {"FeatureCollection", object({"type", "features", "numberReturned", "links"},
                                    {{"type", constant("FeatureCollection")},
-                                    {"features", list_of(schema("Feature"))},
+                                    {"features", array_of(schema("Feature"))},
                                     {"links", links}})},
       {"CoverageJson",
        object({"type", "parameters", "slackwater:provenance"},
               {{"type", {{"type", "string"}, {"enum", {"Coverage", "CoverageCollection"}}}},
                {"parameters", {{"type", "object"}}}})},
-      {"Problem", object({"type", "title", "status", "detail"}, {{"type", text()},
-                                                                 {"title", text()},
+      {"Problem", object({"type", "title", "status", "detail"}, {{"type", any_text()},
+                                                                 {"title", any_text()},
                                                                  {"status", {{"type", "integer"}}},
-                                                                 {"detail", text()},
-                                                                 {"instance", text()}})}};
+                                                                 {"detail", any_text()},
+                                                                 {"instance", any_text()}})}};
 }
 
 json openapi_responses() {
   const auto document = [](const char* name, const char* description) {
-    return response(description, {{"application/json", schema(name)}, {"text/html", text()}});
+    return response(description, {{"application/json", schema(name)}, {"text/html", any_text()}});
   };
   const auto features = [](const char* name, const char* description) {
     return response(description, {{"application/geo+json", schema(name)},
                                   {"application/json", schema(name)},
-                                  {"text/html", text()}});
+                                  {"text/html", any_text()}});
   };
   json all = {
       {"LandingPage", document("LandingPage", "Where to go from here")},
@@ -121,16 +123,16 @@ json openapi_responses() {
       {"FeatureCollection", features("FeatureCollection", "Features")},
       {"Feature", features("Feature", "A feature")},
       {"Health", response("How the service is", {{"application/json", schema("Health")}})},
-      {"Text", response("Text", {{"text/plain", text()}})},
+      {"Text", response("Text", {{"text/plain", any_text()}})},
       {"Interface", response("This document",
                              {{"application/vnd.oai.openapi+json;version=3.0", schema("Interface")},
                               {"application/json", schema("Interface")},
-                              {"text/html", text()}})},
+                              {"text/html", any_text()}})},
       {"Data", response("The values, with their provenance",
                         {{"application/prs.coverage+json", schema("CoverageJson")},
                          {"application/json", schema("CoverageJson")},
                          {"application/geo+json", schema("FeatureCollection")},
-                         {"text/csv", text()},
+                         {"text/csv", any_text()},
                          {"application/netcdf", {{"type", "string"}, {"format", "binary"}}}})},
       {"NotModified", {{"description", "The client has it already (If-None-Match)"}}}};
   for (const Refusal& refusal : refusals) {

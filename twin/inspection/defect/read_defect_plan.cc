@@ -5,7 +5,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 
 std::optional<DefectPlace> read_place(const Config& c) {
   const bool on_sheet = c.has("along_m") || c.has("down_m");

@@ -14,7 +14,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 constexpr double axis_at = 0.3;  // of the chord: where the blade's axis goes through its sections
 
 /// A blade from its root to its tip: chord, thickness and twist change evenly.

@@ -8,7 +8,7 @@ namespace {
 
 /// How far a patch's centre is off the diagonal of its middle quadrilateral, towards the middle of
 /// a triangle: on the edge between two triangles a ray might pass between them by rounding.
-constexpr double off_diagonal = 0.1;
+constexpr double off_the_diagonal = 0.1;
 
 GridEdges add(SurfaceBuilder& builder, const PatchedGrid& grid, bool is_ring) {
   const std::size_t columns = grid.columns * grid.across, rows = grid.rows * grid.high;
@@ -32,15 +32,15 @@ GridEdges add(SurfaceBuilder& builder, const PatchedGrid& grid, bool is_ring) {
       const std::size_t i0 = column * grid.across, j0 = row * grid.high;
       if (cell) {
         // The centre is a little to the right of the middle, and above it.
-        const double aside = off_diagonal / 6;
+        const double aside = off_the_diagonal / 6;
         patch = builder.add_patch(
             cell->along_m + aside * cell->width_m / static_cast<double>(grid.across),
             cell->down_m - aside * cell->height_m / static_cast<double>(grid.high), cell->width_m,
             cell->height_m);
         const std::size_t i = i0 + grid.across / 2, j = j0 + grid.high / 2;
-        const double end = (1 - off_diagonal) / 2 + off_diagonal / 3;
+        const double end = (1 - off_the_diagonal) / 2 + off_the_diagonal / 3;
         builder.put_centre(patch, {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)},
-                           {end, off_diagonal / 3, end});
+                           {end, off_the_diagonal / 3, end});
       }
       for (std::size_t j = j0; j < j0 + grid.high; ++j)
         for (std::size_t i = i0; i < i0 + grid.across; ++i) {

@@ -6,7 +6,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 constexpr Range from_origin{-1e6, 1e6};
 
 }  // namespace

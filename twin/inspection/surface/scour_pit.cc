@@ -10,7 +10,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 /// Of the pile's diameter: the mean of 1.3 and twice its standard deviation of 0.7 for piles in a
 /// current, Sumer, Fredsoe & Christiansen (1992).
 constexpr double deepest = 2.7;

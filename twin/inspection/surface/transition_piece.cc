@@ -13,7 +13,7 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double degree = constants::pi / 180;
+using constants::degree;
 constexpr double gap_m = 0.5;  // between parts on the sheet
 
 /// Parts below the mantle on the sheet, one row of them below the other.

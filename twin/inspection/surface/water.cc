@@ -10,14 +10,14 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr Range from_origin{-1e6, 1e6};
+constexpr Range of_a_corner{-1e6, 1e6};
 
 /// Clockwise; refused where they are not round a convex piece.
 std::vector<Triple<double>> read_corners(const Config& config) {
   std::vector<Triple<double>> corners;
   for (const Config& corner : config.children("corners"))
     corners.push_back(
-        {corner.number("north_m", from_origin), corner.number("east_m", from_origin), 0});
+        {corner.number("north_m", of_a_corner), corner.number("east_m", of_a_corner), 0});
   const std::size_t n = corners.size();
   if (n < 3) config.refuse("corners", formatted("found {}, expected at least three", n));
   double turned_rad = 0;
@@ -47,7 +47,7 @@ Surface make_water(const Config& config, double patch_m) {
     grid.corners = read_corners(config);
   } else {
     grid.within =
-        PlanCircle{config.number("north_m", from_origin), config.number("east_m", from_origin),
+        PlanCircle{config.number("north_m", of_a_corner), config.number("east_m", of_a_corner),
                    config.number("radius_m", {1, 20000})};
     if (const auto inner_m = config.optional_number("inner_m", {0, 20000}); inner_m.value_or(0) > 0)
       grid.without = PlanCircle{grid.within->north_m, grid.within->east_m, *inner_m};
