@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "calibration/profile/profile_level.h"
+#include "tests/published/profile_level.h"
 
 // What joins the dots of a profile, for rivals of the fitted one. All hold the outermost value
 // beyond the outermost level: continuing a polynomial there would be no fair rival.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "calibration/profile/profile_form.h"
-#include "calibration/profile/profile_level.h"
+#include "tests/published/profile_form.h"
+#include "tests/published/profile_level.h"
 
 namespace slackwater::calibration {
 
@@ -39,7 +39,7 @@ struct FittedProfile {
   std::vector<std::string> warnings;
 };
 
-/// Fits the mixed-layer profile (fields/current/mixed_layer_profile.h) to one instant.
+/// Fits the mixed-layer profile (tests/published/mixed_layer_profile.h) to one instant.
 ///
 /// From each of a fixed set of starts (profile_starts.h) one Ceres problem: a whitened residual for
 /// each level, a prior for each parameter, bounds; the lowest minimum is taken. Both forms have

@@ -1,4 +1,4 @@
-#include "tests/scenarios/published_profiles.h"
+#include "tests/published/published_profiles.h"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,14 @@
 #include <cstdio>
 #include <optional>
 
-#include "calibration/profile/held_out.h"
 #include "fields/base/statistics.h"
+#include "tests/published/held_out.h"
 #include "tests/support/shared_data.h"
 
 // The published benchmark (reference/lotusim_current_evaluation.md): same-day fit of the 0-150 m
 // profile, unweighted over native levels. Documented command, prints the table:
 //
-//   build/release/tests/slackwater_scenarios_tests --gtest_filter='PublishedProfiles.*'
+//   build/release/tests/slackwater_published_tests --gtest_filter='PublishedProfiles.*'
 
 namespace slackwater::tests {
 namespace {

@@ -1,4 +1,4 @@
-#include "calibration/skill/ensemble_score.h"
+#include "tests/scenarios/ensemble_score.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "calibration/skill/predictive.h"
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
@@ -118,7 +119,7 @@ TEST(EnsembleCrps, IsTheIntegralOfTheSquaredDistanceOfDistributions) {
 
 TEST(EnsembleCrps, OfDrawsFromANormalLawIsThatLawsWhereTheScoreIsFair) {
   constexpr int cases = 20000;
-  const double of_law = normal_crps(0.0, 1.0, 0.7);
+  const double of_law = score_of_normal(0.0, 1.0, 0.7).crps;
   const double mean_distance = 2.0 / std::sqrt(constants::pi);  // of two standard normals
   for (const std::size_t n : {8U, 24U}) {
     Rng random(4, "tests/fair_crps");

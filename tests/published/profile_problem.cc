@@ -1,4 +1,4 @@
-#include "calibration/profile/profile_problem.h"
+#include "tests/published/profile_problem.h"
 
 #include <ceres/ceres.h>
 

@@ -1,4 +1,4 @@
-#include "tests/scenarios/joined_dots.h"
+#include "tests/published/joined_dots.h"
 
 #include <Eigen/LU>
 #include <algorithm>

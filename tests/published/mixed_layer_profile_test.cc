@@ -1,4 +1,4 @@
-#include "fields/current/mixed_layer_profile.h"
+#include "tests/published/mixed_layer_profile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "calibration/profile/fit_profile.h"
+#include "tests/published/fit_profile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/random.h"
-#include "tests/calibration/profile/synthetic_profile.h"
+#include "tests/published/synthetic_profile.h"
 
 namespace slackwater::calibration::tests {
 namespace {

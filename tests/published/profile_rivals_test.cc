@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "calibration/profile/held_out.h"
 #include "fields/base/statistics.h"
-#include "tests/scenarios/joined_dots.h"
-#include "tests/scenarios/published_profiles.h"
+#include "tests/published/held_out.h"
+#include "tests/published/joined_dots.h"
+#include "tests/published/published_profiles.h"
 #include "tests/support/shared_data.h"
 
 namespace slackwater::tests {

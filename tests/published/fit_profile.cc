@@ -1,16 +1,16 @@
-#include "calibration/profile/fit_profile.h"
+#include "tests/published/fit_profile.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/profile/profile_problem.h"
-#include "calibration/profile/profile_starts.h"
 #include "calibration/solve/determination.h"
 #include "calibration/solve/parameter_set.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/current/coriolis.h"
+#include "tests/published/profile_problem.h"
+#include "tests/published/profile_starts.h"
 
 namespace slackwater::calibration {
 namespace {

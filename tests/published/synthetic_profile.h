@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "calibration/profile/profile_form.h"
-#include "calibration/profile/profile_level.h"
-#include "calibration/profile/profile_problem.h"
+#include "tests/published/profile_form.h"
+#include "tests/published/profile_level.h"
+#include "tests/published/profile_problem.h"
 
 namespace slackwater::calibration::tests {
 

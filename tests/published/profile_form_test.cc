@@ -1,4 +1,4 @@
-#include "calibration/profile/profile_form.h"
+#include "tests/published/profile_form.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <set>
 
 #include "calibration/solve/parameter_set.h"
-#include "tests/calibration/profile/synthetic_profile.h"
+#include "tests/published/synthetic_profile.h"
 
 namespace slackwater::calibration::tests {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "calibration/profile/profile_level.h"
+#include "tests/published/profile_level.h"
 
 // The profiles of the published evaluation (reference/lotusim_current_evaluation.md): one CSV a
 // date, its figures in a table beside them.

@@ -1,9 +1,9 @@
-#include "calibration/profile/profile_starts.h"
+#include "tests/published/profile_starts.h"
 
 #include <gtest/gtest.h>
 
 #include "calibration/solve/parameter_set.h"
-#include "tests/calibration/profile/synthetic_profile.h"
+#include "tests/published/synthetic_profile.h"
 
 namespace slackwater::calibration::tests {
 namespace {

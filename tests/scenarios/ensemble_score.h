@@ -2,8 +2,6 @@
 #include <cstddef>
 #include <span>
 
-#include "calibration/skill/predictive.h"
-
 namespace slackwater::calibration {
 
 /// How the members of an ensemble of n were drawn, which says what n -> infinity would score. The
@@ -45,11 +43,6 @@ enum class Drawn {
 /// Quart. J. Roy. Meteor. Soc. 140, 1917. Cost: n.
 [[nodiscard]] double ensemble_crps(std::span<const double> ascending, double y,
                                    Drawn drawn = Drawn::independently);
-
-/// What the scores of a spread are made of, from members: `probability_below` and `ensemble_crps`.
-/// @param ascending  at least two
-[[nodiscard]] ComponentScore score_of_ensemble(std::span<const double> ascending, double truth,
-                                               Drawn drawn = Drawn::independently);
 
 /// The score of a path (times, levels, components in any order) against its truth:
 ///

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "calibration/profile/profile_form.h"
-#include "calibration/profile/profile_level.h"
+#include "tests/published/profile_form.h"
+#include "tests/published/profile_level.h"
 
 namespace slackwater::calibration {
 

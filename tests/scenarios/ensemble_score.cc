@@ -1,4 +1,4 @@
-#include "calibration/skill/ensemble_score.h"
+#include "tests/scenarios/ensemble_score.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,10 +62,6 @@ double ensemble_crps(std::span<const double> ascending, double y, Drawn drawn) {
     apart += (2.0 * static_cast<double>(i) + 1.0 - n) * ascending[i];
   }
   return off / n - apart / pairs_of(n, drawn);
-}
-
-ComponentScore score_of_ensemble(std::span<const double> ascending, double truth, Drawn drawn) {
-  return {probability_below(ascending, truth), ensemble_crps(ascending, truth, drawn)};
 }
 
 double energy_score(std::span<const double> members, std::span<const double> y, Drawn drawn) {

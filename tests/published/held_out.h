@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "calibration/profile/fit_profile.h"
+#include "tests/published/fit_profile.h"
 
 namespace slackwater::calibration {
 

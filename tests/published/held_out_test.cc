@@ -1,9 +1,9 @@
-#include "calibration/profile/held_out.h"
+#include "tests/published/held_out.h"
 
 #include <gtest/gtest.h>
 
 #include "fields/base/error.h"
-#include "tests/calibration/profile/synthetic_profile.h"
+#include "tests/published/synthetic_profile.h"
 
 namespace slackwater::calibration::tests {
 namespace {

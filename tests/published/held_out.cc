@@ -1,4 +1,4 @@
-#include "calibration/profile/held_out.h"
+#include "tests/published/held_out.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "calibration/profile/profile_form.h"
+#include "tests/published/profile_form.h"
 
 #include <string>
 

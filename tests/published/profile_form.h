@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "calibration/solve/calibration.h"
-#include "fields/current/mixed_layer_profile.h"
+#include "tests/published/mixed_layer_profile.h"
 
 namespace slackwater::calibration {
 

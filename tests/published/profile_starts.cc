@@ -1,4 +1,4 @@
-#include "calibration/profile/profile_starts.h"
+#include "tests/published/profile_starts.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
