@@ -71,8 +71,8 @@ DemoDay score_against_truth(const SyntheticOcean& ocean, const SiteData& data,
   DemoDay result;
   result.day = s.day;
   const VectorColumn known =
-      slice(calibration::known_currents(data.columns.front(), forecast.plan).column, UtcTime(s.day),
-            forecast.plan.end_of_day());
+      slice(calibration::known_currents(data.columns.front(), forecast.plan).record.column,
+            UtcTime(s.day), forecast.plan.end_of_day());
   TruthScore ours;
   TruthScore persistence;
   TruthScore day_mean;

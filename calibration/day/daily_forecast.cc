@@ -6,12 +6,9 @@
 #include "calibration/day/day_choice.h"
 #include "calibration/day/issued_blend.h"
 #include "calibration/day/issued_snapshot.h"
-#include "calibration/day/known_currents.h"
-#include "calibration/day/sources.h"
 #include "calibration/day/troubles.h"
 #include "calibration/day/unresolved_tide.h"
 #include "calibration/day/widen.h"
-#include "calibration/provider/provider_runs.h"
 #include "fields/base/averaging.h"
 #include "fields/base/parallel.h"
 #include "fields/service/bed_rule.h"
@@ -32,23 +29,18 @@ std::string simulated_note(const ForecastPlan& plan) {
 
 /// What an operator should know of the column's inputs, before what the forecast has to say.
 void tell_of_inputs(const ColumnData& data, const ForecastPlan& plan, ColumnForecast& made) {
-  RecordRemarks remarks = remarks_on_record(data, plan);
-  made.instrument_troubles = std::move(remarks.troubles);
-  std::vector<std::string> notes = std::move(remarks.notes);
+  std::vector<std::string> notes = made.remarks.notes;
   if (auto note = note_on_bed(data, plan.dataset)) notes.push_back(std::move(*note));
   if (!data.wave_period_note.empty()) notes.push_back(data.wave_period_note);
   made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
-  for (const auto& more : {provider_sources(data, plan), layer_sources(data, plan)})
-    made.sources.insert(made.sources.end(), more.begin(), more.end());
   if (made.simulated_wind) made.notes.push_back(simulated_note(plan));
 }
 
 /// Names the provider's runs among what the forecast rests on.
-void add_provider_origins(const ColumnData& data, const ForecastPlan& plan, ColumnForecast& made) {
-  const ProviderRuns runs =
-      provider_runs(data.current, plan.dataset, plan.knowledge_of_runs(), plan.end_of_day());
-  made.origins.insert(made.origins.end(), runs.origins.begin(), runs.origins.end());
-  for (const Origin* origin : runs.origins)
+void add_provider_origins(ColumnForecast& made) {
+  const std::vector<const Origin*>& origins = made.known.provider.origins;
+  made.origins.insert(made.origins.end(), origins.begin(), origins.end());
+  for (const Origin* origin : origins)
     made.contains_stokes = made.contains_stokes || origin->contains_stokes;
 }
 
@@ -56,7 +48,7 @@ void add_provider_origins(const ColumnData& data, const ForecastPlan& plan, Colu
 void forecast_columns(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
   const ForecastPlan& plan = result.plan;
   result.columns.resize(data.columns.size());
-  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
+  for_all(result.columns.size(), options.threads, [&](std::size_t i) {
     ColumnForecast& made = result.columns[i];
     made = empty_forecast(data.columns[i], plan);
     std::vector<PartFailure> failures;
@@ -99,19 +91,20 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
   const bool is_rehearsed = attempt_part(Part::rehearsal, result.failures, [&] {
     result.earned = options.parts.rehearsal(
         rehearsals, plan,
-        available_candidates(first->column, data.columns[index], first->known, first->tide, plan),
+        available_candidates(first->column, data.columns[index], first->known, plan),
         options.threads);
   });
   if (!is_rehearsed) return;
   if (hides_the_tide(choice.averaging)) keep_to_our_own(*result.earned);
-  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
+  for_all(result.columns.size(), options.threads, [&](std::size_t i) {
     ColumnForecast& made = result.columns[i];
     if (made.forms.empty()) return;
     attempt_part(Part::blend, made.failures, [&] {
       ForecastColumn blended = made.column;
-      options.parts.blend(blended, data.columns[i], made.known, made.tide, plan, *result.earned);
+      options.parts.blend(blended, data.columns[i], made.known, plan, *result.earned);
       made.column = std::move(blended);
-      if (uses_provider(*result.earned)) add_provider_origins(data.columns[i], plan, made);
+      if (uses_provider(*result.earned) && made.known.provider.reaches_beyond(plan.end_of_day()))
+        add_provider_origins(made);
     });
   });
 }
@@ -139,7 +132,6 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   widen_stand_in(data, options, choice, result);
   for (ColumnForecast& column : result.columns) {
     column.known = {};
-    column.tide = {};
     keep_to_bed(column.column, result.plan.depth_m);
   }
   result.computed_waves = waves_of(data, options, result);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "calibration/day/leading_day.h"
-#include "fields/base/averaging.h"
 #include "fields/base/error.h"
 
 namespace slackwater::calibration {
@@ -55,8 +54,7 @@ DayChoice choose_day(const SiteData& data, const ForecastOptions& options,
     const DaysKnown known{options.issued, options.seen_by, options.day};
     const std::optional<LeadingDay> leading = options.parts.day(data, known);
     if (!leading) return;
-    choice.averaging =
-        averaging_of(currents_of_day(data, leading->dataset, leading->day, known).time);
+    choice.averaging = leading->averaging;
     choice.dataset = leading->dataset;
     choice.stands_in_for = leading->stands_in_for;
     choice.usable = leading->day;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "calibration/day/driving_ensemble.h"
+#include "calibration/day/methods.h"
 #include "calibration/day/sources.h"
 #include "fields/record/choose.h"
 #include "fields/record/slice.h"
@@ -99,7 +100,7 @@ void name_ensemble(const HorizonWind& wind, const WindDepartures& ensemble,
 
 /// The current of the column from its record, or `calibration_problem`.
 void forecast_current(const ColumnData& data, const ForecastPlan& plan, const ColumnParts& parts,
-                      const HorizonWind& wind, ColumnForecast& result) {
+                      const HorizonWind& wind, const LayerOfDays& layer, ColumnForecast& result) {
   const auto attempt_this = [&](Part part, const std::function<void()>& work) {
     const bool is_done = attempt_part(part, result.failures, work);
     if (!is_done && loses_the_current(part)) {
@@ -108,8 +109,13 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
     }
     return is_done;
   };
-  if (!attempt_this(Part::record, [&] { result.known = parts.record(data, plan); })) return;
-  const Chosen<Horizontal>& known = result.known;
+  const bool is_known = attempt_this(Part::record, [&] {
+    KnownCurrents currents = parts.record(data, plan);
+    result.known.currents = std::move(currents.record);
+    result.remarks = std::move(currents.remarks);
+  });
+  if (!is_known) return;
+  const Chosen<Horizontal>& known = result.known.currents;
   const VectorColumn day = slice(known.column, UtcTime(plan.day), plan.end_of_day());
   if (day.time.empty()) {
     result.calibration_problem = "no currents of " + format_day(plan.day) + " at this column";
@@ -119,9 +125,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
     result.contains_stokes = result.contains_stokes || origin->contains_stokes;
   }
   result.origins.insert(result.origins.end(), known.origin.begin(), known.origin.end());
-  LayerOfDays layer;
-  attempt_this(Part::mixed_layer, [&] { layer = parts.mixed_layer(data, plan); });
-  FittedTide& tide = result.tide;
+  FittedTide& tide = result.known.tide;
   attempt_this(Part::tide, [&] { tide = parts.tide(known, plan.day, data.point.latitude); });
   result.notes = tide.notes;
   ColumnCalibration fitted;
@@ -191,14 +195,23 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   result.origins = wind.origins;
   result.origins.insert(result.origins.end(), waves.origins.begin(), waves.origins.end());
   result.wind_gaps = wind.gaps;
-  forecast_current(data, plan, parts, wind, result);
+  attempt_part(Part::blend, result.failures,
+               [&] { result.known.provider = known_provider(data, plan); });
+  LayerRecord layer;
+  LayerOfDays layer_depths;
+  attempt_part(Part::mixed_layer, result.failures, [&] {
+    layer = layer_record(data, plan);
+    layer_depths = parts.mixed_layer(layer, plan.day);
+  });
+  forecast_current(data, plan, parts, wind, layer_depths, result);
   attempt_part(Part::sea_level, result.failures, [&] {
     LevelForecast level = parts.sea_level(data.sea_level, plan);
     result.column.sea_level = std::move(level.level);
     result.origins.insert(result.origins.end(), level.origins.begin(), level.origins.end());
     result.notes.insert(result.notes.end(), level.notes.begin(), level.notes.end());
   });
-  result.sources = sources_of(result.known, wind, waves, plan);
+  result.sources =
+      sources_of(result.known.currents, wind, waves, result.known.provider, layer, plan);
   return result;
 }
 

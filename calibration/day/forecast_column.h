@@ -14,6 +14,7 @@
 #include "calibration/day/sea_level.h"
 #include "calibration/day/tide_of_record.h"
 #include "calibration/propagate/propagate.h"
+#include "calibration/provider/provider_runs.h"
 #include "calibration/solve/calibration.h"
 #include "fields/record/site_data.h"
 #include "fields/record/source_use.h"
@@ -21,20 +22,25 @@
 
 namespace slackwater::calibration {
 
+/// What is known of a column up to the end of D, judged once: what its forecast and the candidates
+/// beside it start from.
+struct KnownColumn {
+  Chosen<Horizontal> currents;
+  FittedTide tide;        ///< of them
+  ProviderRuns provider;  ///< the provider's own forecast
+};
+
 /// One column's forecast with the calibration it rests on.
 struct ColumnForecast {
   ForecastColumn column;
   std::vector<Calibration> forms;   ///< empty where the column has no current on D
   std::vector<double> form_weight;  ///< probability of each
   std::size_t best_form = 0;
-  std::string calibration_problem;  ///< why there is none
-  /// The currents up to the end of D that it rests on, for the steps that follow; a whole forecast
-  /// does not keep them.
-  Chosen<Horizontal> known;
-  FittedTide tide;                                     ///< of that record; not kept either
-  std::vector<std::string> notes;                      ///< what an operator should know
-  std::vector<InstrumentTrouble> instrument_troubles;  ///< which instruments lie
-  std::vector<const Origin*> origins;                  ///< whose values were used
+  std::string calibration_problem;     ///< why there is none
+  KnownColumn known;                   ///< for the steps that follow; a whole forecast keeps none
+  std::vector<std::string> notes;      ///< what an operator should know
+  RecordRemarks remarks;               ///< on the record of the currents
+  std::vector<const Origin*> origins;  ///< whose values were used
   /// The weather ensemble whose winds the members have (`ForecastColumn::wind_member_number`).
   std::optional<WindEnsembleRun> wind_ensemble;
   bool contains_stokes = false;

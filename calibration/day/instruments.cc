@@ -1,6 +1,7 @@
 #include "calibration/day/instruments.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "fields/base/text.h"
 #include "fields/record/slice.h"
@@ -56,6 +57,29 @@ std::optional<double> stated_error(const std::vector<const Origin*>& origins) {
   return stated;
 }
 
+/// "station X at 2.1 km".
+std::string name_of(const Instrument& instrument) {
+  return "station " + instrument.station +
+         formatted(" at {:.1f} km", instrument.distance_m / 1000.0);
+}
+
+/// "station X at 2.1 km is not used: it ended 4.0 days before", or what was left out of one that
+/// is used; empty where there is nothing to say.
+std::string remark_on(const Instrument& instrument) {
+  const InstrumentVerdict& verdict = instrument.verdict;
+  if (!instrument.is_used()) return name_of(instrument) + " is not used: " + verdict.why;
+  if (verdict.remarks.empty()) return {};
+  return name_of(instrument) + ": " + joined(verdict.remarks, "; ");
+}
+
+/// Of one that lies: rejected, or stuck up to the end.
+std::optional<InstrumentTrouble> trouble_with(const Instrument& instrument) {
+  if (instrument.is_rejected()) return InstrumentTrouble{instrument.station, remark_on(instrument)};
+  if (!instrument.verdict.is_stuck_at_the_end) return std::nullopt;
+  return InstrumentTrouble{instrument.station, name_of(instrument) + " is stuck: " +
+                                                   joined(instrument.verdict.remarks, "; ")};
+}
+
 }  // namespace
 
 Chosen<Horizontal> known_of(const ColumnData& column, const ForecastPlan& plan,
@@ -108,23 +132,23 @@ std::vector<Instrument> instruments_without_product(const ColumnData& column,
   return instruments;
 }
 
-std::string name_of(const Instrument& instrument) {
-  return "station " + instrument.station +
-         formatted(" at {:.1f} km", instrument.distance_m / 1000.0);
-}
-
-std::string remark_on(const Instrument& instrument) {
-  const InstrumentVerdict& verdict = instrument.verdict;
-  if (!instrument.is_used()) return name_of(instrument) + " is not used: " + verdict.why;
-  if (verdict.remarks.empty()) return {};
-  return name_of(instrument) + ": " + joined(verdict.remarks, "; ");
-}
-
-std::optional<InstrumentTrouble> trouble_with(const Instrument& instrument) {
-  if (instrument.is_rejected()) return InstrumentTrouble{instrument.station, remark_on(instrument)};
-  if (!instrument.verdict.is_stuck_at_the_end) return std::nullopt;
-  return InstrumentTrouble{instrument.station, name_of(instrument) + " is stuck: " +
-                                                   joined(instrument.verdict.remarks, "; ")};
+RecordRemarks remarks_on(const std::vector<Instrument>& instruments, const std::string& dataset,
+                         bool has_product) {
+  RecordRemarks remarks;
+  for (const Instrument& instrument : instruments) {
+    if (auto trouble = trouble_with(instrument)) remarks.troubles.push_back(std::move(*trouble));
+    if (instrument.dataset == dataset) {
+      remarks.notes.push_back(
+          "currents of " + name_of(instrument) +
+          (has_product ? " fused with a coarser product" : " alone, no product"));
+      if (!has_product) continue;
+    } else if (instrument.is_used()) {
+      remarks.notes.push_back("fused with " + name_of(instrument));
+    }
+    const std::string remark = remark_on(instrument);
+    if (!remark.empty()) remarks.notes.push_back(remark);
+  }
+  return remarks;
 }
 
 }  // namespace slackwater::calibration

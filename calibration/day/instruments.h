@@ -45,12 +45,18 @@ struct InstrumentTrouble {
 [[nodiscard]] std::vector<Instrument> instruments_without_product(const ColumnData& column,
                                                                   const ForecastPlan& plan);
 
-/// "station X at 2.1 km".
-[[nodiscard]] std::string name_of(const Instrument& instrument);
-/// "station X at 2.1 km is not used: it ended 4.0 days before", or what was left out of one that
-/// is used; empty where there is nothing to say.
-[[nodiscard]] std::string remark_on(const Instrument& instrument);
-/// Of one that lies: rejected, or stuck up to the end.
-[[nodiscard]] std::optional<InstrumentTrouble> trouble_with(const Instrument& instrument);
+/// What an operator should know about a record, and which instruments lie, of those that were still
+/// sending at the end of D.
+struct RecordRemarks {
+  /// "fused with station X at 2.1 km", "station Y at 3.4 km is not used: it ended 12.0 days
+  /// before", "currents of station X at 0.4 km alone, no product"; empty for a product alone.
+  std::vector<std::string> notes;
+  std::vector<InstrumentTrouble> troubles;
+};
+
+/// Of a record on this dataset with these instruments about it.
+/// @param has_product  there is one beside the series that leads
+[[nodiscard]] RecordRemarks remarks_on(const std::vector<Instrument>& instruments,
+                                       const std::string& dataset, bool has_product);
 
 }  // namespace slackwater::calibration

@@ -28,13 +28,14 @@ Chosen<Horizontal> places_of(const ForecastColumn& column, const ForecastPlan& p
 
 std::vector<MethodForecast> methods_at(const ForecastColumn& column, const ColumnData& data,
                                        const ForecastPlan& plan, const Chosen<Horizontal>& places,
-                                       const Chosen<Horizontal>& known, const FittedTide& tide) {
+                                       const KnownColumn& known) {
   Snapshot snapshot;
   snapshot.day = plan.day;
   snapshot.time = plan.stamps;
   snapshot.depth_m = plan.depth_m;
   snapshot.columns.push_back(column);
-  return current_methods(data, plan, snapshot, 0, places, known, &tide);
+  return current_methods(data, plan, snapshot, 0, places, known.currents, known.provider,
+                         &known.tide);
 }
 
 const MethodForecast* find_method(const std::vector<MethodForecast>& methods, Method candidate) {
@@ -100,23 +101,23 @@ void blend_values(ForecastColumn& column, const ForecastPlan& plan,
 }  // namespace
 
 std::vector<bool> available_candidates(const ForecastColumn& column, const ColumnData& data,
-                                       const Chosen<Horizontal>& known, const FittedTide& tide,
-                                       const ForecastPlan& plan) {
-  const auto methods = methods_at(column, data, plan, places_of(column, plan, known), known, tide);
+                                       const KnownColumn& known, const ForecastPlan& plan) {
+  const auto methods =
+      methods_at(column, data, plan, places_of(column, plan, known.currents), known);
   std::vector<bool> available;
   for (const Method candidate : candidate_methods())
     available.push_back(find_method(methods, candidate) != nullptr);
   return available;
 }
 
-void issue_blend(ForecastColumn& column, const ColumnData& data, const Chosen<Horizontal>& known,
-                 const FittedTide& tide, const ForecastPlan& plan, const Earned& earned) {
+void issue_blend(ForecastColumn& column, const ColumnData& data, const KnownColumn& known,
+                 const ForecastPlan& plan, const Earned& earned) {
   const std::size_t size = column.current_m_s.size();
   const std::vector<Horizontal> own = column.current_m_s;
   const std::vector<double> own_sigma = column.current_sigma_m_s;
   if (!is_own_alone(earned)) {
-    const Chosen<Horizontal> places = places_of(column, plan, known);
-    blend_values(column, plan, methods_at(column, data, plan, places, known, tide), places.column,
+    const Chosen<Horizontal> places = places_of(column, plan, known.currents);
+    blend_values(column, plan, methods_at(column, data, plan, places, known), places.column,
                  earned);
   }
   std::vector<double> scale;  // per stamp

@@ -10,16 +10,14 @@ namespace slackwater::calibration {
 /// The weights are those of the lead (`weights_at`), and so is the factor on the spread
 /// (`EarnedSpread::scale_at`); a candidate that says nothing at some times
 /// loses its weight over the six hours before them, so that nothing jumps as it comes and goes.
-/// @param known  the currents up to the end of D, from which baselines start
-/// @param tide   of that record
-void issue_blend(ForecastColumn& column, const ColumnData& data, const Chosen<Horizontal>& known,
-                 const FittedTide& tide, const ForecastPlan& plan, const Earned& earned);
+/// @param known  what the candidates start from
+void issue_blend(ForecastColumn& column, const ColumnData& data, const KnownColumn& known,
+                 const ForecastPlan& plan, const Earned& earned);
 
 /// Which of the standard candidates can be made for this day at this column.
 [[nodiscard]] std::vector<bool> available_candidates(const ForecastColumn& column,
                                                      const ColumnData& data,
-                                                     const Chosen<Horizontal>& known,
-                                                     const FittedTide& tide,
+                                                     const KnownColumn& known,
                                                      const ForecastPlan& plan);
 
 }  // namespace slackwater::calibration

@@ -138,14 +138,12 @@ void add_stretches(const std::vector<Stretch>& more, const char* why, Chosen<Hor
   }
 }
 
-}  // namespace
-
-Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& plan) {
-  if (plan.dataset.empty()) return {};
-  Ingredients parts = ingredients_of(column, plan);
+/// The plan's dataset with its instruments in it.
+/// @param is_series  the dataset is one itself
+Chosen<Horizontal> fused_record(Ingredients parts, const ForecastPlan& plan, bool is_series) {
   Chosen<Horizontal> known = std::move(parts.leading);
   if (known.empty()) return known;
-  if (is_series(piece_of(column, plan.dataset)) && !parts.behind) {
+  if (is_series && !parts.behind) {
     known.noise_m_s = stated_noise(known);
     return known;
   }
@@ -176,43 +174,36 @@ Chosen<Horizontal> known_currents(const ColumnData& column, const ForecastPlan& 
   return known;
 }
 
-RecordRemarks remarks_on_record(const ColumnData& column, const ForecastPlan& plan) {
-  if (piece_of(column, plan.dataset) == nullptr) return {};
-  const Ingredients parts = ingredients_of(column, plan);
-  RecordRemarks remarks;
-  for (const Instrument& instrument : parts.instruments) {
-    if (auto trouble = trouble_with(instrument)) remarks.troubles.push_back(std::move(*trouble));
-    if (instrument.dataset == plan.dataset) {
-      remarks.notes.push_back(
-          "currents of " + name_of(instrument) +
-          (parts.behind ? " fused with a coarser product" : " alone, no product"));
-      if (!parts.behind) continue;
-    } else if (instrument.is_used()) {
-      remarks.notes.push_back("fused with " + name_of(instrument));
-    }
-    const std::string remark = remark_on(instrument);
-    if (!remark.empty()) remarks.notes.push_back(remark);
-  }
-  return remarks;
+}  // namespace
+
+KnownCurrents known_currents(const ColumnData& column, const ForecastPlan& plan) {
+  const Piece* leading = piece_of(column, plan.dataset);
+  if (leading == nullptr) return {};
+  Ingredients parts = ingredients_of(column, plan);
+  KnownCurrents known;
+  known.remarks = remarks_on(parts.instruments, plan.dataset, parts.behind.has_value());
+  known.is_contradicted = std::any_of(
+      parts.instruments.begin(), parts.instruments.end(), [&](const Instrument& instrument) {
+        return instrument.dataset == plan.dataset && instrument.is_rejected();
+      });
+  known.record = fused_record(std::move(parts), plan, is_series(leading));
+  return known;
 }
 
-std::optional<std::string> trusted_dataset(const ColumnData& column, UtcDay day, UtcTime issued,
-                                           UtcTime seen_by) {
+std::optional<TrustedCurrents> trusted_currents(const ColumnData& column, UtcDay day,
+                                                UtcTime issued, UtcTime seen_by) {
   ForecastPlan plan;
   plan.day = day;
   plan.issued = issued;
   plan.seen_by = seen_by;
   VectorRecord trusted = column.current;
   while (true) {
-    auto dataset = leading_dataset(trusted, UtcTime(day), plan.end_of_day(), plan.knowledge());
-    if (!dataset || !is_series(piece_of(column, *dataset))) return dataset;
+    const auto dataset =
+        leading_dataset(trusted, UtcTime(day), plan.end_of_day(), plan.knowledge());
+    if (!dataset) return std::nullopt;
     plan.dataset = *dataset;
-    const Ingredients parts = ingredients_of(column, plan);
-    const bool lies = std::any_of(
-        parts.instruments.begin(), parts.instruments.end(), [&](const Instrument& instrument) {
-          return instrument.dataset == *dataset && instrument.is_rejected();
-        });
-    if (!lies) return dataset;
+    KnownCurrents known = known_currents(column, plan);
+    if (!known.is_contradicted) return TrustedCurrents{*dataset, std::move(known.record)};
     std::erase_if(trusted.pieces,
                   [&](const Piece& piece) { return piece.origin->dataset == *dataset; });
   }

@@ -37,21 +37,21 @@ std::vector<double> values_of(const ScalarColumn& column) {
 
 }  // namespace
 
-Chosen<double> layer_record(const ColumnData& column, const ForecastPlan& plan) {
+LayerRecord layer_record(const ColumnData& column, const ForecastPlan& plan) {
   const bool is_stated = !column.mixed_layer_depth.pieces.empty();
-  return choose(is_stated ? column.mixed_layer_depth : column.temperature, plan.knowledge(), {});
+  return {choose(is_stated ? column.mixed_layer_depth : column.temperature, plan.knowledge(), {}),
+          is_stated};
 }
 
-LayerOfDays layer_of_days(const ColumnData& column, const ForecastPlan& plan) {
-  const bool is_stated = !column.mixed_layer_depth.pieces.empty();
+LayerOfDays layer_of_days(const LayerRecord& record, UtcDay last) {
   LayerOfDays layer;
-  const ScalarColumn known = layer_record(column, plan).column;
+  const ScalarColumn& known = record.values.column;
   if (known.times() == 0) return layer;
   for (int before = chain_days; before >= 0; --before) {
-    const UtcDay day = plan.day - days(before);
+    const UtcDay day = last - days(before);
     const ScalarColumn part = slice(known, UtcTime(day), UtcTime(day) + days(1));
-    const auto figure = is_stated ? stated_layer(values_of(part))
-                                  : layer_of_profile(part.levels_m, mean_profile(part));
+    const auto figure = record.is_stated ? stated_layer(values_of(part))
+                                         : layer_of_profile(part.levels_m, mean_profile(part));
     if (figure) layer.emplace(day, *figure);
   }
   return layer;

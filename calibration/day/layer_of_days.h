@@ -5,12 +5,17 @@
 
 namespace slackwater::calibration {
 
-/// The record of the mixed layer as known at the end of D: `mlotst` where it is stored, else
-/// temperatures.
-[[nodiscard]] Chosen<double> layer_record(const ColumnData& column, const ForecastPlan& plan);
+/// What a column's products say of the mixed layer, as known at the end of D.
+struct LayerRecord {
+  Chosen<double> values;
+  bool is_stated = false;  ///< `mlotst`; else temperatures
+};
 
-/// What the stored products say of the mixed layer on D and on the days of the chain before it, as
-/// known at the end of D: `mlotst` where it is stored, else from the temperature profile.
-[[nodiscard]] LayerOfDays layer_of_days(const ColumnData& column, const ForecastPlan& plan);
+/// `mlotst` where it is stored, else temperatures.
+[[nodiscard]] LayerRecord layer_record(const ColumnData& column, const ForecastPlan& plan);
+
+/// The mixed layer on D and on the days of the chain before it: as stated, else from the
+/// temperature profile.
+[[nodiscard]] LayerOfDays layer_of_days(const LayerRecord& record, UtcDay day);
 
 }  // namespace slackwater::calibration

@@ -5,6 +5,7 @@
 
 #include "calibration/day/known_currents.h"
 #include "calibration/day/whole_day.h"
+#include "fields/base/averaging.h"
 #include "fields/record/leading_dataset.h"
 #include "fields/record/slice.h"
 
@@ -43,12 +44,31 @@ std::vector<UtcDay> candidate_days(const ColumnData& column, const DaysKnown& kn
   return {found.rbegin(), found.rend()};
 }
 
-/// The dataset that leads on a day and holds it throughout.
-std::optional<std::string> holder_of(const SiteData& data, const ColumnData& column, UtcDay day,
-                                     const DaysKnown& known) {
-  auto dataset = trusted_dataset(column, day, known.issued, known.seen_by);
-  if (!dataset || !holds_day(data, *dataset, day, known)) return std::nullopt;
-  return dataset;
+/// The day as a dataset holds it; nothing where it does not hold it throughout.
+std::optional<LeadingDay> day_held(const std::string& dataset, const Chosen<Horizontal>& record,
+                                   UtcDay day) {
+  const VectorColumn currents = slice(record.column, UtcTime(day), UtcTime(day) + days(1));
+  if (!holds_throughout(currents, day)) return std::nullopt;
+  return LeadingDay{day, dataset, {}, averaging_of(currents.time)};
+}
+
+/// The same of the dataset that leads on the day.
+std::optional<LeadingDay> held_by_leader(const ColumnData& column, UtcDay day,
+                                         const DaysKnown& known) {
+  const auto leader = trusted_currents(column, day, known.issued, known.seen_by);
+  if (!leader) return std::nullopt;
+  return day_held(leader->dataset, leader->record, day);
+}
+
+/// The same of this dataset.
+std::optional<LeadingDay> held_by(const std::string& dataset, const ColumnData& column, UtcDay day,
+                                  const DaysKnown& known) {
+  ForecastPlan plan;
+  plan.day = day;
+  plan.issued = known.issued;
+  plan.seen_by = known.seen_by;
+  plan.dataset = dataset;
+  return day_held(dataset, known_currents(column, plan).record, day);
 }
 
 const Origin* origin_of(const ColumnData& column, const std::string& dataset) {
@@ -59,21 +79,10 @@ const Origin* origin_of(const ColumnData& column, const std::string& dataset) {
 
 }  // namespace
 
-VectorColumn currents_of_day(const SiteData& data, const std::string& dataset, UtcDay day,
-                             const DaysKnown& known) {
-  const ColumnData* column = leading_column(data);
-  if (column == nullptr) return {};
-  ForecastPlan plan;
-  plan.day = day;
-  plan.issued = known.issued;
-  plan.seen_by = known.seen_by;
-  plan.dataset = dataset;
-  return slice(known_currents(*column, plan).column, UtcTime(day), plan.end_of_day());
-}
-
 bool holds_day(const SiteData& data, const std::string& dataset, UtcDay day,
                const DaysKnown& known) {
-  return holds_throughout(currents_of_day(data, dataset, day, known), day);
+  const ColumnData* column = leading_column(data);
+  return column != nullptr && held_by(dataset, *column, day, known).has_value();
 }
 
 std::optional<LeadingDay> leading_day(const SiteData& data, const DaysKnown& known) {
@@ -82,20 +91,17 @@ std::optional<LeadingDay> leading_day(const SiteData& data, const DaysKnown& kno
   std::optional<LeadingDay> newest;
   for (const UtcDay day : candidate_days(*column, known)) {
     if (!newest) {
-      const auto holder = holder_of(data, *column, day, known);
-      if (!holder) continue;
-      newest = {day, *holder, {}};
-      if (is_in_situ(*origin_of(*column, *holder))) return newest;
+      newest = held_by_leader(*column, day, known);
+      if (!newest) continue;
+      if (is_in_situ(*origin_of(*column, newest->dataset))) return newest;
       const auto leading =
           leading_product(column->current, UtcTime(day) - remembered, UtcTime(day) + days(1),
                           knowledge_of(day, known), data.site.current_product);
-      if (!leading || *leading == *holder) return newest;
+      if (!leading || *leading == newest->dataset) return newest;
       newest->stands_in_for = *leading;
-      if (!holds_day(data, *leading, day, known)) continue;
     }
     if (newest->day - day > patience) return newest;
-    if (holds_day(data, newest->stands_in_for, day, known))
-      return LeadingDay{day, newest->stands_in_for, {}};
+    if (auto held = held_by(newest->stands_in_for, *column, day, known)) return held;
   }
   return newest;
 }

@@ -21,6 +21,7 @@ struct LeadingDay {
   /// The dataset that leads at the site and has no whole day near enough, for which this one stands
   /// in; empty: none.
   std::string stands_in_for;
+  Duration averaging{0};  ///< of the day's currents
 };
 
 /// The newest day whose currents the site's leading product holds throughout.
@@ -34,9 +35,5 @@ struct LeadingDay {
 /// Whether a dataset holds this day throughout at that column, as known.
 [[nodiscard]] bool holds_day(const SiteData& data, const std::string& dataset, UtcDay day,
                              const DaysKnown& known);
-
-/// The currents of a day from a dataset at that column, as known.
-[[nodiscard]] VectorColumn currents_of_day(const SiteData& data, const std::string& dataset,
-                                           UtcDay day, const DaysKnown& known);
 
 }  // namespace slackwater::calibration

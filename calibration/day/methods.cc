@@ -84,22 +84,20 @@ MethodForecast as_issued(const Snapshot& snapshot, std::size_t index, const Vect
 }
 
 /// The provider's own forecast at the truth's cells, and with `tide` the two merged.
-void add_provider(const ColumnData& column, const ForecastPlan& plan,
+void add_provider(const ProviderRuns& runs, Angle latitude, const ForecastPlan& plan,
                   const Chosen<Horizontal>& truth, const Chosen<Horizontal>& known,
                   const FittedTide* tide, std::vector<MethodForecast>& methods) {
-  const ProviderRuns runs = provider_runs(column.current, plan.dataset, plan.knowledge_of_runs(),
-                                          plan.end_of_day() - runs_looked_back);
   if (runs.empty() || runs.series.time.back().end <= plan.end_of_day()) return;
   const Chosen<Horizontal>& on_levels = known.empty() ? truth : known;
   if (tide == nullptr) {
     const FittedTide fitted =
-        known.empty() ? FittedTide{} : tide_of_record(known, plan.day, column.point.latitude);
+        known.empty() ? FittedTide{} : tide_of_record(known, plan.day, latitude);
     methods.push_back(
         {Method::provider, provider_as_it_is(runs, on_levels, fitted, truth.column.time), {}});
     return;
   }
-  ProviderForecast made = provider_forecast(runs, known, *tide, column.point.latitude,
-                                            truth.column.time, plan.end_of_day());
+  ProviderForecast made =
+      provider_forecast(runs, known, *tide, latitude, truth.column.time, plan.end_of_day());
   MethodForecast merged = merged_with(methods.front(), made, truth.column);
   methods.push_back({Method::provider, std::move(made.as_it_is), {}});
   methods.push_back(std::move(merged));
@@ -107,11 +105,16 @@ void add_provider(const ColumnData& column, const ForecastPlan& plan,
 
 }  // namespace
 
+ProviderRuns known_provider(const ColumnData& column, const ForecastPlan& plan) {
+  return provider_runs(column.current, plan.dataset, plan.knowledge_of_runs(),
+                       plan.end_of_day() - runs_looked_back);
+}
+
 std::vector<MethodForecast> current_methods(const ColumnData& column, const ForecastPlan& plan,
                                             const Snapshot& snapshot, std::size_t column_index,
                                             const Chosen<Horizontal>& truth,
                                             const Chosen<Horizontal>& known,
-                                            const FittedTide* tide) {
+                                            const ProviderRuns& provider, const FittedTide* tide) {
   const UtcTime end = plan.end_of_day();
   std::vector<MethodForecast> methods;
   methods.push_back(as_issued(snapshot, column_index, truth.column));
@@ -129,7 +132,7 @@ std::vector<MethodForecast> current_methods(const ColumnData& column, const Fore
       if (outcome.forecast) methods.push_back({baseline, std::move(*outcome.forecast), {}});
     }
   }
-  add_provider(column, plan, truth, known, tide, methods);
+  add_provider(provider, column.point.latitude, plan, truth, known, tide, methods);
   std::erase_if(methods, [](const MethodForecast& method) { return !has_any(method.made); });
   return methods;
 }

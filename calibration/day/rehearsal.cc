@@ -109,7 +109,8 @@ Chosen<Horizontal> days_after(const ColumnData& column, const ForecastPlan& plan
                               const ForecastPlan& past) {
   Chosen<Horizontal> after;
   for (int later = 1; later <= lead_days_of(plan); ++later) {
-    const Chosen<Horizontal> known = known_currents(column, moved_to(plan, past.day + days(later)));
+    const Chosen<Horizontal> known =
+        known_currents(column, moved_to(plan, past.day + days(later))).record;
     const UtcTime from = past.end_of_day() + days(later - 1);
     // The instant at 24:00 of a day belongs to it.
     VectorColumn next = slice(known.column, from, from + days(1));
@@ -161,8 +162,9 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
         result.failure = failed.failure;
     }
     snapshot.columns.push_back(std::move(made.column));
-    add_errors(current_methods(column, past, snapshot, 0, truth, made.known, &made.tide), truth,
-               past.end_of_day(), result);
+    add_errors(current_methods(column, past, snapshot, 0, truth, made.known.currents,
+                               made.known.provider, &made.known.tide),
+               truth, past.end_of_day(), result);
   }
   for (RehearsedLead& lead : result.lead) clear_absent(lead);
   return result;

@@ -4,36 +4,29 @@
 #include <iterator>
 
 #include "calibration/day/day_choice.h"
-#include "calibration/provider/provider_runs.h"
+#include "calibration/day/methods.h"
 
 namespace slackwater::calibration {
 
-std::vector<SourceUse> sources_of(const Chosen<Horizontal>& known, const HorizonWind& wind,
-                                  const HorizonSea& sea, const ForecastPlan& plan) {
-  const UtcTime from(plan.day);
-  const UtcTime to = plan.stamps.empty() ? plan.end_of_day() : plan.stamps.back();
-  std::vector<SourceUse> all = uses_of("current", known.stretches, from, plan.end_of_day());
-  const auto add = [&](const char* quantity, const std::vector<Stretch>& stretches, UtcTime until) {
-    auto uses = uses_of(quantity, stretches, from, until);
+std::vector<SourceUse> sources_of(const Chosen<Horizontal>& currents, const HorizonWind& wind,
+                                  const HorizonSea& sea, const ProviderRuns& provider,
+                                  const LayerRecord& layer, const ForecastPlan& plan) {
+  const UtcTime start(plan.day);
+  const UtcTime end_of_day = plan.end_of_day();
+  const UtcTime horizon = plan.stamps.empty() ? end_of_day : plan.stamps.back();
+  std::vector<SourceUse> all;
+  const auto add = [&](const char* quantity, const std::vector<Stretch>& stretches, UtcTime from,
+                       UtcTime to) {
+    auto uses = uses_of(quantity, stretches, from, to);
     std::move(uses.begin(), uses.end(), std::back_inserter(all));
   };
-  add("wind", wind.stretches, to);
-  add("waves", sea.stretches, to);
+  add("current", currents.stretches, start, end_of_day);
+  add("wind", wind.stretches, start, horizon);
+  add("waves", sea.stretches, start, horizon);
+  if (!plan.stamps.empty() && provider.reaches_beyond(end_of_day))
+    add("current forecast", provider.stretches, end_of_day, horizon);
+  add("mixed layer", layer.values.stretches, start, end_of_day);
   return all;
-}
-
-std::vector<SourceUse> layer_sources(const ColumnData& column, const ForecastPlan& plan) {
-  return uses_of("mixed layer", layer_record(column, plan).stretches, UtcTime(plan.day),
-                 plan.end_of_day());
-}
-
-std::vector<SourceUse> provider_sources(const ColumnData& column, const ForecastPlan& plan) {
-  if (plan.stamps.empty()) return {};
-  return uses_of(
-      "current forecast",
-      provider_runs(column.current, plan.dataset, plan.knowledge_of_runs(), plan.end_of_day())
-          .stretches,
-      plan.end_of_day(), plan.stamps.back());
 }
 
 Inputs inputs_of(const SiteData& data, const ForecastOptions& options) {
@@ -45,10 +38,8 @@ Inputs inputs_of(const SiteData& data, const ForecastOptions& options) {
       horizon_wind(column.wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
   const HorizonSea sea =
       horizon_sea(column, data.site, plan.wind, plan.end_of_day(), plan.stamps, wind, plan.best);
-  Inputs inputs{plan.day, sources_of(known_currents(column, plan), wind, sea, plan)};
-  for (const auto& more : {provider_sources(column, plan), layer_sources(column, plan)})
-    inputs.sources.insert(inputs.sources.end(), more.begin(), more.end());
-  return inputs;
+  return {plan.day, sources_of(known_currents(column, plan).record, wind, sea,
+                               known_provider(column, plan), layer_record(column, plan), plan)};
 }
 
 }  // namespace slackwater::calibration

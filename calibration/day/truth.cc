@@ -97,7 +97,7 @@ Chosen<Horizontal> known_beside(const Chosen<Horizontal>& truth, const ColumnDat
       return own;
     }
   }
-  Chosen<Horizontal> known = known_currents(column, plan);
+  Chosen<Horizontal> known = known_currents(column, plan).record;
   if (!known.empty() && known.column.levels_m != truth.column.levels_m)
     known.column = at_depths(known.column, truth.column.levels_m);
   return known;

@@ -11,14 +11,14 @@ std::optional<AveragedCurrents> widen_means(const SiteData& data, const Forecast
                                             const DayChoice& choice, DailyForecast& result) {
   if (!hides_the_tide(choice.averaging)) return std::nullopt;
   std::vector<std::optional<AveragedCurrents>> found(result.columns.size());
-  for_all(data.columns.size(), options.threads, [&](std::size_t i) {
+  for_all(result.columns.size(), options.threads, [&](std::size_t i) {
     if (result.columns[i].forms.empty()) return;
     ColumnForecast& column = result.columns[i];
     found[i].emplace().averaging = choice.averaging;
     attempt_part(Part::unresolved_tide, column.failures, [&] {
       ForecastColumn widened = column.column;
-      const auto tide =
-          options.parts.unresolved_tide(widened, data.columns[i], column.known, result.plan);
+      const auto tide = options.parts.unresolved_tide(widened, data.columns[i],
+                                                      column.known.currents, result.plan);
       found[i] = tide ? std::optional(tide->averaged) : std::nullopt;
       if (!tide) return;
       column.column = std::move(widened);

@@ -137,21 +137,4 @@ std::vector<Horizontal> draw_wind_departures(std::span<const UtcTime> times, Utc
                               growth.memory_h, random);
 }
 
-std::vector<std::vector<Horizontal>> draw_antithetic_departures(std::size_t members,
-                                                                std::span<const UtcTime> times,
-                                                                std::span<const double> sigma_m_s,
-                                                                double memory_h, Rng& random) {
-  std::vector<std::vector<Horizontal>> result(members);
-  for (std::size_t m = 0; m < members; ++m) {
-    if (m == 0) {
-      result[m].assign(times.size(), Horizontal{});
-    } else if (m % 2 == 1) {
-      result[m] = draw_wind_departures(times, sigma_m_s, memory_h, random);
-    } else {
-      for (const Horizontal departure : result[m - 1]) result[m].push_back(-departure);
-    }
-  }
-  return result;
-}
-
 }  // namespace slackwater::calibration

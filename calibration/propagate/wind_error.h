@@ -110,12 +110,4 @@ inline constexpr double wind_memory_h = 24.0;
                                                            const WindErrorGrowth& growth,
                                                            Rng& random);
 
-/// Departures of all members of an ensemble: member 0, the central one, has none; 1 and 2, 3 and 4,
-/// ... are opposite, so that the mean of an odd number of members is the wind itself; a last one
-/// without partner stands alone.
-/// @return members x times
-[[nodiscard]] std::vector<std::vector<Horizontal>> draw_antithetic_departures(
-    std::size_t members, std::span<const UtcTime> times, std::span<const double> sigma_m_s,
-    double memory_h, Rng& random);
-
 }  // namespace slackwater::calibration

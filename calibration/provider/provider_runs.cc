@@ -32,6 +32,11 @@ std::vector<const Run<Horizontal>*> of_one_product(const std::vector<Run<Horizon
 
 }  // namespace
 
+bool ProviderRuns::reaches_beyond(UtcTime time) const noexcept {
+  return std::any_of(runs.begin(), runs.end(),
+                     [&](const ProviderRun& run) { return run.column.time.back().end > time; });
+}
+
 ProviderRuns provider_runs(const VectorRecord& current, const std::string& dataset,
                            const Knowledge& knowledge, UtcTime from) {
   ProviderRuns result;

@@ -20,6 +20,8 @@ struct ProviderRuns {
   std::vector<const Origin*> origins;  ///< whose values are in it
   std::vector<Stretch> stretches;      ///< which run speaks when
   [[nodiscard]] bool empty() const noexcept { return runs.empty(); }
+  /// Whether any run ends after that.
+  [[nodiscard]] bool reaches_beyond(UtcTime time) const noexcept;
 };
 
 /// The runs of a dataset, or, where it forecasts nothing, of the product that counts first among

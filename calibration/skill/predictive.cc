@@ -18,8 +18,4 @@ ComponentScore score_of_normal(double mean, double sigma, double truth) noexcept
           sigma * (z * error_function + 2.0 * density - 1.0 / std::sqrt(constants::pi))};
 }
 
-double normal_crps(double mean, double sigma, double truth) noexcept {
-  return score_of_normal(mean, sigma, truth).crps;
-}
-
 }  // namespace slackwater::calibration

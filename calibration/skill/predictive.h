@@ -10,16 +10,13 @@ struct ComponentScore {
   double crps = 0;                 ///< continuous ranked probability score, unit of the component
 };
 
-/// The score of a normal forecast. A forecast without spread (sigma 0) puts the truth wholly below
-/// or above itself, or in its middle where they are equal.
-[[nodiscard]] ComponentScore score_of_normal(double mean, double sigma, double truth) noexcept;
-
-/// Continuous ranked probability score of a normal forecast, in the unit of its mean:
+/// The score of a normal forecast,
 ///
-///   CRPS = sigma { z [2 Phi(z) - 1] + 2 phi(z) - 1/sqrt(pi) },  z = (x - mu)/sigma;  |x - mu| for
-///   sigma = 0
+///   CRPS = sigma { z [2 Phi(z) - 1] + 2 phi(z) - 1/sqrt(pi) },  z = (x - mu)/sigma
 ///
+/// A forecast without spread (sigma 0) puts the truth wholly below or above itself, or in its
+/// middle where they are equal; its CRPS is |x - mu|.
 /// Source: Gneiting et al. (2005), Monthly Weather Review 133, 1098, eq. 5.
-[[nodiscard]] double normal_crps(double mean, double sigma, double truth) noexcept;
+[[nodiscard]] ComponentScore score_of_normal(double mean, double sigma, double truth) noexcept;
 
 }  // namespace slackwater::calibration

@@ -130,9 +130,9 @@ void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   sum.truth = truth_name(*truth.origin.back());
   const Duration averaging = averaging_of(truth.column.time);
   sum.truth_averaging = std::max(sum.truth_averaging, averaging);
-  const std::vector<MethodForecast> methods =
-      current_methods(*column, scored.plan, scored.snapshot, index, truth,
-                      known_beside(truth, *column, scored.plan));
+  const std::vector<MethodForecast> methods = current_methods(
+      *column, scored.plan, scored.snapshot, index, truth,
+      known_beside(truth, *column, scored.plan), known_provider(*column, scored.plan));
   const bool apart = scored.options.per_column && scored.snapshot.columns.size() > 1;
   const auto ours = std::find_if(methods.begin(), methods.end(), [](const MethodForecast& m) {
     return m.method == Method::forecast;

@@ -122,26 +122,4 @@ std::vector<ForecastRow> select_forecasts(Database& database, const ForecastQuer
   return forecasts;
 }
 
-void replace_score(Database& database, const ScoreRow& score) {
-  if (!exists(database, "SELECT 1 FROM forecast WHERE id = ?", score.forecast_id)) {
-    throw Error(ErrorKind::not_found, "there is no forecast " + std::to_string(score.forecast_id) +
-                                          " to keep a score for; see `slackwater store list`");
-  }
-  database
-      .prepare(
-          "INSERT INTO score (forecast_id, method, json) VALUES (?,?,?) "
-          "ON CONFLICT (forecast_id, method) DO UPDATE SET json = excluded.json")
-      .bind_all(score.forecast_id, score.method, score.json)
-      .run();
-}
-
-std::vector<ScoreRow> select_scores(Database& database, std::int64_t forecast_id) {
-  std::vector<ScoreRow> scores;
-  Statement query =
-      database.prepare("SELECT method, json FROM score WHERE forecast_id = ? ORDER BY method");
-  query.bind(1, forecast_id);
-  while (query.step()) scores.push_back({forecast_id, query.text(0), query.text(1)});
-  return scores;
-}
-
 }  // namespace slackwater::store

@@ -121,12 +121,4 @@ struct ForecastQuery {
   std::optional<WindPolicy> wind_policy;
 };
 
-/// How one method did against the truth, for one forecast.
-struct ScoreRow {
-  std::int64_t forecast_id = 0;
-  std::string method;  ///< "forecast" or the name of a baseline
-  std::string json;
-  bool operator==(const ScoreRow&) const = default;
-};
-
 }  // namespace slackwater::store

@@ -195,18 +195,6 @@ std::vector<ForecastRow> Store::find_forecasts(const ForecastQuery& query) {
   return select_forecasts(state_->database, query);
 }
 
-void Store::put_scores(std::span<const ScoreRow> scores) {
-  state_->expect_writable();
-  Transaction transaction(state_->database, Transaction::Kind::write);
-  for (const ScoreRow& score : scores) replace_score(state_->database, score);
-  transaction.commit();
-}
-
-std::vector<ScoreRow> Store::scores_of(std::int64_t forecast_id) {
-  const Transaction transaction(state_->database, Transaction::Kind::read);
-  return select_scores(state_->database, forecast_id);
-}
-
 PruneReport Store::prune(const PruneOptions& options) {
   state_->expect_writable();
   return prune_store(state_->database, state_->folder, options);

@@ -21,7 +21,7 @@ enum class OpenMode {
 /// What Slackwater knows, at rest: a catalogue (SQLite) and immutable content files named by their
 /// sha256.
 ///
-///   STORE/catalogue.sqlite          rows: sources, granules, forecasts as issued, scores
+///   STORE/catalogue.sqlite          rows: sources, granules, forecasts as issued
 ///   STORE/files/ab/abcdef….nc       content; never changed, only added and pruned
 ///   STORE/staging/<pid>-<random>/   files being written, one folder per process, swept once that
 ///   process is gone
@@ -80,10 +80,6 @@ class Store {
   /// In order of (day, issued, id).
   [[nodiscard]] std::vector<ForecastRow> find_forecasts(const ForecastQuery& query);
   [[nodiscard]] std::vector<ForecastRow> list_forecasts() { return find_forecasts({}); }
-
-  /// Replaces what was there for the same forecast and method.
-  void put_scores(std::span<const ScoreRow> scores);
-  [[nodiscard]] std::vector<ScoreRow> scores_of(std::int64_t forecast_id);  ///< by method
 
   /// See `check_store`, which also looks at a store that cannot be opened.
   [[nodiscard]] CheckReport check(bool deep) { return check_store(folder(), deep); }

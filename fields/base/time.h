@@ -60,14 +60,4 @@ class Clock {
   [[nodiscard]] virtual UtcTime now() const = 0;
 };
 
-/// A clock that always shows one time (tests, `--at`).
-class FixedClock final : public Clock {
- public:
-  explicit FixedClock(UtcTime time) : time_(time) {}
-  [[nodiscard]] UtcTime now() const override { return time_; }
-
- private:
-  UtcTime time_;
-};
-
 }  // namespace slackwater

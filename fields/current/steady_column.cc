@@ -1,7 +1,5 @@
 #include "fields/current/steady_column.h"
 
-#include "fields/current/kernel_dispatch.h"
-
 namespace slackwater {
 
 std::string_view name_of(SteadyForm form) noexcept {
@@ -56,12 +54,6 @@ LevelResponses level_responses(SteadyForm form, const SteadyParameters& paramete
     result.stress_im[k] = parameters.stress_factor * response[k].stress.im;
   }
   return result;
-}
-
-void evaluate_steady(const LevelResponses& responses, Horizontal interior_m_s,
-                     std::span<const Horizontal> stress_pa, std::span<Horizontal> out) {
-  static const KernelPath path = supported_kernel_paths().back();
-  evaluate_steady_on(path, responses, interior_m_s, stress_pa, out);
 }
 
 }  // namespace slackwater

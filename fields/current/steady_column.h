@@ -13,9 +13,7 @@ namespace slackwater {
 ///   W(z, t) = W_interior A(z) + T(t) B(z)
 ///
 /// The steady response to the wind stress T is linear, so A and B are computed once per parameter
-/// set
-/// (`level_responses`) and a whole day over all depths is one pass of complex multiply-and-add
-/// (`evaluate_steady`). All vectors are east + i north, towards.
+/// set (`level_responses`). All vectors are east + i north, towards.
 
 /// The name of a form in JSON and messages.
 [[nodiscard]] std::string_view name_of(SteadyForm form) noexcept;
@@ -69,12 +67,5 @@ struct LevelResponses {
 [[nodiscard]] LevelResponses level_responses(SteadyForm form, const SteadyParameters& parameters,
                                              Angle latitude, double water_depth_m,
                                              std::span<const double> depths_m);
-
-/// Evaluates all times and levels: out[t * levels + k] = interior A[k] + stress_pa[t] B[k], m/s.
-///
-/// Runs on the widest vector unit of the machine; every path gives the same bits
-/// (kernel_dispatch.h). No allocation, thread-safe. `out` has stress_pa.size() * levels elements.
-void evaluate_steady(const LevelResponses& responses, Horizontal interior_m_s,
-                     std::span<const Horizontal> stress_pa, std::span<Horizontal> out);
 
 }  // namespace slackwater

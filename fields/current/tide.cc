@@ -335,10 +335,6 @@ Duration record_length(std::span<const TimeCell> time, std::span<const SampleSta
   return Duration(std::llround(1000.0 * length_s(select(time, nothing, status))));
 }
 
-Horizontal tide_at(const TideFit& fit, UtcTime time) noexcept {
-  return tide_over(fit, TimeCell::instant(time));
-}
-
 Horizontal tidal_oscillation(const TideFit& fit, const TimeCell& cell) noexcept {
   Horizontal sum{};
   for (const TideTerm& term : fit.terms) {
@@ -350,13 +346,6 @@ Horizontal tidal_oscillation(const TideFit& fit, const TimeCell& cell) noexcept 
 
 Horizontal tide_over(const TideFit& fit, const TimeCell& cell) noexcept {
   return fit.mean + tidal_oscillation(fit, cell);
-}
-
-TidalEllipse ellipse_of(const TideTerm& term) noexcept {
-  const double plus = std::abs(term.counter_clockwise);
-  const double minus = std::abs(term.clockwise);
-  const double orientation = 0.5 * (std::arg(term.counter_clockwise) + std::arg(term.clockwise));
-  return {plus + minus, plus - minus, Angle::from_radians(orientation)};
 }
 
 }  // namespace slackwater

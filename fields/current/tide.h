@@ -37,16 +37,6 @@ struct TideFit {
   std::vector<std::string> notes;  ///< what was inferred, flagged or dropped, and why
 };
 
-/// Tidal ellipse of a term, Foreman (1978): semi-axes major = |W+| + |W-|, minor = |W+| - |W-|
-/// (negative: the vector turns clockwise), orientation of the major axis counted from east to
-/// north.
-struct TidalEllipse {
-  double major_m_s = 0;
-  double minor_m_s = 0;
-  Angle orientation;
-};
-[[nodiscard]] TidalEllipse ellipse_of(const TideTerm& term) noexcept;
-
 /// Harmonic analysis of a current series by least squares, both senses of rotation.
 ///
 ///   W(t) = W_0 + sum_k [ W+_k e^{+i w_k t} + W-_k e^{-i w_k t} ]
@@ -93,8 +83,6 @@ struct TidalEllipse {
 [[nodiscard]] Duration record_length(std::span<const TimeCell> time,
                                      std::span<const SampleStatus> status);
 
-/// Mean and tide at an instant, m/s.
-[[nodiscard]] Horizontal tide_at(const TideFit& fit, UtcTime time) noexcept;
 /// The tide without the mean, at an instant or as the exact average over a mean's interval, m/s.
 [[nodiscard]] Horizontal tidal_oscillation(const TideFit& fit, const TimeCell& cell) noexcept;
 /// Mean and tide, at an instant or as the exact average over a mean's interval, m/s.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
@@ -47,15 +46,6 @@ DensityTable table_of(const JonswapSpectrum& spectrum) {
   return table;
 }
 
-DensityTable table_of(const DirectionalSpectrum& spectrum) {
-  DensityTable table;
-  for (std::size_t i = 0; i < spectrum.bands(); ++i) {
-    table.frequency_rad_s.push_back(2.0 * pi * spectrum.frequency_hz[i]);
-    table.density_m2_s.push_back(spectrum.density_m2_hz[i] / (2.0 * pi));
-  }
-  return table;
-}
-
 /// Shares whose variance is `variance_m2` in total, whatever the table cut off.
 std::vector<VarianceShare> shares_of(const DensityTable& table, double variance_m2,
                                      std::size_t count, Rng& rng) {
@@ -77,23 +67,16 @@ std::vector<std::size_t> shuffled(std::size_t count, Rng& rng) {
   return order;
 }
 
-/// Mean direction and spreading at one frequency.
-struct Heading {
-  double from_direction_deg = 0;
-  double spreading_s = 0;
-};
-
-template <typename HeadingAt>
-void add_waves(SeaComponents& sea, const std::vector<VarianceShare>& shares, HeadingAt heading_at,
-               const WaveWater& water, FrequencyFrame frame, Streams& streams) {
+void add_waves(SeaComponents& sea, const std::vector<VarianceShare>& shares,
+               const WavePartition& partition, const WaveWater& water, FrequencyFrame frame,
+               Streams& streams) {
   const std::vector<std::size_t> strata = shuffled(shares.size(), streams.directions);
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    const Heading heading = heading_at(shares[i].frequency_rad_s);
     const double probability = (static_cast<double>(strata[i]) + streams.directions.uniform()) /
                                static_cast<double>(shares.size());
     // The turn is symmetric, so that compass and mathematical sense give the same sea.
-    const double turn = spreading_quantile_rad(heading.spreading_s, probability);
-    const double from_deg = heading.from_direction_deg + Angle::from_radians(turn).degrees();
+    const double turn = spreading_quantile_rad(partition.spreading_s, probability);
+    const double from_deg = partition.from_direction_deg + Angle::from_radians(turn).degrees();
     const auto wave =
         wave_component(std::sqrt(2.0 * shares[i].variance_m2), shares[i].frequency_rad_s, frame,
                        from_deg, streams.phases.uniform(0.0, 2.0 * pi), water);
@@ -136,27 +119,6 @@ std::vector<std::size_t> counts_by_height(const std::vector<WavePartition>& part
   return counts;
 }
 
-/// The nearest band, in frequency, that has a direction.
-Heading heading_at(const DirectionalSpectrum& spectrum, double frequency_hz) {
-  std::optional<std::size_t> nearest;
-  const auto away = [&](std::size_t i) {
-    return std::abs(spectrum.frequency_hz[i] - frequency_hz);
-  };
-  for (std::size_t i = 0; i < spectrum.bands(); ++i) {
-    const bool known =
-        std::isfinite(spectrum.from_direction_deg[i]) && std::isfinite(spectrum.first_moment[i]);
-    if (known && (!nearest || away(i) < away(*nearest))) nearest = i;
-  }
-  if (!nearest) {
-    throw Error(ErrorKind::invalid_input,
-                "the spectrum has no direction at any frequency, expected alpha1 and r1 in one "
-                "band or more; describe this sea by partitions with directions instead");
-  }
-  // Sampling noise takes r1 up to 1, a spread that no sea has; 0.999 is 2.6 degrees.
-  const double r1 = std::clamp(spectrum.first_moment[*nearest], 0.0, 0.999);
-  return {spectrum.from_direction_deg[*nearest], spreading_of_first_moment(r1)};
-}
-
 }  // namespace
 
 SeaComponents components_of(const PartitionedSea& sea, const WaveWater& water,
@@ -174,31 +136,11 @@ SeaComponents components_of(const PartitionedSea& sea, const WaveWater& water,
   for (std::size_t i = 0; i < partitions.size(); ++i) {
     const WavePartition& p = partitions[i];
     const double variance = p.significant_height_m * p.significant_height_m / 16.0;
-    add_waves(
-        result, shares_of(table_of(p.spectrum()), variance, counts[i], streams.frequencies),
-        [&](double) {
-          return Heading{p.from_direction_deg, p.spreading_s};
-        },
-        water, choice.frame, streams);
+    add_waves(result, shares_of(table_of(p.spectrum()), variance, counts[i], streams.frequencies),
+              p, water, choice.frame, streams);
   }
   const double height_m = sea.significant_height_m();
   expect_little_blocked(result, height_m * height_m / 16.0, water);
-  return result;
-}
-
-SeaComponents components_of(const DirectionalSpectrum& spectrum, const WaveWater& water,
-                            std::uint64_t run_seed, const ComponentChoice& choice) {
-  expects(choice.count >= least_share, "a sea needs eight sinusoids or more");
-  const double height_m = summary_of(spectrum).significant_height_m;
-  SeaComponents result;
-  if (!(height_m > 0)) return result;
-  Streams streams(run_seed);
-  const double variance = height_m * height_m / 16.0;
-  add_waves(
-      result, shares_of(table_of(spectrum), variance, choice.count, streams.frequencies),
-      [&](double omega) { return heading_at(spectrum, omega / (2.0 * pi)); }, water, choice.frame,
-      streams);
-  expect_little_blocked(result, variance, water);
   return result;
 }
 

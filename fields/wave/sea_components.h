@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "fields/wave/directional_spectrum.h"
 #include "fields/wave/sea_state.h"
 #include "fields/wave/wave_component.h"
 
@@ -35,15 +34,5 @@ struct SeaComponents {
 [[nodiscard]] SeaComponents components_of(const PartitionedSea& sea, const WaveWater& water,
                                           std::uint64_t run_seed,
                                           const ComponentChoice& choice = {});
-
-/// The same for a measured spectrum: linear between its bands, the variance that of its bands; the
-/// direction and r1 (as cos^2s) of the nearest band that has them. Such frequencies are absolute
-/// unless the choice says otherwise.
-///
-/// Throws Error(invalid_input) where no band has a direction, or as above.
-[[nodiscard]] SeaComponents components_of(const DirectionalSpectrum& spectrum,
-                                          const WaveWater& water, std::uint64_t run_seed,
-                                          const ComponentChoice& choice = {
-                                              .frame = FrequencyFrame::absolute});
 
 }  // namespace slackwater

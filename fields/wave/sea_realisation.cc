@@ -99,9 +99,4 @@ SeaRealisation realise(const PartitionedSea& sea, const WaveWater& water, std::u
   return {components_of(sea, water, run_seed, choice).waves, water, epoch};
 }
 
-SeaRealisation realise(const DirectionalSpectrum& spectrum, const WaveWater& water,
-                       std::uint64_t run_seed, UtcTime epoch, const ComponentChoice& choice) {
-  return {components_of(spectrum, water, run_seed, choice).waves, water, epoch};
-}
-
 }  // namespace slackwater

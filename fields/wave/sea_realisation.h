@@ -59,14 +59,8 @@ class SeaRealisation {
   std::vector<double> packed_;  ///< the arrays of SeaKernelWaves, one after the other
 };
 
-/// A sea from partitions, or from a measured spectrum, and a seed: `components_of` put to use.
-/// Throws as that does.
+/// A sea from partitions and a seed: `components_of` put to use. Throws as that does.
 [[nodiscard]] SeaRealisation realise(const PartitionedSea& sea, const WaveWater& water,
                                      std::uint64_t run_seed, UtcTime epoch,
                                      const ComponentChoice& choice = {});
-[[nodiscard]] SeaRealisation realise(const DirectionalSpectrum& spectrum, const WaveWater& water,
-                                     std::uint64_t run_seed, UtcTime epoch,
-                                     const ComponentChoice& choice = {
-                                         .frame = FrequencyFrame::absolute});
-
 }  // namespace slackwater

@@ -8,7 +8,6 @@
 namespace slackwater {
 namespace {
 
-using constants::gravity_m_s2;
 using constants::pi;
 
 constexpr double lowest_over_peak = 0.2;
@@ -57,12 +56,6 @@ JonswapSpectrum jonswap_spectrum(double significant_height_m, double peak_period
   return {significant_height_m, peak_period_s, gamma, 1.0 / (16.0 * unit_m0)};
 }
 
-JonswapSpectrum pierson_moskowitz_spectrum(double significant_height_m, double peak_period_s) {
-  return jonswap_spectrum(significant_height_m, peak_period_s, 1.0);
-}
-
-double dnv_normalisation(double gamma) { return 1.0 - 0.287 * std::log(gamma); }
-
 double dnv_gamma(double significant_height_m, double peak_period_s) {
   expects(significant_height_m > 0 && peak_period_s > 0,
           "gamma needs a height and a period above 0");
@@ -73,7 +66,6 @@ double dnv_gamma(double significant_height_m, double peak_period_s) {
 }
 
 double SpectralMoments::significant_height_m() const noexcept { return 4.0 * std::sqrt(m0); }
-double SpectralMoments::tm01_s() const noexcept { return 2.0 * pi * m0 / m1; }
 double SpectralMoments::tm02_s() const noexcept { return 2.0 * pi * std::sqrt(m0 / m2); }
 double SpectralMoments::energy_period_s() const noexcept { return 2.0 * pi * m_1 / m0; }
 
@@ -83,13 +75,6 @@ SpectralMoments moments_of(const JonswapSpectrum& spectrum) {
   add_moments(spectrum, lowest_over_peak * peak, peak, sum);
   add_moments(spectrum, peak, highest_over_peak * peak, sum);
   return sum;
-}
-
-JonswapSpectrum fully_developed_spectrum(double wind_speed_at_19_5_m_m_s) {
-  expects(wind_speed_at_19_5_m_m_s > 0, "a sea is raised by a wind above 0");
-  const double u = wind_speed_at_19_5_m_m_s;
-  return pierson_moskowitz_spectrum(0.21 * u * u / gravity_m_s2,
-                                    2.0 * pi * u / (0.877 * gravity_m_s2));
 }
 
 }  // namespace slackwater

@@ -24,13 +24,6 @@ struct JonswapSpectrum {
 /// 10, else a contract violation. Cost: some 4 000 exponentials.
 [[nodiscard]] JonswapSpectrum jonswap_spectrum(double significant_height_m, double peak_period_s,
                                                double gamma);
-[[nodiscard]] JonswapSpectrum pierson_moskowitz_spectrum(double significant_height_m,
-                                                         double peak_period_s);
-
-/// A = 1 - 0.287 ln gamma, the published fit: Hs is 0.12 % off for gamma 1 to 5, -0.9 % at 7.
-/// Source: DNV-RP-C205, 3.5.5.5.
-[[nodiscard]] double dnv_normalisation(double gamma);
-
 /// gamma where only Hs and Tp are known: 5 up to Tp/sqrt(Hs) = 3.6, 1 from 5 on, between them
 /// exp(5.75 - 1.15 Tp/sqrt(Hs)).  Hs > 0, Tp > 0.  Source: DNV-RP-C205, 3.5.5.5.
 [[nodiscard]] double dnv_gamma(double significant_height_m, double peak_period_s);
@@ -44,14 +37,9 @@ struct SpectralMoments {
   double m2 = 0;
 
   [[nodiscard]] double significant_height_m() const noexcept;  ///< 4 sqrt(m0)
-  [[nodiscard]] double tm01_s() const noexcept;                ///< 2 pi m0/m1
   [[nodiscard]] double tm02_s() const noexcept;           ///< 2 pi sqrt(m0/m2), zero upcrossing
   [[nodiscard]] double energy_period_s() const noexcept;  ///< Tm-10 = 2 pi m-1/m0
 };
 [[nodiscard]] SpectralMoments moments_of(const JonswapSpectrum& spectrum);
-
-/// Height and period of a sea that the wind can raise no further: Hs = 0.21 U^2/g, omega_p = 0.877
-/// g/U, U the wind 19.5 m above the sea, > 0.  Source: Pierson & Moskowitz (1964).
-[[nodiscard]] JonswapSpectrum fully_developed_spectrum(double wind_speed_at_19_5_m_m_s);
 
 }  // namespace slackwater

@@ -49,11 +49,6 @@ double circular_spread_rad(double s) {
   return std::sqrt(2.0 / (s + 1.0));
 }
 
-double spreading_of_first_moment(double r1) {
-  expects(r1 >= 0 && r1 < 1, "a first moment lies in [0, 1)");
-  return r1 / (1.0 - r1);
-}
-
 double spreading_quantile_rad(double s, double probability) {
   expects(probability >= 0 && probability <= 1, "a probability lies in [0, 1]");
   constexpr std::size_t cells = 512;

@@ -20,9 +20,6 @@ namespace slackwater {
 [[nodiscard]] double spreading_second_moment(double s);
 /// Circular standard deviation sqrt(2(1 - r1)) = sqrt(2/(s+1)), rad (Kuik et al. 1988).
 [[nodiscard]] double circular_spread_rad(double s);
-/// The s whose first moment is r1 in [0, 1): r1/(1 - r1).
-[[nodiscard]] double spreading_of_first_moment(double r1);
-
 /// The angle below which the share `probability` of the energy lies, in [-pi, pi], by a table of
 /// 512 cells over eight standard deviations: good to 1e-3 of the spread, for drawing directions.
 [[nodiscard]] double spreading_quantile_rad(double s, double probability);

@@ -1,7 +1,6 @@
 #pragma once
 #include "fields/base/random.h"
 #include "fields/wind/gust.h"
-#include "fields/wind/kaimal_spectrum.h"
 
 namespace slackwater {
 

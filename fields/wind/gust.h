@@ -13,6 +13,9 @@ struct Gust {
   bool operator==(const Gust&) const = default;
 };
 
+/// The axes of a gust: along the mean wind, across it to its left, up.
+enum class GustAxis { along, across, up };
+
 /// The gust as a vector, m/s, towards. In a calm, which has no direction, along is east.
 [[nodiscard]] inline Vector3<Enu> gust_in_enu(const Gust& gust, Horizontal mean_wind_m_s) {
   const double speed_m_s = std::abs(mean_wind_m_s);

@@ -88,9 +88,4 @@ double Turbine::power_w(double speed_m_s) const noexcept {
   return power > rated_power_w ? rated_power_w : power;
 }
 
-double yaw_power_ratio(Angle yaw) noexcept {
-  constexpr double exponent = 1.88;
-  return std::pow(std::max(0.0, std::cos(yaw.radians())), exponent);
-}
-
 }  // namespace slackwater

@@ -53,8 +53,4 @@ class Turbine {
   std::vector<double> thrust_coefficient_;
 };
 
-/// What a rotor turned out of the wind keeps of its power, cos(yaw)^1.88 (FLORIS, for the NREL
-/// 5 MW); 0 from a right angle on. The wakes here are those of unyawed rotors.
-[[nodiscard]] double yaw_power_ratio(Angle yaw) noexcept;
-
 }  // namespace slackwater

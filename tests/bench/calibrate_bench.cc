@@ -1,5 +1,5 @@
 // One column-day (24 hourly means x 35 levels) calibrated with covariance, steady and unsteady; the
-// same least squares in scipy; a thousand columns; and the batch evaluation of the steady column.
+// same least squares in scipy; a thousand columns; and the responses of the steady column.
 // All answers are verified before any time is printed; a wrong answer ends with exit code 1.
 #include <algorithm>
 #include <chrono>
@@ -10,7 +10,7 @@
 
 #include "calibration/solve/calibration.h"
 #include "fields/base/random.h"
-#include "fields/current/kernel_dispatch.h"
+#include "fields/current/steady_column.h"
 #include "fields/current/stress_series.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/unsteady_calibration.h"
@@ -101,34 +101,13 @@ void bench_calibration(BenchReport& report, const char* name, bool with_memory) 
   report.figure({"  its processor time, mean", "ms", {cpu_ms}, std::nullopt, ""});
 }
 
-void bench_evaluation(BenchReport& report) {
-  constexpr std::size_t levels = 50;
-  constexpr std::size_t times = 2000;
-  std::vector<double> depths(levels);
-  for (std::size_t k = 0; k < levels; ++k) depths[k] = static_cast<double>(k);
+void bench_responses(BenchReport& report) {
+  std::vector<double> depths(50);
+  for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = static_cast<double>(k);
   const SteadyParameters parameters;
   const Angle latitude = Angle::from_degrees(54.0);
   const LevelResponses responses =
       level_responses(SteadyForm::finite_depth, parameters, latitude, 60.0, depths);
-  std::vector<Horizontal> stress(times);
-  for (std::size_t t = 0; t < times; ++t)
-    stress[t] = std::polar(0.2, 0.01 * static_cast<double>(t));
-  std::vector<Horizontal> reference(times * levels);
-  evaluate_steady_on(KernelPath::baseline, responses, {0.1, 0.2}, stress, reference);
-  std::vector<Horizontal> out(times * levels);
-  for (const KernelPath path : supported_kernel_paths()) {
-    std::vector<double> ns;
-    for (int i = 0; i < repeats; ++i) {
-      const auto from = std::chrono::steady_clock::now();
-      evaluate_steady_on(path, responses, {0.1, 0.2}, stress, out);
-      ns.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - from)
-                       .count() /
-                   static_cast<double>(times));
-    }
-    const std::string name = "steady column, 50 levels, " + std::string(name_of(path));
-    report.answer(name, out == reference, "bits of the baseline path");
-    report.figure({name, "ns", ns, std::nullopt, "a profile"});
-  }
   std::vector<double> us;
   for (int i = 0; i < repeats; ++i) {
     const auto from = std::chrono::steady_clock::now();
@@ -150,6 +129,6 @@ int main(int argc, char** argv) {
   bench_unsteady_day(report);
   bench_against_scipy(report);
   bench_thousand_columns(report);
-  bench_evaluation(report);
+  bench_responses(report);
   return report.exit_code();
 }

@@ -16,10 +16,10 @@
 #include <memory>
 #include <string>
 
-#include "calibration/profile/fit_profile.h"
 #include "fields/base/random.h"
 #include "tests/bench/bench_report.h"
-#include "tests/scenarios/published_profiles.h"
+#include "tests/published/fit_profile.h"
+#include "tests/published/published_profiles.h"
 #include "tests/support/own_autopilot.h"
 #include "tests/support/shared_data.h"
 #include "twin/control/patterns.h"

@@ -51,7 +51,8 @@ TEST(LayerOfDays, TheTemperaturesOfAnAugustAreReadWhereNoDepthIsStated) {
   calibration::ForecastPlan plan;
   plan.day = day;
   plan.issued = plan.end_of_day();
-  const calibration::LayerOfDays layer = calibration::layer_of_days(data.columns.front(), plan);
+  const calibration::LayerOfDays layer =
+      calibration::layer_of_days(calibration::layer_record(data.columns.front(), plan), plan.day);
   ASSERT_EQ(layer.size(), 4U) << "14 to 17 August";
   for (std::size_t d = 0; d < 4; ++d) {
     const auto figure = layer.at(parse_day("2023-08-14") + std::chrono::days(static_cast<int>(d)));

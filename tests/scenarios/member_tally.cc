@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <numeric>
 
-#include "calibration/skill/ensemble_score.h"
+#include "calibration/skill/predictive.h"
+#include "tests/scenarios/ensemble_score.h"
 
 namespace slackwater::tests {
 namespace {
@@ -55,7 +56,7 @@ void add_component(const Place& at, std::size_t o, Horizontal truth, int compone
   tally.n += 1;
   tally.held_normal += std::abs(y - centre) <= normal_p90 * sigma ? 1 : 0;
   tally.held_members += below >= 0.1 && below <= 0.9 ? 1 : 0;
-  tally.crps_normal += calibration::normal_crps(centre, sigma, y);
+  tally.crps_normal += calibration::score_of_normal(centre, sigma, y).crps;
   tally.crps_members += crps;
   tally.square += (y - centre) * (y - centre);
   tally.sigma_square += sigma * sigma;

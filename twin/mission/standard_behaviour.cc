@@ -44,8 +44,6 @@ const LeafNames& conduct_leaves() {
   return names;
 }
 
-std::string_view standard_behaviour_yaml() { return yaml; }
-
 const BehaviourTree& standard_behaviour() {
   static const BehaviourTree tree =
       read_behaviour_tree(Config::parse(yaml, "standard behaviour"), conduct_leaves());

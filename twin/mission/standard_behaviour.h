@@ -28,7 +28,5 @@ enum class ConductCondition {
 /// way home runs short, a thruster is lost or the carrier that its line hangs from turns for home,
 /// it comes home, and whoever has turned for home does not turn back.
 [[nodiscard]] const BehaviourTree& standard_behaviour();
-/// The same as YAML, for logs and for who wants to write another.
-[[nodiscard]] std::string_view standard_behaviour_yaml();
 
 }  // namespace slackwater::twin

@@ -38,9 +38,6 @@ struct YearDate {
 struct DayHours {
   std::chrono::minutes from{0};
   std::chrono::minutes to{24 * 60};
-  [[nodiscard]] constexpr bool is_whole_day() const noexcept {
-    return from == std::chrono::minutes(0) && to == std::chrono::hours(24);
-  }
   /// @param minute  of the day, 0 to 1439
   [[nodiscard]] constexpr bool holds(std::chrono::minutes minute) const noexcept {
     return from < to ? minute >= from && minute < to : minute >= from || minute < to;

@@ -1,8 +1,14 @@
 #pragma once
-#include "twin/control/line_of_sight.h"
 #include "twin/traffic/track.h"
 
 namespace slackwater::twin {
+
+/// Where to head and how fast, for the autopilots of a vehicle.
+struct Heading {
+  double yaw_rad = 0;    ///< clockwise from north
+  double speed_m_s = 0;  ///< through the water
+  double depth_m = 0;
+};
 
 /// Follows a track in time: over ground
 ///

@@ -260,18 +260,16 @@ TEST(DayParts, ABrokenRehearsalLeavesOurOwnForecast) {
 
 TEST(DayParts, ABlendThatBreaksHalfWayLeavesTheColumnAsItWas) {
   DayParts unblended;
-  unblended.blend = [](ForecastColumn& column, const ColumnData& data,
-                       const Chosen<Horizontal>& known, const FittedTide& tide,
+  unblended.blend = [](ForecastColumn& column, const ColumnData& data, const KnownColumn& known,
                        const ForecastPlan& plan, const Earned& earned) {
-    if (!is_first(data)) issue_blend(column, data, known, tide, plan, earned);
+    if (!is_first(data)) issue_blend(column, data, known, plan, earned);
   };
   const DailyForecast expected = forecast_with(unblended);
   for (const auto& how : breaks) {
     DayParts parts;
-    parts.blend = [&](ForecastColumn& column, const ColumnData& data,
-                      const Chosen<Horizontal>& known, const FittedTide& tide,
+    parts.blend = [&](ForecastColumn& column, const ColumnData& data, const KnownColumn& known,
                       const ForecastPlan& plan, const Earned& earned) {
-      issue_blend(column, data, known, tide, plan, earned);
+      issue_blend(column, data, known, plan, earned);
       if (is_first(data)) how();
     };
     const DailyForecast made = forecast_with(parts);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "calibration/day/known_currents.h"
+#include "calibration/day/methods.h"
 #include "tests/support/known_series_for_tests.h"
 #include "tests/support/reference_profile.h"
 
@@ -32,6 +33,11 @@ ForecastPlan plan_to(int lead_h) {
   plan.depth_m = depth_m;
   for (int h = 0; h <= lead_h; ++h) plan.stamps.push_back(end_of_day + hours(h));
   return plan;
+}
+
+/// With a record that holds no tide.
+KnownColumn known_column(const ColumnData& data, const ForecastPlan& plan) {
+  return {known_currents(data, plan).record, {}, known_provider(data, plan)};
 }
 
 /// What the sea did: every hour and depth its own value.
@@ -79,7 +85,7 @@ ForecastColumn issued(const ColumnData& data, const std::map<Method, double>& we
                       double scale = 1, int lead_h = 24) {
   const ForecastPlan plan = plan_to(lead_h);
   ForecastColumn column = own_forecast(plan);
-  issue_blend(column, data, known_currents(data, plan), {}, plan, earned(weight, scale));
+  issue_blend(column, data, known_column(data, plan), plan, earned(weight, scale));
   return column;
 }
 
@@ -128,7 +134,7 @@ TEST(IssueBlend, IdenticalCandidatesBlendToThemselves) {
   const ForecastPlan plan = plan_to(24);
   ForecastColumn column = own_forecast(plan);
   std::fill(column.current_m_s.begin(), column.current_m_s.end(), everywhere);
-  issue_blend(column, sea.data, known_currents(sea.data, plan), {}, plan,
+  issue_blend(column, sea.data, known_column(sea.data, plan), plan,
               earned({{Method::forecast, 0.37},
                       {Method::persistence, 0.21},
                       {Method::day_mean, 0.13},
@@ -202,7 +208,7 @@ TEST(IssueBlend, WeightsPassSmoothlyFromOneDayOfLeadToTheNext) {
                    earned({{Method::forecast, 0.5}, {Method::persistence, 0.5}}).blend};
   const ForecastColumn own = own_forecast(plan);
   ForecastColumn column = own;
-  issue_blend(column, sea.data, known_currents(sea.data, plan), {}, plan, weights);
+  issue_blend(column, sea.data, known_column(sea.data, plan), plan, weights);
   const std::map<int, double> of_persistence{{0, 0},     {12, 0},   {24, 0.5}, {36, 1},
                                              {48, 0.75}, {60, 0.5}, {72, 0.5}};
   for (const auto& [h, weight] : of_persistence) {
@@ -239,7 +245,7 @@ TEST(IssueBlend, EachDayOfLeadHasItsOwnFactorWithoutAJump) {
   Earned past = earned({{Method::forecast, 1.0}}, 0.9);
   past.spread.later = {{1.3, 5, 0.7}, {1.1, 5, 0.75}};
   ForecastColumn column = own;
-  issue_blend(column, sea.data, known_currents(sea.data, plan), {}, plan, past);
+  issue_blend(column, sea.data, known_column(sea.data, plan), plan, past);
   const auto factor = [&](std::size_t hour) {
     return column.current_sigma_m_s[hour * levels] / own.current_sigma_m_s[hour * levels];
   };
@@ -286,7 +292,7 @@ TEST(IssueBlend, WhatHasNoValueIsGivenNone) {
     column.current_m_s[t * levels + 1] = {};
   }
   const std::vector<SampleStatus> status = column.current_status;
-  issue_blend(column, sea.data, known_currents(sea.data, plan), {}, plan,
+  issue_blend(column, sea.data, known_column(sea.data, plan), plan,
               earned({{Method::persistence, 1.0}}));
   EXPECT_EQ(column.current_status, status);
   for (std::size_t t = 0; t < plan.stamps.size(); ++t)
@@ -320,7 +326,7 @@ TEST(IssueBlend, TheSlabOfAPersistedWindSeesNoWindAfterTheDay) {
     ForecastPlan plan = plan_to(24);
     plan.wind = WindPolicy::persist;
     ForecastColumn column = own_forecast(plan);
-    issue_blend(column, data, known_currents(data, plan), {}, plan,
+    issue_blend(column, data, known_column(data, plan), plan,
                 earned({{Method::reference_slab, 1.0}}));
     return column.current_m_s;
   };
@@ -331,7 +337,7 @@ TEST(IssueBlend, TheSlabOfAPersistedWindSeesNoWindAfterTheDay) {
 std::vector<Method> available(const ColumnData& data) {
   const ForecastPlan plan = plan_to(24);
   const std::vector<bool> found =
-      available_candidates(own_forecast(plan), data, known_currents(data, plan), {}, plan);
+      available_candidates(own_forecast(plan), data, known_column(data, plan), plan);
   const std::vector<Method> methods = candidate_methods();
   EXPECT_EQ(found.size(), methods.size());
   std::vector<Method> result;

@@ -70,7 +70,7 @@ void expect_same(const Chosen<Horizontal>& a, const Chosen<Horizontal>& b) {
 
 TEST(KnownCurrents, AProductAloneIsReturnedAsItIsUpToTheEndOfTheDay) {
   const KnownSeriesForTests sea = product_alone();
-  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("model"));
+  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("model")).record;
   ASSERT_EQ(known.column.times(), 4 * 24 + 1u) << "24:00 belongs to the day";
   ASSERT_EQ(known.origin.size(), known.column.times());
   for (std::size_t t = 0; t < known.column.times(); ++t) {
@@ -79,19 +79,19 @@ TEST(KnownCurrents, AProductAloneIsReturnedAsItIsUpToTheEndOfTheDay) {
                 water(known.column.time[t].centre(), product_depth_m[k]));
     }
   }
-  EXPECT_TRUE(remarks_on_record(sea.data, plan_of("model")).notes.empty());
-  EXPECT_TRUE(known_currents(sea.data, plan_of("unheard of")).empty());
+  EXPECT_TRUE(known_currents(sea.data, plan_of("model")).remarks.notes.empty());
+  EXPECT_TRUE(known_currents(sea.data, plan_of("unheard of")).record.empty());
 }
 
 TEST(KnownCurrents, NothingAfterTheEndOfTheDayIsUsed) {
   for (const std::string dataset : {"model", "Buoy"}) {
     const KnownSeriesForTests sea = product_and_station({0.1, 0.05});
-    const Chosen<Horizontal> known = known_currents(sea.data, plan_of(dataset));
+    const Chosen<Horizontal> known = known_currents(sea.data, plan_of(dataset)).record;
     ColumnData spoilt = sea.data;
     spoil_all_after(spoilt, end_of_day);
-    expect_same(known_currents(spoilt, plan_of(dataset)), known);
+    expect_same(known_currents(spoilt, plan_of(dataset)).record, known);
     spoil_all_after(spoilt, end_of_day - Duration(1));
-    EXPECT_NE(known_currents(spoilt, plan_of(dataset)).column.value, known.column.value)
+    EXPECT_NE(known_currents(spoilt, plan_of(dataset)).record.column.value, known.column.value)
         << "24:00 is used";
   }
 }
@@ -105,7 +105,7 @@ TEST(KnownCurrents, ADayThatIsOnlyForecastIsTheNewestForecastThatWasIssued) {
   run(UtcTime(day) - hours(12), 1);
   run(UtcTime(day), 2);
   run(end_of_day + hours(6), 3);
-  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("model"));
+  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("model")).record;
   ASSERT_EQ(known.column.times(), 25u) << "the sea is known up to the end of D, forecast or not";
   EXPECT_EQ(known.column.value, std::vector<Horizontal>(25, Horizontal(2, 0)));
   EXPECT_EQ(known.column.source.front(), DataStatus::forecast);
@@ -114,7 +114,7 @@ TEST(KnownCurrents, ADayThatIsOnlyForecastIsTheNewestForecastThatWasIssued) {
 TEST(KnownCurrents, ASurfaceProductWithoutADepthSpeaksOfTheSurface) {
   KnownSeriesForTests sea;
   sea.current(analysis_of("radar"), hourly_around_the_day(), {}, water);
-  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("radar"));
+  const Chosen<Horizontal> known = known_currents(sea.data, plan_of("radar")).record;
   EXPECT_EQ(known.column.levels_m, std::vector<double>{0.0});
   EXPECT_EQ(known.column.vertical, VerticalKind::depth_m);
 }
@@ -125,8 +125,8 @@ std::vector<double> shares(double distance_m) {
   const Horizontal more(0.12, -0.07);
   const KnownSeriesForTests alone = product_alone();
   const KnownSeriesForTests both = product_and_station(more, distance_m, {10});
-  const VectorColumn product = known_currents(alone.data, plan_of("model")).column;
-  const VectorColumn fused = known_currents(both.data, plan_of("model")).column;
+  const VectorColumn product = known_currents(alone.data, plan_of("model")).record.column;
+  const VectorColumn fused = known_currents(both.data, plan_of("model")).record.column;
   EXPECT_EQ(fused.time, product.time);
   EXPECT_EQ(fused.levels_m, product.levels_m);
   std::vector<double> share;
@@ -160,28 +160,28 @@ TEST(KnownCurrents, TheNearerTheInstrumentTheMoreItCounts) {
 TEST(KnownCurrents, AnInstrumentOutOfReachChangesNothing) {
   const KnownSeriesForTests alone = product_alone();
   const KnownSeriesForTests both = product_and_station({0.1, 0}, FusionSettings{}.farthest_m + 1);
-  EXPECT_EQ(known_currents(both.data, plan_of("model")).column.value,
-            known_currents(alone.data, plan_of("model")).column.value);
-  EXPECT_TRUE(remarks_on_record(both.data, plan_of("model")).notes.empty());
+  EXPECT_EQ(known_currents(both.data, plan_of("model")).record.column.value,
+            known_currents(alone.data, plan_of("model")).record.column.value);
+  EXPECT_TRUE(known_currents(both.data, plan_of("model")).remarks.notes.empty());
 }
 
 TEST(KnownCurrents, AllInstrumentsInReachAreFusedAndNamedTheNearestFirst) {
   KnownSeriesForTests sea = product_and_station({0.1, 0}, 3000);
   sea.current(station_of("Nearer"), hourly_around_the_day(), {8}, water, 1200);
-  EXPECT_EQ(remarks_on_record(sea.data, plan_of("model")).notes,
+  EXPECT_EQ(known_currents(sea.data, plan_of("model")).remarks.notes,
             (std::vector<std::string>{"fused with station Nearer at 1.2 km",
                                       "fused with station Buoy at 3.0 km"}));
   std::set<std::string> used;
-  for (const Origin* origin : known_currents(sea.data, plan_of("model")).origin)
+  for (const Origin* origin : known_currents(sea.data, plan_of("model")).record.origin)
     used.insert(origin->dataset);
   EXPECT_EQ(used, (std::set<std::string>{"model", "Nearer", "Buoy"}))
       << "a number that is served can name its source";
-  EXPECT_TRUE(remarks_on_record(sea.data, plan_of("model")).troubles.empty());
+  EXPECT_TRUE(known_currents(sea.data, plan_of("model")).remarks.troubles.empty());
 }
 
 /// The root mean square error of the record on D against the water.
 double error_on_the_day(const KnownSeriesForTests& sea) {
-  const VectorColumn known = known_currents(sea.data, plan_of("model")).column;
+  const VectorColumn known = known_currents(sea.data, plan_of("model")).record.column;
   double squares = 0;
   double count = 0;
   for (std::size_t t = 0; t < known.times(); ++t) {
@@ -218,21 +218,21 @@ TEST(KnownCurrents, TwoInstrumentsAreBetterThanEitherAndTheFarOneDoesNotDrownThe
 TEST(KnownCurrents, AnInstrumentThatLiesIsLeftOutNamedAndATrouble) {
   const KnownSeriesForTests alone = product_alone();
   KnownSeriesForTests sea = product_and_station({1, 0});
-  EXPECT_EQ(known_currents(sea.data, plan_of("model")).column.value,
-            known_currents(alone.data, plan_of("model")).column.value);
-  const auto notes = remarks_on_record(sea.data, plan_of("model")).notes;
+  EXPECT_EQ(known_currents(sea.data, plan_of("model")).record.column.value,
+            known_currents(alone.data, plan_of("model")).record.column.value);
+  const auto notes = known_currents(sea.data, plan_of("model")).remarks.notes;
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(notes[0].find("station Buoy at 2.1 km is not used: it differs from the product by 1.00 "
                           "m/s on average over 4.0 days, where "),
             0U)
       << notes[0];
-  const auto troubles = remarks_on_record(sea.data, plan_of("model")).troubles;
+  const auto troubles = known_currents(sea.data, plan_of("model")).remarks.troubles;
   ASSERT_EQ(troubles.size(), 1U);
   EXPECT_EQ(troubles[0].station, "Buoy");
   EXPECT_EQ(troubles[0].clause, notes[0]);
   // An honest one beside it is used all the same.
   sea.current(station_of("Honest"), hourly_around_the_day(), {8}, water, 3000);
-  EXPECT_EQ(remarks_on_record(sea.data, plan_of("model")).notes.back(),
+  EXPECT_EQ(known_currents(sea.data, plan_of("model")).remarks.notes.back(),
             "fused with station Honest at 3.0 km");
 }
 
@@ -244,7 +244,7 @@ TEST(KnownCurrents, OneThatEndedLongBeforeIsNotSaidToBeFused) {
     sea.current(station_of("Buoy"),
                 instants(UtcTime(day) - days(9), end_of_day - hours(hours_before)), {8, 12}, water,
                 2100);
-    const auto notes = remarks_on_record(sea.data, plan_of("model")).notes;
+    const auto notes = known_currents(sea.data, plan_of("model")).remarks.notes;
     const auto expected =
         is_used ? std::vector<std::string>{"fused with station Buoy at 2.1 km",
                                            "station Buoy at 2.1 km: its last good value is 30 h "
@@ -252,10 +252,10 @@ TEST(KnownCurrents, OneThatEndedLongBeforeIsNotSaidToBeFused) {
                 : std::vector<std::string>{
                       "station Buoy at 2.1 km is not used: it ended 4.0 days before"};
     EXPECT_EQ(notes, expected);
-    EXPECT_TRUE(remarks_on_record(sea.data, plan_of("model")).troubles.empty())
+    EXPECT_TRUE(known_currents(sea.data, plan_of("model")).remarks.troubles.empty())
         << "late, not lying";
     std::set<std::string> used;
-    for (const Origin* origin : known_currents(sea.data, plan_of("model")).origin)
+    for (const Origin* origin : known_currents(sea.data, plan_of("model")).record.origin)
       used.insert(origin->dataset);
     EXPECT_EQ(used.contains("Buoy"), is_used);
   }
@@ -269,14 +269,14 @@ TEST(KnownCurrents, AnInstrumentThatIsStuckToTheEndIsATroubleThoughItsPastIsUsed
         return water(std::min(time, UtcTime(end_of_day - hours(48))), depth);
       },
       2100);
-  const auto notes = remarks_on_record(sea.data, plan_of("model")).notes;
+  const auto notes = known_currents(sea.data, plan_of("model")).remarks.notes;
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_EQ(notes[0], "fused with station Buoy at 2.1 km");
   EXPECT_EQ(
       notes[1],
       "station Buoy at 2.1 km: 2.0 days of a value that never changed left out; its last good "
       "value is 2.0 days before the end of the day");
-  ASSERT_EQ(remarks_on_record(sea.data, plan_of("model")).troubles.size(), 1U);
+  ASSERT_EQ(known_currents(sea.data, plan_of("model")).remarks.troubles.size(), 1U);
   EXPECT_LT(error_on_the_day(sea), 1e-9) << "the product is right, and nothing pulls it away";
 }
 
@@ -289,7 +289,7 @@ TEST(KnownCurrents, AStatedErrorChangesTheWeight) {
     sea.current(
         origin, hourly_around_the_day(), {10},
         [&](UtcTime time, double depth) { return water(time, depth) + more; }, 2100);
-    const VectorColumn fused = known_currents(sea.data, plan_of("model")).column;
+    const VectorColumn fused = known_currents(sea.data, plan_of("model")).record.column;
     const std::size_t o = fused.offset(fused.times() - 1, 2);
     return ((fused.value[o] - water(end_of_day, 10)) / more).real();
   };
@@ -309,17 +309,21 @@ TEST(KnownCurrents, ASeriesThatContradictsACoarserProductDoesNotLead) {
     return sea;
   };
   const UtcTime issued = end_of_day + hours(5);
-  EXPECT_EQ(trusted_dataset(sea_with({}).data, day, issued), "Buoy");
+  EXPECT_EQ(trusted_currents(sea_with({}).data, day, issued)->dataset, "Buoy");
+  EXPECT_FALSE(known_currents(sea_with({}).data, plan_of("Buoy")).is_contradicted);
   const KnownSeriesForTests lying = sea_with({1, 0.5});
-  EXPECT_EQ(trusted_dataset(lying.data, day, issued), "daily");
-  EXPECT_EQ(remarks_on_record(lying.data, plan_of("daily")).troubles.size(), 1U);
+  EXPECT_EQ(trusted_currents(lying.data, day, issued)->dataset, "daily");
+  EXPECT_EQ(known_currents(lying.data, plan_of("daily")).remarks.troubles.size(), 1U);
+  EXPECT_TRUE(known_currents(lying.data, plan_of("Buoy")).is_contradicted);
+  EXPECT_EQ(trusted_currents(lying.data, day, issued)->record.column.value,
+            known_currents(lying.data, plan_of("daily")).record.column.value);
 }
 
 TEST(KnownCurrents, AStationBesideAnotherWithoutAProductIsNamedAsNotUsed) {
   KnownSeriesForTests sea;
   sea.current(station_of("Buoy"), hourly_around_the_day(), {8}, water, 400);
   sea.current(station_of("Other"), hourly_around_the_day(), {8}, water, 3000);
-  EXPECT_EQ(remarks_on_record(sea.data, plan_of("Buoy")).notes,
+  EXPECT_EQ(known_currents(sea.data, plan_of("Buoy")).remarks.notes,
             (std::vector<std::string>{"currents of station Buoy at 0.4 km alone, no product",
                                       "station Other at 3.0 km is not used: no product is there to "
                                       "fuse it with"}));
@@ -333,7 +337,7 @@ TEST(KnownCurrents, WhereTheSeriesLeadsItsTimesAndDepthsAreKept) {
   sea.current(analysis_of("model"), means(UtcTime(day) - days(3), end_of_day, hours(24)), {1, 20},
               steady(coarse));
   sea.current(station_of("Buoy"), every_ten_minutes, {8, 30}, steady(fine), 2100);
-  const VectorColumn fused = known_currents(sea.data, plan_of("Buoy")).column;
+  const VectorColumn fused = known_currents(sea.data, plan_of("Buoy")).record.column;
   ASSERT_EQ(fused.time, every_ten_minutes);
   ASSERT_EQ(fused.levels_m, (std::vector<double>{8, 30}));
   for (std::size_t t = 0; t < fused.times(); ++t) {
@@ -344,18 +348,18 @@ TEST(KnownCurrents, WhereTheSeriesLeadsItsTimesAndDepthsAreKept) {
     EXPECT_EQ(fused.value[fused.offset(t, 1)], fine) << "below the product the series itself";
   }
   EXPECT_EQ(
-      remarks_on_record(sea.data, plan_of("Buoy")).notes,
+      known_currents(sea.data, plan_of("Buoy")).remarks.notes,
       std::vector<std::string>{"currents of station Buoy at 2.1 km fused with a coarser product"});
 }
 
 TEST(KnownCurrents, ASeriesWithoutAProductStandsAlone) {
   KnownSeriesForTests sea;
   sea.current(station_of("Buoy"), hourly_around_the_day(), {8}, water, 400);
-  const VectorColumn known = known_currents(sea.data, plan_of("Buoy")).column;
+  const VectorColumn known = known_currents(sea.data, plan_of("Buoy")).record.column;
   ASSERT_EQ(known.times(), 4 * 24 + 1u);
   for (std::size_t t = 0; t < known.times(); ++t)
     EXPECT_EQ(known.value[t], water(known.time[t].centre(), 8));
-  EXPECT_EQ(remarks_on_record(sea.data, plan_of("Buoy")).notes,
+  EXPECT_EQ(known_currents(sea.data, plan_of("Buoy")).remarks.notes,
             std::vector<std::string>{"currents of station Buoy at 0.4 km alone, no product"});
 }
 
@@ -363,9 +367,9 @@ TEST(KnownCurrents, TurningTheSeaTurnsTheRecord) {
   const Horizontal by = std::polar(1.0, 0.7);
   for (const std::string dataset : {"model", "Buoy"}) {
     KnownSeriesForTests sea = product_and_station({0.1, 0.05});
-    const VectorColumn straight = known_currents(sea.data, plan_of(dataset)).column;
+    const VectorColumn straight = known_currents(sea.data, plan_of(dataset)).record.column;
     turn(sea.data.current, by);
-    const VectorColumn turned = known_currents(sea.data, plan_of(dataset)).column;
+    const VectorColumn turned = known_currents(sea.data, plan_of(dataset)).record.column;
     ASSERT_EQ(turned.value.size(), straight.value.size());
     for (std::size_t i = 0; i < turned.value.size(); ++i)
       EXPECT_NEAR(std::abs(turned.value[i] - by * straight.value[i]), 0, 1e-12) << "rounding";
@@ -461,7 +465,7 @@ TEST(KnownCurrents, GapsStayGaps) {
                 return time == UtcTime(day) + hours(3) && depth > 6 ? Horizontal(nan, nan)
                                                                     : Horizontal(1, 0);
               });
-  const VectorColumn known = known_currents(sea.data, plan_of("model")).column;
+  const VectorColumn known = known_currents(sea.data, plan_of("model")).record.column;
   EXPECT_EQ(std::count(known.status.begin(), known.status.end(), SampleStatus::missing), 1);
   EXPECT_FALSE(known.has(3, 1));
 }

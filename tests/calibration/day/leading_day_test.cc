@@ -66,6 +66,15 @@ TEST(LeadingDay, WhereItIsLateItsLastGoodDayServes) {
   EXPECT_EQ(leading->day, day - days(2));
 }
 
+TEST(LeadingDay, SaysHowLongItsCurrentsWereAveraged) {
+  TwoProducts two(0);
+  EXPECT_EQ(leading_day(two.site(), {five_o_clock})->averaging, Duration(0));
+  KnownSeriesForTests sea;
+  sea.current(analysis_of("daily"), means(end_of_day - days(6), end_of_day, days(1)), {1, 5},
+              steady({0.1, 0.2}));
+  EXPECT_EQ(leading_day(site_of({sea.data}), {five_o_clock})->averaging, Duration(days(1)));
+}
+
 TEST(LeadingDay, WhereItIsSilentLongerAnotherStandsInUntilItIsForgotten) {
   for (const int silent : {3, 5, 7, 9}) {
     TwoProducts two(-silent);

@@ -111,11 +111,11 @@ TEST(StatedNoise, ThatTheValuesDoNotShowIsNoNoise) {
   // A stated error that lasts (a compass, a zero) cannot be averaged out: the values stand.
   const UnlikeOcean ocean(1, first_day, all_days);
   const KnownSeriesForTests known = moored(ocean, 0.005, 0.2);
-  const auto noise = known_currents(known.data, plan_of(first_day + days(17))).noise_m_s;
+  const auto noise = known_currents(known.data, plan_of(first_day + days(17))).record.noise_m_s;
   ASSERT_FALSE(noise.empty());
   for (const double one : noise) EXPECT_LT(one, 0.03);
   const KnownSeriesForTests silent = moored(ocean, 0.2, std::nullopt);
-  EXPECT_TRUE(known_currents(silent.data, plan_of(first_day + days(17))).noise_m_s.empty());
+  EXPECT_TRUE(known_currents(silent.data, plan_of(first_day + days(17))).record.noise_m_s.empty());
 }
 
 }  // namespace

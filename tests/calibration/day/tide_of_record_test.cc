@@ -86,7 +86,7 @@ TEST(TideOfRecord, WhatNobodySaysAnythingOfHoldsIt) {
   KnownSeriesForTests made;
   made.current(analysis_of("model"), instants(first, end_of_day), depth_m,
                [](UtcTime time, double) { return drift(time) + tide(time); });
-  const auto known = known_currents(made.data, plan_of("model"));
+  const auto known = known_currents(made.data, plan_of("model")).record;
   EXPECT_EQ(tide_since(known, day), UtcTime::min());
   EXPECT_LT(miss(tide_of_record(known, day, made.data.point.latitude)), 0.2)
       << "the drift is no noise to the fit";
@@ -96,7 +96,7 @@ TEST(TideOfRecord, ADetidedProductHasNoneHoweverMuchItLooksLikeOne) {
   KnownSeriesForTests made;
   made.current(detided(), instants(first, end_of_day), depth_m,
                [](UtcTime time, double) { return drift(time) + tide(time); });
-  const auto known = known_currents(made.data, plan_of("model"));
+  const auto known = known_currents(made.data, plan_of("model")).record;
   EXPECT_EQ(tide_since(known, day), std::nullopt);
   const FittedTide fitted = tide_of_record(known, day, made.data.point.latitude);
   EXPECT_TRUE(fitted.levels.empty());
@@ -106,7 +106,7 @@ TEST(TideOfRecord, ADetidedProductHasNoneHoweverMuchItLooksLikeOne) {
 
 TEST(TideOfRecord, AMeterThatLeadsHoldsItWhateverLiesBehind) {
   const KnownSeriesForTests made = sea(std::pair(first, end_of_day), hours(6));
-  const auto known = known_currents(made.data, plan_of("Meter"));
+  const auto known = known_currents(made.data, plan_of("Meter")).record;
   ASSERT_FALSE(known.empty());
   EXPECT_EQ(tide_since(known, day), UtcTime::min());
   EXPECT_LT(miss(tide_of_record(known, day, made.data.point.latitude)), 0.15);
@@ -115,7 +115,7 @@ TEST(TideOfRecord, AMeterThatLeadsHoldsItWhateverLiesBehind) {
 TEST(TideOfRecord, FusedWithAMeterTheTideIsThatOfTheMetersTime) {
   const UtcTime began = end_of_day - days(8);
   const KnownSeriesForTests made = sea(std::pair(began, end_of_day));
-  const auto known = known_currents(made.data, plan_of("model"));
+  const auto known = known_currents(made.data, plan_of("model")).record;
   const auto since = tide_since(known, day);
   ASSERT_TRUE(since);
   EXPECT_NEAR(hours_between(began, *since), 0, 2.5);
@@ -130,19 +130,19 @@ TEST(TideOfRecord, FusedWithAMeterTheTideIsThatOfTheMetersTime) {
 TEST(TideOfRecord, OfAMeterThatHasGoneNothingIsCarriedOn) {
   for (const Duration silent : {Duration(days(3)), Duration(hours(9))}) {
     const KnownSeriesForTests made = sea(std::pair(first, end_of_day - silent));
-    EXPECT_EQ(tide_since(known_currents(made.data, plan_of("model")), day), std::nullopt);
+    EXPECT_EQ(tide_since(known_currents(made.data, plan_of("model")).record, day), std::nullopt);
   }
 }
 
 TEST(TideOfRecord, ADayOfWhichPartLacksTheTideIsNoTidalDay) {
   const KnownSeriesForTests made = sea(std::pair(midnight + hours(10), end_of_day));
-  EXPECT_EQ(tide_since(known_currents(made.data, plan_of("model")), day), std::nullopt);
+  EXPECT_EQ(tide_since(known_currents(made.data, plan_of("model")).record, day), std::nullopt);
 }
 
 TEST(TideOfRecord, BaselinesThatCarryATideOnAreNoCandidatesOfADetidedRecord) {
   const auto methods_of = [](const KnownSeriesForTests& made) {
     const ForecastPlan plan = plan_of("model");
-    const auto known = known_currents(made.data, plan);
+    const auto known = known_currents(made.data, plan).record;
     Chosen<Horizontal> truth = known;
     truth.column.time.clear();
     for (std::size_t t = 0; t < known.column.times(); ++t)
@@ -151,7 +151,7 @@ TEST(TideOfRecord, BaselinesThatCarryATideOnAreNoCandidatesOfADetidedRecord) {
     snapshot.depth_m = depth_m;
     snapshot.columns.emplace_back();
     std::vector<Method> methods;
-    for (const auto& method : current_methods(made.data, plan, snapshot, 0, truth, known))
+    for (const auto& method : current_methods(made.data, plan, snapshot, 0, truth, known, {}))
       methods.push_back(method.method);
     return methods;
   };

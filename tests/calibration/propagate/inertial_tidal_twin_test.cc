@@ -129,12 +129,15 @@ double rmse(const std::vector<Horizontal>& forecast,
 /// Interior and steady answer to the wind of D+1, nothing else.
 std::vector<Horizontal> steady_forecast(const Calibration& fitted, const VectorColumn& wind) {
   const StressSeries series(wind, fitted.drag_law);
-  std::vector<Horizontal> stress;
-  for (const UtcTime time : next_day()) stress.push_back(*series.at(time));
-  std::vector<Horizontal> out(stress.size() * levels.size());
-  evaluate_steady(
-      level_responses(fitted.form, steady_parameters(fitted), latitude, depth_m, levels),
-      steady_parameters(fitted).interior_m_s(), stress, out);
+  const LevelResponses responses =
+      level_responses(fitted.form, steady_parameters(fitted), latitude, depth_m, levels);
+  std::vector<Horizontal> out;
+  for (const UtcTime time : next_day()) {
+    const Horizontal stress = *series.at(time);
+    for (std::size_t k = 0; k < levels.size(); ++k)
+      out.push_back(steady_parameters(fitted).interior_m_s() * responses.interior(k) +
+                    stress * responses.stress(k));
+  }
   return out;
 }
 

@@ -120,21 +120,6 @@ TEST(WindDepartures, FollowASpreadThatFallsWhereABetterSourceBegins) {
   EXPECT_NEAR(shared, 1.5 * std::exp(-1.0 / 12.0), monte_carlo * 1.5);
 }
 
-TEST(WindDepartures, AntitheticMembersCancelAndTheCentralOneHasNone) {
-  const auto times = hours_after({0, 6, 12});
-  const auto sigma = departure_sigma_m_s(times, end, forecast_wind_error());
-  Rng random(3, "pairs");
-  const auto members = draw_antithetic_departures(6, times, sigma, 12.0, random);
-  ASSERT_EQ(members.size(), 6u);
-  EXPECT_EQ(members[0], std::vector<Horizontal>(3));
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    EXPECT_EQ(members[1][k], -members[2][k]);
-    EXPECT_EQ(members[3][k], -members[4][k]);
-  }
-  EXPECT_NE(members[1], members[3]);
-  EXPECT_NE(members[3], members[5]);
-}
-
 TEST(WindErrorGrowth, ForecastsErrAsDocumentedAndNeverMoreThanUnrelatedWinds) {
   const WindErrorGrowth growth = forecast_wind_error();
   EXPECT_NEAR(growth.sigma_m_s(0), 1.0, 1e-12);

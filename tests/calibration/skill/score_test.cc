@@ -34,10 +34,10 @@ TEST(NormalCrps, IsTheIntegralOfTheSquaredDistanceOfDistributions) {
             0.5 * std::erfc(-(y - mean) / sigma / std::sqrt(2.0)) - (y >= truth ? 1.0 : 0.0);
         integral += p * p * step;
       }
-      EXPECT_NEAR(normal_crps(mean, sigma, truth), integral,
+      EXPECT_NEAR(score_of_normal(mean, sigma, truth).crps, integral,
                   1.5 * step);  // half a cell at the jump
     }
-  EXPECT_EQ(normal_crps(0.1, 0.0, 0.4), 0.4 - 0.1);
+  EXPECT_EQ(score_of_normal(0.1, 0.0, 0.4).crps, 0.4 - 0.1);
 }
 
 TEST(ScoreVectors, APerfectForecastHasNoError) {

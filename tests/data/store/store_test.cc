@@ -304,17 +304,6 @@ TEST_F(StoreTest, StoresSeveralForecastsOrNone) {
   EXPECT_TRUE(store_.check(true).findings.empty());
 }
 
-TEST_F(StoreTest, ReplacesScores) {
-  const std::int64_t id = samples::issue(store_, 1);
-  const ScoreRow scores[] = {{id, "persistence", "{\"rmse_m_s\": 0.2}"}, {id, "forecast", "{}"}};
-  store_.put_scores(scores);
-  const ScoreRow better{id, "forecast", "{\"rmse_m_s\": 0.1}"};
-  store_.put_scores({&better, 1});
-  EXPECT_EQ(store_.scores_of(id), (std::vector{better, scores[0]}));
-  const ScoreRow lost{id + 1, "forecast", "{}"};
-  EXPECT_THROW(store_.put_scores({&lost, 1}), Error);
-}
-
 TEST_F(StoreTest, TheCatalogueItselfRefusesToChangeWhatWasStored) {
   samples::ingest(store_, 1);
   samples::issue(store_, 1, {store_.find_granules({}).front().id});

@@ -28,8 +28,9 @@ std::vector<Horizontal> profile(SteadyForm form, const SteadyParameters& p, doub
                                 Horizontal stress) {
   const LevelResponses responses =
       level_responses(form, p, Angle::from_degrees(latitude_deg), water_m, depths);
-  std::vector<Horizontal> out(depths.size());
-  evaluate_steady(responses, p.interior_m_s(), std::vector{stress}, out);
+  std::vector<Horizontal> out;
+  for (std::size_t k = 0; k < depths.size(); ++k)
+    out.push_back(p.interior_m_s() * responses.interior(k) + stress * responses.stress(k));
   return out;
 }
 

@@ -143,55 +143,5 @@ TEST(SeaComponents, ABlockedTailIsLeftOutAndToldABlockedSeaRefused) {
   EXPECT_NO_THROW((void)components_of(sea, {50, {2.5, 0}}, 1));  // intrinsic: always there
 }
 
-DirectionalSpectrum measured_spectrum() {
-  DirectionalSpectrum spectrum;
-  const JonswapSpectrum shape = jonswap_spectrum(1.4, 7, 2.0);
-  for (double f = 0.05; f < 0.5; f += 0.01) {
-    spectrum.frequency_hz.push_back(f);
-    spectrum.density_m2_hz.push_back(2 * pi * shape.density(2 * pi * f));
-    spectrum.from_direction_deg.push_back(f < 0.2 ? 300.0 : 340.0);
-    spectrum.first_moment.push_back(0.9);
-  }
-  return spectrum;
-}
-
-TEST(DirectionalSpectrum, SummaryIsThatOfItsShape) {
-  const SpectrumSummary summary = summary_of(measured_spectrum());
-  EXPECT_NEAR(summary.significant_height_m, 1.4, 0.01);  // bands end at 0.5 Hz
-  EXPECT_NEAR(summary.peak_period_s, 7, 0.2);            // nearest band, 0.14 Hz
-  EXPECT_EQ(summary.from_direction_deg, 300.0);
-  EXPECT_NEAR(summary.spread_deg, Angle::from_radians(std::sqrt(0.2)).degrees(), 1e-12);
-}
-
-TEST(DirectionalSpectrum, BandsReachHalfWayToTheirNeighbours) {
-  const std::vector<double> widths = band_widths_hz({0.1, 0.2, 0.5});
-  EXPECT_NEAR(widths[0], 0.1, 1e-15);
-  EXPECT_NEAR(widths[1], 0.2, 1e-15);
-  EXPECT_NEAR(widths[2], 0.3, 1e-15);
-}
-
-TEST(SeaComponents, OfAMeasuredSpectrumHaveItsHeightAndItsDirectionsByFrequency) {
-  const DirectionalSpectrum spectrum = measured_spectrum();
-  const SeaComponents sea = components_of(spectrum, {40, {}}, 9);
-  EXPECT_NEAR(4 * std::sqrt(variance_of(sea.waves)), summary_of(spectrum).significant_height_m,
-              1e-12);
-  Horizontal low{}, high{};
-  for (const WaveComponent& wave : sea.waves) {
-    (wave.absolute_rad_s < 2 * pi * 0.195 ? low : high) += wave.amplitude_m * wave.amplitude_m *
-                                                           wave.wavenumber_rad_m /
-                                                           std::abs(wave.wavenumber_rad_m);
-  }
-  EXPECT_NEAR(from_direction_deg(low), 300, 4);
-  EXPECT_NEAR(from_direction_deg(high), 340, 6);
-}
-
-TEST(SeaComponents, OfASpectrumWithoutAnyDirectionAreRefused) {
-  DirectionalSpectrum spectrum = measured_spectrum();
-  for (double& direction : spectrum.from_direction_deg) direction = std::nan("");
-  EXPECT_THROW((void)components_of(spectrum, {40, {}}, 1), Error);
-  for (double& density : spectrum.density_m2_hz) density = 0;
-  EXPECT_TRUE(components_of(spectrum, {40, {}}, 1).waves.empty());  // calm
-}
-
 }  // namespace
 }  // namespace slackwater

@@ -53,13 +53,6 @@ TEST(Spreading, IsTheHalfAngleForm) {
   EXPECT_NEAR(spreading_density(0, 2.0), 1 / (2 * pi), 1e-15);
 }
 
-TEST(SpreadingOfFirstMoment, IsTheInverse) {
-  for (const double s : {0.0, 1.0, 10.0, 300.0}) {
-    EXPECT_NEAR(spreading_of_first_moment(spreading_first_moment(s)), s, 1e-10 * (1 + s * s));
-  }
-  EXPECT_THROW((void)spreading_of_first_moment(1.0), ContractViolation);
-}
-
 TEST(SpreadingQuantile, CutsOffTheShareOfEnergyThatIsAsked) {
   for (const double s : {0.0, 1.0, 10.0, 75.0, 1000.0}) {
     for (const double share : {0.001, 0.1, 0.25, 0.5, 0.9, 0.999}) {

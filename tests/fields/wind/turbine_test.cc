@@ -78,13 +78,6 @@ TEST(NrelTurbine, PassesThroughTheRowsOfItsThrustAndHalfwayBetween) {
   EXPECT_NEAR(turbine.thrust_coefficient(8.25), 0.5 * (0.7629228 + 0.76156073), 1e-15);
 }
 
-TEST(YawPowerRatio, FollowsTheCosine) {
-  EXPECT_DOUBLE_EQ(yaw_power_ratio(Angle{}), 1);
-  EXPECT_NEAR(yaw_power_ratio(Angle::from_degrees(20)), std::pow(std::cos(0.3490658504), 1.88),
-              1e-9);
-  EXPECT_EQ(yaw_power_ratio(Angle::from_degrees(120)), 0);
-}
-
 TEST(TurbineFile, WithAnUnknownKeyIsRefusedByName) {
   const std::string curve =
       "wind_speed_m_s: [3, 20]\npower_coefficient: [0.2, 0.1]\nthrust_coefficient: [0.8, 0.1]\n";

@@ -4,7 +4,6 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
-#include "twin/control/line_of_sight.h"
 #include "twin/control/patterns.h"
 #include "twin/control/waypoint_follower.h"
 
@@ -33,51 +32,6 @@ TEST(PlaceOnLeg, IsAlongAndToTheRightOfIt) {
   EXPECT_NEAR(place.length_m, 50, 1e-12);
   EXPECT_NEAR(place.along_m, 50, 1e-12);
   EXPECT_NEAR(place.across_m, 5, 1e-12);  // right of north-east is south-east
-}
-
-/// A vehicle that has the heading and speed it is told, carried by the water.
-struct Kinematic {
-  Triple<double> position_m;
-  void move(const Heading& h, const Triple<double>& water, double dt_s) {
-    position_m.x += dt_s * (h.speed_m_s * std::cos(h.yaw_rad) + water.x);
-    position_m.y += dt_s * (h.speed_m_s * std::sin(h.yaw_rad) + water.y);
-  }
-};
-
-TEST(LineOfSightGuidance, HoldsTheLegInACrossCurrentAtTheCrabAngle) {
-  const Waypoint to{{0, 5000, 0}, 1.0};
-  const Triple<double> water{0.4, 0.2, 0};
-  Kinematic vehicle{{30, 0, 0}};
-  Heading heading;
-  for (int i = 0; i < 6000; ++i) {
-    heading = heading_along({}, {0, 0, 0}, to, vehicle.position_m, water, 1.0);
-    vehicle.move(heading, water, 0.1);
-  }
-  EXPECT_NEAR(vehicle.position_m.x, 0, 1e-6);
-  // Eastward, pushed to the north: heads south of east by asin(0.4/1.0).
-  EXPECT_NEAR(heading.yaw_rad, pi / 2 + std::asin(0.4), 1e-6);
-}
-
-TEST(LineOfSightGuidance, WithoutCompensationStaysDownstreamByTheLookaheadTimesTheSlip) {
-  const Waypoint to{{0, 5000, 0}, 1.0};
-  LineOfSight guidance;
-  guidance.compensates_current = false;
-  Kinematic vehicle;
-  for (int i = 0; i < 10000; ++i)
-    vehicle.move(heading_along(guidance, {0, 0, 0}, to, vehicle.position_m, {0.4, 0, 0}, 1.0),
-                 {0.4, 0, 0}, 0.1);
-  // sin(atan(e/L)) = 0.4 there: e = L tan(asin 0.4)
-  EXPECT_NEAR(vehicle.position_m.x, guidance.lookahead_m * std::tan(std::asin(0.4)), 1e-6);
-}
-
-TEST(LineOfSightGuidance, WaterTooFastTurnsTheVehicleSquareToItAndNeverIntoNothing) {
-  const Heading h = heading_along({}, {0, 0, 0}, {{0, 100, 0}, 0.5}, {0, 10, 0}, {2, 0, 0}, 1.0);
-  EXPECT_NEAR(std::abs(h.yaw_rad), pi, 1e-9);  // due south, against the current
-}
-
-TEST(LineOfSightGuidance, GoesDownAlongTheLeg) {
-  const Heading h = heading_along({}, {0, 0, 10}, {{100, 0, 30}, 1}, {25, 3, 10}, {}, 1.0);
-  EXPECT_NEAR(h.depth_m, 15, 1e-12);
 }
 
 TEST(Patterns, ALawnMowerCoversItsRectangleLineByLine) {

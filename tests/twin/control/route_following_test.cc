@@ -5,7 +5,6 @@
 #include "fields/base/random.h"
 #include "tests/twin/control/closed_loop.h"
 #include "twin/control/guidance.h"
-#include "twin/control/line_of_sight.h"
 #include "twin/control/patterns.h"
 
 namespace slackwater::twin {
@@ -92,32 +91,6 @@ TEST(RouteFollowing, HoldsTheLegInACrossCurrent) {
       // Half a percent of what the current alone would have made of it.
       EXPECT_LT(worst, 0.005 * 300 * current) << who.name << knows;
     }
-  }
-}
-
-TEST(RouteFollowing, LineOfSightWithoutTheCurrentStaysDownstreamOfTheLegAndWithItDoesNot) {
-  // The existing guidance, as headings for the autopilot of the AUV; oracle: lookahead times
-  // tan(asin(U_c/U)).
-  for (const bool compensates : {false, true}) {
-    tests::ClosedLoop loop = tests::lrauv();
-    loop.fluid_m_s = loop.known_m_s = {0, 0.3, 0};
-    LineOfSight guidance;
-    guidance.lookahead_m = 30;
-    guidance.compensates_current = compensates;
-    const Waypoint to{{5000, 0, 20}, 1.0};
-    for (int i = 0; i < 9000; ++i) {
-      const Measured measured = loop.measured();
-      const Heading heading =
-          heading_along(guidance, {0, 0, 20}, to, measured.position_m, measured.water_m_s, 1.0);
-      Reference reference;
-      reference.target = Target::cruise;
-      reference.heading = course_of(heading.yaw_rad);
-      reference.velocity_m_s.x = heading.speed_m_s;
-      reference.position_m.z = heading.depth_m;
-      loop.step(reference);
-    }
-    const double offset = compensates ? 0 : 30 * std::tan(std::asin(0.3));
-    EXPECT_NEAR(loop.state.position_m.y, offset, 0.3);
   }
 }
 
