@@ -6,8 +6,8 @@
 
 namespace slackwater {
 
-// The slow drift of water particles along the waves. It is not part of the Eulerian current (DESIGN
-// section 3): it is added only for what drifts where no wave motion is simulated.
+// The slow drift of water particles along the waves. It is not part of the Eulerian current: it is
+// added only for what drifts where no wave motion is simulated.
 
 /// Stokes drift of one wave in water of finite depth,
 ///

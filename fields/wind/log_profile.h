@@ -7,7 +7,7 @@
 /// direction and a sampler multiplies once.
 namespace slackwater {
 
-/// Roughness of the open sea (IEC 61400-3; the value of reference/physics.md, section 9).
+/// Roughness of the open sea (IEC 61400-3; the value of fields/docs/physics.md, section 9).
 inline constexpr double open_sea_roughness_m = 0.0002;
 /// Exponent of the normal wind profile offshore (IEC 61400-3).
 inline constexpr double offshore_shear_exponent = 0.14;

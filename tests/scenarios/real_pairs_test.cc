@@ -13,9 +13,9 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-// The D -> D+1 pairs of reference/baselines.md: our persistence, day-mean and reference-slab must
-// be that page's, to its last digit (tolerance: half of it, plus float storage), so that our skill
-// is measured with the ruler everyone else uses.
+// The D -> D+1 pairs of calibration/docs/baselines.md: our persistence, day-mean and reference-slab
+// must be that page's, to its last digit (tolerance: half of it, plus float storage), so that our
+// skill is measured with the ruler everyone else uses.
 
 namespace slackwater::tests {
 namespace {

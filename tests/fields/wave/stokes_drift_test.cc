@@ -21,7 +21,7 @@ double drift(double period_s, double depth_m, double height_m) {
 }
 
 TEST(MonochromaticStokesDrift, HasThePublishedValues) {
-  // reference/physics.md section 6: a = 1 m, T = 8 s.
+  // fields/docs/physics.md section 6: a = 1 m, T = 8 s.
   EXPECT_NEAR(drift(8, 30, 0), 0.05350009222308551, 1e-9);
   EXPECT_NEAR(drift(8, 30, -2), 0.041191057537936664, 1e-9);
   EXPECT_NEAR(drift(8, 30, -5), 0.02783819809375785, 1e-9);
@@ -68,7 +68,7 @@ TEST(MonochromaticStokesDrift, IsTheMeanVelocityOfAParticleInTheOrbit) {
 }
 
 TEST(StokesProfile, HasThePublishedValues) {
-  // reference/physics.md section 6: us0 0.10, Hs 2, Tm01 6.
+  // fields/docs/physics.md section 6: us0 0.10, Hs 2, Tm01 6.
   const double v = stokes_transport_m2_s(2, 6);
   EXPECT_NEAR(v, 0.2617993877991494, 1e-12);
   const auto u = [&](double z, StokesProfile profile) {

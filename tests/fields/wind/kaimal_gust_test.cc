@@ -26,7 +26,7 @@ double of(const Gust& gust, GustAxis axis) {
 }
 
 TEST(KaimalSpectrum, HasThePublishedValues) {
-  // reference/physics_checks.yaml, kaimal_U12_z90_Iref0p14.
+  // fields/docs/physics.md, section 9.
   const KaimalSpectrum spectrum = at_hub();
   EXPECT_NEAR(spectrum.sigma_m_s(GustAxis::along), 2.044, 1e-12);
   for (const auto& [n, s] : std::vector<std::pair<double, double>>{{0.005, 169.86074391},
