@@ -26,8 +26,8 @@ struct Period {
   std::optional<UtcTime> reference;
 };
 
-/// The status rule of DESIGN §2, which may cut a file in two: analysed up to the reference time,
-/// forecast after it.
+/// The status rule of fields/docs/conventions.md, which may cut a file in two: analysed up to the
+/// reference time, forecast after it.
 std::vector<Period> periods_of(const Grid& grid, const std::optional<UtcTime>& stated,
                                const IngestOptions& options) {
   const std::size_t times = grid.times();

@@ -34,8 +34,8 @@ struct Context {
 /// "2025-03-10T05:00:12Z by slackwater 0.1.0": what stands at the foot of a page.
 [[nodiscard]] std::string made_by(const Context& context);
 
-/// Exit code of an error kind (DESIGN §5): 1 internal, 2 usage, 3 invalid input, 4 not found, 5
-/// unavailable, 6 not converged.
+/// Exit code of an error kind (api/docs/commands.md): 1 internal, 2 usage, 3 invalid input, 4 not
+/// found, 5 unavailable, 6 not converged.
 [[nodiscard]] int exit_code(ErrorKind kind) noexcept;
 
 /// The value of an option, read by `parse`; what it cannot read is Error(usage) that names the

@@ -21,7 +21,8 @@ namespace {
 using std::chrono::days;
 using std::chrono::hours;
 
-/// Days of history before the first job: enough for the tide (three days are the least, DESIGN §3).
+/// Days of history before the first job: enough for the tide (three days are the least,
+/// fields/docs/conventions.md).
 constexpr int history_days = 4;
 using constants::normal_p90;
 

@@ -48,7 +48,7 @@ class Stream {
   std::vector<std::shared_ptr<Outlet>> outlets_;
 };
 
-/// Of the table "Slackwater's names on DDS" (reference/interop.md).
+/// Of the table of names in api/docs/dds.md.
 inline constexpr bag::Quality state_quality{true, false, 10};
 inline constexpr bag::Quality latched_quality{true, true, 1};
 inline constexpr bag::Quality clock_quality{false, false, 1};

@@ -18,9 +18,9 @@ struct Failure {
 /// it work on a value of its own.
 ///
 /// Here, and nowhere else below the commands, a bug (ContractViolation or any other exception) is
-/// caught: a daily job of many parts is one of the outermost loops that may (STYLE: errors), since
-/// a coordinator without waves still needs the current. The caller has to name the failure to its
-/// reader. Memory that has run out stops everything and passes through.
+/// caught: a daily job of many parts is one of the outermost loops that may (CONTRIBUTING.md),
+/// since a coordinator without waves still needs the current. The caller has to name the failure to
+/// its reader. Memory that has run out stops everything and passes through.
 [[nodiscard]] std::optional<Failure> attempt(const std::function<void()>& part);
 
 }  // namespace slackwater

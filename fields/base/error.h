@@ -22,8 +22,8 @@ enum class ErrorKind {
 /// The name of a kind as it stands in JSON and messages, e.g. "invalid_input".
 [[nodiscard]] std::string_view name_of(ErrorKind kind) noexcept;
 
-/// Bad input or environment (STYLE: family 2). The message says what was found, what was expected
-/// and what to do.
+/// Bad input or environment (CONTRIBUTING.md, Errors). The message says what was found, what was
+/// expected and what to do.
 class Error : public std::exception {
  public:
   Error(ErrorKind kind, std::string message, SourcePlace where = SourcePlace::current());

@@ -9,7 +9,7 @@ namespace slackwater {
 enum class LogLevel { info, warning, error };
 
 /// One line on standard error: time, level, the event, then key=value pairs with the unit in the
-/// key. Only `ingest` and `api` log (STYLE §8). Thread-safe.
+/// key. Only `ingest` and `api` log (CONTRIBUTING.md). Thread-safe.
 ///
 ///   2025-03-10T05:00:02.114Z info serving address=127.0.0.1 port=8080
 ///

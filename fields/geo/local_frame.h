@@ -9,8 +9,8 @@ namespace slackwater {
 /// The tangent frame ENU at a site's origin, WGS 84, through PROJ's `topocentric` operation.
 ///
 /// The plane leaves the ellipsoid by about d^2/(2R), 5.8 m at 8.6 km: take depths and heights from
-/// mean sea level along the local vertical, never from the plane's z (DESIGN §2). One object per
-/// thread.
+/// mean sea level along the local vertical, never from the plane's z (fields/docs/conventions.md).
+/// One object per thread.
 class LocalFrame {
  public:
   explicit LocalFrame(const GeoPoint& origin);

@@ -14,7 +14,7 @@ bool ascends(const std::vector<double>& axis) {
                             [](double a, double b) { return !(a < b); }) == axis.end();
 }
 
-/// A lone cell is 10 km wide (DESIGN §2: 5 km for a one-cell grid).
+/// A lone cell is 10 km wide (fields/docs/conventions.md: 5 km for a one-cell grid).
 constexpr double lone_half_cell_m = 5000.0;
 
 double half_step(const std::vector<double>& axis, bool last, double lone_deg) {

@@ -28,7 +28,7 @@ inline constexpr std::size_t sample_status_count = 10;
 }
 [[nodiscard]] std::string_view name_of(SampleStatus status) noexcept;
 
-/// Where a value came from in time: see DESIGN "Status of a file".
+/// Where a value came from in time: "Status of a file" in fields/docs/conventions.md.
 enum class DataStatus : std::uint8_t {
   analysis = 0,
   forecast = 1,  ///< a provider's forecast, with a reference time

@@ -42,7 +42,7 @@ std::optional<AxisPlace> place_on(const std::vector<double>& axis, double value,
   return AxisPlace{low, upper};
 }
 
-/// Half a lone cell in degrees of latitude: 5 km (DESIGN §2).
+/// Half a lone cell in degrees of latitude: 5 km (fields/docs/conventions.md).
 double lone_half_cell_deg() { return 5000.0 / (constants::earth_radius_m * constants::pi / 180.0); }
 
 }  // namespace

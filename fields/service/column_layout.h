@@ -21,7 +21,7 @@ struct ColumnStencil {
 ///
 /// Columns on the crossings of a grid (most of them there; the others are land): bilinear among the
 /// columns around, those on land left out. A place up to half a cell beyond the outermost centres
-/// is inside; for one column alone, or one row, half a cell is 5 km (DESIGN §2).
+/// is inside; for one column alone, or one row, half a cell is 5 km (fields/docs/conventions.md).
 /// Columns anywhere: the four nearest, weighted by (1/d - 1/R)^2 with R the distance of the fifth
 /// (Franke and Little, in Barnhill 1977), which is continuous where neighbours change; up to 5 km
 /// from the nearest.

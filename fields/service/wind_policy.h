@@ -3,7 +3,7 @@
 
 namespace slackwater {
 
-/// Where the wind (and the waves) beyond day D come from (DESIGN §3).
+/// Where the wind (and the waves) beyond day D come from (fields/docs/conventions.md).
 enum class WindPolicy {
   best,      ///< the newest stored forecast, or later analysis, marked as such
   forecast,  ///< only what was published by the issue time

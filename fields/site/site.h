@@ -18,7 +18,7 @@ struct ColumnBlock {
   int every = 1;
 };
 
-/// An offshore site as `data/sites/*.yaml` describes it (DESIGN §2).
+/// An offshore site as `data/sites/*.yaml` describes it (fields/docs/conventions.md).
 struct Site {
   std::string id;
   std::string name;

@@ -5,7 +5,7 @@
 /// direction and a sampler multiplies once.
 namespace slackwater {
 
-/// Roughness of the open sea (IEC 61400-3; the value of reference/physics.md, section 9).
+/// Roughness of the open sea (IEC 61400-3; the value of fields/docs/physics.md, section 9).
 inline constexpr double open_sea_roughness_m = 0.0002;
 
 /// Neutral logarithmic profile: U(z)/U(z_r) = ln(z/z0) / ln(z_r/z0).

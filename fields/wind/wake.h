@@ -49,7 +49,7 @@ using Wake = std::variant<NoWake, JensenWake, GaussianWake, LarsenWake, BlendedW
 ///   I+ = 0.73 a^0.8325 I0^0.0325 (x/D)^-0.32,  a = (1 - sqrt(1 - Ct))/2.
 /// Fitted for 5 < x/D < 15, 0.07 < I0 < 0.14, 0.1 < a < 0.4; used outside as the best there is.
 /// Source: Crespo & Hernandez (1996), J. Wind Eng. Ind. Aerodyn. 61, 71; exponent of I0 as in
-/// reference/physics.md, section 10.
+/// fields/docs/physics.md, section 10.
 [[nodiscard]] double added_turbulence(double thrust_coefficient, double ambient_intensity,
                                       double downstream_diameters) noexcept;
 

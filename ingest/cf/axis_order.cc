@@ -10,7 +10,8 @@
 namespace slackwater::ingest {
 namespace {
 
-// A cell that stands alone is 10 km wide (DESIGN §2), about 0.045 degrees either side.
+// A cell that stands alone is 10 km wide (fields/docs/conventions.md), about 0.045 degrees either
+// side.
 constexpr double lone_half_cell_deg = 0.045;
 
 void expect_finite(const std::vector<double>& values, double limit, const char* what) {

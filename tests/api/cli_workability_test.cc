@@ -18,7 +18,7 @@ using Arguments = std::vector<std::string>;
 
 const std::string height = "sea_surface_wave_significant_height";
 
-/// reference/operations.md, section 3.
+/// twin/docs/operations.md, section 3.
 const std::string example =
     "time,sea_surface_wave_significant_height\n"
     "2002-01-01T00:00Z,1.2\n2002-01-01T01:00Z,1.2\n2002-01-01T02:00Z,1.2\n"
@@ -349,7 +349,7 @@ TEST_F(WorkabilityCommand, ADamagedNetcdfIsOneError) {
   expect_refused({file, "--limit", height + "<=1.5", "--duration", "1h"}, 3, {"damaged.nc"});
 }
 
-/// Published: hourly, 113952 hours, none missing (data/INDEX.md).
+/// Published: hourly, 113952 hours, none missing (the index of the shared data).
 TEST_F(WorkabilityCommand, ReadsTheAlphaVentusSeries) {
   SLACKWATER_NEEDS_SHARED(shared);
   const std::string file =

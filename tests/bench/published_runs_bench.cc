@@ -3,7 +3,7 @@
 // mixed-layer profile that we fit to it. Before any time: the water is that of the files, the
 // random one has the moments that it was given, and no run depends on the others.
 //
-// Not stated by the publication and chosen here (reference/lotusim_current_evaluation.md): 0.5 m/s
+// Not stated by the publication and chosen here (calibration/docs/published_evaluation.md): 0.5 m/s
 // over ground due east, one sinusoid in 150 s, our autopilot without knowledge of the current, 15 W
 // of hotel load; cross-track is the distance from the line in the plane, control effort the root
 // mean square of the thrust of the eight thrusters together.

@@ -120,7 +120,7 @@ TEST(PublishedProfiles, AgainstWhatJoinsTheDots) {
   EXPECT_LT(other.fitted, 0.5 * other.constant);
   // Towards the surface the profile knows how a mixed layer turns, and dots do not.
   for (const Joined how : all_joined) EXPECT_LT(upper.fitted, upper.joined.at(how)) << name_of(how);
-  // Between levels the dots win, and below the last level nobody knows: the README says so.
+  // Between levels the dots win, and below the last level nobody knows: api/docs/skill.md says so.
   EXPECT_LT(middle.fitted, 0.5 * middle.constant);
   EXPECT_LT(lower.fitted, lower.constant);
   EXPECT_LT(deep.fitted, 1.2 * deep.constant);

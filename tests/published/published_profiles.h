@@ -10,7 +10,7 @@
 
 #include "tests/published/profile_level.h"
 
-// The profiles of the published evaluation (reference/lotusim_current_evaluation.md): one CSV a
+// The profiles of the published evaluation (calibration/docs/published_evaluation.md): one CSV a
 // date, its figures in a table beside them.
 
 namespace slackwater::tests {

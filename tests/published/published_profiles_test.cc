@@ -11,7 +11,7 @@
 #include "tests/published/held_out.h"
 #include "tests/support/shared_data.h"
 
-// The published benchmark (reference/lotusim_current_evaluation.md): same-day fit of the 0-150 m
+// The published benchmark (calibration/docs/published_evaluation.md): same-day fit of the 0-150 m
 // profile, unweighted over native levels. Documented command, prints the table:
 //
 //   build/release/tests/slackwater_published_tests --gtest_filter='PublishedProfiles.*'

@@ -18,7 +18,7 @@
 
 // Are the bands true? On the synthetic ocean the daily job runs day after day, and its spread is
 // held against what came. Six days in `make test`; 210 of them with SLACKWATER_DAYS=210 (`make
-// soak`), whose figures the README shows.
+// soak`), whose figures api/docs/skill.md shows.
 
 namespace slackwater::tests {
 namespace {

@@ -15,7 +15,8 @@ void ingest_all(store::Store& store, const std::vector<std::filesystem::path>& f
                 bool as_analysis, UtcTime received = {});
 
 /// The cells of the stored currents that have a value at every time and every level, every
-/// `every`-th row and column from index `first`: the column selections of reference/baselines.md.
+/// `every`-th row and column from index `first`: the column selections of
+/// calibration/docs/baselines.md.
 [[nodiscard]] std::vector<GeoPoint> wet_cells(store::Store& store, std::size_t first,
                                               std::size_t every);
 

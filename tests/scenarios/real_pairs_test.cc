@@ -13,9 +13,9 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-// The D -> D+1 pairs of reference/baselines.md: our persistence, day-mean and reference-slab must
-// be that page's, to its last digit (tolerance: half of it, plus float storage), so that our skill
-// is measured with the ruler everyone else uses.
+// The D -> D+1 pairs of calibration/docs/baselines.md: our persistence, day-mean and reference-slab
+// must be that page's, to its last digit (tolerance: half of it, plus float storage), so that our
+// skill is measured with the ruler everyone else uses.
 
 namespace slackwater::tests {
 namespace {
@@ -41,7 +41,7 @@ void expect_reference_slab_per_pair(const std::vector<calibration::SkillEntry>& 
     EXPECT_NEAR(found[i], per_pair[i], 0.51e-3) << "pair " << i;
 }
 
-/// Prints a set's line for the table of the README: pairs of days weigh the same.
+/// Prints a set's line for the table of api/docs/skill.md: pairs of days weigh the same.
 void print_set(const char* set, const char* wind,
                const std::vector<calibration::SkillEntry>& skill) {
   std::printf("%-8s wind %-8s", set, wind);
@@ -62,7 +62,7 @@ void print_set(const char* set, const char* wind,
 }
 
 /// Under the sanitizers a column-day costs ten times as much: forecasts are made at every twelfth
-/// column then, the baselines at all. `make soak` and the figures of the README take them all.
+/// column then, the baselines at all. `make soak` and the figures of skill.md take them all.
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::size_t thinned = 12;
 #else

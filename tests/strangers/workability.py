@@ -199,7 +199,7 @@ def ask(path, limits, duration_h, contingency_h=0, hours=None, more=()):
                    *more)
 
 
-# Ten pairs of limits and durations: the published ones of reference/operations.yaml, shorter, longer, strict, hardly ever
+# Ten pairs of limits and durations: the published ones of twin/docs/operations.md, shorter, longer, strict, hardly ever
 # and nearly always.
 PAIRS = [
     ([(HEIGHT, "<=", 1.5)], 12, 0, None),
@@ -237,7 +237,7 @@ def with_gaps(series, seed):
 
 
 def worked_example():
-    """reference/operations.md, section 3: windows [0, 3) and [4, 8), 7 of 9 accessible, starts at 0, 4 and 5."""
+    """twin/docs/operations.md, section 3: windows [0, 3) and [4, 8), 7 of 9 accessible, starts at 0, 4 and 5."""
     series = Series("2002-01-01T00:00", {HEIGHT: np.array([1.2, 1.2, 1.2, 1.8, 1.0, 1.0, 1.0, 1.0, 1.9])})
     series.write(WORK / "example.csv")
     found = ask(WORK / "example.csv", [(HEIGHT, "<=", 1.5)], 3)

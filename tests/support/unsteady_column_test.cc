@@ -92,7 +92,7 @@ TEST(UnsteadyColumn, AgreesWithAnIndependentIntegrationInTime) {
 }
 
 TEST(UnsteadyColumn, DeepWaterGivesFredholmsSolution) {
-  // physics_checks.yaml, fredholm_step_wind: 0.194775 Pa to the east, 5 m down, nu 0.02, 54 N; by
+  // fields/docs/physics.md, section 5: 0.194775 Pa to the east, 5 m down, nu 0.02, 54 N; by
   // 24 h the wind is felt 140 m down, the bed at 400 m and its friction are not. The stress
   // rises here within an hour centred on the instant of the step.
   Sea sea(SteadyForm::finite_depth, 54, 400, 0.02, 1e-5);

@@ -22,7 +22,7 @@ struct AlphaFactor {
 /// of the task; the row is that of the next longer period, in between limits it is linear, above
 /// the last limit as at it. Below the first limit and beyond the last row a table says nothing, and
 /// neither does this one.
-/// Source: DNV-OS-H101 (2011), section 4 C; reference/operations.md, section 4.
+/// Source: DNV-OS-H101 (2011), section 4 C; twin/docs/operations.md, section 4.
 struct AlphaTable {
   std::string name;
   std::string source;

@@ -69,7 +69,7 @@ inline constexpr std::size_t enough_forecasts = 20;
 /// @param limit_m  more than 0
 /// @return in (0, 1]
 /// Cost: some hundred thousand exponentials.
-/// Source: reference/operations.md, section 4 (Wilcken 2012).
+/// Source: twin/docs/operations.md, section 4 (Wilcken 2012).
 [[nodiscard]] double alpha_by_errors(double limit_m, const HeightError& error);
 
 }  // namespace slackwater::twin

@@ -78,7 +78,7 @@ struct StartChance {
 ///
 /// @throws ContractViolation for series that are shorter than the grid, and starts from which a
 ///         limit counts beyond it
-/// Thread-safe. Source: reference/operations.md, sections 3 and 4.
+/// Thread-safe. Source: twin/docs/operations.md, sections 3 and 4.
 [[nodiscard]] std::vector<StartChance> start_chances(const StartQuestion& question);
 
 }  // namespace slackwater::twin

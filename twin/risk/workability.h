@@ -71,7 +71,7 @@ struct WindowNeed {
 [[nodiscard]] StepRanges starts_for(const AccessHistory& history, const WindowNeed& need);
 
 /// All of it in time proportional to the number of windows and months. Thread-safe.
-/// Source of the definitions: reference/operations.md, section 3; of the percentiles:
+/// Source of the definitions: twin/docs/operations.md, section 3; of the percentiles:
 /// `percentile_place`.
 [[nodiscard]] Workability workability_of(const AccessHistory& history, const WindowNeed& need);
 

@@ -15,7 +15,7 @@ namespace slackwater::twin {
 /// n - needed + 1 of them, or none.
 /// @param windows  maximal runs of accessible steps
 /// @param needed   steps, 1 at least
-/// Source: reference/operations.md, section 3, "Workable start".
+/// Source: twin/docs/operations.md, section 3, "Workable start".
 [[nodiscard]] StepRanges workable_starts(const StepRanges& windows, std::size_t needed);
 
 }  // namespace slackwater::twin

@@ -7,7 +7,7 @@
 
 namespace slackwater::twin {
 
-/// One quantity of a log, ENU at the site's origin (DESIGN §6), SI.
+/// One quantity of a log, ENU at the site's origin (fields/docs/conventions.md), SI.
 struct LogColumn {
   const char* name;
   const char* standard_name;  ///< of CF; empty: it has none

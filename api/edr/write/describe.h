@@ -15,7 +15,7 @@ namespace slackwater::api::edr {
 /// @param with_id  whether the object holds its own key, as lists of parameters want it
 void append_parameter(std::string& out, const Parameter& parameter, bool with_id);
 
-/// Where the answer comes from as a JSON object; keys of DESIGN §5.
+/// Where the answer comes from as a JSON object; keys of api/docs/json.md.
 void append_provenance(std::string& out, const Answer& answer);
 
 /// The same as HTTP headers, for formats without a place for it (CSV): Slackwater-Site, -Instance,

@@ -105,7 +105,7 @@ TEST(DefinitionOf, OurOwnAndTheEmptyOne) {
             "builtin_interfaces/Time clock\n" + held("builtin_interfaces/Time") + time_fields);
 }
 
-/// Every type of interop.md's table, with its fields: nothing but these.
+/// Every type of api/docs/dds.md's table, with its fields: nothing but these.
 TEST(DefinitionOf, EachTypeOfTheTable) {
   const std::pair<const char*, const char*> table[] = {
       {"builtin_interfaces/msg/Duration", "int32 sec\nuint32 nanosec\n"},

@@ -18,7 +18,8 @@ ColumnPhysics physics() {
           .reference = {.eddy_viscosity_m2_s = 0.02, .bottom_friction_m_s = 1.2e-3}};
 }
 
-/// Linear bottom stress, no interior: reference/physics section 4 with W_g = 0; T is kinematic.
+/// Linear bottom stress, no interior: fields/docs/physics.md section 4 with W_g = 0; T is
+/// kinematic.
 Horizontal closed_form(const ColumnPhysics& p, double depth_m, double water_m, Horizontal stress) {
   const ColumnMixing mixing = p.at_depth(water_m);
   const double nu = mixing.eddy_viscosity_m2_s;

@@ -11,7 +11,8 @@ namespace slackwater {
 namespace {
 
 TEST(LocalFrameEnu, ReproducesTheReferenceTable) {
-  // physics.md §1, computed with PROJ 9.1.1 and the closed form; printed to a micrometre.
+  // fields/docs/physics.md §1, computed with PROJ 9.1.1 and the closed form; printed to a
+  // micrometre.
   struct Row {
     double origin_lon, origin_lat, lon, lat, h, e, n, u;
   };

@@ -104,7 +104,7 @@ TEST(Field, AtItsColumnsItIsTheSnapshotWithinAMillimetrePerSecond) {
     EXPECT_NEAR(found.sigma_m_s, exact[0].sigma_m_s, 1e-6);
   }
   RecordProperty("worst_m_s", std::to_string(worst));
-  EXPECT_LT(worst, 2e-6) << "tabulated in single precision; DESIGN allows 1e-3";
+  EXPECT_LT(worst, 2e-6) << "tabulated in single precision; conventions.md allows 1e-3";
 }
 
 TEST(Field, OutsideIsAStatusForEveryQuantity) {
@@ -177,7 +177,7 @@ TEST(Field, WindGrowsWithHeightAsTheLogarithmSays) {
   std::array<WindSample, 2> wind;
   field.sample_wind(places, wind);
   EXPECT_NEAR(wind[0].velocity_m_s.real(), 6.0, 1e-12);
-  // U10 = 10 gives U90 = 12.030748 with z0 = 0.2 mm (physics.md §9).
+  // U10 = 10 gives U90 = 12.030748 with z0 = 0.2 mm (fields/docs/physics.md §9).
   EXPECT_NEAR(std::abs(wind[1].velocity_m_s) / std::abs(wind[0].velocity_m_s), 1.2030748, 1e-6);
 }
 

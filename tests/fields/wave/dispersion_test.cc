@@ -16,7 +16,7 @@ using constants::gravity_m_s2;
 using constants::pi;
 
 TEST(Wavenumber, IsThatOfThePublishedTable) {
-  // reference/physics.md section 8: T, h, k, L, c, cg, n.
+  // fields/docs/physics.md section 8: T, h, k, L, c, cg, n.
   struct Row {
     double period, depth, k, length, speed, group, n;
   };

@@ -58,7 +58,7 @@ double amplitude(double z, Value value) {
 }
 
 TEST(SeaRealisation, HasThePublishedAmplitudesOfOneWave) {
-  // reference/physics.md section 8: a 1 m, T 8 s, h 30 m.
+  // fields/docs/physics.md section 8: a 1 m, T 8 s, h 30 m.
   const auto acceleration = [](const WaveSample& s) { return s.acceleration_m_s2[0]; };
   EXPECT_NEAR(amplitude(0, velocity(0)), 0.817003, 1e-6);
   EXPECT_NEAR(amplitude(-5, velocity(0)), 0.599558, 1e-6);

@@ -31,7 +31,7 @@ bool holds(const std::string& text, const std::string& part) {
 }
 
 TEST(ScenarioSea, RefusesThePublishedSeaStatesThatCannotExist) {
-  // reference/physics.md section 8: seas shipped with a public simulator.
+  // fields/docs/physics.md section 8: seas shipped with a public simulator.
   struct Row {
     double height, period;
     const char* steepness;

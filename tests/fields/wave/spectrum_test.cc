@@ -16,7 +16,7 @@ using constants::pi;
 double fitted_normalisation(double gamma) { return 1.0 - 0.287 * std::log(gamma); }
 
 TEST(JonswapSpectrum, HasThePublishedDensities) {
-  // reference/physics.md section 8: Hs 2.5, Tp 9, gamma 3.3, with the fitted A.
+  // fields/docs/physics.md section 8: Hs 2.5, Tp 9, gamma 3.3, with the fitted A.
   JonswapSpectrum s = jonswap_spectrum(2.5, 9, 3.3);
   s.normalisation = fitted_normalisation(3.3);
   EXPECT_NEAR(s.density(s.peak_rad_s()), 1.7387269553191875, 1e-8);
@@ -36,7 +36,7 @@ TEST(JonswapSpectrum, HasTheHeightThatIsAsked) {
 }
 
 TEST(JonswapSpectrum, TheNormalisationOfDnvMissesTheHeightByWhatIsPublished) {
-  // reference/physics.md section 8: below 0.12 % for gamma 1 to 5, -0.9 % at 7; of Hs, the root.
+  // fields/docs/physics.md section 8: below 0.12 % for gamma 1 to 5, -0.9 % at 7; of Hs, the root.
   const auto height_with_fit = [](double gamma) {
     JonswapSpectrum s = jonswap_spectrum(1, 8, gamma);
     s.normalisation = fitted_normalisation(gamma);

@@ -26,7 +26,7 @@ double moment(double s, int n) {
 }
 
 TEST(Spreading, HasThePublishedNorms) {
-  // reference/physics.md section 8: D at the mean direction, and the circular spread.
+  // fields/docs/physics.md section 8: D at the mean direction, and the circular spread.
   struct Row {
     double s, norm, spread_deg;
   };

@@ -159,7 +159,7 @@ std::vector<double> over_first(std::vector<double> values) {
   return values;
 }
 
-// data/INDEX.md, MW.
+// The index of the shared data, MW.
 const std::vector<double> cfd_row_mw{3.806, 1.904, 0.560};
 const std::vector<double> cfd_sixteen_mw{3.964, 2.046, 0.619, 0.190};
 const std::vector<std::pair<std::string, std::vector<double>>> published_row_mw{

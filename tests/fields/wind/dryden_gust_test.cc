@@ -19,7 +19,7 @@ double of(const Gust& gust, GustAxis axis) {
 }
 
 TEST(DrydenTurbulence, HasThePublishedScales) {
-  // reference/physics_checks.yaml, dryden_h30m_W20_7p7167.
+  // fields/docs/physics.md, section 9.
   const DrydenTurbulence air = dryden_turbulence(30.0, 7.7167);
   EXPECT_NEAR(air.length_horizontal_m, 152.464823, 1e-4);
   EXPECT_NEAR(air.length_vertical_m, 30.0, 1e-12);

@@ -8,7 +8,7 @@ namespace slackwater {
 namespace {
 
 TEST(LogProfile, GivesThePublishedWindAtHubHeight) {
-  // reference/physics_checks.yaml, wind_profile.
+  // fields/docs/physics.md, section 9.
   EXPECT_NEAR(10 * log_profile_ratio(90, 10), 12.030748246, 1e-7);
 }
 

@@ -30,7 +30,7 @@ constexpr const char* small =
     "cut_in_speed_m_s: 3\nrated_speed_m_s: 10\ncut_out_speed_m_s: 20\nair_density_kg_m3: 1.225\n";
 
 TEST(NrelTurbine, HasThePublishedPowerCurve) {
-  // reference/turbine_nrel5mw.yaml, power_kW, printed to 0.1 kW; from 11.5 m/s on it is rated.
+  // fields/docs/physics.md, section 10, power, printed to 0.1 kW; from 11.5 m/s on it is rated.
   const Turbine turbine = nrel_5mw();
   EXPECT_NEAR(turbine.power_w(3.0), 36.7e3, 50);
   EXPECT_NEAR(turbine.power_w(5.0), 387.6e3, 50);

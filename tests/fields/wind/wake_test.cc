@@ -40,7 +40,7 @@ double over_section(const Wake& wake, double x_m, Weight weight) {
 }
 
 TEST(Wake, HasThePublishedDeficitsOnItsAxis) {
-  // reference/physics_checks.yaml, wakes_D126_Ct0p8.
+  // fields/docs/physics.md, section 10.
   struct Row {
     double x, jensen, gaussian, larsen, added;
   };

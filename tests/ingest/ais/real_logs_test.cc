@@ -48,7 +48,7 @@ TEST(RealAisLogs, TheDanishShoreStationIsReadAsAnIndependentDecoderReadsIt) {
   SLACKWATER_NEEDS_SHARED(shared);
   AisReading reading;
   const Sums sums = sums_of(shared / "data/ais/danish_shore_station_2010-06-11.nmea", reading);
-  EXPECT_EQ(reading.lines.sentences, 4500U);  // 4346 VDM and 154 VDO, data/INDEX.md
+  EXPECT_EQ(reading.lines.sentences, 4500U);  // 4346 VDM and 154 VDO: the data's index
   EXPECT_EQ(reading.messages, 4051U);
   EXPECT_EQ(reading.lines.malformed, 0U);
   EXPECT_EQ(reading.lines.lost_fragments, 0U);

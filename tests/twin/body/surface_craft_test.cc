@@ -190,7 +190,7 @@ double speed_under(const Body& body, double thrust_n) {
   return state.nu.linear.x;
 }
 
-/// The reference's 2.30 m/s at 250 N on each of two thrusters (vehicles.md).
+/// The reference's 2.30 m/s at 250 N on each of two thrusters (twin/docs/vehicles.md).
 TEST(SurfaceCraft, TheWamVMakesThePublishedSpeedAtItsFullThrust) {
   EXPECT_NEAR(speed_under(tests::body_of("wamv16"), 500), 2.30, 0.01);
 }

@@ -22,7 +22,7 @@ TEST(AuvAutopilot, MakesItsSpeedThroughTheWaterWithTheThrustOfItsDrag) {
   tests::ClosedLoop loop = tests::lrauv();
   loop.run(cruise(1.0, 0, 20), 300);
   EXPECT_NEAR(loop.velocity_m_s().x, 1.0, 0.003);
-  EXPECT_NEAR(loop.effort.thrust_n[0], 6.2282, 0.05);  // drag at 1 m/s, vehicles.md
+  EXPECT_NEAR(loop.effort.thrust_n[0], 6.2282, 0.05);  // drag at 1 m/s, twin/docs/vehicles.md
   EXPECT_NEAR(loop.state.position_m.z, 20, 0.05);
   // Half of it: 1.56 N.
   loop.run(cruise(0.5, 0, 20), 400);

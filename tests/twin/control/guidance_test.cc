@@ -95,7 +95,7 @@ struct Followed {
   }
 };
 
-/// The figures of operations.yaml: it stops from 10 m/s in 100 m and turns in 200 m.
+/// The figures of twin/docs/operations.md: it stops from 10 m/s in 100 m and turns in 200 m.
 TEST(WaypointFollowing, ThePapersLimitsGiveItsStoppingDistanceAndItsTurn) {
   const WaypointFollower paper = paper_follower();
   const double v = paper.most_speed_m_s;

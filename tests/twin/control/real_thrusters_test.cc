@@ -72,7 +72,7 @@ TEST(AutopilotWithRealThrusters, HoldsAnRovInItsPlaceThroughTheDeadBandOfItsThru
   reference.position_m = {0, 0, 20};
   loop.run(reference, 120);
   EXPECT_LT(away_m(loop, {0, 0, 20}), 0.02);
-  // 2.3 N of buoyancy held down takes under 10 W (vehicles.md).
+  // 2.3 N of buoyancy held down takes under 10 W (twin/docs/vehicles.md).
   EXPECT_LT(loop.state.electrical_w - loop.vehicle.hotel_w, 10);
   EXPECT_GT(loop.state.electrical_w - loop.vehicle.hotel_w, 0.5);
   loop.fluid_m_s = {-0.3, 0.4, 0};

@@ -22,7 +22,7 @@ double distance_m(const Triple<double>& a, const Triple<double>& b) {
 
 TEST(RovAutopilot, HoldsItsDepthAgainstItsBuoyancyWithoutASteadyError) {
   tests::ClosedLoop loop = tests::bluerov2();
-  // 0.235 kg light: 2.3 N upwards (vehicles.md).
+  // 0.235 kg light: 2.3 N upwards (twin/docs/vehicles.md).
   double highest_m = 20;
   for (int i = 0; i < 2400; ++i) {
     loop.step(station({0, 0, 20}));

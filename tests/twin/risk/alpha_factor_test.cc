@@ -23,7 +23,7 @@ twin::HeightErrors record() {
       Config::load(source_folder() / "data" / "alpha" / "height_errors.yaml"));
 }
 
-/// reference/operations.yaml, `checks`.
+/// twin/docs/operations.md, section 4.
 TEST(AlphaTable, TheReferencesWorkedExamples) {
   const AlphaTable table = published();
   EXPECT_NEAR(*table.at(12, 1.5).value, 0.705, 1e-12);

@@ -40,7 +40,7 @@ StartQuestion question_of(std::vector<WatchedLimit> watched, std::size_t starts,
   return question;
 }
 
-/// reference/operations.md, section 3: 1 h steps, 1.5 m, 3 h.
+/// twin/docs/operations.md, section 3: 1 h steps, 1.5 m, 3 h.
 TEST(StartChances, OfTheReferenceAreItsThreeWorkableStarts) {
   const std::vector<double> height_m{1.2, 1.2, 1.2, 1.8, 1.0, 1.0, 1.0, 1.0, 1.9};
   const auto chances = twin::start_chances(question_of({at_most(1.5, height_m, {{0, 3}})}, 7));

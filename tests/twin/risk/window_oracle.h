@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-// The definitions of reference/operations.md, section 3, word by word: a step at a time, a list of
+// The definitions of twin/docs/operations.md, section 3, word by word: a step at a time, a list of
 // all waits that is sorted. What the code under test counts by runs is held against it.
 
 namespace slackwater::twin::oracle {

@@ -32,7 +32,7 @@ AccessHistory history_of(const Marks& accessible, const StepClock& clock) {
   return history_of(accessible, Marks(accessible.size(), 0), clock);
 }
 
-/// reference/operations.md, section 3: dt 1 h, limit 1.5 m, D 3 h.
+/// twin/docs/operations.md, section 3: dt 1 h, limit 1.5 m, D 3 h.
 TEST(Workability, TheWorkedExample) {
   const std::vector<double> height_m{1.2, 1.2, 1.2, 1.8, 1.0, 1.0, 1.0, 1.0, 1.9};
   Marks accessible(height_m.size(), 1);

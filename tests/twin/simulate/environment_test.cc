@@ -60,7 +60,7 @@ TEST(Environment, WindIsTowardsAndGrowsWithHeight) {
   const auto at_10 = sampler.wind({0, 0, -10}, 0);
   EXPECT_NEAR(at_10.velocity_m_s.x, 10, 1e-6);
   EXPECT_NEAR(at_10.velocity_m_s.y, 0, 1e-6);
-  // physics.md, section 9: 12.030748 at 90 m.
+  // fields/docs/physics.md, section 9: 12.030748 at 90 m.
   EXPECT_NEAR(sampler.wind({0, 0, -90}, 0).velocity_m_s.x, 12.030748, 1e-4);
 }
 
@@ -72,9 +72,9 @@ TEST(Environment, ALongWaveMovesTheWaterAsAiryHasIt) {
   environment.sea =
       std::make_shared<SeaRealisation>(std::vector{*wave}, water, start, Stretching::none);
   const EnvironmentSampler sampler(environment);
-  // Crest over the origin at t = 0: u = a omega cosh k(z+h)/sinh kh = 0.599558 at 5 m (physics.md,
-  // section 8), vertical 0, acceleration 0 along and downwards -(-omega^2...) : a crest pulls down,
-  // w' = -0.555721 omega.
+  // Crest over the origin at t = 0: u = a omega cosh k(z+h)/sinh kh = 0.599558 at 5 m
+  // (fields/docs/physics.md, section 8), vertical 0, acceleration 0 along and downwards
+  // -(-omega^2...) : a crest pulls down, w' = -0.555721 omega.
   const WaterSample sample = sampler.water({0, 0, 5}, 0, 0);
   ASSERT_TRUE(has_value(sample.status));
   EXPECT_NEAR(sample.motion.elevation_m, 1, 1e-9);

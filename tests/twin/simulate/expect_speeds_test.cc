@@ -40,7 +40,7 @@ TEST(ExpectSpeeds, FasterThanAVehicleMakesIsRefusedWithWhatItMakes) {
 }
 
 TEST(ExpectSpeeds, WhatAVehicleMakesIsNot) {
-  // The published speeds of vehicles.md, and what the bundled scenarios ask for.
+  // The published speeds of twin/docs/vehicles.md, and what the bundled scenarios ask for.
   for (const auto& [model, speed] : {std::pair{"bluerov2_heavy", "speed_m_s: 1.1"},
                                      {"bluerov2_heavy", "hold_bus_v: 16, speed_m_s: 1.49"},
                                      {"lrauv_tethys", "speed_m_s: 1.0"},

@@ -36,7 +36,7 @@ void run_level_for(const Vehicle& vehicle, const StepPlan& plan, State& state,
   }
 }
 
-/// vehicles.md: 1.5 +- 0.15 m/s full ahead at 16 V without a tether.
+/// twin/docs/vehicles.md: 1.5 +- 0.15 m/s full ahead at 16 V without a tether.
 TEST(VehicleStep, TheBlueRov2ReachesItsSpeed) {
   const Vehicle blue = bundled_vehicle("bluerov2_heavy");
   State state = placed(blue, {0, 0, 20}, 0);

@@ -30,8 +30,8 @@ double catenary_parameter(double length_m, double distance_m) {
   return low;
 }
 
-/// vehicles.md: 50 m of tether across 0.5 m/s cost 29.2 N, and with the vehicle's own 13.6 N 42.8 N
-/// within 2 %.
+/// twin/docs/vehicles.md: 50 m of tether across 0.5 m/s cost 29.2 N, and with the vehicle's own
+/// 13.6 N 42.8 N within 2 %.
 TEST(TetherAtRest, TautAcrossTheFlowPassesHalfItsDragToEachEnd) {
   const Tether tether = fathom();
   const double per_m = 0.5 * 1025 * 1.2 * 0.0076 * 0.25;

@@ -22,7 +22,7 @@ TEST(ActuatorDisc, TheFlowThroughItSolvesItsCubic) {
   }
 }
 
-/// physics.md 11: T0 51.436 N at 16 V, hydraulic power 120.967 W.
+/// fields/docs/physics.md 11: T0 51.436 N at 16 V, hydraulic power 120.967 W.
 TEST(ActuatorDisc, TheT200LosesInFlowWhatItsPowerLeaves) {
   const double rest_n = 51.436227;
   EXPECT_NEAR(disc_power_w(disc, rest_n, 0.0), 120.967358, 1e-5);

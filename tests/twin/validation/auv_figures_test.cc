@@ -8,7 +8,7 @@
 #include "twin/battery/battery_step.h"
 
 // The Tethys LRAUV against what is published of it and what follows from that:
-// reference/vehicles.md.
+// twin/docs/vehicles.md.
 
 namespace slackwater::twin {
 namespace {

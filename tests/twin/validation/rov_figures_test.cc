@@ -8,7 +8,7 @@
 #include "tests/twin/validation/flight.h"
 
 // The BlueROV2 Heavy against what is published of it and what follows from that:
-// reference/vehicles.md.
+// twin/docs/vehicles.md.
 
 namespace slackwater::twin {
 namespace {

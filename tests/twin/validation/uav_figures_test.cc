@@ -6,7 +6,7 @@
 #include "tests/twin/validation/flight.h"
 #include "twin/battery/battery_step.h"
 
-// The X500 against what is published of it and what follows from that: reference/vehicles.md.
+// The X500 against what is published of it and what follows from that: twin/docs/vehicles.md.
 
 namespace slackwater::twin {
 namespace {

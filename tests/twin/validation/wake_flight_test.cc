@@ -8,7 +8,7 @@
 #include "tests/twin/validation/flight.h"
 
 // A quadrotor at hub height behind an NREL 5 MW rotor. The published flights
-// (reference/lotusim_current_evaluation.md, "Wake flights") found: the deficit changes mean tilt
+// (calibration/docs/published_evaluation.md, "Wake flights") found: the deficit changes mean tilt
 // and power, turbulence the variance of the attitude; 4.9 deg2 inside the wake against 0.6 in clear
 // air; a transit downwind +7.3 deg and +9.3 W. Orders of magnitude: their autopilot, gusts and
 // layout are not ours.

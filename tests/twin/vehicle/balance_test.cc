@@ -25,7 +25,7 @@ TEST(Balance, TheBundledVehiclesLieWellAndSayNothing) {
       EXPECT_GT(balance.stability_m, 0) << id;
     }
   }
-  // vehicles.md: BG of 0.01 m and 0.235 kg of buoyancy.
+  // twin/docs/vehicles.md: BG of 0.01 m and 0.235 kg of buoyancy.
   const Balance rov = balance_of(bundled_vehicle("bluerov2_heavy"));
   EXPECT_NEAR(rov.stability_m, 0.01, 1e-12);
   EXPECT_NEAR(rov.net_buoyancy_n, 0.235 * constants::gravity_m_s2, 0.01);

@@ -86,7 +86,7 @@ TEST(ReadBody, RefusesWhatNoBodyCanBeAndSaysWhy) {
 }
 
 /// The inertia that a public model gives this vehicle "to keep the trajectory straight"
-/// (vehicles.md).
+/// (twin/docs/vehicles.md).
 TEST(ReadBody, RefusesTheInertiaOfThePlaceholderLrauv) {
   std::string yaml = R"(dimensions_m: {length: 2.3, width: 0.305, height: 0.305}
 rigid_body: {mass_kg: 125, inertia_kg_m2: {xx: 10000, yy: 5.0e6, zz: 5.0e6}}

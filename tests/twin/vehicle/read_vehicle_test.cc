@@ -51,7 +51,7 @@ Spatial<double> wrench(const Vehicle& vehicle, const std::array<double, most_mou
   return sum;
 }
 
-/// vehicles.md: 129.2 N ahead from cos 45 (2 x 51.44 + 2 x 39.91), 205.7 N down.
+/// twin/docs/vehicles.md: 129.2 N ahead from cos 45 (2 x 51.44 + 2 x 39.91), 205.7 N down.
 TEST(ReadVehicle, TheBlueRov2HasTheBollardThrustOfItsSheet) {
   const Vehicle blue = bundled_vehicle("bluerov2_heavy");
   ASSERT_EQ(blue.mounts, 8U);

@@ -1,4 +1,5 @@
-// The two surface craft with what drives them, against the numbers of their sheets (vehicles.md).
+// The two surface craft with what drives them, against the numbers of their sheets
+// (twin/docs/vehicles.md).
 #include <gtest/gtest.h>
 
 #include "tests/support/surface_craft.h"
