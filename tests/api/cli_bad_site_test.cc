@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -13,10 +14,6 @@ namespace {
 using namespace std::chrono;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 class BadSite : public ::testing::Test {
  protected:

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -16,10 +17,6 @@ using namespace std::chrono;
 using nlohmann::json;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 class Degraded : public ::testing::Test {
  protected:

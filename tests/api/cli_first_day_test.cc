@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/refusal.h"
 #include "tests/support/store_for_tests.h"
@@ -17,10 +18,6 @@ using nlohmann::json;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
 constexpr const char* at = "2025-03-08T05:00:00Z";
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 /// Two days of water at 54.0 N 6.5 E.
 class FirstDay : public ::testing::Test {
