@@ -16,8 +16,8 @@ struct ComponentScore {
 
 /// Continuous ranked probability score of a normal forecast, in the unit of its mean:
 ///
-///   CRPS = sigma { z [2 Phi(z) - 1] + 2 phi(z) - 1/sqrt(pi) },  z = (x - mu)/sigma;  |x - mu| for
-///   sigma = 0
+///   CRPS = sigma { z [2 Phi(z) - 1] + 2 phi(z) - 1/sqrt(pi) },  z = (x - mu)/sigma
+///        = |x - mu|  for sigma = 0
 ///
 /// Source: Gneiting et al. (2005), Monthly Weather Review 133, 1098, eq. 5.
 [[nodiscard]] double normal_crps(double mean, double sigma, double truth) noexcept;
