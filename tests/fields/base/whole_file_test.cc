@@ -82,7 +82,9 @@ TEST_F(WholeFile, AFolderThatMayNotBeWrittenLeavesTheOldOne) {
   EXPECT_EQ(tests::error_of([&] { return write_text(file, "new"), 0; }),
             "cannot write " + file.string() + "; check free space and permissions");
   fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
-  if (::access(folder_.path().c_str(), W_OK) != 0) EXPECT_THROW(write_text(file_, "new"), Error);
+  if (::access(folder_.path().c_str(), W_OK) != 0) {
+    EXPECT_THROW(write_text(file_, "new"), Error);
+  }
   fs::permissions(folder_.path(), fs::perms::owner_all);
   expect_untouched();
 }
