@@ -6,7 +6,7 @@
 namespace slackwater::ingest {
 namespace {
 
-using tests::contains;
+using slackwater::tests::contains;
 using tests::decode;
 using tests::Decoded;
 using tests::refusal_of;

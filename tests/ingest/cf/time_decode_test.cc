@@ -9,7 +9,7 @@ namespace {
 
 using netcdf::Type;
 using netcdf::Writer;
-using tests::contains;
+using slackwater::tests::contains;
 using tests::decode;
 using tests::message_of;
 using tests::refusal_of;

@@ -8,7 +8,7 @@ namespace {
 
 using netcdf::Type;
 using netcdf::Writer;
-using tests::contains;
+using slackwater::tests::contains;
 using tests::decode;
 using tests::Decoded;
 using tests::refusal_of;
