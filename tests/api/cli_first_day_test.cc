@@ -104,7 +104,8 @@ TEST_F(FirstDay, AnEmptyStoreSaysThatItIs) {
   other.ingest(write_product(other.file("b.nc"), bathymetry_product()));
   const ProgramResult result = other.run({"forecast", "--site", other.site(), "--at", at});
   EXPECT_EQ(result.exit_code, 4);
-  EXPECT_TRUE(contains(result.err, "no currents, wind or waves at all")) << result.err;
+  EXPECT_TRUE(contains(result.err, "no currents, wind or waves at all"));
+  EXPECT_TRUE(contains(result.err, "--print-downloads")) << "what to fetch";
 }
 
 TEST_F(FirstDay, SiteInitWritesASiteThatForecasts) {

@@ -2,11 +2,46 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "tests/fields/site/site_for_tests.h"
 #include "tests/support/contains.h"
+#include "tests/support/error_of.h"
 
 namespace slackwater::tests {
 namespace {
+
+std::string refusal_of(const std::string& yaml) {
+  return error_of([&] { return parse_site(yaml, "here.yaml"); });
+}
+
+TEST(Site, ValuesOutOfRangeAreRefusedWithTheRange) {
+  const auto says = [](const std::string& yaml, const std::vector<std::string>& words) {
+    const std::string said = refusal_of("id: a\n" + yaml);
+    EXPECT_TRUE(contains(said, "here.yaml"));
+    for (const std::string& word : words) EXPECT_TRUE(contains(said, word));
+  };
+  says("latitude_deg: 95\nlongitude_deg: 6.5\n", {"latitude_deg", "95", "90"});
+  says("latitude_deg: 54\nlongitude_deg: 666\n", {"longitude_deg", "666", "360"});
+  says("latitude_deg: 54\nlongitude_deg: 6.5\nwater_depth_m: -30\n", {"water_depth_m", "-30"});
+  says("latitude_deg: .nan\nlongitude_deg: 6.5\n", {"latitude_deg"});
+  says("latitude_deg: 54\nlongitude_deg: .inf\n", {"longitude_deg"});
+}
+
+TEST(Site, MissingKeysWrongTypesAndBrokenYamlAreRefused) {
+  for (const auto& [yaml, word] : std::vector<std::pair<std::string, std::string>>{
+           {"id: a\nlongitude_deg: 6.5\n", "latitude_deg"},
+           {"id: a\nlatitude_deg: north\nlongitude_deg: 6.5\n", "north"},
+           {"id: a\nlatitude_deg: [54\nlongitude_deg: 6.5\n", ""},
+           {"", ""},
+           {"- id: a\n", ""},
+           {"id: a\nid: b\nlatitude_deg: 54\nlongitude_deg: 6.5\n", "id"},
+           {"id: ../../etc/passwd\nlatitude_deg: 54\nlongitude_deg: 6.5\n", "id"}}) {
+    EXPECT_TRUE(contains(refusal_of(yaml), "here.yaml"));
+    EXPECT_TRUE(contains(refusal_of(yaml), word));
+  }
+}
 
 TEST(SiteFetch, IsUnknownWhereTheFileSaysNothing) { EXPECT_FALSE(site_with("").fetch); }
 
