@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/base/turn.h"
+
 namespace slackwater::twin {
 
 Heading heading_along(const LineOfSight& guidance, const Triple<double>& from, const Waypoint& to,
