@@ -5,7 +5,6 @@
 
 #include "fields/base/quantile.h"
 
-
 namespace slackwater::twin {
 
 std::size_t add_waits(const StepRange& range, const StepRanges& starts, std::size_t next,
