@@ -7,6 +7,8 @@
 #include "api/cli/output_file.h"
 #include "fields/base/csv.h"
 #include "fields/base/text.h"
+#include "fields/base/turn.h"
+#include "fields/base/whole_file.h"
 #include "ingest/ais/read_ais.h"
 
 namespace slackwater::api {
@@ -36,7 +38,7 @@ Summary summary_of(const std::vector<AisPosition>& positions) {
       ++speeds;
     }
     const double longitude = position.point.longitude_deg();
-    const double positive = longitude < 0 ? longitude + 360 : longitude;
+    const double positive = compass_deg(longitude);
     west = std::min(west, longitude);
     east = std::max(east, longitude);
     west_0_360 = std::min(west_0_360, positive);

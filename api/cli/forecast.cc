@@ -14,6 +14,7 @@
 #include "api/program/paths.h"
 #include "api/report/forecast_page.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
 #include "fields/service/wave_source.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"

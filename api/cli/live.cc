@@ -19,6 +19,7 @@
 #include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/run_page.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
 
 namespace slackwater::api {
 namespace {

@@ -1,7 +1,6 @@
 #include "api/cli/output_file.h"
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 #include "fields/base/error.h"
@@ -29,35 +28,6 @@ void expect_output(std::string_view option, const std::filesystem::path& file,
     throw Error(ErrorKind::usage, "found no folder " + folder.string() + " for " +
                                       std::string(option) + "; make it, or name another");
   }
-}
-
-void write_beside(const std::filesystem::path& file,
-                  const std::function<void(const std::filesystem::path& partial)>& write) {
-  const std::filesystem::path partial = file.string() + ".partial";
-  std::error_code problem;
-  try {
-    write(partial);
-    std::filesystem::rename(partial, file, problem);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw;
-  }
-  if (!problem) return;
-  std::filesystem::remove(partial, problem);
-  throw Error(ErrorKind::unavailable,
-              "cannot write " + file.string() + "; check free space and permissions");
-}
-
-void write_text(const std::filesystem::path& file, std::string_view text) {
-  write_beside(file, [&](const std::filesystem::path& partial) {
-    std::ofstream out(partial, std::ios::binary);
-    out << text;
-    out.close();
-    if (out) return;
-    throw Error(ErrorKind::unavailable,
-                "cannot write " + file.string() + "; check free space and permissions");
-  });
 }
 
 }  // namespace slackwater::api

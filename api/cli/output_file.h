@@ -1,10 +1,10 @@
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <initializer_list>
 #include <string_view>
 
-// Files that commands write where the user says: one rule for all of them.
+// Files that commands write where the user says: one rule for all of them. They are written whole or
+// not at all, see fields/base/whole_file.h.
 
 namespace slackwater::api {
 
@@ -15,13 +15,5 @@ namespace slackwater::api {
 /// @throws Error(usage) that says what was found and what is expected
 void expect_output(std::string_view option, const std::filesystem::path& file,
                    std::initializer_list<std::string_view> endings);
-
-/// Whole or not at all: what stood there before stays until the new one is written.
-/// @throws what `write` throws, and Error(unavailable) where the file cannot take its place
-void write_beside(const std::filesystem::path& file,
-                  const std::function<void(const std::filesystem::path& partial)>& write);
-
-/// The same for a text.
-void write_text(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace slackwater::api

@@ -21,6 +21,7 @@
 #include "api/rehearse/zones.h"
 #include "fields/base/check.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/chance/rank_rule.h"
 #include "twin/rehearse/expect_fit.h"

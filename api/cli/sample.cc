@@ -9,6 +9,7 @@
 #include "api/issued/in_force.h"
 #include "api/program/paths.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
 #include "fields/site/site.h"
 
 namespace slackwater::api {
@@ -116,16 +117,14 @@ void run_sample(const SampleArguments& arguments, const Context& context) {
   if (arguments.members) s.members = snapshot.members;
   expect_bounded(s.grid, s.members);
   s.range = s.field->range();
-  const std::filesystem::path partial = arguments.out.string() + ".partial";
   const auto write = arguments.out.extension() == ".nc" ? write_netcdf : write_csv;
-  write(partial, s, context.json);
-  if (with_value(s.counts) == 0) {
-    std::filesystem::remove(partial);
-    throw Error(ErrorKind::not_found, "found no current at any of these places (" +
-                                          counts_text(s.counts) + "); the forecast is for " +
-                                          s.range.text());
-  }
-  std::filesystem::rename(partial, arguments.out);
+  write_beside(arguments.out, [&](const std::filesystem::path& partial) {
+    write(partial, s, context.json);
+    if (with_value(s.counts) == 0)
+      throw Error(ErrorKind::not_found, "found no current at any of these places (" +
+                                            counts_text(s.counts) + "); the forecast is for " +
+                                            s.range.text());
+  });
   if (context.json) {
     print_samples_json(s, arguments.out);
   } else {

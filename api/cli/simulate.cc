@@ -16,6 +16,7 @@
 #include "api/rehearse/run_page.h"
 #include "api/rehearse/scenario_run.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
 
 namespace slackwater::api {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/program/paths.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
 #include "fields/site/site.h"
 
 namespace slackwater::api {
@@ -77,22 +77,6 @@ std::optional<double> stored_depth_m(const Site& site, const Context& context) {
   return bathymetry_at(store, site);
 }
 
-void write_new_file(const std::filesystem::path& file, const std::string& text) {
-  std::filesystem::create_directories(file.parent_path());
-  const std::filesystem::path partial = file.string() + ".partial";
-  std::ofstream out(partial, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code problem;
-  if (out) std::filesystem::rename(partial, file, problem);
-  if (!out || problem) {
-    std::filesystem::remove(partial, problem);
-    throw Error(ErrorKind::unavailable, "writing " + file.string() +
-                                            " failed; a writable folder was expected; check its "
-                                            "rights and space");
-  }
-}
-
 void run_site_init(const InitArguments& arguments, const Context& context) {
   check_place(arguments);
   if (!arguments.time_zone.empty())
@@ -119,7 +103,8 @@ void run_site_init(const InitArguments& arguments, const Context& context) {
   }
   const std::string yaml = yaml_of(arguments, id, depth_m, source);
   site = parse_site(yaml, "site init");  // what is written can be read
-  write_new_file(file, yaml);
+  std::filesystem::create_directories(file.parent_path());
+  write_text(file, yaml);
   if (context.json) {
     std::printf("%s\n", json{{"id", id},
                              {"file", file.string()},

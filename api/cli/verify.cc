@@ -14,6 +14,7 @@
 #include "api/report/skill_page.h"
 #include "api/report/skill_table.h"
 #include "api/report/verify_page.h"
+#include "fields/base/whole_file.h"
 
 namespace slackwater::api {
 namespace {

@@ -7,6 +7,7 @@
 #include "api/coverage/raster.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::api {
 namespace {
@@ -105,8 +106,7 @@ std::string compass_svg(const CoverageSheet& sheet, const Frame& frame) {
            text_svg(x, top - 10, name, "class=\"compass\" text-anchor=\"middle\"");
   };
   for (int k = 0; k < 4; ++k) {
-    double turn = std::fmod(90.0 * k - sheet.first_bearing_deg, 360);
-    if (turn < 0) turn += 360;
+    const double turn = compass_deg(90.0 * k - sheet.first_bearing_deg);
     put(turn / 360 * sheet.width_m, names[k]);
     if (turn == 0) put(sheet.width_m, names[k]);
   }

@@ -8,6 +8,7 @@
 #include "api/coverage/tangents.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::api {
 namespace {
@@ -102,10 +103,10 @@ std::vector<View> views_of(const std::vector<CoverageQuad>& quads) {
   double bearing = 225;
   if (std::hypot(looked.x(), looked.y()) > 0.02 * area) {
     bearing = std::atan2(looked.x(), looked.y()) * 57.29577951308232;
-    bearing = std::fmod(45 * std::round(bearing / 45) + 360, 360);
+    bearing = compass_deg(45 * std::round(bearing / 45) + 360);
   }
   std::vector<View> views{View(bearing)};
-  if (views[0].share_facing(quads) < 0.85) views.emplace_back(std::fmod(bearing + 180, 360));
+  if (views[0].share_facing(quads) < 0.85) views.emplace_back(compass_deg(bearing + 180));
   return views;
 }
 

@@ -7,6 +7,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::api {
 namespace {
@@ -183,8 +184,7 @@ Finding finding_of(const Rows& rows, std::size_t i) {
 }  // namespace
 
 double CoverageSheet::bearing_deg(double along_m) const noexcept {
-  const double bearing = std::fmod(first_bearing_deg + 360 * along_m / width_m, 360);
-  return bearing < 0 ? bearing + 360 : bearing;
+  return compass_deg(first_bearing_deg + 360 * along_m / width_m);
 }
 
 const char* words_of(FindingOutcome outcome) noexcept {

@@ -7,6 +7,7 @@
 
 #include "api/issued/as_issued.h"
 #include "fields/base/error.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::api {
 namespace {
@@ -18,7 +19,7 @@ constexpr double as_near_deg2 = 1e-12;
 double nearest_column_deg2(const Field& field, double longitude_deg, double latitude_deg) noexcept {
   double nearest = std::numeric_limits<double>::infinity();
   for (const ForecastColumn& column : field.snapshot().columns) {
-    const double east = std::remainder(longitude_deg - column.point.longitude_deg(), 360.0) *
+    const double east = short_way_deg(longitude_deg - column.point.longitude_deg()) *
                         std::cos(column.point.latitude.radians());
     const double north = latitude_deg - column.point.latitude_deg();
     nearest = std::min(nearest, east * east + north * north);

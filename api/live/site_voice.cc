@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/base/turn.h"
 #include "twin/traffic/closest_approach.h"
 
 namespace slackwater::live {
@@ -79,8 +80,7 @@ void SiteVoice::speak_of_traffic(std::span<const twin::Seen> vehicles, double t_
     if (!(std::abs(latitude_deg) <= 90) || !std::isfinite(longitude_deg)) continue;
     target.point = GeoPoint::from_degrees(latitude_deg, longitude_deg);
     target.speed_m_s = std::hypot(v.x, v.y);
-    const double course_deg = std::atan2(v.y, v.x) * 180 / constants::pi;
-    target.course_deg = course_deg < 0 ? course_deg + 360 : course_deg;
+    target.course_deg = compass_deg(std::atan2(v.y, v.x) * 180 / constants::pi);
     target.cpa_m = nearest.distance_m;
     target.tcpa_s = nearest.time_s;
     stream_.publish(ais_, stamp, dds::ais_target(target, stamp));

@@ -12,6 +12,7 @@
 #include "api/program/run_program.h"
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
+#include "fields/base/whole_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -100,18 +101,14 @@ void print_page(const fs::path& page, const fs::path& pdf) {
                          ? std::string("stopped after a minute")
                          : "exit code " + std::to_string(end->exit_code) + first_line(end->err)) +
                     "); the page itself is written; print it from a browser");
-  fs::path part = pdf;
-  part += ".part";
-  fs::copy_file(printed, part, fs::copy_options::overwrite_existing, failure);
-  if (!failure) fs::rename(part, pdf, failure);
-  if (failure) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw Error(ErrorKind::unavailable, "writing " + pdf.string() + " failed (" +
-                                            failure.message() +
-                                            "); a writable place was expected; check its rights "
-                                            "and space");
-  }
+  write_beside(pdf, [&](const fs::path& partial) {
+    fs::copy_file(printed, partial, fs::copy_options::overwrite_existing, failure);
+    if (failure)
+      throw Error(ErrorKind::unavailable, "writing " + pdf.string() + " failed (" +
+                                              failure.message() +
+                                              "); a writable place was expected; check its rights "
+                                              "and space");
+  });
 }
 
 }  // namespace slackwater::api

@@ -10,6 +10,7 @@
 #include "data/store/durable.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
+#include "fields/base/whole_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -119,20 +120,15 @@ void write_checkpoint(const StandingRun& run, const CheckpointOrigin& origin,
   append(body, run.log.t_s);
   for (const auto& row : run.log.rows) append(body, row);
   for (const auto& row : run.sensor_rows) append(body, row);
-  const std::filesystem::path partial = file.string() + ".partial";
-  {
+  write_beside(file, [&](const std::filesystem::path& partial) {
     std::ofstream out(partial, std::ios::binary);
     out << first_line << sha256_of_text(body) << '\n' << body;
     out.close();
-    if (!out) {
-      std::error_code ignored;
-      std::filesystem::remove(partial, ignored);
+    if (!out)
       throw Error(ErrorKind::unavailable, "the checkpoint " + file.string() +
                                               " could not be written; free space or name another");
-    }
-  }
-  store::sync_file(partial);
-  store::rename_file(partial, file);
+    store::sync_file(partial);
+  });
   store::sync_folder(std::filesystem::absolute(file).parent_path());
 }
 

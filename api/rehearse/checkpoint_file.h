@@ -16,8 +16,9 @@ namespace slackwater::api {
 //   slackwater checkpoint 1
 //   <SHA-256 of all that follows this line>
 //   <length of the JSON in bytes>
-//   <JSON: what it belongs to, and each vehicle's state; doubles in hexadecimal, exact to the last
-//   bit> <times and rows of the log, doubles as they lie in memory>
+//   <JSON: what it belongs to, and each vehicle's state; doubles in hexadecimal, exact to the
+//    last bit>
+//   <times and rows of the log, doubles as they lie in memory>
 
 /// What a checkpoint belongs to; it is taken up by nothing else.
 struct CheckpointOrigin {

@@ -6,6 +6,7 @@
 #include "fields/base/csv.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -13,19 +14,16 @@ namespace {
 using ingest::TrajectoryFile;
 using ingest::TrajectoryTable;
 
-/// Whole or not at all, like all that is written beside a run.
 template <typename Rows>
 void write_file(const std::filesystem::path& file, const Rows& rows) {
-  const std::filesystem::path partial = file.string() + ".partial";
-  std::ofstream out(partial, std::ios::binary);
-  rows(out);
-  out.close();
-  std::error_code problem;
-  if (out) std::filesystem::rename(partial, file, problem);
-  if (out && !problem) return;
-  std::filesystem::remove(partial, problem);
-  throw Error(ErrorKind::unavailable,
-              "cannot write " + file.string() + "; check free space and permissions");
+  write_beside(file, [&](const std::filesystem::path& partial) {
+    std::ofstream out(partial, std::ios::binary);
+    rows(out);
+    out.close();
+    if (!out)
+      throw Error(ErrorKind::unavailable,
+                  "cannot write " + file.string() + "; check free space and permissions");
+  });
 }
 
 std::string heading(const std::string& name, const std::string& units) {

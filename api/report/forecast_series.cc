@@ -6,6 +6,7 @@
 #include "api/report/forecast_page.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
+#include "fields/base/turn.h"
 #include "fields/service/speed_quantiles.h"
 #include "fields/wave/height_error.h"
 
@@ -64,7 +65,7 @@ ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column, const F
   for (std::size_t t = 0; t < s.time.size(); ++t) {
     const double height_m = column.sea[t].significant_height_m;
     line.values.push_back(height_m);
-    panel.towards_deg.push_back(std::fmod(column.sea[t].from_direction_deg + 180, 360));
+    panel.towards_deg.push_back(compass_deg(column.sea[t].from_direction_deg + 180));
     const double reach_m = constants::normal_p90 *
                            wave_height_sigma_m(height_m, hours_between(s.time.front(), s.time[t]));
     const bool is_computed = column.sea_source[t] == DataStatus::modelled;

@@ -1,12 +1,12 @@
 #include "api/report/html_page.h"
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
 #include "api/report/assets.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/whole_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -107,19 +107,7 @@ void write_page(const std::string& html, const std::filesystem::path& file) {
     throw Error(ErrorKind::usage, "found the folder " + file.string() +
                                       " where a page was to be written; name a file in it");
   }
-  std::filesystem::path part = file;
-  part += ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << html;
-  out.close();
-  std::error_code failure;
-  if (out) std::filesystem::rename(part, file, failure);
-  if (!out || failure) {
-    std::filesystem::remove(part, failure);
-    throw Error(ErrorKind::unavailable,
-                "writing the page " + file.string() +
-                    " failed; a writable place was expected; check its rights and space");
-  }
+  write_text(file, html);
 }
 
 }  // namespace slackwater::api

@@ -26,8 +26,8 @@ struct ColumnPhysics {
 /// Profile of an oscillation exp(i sigma t) with unit amplitude far from the bed, over a bed with
 /// linear friction:
 ///
-///   W(z)/W_inf = 1 - r cosh(lambda z) / [r cosh(lambda H) + A lambda sinh(lambda H)],  lambda^2 =
-///   i (f + sigma)/A
+///   W(z)/W_inf = 1 - r cosh(lambda z) / [r cosh(lambda H) + A lambda sinh(lambda H)],
+///   lambda^2   = i (f + sigma)/A
 ///
 /// sigma = 0 is the steady bottom Ekman layer, sigma > 0 turns counter-clockwise. No stress at the
 /// surface. Source: the momentum balance i (f + sigma) (W - W_inf) = A W''; compare reference
@@ -38,8 +38,8 @@ struct ColumnPhysics {
 /// The response of the column to a wind history, with memory: the exact solution by vertical
 /// eigenmodes of
 ///
-///   dW/dt + i f W = A W_zz,   A W_z = F(t) at z = 0,   A W_z = r W at z = -H,   W = 0 at the first
-///   time,
+///   dW/dt + i f W = A W_zz,   A W_z = F(t) at z = 0,   A W_z = r W at z = -H,
+///   W = 0 at the first time,
 ///
 /// with F the kinematic stress (stress over water density, m2/s2), piecewise linear between
 /// samples. Each mode is advanced exactly (an inertial oscillation with its own damping); modes

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "fields/base/statistics.h"
+
 namespace slackwater::calibration {
 using std::chrono::days;
 using std::chrono::hours;
@@ -23,10 +25,8 @@ bool holds_throughout(const VectorColumn& currents, UtcDay day) {
   std::vector<Duration> steps;
   for (std::size_t i = 1; i < cells.size(); ++i)
     steps.push_back(cells[i].centre() - cells[i - 1].centre());
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2),
-                   steps.end());
   // Instruments that sample finer than hourly are held to what an hourly series is.
-  const Duration usual = std::max<Duration>(steps[steps.size() / 2], hours(1));
+  const Duration usual = std::max<Duration>(upper_median(std::move(steps)), hours(1));
   const auto too_wide = [&](Duration gap) { return 2 * gap > 5 * usual; };
   for (std::size_t i = 1; i < cells.size(); ++i) {
     if (too_wide(cells[i].centre() - cells[i - 1].centre())) return false;

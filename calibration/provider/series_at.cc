@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fields/base/statistics.h"
 #include "fields/interpolate/temporal.h"
 
 namespace slackwater::calibration {
@@ -52,9 +53,7 @@ Duration usual_step(const VectorColumn& series) {
   for (std::size_t t = 1; t < series.times(); ++t)
     steps.push_back(series.time[t].centre() - series.time[t - 1].centre());
   if (steps.empty()) return Duration(0);
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2),
-                   steps.end());
-  return steps[steps.size() / 2];
+  return upper_median(std::move(steps));
 }
 
 /// The line of one depth, and the cells that it goes through.

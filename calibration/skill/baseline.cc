@@ -8,6 +8,7 @@
 #include "calibration/skill/reference_slab.h"
 #include "calibration/skill/tide_baseline.h"
 #include "fields/base/check.h"
+#include "fields/base/statistics.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -48,9 +49,7 @@ Duration usual_step(const LevelSeries& series) {
   for (std::size_t i = 1; i < series.size(); ++i)
     step.push_back(series.time[i].centre() - series.time[i - 1].centre());
   if (step.empty()) return Duration(0);
-  std::nth_element(step.begin(), step.begin() + static_cast<std::ptrdiff_t>(step.size() / 2),
-                   step.end());
-  return step[step.size() / 2];
+  return upper_median(std::move(step));
 }
 
 /// Value at this time, linear between neighbours at most two usual steps apart.

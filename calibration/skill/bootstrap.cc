@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fields/base/check.h"
+#include "fields/base/quantile.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -114,9 +115,7 @@ std::optional<Interval95> bootstrap_mean(std::span<const BlockSum> series, Rng& 
   const double centre = mean_of(filled);
   const double wider = widening(filled.size(), length, phi);
   const auto quantile = [&](double share) {
-    const double drawn =
-        mean[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws - 1)))];
-    return centre + wider * (drawn - centre);
+    return centre + wider * (nearest_quantile(mean, share) - centre);
   };
   return Interval95{quantile(0.025), quantile(0.975)};
 }

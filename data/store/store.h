@@ -24,7 +24,7 @@ enum class OpenMode {
 ///   STORE/catalogue.sqlite          rows: sources, granules, forecasts as issued
 ///   STORE/files/ab/abcdef….nc       content; never changed, only added and pruned
 ///   STORE/staging/<pid>-<random>/   files being written, one folder per process, swept once that
-///   process is gone
+///                                   process is gone
 ///
 /// Every commit is all or nothing and durable when it returns: content is fsynced, renamed into
 /// place, its folder fsynced, and only then does one transaction name it. So a row never lacks its

@@ -2,19 +2,12 @@
 
 #include <cmath>
 
+#include "fields/base/turn.h"
+
 namespace slackwater {
-namespace {
-
-double compass_degrees(double east, double north) noexcept {
-  const double degrees = Angle::from_radians(std::atan2(east, north)).degrees();
-  const double wrapped = degrees < 0 ? degrees + 360.0 : degrees;
-  return wrapped >= 360.0 ? 0.0 : wrapped;
-}
-
-}  // namespace
 
 double to_direction_deg(Horizontal velocity) noexcept {
-  return compass_degrees(velocity.real(), velocity.imag());
+  return compass_deg(Angle::from_radians(std::atan2(velocity.real(), velocity.imag())).degrees());
 }
 
 double from_direction_deg(Horizontal velocity) noexcept { return to_direction_deg(-velocity); }

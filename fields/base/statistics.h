@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "fields/base/check.h"
@@ -19,13 +20,18 @@ template <typename T>
   return *middle;
 }
 
-/// The smaller of the two in the middle. Always one of the values.
+/// The smaller of the two in the middle. Always one of the values, whose order changes.
 template <typename T>
-[[nodiscard]] T lower_median(std::vector<T> values) {
+[[nodiscard]] T lower_median_of(std::span<T> values) {
   expects(!values.empty(), "a median is that of one value at least");
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+/// The same of values that stay as they are.
+template <typename T>
+[[nodiscard]] T lower_median(std::vector<T> values) {
+  return lower_median_of(std::span(values));
 }
 
 /// The mean of the two in the middle.

@@ -13,8 +13,9 @@ namespace slackwater {
 ///
 ///   W   = W_g A + T B
 ///   A   = [(1 - e^{-lambda(H+d)}) (1 - e^{-lambda(H-d)}) + sigma (1 - e^{-2 lambda H})]/Q
-///   B   = e^{-lambda d} [1 - e^{-2 lambda(H-d)} + sigma (1 + e^{-2 lambda(H-d)})]/(rho nu lambda
-///   Q) Q   = 1 + e^{-2 lambda H} + sigma (1 - e^{-2 lambda H})
+///   B   = e^{-lambda d} [1 - e^{-2 lambda(H-d)} + sigma (1 + e^{-2 lambda(H-d)})]
+///         / (rho nu lambda Q)
+///   Q   = 1 + e^{-2 lambda H} + sigma (1 - e^{-2 lambda H})
 ///
 /// This is the closed form in sinh and cosh, both sides multiplied by 2 e^{-lambda H}: no term
 /// overflows however deep the water, and with expm1 none loses digits when lambda H is small. Deep

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 
 namespace slackwater {
 namespace {
@@ -13,20 +14,13 @@ constexpr double radians_per_degree = constants::pi / 180.0;
 /// Degrees from west to east, eastward; 360 for a box round the Earth.
 double longitude_extent_deg(const BoundingBox& box) noexcept {
   if (box.east_deg - box.west_deg >= 360) return 360;
-  const double extent = std::fmod(box.east_deg - box.west_deg, 360.0);
-  return extent < 0 ? extent + 360 : extent;
-}
-
-/// How far one has to go east from `from_deg` to reach `to_deg`, in [0, 360).
-double eastward_deg(double from_deg, double to_deg) noexcept {
-  const double way = std::fmod(to_deg - from_deg, 360.0);
-  return way < 0 ? way + 360 : way;
+  return compass_deg(box.east_deg - box.west_deg);
 }
 
 /// Whether the box holds the meridian; boxes that touch do, whatever the rounding.
 bool reaches(const BoundingBox& box, double longitude_deg) noexcept {
-  constexpr double rounding_deg = 1e-9;  // 0.1 mm
-  const double way = eastward_deg(box.west_deg, longitude_deg);
+  constexpr double rounding_deg = 1e-9;                          // 0.1 mm
+  const double way = compass_deg(longitude_deg - box.west_deg);  // eastward
   return way <= longitude_extent_deg(box) + rounding_deg || way >= 360 - rounding_deg;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 #include "fields/service/field.h"
 #include "fields/wind/log_profile.h"
 
@@ -38,8 +39,7 @@ class MeanSea {
     // Calm water has no period: beside a sea it must not make that sea's look short and steep.
     if (without_period_ > 0 && without_period_ < 1)
       sample.sea.peak_period_s = sum_.peak_period_s / (1 - without_period_);
-    const double degrees = std::arg(from_) / radians;
-    sample.sea.from_direction_deg = degrees < 0 ? degrees + 360 : degrees;
+    sample.sea.from_direction_deg = compass_deg(std::arg(from_) / radians);
     return sample;
   }
 

@@ -4,6 +4,7 @@
 
 #include "fields/base/config.h"
 #include "fields/base/text.h"
+#include "fields/base/turn.h"
 
 namespace slackwater {
 namespace {
@@ -41,9 +42,8 @@ std::optional<Span> read_span(const Config& config, const char* key, Range range
 std::vector<Horizontal> in_degrees(const std::vector<GeoPoint>& corners) {
   std::vector<Horizontal> plane;
   for (const GeoPoint& corner : corners)
-    plane.emplace_back(
-        std::remainder(corner.longitude_deg() - corners.front().longitude_deg(), 360.0),
-        corner.latitude_deg());
+    plane.emplace_back(short_way_deg(corner.longitude_deg() - corners.front().longitude_deg()),
+                       corner.latitude_deg());
   return plane;
 }
 

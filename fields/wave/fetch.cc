@@ -6,24 +6,20 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "fields/base/turn.h"
 
 namespace slackwater {
 namespace {
 
-double on_circle(double degrees) {
-  const double rest = std::fmod(degrees, 360.0);
-  return rest < 0 ? rest + 360.0 : rest;
-}
-
 /// 0 to 360 is the whole circle, 90 to 90 is nothing.
 double width_deg(const FetchSector& sector) {
   if (sector.from_deg == sector.to_deg) return 0;
-  const double width = on_circle(sector.to_deg - sector.from_deg);
+  const double width = compass_deg(sector.to_deg - sector.from_deg);
   return width > 0 ? width : 360.0;
 }
 
 std::string range_text(double from_deg, double to_deg) {
-  return formatted("{:g} to {:g} degrees", on_circle(from_deg), on_circle(to_deg));
+  return formatted("{:g} to {:g} degrees", compass_deg(from_deg), compass_deg(to_deg));
 }
 
 /// Each sector has to end where the next one begins.
@@ -62,7 +58,7 @@ Fetch::Fetch(std::vector<FetchSector> sectors) : sectors_(std::move(sectors)) {
       refuse("found a sector from " + formatted("{:g}", sector.from_deg) +
              " degrees to the same; expected two different directions, or 0 to 360 for all");
     }
-    sector.from_deg = on_circle(sector.from_deg);
+    sector.from_deg = compass_deg(sector.from_deg);
     sector.to_deg = sector.from_deg + width;
   }
   std::sort(sectors_.begin(), sectors_.end(),
@@ -71,7 +67,7 @@ Fetch::Fetch(std::vector<FetchSector> sectors) : sectors_(std::move(sectors)) {
 }
 
 double Fetch::at_m(double wind_from_direction_deg) const noexcept {
-  const double direction = on_circle(wind_from_direction_deg);
+  const double direction = compass_deg(wind_from_direction_deg);
   // The last sector reaches through north to the first.
   const FetchSector* found = &sectors_.back();
   for (const FetchSector& sector : sectors_) {

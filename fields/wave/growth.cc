@@ -6,6 +6,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 
 namespace slackwater {
 namespace {
@@ -22,7 +23,7 @@ constexpr double widest_turn_deg = 60.0;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 double degrees_between(double a_deg, double b_deg) {
-  return std::abs(std::remainder(a_deg - b_deg, 360.0));
+  return std::abs(short_way_deg(a_deg - b_deg));
 }
 
 double square(double x) { return x * x; }

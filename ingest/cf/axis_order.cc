@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fields/base/error.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -95,11 +96,6 @@ std::string shown(double degrees) {
          shown(values.back()) + "; give a --bbox or --site inside the file");
 }
 
-double positive_modulo(double value, double period) {
-  const double rest = std::fmod(value, period);
-  return rest < 0 ? rest + period : rest;
-}
-
 /// Adds or subtracts whole turns so that steps between neighbours are the short way round.
 std::vector<double> unwrapped(const std::vector<double>& degrees) {
   std::vector<double> turned = degrees;
@@ -135,7 +131,7 @@ void rotate(AxisOrder& order, std::size_t start) {
 
 /// The place from which the way east to `west_deg` is shortest.
 std::size_t place_west_of(const AxisOrder& order, double west_deg) {
-  const auto way = [&](double value) { return positive_modulo(west_deg - value, 360.0); };
+  const auto way = [&](double value) { return compass_deg(west_deg - value); };
   const auto nearest = std::min_element(order.values.begin(), order.values.end(),
                                         [&](double a, double b) { return way(a) < way(b); });
   return static_cast<std::size_t>(nearest - order.values.begin());

@@ -4,6 +4,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/turn.h"
 #include "fields/geo/geo_point.h"
 #include "ingest/grib/message.h"
 #include "ingest/grib/parameter.h"
@@ -14,8 +15,7 @@ namespace {
 constexpr long bits_per_value = 24;
 
 double longitude_0_360(double longitude_deg) {
-  const double normalised = normalised_longitude_deg(longitude_deg);
-  return normalised < 0 ? normalised + 360.0 : normalised;
+  return compass_deg(normalised_longitude_deg(longitude_deg));
 }
 
 void set_times(grib::Message& message, const GribField& field) {

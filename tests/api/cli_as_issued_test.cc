@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/contains.h"
 #include "tests/support/store_for_tests.h"
 
 namespace slackwater::tests {
@@ -14,10 +15,6 @@ using std::chrono::days;
 
 const UtcDay first = parse_day("2025-03-04");
 constexpr const char* morning = "2025-03-08T05:00:00Z";  // D is the 7th
-
-bool contains(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 class AsIssuedAtEveryDoor : public ::testing::Test {
  protected:

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -13,10 +14,6 @@ namespace {
 using namespace std::chrono;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 class BadSite : public ::testing::Test {
  protected:
@@ -50,25 +47,6 @@ class BadSite : public ::testing::Test {
 TEST_F(BadSite, UnknownKeyIsRefusedWithItsLineAndTheNearestKnownKey) {
   expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: 6.5\nwater_dept_m: 30\n",
                  {"water_dept_m", "water_depth_m", "4"});
-}
-
-TEST_F(BadSite, ValuesOutOfRangeAreRefusedWithTheRange) {
-  expect_refused("id: a\nlatitude_deg: 95\nlongitude_deg: 6.5\n", {"latitude_deg", "95", "90"});
-  expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: 666\n", {"longitude_deg", "666", "360"});
-  expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: 6.5\nwater_depth_m: -30\n",
-                 {"water_depth_m", "-30"});
-  expect_refused("id: a\nlatitude_deg: .nan\nlongitude_deg: 6.5\n", {"latitude_deg"});
-  expect_refused("id: a\nlatitude_deg: 54\nlongitude_deg: .inf\n", {"longitude_deg"});
-}
-
-TEST_F(BadSite, MissingKeysWrongTypesAndBrokenYamlAreRefused) {
-  expect_refused("id: a\nlongitude_deg: 6.5\n", {"latitude_deg"});
-  expect_refused("id: a\nlatitude_deg: north\nlongitude_deg: 6.5\n", {"latitude_deg", "north"});
-  expect_refused("id: a\nlatitude_deg: [54\nlongitude_deg: 6.5\n", {});
-  expect_refused("", {});
-  expect_refused("- id: a\n", {});
-  expect_refused("id: a\nid: b\nlatitude_deg: 54\nlongitude_deg: 6.5\n", {"id"});
-  expect_refused("id: ../../etc/passwd\nlatitude_deg: 54\nlongitude_deg: 6.5\n", {"id"});
 }
 
 TEST_F(BadSite, AnAbsentSiteListsTheKnownOnes) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "tests/support/contains.h"
 #include "tests/support/http_client.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
@@ -17,10 +18,6 @@ namespace {
 using namespace std::chrono;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 TEST(UnwritableStore, BelowAFileIsUnavailableAndNamesTheFolder) {
   const TemporaryFolder folder;

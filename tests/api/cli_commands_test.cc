@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "ingest/cf/forecast_file.h"
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -18,10 +19,6 @@ using nlohmann::json;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
 constexpr const char* at = "2025-03-09T05:00:00Z";  ///< after three days of data
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 void expect_keys(const json& document, const std::vector<std::string>& keys,
                  const std::string& of) {

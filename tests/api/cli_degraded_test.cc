@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -16,10 +17,6 @@ using namespace std::chrono;
 using nlohmann::json;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 class Degraded : public ::testing::Test {
  protected:
@@ -176,31 +173,6 @@ TEST_F(Degraded, AProviderMoreThanADayLateIsNamedWithoutBeingAskedForADay) {
       << "72 h beyond the day that should have been there";
 }
 
-TEST_F(Degraded, AGapInTheNewestDayIsAMissingDay) {
-  ingest_currents(2);
-  ingest_wind_and_waves(3);
-  ProductForTests holed = current_product(day + days(2));
-  holed.time.erase(holed.time.begin() + 8, holed.time.begin() + 15);
-  ingest("holed.nc", holed);
-  const json made = forecast("2025-03-09T05:00:00Z", {"--day", "2025-03-08"});
-  expect_degraded(made, {"2025-03-08", "2025-03-07"});
-  EXPECT_EQ(made["day"], "2025-03-07");
-}
-
-TEST_F(Degraded, ADayOfMissingValuesIsAMissingDay) {
-  ingest_currents(2);
-  ingest_wind_and_waves(3);
-  ProductForTests holed = current_product(day + days(2));
-  for (ProductQuantity& q : holed.quantities) {
-    q.value = [value = q.value](const ProductCell& cell) {
-      return cell.time < UtcTime(day + days(2)) + hours(12) ? value(cell) : std::nan("");
-    };
-  }
-  ingest("holed.nc", holed);
-  const json made = forecast("2025-03-09T05:00:00Z", {"--day", "2025-03-08"});
-  expect_degraded(made, {"2025-03-08", "2025-03-07"});
-}
-
 TEST_F(Degraded, WindAndWavesAloneAreForecastWithoutACurrent) {
   ingest_wind_and_waves(2);
   const json made = forecast("2025-03-08T05:00:00Z");
@@ -266,14 +238,6 @@ TEST_F(Degraded, NothingButDamagedFilesIsAnErrorThatNamesThem) {
       store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-07T05:00:00Z"});
   EXPECT_EQ(result.exit_code, 3) << result.out;
   EXPECT_TRUE(contains(result.err, "currents0.nc")) << result.err;
-}
-
-TEST_F(Degraded, AnEmptyStoreIsAnErrorThatSaysWhatToFetch) {
-  ingest("bathymetry.nc", bathymetry_product());
-  const ProgramResult result =
-      store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-08T05:00:00Z"});
-  EXPECT_EQ(result.exit_code, 4) << result.out;
-  EXPECT_TRUE(contains(result.err, "--print-downloads")) << result.err;
 }
 
 TEST_F(Degraded, TheDepthOfTheWaterComesFromTheSiteElseTheBathymetryElseTheDeepestWetLevel) {

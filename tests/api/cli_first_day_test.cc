@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/refusal.h"
 #include "tests/support/store_for_tests.h"
@@ -17,10 +18,6 @@ using nlohmann::json;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
 constexpr const char* at = "2025-03-08T05:00:00Z";
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 /// Two days of water at 54.0 N 6.5 E.
 class FirstDay : public ::testing::Test {
@@ -107,7 +104,8 @@ TEST_F(FirstDay, AnEmptyStoreSaysThatItIs) {
   other.ingest(write_product(other.file("b.nc"), bathymetry_product()));
   const ProgramResult result = other.run({"forecast", "--site", other.site(), "--at", at});
   EXPECT_EQ(result.exit_code, 4);
-  EXPECT_TRUE(contains(result.err, "no currents, wind or waves at all")) << result.err;
+  EXPECT_TRUE(contains(result.err, "no currents, wind or waves at all"));
+  EXPECT_TRUE(contains(result.err, "--print-downloads")) << "what to fetch";
 }
 
 TEST_F(FirstDay, SiteInitWritesASiteThatForecasts) {

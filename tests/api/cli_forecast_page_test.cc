@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -13,10 +14,6 @@ using namespace std::chrono;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
 constexpr const char* at = "2025-03-09T05:00:00Z";  ///< after three days of data
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 TEST(ForecastHtml, IsAPageOfTheSiteThatOpensOffline) {
   const StoreForTests store;

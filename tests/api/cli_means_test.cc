@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ingest/cf/forecast_file.h"
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -17,10 +18,6 @@ using nlohmann::json;
 
 constexpr UtcDay first = sys_days{2025y / March / 1};
 const std::string no_tide = "the tide is not in them";
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 class Means : public ::testing::Test {
  protected:

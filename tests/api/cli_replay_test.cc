@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -16,10 +17,6 @@ using nlohmann::json;
 
 constexpr UtcDay first = sys_days{2025y / March / 4};
 const std::string at = "2025-03-08T05:00:00Z";  // D is the 7th
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 json forecast(const StoreForTests& store, const std::string& issued,
               const std::vector<std::string>& more = {}) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/api/windows_command.h"
+#include "tests/support/contains.h"
 
 namespace slackwater::tests {
 namespace {
@@ -17,10 +18,6 @@ std::string plan_of(const std::string& site, const std::string& day = "") {
          "crews:\n  - {id: blue, skills: [], shift: 00:00-24:00, vessel: ctv1}\n"
          "vehicles:\n  - {id: rov1, kind: rov, vessel: ctv1}\n"
          "tasks:\n  - {task: scour_survey, turbines: [T1], vehicles: [rov]}\n";
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// The windows' site and forecast; its tasks are asked for by name.
@@ -69,7 +66,7 @@ TEST_F(ReportCommand, SaysOnOnePageWhatTheWindowsSay) {
        {"Go for 1 of 2 tasks on Wed 5 Mar; 1 no-go.", "When each task can begin on Wed 5 Mar",
         "A peek at a pile", "current at most 0.02 m/s", "class=\"go\"", "Its checksum",
         "Nothing was flown"})
-    EXPECT_TRUE(holds(page, part)) << part;
+    EXPECT_TRUE(contains(page, part)) << part;
   EXPECT_LT(page.find("class=\"verdict go\""), page.find("class=\"verdict nogo\""))
       << "what can be done comes first";
   EXPECT_LT(page.find("id=\"gantt\""), page.find("id=\"answer\"")) << "the answer comes first";
@@ -82,17 +79,17 @@ TEST_F(ReportCommand, SaysWhatWouldChangeTheAnswer) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
   const json help = json::parse(made.out).at("tasks")[0].at("would_help");
   ASSERT_EQ(help.at("limits").size(), 1U) << "the waves stop nobody";
-  EXPECT_TRUE(holds(help.at("limits")[0].at("without"), "current at most 0.02 m/s"));
+  EXPECT_TRUE(contains(help.at("limits")[0].at("without"), "current at most 0.02 m/s"));
   EXPECT_EQ(help.at("limits")[0].at("worker"), "eye");
   // All of the 25 futures hold the other limit.
   EXPECT_NEAR(help.at("limits")[0].at("probability").get<double>(), 26.0 / 27, 1e-9);
   EXPECT_TRUE(help.at("flown").is_null());
-  EXPECT_TRUE(holds(read_bytes(page), "What would help: the best start without the limit"));
+  EXPECT_TRUE(contains(read_bytes(page), "What would help: the best start without the limit"));
 
   write("go.yaml", peek(loose));
   const ProgramResult go = report({"--task", path("go.yaml"), "--html", page, "--json"});
   EXPECT_TRUE(json::parse(go.out).at("tasks")[0].at("would_help").is_null());
-  EXPECT_FALSE(holds(read_bytes(page), "What would help"));
+  EXPECT_FALSE(contains(read_bytes(page), "What would help"));
 }
 
 TEST_F(ReportCommand, FliesWhatIsNoGoOtherwise) {
@@ -121,7 +118,7 @@ TEST_F(ReportCommand, FliesWhatIsNoGoOtherwise) {
               change.at("gained").get<int>() - change.at("lost").get<int>());
   }
   EXPECT_GE(changed, 3U) << flown;
-  EXPECT_TRUE(holds(read_bytes(path("otherwise.html")), "done otherwise"));
+  EXPECT_TRUE(contains(read_bytes(path("otherwise.html")), "done otherwise"));
 }
 
 TEST_F(ReportCommand, LiesInTheStoreWhereNothingElseIsSaid) {
@@ -134,8 +131,8 @@ TEST_F(ReportCommand, LiesInTheStoreWhereNothingElseIsSaid) {
        std::filesystem::recursive_directory_iterator(made_->store() / "reports"))
     if (entry.is_regular_file()) pages.push_back(entry.path().string());
   ASSERT_EQ(pages.size(), 1U);
-  EXPECT_TRUE(holds(pages.front(), "/2025-03-05.html")) << pages.front();
-  EXPECT_TRUE(holds(made.out, pages.front()));
+  EXPECT_TRUE(contains(pages.front(), "/2025-03-05.html")) << pages.front();
+  EXPECT_TRUE(contains(made.out, pages.front()));
   EXPECT_LE(std::count(made.out.begin(), made.out.end(), '\n'), 10);
   EXPECT_TRUE(made.out.starts_with("Go for the task on Wed 5 Mar.")) << made.out;
 }
@@ -149,7 +146,7 @@ TEST_F(ReportCommand, HoldsThePlanOfTheDayOrSaysWhyThereIsNone) {
   json out = json::parse(made.out);
   EXPECT_EQ(out.at("plan").at("schema"), "plan/1");
   EXPECT_EQ(out.at("plan").at("jobs").size() + out.at("plan").at("left").size(), 1U);
-  EXPECT_TRUE(holds(read_bytes(path("planned.html")), "What to do when: One look"));
+  EXPECT_TRUE(contains(read_bytes(path("planned.html")), "What to do when: One look"));
 
   // Of yesterday, within the forecast, and of a day beyond it.
   for (const std::string day : {"2025-03-04", "2025-03-20"}) {
@@ -158,8 +155,8 @@ TEST_F(ReportCommand, HoldsThePlanOfTheDayOrSaysWhyThereIsNone) {
     ASSERT_EQ(made.exit_code, 0) << made.err;
     out = json::parse(made.out);
     EXPECT_TRUE(out.at("plan").is_null()) << day;
-    EXPECT_TRUE(holds(out.at("no_plan"), day)) << out.at("no_plan");
-    EXPECT_TRUE(holds(read_bytes(path("planned.html")), "There is no plan"));
+    EXPECT_TRUE(contains(out.at("no_plan"), day)) << out.at("no_plan");
+    EXPECT_TRUE(contains(read_bytes(path("planned.html")), "There is no plan"));
   }
 
   // That of the site, by where it lies.
@@ -180,7 +177,7 @@ TEST_F(ReportCommand, WithoutChromiumThePageIsWrittenAndSaysWhatToInstall) {
        path("peek.yaml"), "--html", path("alone.html"), "--pdf", path("alone.pdf")},
       {{"PATH", "/nowhere"}});
   EXPECT_EQ(made.exit_code, 5);
-  EXPECT_TRUE(holds(made.err, "apt install chromium")) << made.err;
+  EXPECT_TRUE(contains(made.err, "apt install chromium")) << made.err;
   EXPECT_TRUE(std::filesystem::exists(path("alone.html")));
   EXPECT_FALSE(std::filesystem::exists(path("alone.pdf")));
 }
@@ -227,7 +224,7 @@ TEST_F(ReportCommand, IsTheEndOfTheDailyJobWhereTheSiteListsTasks) {
   EXPECT_TRUE(std::filesystem::exists(morning.at("page").get<std::string>()));
   json told = json::parse(read_bytes(path("told.json")));
   EXPECT_EQ(told, morning) << "the hook hears what the answer says";
-  EXPECT_TRUE(holds(first.err, "was told")) << first.err;
+  EXPECT_TRUE(contains(first.err, "was told")) << first.err;
 
   // The same forecast again: nothing is told twice.
   const ProgramResult again = forecast("2025-03-04T05:30:00Z");
@@ -238,7 +235,7 @@ TEST_F(ReportCommand, IsTheEndOfTheDailyJobWhereTheSiteListsTasks) {
   ASSERT_EQ(::chmod(config.c_str(), 0666), 0);
   const ProgramResult open = forecast("2025-03-04T05:45:00Z");
   ASSERT_EQ(open.exit_code, 0) << open.err;
-  EXPECT_TRUE(holds(open.err, "writable for others")) << open.err;
+  EXPECT_TRUE(contains(open.err, "writable for others")) << open.err;
   EXPECT_EQ(read_bytes(path("times")), "\n");
 }
 
@@ -247,11 +244,11 @@ TEST_F(ReportCommand, OfSeveralDaysEveryTimeHasItsDay) {
   const ProgramResult made = report({"--task", path("peek.yaml"), "--from", "2025-03-05T06:00:00Z",
                                      "--to", "2025-03-06T12:00:00Z", "--html", path("days.html")});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_TRUE(holds(made.out, "from Wed 5 Mar 06:00 to Thu 6 Mar 12:00")) << made.out;
-  EXPECT_TRUE(holds(made.out, "best Wed 5 Mar 06:00")) << made.out;
+  EXPECT_TRUE(contains(made.out, "from Wed 5 Mar 06:00 to Thu 6 Mar 12:00")) << made.out;
+  EXPECT_TRUE(contains(made.out, "best Wed 5 Mar 06:00")) << made.out;
   const std::string page = read_bytes(path("days.html"));
-  EXPECT_TRUE(holds(page, "begin from Wed 5 Mar 06:00 to Thu 6 Mar 12:00"));
-  EXPECT_TRUE(holds(page, ">Thu 6 Mar</span>")) << "midnight on the clock above the pictures";
+  EXPECT_TRUE(contains(page, "begin from Wed 5 Mar 06:00 to Thu 6 Mar 12:00"));
+  EXPECT_TRUE(contains(page, ">Thu 6 Mar</span>")) << "midnight on the clock above the pictures";
 }
 
 TEST_F(ReportCommand, AnEarlierReplayOfTheDayIsNotTold) {
@@ -259,12 +256,12 @@ TEST_F(ReportCommand, AnEarlierReplayOfTheDayIsNotTold) {
   const ProgramResult later =
       made_->run({"forecast", "--site", path("tasked.yaml"), "--at", "2025-03-04T05:50:00Z"});
   ASSERT_EQ(later.exit_code, 0) << later.err;
-  EXPECT_TRUE(holds(later.out, "The page: ")) << later.out;
+  EXPECT_TRUE(contains(later.out, "The page: ")) << later.out;
   const ProgramResult earlier = made_->run(
       {"forecast", "--site", path("tasked.yaml"), "--at", "2025-03-04T05:20:00Z", "--json"});
   ASSERT_EQ(earlier.exit_code, 0) << earlier.err;
   EXPECT_TRUE(json::parse(earlier.out).at("morning").is_null());
-  EXPECT_TRUE(holds(earlier.err, "is in force")) << earlier.err;
+  EXPECT_TRUE(contains(earlier.err, "is in force")) << earlier.err;
 }
 
 TEST_F(ReportCommand, AForecastTooShortForTheMorningStandsAndSaysSo) {
@@ -273,7 +270,7 @@ TEST_F(ReportCommand, AForecastTooShortForTheMorningStandsAndSaysSo) {
                                          "2025-03-04T06:30:00Z", "--horizon", "24h", "--json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_TRUE(json::parse(made.out).at("morning").is_null());
-  EXPECT_TRUE(holds(made.err, "no morning report")) << made.err;
+  EXPECT_TRUE(contains(made.err, "no morning report")) << made.err;
 }
 
 TEST_F(ReportCommand, OneTaskThatCannotBeWorkedOutLeavesTheDailyJobTheOthers) {
@@ -296,10 +293,10 @@ TEST_F(ReportCommand, OneTaskThatCannotBeWorkedOutLeavesTheDailyJobTheOthers) {
   ASSERT_EQ(morning.at("left_out").size(), 1U);
   EXPECT_EQ(morning.at("left_out")[0].at("task"), "mooring_tendon");
   EXPECT_EQ(morning.at("verdict"), "no-go") << "what nobody worked out is no go";
-  EXPECT_TRUE(holds(morning.at("headline"), "1 not worked out")) << morning.at("headline");
+  EXPECT_TRUE(contains(morning.at("headline"), "1 not worked out")) << morning.at("headline");
   EXPECT_FALSE(morning.at("no_plan").is_null());
   EXPECT_TRUE(
-      holds(read_bytes(morning.at("page").get<std::string>()), "It could not be worked out"));
+      contains(read_bytes(morning.at("page").get<std::string>()), "It could not be worked out"));
 }
 
 TEST_F(ReportCommand, TheHookHearsToWhyThereIsNoReport) {
@@ -316,7 +313,7 @@ TEST_F(ReportCommand, TheHookHearsToWhyThereIsNoReport) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
   const json told = json::parse(read_bytes(path("why.json")));
   EXPECT_TRUE(told.at("verdict").is_null());
-  EXPECT_TRUE(holds(told.at("why"), "2025-03-05")) << told.at("why");
+  EXPECT_TRUE(contains(told.at("why"), "2025-03-05")) << told.at("why");
 }
 
 TEST_F(ReportCommand, AnAnswerThatCannotBeWrittenIsNoSuccess) {

@@ -93,25 +93,6 @@ TEST_F(SimulateFates, WaterFasterThanTheVehicleIsSaid) {
       << printed.out;
 }
 
-TEST_F(SimulateFates, SpeedsAndVehiclesThatCannotBeAreRefusedWithTheNumbers) {
-  const std::string rov =
-      "  - {name: rov, model: bluerov2_heavy, speed_m_s: 30, start: {north_m: 0, east_m: 0, "
-      "depth_m: 8}, tasks: [{do: hold}]}\n";
-  const ProgramResult fast =
-      made_.run({"simulate", write("fast.yaml", head("{depth_m: 40}") + rov)});
-  EXPECT_EQ(fast.exit_code, 3);
-  EXPECT_NE(fast.err.find("found 30 m/s, expected at most"), std::string::npos) << fast.err;
-  std::string auv = read_bytes(source_folder() / "data" / "vehicles" / "lrauv_tethys.yaml");
-  auv.replace(auv.find("[0, 0, -0.007]"), 14, "[0, 0, 0.007]");
-  const ProgramResult over = made_.run(
-      {"simulate", write("over.yaml", head("{depth_m: 40}") +
-                                          "  - {name: auv, model: " + write("over_auv.yaml", auv) +
-                                          ", start: {north_m: 0, east_m: 0, depth_m: 8}}\n")});
-  EXPECT_EQ(over.exit_code, 3);
-  EXPECT_NE(over.err.find("turns over"), std::string::npos) << over.err;
-  EXPECT_NE(over.err.find("over_auv.yaml"), std::string::npos) << over.err;
-}
-
 TEST_F(SimulateFates, ALogOfAnotherFormatIsNotReplayedAndSaysSo) {
   const std::string file =
       write("run.yaml", head("{depth_m: 40}") +

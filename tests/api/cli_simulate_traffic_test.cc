@@ -143,31 +143,6 @@ TEST_F(SimulateTraffic, ATouchedAlarmOrTrackDoesNotReplay) {
   }
 }
 
-TEST_F(SimulateTraffic, AnAlarmOfAVehicleThatLiesStillIsThatOfTheStraightLine) {
-  // A ferry from 5 km north at 10 m/s passes 300 m to the east: nearer than 600 s from the start
-  // on, 500 s to the CPA.
-  const std::string yaml =
-      head("2025-06-01T08:00:00Z", 55, 8, "10min") +
-      "vehicles: [{name: usv, model: wamv16, start: {north_m: 0, east_m: 0, depth_m: 0}}]\n"
-      "traffic: {alarm: {cpa_m: 400, tcpa_min: 5}, vessels: [{mmsi: 7, name: FERRY, speed_m_s: 10, "
-      "waypoints: [{north_m: 5000, east_m: 300}, {north_m: -5000, east_m: 300}]}]}\n";
-  const json summary = simulated(write("run.yaml", yaml));
-  const json& alarms = summary.at("traffic").at("alarms");
-  ASSERT_EQ(alarms.size(), 1U);
-  const json& alarm = alarms[0];
-  EXPECT_EQ(alarm.at("vehicle"), "usv");
-  EXPECT_EQ(alarm.at("name"), "FERRY");
-  EXPECT_NEAR(alarm.at("begin_s").get<double>(), 201, 1);
-  EXPECT_NEAR(alarm.at("cpa_m").get<double>(), 300, 1);
-  EXPECT_NEAR(alarm.at("tcpa_s").get<double>(), 299, 1);
-  EXPECT_NEAR(alarm.at("least_distance_m").get<double>(), 300, 1);
-  EXPECT_NEAR(alarm.at("least_distance_s").get<double>(), 500, 1);
-  // Clear beyond 1.25 x 400 m: 400 m past.
-  EXPECT_NEAR(alarm.at("end_s").get<double>(), 540, 2);
-  EXPECT_EQ(alarm.at("end"), "clear");
-  EXPECT_EQ(summary.at("traffic").at("vessels"), 1);
-}
-
 TEST_F(SimulateTraffic, ATrackOfATasksOwnFileIsFollowedAndNotMet) {
   const std::string yaml =
       head("2024-05-01T10:00:00Z", 55, 8, "5min") +

@@ -4,18 +4,19 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/cli/output_file.h"
+#include "tests/support/contains.h"
+#include "tests/support/error_of.h"
 #include "tests/support/product_files_for_tests.h"
+#include "tests/support/refusal.h"
 #include "tests/support/store_for_tests.h"
+#include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests {
 namespace {
 
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 struct UsageCase {
   Arguments arguments;
@@ -138,25 +139,27 @@ TEST(Usage, AnOutputFileOfTheWrongKindIsRefusedByEveryCommandInTheSameWords) {
       {{"ais", "none.log", "--csv"}, ".csv"}};
   const auto digests = store.digests();
   for (const auto& [command, endings] : outputs) {
-    const std::string& option = command.back();
-    const std::string ending = endings.substr(0, endings.find(' '));
-    const std::vector<std::pair<std::string, std::string>> wrong{
-        {folder + "/out.txt", "expected a file name that ends in " + endings},
-        {folder + "/out", "expected a file name that ends in " + endings},
-        {folder + "/" + ending, "expected a file name that ends in " + endings},
-        {folder + "/no/such/out" + ending, "found no folder"}};
-    for (const auto& [file, words] : wrong) {
-      Arguments arguments = command;
-      arguments.push_back(file);
-      const ProgramResult result = store.run(arguments);
-      SCOPED_TRACE(joined(arguments) + "\n" + result.err);
-      EXPECT_EQ(result.exit_code, 2);
-      EXPECT_TRUE(contains(result.err, words));
-      EXPECT_TRUE(contains(result.err, option));
-      EXPECT_FALSE(std::filesystem::exists(file));
-    }
+    const std::string file = folder + "/out.txt";
+    Arguments arguments = command;
+    arguments.push_back(file);
+    SCOPED_TRACE(joined(arguments));
+    expect_refusal(store.run(arguments), 2,
+                   {command.back() + " " + file, "expected a file name that ends in " + endings});
+    EXPECT_FALSE(std::filesystem::exists(file));
   }
   EXPECT_EQ(store.digests(), digests);
+}
+
+TEST(ExpectOutput, AsksForTheEndingAndTheFolder) {
+  const TemporaryFolder folder;
+  const auto said = [&](const std::string& name) {
+    return error_of([&] { return api::expect_output("--out", folder / name, {".nc", ".csv"}), 0; });
+  };
+  for (const char* name : {"out.nc", "out.csv"}) EXPECT_EQ(said(name), "no error");
+  for (const char* name : {"out.txt", "out", ".nc"})
+    EXPECT_TRUE(contains(said(name), "expected a file name that ends in .nc or .csv"));
+  EXPECT_TRUE(contains(said("no/such/out.nc"), "found no folder"));
+  EXPECT_TRUE(contains(said(""), "which is a folder"));
 }
 
 TEST(Usage, WithJsonTheErrorIsOneDocumentThatSaysTheSameAsStandardError) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/program.h"
 #include "tests/support/store_for_tests.h"
@@ -15,10 +16,6 @@ namespace {
 using namespace std::chrono;
 
 constexpr UtcDay day = sys_days{2025y / March / 6};
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 ProgramResult demo(const std::filesystem::path& folder, const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{"demo", "--days", "1", "--out", folder.string()};

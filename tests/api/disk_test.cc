@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -58,10 +59,6 @@ class SmallDisk {
 #define SLACKWATER_NEEDS_DISK(disk, options) \
   const SmallDisk disk(options);             \
   if (!disk.is_mounted()) GTEST_SKIP() << "cannot mount a tmpfs here: " << disk.problem()
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
 
 void expect_told(const ProgramResult& result, const SmallDisk& disk) {
   EXPECT_EQ(result.exit_code, 5) << result.out << result.err;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/constants.h"
-
 namespace slackwater::twin {
 
 EulerAngles euler_angles(const Attitude<double>& q) noexcept {
@@ -19,11 +17,6 @@ Attitude<double> attitude_of(const EulerAngles& angles) noexcept {
   const double cy = std::cos(angles.yaw_rad / 2), sy = std::sin(angles.yaw_rad / 2);
   return {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy,
           cr * cp * sy - sr * sp * cy};
-}
-
-double wrapped_rad(double angle_rad) noexcept {
-  constexpr double turn = 2 * constants::pi;
-  return angle_rad - turn * std::floor(angle_rad / turn + 0.5);
 }
 
 }  // namespace slackwater::twin

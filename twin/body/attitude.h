@@ -92,7 +92,5 @@ struct EulerAngles {
 };
 [[nodiscard]] EulerAngles euler_angles(const Attitude<double>& attitude) noexcept;
 [[nodiscard]] Attitude<double> attitude_of(const EulerAngles& angles) noexcept;
-/// The angle in [-pi, pi).
-[[nodiscard]] double wrapped_rad(double angle_rad) noexcept;
 
 }  // namespace slackwater::twin

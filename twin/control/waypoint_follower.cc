@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::twin {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/base/statistics.h"
 #include "fields/base/text.h"
 #include "twin/curve/named_file.h"
 #include "twin/inspection/defect/defect_plan.h"
@@ -68,9 +69,8 @@ double working_range_m(const Instrument& instrument, const Surface& surface,
         formatted("its work stays {:.1f} m off {}, and the {} reaches {:g} m; go nearer, or take "
                   "an instrument that sees farther",
                   nearest_m, surface.name, instrument.name, instrument.most_range_m));
-  const auto middle = ranges_m.begin() + static_cast<std::ptrdiff_t>(ranges_m.size() / 2);
-  std::nth_element(ranges_m.begin(), middle, ranges_m.end());
-  return std::clamp(*middle, instrument.least_range_m, instrument.most_range_m);
+  return std::clamp(upper_median(std::move(ranges_m)), instrument.least_range_m,
+                    instrument.most_range_m);
 }
 
 /// What one look holds at a range.

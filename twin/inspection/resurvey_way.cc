@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "fields/base/statistics.h"
 #include "twin/inspection/inspection_outcome.h"
 
 namespace slackwater::twin {
@@ -25,13 +26,6 @@ struct Cell {
   double area_m2 = 0;
 };
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// How far off to look from.
 double range_of(const InspectedPair& pair, const Inspection& inspection,
                 std::span<const BestLook> best, ResurveyWay& way) {
@@ -43,9 +37,11 @@ double range_of(const InspectedPair& pair, const Inspection& inspection,
     details.push_back(look.detail_m);
     blurs.push_back(look.blur_m > look.ground_sampling_m ? 1 : 0);
   }
-  if (median(blurs) > 0.5) way.asks_slower = true;
-  const double coarse = median(details);
-  const double nearer = coarse > 0 ? std::clamp(line.detail_m / coarse, nearest_share, 1.0) : 1;
+  double nearer = 1;
+  if (!details.empty()) {
+    if (upper_median(std::move(blurs)) > 0.5) way.asks_slower = true;
+    nearer = std::clamp(line.detail_m / upper_median(std::move(details)), nearest_share, 1.0);
+  }
   return std::clamp(pair.range_m * nearer, instrument.least_range_m,
                     0.95 * instrument.most_range_m);
 }

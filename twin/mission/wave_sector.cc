@@ -4,6 +4,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::twin {
 namespace {
@@ -28,7 +29,7 @@ bool WaveSector::holds(const SeaState& sea, double own_rad) const noexcept {
   if (peak_period_s && !is_in(*peak_period_s, sea.peak_period_s)) return false;
   if (!off_bow_rad) return true;
   const double from_rad = sea.from_direction_deg * degree - heading_rad.value_or(own_rad);
-  return is_in(*off_bow_rad, std::abs(std::remainder(from_rad, 2 * constants::pi)));
+  return is_in(*off_bow_rad, std::abs(short_way_rad(from_rad)));
 }
 
 std::optional<WaveSector> read_wave_sector(const Config& config) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::twin {
 namespace {
@@ -31,8 +32,6 @@ Circle circle_of(const Structure& structure) noexcept {
   return {b.centre_m.x, b.centre_m.y, plane_m(b.half_size_m.x, b.half_size_m.y),
           b.centre_m.z - b.half_size_m.z, b.centre_m.z + b.half_size_m.z};
 }
-
-double wrapped(double angle_rad) noexcept { return std::remainder(angle_rad, 2 * constants::pi); }
 
 Triple<double> on_circle(const Circle& c, double bearing_rad, double radius_m) noexcept {
   return {c.north_m + radius_m * std::cos(bearing_rad), c.east_m + radius_m * std::sin(bearing_rad),
@@ -83,7 +82,7 @@ void find_way(const Triple<double>& from, const Triple<double>& to, std::span<co
   const double there_m = plane_m(to.x - c.north_m, to.y - c.east_m);
   const double here = std::atan2(from.y - c.east_m, from.x - c.north_m);
   const double there = std::atan2(to.y - c.east_m, to.x - c.north_m);
-  const double turn = wrapped(there - here), side = turn < 0 ? -1 : 1;
+  const double turn = short_way_rad(there - here), side = turn < 0 ? -1 : 1;
   // Tangents from outside; from within the circle straight out to it.
   const double out = here_m > c.radius_m ? std::acos(c.radius_m / here_m) : 0;
   const double in = there_m > c.radius_m ? std::acos(c.radius_m / there_m) : 0;

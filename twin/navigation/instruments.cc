@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fields/base/error.h"
+#include "fields/base/turn.h"
 #include "twin/navigation/turn.h"
 
 namespace slackwater::twin {

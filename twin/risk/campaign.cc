@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fields/base/check.h"
-#include "twin/risk/order_statistics.h"
+#include "fields/base/quantile.h"
 
 namespace slackwater::twin {
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fields/base/check.h"
+#include "fields/base/statistics.h"
 #include "twin/risk/first_stops.h"
 #include "twin/risk/peak_after.h"
 
@@ -29,9 +30,7 @@ class Tally {
     steps_.clear();
     for (const FirstStops& member : stops)
       if (member.limit[start] == binding.limit) steps_.push_back(member.step[start]);
-    const auto middle = steps_.begin() + static_cast<std::ptrdiff_t>((steps_.size() - 1) / 2);
-    std::nth_element(steps_.begin(), middle, steps_.end());
-    binding.step = *middle;
+    binding.step = lower_median_of(std::span(steps_));
     return binding;
   }
 

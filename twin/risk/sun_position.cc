@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fields/base/turn.h"
+
 namespace slackwater::twin {
 namespace {
 
@@ -57,8 +59,7 @@ SunPosition sun_position(const GeoPoint& point, UtcTime time) noexcept {
   const double elevation = std::atan2(up, std::hypot(east, north)) / radians_of_degree;
   constexpr double horizontal_parallax_deg = 8.794 / 3600;
   const double azimuth = std::atan2(east, north) / radians_of_degree;
-  return {elevation - horizontal_parallax_deg * cos_deg(elevation),
-          azimuth < 0 ? azimuth + 360 : azimuth};
+  return {elevation - horizontal_parallax_deg * cos_deg(elevation), compass_deg(azimuth)};
 }
 
 }  // namespace slackwater::twin

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "twin/risk/order_statistics.h"
+#include "fields/base/quantile.h"
 
 namespace slackwater::twin {
 
@@ -74,7 +74,7 @@ WaitingTime WaitingTimes::of(const std::vector<const Waits*>& parts, double step
         std::size_t above = wait + 1;
         for (std::int64_t more = occurrences + change_[above]; more == 0; more += change_[above])
           ++above;
-        value = between(low, static_cast<double>(above), place.hundredths);
+        value = place.between(low, static_cast<double>(above));
       }
       *out[q] = value * step_h;
       if (++q < percents.size()) place = percentile_place(result.counted, percents[q]);

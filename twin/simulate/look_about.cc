@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 #include "twin/body/frame.h"
 #include "twin/mission/way_round.h"
 #include "twin/simulate/conduct.h"
@@ -99,7 +100,7 @@ class Looker {
     if (!agent_.tether || own_.worked_at == ConductState::no_structure || own_.is_aboard) return;
     const Structure& structure = agent_.water->environment().structures[own_.worked_at];
     const double bearing = from_axis(structure, state_.vehicle.body.position_m).bearing_rad;
-    own_.wound_rad += std::remainder(bearing - own_.bearing_rad, 2 * constants::pi);
+    own_.wound_rad += short_way_rad(bearing - own_.bearing_rad);
     own_.bearing_rad = bearing;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/base/turn.h"
 #include "twin/control/control_loop.h"
 
 namespace slackwater::twin {

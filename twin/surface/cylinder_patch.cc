@@ -5,6 +5,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::twin {
 namespace {
@@ -35,11 +36,8 @@ CylinderPatch cut_open(const Cylinder& pile, double from_rad, double arc_rad, do
 
 FacePlace face_place(const CylinderPatch& patch, const Triple<double>& at_m) noexcept {
   const double north = at_m.x - patch.pile.north_m, east = at_m.y - patch.pile.east_m;
-  double round = std::fmod(std::atan2(east, north) - patch.from_rad, turn);
-  if (round < 0) round += turn;
-  if (round >= turn) round = 0;  // a bearing that rounding has put a turn on
-  return {round * patch.pile.radius_m, at_m.z - patch.top_m,
-          std::sqrt(north * north + east * east) - patch.pile.radius_m};
+  return {compass_rad(std::atan2(east, north) - patch.from_rad) * patch.pile.radius_m,
+          at_m.z - patch.top_m, std::sqrt(north * north + east * east) - patch.pile.radius_m};
 }
 
 }  // namespace slackwater::twin

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fields/base/check.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -39,7 +40,7 @@ bool polygon_contains(const Part& rings, double x, double y) noexcept {
 
 /// The longitudes in [-360, 360] that name the same place as one in any convention.
 std::array<double, 3> names_of_longitude(double longitude_deg) noexcept {
-  const double principal = std::remainder(longitude_deg, 360.0);
+  const double principal = short_way_deg(longitude_deg);
   return {principal, principal + 360.0, principal - 360.0};
 }
 

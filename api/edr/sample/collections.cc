@@ -3,6 +3,7 @@
 
 #include "api/edr/sample/collection.h"
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 
 // The collections and their quantities, one table each.
 
@@ -10,8 +11,7 @@ namespace slackwater::api::edr {
 namespace {
 
 double degrees_from_north(Horizontal towards) {
-  const double degrees = std::atan2(towards.real(), towards.imag()) * 180 / constants::pi;
-  return degrees < 0 ? degrees + 360 : degrees;
+  return compass_deg(std::atan2(towards.real(), towards.imag()) * 180 / constants::pi);
 }
 
 // --- how a value is had from a sample that has one ---

@@ -118,11 +118,11 @@ TEST(EdrHostile, AParameterMayStandOnceAndMustBeKnown) {
     for (const auto& pair : query) {
       QueryPairs twice = query;
       twice.push_back(pair);
-      EXPECT_TRUE(says(service().refusal(400, path, twice), pair.first)) << kind;
+      EXPECT_TRUE(contains(service().refusal(400, path, twice), pair.first)) << kind;
     }
     QueryPairs more = query;
     more.emplace_back("depth", "5");
-    EXPECT_TRUE(says(service().refusal(400, path, more), "takes ")) << kind;
+    EXPECT_TRUE(contains(service().refusal(400, path, more), "takes ")) << kind;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "fields/base/error.h"
+#include "tests/support/contains.h"
 
 namespace slackwater::tests {
 
@@ -32,11 +33,6 @@ inline std::string long_text(std::string_view prefix, std::size_t count, char c)
   std::string text(prefix);
   text.append(count, c);
   return text;
-}
-
-inline ::testing::AssertionResult says(const std::string& message, std::string_view part) {
-  if (message.find(part) != std::string::npos) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "'" << part << "' is not in: " << message;
 }
 
 }  // namespace slackwater::tests

@@ -12,6 +12,7 @@
 #include "fields/base/error.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
+#include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
@@ -23,14 +24,11 @@ namespace {
 using nlohmann::json;
 using std::chrono::days;
 using std::chrono::hours;
+using tests::contains;
 using tests::WaterForTests;
 
 const UtcDay first_day = parse_day("2025-03-06");
 constexpr int days_stored = 5;
-
-bool says(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 /// Five days of currents and wind, no waves.
 class FiveDays : public ::testing::Test {
@@ -88,13 +86,13 @@ TEST_F(FiveDays, APartThatFailsIsInTheStoredHeadlineAndInTheSummary) {
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].id, id);
   EXPECT_TRUE(rows[0].degraded);
-  EXPECT_TRUE(says(rows[0].headline, "he tide failed")) << rows[0].headline;
+  EXPECT_TRUE(contains(rows[0].headline, "he tide failed")) << rows[0].headline;
   const json summary = json::parse(job.summary_json);
   ASSERT_EQ(summary.at("failed").size(), 1u);
   EXPECT_EQ(summary["failed"][0]["part"], "tide");
   EXPECT_EQ(summary["failed"][0]["column"], 0);
   EXPECT_EQ(summary["failed"][0]["kind"], "internal");
-  EXPECT_TRUE(says(summary["failed"][0]["why"], "broken for the test"));
+  EXPECT_TRUE(contains(summary["failed"][0]["why"], "broken for the test"));
   const Snapshot read = ingest::read_forecast(store_.content_path(rows[0].content_sha256));
   EXPECT_EQ(read.headline, rows[0].headline);
   EXPECT_EQ(read.columns[0].current_status[0], SampleStatus::ok);
@@ -121,9 +119,9 @@ TEST_F(FiveDays, ADayOfAHindcastThatFailsIsNamedAndTheOthersAreThoseOfAHindcastW
   };
   const HindcastReport report = hindcast_with(parts);
   ASSERT_EQ(report.skipped.size(), 1u);
-  EXPECT_TRUE(says(report.skipped[0], format_day(bad) + ": nothing can be forecast"))
+  EXPECT_TRUE(contains(report.skipped[0], format_day(bad) + ": nothing can be forecast"))
       << report.skipped[0];
-  EXPECT_TRUE(says(report.skipped[0], "broken for the test")) << report.skipped[0];
+  EXPECT_TRUE(contains(report.skipped[0], "broken for the test")) << report.skipped[0];
   EXPECT_EQ(report.forecasts.size(), 2u);
   const HindcastReport whole = hindcast_with({});
   EXPECT_EQ(whole.forecasts.size(), 3u);
@@ -144,8 +142,9 @@ TEST_F(FiveDays, AHindcastWhoseDaysAllFailIsAnErrorThatSaysWhy) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::internal);
-    EXPECT_TRUE(says(error.message(), "no day from 2025-03-07 to 2025-03-09 could be forecast"));
-    EXPECT_TRUE(says(error.message(), "broken for the test")) << error.message();
+    EXPECT_TRUE(
+        contains(error.message(), "no day from 2025-03-07 to 2025-03-09 could be forecast"));
+    EXPECT_TRUE(contains(error.message(), "broken for the test")) << error.message();
   }
   EXPECT_TRUE(store_.find_forecasts({}).empty());
 }
@@ -162,7 +161,7 @@ TEST_F(FiveDays, AForecastThatCannotBeReadIsNamedAndTheOthersAreScored) {
   damage(store_.content_path(rows[0].content_sha256));
   const calibration::Verification result = verify(store_, site_, {});
   ASSERT_EQ(result.unscored.size(), 1u);
-  EXPECT_TRUE(says(result.unscored[0], "forecast " + std::to_string(rows[0].id) + " of site"))
+  EXPECT_TRUE(contains(result.unscored[0], "forecast " + std::to_string(rows[0].id) + " of site"))
       << result.unscored[0];
   EXPECT_FALSE(result.entries.empty());
   for (const auto& entry : result.entries) EXPECT_EQ(entry.day, rows[1].day);

@@ -9,12 +9,14 @@
 #include "api/report/plot_data.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "tests/support/contains.h"
 #include "tests/support/made_up_forecast.h"
 
 namespace slackwater::api {
 namespace {
 
 using nlohmann::json;
+using tests::contains;
 
 ForecastPage page_of(Snapshot snapshot) {
   ForecastPage page;
@@ -28,10 +30,6 @@ std::string answer(const ReportInput& page, const std::string& label) {
   for (const auto& [name, text] : page.answer)
     if (name == label) return text;
   return {};
-}
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
 }
 
 TEST(ForecastPage, SpeaksOfTheFirstWholeDayAfterTheIssue) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fields/base/constants.h"
+#include "tests/support/crank_nicolson_column.h"
 
 namespace slackwater::api {
 namespace {
@@ -35,52 +36,6 @@ Horizontal closed_form(const ColumnPhysics& p, double depth_m, double water_m, H
   return scale * std::sinh(-lambda * depth_m) + a * std::cosh(lambda * depth_m);
 }
 
-/// The same column by finite volumes in depth and Crank-Nicolson in time: slow, simple, and nothing
-/// shared.
-std::vector<Horizontal> crank_nicolson(const ColumnPhysics& p, double water_m, double hours,
-                                       const std::function<Horizontal(double)>& stress) {
-  constexpr std::size_t cells = 350;
-  const ColumnMixing mixing = p.at_depth(water_m);
-  const double dz = water_m / cells;
-  const double dt = 60;
-  const double exchange = mixing.eddy_viscosity_m2_s / (dz * dz);
-  // Half a cell of viscosity in series with the friction.
-  const double drag =
-      1 / (1 / mixing.bottom_friction_m_s + 0.5 * dz / mixing.eddy_viscosity_m2_s) / dz;
-  std::vector<Horizontal> w(cells);
-  std::vector<Horizontal> right(cells);
-  std::vector<Horizontal> upper(cells);
-  const auto steps = static_cast<int>(hours * 3600 / dt);
-  for (int step = 0; step < steps; ++step) {
-    const Horizontal forcing = stress((step + 0.5) * dt / 3600) / dz;
-    const auto tendency = [&](std::size_t k) {
-      Horizontal rate = -imaginary * p.coriolis_rad_s * w[k];
-      if (k > 0) rate += exchange * (w[k - 1] - w[k]);
-      if (k + 1 < cells) rate += exchange * (w[k + 1] - w[k]);
-      if (k + 1 == cells) rate -= drag * w[k];
-      return rate;
-    };
-    for (std::size_t k = 0; k < cells; ++k) {
-      right[k] = w[k] + 0.5 * dt * tendency(k) + (k == 0 ? dt * forcing : Horizontal{});
-    }
-    for (std::size_t k = 0; k < cells; ++k) {  // Thomas
-      const double above = k > 0 ? exchange : 0;
-      const double below = k + 1 < cells ? exchange : drag;
-      Horizontal pivot = 1.0 + 0.5 * dt * (above + below + imaginary * p.coriolis_rad_s);
-      const double side = -0.5 * dt * exchange;
-      if (k > 0) {
-        pivot -= side * upper[k - 1];
-        right[k] -= side * right[k - 1];
-      }
-      upper[k] = k + 1 < cells ? side / pivot : Horizontal{};
-      right[k] /= pivot;
-    }
-    w[cells - 1] = right[cells - 1];
-    for (std::size_t k = cells - 1; k-- > 0;) w[k] = right[k] - upper[k] * w[k + 1];
-  }
-  return w;
-}
-
 TEST(WindDrivenColumn, SteadyWindEndsInTheClosedFormOfFiniteDepth) {
   const Horizontal stress{1.2e-4, -0.7e-4};
   const WindDrivenColumn column(physics(), 0, 400, [&](double) { return stress; });
@@ -98,11 +53,14 @@ TEST(WindDrivenColumn, AgreesWithAFiniteVolumeColumnUnderAVeeringGustyWind) {
     return 1.5e-4 * (1 - std::cos(0.4 * hours)) * std::polar(1.0, 0.07 * hours);
   };
   const WindDrivenColumn column(physics(), 0, 60, stress);
-  const std::vector<Horizontal> cells = crank_nicolson(physics(), 35, 40, stress);
-  for (const std::size_t k : {5U, 50U, 120U, 250U, 340U}) {
-    const double depth_m = (static_cast<double>(k) + 0.5) * 0.1;
+  const ColumnMixing mixing = physics().at_depth(35);
+  CrankNicolsonColumn cells(35, 350, mixing.eddy_viscosity_m2_s, mixing.bottom_friction_m_s,
+                            physics().coriolis_rad_s, 60);
+  for (int minute = 0; minute < 40 * 60; ++minute) cells.step(stress((minute + 0.5) / 60), 0);
+  for (const double depth_m : {0.55, 5.05, 12.05, 25.05, 34.05}) {
     // 0.2 mm/s: second order in 0.1 m cells, 10 min of piecewise linear stress.
-    EXPECT_LT(std::abs(column.velocity(35, depth_m, 40) - cells[k]), 2e-4) << depth_m;
+    EXPECT_LT(std::abs(column.velocity(35, depth_m, 40) - cells.at_depth(depth_m)), 2e-4)
+        << depth_m;
   }
 }
 

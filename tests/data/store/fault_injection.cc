@@ -4,8 +4,10 @@
 //   SLACKWATER_FAULT_ROOT    the folder watched; calls elsewhere pass unseen
 //   SLACKWATER_FAULT_LOG     file that receives one record per call (format: call_log.h)
 //   SLACKWATER_FAULT_AT      fail the Nth call (counted from 1, from the first line "begin" on
-//   standard output) SLACKWATER_FAULT_ERRNO   with this errno; a failing write stores half of its
-//   bytes first, as a full disk may SLACKWATER_FAULT_STICKY  "1": every later call fails as well
+//                            standard output)
+//   SLACKWATER_FAULT_ERRNO   with this errno; a failing write stores half of its bytes first, as a
+//                            full disk may
+//   SLACKWATER_FAULT_STICKY  "1": every later call fails as well
 //   SLACKWATER_FAULT_ACTION  "kill": instead of failing, the process dies at once
 //
 // What the program writes to standard output is recorded too, as marks between the calls.

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "fields/base/check.h"
 #include "fields/base/random.h"
 
 namespace slackwater {
@@ -83,36 +82,6 @@ TEST(Formatted, TakesTextsOfEveryKindAndOfAnyLength) {
   EXPECT_EQ(formatted("no field"), "no field");
   // No byte of a text is read as a format.
   EXPECT_EQ(formatted("{}", "{:s} %s {"), "{:s} %s {");
-}
-
-TEST(Formatted, AFormatThatDoesNotSuitItsValuesDoesNotCompile) {
-  using enum FormatKind;
-  const auto is_refused = [](std::string_view format, std::vector<FormatKind> kinds) {
-    return !format_suits(format, kinds);
-  };
-  EXPECT_TRUE(is_refused("{}", {}));
-  EXPECT_TRUE(is_refused("{}", {whole, whole}));
-  EXPECT_TRUE(is_refused("{:.3f}", {whole}));
-  EXPECT_TRUE(is_refused("{:.3}", {natural}));
-  EXPECT_TRUE(is_refused("{:d}", {real}));
-  EXPECT_TRUE(is_refused("{:g}", {text}));
-  EXPECT_TRUE(is_refused("{:x}", {letter}));
-  EXPECT_TRUE(is_refused("{:g}", {flag}));
-  EXPECT_TRUE(is_refused("{", {real}));
-  EXPECT_TRUE(is_refused("}", {}));
-  EXPECT_TRUE(is_refused("{:g", {real}));
-  EXPECT_TRUE(is_refused("{0}", {real}));
-  EXPECT_TRUE(is_refused("{:{}}", {real, whole}));
-  static_assert(format_kind_of<float>() == real && format_kind_of<std::uint8_t>() == natural);
-  static_assert(format_kind_of<char[4]>() == text && format_kind_of<long>() == whole);
-}
-
-TEST(Formatted, ABadFormatOfARunIsABug) {
-  const std::vector<FormatValue> values{2.5, std::string_view("m")};
-  EXPECT_EQ(formatted_values("{:.1f} {}", values), "2.5 m");
-  EXPECT_THROW((void)formatted_values("{:d} {}", values), ContractViolation);
-  EXPECT_THROW((void)formatted_values("{} {} {}", values), ContractViolation);
-  EXPECT_THROW((void)formatted_values("{:", values), ContractViolation);
 }
 
 TEST(Joined, PutsTheSeparatorBetweenTexts) {

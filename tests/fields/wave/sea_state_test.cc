@@ -10,9 +10,12 @@
 #include "fields/wave/growth.h"
 #include "fields/wave/product_sea.h"
 #include "fields/wave/scenario_sea.h"
+#include "tests/support/contains.h"
 
 namespace slackwater {
 namespace {
+
+using tests::contains;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -26,10 +29,6 @@ std::string refusal(const std::vector<WavePartition>& partitions) {
   return "nothing was refused";
 }
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(ScenarioSea, RefusesThePublishedSeaStatesThatCannotExist) {
   // fields/docs/physics.md section 8: seas shipped with a public simulator.
   struct Row {
@@ -39,9 +38,9 @@ TEST(ScenarioSea, RefusesThePublishedSeaStatesThatCannotExist) {
   for (const Row& row :
        {Row{4, 4, "0.160"}, Row{8, 7, "0.105"}, Row{0.5, 2, "0.080"}, Row{1.5, 3, "0.107"}}) {
     const std::string message = refusal({{row.height, row.period}});
-    EXPECT_TRUE(holds(message, row.steepness)) << message;
-    EXPECT_TRUE(holds(message, "the limit is 0.067")) << message;
-    EXPECT_TRUE(holds(message, "sea of scenario.yaml, partition 1")) << message;
+    EXPECT_TRUE(contains(message, row.steepness)) << message;
+    EXPECT_TRUE(contains(message, "the limit is 0.067")) << message;
+    EXPECT_TRUE(contains(message, "sea of scenario.yaml, partition 1")) << message;
   }
 }
 
@@ -61,20 +60,20 @@ TEST(ScenarioSea, ItsAdviceIsGoodAdvice) {
 TEST(ScenarioSea, RefusesATotalThatIsTooSteepThoughItsPartsAreNot) {
   const WavePartition steep{0.95 * steepest_height_m(7), 7};
   EXPECT_EQ(refusal({steep}), "nothing was refused");
-  EXPECT_TRUE(holds(refusal({steep, steep}), "in total"));
+  EXPECT_TRUE(contains(refusal({steep, steep}), "in total"));
   // The limit of a total is that of its highest peak.
   EXPECT_EQ(refusal({{3.0, 12}, {1.0, 5}}), "nothing was refused");
 }
 
 TEST(ScenarioSea, RefusesWhatIsNoSea) {
-  EXPECT_TRUE(holds(refusal({{-1, 8}}), "significant_height_m = -1"));
-  EXPECT_TRUE(holds(refusal({{nan, 8}}), "significant_height_m = nan"));
-  EXPECT_TRUE(holds(refusal({{1, 0}}), "peak_period_s = 0"));
+  EXPECT_TRUE(contains(refusal({{-1, 8}}), "significant_height_m = -1"));
+  EXPECT_TRUE(contains(refusal({{nan, 8}}), "significant_height_m = nan"));
+  EXPECT_TRUE(contains(refusal({{1, 0}}), "peak_period_s = 0"));
   EXPECT_TRUE(
-      holds(refusal({{1, std::numeric_limits<double>::infinity()}}), "peak_period_s = inf"));
-  EXPECT_TRUE(holds(refusal({{1, 8, 900}}), "from_direction_deg = 900"));
-  EXPECT_TRUE(holds(refusal({{1, 8, 0, 0.5}}), "gamma = 0.5"));
-  EXPECT_TRUE(holds(refusal({{1, 8, 0, 3.3, -2}}), "spreading_s = -2"));
+      contains(refusal({{1, std::numeric_limits<double>::infinity()}}), "peak_period_s = inf"));
+  EXPECT_TRUE(contains(refusal({{1, 8, 900}}), "from_direction_deg = 900"));
+  EXPECT_TRUE(contains(refusal({{1, 8, 0, 0.5}}), "gamma = 0.5"));
+  EXPECT_TRUE(contains(refusal({{1, 8, 0, 3.3, -2}}), "spreading_s = -2"));
   EXPECT_EQ(refusal({}), "nothing was refused");  // calm
   EXPECT_EQ(refusal({{0, 8}}), "nothing was refused");
 }
@@ -124,15 +123,16 @@ TEST(ProductSea, ATooSteepPartitionIsLoweredAndItsEnergyGoesToTheOthers) {
   EXPECT_NEAR(served.sea.partitions[1].significant_height_m,
               std::sqrt(2.5 * 2.5 - std::pow(steepest_height_m(4), 2)), 1e-12);
   ASSERT_EQ(served.warnings.size(), 2u);
-  EXPECT_TRUE(holds(served.warnings[0], "wave partition 1: Hs 2 m with Tp 4 s is steeper"));
-  EXPECT_TRUE(holds(served.warnings[1], "rescaled to the total of 2.5 m"));
+  EXPECT_TRUE(contains(served.warnings[0], "wave partition 1: Hs 2 m with Tp 4 s is steeper"));
+  EXPECT_TRUE(contains(served.warnings[1], "rescaled to the total of 2.5 m"));
 }
 
 TEST(ProductSea, ATotalBeyondTheLimitIsServedWithAWarning) {
   const ServedSea served = product_sea(4.0, std::vector<WavePartition>{{4.0, 4.0}});
   EXPECT_NEAR(served.sea.significant_height_m(), 4.0, 1e-12);
   ASSERT_FALSE(served.warnings.empty());
-  EXPECT_TRUE(holds(served.warnings.back(), "has a steepness of 0.160")) << served.warnings.back();
+  EXPECT_TRUE(contains(served.warnings.back(), "has a steepness of 0.160"))
+      << served.warnings.back();
 }
 
 TEST(ProductSea, AbsentPartitionsAreLeftOutAndBrokenOnesTold) {
@@ -142,10 +142,10 @@ TEST(ProductSea, AbsentPartitionsAreLeftOutAndBrokenOnesTold) {
   EXPECT_TRUE(absent.warnings.empty());
   const ServedSea broken = product_sea(1, std::vector<WavePartition>{{1, 8}, {0.5, nan, 20}});
   EXPECT_EQ(broken.sea.partitions.size(), 1u);
-  EXPECT_TRUE(holds(broken.warnings.at(0), "partition 2 left out"));
+  EXPECT_TRUE(contains(broken.warnings.at(0), "partition 2 left out"));
   const ServedSea none = product_sea(1, {});
   EXPECT_TRUE(none.sea.partitions.empty());
-  EXPECT_TRUE(holds(none.warnings.at(0), "without any usable partition"));
+  EXPECT_TRUE(contains(none.warnings.at(0), "without any usable partition"));
   EXPECT_TRUE(product_sea(0, {}).warnings.empty());
 }
 

@@ -8,6 +8,7 @@
 #include "fields/base/error.h"
 #include "fields/base/random.h"
 #include "tests/ingest/ais/nmea_for_tests.h"
+#include "tests/support/contains.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests {
@@ -50,10 +51,6 @@ std::string problem_of(const std::filesystem::path& file, ErrorKind kind,
   }
   ADD_FAILURE() << "read without an error";
   return {};
-}
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
 }
 
 // Messages published with their decode: type 1 in gpsd's AIVDM.txt, the others in gpsd's

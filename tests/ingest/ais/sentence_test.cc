@@ -4,6 +4,7 @@
 
 #include "fields/base/random.h"
 #include "tests/ingest/ais/nmea_for_tests.h"
+#include "tests/support/contains.h"
 
 namespace slackwater::tests {
 namespace {
@@ -24,10 +25,6 @@ std::string problem_in(const std::string& line) {
   const AisLine read = parse_ais_line(line);
   const auto* problem = std::get_if<MalformedLine>(&read);
   return problem == nullptr ? std::string() : problem->reason;
-}
-
-bool contains(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
 }
 
 TEST(AisSentence, ThePublishedExampleIsReadFieldByField) {

@@ -1,20 +1,18 @@
 #include <gtest/gtest.h>
 
 #include "tests/ingest/cf/tiny_product.h"
+#include "tests/support/contains.h"
 
 namespace slackwater::ingest {
 namespace {
 
+using slackwater::tests::contains;
 using tests::decode;
 using tests::Decoded;
 using tests::refusal_of;
 using tests::TinyProduct;
 
 constexpr const char* east = "eastward_sea_water_velocity";
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(GriddedDecode, AnyDimensionOrderReadsTheSame) {
   TinyProduct product;
@@ -165,25 +163,25 @@ TEST(GriddedDecode, ACutThatMissesTheFileSaysWhereTheFileIs) {
   IngestOptions options;
   options.cut = BoundingBox::from_degrees(20, 50, 21, 51);
   const std::string message = refusal_of(TinyProduct{}, options);
-  EXPECT_TRUE(holds(message, "invalid_input")) << message;
-  EXPECT_TRUE(holds(message, "the cut selects nothing")) << message;
-  EXPECT_TRUE(holds(message, "the file 1.0000 to 4.0000")) << message;
+  EXPECT_TRUE(contains(message, "invalid_input")) << message;
+  EXPECT_TRUE(contains(message, "the cut selects nothing")) << message;
+  EXPECT_TRUE(contains(message, "the file 1.0000 to 4.0000")) << message;
 }
 
 TEST(GriddedDecode, AxesThatAreNotMonotonicOrNotFiniteAreRefused) {
   TinyProduct product;
   product.latitude = {50, 52, 51};
-  EXPECT_TRUE(holds(refusal_of(product), "latitude axis is not monotonic"));
+  EXPECT_TRUE(contains(refusal_of(product), "latitude axis is not monotonic"));
   product.latitude = {50, std::numeric_limits<double>::quiet_NaN(), 52};
-  EXPECT_TRUE(holds(refusal_of(product), "latitude 1 is nan"));
+  EXPECT_TRUE(contains(refusal_of(product), "latitude 1 is nan"));
   product.latitude = {50, 51, 152};
-  EXPECT_TRUE(holds(refusal_of(product), "latitude 2 is 152"));
+  EXPECT_TRUE(contains(refusal_of(product), "latitude 2 is 152"));
   product = {};
   product.longitude = {1, 2, 2, 4};
-  EXPECT_TRUE(holds(refusal_of(product), "longitude axis is not monotonic"));
+  EXPECT_TRUE(contains(refusal_of(product), "longitude axis is not monotonic"));
   product = {};
   product.depth = {5, 5};
-  EXPECT_TRUE(holds(refusal_of(product), "two levels lie at 5"));
+  EXPECT_TRUE(contains(refusal_of(product), "two levels lie at 5"));
 }
 
 TEST(GriddedDecode, ACurrentWithoutDepthIsRefused) {
@@ -191,14 +189,14 @@ TEST(GriddedDecode, ACurrentWithoutDepthIsRefused) {
   product.depth.clear();
   product.order = {"time", "latitude", "longitude"};
   const std::string message = refusal_of(product);
-  EXPECT_TRUE(holds(message, "has no depth")) << message;
-  EXPECT_TRUE(holds(message, "does not settle it")) << message;
+  EXPECT_TRUE(contains(message, "has no depth")) << message;
+  EXPECT_TRUE(contains(message, "does not settle it")) << message;
 }
 
 TEST(GriddedDecode, DepthsOnTheWrongSideOfTheSurfaceAreRefused) {
   TinyProduct product;
   product.depth = {-10, -20};
-  EXPECT_TRUE(holds(refusal_of(product), "wrong side of the sea surface"));
+  EXPECT_TRUE(contains(refusal_of(product), "wrong side of the sea surface"));
 }
 
 TEST(GriddedDecode, AnUnknownDimensionIsRefusedByName) {
@@ -207,7 +205,7 @@ TEST(GriddedDecode, AnUnknownDimensionIsRefusedByName) {
   product.depth_positive.reset();
   product.depth_units.reset();
   product.order = {"time", "ensemble", "latitude", "longitude"};
-  EXPECT_TRUE(holds(refusal_of(product), "dimension 'ensemble' of length 2"));
+  EXPECT_TRUE(contains(refusal_of(product), "dimension 'ensemble' of length 2"));
 }
 
 TEST(GriddedDecode, TerrainFollowingLevelsAreRefused) {
@@ -217,7 +215,7 @@ TEST(GriddedDecode, TerrainFollowingLevelsAreRefused) {
     writer.attribute(s, "standard_name", "ocean_s_coordinate_g2");
     return nullptr;
   };
-  EXPECT_TRUE(holds(refusal_of(product), "terrain-following (s) vertical coordinate"));
+  EXPECT_TRUE(contains(refusal_of(product), "terrain-following (s) vertical coordinate"));
 }
 
 TEST(GriddedDecode, CurvilinearGridsAreRefused) {
@@ -229,7 +227,7 @@ TEST(GriddedDecode, CurvilinearGridsAreRefused) {
     writer.attribute(variable, "coordinates", "nav_lat");
     return nullptr;
   };
-  EXPECT_TRUE(holds(refusal_of(product), "curvilinear grid (nav_lat has 2 dimensions)"));
+  EXPECT_TRUE(contains(refusal_of(product), "curvilinear grid (nav_lat has 2 dimensions)"));
 }
 
 TEST(GriddedDecode, ABathymetryOfHeightsBecomesDepthsAndItsLandMissing) {

@@ -1,22 +1,20 @@
 #include <gtest/gtest.h>
 
 #include "tests/ingest/cf/tiny_product.h"
+#include "tests/support/contains.h"
 
 namespace slackwater::ingest {
 namespace {
 
 using netcdf::Type;
 using netcdf::Writer;
+using slackwater::tests::contains;
 using tests::decode;
 using tests::Decoded;
 using tests::refusal_of;
 using tests::TinyProduct;
 
 constexpr const char* east = "eastward_sea_water_velocity";
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// One column of raw values along longitude; the rest of the grid has length 1.
 TinyProduct row_of(std::vector<double> raw, Type type) {
@@ -120,15 +118,15 @@ TEST(ValueDecode, AWrongUnitIsRefusedWithBothUnits) {
   TinyProduct product = row_of({0.1, 0.2}, Type::float32);
   product.unit = "K";
   const std::string message = refusal_of(product);
-  EXPECT_TRUE(holds(message, "found unit 'K'")) << message;
-  EXPECT_TRUE(holds(message, "converts to 'm s-1'")) << message;
+  EXPECT_TRUE(contains(message, "found unit 'K'")) << message;
+  EXPECT_TRUE(contains(message, "converts to 'm s-1'")) << message;
   product.unit.reset();
-  EXPECT_TRUE(holds(refusal_of(product), "has no units"));
+  EXPECT_TRUE(contains(refusal_of(product), "has no units"));
 }
 
 TEST(ValueDecode, MostValuesOutOfBeliefMeanAWrongUnit) {
   TinyProduct product = row_of({50, 60, 70, 0.1}, Type::float32);  // cm/s that say m/s
-  EXPECT_TRUE(holds(refusal_of(product), "check the units"));
+  EXPECT_TRUE(contains(refusal_of(product), "check the units"));
 }
 
 TEST(ValueDecode, AFewValuesOutOfBeliefAreMissingAndTold) {
@@ -136,14 +134,14 @@ TEST(ValueDecode, AFewValuesOutOfBeliefAreMissingAndTold) {
   raw[7] = 45.0;
   const Decoded decoded = decode(row_of(raw, Type::float32));
   EXPECT_TRUE(std::isnan(decoded.field(east).values[7]));
-  EXPECT_TRUE(holds(decoded.warnings(), "1 of 20 values lie outside the believable range"))
+  EXPECT_TRUE(contains(decoded.warnings(), "1 of 20 values lie outside the believable range"))
       << decoded.warnings();
 }
 
 TEST(ValueDecode, AllFillIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(holds(refusal_of(row_of({nan, nan}, Type::float32)),
-                    "all values of 'uo' are missing (fill)"));
+  EXPECT_TRUE(contains(refusal_of(row_of({nan, nan}, Type::float32)),
+                       "all values of 'uo' are missing (fill)"));
 }
 
 TEST(ValueDecode, AnEmptyVariableBesideAFullOneIsAWarning) {
@@ -154,14 +152,14 @@ TEST(ValueDecode, AnEmptyVariableBesideAFullOneIsAWarning) {
     writer.attribute(vo, "units", "m s-1");
     return nullptr;
   };
-  EXPECT_TRUE(holds(decode(product).warnings(), "all values of 'vo' are missing"));
+  EXPECT_TRUE(contains(decode(product).warnings(), "all values of 'vo' are missing"));
 }
 
 TEST(ValueDecode, AKnownShortNameDoesNotHideAForeignQuantity) {
   TinyProduct product = row_of({0.1, 0.2}, Type::float32);
   product.standard_name = "eastward_sea_ice_velocity";
-  EXPECT_TRUE(holds(refusal_of(product),
-                    "no velocity, wave or wind variable; found uo (eastward_sea_ice_velocity)"));
+  EXPECT_TRUE(contains(refusal_of(product),
+                       "no velocity, wave or wind variable; found uo (eastward_sea_ice_velocity)"));
   product.standard_name = "";
   EXPECT_EQ(decode(product).granule().variables[0].standard_name, east);
 }
@@ -193,7 +191,7 @@ TEST(ValueDecode, TheTotalCurrentIsPreferredToTheTidelessOne) {
   };
   const Decoded decoded = decode(product);
   EXPECT_EQ(decoded.field(east).values, (std::vector<float>{0.75F, 0.5F}));
-  EXPECT_TRUE(holds(decoded.warnings(), "'uo' is left out"));
+  EXPECT_TRUE(contains(decoded.warnings(), "'uo' is left out"));
 }
 
 TEST(ValueDecode, WindsOf10And100MetresAreTwoGranules) {

@@ -7,12 +7,14 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "tests/support/contains.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::ingest::netcdf {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
+using tests::contains;
 
 std::string refusal(const std::filesystem::path& path) {
   try {
@@ -21,10 +23,6 @@ std::string refusal(const std::filesystem::path& path) {
     return std::string(name_of(error.kind())) + ": " + error.message();
   }
   return "nothing was thrown";
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
@@ -133,25 +131,26 @@ TEST(NetcdfFile, TextsThatNoFileCanHoldAreRefusedBeforeTheyAreMade) {
     return std::string("nothing was thrown");
   };
   const std::string contiguous = refusal_of(1'000'000, 8, {});
-  EXPECT_TRUE(holds(contiguous, "1000000 texts of 8 letters, more than the ")) << contiguous;
+  EXPECT_TRUE(contains(contiguous, "1000000 texts of 8 letters, more than the ")) << contiguous;
   const std::string deflated = refusal_of(std::size_t{1} << 26, 1, {{1 << 16, 1}, 1, {}});
-  EXPECT_TRUE(holds(deflated, "invalid_input: ")) << deflated;
-  EXPECT_TRUE(holds(deflated, "67108864 texts of 1 letters; expected at most 1 GiB")) << deflated;
+  EXPECT_TRUE(contains(deflated, "invalid_input: ")) << deflated;
+  EXPECT_TRUE(contains(deflated, "67108864 texts of 1 letters; expected at most 1 GiB"))
+      << deflated;
   const std::string vast = refusal_of(std::size_t{1} << 40, 8, {{1 << 16, 8}, 1, {}});
-  EXPECT_TRUE(holds(vast, "expected at most 1 GiB")) << vast;
+  EXPECT_TRUE(contains(vast, "expected at most 1 GiB")) << vast;
 }
 
 TEST(NetcdfFile, WhatIsNoNetcdfFileIsRefusedWithAReason) {
   const TemporaryFolder folder;
-  EXPECT_TRUE(holds(refusal(folder / "absent.nc"), "not_found: no such file"));
+  EXPECT_TRUE(contains(refusal(folder / "absent.nc"), "not_found: no such file"));
   write_bytes(folder / "empty.nc", "");
-  EXPECT_TRUE(holds(refusal(folder / "empty.nc"), "is empty (0 bytes)"));
+  EXPECT_TRUE(contains(refusal(folder / "empty.nc"), "is empty (0 bytes)"));
   write_bytes(folder / "text.nc", "time,u,v\n1,2,3\n");
   EXPECT_TRUE(
-      holds(refusal(folder / "text.nc"), "is not a NetCDF file (it starts with 'time,u,v')"));
+      contains(refusal(folder / "text.nc"), "is not a NetCDF file (it starts with 'time,u,v')"));
   write_bytes(folder / "magic.nc", "CDF\x01");
-  EXPECT_TRUE(holds(refusal(folder / "magic.nc"), "truncated inside its header"));
-  EXPECT_TRUE(holds(refusal(folder.path()), "is not a regular file"));
+  EXPECT_TRUE(contains(refusal(folder / "magic.nc"), "truncated inside its header"));
+  EXPECT_TRUE(contains(refusal(folder.path()), "is not a regular file"));
 }
 
 TEST(NetcdfFile, AClassicFileThatEndsEarlyIsRefusedAtAnyLength) {
@@ -165,7 +164,7 @@ TEST(NetcdfFile, AClassicFileThatEndsEarlyIsRefusedAtAnyLength) {
       std::filesystem::copy_file(folder / "whole.nc", folder / "cut.nc",
                                  std::filesystem::copy_options::overwrite_existing);
       std::filesystem::resize_file(folder / "cut.nc", size);
-      EXPECT_TRUE(holds(refusal(folder / "cut.nc"), "invalid_input"))
+      EXPECT_TRUE(contains(refusal(folder / "cut.nc"), "invalid_input"))
           << "cut to " << size << " bytes";
     }
   }
@@ -184,7 +183,7 @@ TEST(NetcdfFile, AnHdf5FileThatEndsEarlyIsRefused) {
     std::filesystem::copy_file(folder / "whole.nc", folder / "cut.nc",
                                std::filesystem::copy_options::overwrite_existing);
     std::filesystem::resize_file(folder / "cut.nc", size);
-    EXPECT_TRUE(holds(refusal(folder / "cut.nc"), "damaged or truncated"))
+    EXPECT_TRUE(contains(refusal(folder / "cut.nc"), "damaged or truncated"))
         << "cut to " << size << " bytes";
   }
 }
@@ -210,11 +209,11 @@ TEST(NetcdfFile, AnHdf5FileWithADamagedHeapIsRefusedNotWalkedForever) {
   std::string stands_still = bytes;
   std::fill_n(stands_still.begin() + static_cast<std::ptrdiff_t>(heap + 16), 16, '\0');
   write_bytes(folder / "still.nc", stands_still);
-  EXPECT_TRUE(holds(refusal(folder / "still.nc"), "a global heap of HDF5"));
+  EXPECT_TRUE(contains(refusal(folder / "still.nc"), "a global heap of HDF5"));
   std::string runs_over = bytes;
   runs_over[heap + 16 + 12] = '\x7f';
   write_bytes(folder / "over.nc", runs_over);
-  EXPECT_TRUE(holds(refusal(folder / "over.nc"), "a global heap of HDF5"));
+  EXPECT_TRUE(contains(refusal(folder / "over.nc"), "a global heap of HDF5"));
 }
 
 TEST(NetcdfFile, ADimensionOfNothingReadsAsNothing) {

@@ -1,4 +1,5 @@
 #include "twin/body/attitude.h"
+#include "fields/base/turn.h"
 
 #include <gtest/gtest.h>
 
@@ -73,12 +74,6 @@ TEST(VehicleAttitude, TheRateIsThatOfTheRotation) {
     const Triple<double> slope = (0.5 / dt) * (moved(dt) - moved(-dt));
     expect_near(slope, rotation_of(q).to_ned(cross(w, v)), 1e-8);
   }
-}
-
-TEST(VehicleAttitude, AnglesAreWrappedIntoOneTurn) {
-  EXPECT_NEAR(wrapped_rad(3 * pi), -pi, 1e-12);
-  EXPECT_NEAR(wrapped_rad(-0.5), -0.5, 0);
-  EXPECT_NEAR(wrapped_rad(7.0), 7.0 - 2 * pi, 1e-15);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
+#include "fields/base/turn.h"
 #include "twin/control/patterns.h"
 #include "twin/control/waypoint_follower.h"
 

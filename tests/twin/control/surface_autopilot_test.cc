@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "fields/base/turn.h"
 #include "tests/twin/control/closed_loop.h"
 
 namespace slackwater::twin {

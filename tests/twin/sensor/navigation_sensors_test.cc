@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fields/base/constants.h"
+#include "fields/base/turn.h"
 #include "twin/body/attitude.h"
 #include "twin/sensor/compass.h"
 #include "twin/sensor/depth_sensor.h"

@@ -1,4 +1,5 @@
 #include "twin/vehicle/read_body.h"
+#include "tests/support/contains.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,8 @@
 
 namespace slackwater::twin {
 namespace {
+
+using tests::contains;
 
 /// The made-up vehicle with one line put in the place of another.
 std::string yaml_with(const std::string& line, const std::string& instead) {
@@ -45,11 +48,6 @@ std::string refusal(const std::string& line, const std::string& instead) {
   return {};
 }
 
-testing::AssertionResult says(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "not in: " << text;
-}
-
 TEST(ReadBody, TurnsSnameSignsIntoPositiveMatricesOnce) {
   const Body body = read(yaml_with("mass_kg: 100", "mass_kg: 100"));
   EXPECT_EQ(body.added_mass.entry[1][1], 50);
@@ -68,21 +66,21 @@ TEST(ReadBody, TurnsSnameSignsIntoPositiveMatricesOnce) {
 }
 
 TEST(ReadBody, RefusesWhatNoBodyCanBeAndSaysWhy) {
-  EXPECT_TRUE(says(refusal("xx: 3", "xx: 0.5"), "triangle inequality"));
-  EXPECT_TRUE(says(refusal("xx: 3, yy: 8, zz: 9", "xx: 60, yy: 80, zz: 90"),
-                   "mass at the edge of its hull"));
-  EXPECT_TRUE(says(refusal("xz: 0.1", "xz: 40"), "principal values"));
-  EXPECT_TRUE(says(refusal("X_u: -4", "X_u: 4"), "give -4"));
-  EXPECT_TRUE(says(refusal("volume_m3: 0.0976", "volume_m3: 97.6"), "box around the hull"));
-  EXPECT_TRUE(says(refusal("mass_kg: 100", "mass_kg: 1000"), "displaces"));
-  EXPECT_TRUE(says(refusal("mass_kg: 100", "mass_kg: 0"), "mass_kg"));
-  EXPECT_TRUE(says(refusal("mass_kg: 100", "mass_kg: .nan"), "mass_kg"));
-  EXPECT_TRUE(says(refusal("centre_of_gravity_m: [0, 0, 0.01]", "centre_of_gravity_m: [0, 0]"),
-                   "[x, y, z]"));
-  EXPECT_TRUE(says(refusal("along: length", "along: width"), "length or height"));
-  EXPECT_TRUE(says(refusal("count: 4", "count: 9"), "count"));
-  EXPECT_TRUE(says(refusal("X_u_dot", "X_udot"), "X_u_dot"));
-  EXPECT_TRUE(says(refusal("position_x_m: -0.5", "position_x_m: 0.5"), "position_x_m"));
+  EXPECT_TRUE(contains(refusal("xx: 3", "xx: 0.5"), "triangle inequality"));
+  EXPECT_TRUE(contains(refusal("xx: 3, yy: 8, zz: 9", "xx: 60, yy: 80, zz: 90"),
+                       "mass at the edge of its hull"));
+  EXPECT_TRUE(contains(refusal("xz: 0.1", "xz: 40"), "principal values"));
+  EXPECT_TRUE(contains(refusal("X_u: -4", "X_u: 4"), "give -4"));
+  EXPECT_TRUE(contains(refusal("volume_m3: 0.0976", "volume_m3: 97.6"), "box around the hull"));
+  EXPECT_TRUE(contains(refusal("mass_kg: 100", "mass_kg: 1000"), "displaces"));
+  EXPECT_TRUE(contains(refusal("mass_kg: 100", "mass_kg: 0"), "mass_kg"));
+  EXPECT_TRUE(contains(refusal("mass_kg: 100", "mass_kg: .nan"), "mass_kg"));
+  EXPECT_TRUE(contains(refusal("centre_of_gravity_m: [0, 0, 0.01]", "centre_of_gravity_m: [0, 0]"),
+                       "[x, y, z]"));
+  EXPECT_TRUE(contains(refusal("along: length", "along: width"), "length or height"));
+  EXPECT_TRUE(contains(refusal("count: 4", "count: 9"), "count"));
+  EXPECT_TRUE(contains(refusal("X_u_dot", "X_udot"), "X_u_dot"));
+  EXPECT_TRUE(contains(refusal("position_x_m: -0.5", "position_x_m: 0.5"), "position_x_m"));
 }
 
 /// The inertia that a public model gives this vehicle "to keep the trajectory straight"

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "fields/base/error.h"
+#include "tests/support/contains.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/vehicle_for_tests.h"
 
@@ -12,6 +13,7 @@ namespace slackwater::twin {
 namespace {
 
 using tests::bundled_vehicle;
+using tests::contains;
 
 std::string text_of(const std::string& id) {
   std::ifstream file(tests::source_folder() / "data/vehicles" / (id + ".yaml"));
@@ -34,11 +36,6 @@ std::string refusal(const std::string& id, const std::string& line, const std::s
     return problem.message();
   }
   return "nothing was refused";
-}
-
-testing::AssertionResult says(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "not in: " << text;
 }
 
 /// Sum of what the mounts do per newton each: force and moment about the origin.
@@ -92,23 +89,25 @@ TEST(ReadVehicle, TheLrauvTrimsByItsBatteryAndItsBladder) {
 
 TEST(ReadVehicle, RefusesWhatNoVehicleIsAndSaysWhy) {
   EXPECT_EQ(refusal("x500", "kind: uav", "kind: uav"), "nothing was refused");
-  EXPECT_TRUE(says(refusal("x500", "kind: uav", "kind: drone"), "expected rov, auv, uav"));
-  EXPECT_TRUE(says(refusal("x500", "largest_step_s: 0.004", "largest_step_s: 0.05"), "0.004"));
-  EXPECT_TRUE(says(refusal("x500", "kind: uav", "kind: usv"), "has hulls"));
-  EXPECT_TRUE(says(refusal("x500", "direction: [0, 0, -1]", "direction: [0, 0, -2]"), "direction"));
+  EXPECT_TRUE(contains(refusal("x500", "kind: uav", "kind: drone"), "expected rov, auv, uav"));
+  EXPECT_TRUE(contains(refusal("x500", "largest_step_s: 0.004", "largest_step_s: 0.05"), "0.004"));
+  EXPECT_TRUE(contains(refusal("x500", "kind: uav", "kind: usv"), "has hulls"));
   EXPECT_TRUE(
-      says(refusal("x500", "direction: [0, 0, -1]", "direction: [0, 1, -1]"), "of length 1"));
-  EXPECT_TRUE(says(refusal("x500", "turns: clockwise", "turns: cw"), "counterclockwise"));
-  EXPECT_TRUE(says(refusal("x500", "hotel_w: 8", "hotel_load_w: 8"), "hotel_w"));
-  EXPECT_TRUE(says(refusal("x500", "capacity_ah: 5.0", "capacity_ah: 5000"), "not mAh"));
-  EXPECT_TRUE(says(refusal("bluerov2_heavy", "model: t200", "model: t100"), "t200"));
-  EXPECT_TRUE(says(refusal("lrauv_tethys", "stall_rad: 0.17", "stall_deg: 9.7"), "stall_rad"));
-  EXPECT_TRUE(says(refusal("lrauv_tethys", "hotel_w: 16.8", "hotel_w: 16.8\nwings: 2"), "wings"));
-  EXPECT_TRUE(says(refusal("lrauv_tethys",
-                           "mounts:\n  - {position_m: [-1.43162, 0, 0], "
-                           "direction: [1, 0, 0]}\n",
-                           ""),
-                   "found 0 thrusters"));
+      contains(refusal("x500", "direction: [0, 0, -1]", "direction: [0, 0, -2]"), "direction"));
+  EXPECT_TRUE(
+      contains(refusal("x500", "direction: [0, 0, -1]", "direction: [0, 1, -1]"), "of length 1"));
+  EXPECT_TRUE(contains(refusal("x500", "turns: clockwise", "turns: cw"), "counterclockwise"));
+  EXPECT_TRUE(contains(refusal("x500", "hotel_w: 8", "hotel_load_w: 8"), "hotel_w"));
+  EXPECT_TRUE(contains(refusal("x500", "capacity_ah: 5.0", "capacity_ah: 5000"), "not mAh"));
+  EXPECT_TRUE(contains(refusal("bluerov2_heavy", "model: t200", "model: t100"), "t200"));
+  EXPECT_TRUE(contains(refusal("lrauv_tethys", "stall_rad: 0.17", "stall_deg: 9.7"), "stall_rad"));
+  EXPECT_TRUE(
+      contains(refusal("lrauv_tethys", "hotel_w: 16.8", "hotel_w: 16.8\nwings: 2"), "wings"));
+  EXPECT_TRUE(contains(refusal("lrauv_tethys",
+                               "mounts:\n  - {position_m: [-1.43162, 0, 0], "
+                               "direction: [1, 0, 0]}\n",
+                               ""),
+                       "found 0 thrusters"));
 }
 
 }  // namespace

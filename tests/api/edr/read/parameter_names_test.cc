@@ -7,8 +7,8 @@
 namespace slackwater::api::edr {
 namespace {
 
+using tests::contains;
 using tests::refusal_of;
-using tests::says;
 
 const std::vector<std::string> known{"eastward_sea_water_velocity", "northward_sea_water_velocity",
                                      "eastward_sea_water_velocity_p10"};
@@ -28,17 +28,17 @@ TEST(ParameterNames, AnUnknownNameIsMetWithTheNearest) {
   const auto refusal = [](std::string_view text) {
     return refusal_of([&] { (void)parse_parameter_names(text, known); });
   };
-  EXPECT_TRUE(
-      says(refusal("eastward_sea_water_velocty"), "did you mean 'eastward_sea_water_velocity'?"));
-  EXPECT_TRUE(says(refusal("eastward_sea_water_velocity,x"), "found 'x'"));
-  EXPECT_TRUE(says(refusal("x"), "eastward_sea_water_velocity, northward_sea_water_velocity"));
+  EXPECT_TRUE(contains(refusal("eastward_sea_water_velocty"),
+                       "did you mean 'eastward_sea_water_velocity'?"));
+  EXPECT_TRUE(contains(refusal("eastward_sea_water_velocity,x"), "found 'x'"));
+  EXPECT_TRUE(contains(refusal("x"), "eastward_sea_water_velocity, northward_sea_water_velocity"));
   for (const char* text :
        {"", ",", "eastward_sea_water_velocity,", "EASTWARD_SEA_WATER_VELOCITY"}) {
-    EXPECT_TRUE(says(refusal(text), "parameter-name: found '")) << text;
+    EXPECT_TRUE(contains(refusal(text), "parameter-name: found '")) << text;
   }
-  EXPECT_TRUE(says(refusal(std::string(60'000, 'e')), "parameters of this collection"));
-  EXPECT_TRUE(says(refusal(std::string(60'000, ',')), "at most 1000 names"));
-  EXPECT_TRUE(says(refusal(std::string(100'000, 'x')), "bytes"));
+  EXPECT_TRUE(contains(refusal(std::string(60'000, 'e')), "parameters of this collection"));
+  EXPECT_TRUE(contains(refusal(std::string(60'000, ',')), "at most 1000 names"));
+  EXPECT_TRUE(contains(refusal(std::string(100'000, 'x')), "bytes"));
 }
 
 }  // namespace

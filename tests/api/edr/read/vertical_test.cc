@@ -5,8 +5,8 @@
 namespace slackwater::api::edr {
 namespace {
 
+using tests::contains;
 using tests::refusal_of;
-using tests::says;
 
 std::string refusal(std::string_view text) {
   return refusal_of([&] { (void)parse_vertical(text); });
@@ -64,27 +64,27 @@ TEST(Vertical, WhatIsNoLevelIsRefused) {
                            "1 0",
                            "1;2",
                            "R99999999999999999999/0/1"}) {
-    EXPECT_TRUE(says(refusal(text), "z: found '")) << text;
+    EXPECT_TRUE(contains(refusal(text), "z: found '")) << text;
   }
-  EXPECT_TRUE(says(refusal(std::string_view("1\0", 2)), "a level (10)"));
+  EXPECT_TRUE(contains(refusal(std::string_view("1\0", 2)), "a level (10)"));
 }
 
 TEST(Vertical, WhatCannotBeIsRefusedWithTheReason) {
-  EXPECT_TRUE(says(refusal("50/0"), "the smaller level first"));
-  EXPECT_TRUE(says(refusal("R3/5/0"), "a step that is not 0"));
-  EXPECT_TRUE(says(refusal("20001"), "within 20000 m"));
-  EXPECT_TRUE(says(refusal("-1e30,0"), "within 20000 m"));
-  EXPECT_TRUE(says(refusal("R1000/0/1000"), "a sequence that stays"));
-  EXPECT_TRUE(says(refusal("R1001/0/1"), "at most 1000 levels"));
+  EXPECT_TRUE(contains(refusal("50/0"), "the smaller level first"));
+  EXPECT_TRUE(contains(refusal("R3/5/0"), "a step that is not 0"));
+  EXPECT_TRUE(contains(refusal("20001"), "within 20000 m"));
+  EXPECT_TRUE(contains(refusal("-1e30,0"), "within 20000 m"));
+  EXPECT_TRUE(contains(refusal("R1000/0/1000"), "a sequence that stays"));
+  EXPECT_TRUE(contains(refusal("R1001/0/1"), "at most 1000 levels"));
   EXPECT_EQ(std::get<Levels>(parse_vertical("R1000/0/1")).size(), max_levels);
 }
 
 TEST(Vertical, LimitsHoldForLists) {
   std::string many = "0";
   for (std::size_t i = 1; i <= max_levels; ++i) many.append(",").append(std::to_string(i));
-  EXPECT_TRUE(says(refusal(many), "at most 1000 levels"));
-  EXPECT_TRUE(says(refusal(std::string(1'000'000, ',')), "bytes"));
-  EXPECT_TRUE(says(refusal(std::string(30'000, '/')), "a level (10)"));
+  EXPECT_TRUE(contains(refusal(many), "at most 1000 levels"));
+  EXPECT_TRUE(contains(refusal(std::string(1'000'000, ',')), "bytes"));
+  EXPECT_TRUE(contains(refusal(std::string(30'000, '/')), "a level (10)"));
 }
 
 }  // namespace
