@@ -27,7 +27,7 @@ struct LeewayObject {
   double jibe_rate_per_s = 0.04 / 3600;
 };
 
-/// Reads data/leeway/NAME.yaml, where NAME is the value of `key`:
+/// Reads data/leeway/NAME.yaml:
 ///
 ///     name, source, status, seen_as: person
 ///     downwind: {slope_percent, offset_cm_s, std_cm_s}
@@ -35,7 +35,7 @@ struct LeewayObject {
 ///     jibe_percent_per_h: 4
 ///
 /// @throws Error(invalid_input) for a name that is not there, numbers that nothing drifts by
-[[nodiscard]] LeewayObject read_leeway(const Config& config, std::string_view key,
+[[nodiscard]] LeewayObject read_leeway(const std::string& name,
                                        const std::filesystem::path& data_folder);
 
 /// One line of one drifter.

@@ -36,7 +36,7 @@ struct MammalWatch {
 /// Reads data/watches/NAME.yaml: name, source, status, cue: surfacing | call, half_width_m and
 /// chance_at_zero, seven numbers each. @throws Error(invalid_input), also where a rougher sea
 /// shows more
-[[nodiscard]] MammalWatch read_mammal_watch(const Config& config, std::string_view key,
+[[nodiscard]] MammalWatch read_mammal_watch(const std::string& name,
                                             const std::filesystem::path& data_folder);
 
 /// Linear between forces; nothing is seen from one force beyond the last on.

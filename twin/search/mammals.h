@@ -20,7 +20,7 @@ struct MammalKind {
 
 /// Reads data/mammals/NAME.yaml: name, source, status, surfaces_every_s, calls_every_s, speed_m_s,
 /// turns_every_s. @throws Error(invalid_input)
-[[nodiscard]] MammalKind read_mammal(const Config& config, std::string_view key,
+[[nodiscard]] MammalKind read_mammal(const std::string& name,
                                      const std::filesystem::path& data_folder);
 
 /// Animals about a place.
