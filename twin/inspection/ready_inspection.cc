@@ -22,10 +22,6 @@ constexpr double most_patches_per_ray = 50;  // of one surface: what a whole mis
   throw Error(ErrorKind::invalid_input, "inspection: " + what);
 }
 
-std::vector<Config> entries_of(const std::string& surfaces) {
-  return Config::parse("surfaces: " + surfaces, "inspection").children("surfaces");
-}
-
 bool inspects(const InspectionLine& line, SurfaceKind kind) {
   return std::find(line.kinds.begin(), line.kinds.end(), kind) != line.kinds.end();
 }
@@ -106,7 +102,9 @@ std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
   ready->rays_per_look = plan.rays_per_look.value_or(rays_per_look);
   for (const InspectionLine& line : plan.lines)
     ready->instruments.push_back(read_named_instrument(line.instrument, data_folder));
-  const std::vector<Config> entries = entries_of(plan.surfaces);
+  std::vector<Config> entries;
+  for (const YamlValue& surface : plan.surfaces)
+    entries.push_back(Config::of(surface, "inspection.surfaces"));
   const std::vector<Triple<double>> places_m = places_of(way);
   std::vector<TriangleMesh> meshes;
   for (std::size_t s = 0; s < entries.size(); ++s) {

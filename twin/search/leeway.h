@@ -14,6 +14,7 @@ struct LeewayLine {
   double slope = 0;  ///< m/s per m/s
   double offset_m_s = 0;
   double std_m_s = 0;
+  bool operator==(const LeewayLine&) const = default;
 };
 
 /// What kind of thing drifts, as field tests have it.
@@ -25,6 +26,7 @@ struct LeewayObject {
   LeewayLine left;   ///< of those that drift to the left; its slope is most often negative
   /// How often it changes sides: 4 % an hour (Breivik and Allen 2008).
   double jibe_rate_per_s = 0.04 / 3600;
+  bool operator==(const LeewayObject&) const = default;
 };
 
 /// Reads data/leeway/NAME.yaml:

@@ -16,6 +16,7 @@ struct MammalKind {
   double calls_every_s = 0;
   double speed_m_s = 0;
   double turns_every_s = 0;
+  bool operator==(const MammalKind&) const = default;
 };
 
 /// Reads data/mammals/NAME.yaml: name, source, status, surfaces_every_s, calls_every_s, speed_m_s,

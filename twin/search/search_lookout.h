@@ -37,8 +37,10 @@ struct SearchLookout {
     double most_wind_m_s = std::numeric_limits<double>::infinity();
     double most_wave_height_m = std::numeric_limits<double>::infinity();
     double factor = 1;
+    bool operator==(const Weather&) const = default;
   };
   std::vector<Weather> weather;  ///< rougher and rougher, the last for all else
+  bool operator==(const SearchLookout&) const = default;
 };
 
 /// Reads data/lookouts/NAME.yaml, for one kind of object:
