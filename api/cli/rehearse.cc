@@ -139,8 +139,8 @@ AdaptedStart adapted_start(const RehearseArguments& arguments, const Context& co
   out.choice = with_context("--adapt-intensity", [&] {
     return twin::adapt_intensity(
         [&](const twin::Intensity& thinned_by) {
-          return lay_out_mission(read, folder, arguments.mission.filename().string(),
-                                 context.store_folder, assumed, height_errors, thinned_by)
+          return lay_out_mission(read, folder, context.store_folder, assumed, height_errors,
+                                 thinned_by)
               .scenario;
         },
         mission.water.surround, question);
@@ -190,11 +190,8 @@ void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal,
 /// The flight of one start and member, logged as `simulate` logs.
 void write_flight(const RehearseArguments& arguments, const LoadedMission& mission,
                   const twin::FlightCase& logged) {
-  const std::string yaml =
-      scenario_of_flight(mission.expanded.scenario_yaml, logged, mission.scenario.seed);
-  LoadedMission flown = mission;
-  flown.scenario = twin::parse_scenario(yaml, arguments.mission.filename().string());
-  const ScenarioResult result = run_scenario(flown.scenario, flown.water, {});
+  const ScenarioResult result =
+      run_scenario(scenario_of_flight(mission.scenario, logged), mission.water, {});
   write_beside(arguments.log, [&](const std::filesystem::path& partial) {
     ingest::write_trajectories(result.file, partial);
   });
@@ -261,7 +258,7 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   if (adapts)
     adapted = adapted_start(arguments, context, assumed, height_errors, mission, plan,
                             best_allowed(rehearsal));
-  if (!arguments.scenario.empty()) write_text(arguments.scenario, mission.expanded.scenario_yaml);
+  if (!arguments.scenario.empty()) write_text(arguments.scenario, mission.scenario.yaml);
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
       ingest::write_trajectories(rehearsal_file(mission, plan, rehearsal), partial);

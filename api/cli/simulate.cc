@@ -78,11 +78,11 @@ twin::Resurvey written_resurvey(const twin::Scenario& scenario, const ScenarioRe
                                 const std::filesystem::path& file) {
   if (file.empty()) return {};
   twin::Resurvey again = resurvey_of(scenario, result);
-  if (again.scenario_yaml.empty())
+  if (!again.scenario)
     throw Error(ErrorKind::not_found,
                 "--resurvey: nothing is left to fly again, or nothing was inspected; no file is "
                 "written");
-  write_text(file, again.scenario_yaml);
+  write_text(file, again.scenario->yaml);
   return again;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "api/rehearse/rehearsal_json.h"
 #include "api/report/plot_json.h"
@@ -9,7 +10,6 @@
 #include "fields/base/quantile.h"
 #include "fields/base/text.h"
 #include "twin/chance/success_interval.h"
-#include "twin/mission/scenario_text.h"
 
 namespace slackwater::api {
 namespace {
@@ -89,22 +89,19 @@ std::string adapted_mission_yaml(const Config& mission, const std::vector<std::s
   const twin::IntensityChoice& choice = adapted.choice;
   expects(choice.chosen.has_value(), "adapted_mission_yaml: nothing was chosen");
   const twin::Intensity by = choice.tried[*choice.chosen].thinned_by;
-  std::string text = "# " + choice.reason + "\n";
-  for (const std::string& key : mission.keys())
-    if (key != "agents" && key != "start") text += key + ": " + mission.flow_yaml(key) + "\n";
-  text += "start: " + format_utc(adapted.start) + "\nagents:\n";
-  const auto agents = mission.optional_child("agents");
+  YamlValue adapted_mission = mission.value();
+  YamlValue agents;
+  const auto overs = mission.optional_child("agents");
   for (const std::string& role : roles) {
-    const auto said = agents ? agents->optional_child(role) : std::nullopt;
+    const auto said = overs ? overs->optional_child(role) : std::nullopt;
     const auto own = said ? said->optional_child("intensity") : std::nullopt;
-    const twin::Intensity intensity =
-        twin::thinned(own ? twin::read_intensity(*own) : twin::Intensity{}, by);
-    std::string rest = twin::merged(said, {}, {"intensity"});
-    rest.pop_back();
-    text += "  " + quoted_yaml(role) + ": " + rest + (rest.size() > 1 ? ", " : "") +
-            "intensity: " + text_of(intensity) + "}\n";
+    YamlValue agent = said ? said->value() : YamlValue();
+    agent.put("intensity",
+              value_of(twin::thinned(own ? twin::read_intensity(*own) : twin::Intensity{}, by)));
+    agents.put(role, std::move(agent));
   }
-  return text;
+  adapted_mission.put("start", format_utc(adapted.start)).put("agents", std::move(agents));
+  return "# " + choice.reason + "\n" + yaml_of(adapted_mission);
 }
 
 }  // namespace slackwater::api

@@ -199,9 +199,9 @@ void add_logged_traffic(const ingest::TrajectoryFile& log, const twin::Scenario&
   if (logs_of(scenario).empty() && water.traffic_files.empty()) return;
   for (TrafficVessel& vessel : vessels_in(log)) {
     const auto& laid = scenario.traffic.vessels;
-    const bool is_laid = std::any_of(laid.begin(), laid.end(), [&](const TrafficVessel& other) {
-      return other.id == vessel.id;
-    });
+    const bool is_laid =
+        std::any_of(laid.begin(), laid.end(),
+                    [&](const twin::MadeUpVessel& other) { return other.mmsi == vessel.id; });
     if (!is_laid) water.surround.vessels.push_back(std::move(vessel));
   }
 }

@@ -1,6 +1,7 @@
 #include "api/rehearse/mission_file.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "api/program/paths.h"
 #include "api/rehearse/heard_traffic.h"
@@ -35,7 +36,7 @@ std::vector<std::string> known_tasks() {
 }
 
 LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path& folder,
-                              const std::string& name, const std::filesystem::path& store_folder,
+                              const std::filesystem::path& store_folder,
                               const std::vector<twin::Assumption>& assumed,
                               std::optional<bool> height_errors,
                               const twin::Intensity& thinned_by) {
@@ -63,7 +64,7 @@ LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path
   };
   out.expanded = twin::expand_mission(mission, parts);
   mission.expect_all_read();
-  out.scenario = twin::parse_scenario(out.expanded.scenario_yaml, name + " (laid out)");
+  out.scenario = std::move(out.expanded.scenario);
   return out;
 }
 
@@ -72,8 +73,8 @@ LoadedMission load_mission(const std::filesystem::path& file,
                            const std::vector<twin::Assumption>& assumed,
                            std::optional<bool> height_errors) {
   const auto folder = std::filesystem::absolute(file).parent_path();
-  LoadedMission out = lay_out_mission(Config::load(file), folder, file.filename().string(),
-                                      store_folder, assumed, height_errors);
+  LoadedMission out =
+      lay_out_mission(Config::load(file), folder, store_folder, assumed, height_errors);
   out.water = water_of(out.scenario, store_folder, folder);
   with_context(file.string(), [&] { add_heard_traffic(out.scenario, folder, out.water); });
   return out;

@@ -7,8 +7,8 @@
 #include "api/rehearse/scenario_run.h"
 #include "fields/site/constraint_area.h"
 #include "twin/mission/conduct.h"
-#include "twin/mission/expand_mission.h"
 #include "twin/risk/consequence.h"
+#include "twin/scenario/expand_mission.h"
 
 namespace slackwater::api {
 
@@ -16,7 +16,7 @@ namespace slackwater::api {
 struct LoadedMission {
   std::string name;
   std::string site;
-  twin::ExpandedMission expanded;
+  twin::ExpandedMission expanded;  ///< its scenario stands beside it
   twin::Scenario scenario;
   ScenarioWater water;
   std::vector<ConstraintArea> areas;            ///< of the site
@@ -25,15 +25,16 @@ struct LoadedMission {
 
 /// Lays out a mission: reads the tasks and the site that it names. Its water is not looked for.
 /// @param folder   that the files it names count from
-/// @param name     of the mission's file, for errors
 /// @param assumed  beside those of the mission
 /// @param height_errors  whether the waves of a forecast err, whatever the mission says
 /// @param thinned_by  of the work of all agents, beside what the mission says of its intensity
 /// @throws Error(invalid_input), Error(not_found)
-[[nodiscard]] LoadedMission lay_out_mission(
-    const Config& mission, const std::filesystem::path& folder, const std::string& name,
-    const std::filesystem::path& store_folder, const std::vector<twin::Assumption>& assumed,
-    std::optional<bool> height_errors = {}, const twin::Intensity& thinned_by = {});
+[[nodiscard]] LoadedMission lay_out_mission(const Config& mission,
+                                            const std::filesystem::path& folder,
+                                            const std::filesystem::path& store_folder,
+                                            const std::vector<twin::Assumption>& assumed,
+                                            std::optional<bool> height_errors = {},
+                                            const twin::Intensity& thinned_by = {});
 
 /// Reads a mission, the tasks and the site that it names, and finds its water.
 /// @param assumed            beside those of the mission

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "api/program/version.h"
 #include "fields/base/text.h"
+#include "twin/scenario/write_scenario.h"
 
 namespace slackwater::api {
 namespace {
@@ -97,23 +97,18 @@ TrajectoryFile rehearsal_file(const LoadedMission& mission, const RehearsalPlan&
                      {"forecast", mission.water.forecast_name},
                      {"forecast_sha256", mission.water.forecast_sha256},
                      {"seed", std::to_string(mission.scenario.seed)},
-                     {"scenario", mission.expanded.scenario_yaml}};
+                     {"scenario", mission.scenario.yaml}};
   file.tables.push_back(flight_table(rehearsal));
   return file;
 }
 
-std::string scenario_of_flight(const std::string& mission_yaml, const twin::FlightCase& flown,
-                               std::uint64_t mission_seed) {
-  std::istringstream lines(mission_yaml);
-  std::string text = formatted("seed: {}\nstart: {}\n", twin::seed_of(mission_seed, flown),
-                               format_utc(flown.start));
-  const bool is_made_up = mission_yaml.find("\nwater: {made_up: ") != std::string::npos;
-  if (flown.member > 0 && !is_made_up) text += formatted("member: {}\n", flown.member);
-  for (std::string line; std::getline(lines, line);)
-    if (!line.starts_with("seed: ") && !line.starts_with("start: ") &&
-        !line.starts_with("member: "))
-      text += line + "\n";
-  return text;
+twin::Scenario scenario_of_flight(const twin::Scenario& mission, const twin::FlightCase& flown) {
+  twin::Scenario scenario = mission;
+  scenario.seed = twin::seed_of(mission.seed, flown);
+  scenario.start = flown.start;
+  scenario.member = std::holds_alternative<twin::MadeUpWater>(mission.water) ? 0 : flown.member;
+  scenario.yaml = twin::write_scenario(scenario);
+  return scenario;
 }
 
 }  // namespace slackwater::api

@@ -12,8 +12,7 @@ namespace slackwater::api {
                                                     const Rehearsal& rehearsal);
 
 /// The scenario of one flight: the mission's with its start, member and seed.
-[[nodiscard]] std::string scenario_of_flight(const std::string& mission_yaml,
-                                             const twin::FlightCase& flown,
-                                             std::uint64_t mission_seed);
+[[nodiscard]] twin::Scenario scenario_of_flight(const twin::Scenario& mission,
+                                                const twin::FlightCase& flown);
 
 }  // namespace slackwater::api

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -13,29 +14,31 @@ namespace {
 /// The grid is as fine as this or finer.
 constexpr Duration longest_step = std::chrono::minutes(10);
 
-std::string yaml_list(const std::vector<std::string>& values) {
-  std::vector<std::string> quoted;
-  for (const std::string& value : values) quoted.push_back(quoted_yaml(value));
-  return "[" + joined(quoted, ", ") + "]";
+/// @param more  beside what each has
+LoadedMission mission_of(const WindowsQuestion& question, const std::string& task,
+                         const std::vector<std::string>& turbines, YamlValue more,
+                         const std::filesystem::path& store_folder) {
+  more.put("name", "windows")
+      .put("site", question.site)
+      .put("tasks", YamlValue::words({task}))
+      .put("turbines", YamlValue::words(turbines))
+      .put("step_s", 0.05);
+  return lay_out_mission(Config::of(more, "its mission"), std::filesystem::current_path(),
+                         store_folder, question.assumed);
 }
 
-/// @param more  of its YAML
-LoadedMission mission_of(const WindowsQuestion& question, const std::string& task,
-                         const std::vector<std::string>& turbines, const std::string& more,
-                         const std::filesystem::path& store_folder) {
-  const std::string yaml = "name: windows\nsite: " + quoted_yaml(question.site) +
-                           "\ntasks: " + yaml_list({task}) + "\nturbines: " + yaml_list(turbines) +
-                           "\nstep_s: 0.05\n" + more;
-  return lay_out_mission(Config::parse(yaml, "its mission"), std::filesystem::current_path(),
-                         "its mission", store_folder, question.assumed);
+YamlValue waves_of(std::size_t components, bool have_height_errors) {
+  return YamlValue()
+      .put("components", static_cast<double>(components))
+      .put("height_errors", have_height_errors);
 }
 
 LoadedMission laid_out_at(const SharedOutlook& outlook, const WindowsQuestion& question,
                           const std::string& task, const std::vector<std::string>& turbines) {
+  YamlValue more;
+  more.put("duration", "30d").put("seed", 1.0).put("waves", waves_of(8, false));
   LoadedMission mission =
-      mission_of(question, task, turbines,
-                 "duration: 30d\nseed: 1\nwaves: {components: 8, height_errors: false}\n",
-                 outlook.store_folder);
+      mission_of(question, task, turbines, std::move(more), outlook.store_folder);
   // It is not flown, and what set_up asks of the forecast is its first minute.
   mission.scenario.duration_s = 60;
   return mission;
@@ -164,14 +167,12 @@ twin::StepRanges whole_stay(const Outlook& outlook, const TaskWindows& out) {
 LoadedMission mission_to_fly(const WindowsQuestion& question, const TaskWindows& task,
                              std::uint64_t seed, std::size_t wave_components,
                              const std::filesystem::path& store_folder) {
-  const double minutes = std::ceil((task.planned_s + task.contingency_s) / 60);
-  return mission_of(
-      question, task.id, task.turbines,
-      formatted("duration: {:.0f}min\nseed: {}\nwaves: {{components: {}, height_errors: "
-                "{}}}\ngusts: dryden\n",
-                minutes, seed & 0x7fffffff, wave_components,
-                question.waves_as_forecast ? "false" : "true"),
-      store_folder);
+  YamlValue more;
+  more.put("duration_s", 60 * std::ceil((task.planned_s + task.contingency_s) / 60))
+      .put("seed", static_cast<double>(seed & 0x7fffffff))
+      .put("waves", waves_of(wave_components, !question.waves_as_forecast))
+      .put("gusts", "dryden");
+  return mission_of(question, task.id, task.turbines, std::move(more), store_folder);
 }
 
 }  // namespace slackwater::api

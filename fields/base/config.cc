@@ -42,13 +42,40 @@ void limit_size(const YAML::Node& node, int depth, std::size_t& count, const std
   }
 }
 
-/// All of it between brackets and braces.
-void lay_in_line(YAML::Node& node) {
-  node.SetStyle(YAML::EmitterStyle::Flow);
-  for (auto entry : node) {
-    YAML::Node below = node.IsMap() ? entry.second : entry;
-    lay_in_line(below);
+YamlValue value_of(const YAML::Node& node) {
+  if (node.IsScalar()) {
+    const std::string& word = node.Scalar();
+    double number = 0;
+    const bool is_quoted = node.Tag() == "!";
+    if (!is_quoted && YAML::convert<double>::decode(node, number) &&
+        YamlValue(number).scalar() == word)
+      return number;
+    return word;
   }
+  if (node.IsSequence()) {
+    std::vector<YamlValue> list;
+    for (const auto& entry : node) list.push_back(value_of(entry));
+    return list;
+  }
+  YamlValue mapping;
+  for (const auto& entry : node)
+    if (!entry.second.IsNull()) mapping.put(entry.first.Scalar(), value_of(entry.second));
+  return mapping;
+}
+
+YAML::Node node_of(const YamlValue& value) {
+  if (value.is_mapping()) {
+    YAML::Node node(YAML::NodeType::Map);
+    for (std::size_t i = 0; i < value.items().size(); ++i)
+      node.force_insert(value.keys()[i], node_of(value.items()[i]));
+    return node;
+  }
+  if (value.is_list()) {
+    YAML::Node node(YAML::NodeType::Sequence);
+    for (const YamlValue& item : value.items()) node.push_back(node_of(item));
+    return node;
+  }
+  return YAML::Node(value.scalar());
 }
 
 /// yaml-cpp recurses once per bracket while it parses, so deep flow nesting is refused before it
@@ -81,6 +108,7 @@ struct Config::Node {
   std::set<std::string, std::less<>> asked;
   std::vector<std::shared_ptr<Node>> children;
   std::map<std::string, std::shared_ptr<Node>, std::less<>> child_of;
+  std::map<std::string, std::shared_ptr<Node>, std::less<>> home_of;  ///< of what was merged in
 
   Node(const YAML::Node& node, std::string file_name, std::string above)
       : yaml(node), file(std::move(file_name)), path(std::move(above)) {
@@ -106,10 +134,17 @@ struct Config::Node {
     if (node.IsScalar()) return "'" + node.Scalar() + "'";
     return "nothing";
   }
+  /// What has no line was never in a file.
   std::string where(const YAML::Node& node) const {
-    return file + ":" + std::to_string(node.Mark().line + 1) + ": ";
+    return file + (node.Mark().is_null() ? "" : ":" + std::to_string(node.Mark().line + 1)) + ": ";
+  }
+  /// The mapping that a key was written in.
+  const Node& home(std::string_view key) const {
+    const auto merged_in = home_of.find(key);
+    return merged_in == home_of.end() ? *this : *merged_in->second;
   }
   std::string dotted(std::string_view key) const {
+    if (const Node& other = home(key); &other != this) return other.dotted(key);
     return path.empty() ? std::string(key) : path + "." + std::string(key);
   }
   const YAML::Node* find(std::string_view key) {
@@ -125,7 +160,8 @@ struct Config::Node {
   }
   [[noreturn]] void refuse(std::string_view key, const YAML::Node& node,
                            std::string_view why) const {
-    throw Error(ErrorKind::invalid_input, where(node) + dotted(key) + ": " + std::string(why));
+    throw Error(ErrorKind::invalid_input,
+                home(key).where(node) + dotted(key) + ": " + std::string(why));
   }
   double number(std::string_view key, const YAML::Node& node, Range range) const {
     double value = 0;
@@ -164,6 +200,26 @@ Config Config::parse(std::string_view yaml, std::string_view name) {
     throw Error(ErrorKind::invalid_input, file + ":" + std::to_string(problem.mark.line + 1) +
                                               ": not valid YAML: " + problem.msg);
   }
+}
+
+Config Config::of(const YamlValue& mapping, std::string_view name) {
+  return Config(std::make_shared<Node>(node_of(mapping), std::string(name), ""));
+}
+
+Config Config::merged_over(const Config& base, const std::set<std::string>& left_out) const {
+  auto merged = std::make_shared<Node>(node_->yaml, node_->file, node_->path);
+  for (const std::string& key : left_out) {
+    merged->entries.erase(key);
+    std::erase(merged->order, key);
+  }
+  for (const std::string& key : merged->order) node_->asked.insert(key);
+  for (const std::string& key : base.keys()) {
+    if (merged->entries.contains(key) || left_out.contains(key)) continue;
+    merged->entries.emplace(key, base.node_->entries.at(key));
+    merged->order.push_back(key);
+    merged->home_of.emplace(key, base.node_);
+  }
+  return Config(merged);
 }
 
 Config Config::load(const std::filesystem::path& file) {
@@ -255,7 +311,7 @@ std::optional<Config> Config::optional_child(std::string_view key) const {
   if (const auto known = node_->child_of.find(key); known != node_->child_of.end()) {
     return Config(known->second);
   }
-  auto child = std::make_shared<Node>(*node, node_->file, node_->dotted(key));
+  auto child = std::make_shared<Node>(*node, node_->home(key).file, node_->dotted(key));
   node_->children.push_back(child);
   node_->child_of.emplace(std::string(key), child);
   return Config(child);
@@ -274,7 +330,7 @@ std::vector<Config> Config::children(std::string_view key) const {
     node_->refuse(key, *node, "found " + Node::shape(*node) + " where a list was expected");
   std::size_t index = 0;
   for (const auto& entry : *node) {
-    auto child = std::make_shared<Node>(entry, node_->file,
+    auto child = std::make_shared<Node>(entry, node_->home(key).file,
                                         node_->dotted(key) + "[" + std::to_string(index++) + "]");
     node_->children.push_back(child);
     result.push_back(Config(child));
@@ -292,12 +348,13 @@ bool Config::is_mapping(std::string_view key) const {
   return node != nullptr && node->IsMap();
 }
 
-std::string Config::flow_yaml(std::string_view key) const {
-  YAML::Node value = YAML::Clone(node_->get(key));
-  lay_in_line(value);
-  YAML::Emitter out;
-  out << value;
-  return out.c_str();
+YamlValue Config::value(std::string_view key) const { return value_of(node_->get(key)); }
+
+YamlValue Config::value() const {
+  YamlValue mapping;
+  for (const std::string& key : keys())
+    if (has(key)) mapping.put(key, value(key));
+  return mapping;
 }
 
 std::vector<std::string> Config::keys() const {
@@ -316,7 +373,7 @@ void Config::expect_all_read() const {
       message += "; known keys are:";
       for (const std::string& word : known) message += " " + word;
     }
-    throw Error(ErrorKind::invalid_input, node_->where(node_->entries.at(key)) + message);
+    throw Error(ErrorKind::invalid_input, node_->home(key).where(node_->entries.at(key)) + message);
   }
   for (const auto& child : node_->children) Config(child).expect_all_read();
 }
@@ -327,12 +384,6 @@ void Config::refuse(std::string_view key, std::string_view why) const {
 }
 
 const std::string& Config::name() const noexcept { return node_->file; }
-
-std::string quoted_yaml(const std::string& text) {
-  YAML::Emitter out;
-  out << YAML::DoubleQuoted << text;
-  return out.c_str();
-}
 
 std::optional<std::string> nearest_word(std::string_view word,
                                         const std::vector<std::string>& known) {

@@ -3,9 +3,12 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "fields/base/yaml_value.h"
 
 namespace slackwater {
 
@@ -13,6 +16,7 @@ namespace slackwater {
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
+  bool operator==(const Range&) const = default;
 };
 
 /// One mapping of a YAML file, read strictly: every key is asked for by name, every number has a
@@ -27,6 +31,12 @@ class Config {
   /// refused.
   [[nodiscard]] static Config load(const std::filesystem::path& file);
   [[nodiscard]] static Config parse(std::string_view yaml, std::string_view name);
+  /// Reads a mapping that is a value already. @param name  stands for file and line in errors
+  [[nodiscard]] static Config of(const YamlValue& mapping, std::string_view name);
+  /// The keys of this mapping, and those of another that it does not have; each keeps its file and
+  /// line. All of them count as read in the two, and are to be read in the result.
+  /// @param left_out  of this one's keys
+  [[nodiscard]] Config merged_over(const Config& base, const std::set<std::string>& left_out) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key, Range range) const;
@@ -46,9 +56,11 @@ class Config {
       std::string_view key) const;  ///< a list of mappings; [] if absent
   [[nodiscard]] bool is_list(std::string_view key) const;
   [[nodiscard]] bool is_mapping(std::string_view key) const;
-  /// The value of a key as YAML on one line, all below it counted as read: for what is handed on
-  /// to another file. Error if absent.
-  [[nodiscard]] std::string flow_yaml(std::string_view key) const;
+  /// A key and all below it as a plain value, counted as read: for what is handed on. Error if
+  /// absent.
+  [[nodiscard]] YamlValue value(std::string_view key) const;
+  /// This mapping likewise.
+  [[nodiscard]] YamlValue value() const;
   /// The keys of this mapping in file order; marks them all as read (for free-form maps).
   [[nodiscard]] std::vector<std::string> keys() const;
 
@@ -63,9 +75,6 @@ class Config {
   explicit Config(std::shared_ptr<Node> node) : node_(std::move(node)) {}
   std::shared_ptr<Node> node_;
 };
-
-/// A text as YAML, quoted, for what is handed on to another file.
-[[nodiscard]] std::string quoted_yaml(const std::string& text);
 
 /// The known word closest to `word` by edit distance, or nothing if none is near.
 [[nodiscard]] std::optional<std::string> nearest_word(std::string_view word,

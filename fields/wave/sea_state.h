@@ -23,6 +23,7 @@ struct WavePartition {
 /// A sea of several systems, whose energies add.
 struct PartitionedSea {
   std::vector<WavePartition> partitions;
+  bool operator==(const PartitionedSea&) const = default;
 
   /// sqrt(sum Hs^2).
   [[nodiscard]] double significant_height_m() const noexcept;

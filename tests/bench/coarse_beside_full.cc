@@ -154,7 +154,6 @@ Scenario tether_scenario(const TetherCase& c, StepDetail detail, std::uint64_t s
   rov.speed_m_s = 0.2;
   rov.detail = detail;
   ScenarioTask task;
-  task.kind = ScenarioTask::Kind::orbit;
   task.waypoints = orbit({0, 0, c.depth_m}, 8, constants::pi, 40, c.depth_m, 3, 0);
   rov.tasks = {task};
   if (c.tether_m > 0) rov.tether = {{winch_m, c.tether_m}};

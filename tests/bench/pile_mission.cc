@@ -65,7 +65,7 @@ Scenario pile_mission(const std::string& more) {
   parts.site = std::move(site);
   parts.task = [](const std::string&) { return Config::parse(inspection, "inspection.yaml"); };
   const Config mission = Config::parse(mission_yaml + more, "mission.yaml");
-  Scenario scenario = parse_scenario(expand_mission(mission, parts).scenario_yaml, "laid_out.yaml");
+  Scenario scenario = expand_mission(mission, parts).scenario;
   scenario.origin = GeoPoint::from_degrees(54, 6.6);
   scenario.has_origin = true;
   return scenario;

@@ -141,7 +141,6 @@ twin::ScenarioVehicle entry_of(const Transect& transect, const std::string& name
   entry.heading_rad = 0.5 * constants::pi;
   entry.start_m = {0, 0, 0.5 * (transect.shallow_m + transect.deep_m)};
   twin::ScenarioTask task;
-  task.kind = twin::ScenarioTask::Kind::depth_sweep;
   task.waypoints = twin::depth_sweep(entry.start_m, entry.heading_rad, length_m, transect.shallow_m,
                                      transect.deep_m, speed_m_s * period_s, 2, speed_m_s);
   // A waypoint's speed is along its leg: 0.5 m/s east whatever the slope.

@@ -13,6 +13,8 @@ struct Triple {
   Real y{};
   Real z{};
 
+  bool operator==(const Triple&) const = default;
+
   friend Triple operator+(const Triple& a, const Triple& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
   }

@@ -16,6 +16,7 @@ struct StandOff {
   double tether_m = 2;     ///< from lines
   double vessel_m = 100;   ///< from traffic that keeps its course
   double vertical_m = 5;   ///< above or below any of them, where that is what keeps clear
+  bool operator==(const StandOff&) const = default;
 };
 
 /// A vehicle of the run as the others know it: as of the last barrier.

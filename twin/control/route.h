@@ -12,6 +12,7 @@ struct Waypoint {
   Triple<double> position_m;
   double speed_m_s = 0;    ///< 0: as the vehicle's settings say
   double over_ground = 0;  ///< 1: that speed is over ground, whatever the kind of vehicle
+  bool operator==(const Waypoint&) const = default;
 };
 
 /// What is left of a route. Values: a new route may be put in its place at any step.

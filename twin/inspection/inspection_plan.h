@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "fields/base/yaml_value.h"
 #include "twin/inspection/defect/defect_plan.h"
 #include "twin/inspection/instrument/look.h"
 #include "twin/inspection/surface/surface.h"
@@ -17,11 +18,12 @@ struct InspectionLine {
   double most_incidence_rad = 0;   ///< off the normal
   std::uint32_t looks = 1;         ///< that a place is seen at least: overlap
   double done_at = 0.9;            ///< share of these surfaces that has to be covered
+  bool operator==(const InspectionLine&) const = default;
 };
 
 /// What a vehicle is to inspect, and with what, as its description says.
 struct InspectionPlan {
-  std::string surfaces;  ///< YAML of the list (make_surface.h)
+  std::vector<YamlValue> surfaces;  ///< entries of the list (make_surface.h)
   std::vector<InspectionLine> lines;
   Clarity water;
   Clarity air;
@@ -30,6 +32,7 @@ struct InspectionPlan {
   std::vector<std::string> detection;          ///< of data/detection
   std::optional<double> patch_m;               ///< absent: from footprint and rays
   std::optional<std::size_t> rays_per_look;    ///< absent: the run's
+  bool operator==(const InspectionPlan&) const = default;
 };
 
 /// `inspection` of a vehicle's conduct:
@@ -49,5 +52,7 @@ struct InspectionPlan {
 /// @throws Error(invalid_input) for a plan without surfaces or looks, a look at a kind of surface
 ///         that is not there, ...
 [[nodiscard]] InspectionPlan read_inspection(const Config& config);
+/// The same where the surfaces are values already.
+[[nodiscard]] InspectionPlan read_inspection(const Config& config, std::vector<YamlValue> surfaces);
 
 }  // namespace slackwater::twin

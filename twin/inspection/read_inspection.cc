@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
@@ -40,18 +41,17 @@ void expect_once_each(const std::vector<InspectionLine>& lines, const Config& co
                                      " in two entries; make one of them");
 }
 
-}  // namespace
+/// @throws Error(invalid_input) for one that cannot be made
+SurfaceKind checked_kind(const Config& surface) {
+  const SurfaceKind kind = make_surface(surface, check_patch_m).kind;
+  surface.expect_all_read();
+  return kind;
+}
 
-InspectionPlan read_inspection(const Config& config) {
+InspectionPlan read_plan(const Config& config, const std::vector<SurfaceKind>& kinds) {
   InspectionPlan plan;
-  std::vector<SurfaceKind> kinds;
-  for (const Config& entry : config.children("surfaces")) {
-    kinds.push_back(make_surface(entry, check_patch_m).kind);
-    entry.expect_all_read();
-  }
   if (kinds.empty())
     config.refuse("surfaces", "missing; an inspection has at least one surface to look at");
-  plan.surfaces = config.flow_yaml("surfaces");
   for (const Config& entry : config.children("looks"))
     plan.lines.push_back(read_line(entry, kinds));
   if (plan.lines.empty())
@@ -68,6 +68,29 @@ InspectionPlan read_inspection(const Config& config) {
   plan.patch_m = config.optional_number("patch_m", {0.005, 100});
   if (const auto rays = config.optional_integer("rays_per_look", 1, 2000))
     plan.rays_per_look = static_cast<std::size_t>(*rays);
+  return plan;
+}
+
+}  // namespace
+
+InspectionPlan read_inspection(const Config& config) {
+  std::vector<YamlValue> surfaces;
+  std::vector<SurfaceKind> kinds;
+  for (const Config& entry : config.children("surfaces")) {
+    kinds.push_back(checked_kind(entry));
+    surfaces.push_back(entry.value());
+  }
+  InspectionPlan plan = read_plan(config, kinds);
+  plan.surfaces = std::move(surfaces);
+  return plan;
+}
+
+InspectionPlan read_inspection(const Config& config, std::vector<YamlValue> surfaces) {
+  std::vector<SurfaceKind> kinds;
+  for (const YamlValue& surface : surfaces)
+    kinds.push_back(checked_kind(Config::of(surface, config.name() + ": inspection.surfaces")));
+  InspectionPlan plan = read_plan(config, kinds);
+  plan.surfaces = std::move(surfaces);
   return plan;
 }
 

@@ -23,10 +23,6 @@ constexpr double most_patches_per_ray = 50;  // of one surface: what a whole mis
   throw Error(ErrorKind::invalid_input, "inspection: " + what);
 }
 
-std::vector<Config> entries_of(const std::string& surfaces) {
-  return Config::parse("surfaces: " + surfaces, "inspection").children("surfaces");
-}
-
 bool inspects(const InspectionLine& line, SurfaceKind kind) {
   return std::find(line.kinds.begin(), line.kinds.end(), kind) != line.kinds.end();
 }
@@ -93,24 +89,6 @@ double patch_for(const Instrument& instrument, double range_m, const Surface& su
   return std::sqrt(held_m2 / static_cast<double>(rays));
 }
 
-Instrument load_instrument(const std::string& name, const std::filesystem::path& data_folder) {
-  const Config named = Config::parse("instrument: " + quoted_yaml(name), "inspection");
-  return read_named_instrument(named, "instrument", data_folder);
-}
-
-DefectFacts load_defect_facts(const std::string& name, const std::filesystem::path& data_folder) {
-  const Config named = Config::parse("defect_facts: " + quoted_yaml(name), "inspection");
-  return read_defect_facts(open_named(named, "defect_facts", data_folder / "defects"));
-}
-
-std::vector<DetectionMethod> load_methods(const std::vector<std::string>& names,
-                                          const std::filesystem::path& data_folder) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + quoted_yaml(name);
-  const Config named = Config::parse("detection: [" + list + "]", "inspection");
-  return read_detection_methods(named, "detection", data_folder);
-}
-
 }  // namespace
 
 std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
@@ -123,8 +101,10 @@ std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
   ready->plan = plan;
   ready->rays_per_look = plan.rays_per_look.value_or(rays_per_look);
   for (const InspectionLine& line : plan.lines)
-    ready->instruments.push_back(load_instrument(line.instrument, data_folder));
-  const std::vector<Config> entries = entries_of(plan.surfaces);
+    ready->instruments.push_back(read_named_instrument(line.instrument, data_folder));
+  std::vector<Config> entries;
+  for (const YamlValue& surface : plan.surfaces)
+    entries.push_back(Config::of(surface, "inspection.surfaces"));
   const std::vector<Triple<double>> places_m = places_of(way);
   std::vector<TriangleMesh> meshes;
   for (std::size_t s = 0; s < entries.size(); ++s) {
@@ -145,8 +125,9 @@ std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
     meshes.push_back(ready->surfaces.back().mesh);
     ready->indices.push_back(view_index(ready->surfaces.back()));
   }
-  ready->facts = load_defect_facts(plan.defect_facts, data_folder);
-  ready->methods = load_methods(plan.detection, data_folder);
+  ready->facts = read_defect_facts(
+      open_named(plan.defect_facts, "inspection: defect_facts", data_folder / "defects"));
+  ready->methods = read_detection_methods(plan.detection, data_folder);
   (void)plant(plan.defects, ready->surfaces, ready->facts, 0);  // refused here, or never
   ready->caster = std::make_unique<const RayCaster>(meshes);
   return ready;

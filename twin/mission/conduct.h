@@ -26,12 +26,14 @@ enum class Autonomy {
 struct Reserve {
   double share = 0.2;   ///< of the battery
   double margin = 1.3;  ///< on what the way home takes by reckoning
+  bool operator==(const Reserve&) const = default;
 };
 
 /// How a vehicle holds.
 struct Holding {
   double resume_after_s = 60;  ///< that limits have to hold again before it goes on
   double overlap_m = 2;        ///< of its leg that is done again
+  bool operator==(const Holding&) const = default;
 };
 
 /// A pilot's hand: how far off the plan it aims, as an Ornstein-Uhlenbeck process in each
@@ -40,6 +42,7 @@ struct PilotHand {
   double wander_m = 0;  ///< standard deviation along each axis
   double memory_s = 5;
   double haste = 1;  ///< times the speed of the plan
+  bool operator==(const PilotHand&) const = default;
 };
 
 /// What shared autonomy keeps a pilot inside.
@@ -47,6 +50,7 @@ struct Envelope {
   double most_speed_m_s = 0;      ///< 0: none
   double stand_off_m = 0;         ///< from structures
   std::optional<double> fence_m;  ///< from home, in the plane
+  bool operator==(const Envelope&) const = default;
 };
 
 /// How a vehicle conducts itself beside its tasks: what does not change in a run.
@@ -68,6 +72,7 @@ struct Conduct {
   std::optional<MammalDuty> mammals;         ///< which animals it watches for
   std::optional<CleaningPlan> cleaning;      ///< what it takes growth off
   std::optional<InspectionPlan> inspection;  ///< what it looks at
+  bool operator==(const Conduct&) const = default;
 };
 
 /// `conduct` of a vehicle's YAML, all keys optional:

@@ -24,6 +24,7 @@ struct Fault {
   double from_s = 0;         ///< since the start of the run
   double to_s = 0;           ///< infinite: it stays
   std::size_t thruster = 0;  ///< that is lost, by its place among the mounts
+  bool operator==(const Fault&) const = default;
 
   [[nodiscard]] bool is_on(double t_s) const noexcept { return t_s >= from_s && t_s < to_s; }
 };

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "twin/mission/scenario_text.h"
-
 namespace slackwater::twin {
 
 const char* name_of(PassOrder order) noexcept {
@@ -23,9 +21,10 @@ Intensity read_intensity(const Config& config) {
   return intensity;
 }
 
-std::string text_of(const Intensity& intensity) {
-  return "{density: " + number_text(intensity.density) + ", order: " + name_of(intensity.order) +
-         "}";
+YamlValue value_of(const Intensity& intensity) {
+  return YamlValue()
+      .put("density", std::round(1e6 * intensity.density) / 1e6)
+      .put("order", name_of(intensity.order));
 }
 
 Intensity thinned(const Intensity& own, const Intensity& by) noexcept {

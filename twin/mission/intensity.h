@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "fields/base/config.h"
@@ -29,8 +28,8 @@ struct Intensity {
 /// Both keys are optional. A task says how far apart its passes are, and has no such key.
 /// @throws Error(invalid_input)
 [[nodiscard]] Intensity read_intensity(const Config& config);
-/// The same as YAML on one line.
-[[nodiscard]] std::string text_of(const Intensity& intensity);
+/// What it reads as the same, the density to a millionth.
+[[nodiscard]] YamlValue value_of(const Intensity& intensity);
 
 /// What is left of an intensity where it is thinned by another: densities are multiplied, and the
 /// order is the other's, unless that leaves all as it is (density 1).

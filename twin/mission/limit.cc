@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
+#include "fields/base/advice.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -113,7 +115,17 @@ Limit read_limit(const Config& config) {
   return *limit;
 }
 
-Assumption assumed(const LimitWord& word, double value) { return {word.variable, value}; }
+constexpr const char* no_assumption =
+    "cannot be assumed; expected visibility_m, water_visibility_m, rain_mm_h or "
+    "air_temperature_c, which no forecast here serves, or "
+    "sea_surface_height_m, which not every one has";
+
+/// Null for what the twin knows itself, and for what nobody knows.
+const LimitWord* assumable(std::string_view key) {
+  const auto word =
+      std::find_if(words.begin(), words.end(), [&](const LimitWord& w) { return key == w.key; });
+  return word == words.end() || !word->may_be_assumed ? nullptr : &*word;
+}
 
 }  // namespace
 
@@ -158,30 +170,34 @@ std::vector<Assumption> read_assumptions(const Config& config) {
   const auto assume = config.optional_child("assume");
   if (!assume) return out;
   for (const std::string& key : assume->keys()) {
-    const auto word =
-        std::find_if(words.begin(), words.end(), [&](const LimitWord& w) { return key == w.key; });
-    if (word == words.end() || !word->may_be_assumed)
-      assume->refuse(key,
-                     "cannot be assumed; expected visibility_m, water_visibility_m, rain_mm_h or "
-                     "air_temperature_c, which no forecast here serves, or "
-                     "sea_surface_height_m, which not every one has");
-    out.push_back(assumed(*word, assume->number(key, word->range)));
+    const LimitWord* const word = assumable(key);
+    if (word == nullptr) assume->refuse(key, no_assumption);
+    out.push_back({word->variable, assume->number(key, word->range)});
   }
   return out;
 }
 
 Assumption parse_assumption(const std::string& text) {
+  const std::string found = "--assume: found " + text;
   const std::size_t equals = text.find('=');
-  const std::string what = "--assume: found " + text +
-                           ", expected NAME=NUMBER, as in "
-                           "visibility_m=5000";
-  if (equals == std::string::npos) throw Error(ErrorKind::invalid_input, what);
-  const Config config =
-      Config::parse("assume: {" + text.substr(0, equals) + ": " + text.substr(equals + 1) + "}",
-                    "--assume " + text);
-  const std::vector<Assumption> all = read_assumptions(config);
-  if (all.size() != 1) throw Error(ErrorKind::invalid_input, what);
-  return all.front();
+  if (equals == std::string::npos)
+    throw Error(ErrorKind::invalid_input,
+                found + ", expected NAME=NUMBER, as in visibility_m=5000");
+  const LimitWord* const word = assumable(text.substr(0, equals));
+  if (word == nullptr) throw Error(ErrorKind::invalid_input, found + ", which " + no_assumption);
+  const std::string number = text.substr(equals + 1);
+  const char* const end = number.data() + number.size();
+  double value = 0;
+  const auto [stop, problem] = std::from_chars(number.data(), end, value);
+  const auto [low, high] = word->range;
+  if (problem != std::errc() || stop != end || !(value >= low && value <= high)) {
+    const auto meant = with_decimal_point(number);
+    throw Error(ErrorKind::invalid_input,
+                found +
+                    formatted(", expected a number from {:g} to {:g} {}", low, high, word->unit) +
+                    (meant ? "; decimals stand after a point: write " + *meant : ""));
+  }
+  return {word->variable, value};
 }
 
 }  // namespace slackwater::twin

@@ -55,6 +55,7 @@ struct Limit {
   bool may_be_missing = false;  ///< not checked where nobody knows the variable
   std::string source;
   std::string status;  ///< confirmed, estimate, unconfirmed
+  bool operator==(const Limit&) const = default;
 
   /// False for what is no number.
   [[nodiscard]] bool holds(double value) const noexcept {
@@ -85,6 +86,7 @@ struct Limit {
 struct Assumption {
   LimitVariable variable{};
   double value = 0;
+  bool operator==(const Assumption&) const = default;
 };
 /// `assume` of YAML, a mapping. @throws Error(invalid_input) for what the twin knows itself
 [[nodiscard]] std::vector<Assumption> read_assumptions(const Config& config);

@@ -14,6 +14,7 @@ struct WaveSector {
       off_bow_rad;  ///< between the bow and where the waves come from: 0, head seas
   std::optional<Range> peak_period_s;
   std::optional<double> heading_rad;  ///< of the hull, from true north; absent: the vehicle's own
+  bool operator==(const WaveSector&) const = default;
 
   /// @param heading_rad  the vehicle's
   [[nodiscard]] bool holds(const SeaState& sea, double heading_rad) const noexcept;

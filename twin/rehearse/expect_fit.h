@@ -2,7 +2,7 @@
 #include <span>
 #include <string>
 
-#include "twin/mission/expand_mission.h"
+#include "twin/scenario/expand_mission.h"
 #include "twin/simulate/set_up.h"
 
 namespace slackwater::twin {

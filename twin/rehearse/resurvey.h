@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,13 +20,12 @@ struct Inspected {
 
 /// What to fly again.
 struct Resurvey {
-  std::string scenario_yaml;       ///< for `slackwater simulate`; empty: nothing is left
-  std::vector<std::string> words;  ///< a line for each vehicle that flies again
+  std::optional<Scenario> scenario;  ///< absent: nothing is left
+  std::vector<std::string> words;    ///< a line for each vehicle that flies again
 };
 
 /// The scenario once more with those vehicles alone that left something uncovered, each with its
 /// work laid out anew (`resurvey_way`), its start, launch, way back and recovery as they were.
-/// @throws Error(invalid_input) for a scenario without its YAML
 [[nodiscard]] Resurvey resurvey_of(const Scenario& scenario, std::span<const Structure> structures,
                                    std::span<const Inspected> inspected);
 

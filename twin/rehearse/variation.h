@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "twin/mission/expand_mission.h"
+#include "twin/scenario/expand_mission.h"
 #include "twin/simulate/set_up.h"
 
 namespace slackwater::twin {

@@ -25,9 +25,8 @@ DrawnLine drawn_line(const LeewayLine& line, double deviation) noexcept {
 
 }  // namespace
 
-LeewayObject read_leeway(const Config& config, std::string_view key,
-                         const std::filesystem::path& data_folder) {
-  const Config c = open_named(config, key, data_folder / "leeway");
+LeewayObject read_leeway(const std::string& name, const std::filesystem::path& data_folder) {
+  const Config c = open_named(name, "search: object", data_folder / "leeway");
   LeewayObject object;
   object.name = c.text("name");
   (void)c.text("source");

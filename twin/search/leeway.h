@@ -14,6 +14,7 @@ struct LeewayLine {
   double slope = 0;  ///< m/s per m/s
   double offset_m_s = 0;
   double std_m_s = 0;
+  bool operator==(const LeewayLine&) const = default;
 };
 
 /// What kind of thing drifts, as field tests have it.
@@ -25,9 +26,10 @@ struct LeewayObject {
   LeewayLine left;   ///< of those that drift to the left; its slope is most often negative
   /// How often it changes sides: 4 % an hour (Breivik and Allen 2008).
   double jibe_rate_per_s = 0.04 / 3600;
+  bool operator==(const LeewayObject&) const = default;
 };
 
-/// Reads data/leeway/NAME.yaml, where NAME is the value of `key`:
+/// Reads data/leeway/NAME.yaml:
 ///
 ///     name, source, status, seen_as: person
 ///     downwind: {slope_percent, offset_cm_s, std_cm_s}
@@ -35,7 +37,7 @@ struct LeewayObject {
 ///     jibe_percent_per_h: 4
 ///
 /// @throws Error(invalid_input) for a name that is not there, numbers that nothing drifts by
-[[nodiscard]] LeewayObject read_leeway(const Config& config, std::string_view key,
+[[nodiscard]] LeewayObject read_leeway(const std::string& name,
                                        const std::filesystem::path& data_folder);
 
 /// One line of one drifter.

@@ -22,10 +22,8 @@ bool is_within(const Stretches& stretches, double t_s, double until_s) noexcept 
 }
 
 void load(MammalDuty& duty, const std::filesystem::path& data_folder) {
-  const Config names =
-      Config::parse("{animal: " + duty.animal + ", watch: " + duty.watch + "}", "mammals");
-  duty.kind = read_mammal(names, "animal", data_folder);
-  duty.sight = read_mammal_watch(names, "watch", data_folder);
+  duty.kind = read_mammal(duty.animal, data_folder);
+  duty.sight = read_mammal_watch(duty.watch, data_folder);
 }
 
 MammalDutyState begin_duty(const MammalDuty& duty, const Triple<double>& noise_m,

@@ -26,6 +26,7 @@ struct MammalDuty {
   std::optional<double> again_after_s;
   MammalKind kind;    ///< the animal, once `load` has read it
   MammalWatch sight;  ///< the watch, likewise
+  bool operator==(const MammalDuty&) const = default;
 };
 
 /// Reads what the names stand for. @throws Error(invalid_input)

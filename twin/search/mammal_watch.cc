@@ -34,9 +34,8 @@ double chance_of_cue(const CueSight& sight, double distance_m) noexcept {
   return sight.chance_at_zero * std::exp(-0.25 * constants::pi * share * share);
 }
 
-MammalWatch read_mammal_watch(const Config& config, std::string_view key,
-                              const std::filesystem::path& data_folder) {
-  const Config c = open_named(config, key, data_folder / "watches");
+MammalWatch read_mammal_watch(const std::string& name, const std::filesystem::path& data_folder) {
+  const Config c = open_named(name, "mammals: watch", data_folder / "watches");
   MammalWatch watch;
   watch.name = c.text("name");
   (void)c.text("source");

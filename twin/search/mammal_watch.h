@@ -20,6 +20,7 @@ namespace slackwater::twin {
 struct CueSight {
   double half_width_m = 0;    ///< w
   double chance_at_zero = 0;  ///< g0
+  bool operator==(const CueSight&) const = default;
 };
 [[nodiscard]] double chance_of_cue(const CueSight& sight, double distance_m) noexcept;
 
@@ -31,12 +32,13 @@ struct MammalWatch {
   std::string name;
   Cue cue = Cue::surfacing;
   std::array<CueSight, forces> by_force;  ///< Beaufort 0 to 6
+  bool operator==(const MammalWatch&) const = default;
 };
 
 /// Reads data/watches/NAME.yaml: name, source, status, cue: surfacing | call, half_width_m and
 /// chance_at_zero, seven numbers each. @throws Error(invalid_input), also where a rougher sea
 /// shows more
-[[nodiscard]] MammalWatch read_mammal_watch(const Config& config, std::string_view key,
+[[nodiscard]] MammalWatch read_mammal_watch(const std::string& name,
                                             const std::filesystem::path& data_folder);
 
 /// Linear between forces; nothing is seen from one force beyond the last on.
@@ -61,6 +63,7 @@ struct NoiseRule {
   double radius_m = 500;  ///< about the noise
   double watch_s = 1800;  ///< without a sighting within the radius before it starts
   double wanted_s = 0;    ///< of noise, in all
+  bool operator==(const NoiseRule&) const = default;
 };
 
 /// How far the noisy work has come.

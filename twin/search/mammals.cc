@@ -8,9 +8,8 @@
 
 namespace slackwater::twin {
 
-MammalKind read_mammal(const Config& config, std::string_view key,
-                       const std::filesystem::path& data_folder) {
-  const Config c = open_named(config, key, data_folder / "mammals");
+MammalKind read_mammal(const std::string& name, const std::filesystem::path& data_folder) {
+  const Config c = open_named(name, "mammals: animal", data_folder / "mammals");
   MammalKind kind;
   kind.name = c.text("name");
   (void)c.text("source");

@@ -16,11 +16,12 @@ struct MammalKind {
   double calls_every_s = 0;
   double speed_m_s = 0;
   double turns_every_s = 0;
+  bool operator==(const MammalKind&) const = default;
 };
 
 /// Reads data/mammals/NAME.yaml: name, source, status, surfaces_every_s, calls_every_s, speed_m_s,
 /// turns_every_s. @throws Error(invalid_input)
-[[nodiscard]] MammalKind read_mammal(const Config& config, std::string_view key,
+[[nodiscard]] MammalKind read_mammal(const std::string& name,
                                      const std::filesystem::path& data_folder);
 
 /// Animals about a place.

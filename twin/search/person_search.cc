@@ -8,10 +8,8 @@
 namespace slackwater::twin {
 
 void load(PersonSearch& search, const std::filesystem::path& data_folder) {
-  const Config names =
-      Config::parse("{object: " + search.object + ", lookout: " + search.lookout + "}", "search");
-  search.drifts = read_leeway(names, "object", data_folder);
-  search.eyes = read_search_lookout(names, "lookout", search.drifts.seen_as, data_folder);
+  search.drifts = read_leeway(search.object, data_folder);
+  search.eyes = read_search_lookout(search.lookout, search.drifts.seen_as, data_folder);
 }
 
 SearchState begin_search(const PersonSearch& search, const Triple<double>& last_known_m,

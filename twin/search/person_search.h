@@ -24,6 +24,7 @@ struct PersonSearch {
   double visibility_m = 0;
   LeewayObject drifts;  ///< the object, once `load` has read it
   SearchLookout eyes;   ///< the look-out, likewise
+  bool operator==(const PersonSearch&) const = default;
 };
 
 /// Reads what the names stand for. @throws Error(invalid_input)

@@ -78,10 +78,9 @@ double inverse_cube_way(double x_m, double a_m, double b_m) noexcept {
 
 }  // namespace
 
-SearchLookout read_search_lookout(const Config& config, std::string_view key,
-                                  std::string_view seen_as,
+SearchLookout read_search_lookout(const std::string& name, std::string_view seen_as,
                                   const std::filesystem::path& data_folder) {
-  const Config c = open_named(config, key, data_folder / "lookouts");
+  const Config c = open_named(name, "search: lookout", data_folder / "lookouts");
   SearchLookout lookout;
   lookout.name = c.text("name");
   (void)c.text("source");

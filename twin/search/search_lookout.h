@@ -37,11 +37,13 @@ struct SearchLookout {
     double most_wind_m_s = std::numeric_limits<double>::infinity();
     double most_wave_height_m = std::numeric_limits<double>::infinity();
     double factor = 1;
+    bool operator==(const Weather&) const = default;
   };
   std::vector<Weather> weather;  ///< rougher and rougher, the last for all else
+  bool operator==(const SearchLookout&) const = default;
 };
 
-/// Reads data/lookouts/NAME.yaml, where NAME is the value of `key`, for one kind of object:
+/// Reads data/lookouts/NAME.yaml, for one kind of object:
 ///
 ///     name, source, status, law: inverse_cube | definite_range
 ///     visibility_m: [...], sweep_width_m: {person: [...], life_raft: [...]}
@@ -50,8 +52,7 @@ struct SearchLookout {
 /// @param seen_as  a key of `sweep_width_m`
 /// @throws Error(invalid_input) for a name or an object that is not there, and for a look-out that
 ///         sees farther in worse weather
-[[nodiscard]] SearchLookout read_search_lookout(const Config& config, std::string_view key,
-                                                std::string_view seen_as,
+[[nodiscard]] SearchLookout read_search_lookout(const std::string& name, std::string_view seen_as,
                                                 const std::filesystem::path& data_folder);
 
 /// W, m: linear between visibilities and down to 0 at none, held above the last.

@@ -39,29 +39,35 @@ AisLog read_log(const Config& config) {
   return log;
 }
 
-TrafficVessel read_vessel(const Config& config, double duration_s) {
-  TrafficVessel vessel;
-  vessel.id = read_mmsi(config);
+MadeUpVessel read_vessel(const Config& config) {
+  MadeUpVessel vessel;
+  vessel.mmsi = read_mmsi(config);
   vessel.name = config.optional_text("name").value_or("");
   if (vessel.name.size() > 20)
     config.refuse(
         "name", "found " + std::to_string(vessel.name.size()) + " characters, AIS has at most 20");
-  const double begin_s =
-      config.optional_number("begins_s", {-30 * 86400.0, 30 * 86400.0}).value_or(0);
-  std::vector<Triple<double>> places;
+  vessel.begins_s = config.optional_number("begins_s", {-30 * 86400.0, 30 * 86400.0}).value_or(0);
+  std::vector<Triple<double>>& places = vessel.places_m;
   for (const Config& at : config.children("waypoints"))
     places.push_back({at.number("north_m", of_traffic), at.number("east_m", of_traffic), 0});
   if (places.empty()) config.refuse("waypoints", "none; give places with north_m and east_m");
   if (places.size() > 1000) config.refuse("waypoints", "found more than 1000");
-  const double speed_m_s =
-      places.size() > 1 || config.has("speed_m_s") ? config.number("speed_m_s", {0.05, 50}) : 0;
-  vessel.track = laid_track(places, speed_m_s, begin_s, duration_s);
+  if (places.size() > 1 || config.has("speed_m_s"))
+    vessel.speed_m_s = config.number("speed_m_s", {0.05, 50});
   return vessel;
 }
 
 }  // namespace
 
-ScenarioTraffic read_traffic(const Config& scenario, double duration_s) {
+TrafficVessel vessel_of(const MadeUpVessel& made_up, double duration_s) {
+  TrafficVessel vessel;
+  vessel.id = made_up.mmsi;
+  vessel.name = made_up.name;
+  vessel.track = laid_track(made_up.places_m, made_up.speed_m_s, made_up.begins_s, duration_s);
+  return vessel;
+}
+
+ScenarioTraffic read_traffic(const Config& scenario) {
   ScenarioTraffic traffic;
   const auto config = scenario.optional_child("traffic");
   if (!config) return traffic;
@@ -72,9 +78,9 @@ ScenarioTraffic read_traffic(const Config& scenario, double duration_s) {
       traffic.logs.back().reach_m = 1000 * *reach_km;
   }
   for (const Config& vessel : config->children("vessels")) {
-    traffic.vessels.push_back(read_vessel(vessel, duration_s));
-    const std::uint32_t id = traffic.vessels.back().id;
-    const auto is_same = [&](const TrafficVessel& other) { return other.id == id; };
+    traffic.vessels.push_back(read_vessel(vessel));
+    const std::uint32_t id = traffic.vessels.back().mmsi;
+    const auto is_same = [&](const MadeUpVessel& other) { return other.mmsi == id; };
     if (std::count_if(traffic.vessels.begin(), traffic.vessels.end(), is_same) > 1)
       vessel.refuse("mmsi",
                     "found " + std::to_string(id) + " twice; give each vessel its own number");

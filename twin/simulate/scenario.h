@@ -24,6 +24,7 @@ struct ForecastWater {
   std::string file;
   /// Run even where its currents are means over hours, without most of the tide.
   bool accept_means = false;
+  bool operator==(const ForecastWater&) const = default;
 };
 
 /// The current at a level of made-up water.
@@ -31,6 +32,7 @@ struct MadeUpLevel {
   double depth_m = 0;
   double east_m_s = 0;
   double north_m_s = 0;
+  bool operator==(const MadeUpLevel&) const = default;
 };
 
 /// Water that somebody made up: the same at all places and times, linear between levels.
@@ -39,6 +41,7 @@ struct MadeUpWater {
   std::vector<MadeUpLevel> current;  ///< by depth; one level: the same throughout; none: still
   double wind_speed_m_s = 0;         ///< at 10 m
   double wind_from_deg = 0;
+  bool operator==(const MadeUpWater&) const = default;
 };
 
 /// Which waves: those of the forecast, none, or made-up ones.
@@ -49,6 +52,7 @@ struct ScenarioWaves {
   bool have_height_errors = false;
   PartitionedSea made_up;  ///< empty and not from the forecast: a calm
   std::size_t components = 200;
+  bool operator==(const ScenarioWaves&) const = default;
 };
 
 enum class GustModel { none, dryden };
@@ -63,23 +67,21 @@ struct ScenarioStructure {
   double top_m = 0;         ///< NED z, negative above the sea
   double bottom_m = 0;
   bool turns_current = false;  ///< local flow about a cylinder that reaches to the bed
+  bool operator==(const ScenarioStructure&) const = default;
 };
 
 /// One thing that a vehicle does, after the one before it.
 struct ScenarioTask {
   enum class Kind {
-    route,
+    route,  ///< patterns too, laid out
     hold,
-    lawn_mower,
-    orbit,
-    depth_sweep,
     follow_track,
     aboard,
     stand_by,  ///< a hold, until those that it carries are back from their sortie
   };
   Phase phase = Phase::work;  ///< what it belongs to
   Kind kind = Kind::route;
-  std::vector<Waypoint> waypoints;  ///< of routes and patterns, these already laid out
+  std::vector<Waypoint> waypoints;  ///< of a route
   double hold_s = 0;                ///< of `hold` and `aboard`; infinite: to the end
   /// Its waypoints are places about the datum of the vehicle's search, and drift with that.
   bool drifts = false;
@@ -90,6 +92,7 @@ struct ScenarioTask {
   /// Of `aboard`: not over before its carrier stands by. The first such task is for the carrier's
   /// first `stand_by`, and so on: one for each sortie from a place of its own.
   bool until_stand_by = false;
+  bool operator==(const ScenarioTask&) const = default;
 };
 
 /// Preset of the way waypoints are followed.
@@ -116,18 +119,21 @@ struct ScenarioVehicle {
   struct TetherStart {
     std::optional<Triple<double>> top_m;  ///< absent: on the deck of its carrier
     double length_m = 0;
+    bool operator==(const TetherStart&) const = default;
   };
   std::optional<TetherStart> tether;
   /// Who carries it, and where on board: body axes of the carrier.
   struct Carrier {
     std::string name;
     Triple<double> deck_m;
+    bool operator==(const Carrier&) const = default;
   };
   std::optional<Carrier> carrier;
   std::optional<Conduct> conduct;     ///< absent: it does its tasks, come what may
   bool keeps_clear = true;            ///< where the scenario says from what and how far
   bool navigates_by_sensors = false;  ///< else its autopilot is told the truth
   bool logs_sensors = false;
+  bool operator==(const ScenarioVehicle&) const = default;
 };
 
 /// A run as its YAML file describes it, positions in NED metres about the origin.
@@ -153,7 +159,9 @@ struct Scenario {
   double home_after_s = 60;
   ScenarioTraffic traffic;
   std::optional<StandOff> clearance;  ///< absent: nobody keeps clear of anybody
-  std::string yaml;                   ///< the text it was read from
+  /// The text it was read from, or, of what was laid out, that of `write_scenario`.
+  std::string yaml;
+  bool operator==(const Scenario&) const = default;
 };
 
 /// Reads a scenario. Everything that can be known without the forecast is checked: throws

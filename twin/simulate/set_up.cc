@@ -50,12 +50,12 @@ std::shared_ptr<const FarmFlow> wakes_of(const Scenario& scenario, const Surroun
 /// Those of the logs and those made up, each number once.
 std::vector<TrafficVessel> vessels_of(const Scenario& scenario, const Surround& surround) {
   std::vector<TrafficVessel> vessels = surround.vessels;
-  for (const TrafficVessel& made_up : scenario.traffic.vessels) {
+  for (const MadeUpVessel& made_up : scenario.traffic.vessels) {
     for (const TrafficVessel& heard : surround.vessels)
-      if (heard.id == made_up.id)
-        refuse("traffic: vessel " + std::to_string(made_up.id) +
+      if (heard.id == made_up.mmsi)
+        refuse("traffic: vessel " + std::to_string(made_up.mmsi) +
                " is in a log of AIS too; give the made-up one another mmsi");
-    vessels.push_back(made_up);
+    vessels.push_back(vessel_of(made_up, scenario.duration_s));
   }
   return vessels;
 }

@@ -22,6 +22,7 @@ struct CleaningPlan {
   double done_at = 0.95;      ///< share of the patch that has to be clean
   MarineGrowth growth;
   CleaningTool tool;
+  bool operator==(const CleaningPlan&) const = default;
 };
 
 /// `cleaning` of a vehicle's conduct:

@@ -19,6 +19,7 @@ struct CleaningTool {
   double rate_m2_s = 0;        ///< A
   std::string source;
   std::string status;
+  bool operator==(const CleaningTool&) const = default;
 
   /// What a second under it takes off a place where so much grew, mm/s.
   [[nodiscard]] double takes_mm_s(double grew_mm) const noexcept {

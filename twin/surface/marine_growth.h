@@ -11,12 +11,14 @@ struct MarineGrowth {
   struct Layer {
     double bottom_m = 0;      ///< z of its lower end; infinite: all below
     double thickness_mm = 0;  ///< over all of it
+    bool operator==(const Layer&) const = default;
   };
   double top_m = 0;           ///< z above which there is none
   std::vector<Layer> layers;  ///< from the uppermost down
   double density_kg_m3 = 0;   ///< in air; 0: nobody says, so that there is no mass
   std::string source;
   std::string status;
+  bool operator==(const MarineGrowth&) const = default;
 
   [[nodiscard]] double thickness_mm_at(double down_m) const noexcept;
 };

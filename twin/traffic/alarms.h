@@ -21,6 +21,7 @@ struct AlarmLimits {
   /// An alarm once raised holds until both limits times this are left, so that noise in the reports
   /// does not ring it again and again. At least 1.
   double hold_factor = 1.25;
+  bool operator==(const AlarmLimits&) const = default;
 };
 
 enum class AlarmStatus : std::uint8_t {

@@ -80,34 +80,39 @@ TEST(StrictConfig, DeepNestingIsRefusedBeforeTheParserSeesIt) {
             std::string::npos);
 }
 
-TEST(FlowYaml, OnOneLineIsReadBackAsWhatItWas) {
-  std::string many = "[0";
-  for (int i = 1; i < 400; ++i) many += ", " + std::to_string(i * 0.125);
-  const std::string yaml = "wanted:\n  text: 'it: is, {odd} #5 \"here\"'\n  many: " + many +
-                           "]\n  below:\n    - {a: yes, b: ''}\n    - {a: 1e-3}\nother: 1\n";
-  const Config config = Config::parse(yaml, "test.yaml");
-  const std::string line = config.flow_yaml("wanted");
-  EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-  const Config again = Config::parse("wanted: " + line + "\n", "again.yaml").child("wanted");
-  EXPECT_EQ(again.text("text"), "it: is, {odd} #5 \"here\"");
-  const std::vector<double> numbers = again.numbers("many", {});
-  ASSERT_EQ(numbers.size(), 400U);
-  EXPECT_DOUBLE_EQ(numbers.back(), 399 * 0.125);
-  const auto below = again.children("below");
-  ASSERT_EQ(below.size(), 2U);
-  EXPECT_EQ(below[0].text("b"), "");
-  EXPECT_DOUBLE_EQ(below[1].number("a", {}), 1e-3);
-  // All of it counts as read, the rest does not.
-  EXPECT_NE(message_of([&] { config.expect_all_read(); }).find("unknown key 'other'"),
+Config merged_for_tests() {
+  const Config task = Config::parse("a: 1\nlimits: {b: 2}\nsub: {e: 9}\n", "task.yaml");
+  const Config mission = Config::parse("\nsub: {c: 7}\nd: 4\nmodel: x\n", "mission.yaml");
+  return mission.merged_over(task, {"model"});
+}
+
+TEST(StrictConfig, OneMappingGoesBeforeAnotherKeyByKey) {
+  const Config merged = merged_for_tests();
+  EXPECT_EQ(merged.number("a", {}), 1);
+  EXPECT_EQ(merged.child("sub").number("c", {}), 7);
+  EXPECT_FALSE(merged.child("sub").has("e"));
+  EXPECT_EQ(merged.child("limits").number("b", {}), 2);
+  EXPECT_FALSE(merged.has("model"));
+  EXPECT_NE(message_of([&] { merged.expect_all_read(); }).find("mission.yaml:3: unknown key 'd'"),
             std::string::npos);
 }
 
-TEST(QuotedYaml, IsReadBackAsTheTextItWas) {
-  for (const std::string text :
-       {"a01", "A: 1, {b} #c", "it's \"here\"", "C:\\x\ty", "", "yes", "näher"}) {
-    const Config read = Config::parse("{a: " + quoted_yaml(text) + ", b: 1}", "test.yaml");
-    EXPECT_EQ(read.text("a"), text);
-  }
+TEST(StrictConfig, WhatIsMergedIsRefusedWhereItStands) {
+  const Config merged = merged_for_tests();
+  EXPECT_NE(message_of([&] {
+              (void)merged.number("a", {5, 6});
+            }).find("task.yaml:1: a: found 1"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] {
+              (void)merged.number("d", {5, 6});
+            }).find("mission.yaml:3: d: found"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] {
+              (void)merged.child("limits").number("b", {5, 6});
+            }).find("task.yaml:2: limits.b: found 2"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { merged.refuse("limits", "no"); }).find("task.yaml:2: limits: no"),
+            std::string::npos);
 }
 
 TEST(NearestWord, FindsTheSlipOfAFinger) {

@@ -133,7 +133,7 @@ TEST(Intensity, IsReadAndWrittenAndRefused) {
     return intensity;
   };
   const Intensity half{0.5, PassOrder::coarse_to_fine};
-  EXPECT_EQ(read(twin::text_of(half)), half);
+  EXPECT_EQ(twin::read_intensity(Config::of(twin::value_of(half), "i.yaml")), half);
   EXPECT_EQ(read("{}"), Intensity{});
   EXPECT_NE(error_of([&] { (void)read("{density: 0}"); }).find("density"), std::string::npos);
   EXPECT_NE(error_of([&] { (void)read("{density: 1.2}"); }).find("density"), std::string::npos);
@@ -285,7 +285,7 @@ double work_of(const std::string& agents, const Intensity& thinned_by) {
   parts.thinned_by = thinned_by;
   const twin::ExpandedMission out = twin::expand_mission(config, parts);
   config.expect_all_read();
-  const twin::Scenario scenario = twin::parse_scenario(out.scenario_yaml, "laid_out.yaml");
+  const twin::Scenario scenario = out.scenario;
   std::vector<twin::WorkLeg> legs;
   for (const twin::ScenarioTask& task : scenario.vehicles[0].tasks)
     if (task.phase == twin::Phase::work && !task.waypoints.empty())

@@ -2,7 +2,7 @@
 #include <map>
 
 #include "tests/support/shared_data.h"
-#include "twin/mission/expand_mission.h"
+#include "twin/scenario/expand_mission.h"
 
 namespace slackwater::tests {
 

@@ -16,9 +16,7 @@ twin::Scenario scour(const std::string& agents) {
       "35, current: [{depth_m: 0, east_m_s: 0.2, north_m_s: 0}], wind: {speed_m_s: 3, from_deg: "
       "270}}}\ntasks: [scour_survey]\nturbines: [A01]\nagents: {surveyor: " +
       agents + "}\n";
-  return twin::parse_scenario(
-      twin::expand_mission(Config::parse(yaml, "mission.yaml"), small_farm_parts()).scenario_yaml,
-      "laid_out.yaml");
+  return twin::expand_mission(Config::parse(yaml, "mission.yaml"), small_farm_parts()).scenario;
 }
 
 /// Its water, with a current that grows evenly to `grown` times what it is within four hours.

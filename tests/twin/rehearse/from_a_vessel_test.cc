@@ -33,7 +33,7 @@ FromAVessel from_a_vessel(const std::function<void(std::string&)>& change = {}) 
   FromAVessel out;
   out.expanded = twin::expand_mission(mission, parts);
   mission.expect_all_read();
-  out.scenario = twin::parse_scenario(out.expanded.scenario_yaml, "laid_out.yaml");
+  out.scenario = out.expanded.scenario;
   out.surround = surround_of(out.scenario);
   out.surround.field =
       twin::made_up_field(std::get<twin::MadeUpWater>(out.scenario.water), site.point,

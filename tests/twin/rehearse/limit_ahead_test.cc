@@ -21,9 +21,7 @@ twin::Scenario mission_of(const std::string& task, const std::string& more = "")
       "{depth_m: 35, current: [{depth_m: 0, east_m_s: 0.2, north_m_s: 0}], wind: {speed_m_s: 3, "
       "from_deg: 270}}}\ntasks: [" +
       task + "]\nturbines: [A01]\n" + more;
-  return twin::parse_scenario(
-      twin::expand_mission(Config::parse(yaml, "mission.yaml"), small_farm_parts()).scenario_yaml,
-      "laid_out.yaml");
+  return twin::expand_mission(Config::parse(yaml, "mission.yaml"), small_farm_parts()).scenario;
 }
 
 /// Six hours in which member m has a current of (1 + m) times the central one's, which grows, and

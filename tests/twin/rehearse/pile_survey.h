@@ -36,9 +36,8 @@ inline twin::MissionThinned pile_survey(std::uint64_t seed, double charge) {
         "3, from_deg: 270}}}}}}\nwaves: {{from: calm}}\ntasks: [survey]\nturbines: [A01]\nagents: "
         "{{eye: {{state_of_charge: {:g}}}}}\n",
         seed, charge);
-    twin::Scenario scenario = twin::parse_scenario(
-        twin::expand_mission(Config::parse(yaml, "mission.yaml"), parts).scenario_yaml,
-        "laid_out.yaml");
+    twin::Scenario scenario =
+        twin::expand_mission(Config::parse(yaml, "mission.yaml"), parts).scenario;
     return scenario;
   };
 }

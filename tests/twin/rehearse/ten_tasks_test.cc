@@ -29,8 +29,7 @@ twin::Scenario mission_of(const std::string& task, const std::string& turbine, c
           water.height_m) +
       "tasks: [" + task + "]\nturbines: [" + turbine + "]\n";
   const Config config = Config::parse(yaml + more, "mission.yaml");
-  return twin::parse_scenario(twin::expand_mission(config, small_farm_parts()).scenario_yaml,
-                              "laid_out.yaml");
+  return twin::expand_mission(config, small_farm_parts()).scenario;
 }
 
 twin::Flight flown(const twin::Scenario& mission) {

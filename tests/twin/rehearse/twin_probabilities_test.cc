@@ -37,9 +37,7 @@ twin::Scenario mission_of(std::uint64_t seed) {
       "\nduration: 10min\nstep_s: 0.05\nlog_every_s: 10\nwater: {made_up: {depth_m: 35, current: "
       "[{depth_m: 0, east_m_s: 0.4, north_m_s: 0}], wind: {speed_m_s: 3, from_deg: 270}}}\nwaves: "
       "{from: calm}\ntasks: [look]\nturbines: [A01]\nagents: {eye: {state_of_charge: 0.25}}\n";
-  return twin::parse_scenario(
-      twin::expand_mission(Config::parse(yaml, "mission.yaml"), parts).scenario_yaml,
-      "laid_out.yaml");
+  return twin::expand_mission(Config::parse(yaml, "mission.yaml"), parts).scenario;
 }
 
 /// The speed of the current hour by hour: the forecast, then the futures about it, all drawn alike,

@@ -13,8 +13,7 @@ namespace {
 using twin::Triple;
 
 twin::LeewayObject object_named(const std::string& name) {
-  return twin::read_leeway(Config::parse("object: " + name, "t.yaml"), "object",
-                           source_folder() / "data");
+  return twin::read_leeway(name, source_folder() / "data");
 }
 
 TEST(Datum, IsWhereAThousandOfThemAreInTheMean) {

@@ -17,9 +17,7 @@ using namespace twin;
 
 const std::filesystem::path data_folder = source_folder() / "data";
 
-LeewayObject object_named(const std::string& name) {
-  return read_leeway(Config::parse("object: " + name, "t.yaml"), "object", data_folder);
-}
+LeewayObject object_named(const std::string& name) { return read_leeway(name, data_folder); }
 
 /// Towards `course_deg`.
 Triple<double> wind_towards(double speed_m_s, double course_deg) {

@@ -16,12 +16,10 @@ using namespace twin;
 constexpr double pi = constants::pi;
 
 MammalWatch watch_named(const std::string& name) {
-  return read_mammal_watch(Config::parse("watch: " + name, "t.yaml"), "watch",
-                           source_folder() / "data");
+  return read_mammal_watch(name, source_folder() / "data");
 }
 MammalKind mammal_named(const std::string& name) {
-  return read_mammal(Config::parse("animal: " + name, "t.yaml"), "animal",
-                     source_folder() / "data");
+  return read_mammal(name, source_folder() / "data");
 }
 
 TEST(Beaufort, IsThatOfTheScale) {

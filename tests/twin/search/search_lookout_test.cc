@@ -19,8 +19,7 @@ using twin::Triple;
 constexpr double pi = constants::pi;
 
 SearchLookout lookout_named(const std::string& name, const std::string& object) {
-  return twin::read_search_lookout(Config::parse("lookout: " + name, "t.yaml"), "lookout", object,
-                                   source_folder() / "data");
+  return twin::read_search_lookout(name, object, source_folder() / "data");
 }
 
 /// Of a straight pass along x at a lateral range, `reach_m` to both sides in steps.

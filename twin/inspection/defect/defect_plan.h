@@ -16,6 +16,7 @@ struct DefectPlace {
   double down_m = 0;       ///< on the sheet
   double bearing_rad = 0;  ///< clockwise from north, of a surface that goes round an upright axis
   double z_m = 0;          ///< NED
+  bool operator==(const DefectPlace&) const = default;
 };
 
 /// One entry of a plan: so many defects of a kind, or one at a place.
@@ -26,11 +27,13 @@ struct PlannedDefects {
   std::optional<DefectPlace> place;
   std::optional<Range> size_m;    ///< nothing: as data/defects has it
   std::optional<Range> severity;  ///< the same
+  bool operator==(const PlannedDefects&) const = default;
 };
 
 /// The defects of a run that nobody is told of.
 struct DefectPlan {
   std::vector<PlannedDefects> entries;
+  bool operator==(const DefectPlan&) const = default;
 };
 
 /// `defects` of a plan:

@@ -77,10 +77,10 @@ struct DetectionMethod {
 ///         X0 that is not above 0, lists of unequal lengths, no source, ...
 [[nodiscard]] DetectionMethod read_detection_method(const Config& config);
 
-/// The methods that `key` names, each from FOLDER/detection/NAME.yaml.
+/// The methods of those names, each from FOLDER/detection/NAME.yaml.
 /// @throws Error(invalid_input) for a name that is not there, or two methods for one and the same
 [[nodiscard]] std::vector<DetectionMethod> read_detection_methods(
-    const Config& config, std::string_view key, const std::filesystem::path& data_folder);
+    const std::vector<std::string>& names, const std::filesystem::path& data_folder);
 
 /// @throws Error(invalid_input) where two methods find the same kind on the same surface by the
 ///         same instrument: nobody could say which holds

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "fields/base/advice.h"
+#include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/inspection/defect/detection_method.h"
 
@@ -121,7 +122,7 @@ DetectionMethod read_detection_method(const Config& config) {
   return method;
 }
 
-std::vector<DetectionMethod> read_detection_methods(const Config& config, std::string_view key,
+std::vector<DetectionMethod> read_detection_methods(const std::vector<std::string>& names,
                                                     const std::filesystem::path& data_folder) {
   const std::filesystem::path folder = data_folder / "detection";
   std::vector<std::string> known;
@@ -130,11 +131,12 @@ std::vector<DetectionMethod> read_detection_methods(const Config& config, std::s
     if (entry.path().extension() == ".yaml") known.push_back(entry.path().stem().string());
   std::sort(known.begin(), known.end());
   std::vector<DetectionMethod> methods;
-  for (const std::string& name : config.texts(key)) {
+  for (const std::string& name : names) {
     if (!std::binary_search(known.begin(), known.end(), name))
-      config.refuse(key, "found " + name + did_you_mean(name, known) + ", expected of those in " +
-                             folder.string() + ": " +
-                             (known.empty() ? "(none)" : joined(known, ", ")));
+      throw Error(ErrorKind::invalid_input, "inspection: detection: found " + name +
+                                                did_you_mean(name, known) +
+                                                ", expected of those in " + folder.string() + ": " +
+                                                (known.empty() ? "(none)" : joined(known, ", ")));
     methods.push_back(read_detection_method(Config::load(folder / (name + ".yaml"))));
   }
   expect_one_method_each(methods);

@@ -109,9 +109,9 @@ struct Instrument {
 /// @throws Error(invalid_input) for none of them or two, ranges the wrong way round, angles that no
 ///         lens has, a kind that is not known, noise without its unit, a fan along the hull
 [[nodiscard]] Instrument read_instrument(const Config& config);
-/// The one of data/instruments that `key` names.
+/// The one of data/instruments of that name.
 /// @throws Error(invalid_input) for a name that is none of those in the folder, and as above
-[[nodiscard]] Instrument read_named_instrument(const Config& config, std::string_view key,
+[[nodiscard]] Instrument read_named_instrument(const std::string& name,
                                                const std::filesystem::path& data_folder);
 
 }  // namespace slackwater::twin

@@ -11,6 +11,7 @@ struct Clarity {
   double beam_attenuation_per_m = 0;     ///< c of the medium between, at the instrument's light
   double daylight = 1;                   ///< share of what is needed, at the surface; 0: night
   double diffuse_attenuation_per_m = 0;  ///< K of daylight with depth
+  bool operator==(const Clarity&) const = default;
 };
 
 /// Where an instrument is at a moment: NED of the run.

@@ -154,9 +154,9 @@ Instrument read_instrument(const Config& c) {
   return instrument;
 }
 
-Instrument read_named_instrument(const Config& config, std::string_view key,
+Instrument read_named_instrument(const std::string& name,
                                  const std::filesystem::path& data_folder) {
-  return read_instrument(open_named(config, key, data_folder / "instruments"));
+  return read_instrument(open_named(name, "inspection: instrument", data_folder / "instruments"));
 }
 
 }  // namespace slackwater::twin

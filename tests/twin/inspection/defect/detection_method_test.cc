@@ -188,18 +188,17 @@ TEST(DetectionMethods, RefuseWhatNobodyVouchesFor) {
 }
 
 TEST(DetectionMethods, AreNamedByAPlanAndDoNotOverlap) {
-  const auto read = [&](const std::string& names) {
-    return twin::read_detection_methods(Config::parse("detection: " + names, "plan.yaml"),
-                                        "detection", data_folder);
+  const auto read = [&](const std::vector<std::string>& names) {
+    return twin::read_detection_methods(names, data_folder);
   };
-  EXPECT_EQ(read("[close_visual_easy, rgb_corrosion, multibeam_scour]").size(), 3U);
+  EXPECT_EQ(read({"close_visual_easy", "rgb_corrosion", "multibeam_scour"}).size(), 3U);
   // By one camera, but in air and under water.
-  EXPECT_EQ(read("[underwater_mpi_ec, mpi_ec_in_air]").size(), 2U);
+  EXPECT_EQ(read({"underwater_mpi_ec", "mpi_ec_in_air"}).size(), 2U);
   EXPECT_NE(message_of([&] {
-              (void)read("[close_visual_easy, close_visual_difficult]");
+              (void)read({"close_visual_easy", "close_visual_difficult"});
             }).find("find crack by rgb on the same surface"),
             std::string::npos);
-  const std::string message = message_of([&] { (void)read("[close_visual_eassy]"); });
+  const std::string message = message_of([&] { (void)read({"close_visual_eassy"}); });
   EXPECT_NE(message.find("did you mean 'close_visual_easy'"), std::string::npos) << message;
 }
 

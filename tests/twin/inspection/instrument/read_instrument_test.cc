@@ -36,8 +36,7 @@ TEST(ReadInstrument, ReadsEachThatIsBundled) {
   for (const auto& entry :
        std::filesystem::directory_iterator(tests::source_folder() / "data" / "instruments")) {
     const std::string name = entry.path().stem().string();
-    const Instrument i = read_named_instrument(Config::parse("with: " + name, "t.yaml"), "with",
-                                               tests::source_folder() / "data");
+    const Instrument i = read_named_instrument(name, tests::source_folder() / "data");
     EXPECT_FALSE(i.source.empty()) << name;
     EXPECT_FALSE(i.status.empty()) << name;
     EXPECT_LT(i.least_range_m, i.most_range_m) << name;
@@ -105,9 +104,7 @@ TEST(ReadInstrument, NoiseWithoutAUnitIsRefused) {
 TEST(ReadInstrument, AnUnknownKeyOrNameIsRefused) {
   EXPECT_TRUE(
       contains(refusal_of("kind: rgb\nrange_m: [1, 30]\nlamp_range: 3\n" + frame), "lamp_range"));
-  EXPECT_THROW((void)read_named_instrument(Config::parse("with: sonar", "t.yaml"), "with",
-                                           tests::source_folder() / "data"),
-               Error);
+  EXPECT_THROW((void)read_named_instrument("sonar", tests::source_folder() / "data"), Error);
 }
 
 std::string refusal_of_clarity(const std::string& yaml) {

@@ -1,11 +1,12 @@
-#include "twin/mission/tenders.h"
+#include "twin/scenario/tenders.h"
 
 #include <algorithm>
 
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
-#include "twin/mission/scenario_text.h"
 #include "twin/mission/way_round.h"
+#include "twin/scenario/laid_out_task.h"
+#include "twin/simulate/read_scenario.h"
 
 namespace slackwater::twin {
 namespace {
@@ -14,12 +15,12 @@ using constants::degree;
 /// Off foundations on its way: an estimate, as of the crew vessel's task.
 constexpr double vessel_clear_m = 15;
 
-std::string way_text(const Triple<double>& from_m, const Triple<double>& to_m,
-                     const WorkSite& site) {
+ScenarioTask way_task(const Triple<double>& from_m, const Triple<double>& to_m,
+                      const WorkSite& site) {
   std::vector<Structure> piles;
   for (const WorkTurbine& t : site.turbines)
     piles.push_back(Cylinder{t.north_m, t.east_m, t.radius_m, t.top_m, t.foot_m});
-  return route_text(way_round(from_m, to_m, piles, vessel_clear_m), Phase::transit);
+  return route_task(way_round(from_m, to_m, piles, vessel_clear_m), Phase::transit);
 }
 
 }  // namespace
@@ -78,41 +79,34 @@ const std::vector<Triple<double>>& Tenders::taken_by(const std::string& role, co
   return stands_m;
 }
 
-std::string Tenders::text_of(const Config& vehicle,
-                             const std::vector<Triple<double>>& stands_m) const {
-  std::string text = "  - name: " + vehicle.flow_yaml("name") + "\n";
-  for (const std::string& key : vehicle.keys())
-    if (key != "name" && key != "stands")
-      text += "    " + key + ": " + vehicle.flow_yaml(key) + "\n";
-  Triple<double> is_at_m = stands_m.front();
-  const auto start = vehicle.optional_child("start");
-  if (start) {
-    constexpr Range distance{-50e3, 50e3};
-    (void)start->keys();
-    is_at_m = {start->number("north_m", distance), start->number("east_m", distance), 0};
-  } else {
-    text += "    start: {" + place_text(is_at_m) + "}\n";
-  }
-  const Triple<double> start_m = is_at_m;
-  if (!vehicle.has("conduct")) text += "    conduct: {}\n";
-  text += "    tasks:\n";
+void Tenders::lay_out(const std::vector<Triple<double>>& stands_m, ScenarioVehicle& carrier) const {
+  const bool comes_from_afar = !carrier.starts_on_track;
+  const Triple<double> first_m = stands_m.front();
+  // It sails, whatever depth its start is said to be at.
+  const Triple<double> start_m =
+      comes_from_afar ? Triple<double>{carrier.start_m.x, carrier.start_m.y, 0} : first_m;
+  if (!comes_from_afar) carrier.start_m = to_micrometre(first_m);
+  carrier.starts_on_track = false;
+  if (!carrier.conduct) carrier.conduct.emplace();
+  carrier.tasks.clear();
+  Triple<double> is_at_m = start_m;
   for (const Triple<double>& stand_m : stands_m) {
-    if (length_of(stand_m - is_at_m) > 0.1) text += way_text(is_at_m, stand_m, site_);
-    text += stand_by_text();
+    if (length_of(stand_m - is_at_m) > 0.1)
+      carrier.tasks.push_back(way_task(is_at_m, stand_m, site_));
+    carrier.tasks.push_back(stand_by_task());
     is_at_m = stand_m;
   }
-  if (start) text += way_text(is_at_m, start_m, site_);
-  return text;
+  if (comes_from_afar) carrier.tasks.push_back(way_task(is_at_m, start_m, site_));
 }
 
-std::string Tenders::text() const {
-  std::string text;
-  for (const Config& vehicle : vehicles_) {
-    const auto carries = stands_m_.find(vehicle.has("name") ? vehicle.text("name") : "");
-    text += carries == stands_m_.end() ? "  - " + merged(vehicle, std::nullopt) + "\n"
-                                       : text_of(vehicle, carries->second);
+std::vector<ScenarioVehicle> Tenders::vehicles(bool by_sensors) const {
+  std::vector<ScenarioVehicle> all;
+  for (const Config& entry : vehicles_) {
+    ScenarioVehicle& vehicle = all.emplace_back(read_vehicle(entry, by_sensors));
+    if (const auto carries = stands_m_.find(vehicle.name); carries != stands_m_.end())
+      lay_out(carries->second, vehicle);
   }
-  return text;
+  return all;
 }
 
 }  // namespace slackwater::twin

@@ -1,4 +1,4 @@
-#include "twin/mission/surface_text.h"
+#include "twin/scenario/lay_out_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -25,22 +25,25 @@ const twin::WorkTurbine& turbine_of(const twin::WorkSite& site, const std::strin
     if (turbine.id == id) return turbine;
   throw std::runtime_error("no turbine " + id);
 }
-std::string text_of(const std::string& entry, const std::string& turbine = "A01") {
+YamlValue value_of(const std::string& entry, const std::string& turbine = "A01") {
   const twin::WorkSite site = example_farm();
   const Config config = Config::parse("{" + entry + "}", "task.yaml");
-  std::string text = twin::surface_text(config, site, turbine_of(site, turbine));
+  YamlValue surface = twin::lay_out_surface(config, site, turbine_of(site, turbine));
   config.expect_all_read();
-  return text;
+  return surface;
+}
+std::string text_of(const std::string& entry, const std::string& turbine = "A01") {
+  return in_line(value_of(entry, turbine));
 }
 Surface laid_out(const std::string& entry, const std::string& turbine = "A01",
                  double patch_m = 0.5) {
-  const Config config = Config::parse(text_of(entry, turbine), "scenario.yaml");
+  const Config config = Config::of(value_of(entry, turbine), "scenario.yaml");
   Surface surface = twin::make_surface(config, patch_m);
   config.expect_all_read();
   return surface;
 }
 
-TEST(SurfaceText, APileGoesFromTheSeasSurfaceToTheBedUnlessItSaysOtherwise) {
+TEST(LayOutSurface, APileGoesFromTheSeasSurfaceToTheBedUnlessItSaysOtherwise) {
   EXPECT_EQ(text_of("kind: monopile"),
             "{kind: monopile, name: \"A01/monopile\", north_m: 0, east_m: 0, radius_m: 3, from: "
             "{depth_m: 0}, to: {depth_m: 35}}");
@@ -51,7 +54,7 @@ TEST(SurfaceText, APileGoesFromTheSeasSurfaceToTheBedUnlessItSaysOtherwise) {
   EXPECT_EQ(laid_out("kind: monopile", "F01").sheet.height_m, 20);
 }
 
-TEST(SurfaceText, EachKindCanBeMadeAtTheExampleFarm) {
+TEST(LayOutSurface, EachKindCanBeMadeAtTheExampleFarm) {
   for (const char* entry :
        {"kind: monopile", "kind: transition_piece", "kind: tower",
         "kind: nacelle, rotor_faces_deg: 270", "kind: blade, blade: 3, rotor_faces_deg: 270",
@@ -64,7 +67,7 @@ TEST(SurfaceText, EachKindCanBeMadeAtTheExampleFarm) {
   }
 }
 
-TEST(SurfaceText, SizesAreThoseOfTheTurbine) {
+TEST(LayOutSurface, SizesAreThoseOfTheTurbine) {
   const Surface tower = laid_out("kind: tower");
   EXPECT_NEAR(tower.sheet.top_z_m, -87.6, 1e-6);
   EXPECT_NEAR(tower.sheet.width_m, 6 * constants::pi, 1e-9);
@@ -79,7 +82,7 @@ TEST(SurfaceText, SizesAreThoseOfTheTurbine) {
 }
 
 /// The mean of what is nearest to each of the four ways along a blade faces that way.
-TEST(SurfaceText, ABladeIsWhereItsPatternFlies) {
+TEST(LayOutSurface, ABladeIsWhereItsPatternFlies) {
   const twin::WorkSite site = example_farm();
   for (const int blade : {1, 2, 3}) {
     const std::string which =
@@ -109,7 +112,7 @@ TEST(SurfaceText, ABladeIsWhereItsPatternFlies) {
   }
 }
 
-TEST(SurfaceText, AnodesAreWhereTheProbeStops) {
+TEST(LayOutSurface, AnodesAreWhereTheProbeStops) {
   const twin::WorkSite site = example_farm();
   const std::string levels = "from: {depth_m: 4}, to: {above_bed_m: 2}";
   const Surface anodes = laid_out("kind: anodes, " + levels);
@@ -130,9 +133,9 @@ TEST(SurfaceText, AnodesAreWhereTheProbeStops) {
   EXPECT_EQ(stops, 12U);
 }
 
-TEST(SurfaceText, RefusesWhatTheSiteDoesNotHave) {
+TEST(LayOutSurface, RefusesWhatTheSiteDoesNotHave) {
   const auto message = [](const std::string& entry, const std::string& turbine = "A01") {
-    return error_of([&] { return text_of(entry, turbine); });
+    return error_of([&] { return value_of(entry, turbine); });
   };
   EXPECT_NE(message("kind: monopole").find("did you mean monopile?"), std::string::npos);
   EXPECT_NE(message("kind: mooring_line, mooring: M1").find("A01 does not have"),
@@ -143,15 +146,15 @@ TEST(SurfaceText, RefusesWhatTheSiteDoesNotHave) {
   for (const char* entry : {"{kind: tower}", "{kind: nacelle, rotor_faces_deg: 0}",
                             "{kind: blade, blade: 1, rotor_faces_deg: 0}"})
     EXPECT_NE(error_of([&] {
-                return twin::surface_text(Config::parse(entry, "task.yaml"), site,
-                                          site.turbines[0]);
+                return twin::lay_out_surface(Config::parse(entry, "task.yaml"), site,
+                                             site.turbines[0]);
               }).find("hub_height_m"),
               std::string::npos)
         << entry;
   site = small_farm();
   site.turbines[0].rotor_radius_m = 0;
   EXPECT_NE(error_of([&] {
-              return twin::surface_text(
+              return twin::lay_out_surface(
                   Config::parse("{kind: blade, blade: 1, rotor_faces_deg: 0}", "task.yaml"), site,
                   site.turbines[0]);
             }).find("rotor_diameter_m"),

@@ -9,6 +9,7 @@
 #include "twin/mission/intensity.h"
 #include "twin/mission/limit.h"
 #include "twin/mission/work_site.h"
+#include "twin/simulate/scenario.h"
 
 namespace slackwater::twin {
 
@@ -35,7 +36,7 @@ struct Requirement {
 
 /// A mission made into a scenario.
 struct ExpandedMission {
-  std::string scenario_yaml;       ///< all that it comes to: runs and replays by itself
+  Scenario scenario;               ///< all that it comes to: runs and replays by itself
   std::vector<std::string> tasks;  ///< names, for people
   std::vector<std::string> turbines;
   std::vector<std::string> workers;  ///< vehicles whose work counts for the success

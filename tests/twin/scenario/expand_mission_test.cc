@@ -1,4 +1,4 @@
-#include "twin/mission/expand_mission.h"
+#include "twin/scenario/expand_mission.h"
 
 #include <gtest/gtest.h>
 
@@ -31,9 +31,7 @@ class EachTask : public testing::TestWithParam<const char*> {};
 TEST_P(EachTask, IsLaidOutWhereItsVehiclesCanGo) {
   const std::string task = GetParam();
   const auto out = expanded(mission(task, task == "mooring_tendon" ? "F01" : "A01"));
-  twin::Scenario scenario;
-  ASSERT_NO_THROW(scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml"))
-      << out.scenario_yaml;
+  const twin::Scenario& scenario = out.scenario;
   twin::Surround surround = surround_of(scenario);
   const UtcTime from = parse_utc("2025-06-02T06:00:00Z");
   surround.field = twin::made_up_field(std::get<twin::MadeUpWater>(scenario.water), surround.site,
@@ -43,7 +41,7 @@ TEST_P(EachTask, IsLaidOutWhereItsVehiclesCanGo) {
   try {
     ready = twin::set_up(scenario, surround);
   } catch (const Error& error) {
-    FAIL() << error.what() << "\n" << out.scenario_yaml;
+    FAIL() << error.what() << "\n" << scenario.yaml;
   }
   EXPECT_EQ(ready.agents.size(), out.workers.size());
   for (const twin::ScenarioVehicle& vehicle : scenario.vehicles) {
@@ -69,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(Tasks, EachTask,
 
 TEST(ExpandMission, StepsATetherCoarselyUnlessTheMissionWantsItInFull) {
   const auto detail_of = [](const std::string& yaml) {
-    return twin::parse_scenario(expanded(yaml).scenario_yaml, "expanded.yaml").vehicles[0].detail;
+    return expanded(yaml).scenario.vehicles[0].detail;
   };
   using twin::StepDetail;
   EXPECT_EQ(detail_of(mission("scour_survey")), StepDetail::coarse);
@@ -88,9 +86,8 @@ TEST(ExpandMission, WavesOfAForecastErrUnlessTheMissionOrTheCallerSaysOtherwise)
                       "mission.yaml");
     twin::MissionParts parts = small_farm_parts();
     parts.height_errors = wanted;
-    const std::string yaml = twin::expand_mission(config, parts).scenario_yaml;
+    const twin::Scenario scenario = twin::expand_mission(config, parts).scenario;
     config.expect_all_read();
-    const twin::Scenario scenario = twin::parse_scenario(yaml, "expanded.yaml");
     if (waves.find("components") != std::string::npos) {
       EXPECT_EQ(scenario.waves.components, 8U);
     }
@@ -116,7 +113,7 @@ TEST(ExpandMission, WavesOfAForecastErrUnlessTheMissionOrTheCallerSaysOtherwise)
 
 TEST(ExpandMission, GoesToSeveralTurbinesAndGetsABatteryBetweenThem) {
   const auto out = expanded(mission("tower_tp_check", "A01, A02"));
-  const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  const auto scenario = out.scenario;
   std::size_t swaps = 0, aboard = 0;
   for (const twin::ScenarioTask& task : scenario.vehicles[0].tasks) {
     if (task.kind != twin::ScenarioTask::Kind::aboard) continue;
@@ -140,7 +137,7 @@ TEST(ExpandMission, AVesselTakesATetheredVehicleFromTurbineToTurbine) {
   const auto out = expanded(from_a_vessel(
       by_tender,
       "{name: tender, model: ctv24, speed_m_s: 4, stands: {bearing_deg: 180, distance_m: 27}}"));
-  const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  const auto scenario = out.scenario;
   ASSERT_EQ(scenario.vehicles.size(), 2U);
   const twin::ScenarioVehicle &rov = scenario.vehicles[0], &tender = scenario.vehicles[1];
   ASSERT_TRUE(rov.carrier);
@@ -181,7 +178,7 @@ TEST(ExpandMission, AVesselTakesATetheredVehicleFromTurbineToTurbine) {
 TEST(ExpandMission, ACarrierThatComesFromHarbourGoesBackThere) {
   const auto out = expanded(from_a_vessel(
       by_tender, "{name: tender, model: ctv24, start: {north_m: -900, east_m: 20, depth_m: 0}}"));
-  const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  const auto scenario = out.scenario;
   const twin::ScenarioVehicle& tender = scenario.vehicles[1];
   ASSERT_EQ(tender.tasks.size(), 5U);
   // Where the task has the top of the tether: 22 m off the face.
@@ -213,7 +210,7 @@ TEST(ExpandMission, WhatTheMissionSaysOfAnAgentTakesTheTasksPlace) {
       expanded(mission("scour_survey", "A01",
                        "agents: {surveyor: {autonomy: shared, state_of_charge: 0.5, limits: "
                        "[{current_speed_m_s: 0.3}], faults: [{fault: lost_link, at: 1min}]}}\n"));
-  const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  const auto scenario = out.scenario;
   const twin::ScenarioVehicle& vehicle = scenario.vehicles[0];
   EXPECT_EQ(vehicle.conduct->autonomy, twin::Autonomy::shared);
   EXPECT_EQ(vehicle.conduct->limits.size(), 1U);
@@ -226,7 +223,7 @@ TEST(ExpandMission, PutsTheTasksOfSeveralTeamsIntoOneRun) {
       mission("cp_anode, tower_tp_check", "A01",
               "vehicles:\n  - {name: guard, model: wamv16, start: {north_m: 300, east_m: 0, "
               "depth_m: 0}, tasks: [{do: hold}]}\n"));
-  const auto scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  const auto scenario = out.scenario;
   ASSERT_EQ(scenario.vehicles.size(), 3U);
   EXPECT_EQ(scenario.vehicles[2].name, "guard");
   EXPECT_EQ(out.workers, (std::vector<std::string>{"inspector", "climber"}));
@@ -326,7 +323,7 @@ TEST(ExpandMission, NamesAreTakenAsTheyAreHoweverOddTheyLook) {
   const Config config =
       Config::parse(mission("scour_survey", "\"A: 1, {north} #2\""), "mission.yaml");
   const twin::ExpandedMission out = twin::expand_mission(config, parts);
-  const twin::Scenario scenario = twin::parse_scenario(out.scenario_yaml, "expanded.yaml");
+  const twin::Scenario scenario = out.scenario;
   ASSERT_FALSE(scenario.structures.empty());
   EXPECT_EQ(scenario.structures.front().name, "A: 1, {north} #2");
 }

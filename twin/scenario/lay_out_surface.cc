@@ -1,33 +1,50 @@
-#include "twin/mission/surface_text.h"
+#include "twin/scenario/lay_out_surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/inspection/surface/make_surface.h"
 #include "twin/inspection/surface/usual_sizes.h"
-#include "twin/mission/scenario_text.h"
 #include "twin/mission/work_pattern.h"
+#include "twin/scenario/laid_out_task.h"
 
 namespace slackwater::twin {
 namespace {
 
-std::string level_text(double z_m) {
-  return z_m < 0 ? "{height_m: " + number_text(-z_m) + "}"
-                 : "{depth_m: " + number_text(std::max(z_m, 0.0)) + "}";
+/// depth_m or height_m.
+void put_level(double z_m, YamlValue& value) {
+  if (z_m < 0)
+    value.put("height_m", to_micrometre(-z_m));
+  else
+    value.put("depth_m", to_micrometre(z_m));
 }
 
-/// An entry of a scenario while it is written.
-class SurfaceWriter {
+YamlValue level_of(double z_m) {
+  YamlValue value;
+  put_level(z_m, value);
+  return value;
+}
+
+YamlValue place_of(const Triple<double>& at_m) {
+  YamlValue value;
+  value.put("north_m", to_micrometre(at_m.x)).put("east_m", to_micrometre(at_m.y));
+  put_level(at_m.z, value);
+  return value;
+}
+
+/// An entry of a scenario while it is laid out.
+class SurfaceLayout {
  public:
-  SurfaceWriter(const Config& entry, const WorkSite& site, const WorkTurbine& turbine)
+  SurfaceLayout(const Config& entry, const WorkSite& site, const WorkTurbine& turbine)
       : entry_(entry), site_(site), turbine_(turbine) {}
 
-  std::string write() {
+  YamlValue lay_out() {
     const std::string word = entry_.text("kind");
     const SurfaceKind kind = surface_kind_of(word, entry_, "kind");
     switch (kind) {
@@ -90,23 +107,25 @@ class SurfaceWriter {
         put("inner_m", turbine_.radius_m);
         break;
     }
-    std::string text = "{kind: " + word + ", name: ";
-    text += entry_.has("name") ? entry_.flow_yaml("name")
-                               : quoted_yaml(owner_ + (name_.empty() ? word : name_));
-    text += text_;
+    YamlValue surface;
+    surface.put("kind", word);
+    surface.put("name", entry_.has("name") ? entry_.value("name")
+                                           : YamlValue(owner_ + (name_.empty() ? word : name_)));
+    for (std::size_t i = 0; i < sizes_.items().size(); ++i)
+      surface.put(sizes_.keys()[i], sizes_.items()[i]);
     for (const std::string& key : entry_.keys())
-      if (!written_.contains(key)) text += ", " + key + ": " + entry_.flow_yaml(key);
-    return text + "}";
+      if (!placed_.contains(key) && entry_.has(key)) surface.put(key, entry_.value(key));
+    return surface;
   }
 
  private:
-  void put_text(const std::string& key, const std::string& value) {
-    text_ += ", " + key + ": " + value;
-    written_.insert(key);
+  void put_value(const std::string& key, YamlValue value) {
+    sizes_.put(key, std::move(value));
+    placed_.insert(key);
   }
   /// Unless the entry has a size of its own.
   void put(const std::string& key, double value) {
-    if (!entry_.has(key)) put_text(key, number_text(value));
+    if (!entry_.has(key)) put_value(key, to_micrometre(value));
   }
   void put_axis() {
     put("north_m", turbine_.north_m);
@@ -116,7 +135,7 @@ class SurfaceWriter {
   void put_levels(double from_m, double to_m) {
     const auto level = [&](const char* key, double usual_m) {
       const auto own = entry_.optional_child(key);
-      put_text(key, level_text(own ? read_level(*own, turbine_) : usual_m));
+      put_value(key, level_of(own ? read_level(*own, turbine_) : usual_m));
     };
     level("from", from_m);
     level("to", to_m);
@@ -134,9 +153,9 @@ class SurfaceWriter {
     if (found == turbine_.moorings.end())
       entry_.refuse("mooring", "found " + id + ", which turbine " + turbine_.id + " does not have");
     name_ = id;
-    written_.insert("mooring");
-    put_text("fairlead", "{" + place_text(found->fairlead_m) + "}");
-    put_text("anchor", "{" + place_text(found->anchor_m) + "}");
+    placed_.insert("mooring");
+    put_value("fairlead", place_of(found->fairlead_m));
+    put_value("anchor", place_of(found->anchor_m));
   }
 
   void put_cable() {
@@ -151,12 +170,12 @@ class SurfaceWriter {
     }
     owner_.clear();
     name_ = "cable " + id;
-    written_.insert("cable");
+    placed_.insert("cable");
     put("off_ends_m", usual::off_ends_m);
     put("burial_m", found->burial_m.value_or(usual::burial_m));
-    std::vector<std::string> points;
-    for (const Triple<double>& at : found->route_m) points.push_back("{" + place_text(at) + "}");
-    put_text("route", "[" + joined(points, ", ") + "]");
+    std::vector<YamlValue> points;
+    for (const Triple<double>& at : found->route_m) points.push_back(place_of(at));
+    put_value("route", std::move(points));
   }
 
   const Config& entry_;
@@ -164,14 +183,14 @@ class SurfaceWriter {
   const WorkTurbine& turbine_;
   std::string owner_ = turbine_.id + "/";
   std::string name_;  ///< empty: its kind
-  std::string text_;
-  std::set<std::string> written_{"kind", "name"};
+  YamlValue sizes_;
+  std::set<std::string> placed_{"kind", "name"};
 };
 
 }  // namespace
 
-std::string surface_text(const Config& entry, const WorkSite& site, const WorkTurbine& turbine) {
-  return SurfaceWriter(entry, site, turbine).write();
+YamlValue lay_out_surface(const Config& entry, const WorkSite& site, const WorkTurbine& turbine) {
+  return SurfaceLayout(entry, site, turbine).lay_out();
 }
 
 }  // namespace slackwater::twin

@@ -1,19 +1,20 @@
-#include "twin/mission/agent_text.h"
+#include "twin/scenario/lay_out_agent.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "fields/base/constants.h"
-#include "fields/base/text.h"
 
 #include "twin/mission/conduct.h"
 #include "twin/mission/read_seconds.h"
-#include "twin/mission/scenario_text.h"
-#include "twin/mission/surface_text.h"
 #include "twin/mission/way_round.h"
 #include "twin/mission/work_pattern.h"
+#include "twin/scenario/laid_out_task.h"
+#include "twin/scenario/lay_out_surface.h"
+#include "twin/simulate/read_scenario.h"
 
 namespace slackwater::twin {
 namespace {
@@ -33,9 +34,9 @@ const std::set<std::string> of_the_vehicle{"model",  "state_of_charge", "navigat
                                            "swap_s", "inspection",      "intensity"};
 
 /// One agent of a task, made into a vehicle of the scenario.
-class AgentWriter {
+class AgentLayout {
  public:
-  AgentWriter(const Config& agent, const std::optional<Config>& over, const MissionParts& parts,
+  AgentLayout(const Config& agent, const std::optional<Config>& over, const MissionParts& parts,
               std::span<const WorkTurbine* const> turbines,
               std::span<const Triple<double>> stands_m)
       : agent_(agent),
@@ -45,28 +46,36 @@ class AgentWriter {
         stands_m_(stands_m),
         structures_(structures_of(parts.site)) {}
 
-  /// @param assumed  as YAML on one line; empty: nothing is
-  std::string write(const std::string& name, const std::string& assumed) {
+  ScenarioVehicle lay_out(const std::string& name, const std::vector<Assumption>& assumed,
+                          bool by_sensors) {
     home_m_ = read_start();
     intensity_ = chosen_intensity();
     is_at_m_ = home_m_;
     clear_m_ = agent_.optional_number("clear_m", {0.2, 500}).value_or(2);
-    has_tether_ = agent_.has("tether");
     start_down_m_ = home_m_.z;
     if (is_carried()) home_m_ = is_at_m_ = beside_stand(0);
-    const std::string tasks = is_carried() ? write_carried_tasks() : write_tasks();
-    std::string text = "  - name: " + quoted_yaml(name) + "\n    model: " + model() +
-                       "\n    start: {" + place_text(home_m_) +
-                       ", heading_deg: " + number_text(bearing_to_turbine() / degree) + "}\n";
-    for (const char* key : {"speed_m_s", "state_of_charge", "navigation"})
-      if (const auto value = chosen(key)) text += "    " + std::string(key) + ": " + *value + "\n";
-    if (has_tether_) text += write_tether();
-    if (is_carried()) text += "    carrier: " + over_->flow_yaml("carrier") + "\n";
+    if (is_carried())
+      go_by_carrier();
+    else
+      go_by_itself();
+    vehicle_.name = name;
+    if (!says("model").has("model"))
+      agent_.refuse("model", "missing; name a vehicle of data/vehicles");
+    vehicle_.model = says("model").text("model");
+    vehicle_.start_m = to_micrometre(home_m_);
+    vehicle_.heading_rad = to_micrometre(bearing_to_turbine() / degree) * degree;
+    vehicle_.speed_m_s = says("speed_m_s").optional_number("speed_m_s", {0.01, 60});
+    vehicle_.state_of_charge =
+        says("state_of_charge").optional_number("state_of_charge", {0, 1}).value_or(1);
+    vehicle_.navigates_by_sensors = read_navigation(says("navigation"), by_sensors);
+    if (agent_.has("tether")) vehicle_.tether = tether();
+    if (is_carried()) vehicle_.carrier = read_carrier(over_->child("carrier"));
     // A rehearsal asks for figures of a mission, in many futures.
-    if (const auto detail = chosen("detail"); detail || has_tether_)
-      text += "    detail: " + detail.value_or("coarse") + "\n";
-    text += "    conduct: " + write_conduct(assumed) + "\n    tasks:\n" + tasks;
-    return text;
+    vehicle_.detail = vehicle_.tether && !says("detail").has("detail")
+                          ? StepDetail::coarse
+                          : read_detail(says("detail"));
+    vehicle_.conduct = conduct(assumed);
+    return std::move(vehicle_);
   }
 
  private:
@@ -76,24 +85,16 @@ class AgentWriter {
     return {stands_m_[turbine].x, stands_m_[turbine].y, start_down_m_};
   }
 
-  /// A value of the agent's entry in the mission, else of the task's, as YAML on one line.
-  std::optional<std::string> chosen(const char* key) const {
-    std::optional<std::string> value;
-    if (agent_.has(key)) value = agent_.flow_yaml(key);
-    if (over_ && over_->has(key)) value = over_->flow_yaml(key);
-    return value;
+  /// The agent's entry in the mission if it has the key, else the task's.
+  [[nodiscard]] const Config& says(const char* key) const {
+    const bool is_own = agent_.has(key);  // read, whoever is heard
+    return over_ && (over_->has(key) || !is_own) ? *over_ : agent_;
   }
   /// Of the mission, thinned as the caller wants it.
   [[nodiscard]] Intensity chosen_intensity() const {
     const auto said = over_ ? over_->optional_child("intensity") : std::nullopt;
     return thinned(said ? read_intensity(*said) : Intensity{}, parts_.thinned_by);
   }
-  std::string model() const {
-    const auto value = chosen("model");
-    if (!value) agent_.refuse("model", "missing; name a vehicle of data/vehicles");
-    return *value;
-  }
-
   double bearing_to_turbine() const {
     const WorkTurbine& first = *turbines_.front();
     return std::atan2(first.east_m - home_m_.y, first.north_m - home_m_.x);
@@ -107,59 +108,65 @@ class AgentWriter {
   }
   Triple<double> read_start() const { return place_at(agent_.child("start"), *turbines_.front()); }
 
-  std::string write_tether() const {
+  [[nodiscard]] ScenarioVehicle::TetherStart tether() const {
     const Config tether = agent_.child("tether");
-    if (is_carried()) {
-      (void)tether.child("top").keys();
-      return "    tether: {length_m: " + number_text(tether.number("length_m", {10, 10000})) +
-             "}\n";
-    }
-    const Triple<double> top_m = place_at(tether.child("top"), *turbines_.front());
-    return "    tether: {top: {" + place_text(top_m) +
-           "}, length_m: " + number_text(tether.number("length_m", {10, 10000})) + "}\n";
+    const Config top = tether.child("top");
+    ScenarioVehicle::TetherStart start;
+    start.length_m = to_micrometre(tether.number("length_m", {10, 10000}));
+    if (is_carried())
+      (void)top.keys();
+    else
+      start.top_m = to_micrometre(place_at(top, *turbines_.front()));
+    return start;
   }
 
-  std::string write_conduct(const std::string& assumed) const {
-    const auto base = agent_.optional_child("conduct");
+  [[nodiscard]] Conduct conduct(const std::vector<Assumption>& assumed) const {
+    const Config base = agent_.has("conduct") ? agent_.child("conduct") : nothing();
     // Said wrong in the task, it is refused where it stands.
-    if (base) {
-      (void)read_conduct(*base);
-      base->expect_all_read();
+    (void)read_conduct(base);
+    base.expect_all_read();
+    const Config said = over_ ? over_->merged_over(base, of_the_vehicle) : base;
+    Conduct conduct = read_conduct(said);
+    said.expect_all_read();
+    if (!conduct.home_m) conduct.home_m = to_micrometre(home_m_);
+    if (!said.has("clear_m")) conduct.clear_m = to_micrometre(clear_m_);
+    if (!assumed.empty()) {
+      if (said.has("assume")) said.refuse("assume", "found beside the mission's; keep one");
+      conduct.assumed = assumed;
     }
-    const std::string conduct = merged(base, over_, of_the_vehicle);
-    std::string text = conduct.substr(0, conduct.size() - 1) + (conduct.size() > 2 ? ", " : "");
-    if (conduct.find("home: ") == std::string::npos)
-      text += "home: {" + place_text(home_m_) + "}, ";
-    if (conduct.find("clear_m: ") == std::string::npos)
-      text += "clear_m: " + number_text(clear_m_) + ", ";
-    if (!assumed.empty()) text += "assume: " + assumed + ", ";
-    if (const std::string inspection = write_inspection(); !inspection.empty())
-      text += "inspection: " + inspection + ", ";
-    return text.substr(0, text.size() - 2) + "}";
+    if (auto plan = inspection()) {
+      if (conduct.inspection) said.refuse("inspection", "found beside the agent's own; keep one");
+      conduct.inspection = std::move(plan);
+    }
+    return conduct;
   }
 
-  /// What it inspects, laid out at each turbine; empty: nothing.
-  std::string write_inspection() const {
+  /// What it inspects, laid out at each turbine.
+  [[nodiscard]] std::optional<InspectionPlan> inspection() const {
     const auto base = agent_.optional_child("inspection");
     const auto over = over_ ? over_->optional_child("inspection") : std::nullopt;
-    if (!base && !over) return "";
+    if (!base && !over) return std::nullopt;
     const Config& stated = over && (over->has("surfaces") || !base) ? *over : *base;
-    std::vector<std::string> surfaces;
+    std::vector<YamlValue> surfaces;
     for (const WorkTurbine* turbine : turbines_)
       for (const Config& entry : stated.children("surfaces")) {
-        std::string text = surface_text(entry, parts_.site, *turbine);
-        if (std::find(surfaces.begin(), surfaces.end(), text) == surfaces.end())
-          surfaces.push_back(std::move(text));
+        YamlValue surface = lay_out_surface(entry, parts_.site, *turbine);
+        if (std::find(surfaces.begin(), surfaces.end(), surface) == surfaces.end())
+          surfaces.push_back(std::move(surface));
       }
-    if (base && base->has("surfaces")) (void)base->flow_yaml("surfaces");
-    const std::string rest = merged(base, over, {"surfaces"});
-    return "{surfaces: [" + joined(surfaces, ", ") + "]" +
-           (rest.size() > 2 ? ", " + rest.substr(1) : "}");
+    const Config rest =
+        (over ? *over : *base).merged_over(over && base ? *base : nothing(), {"surfaces"});
+    InspectionPlan plan = read_inspection(rest, std::move(surfaces));
+    rest.expect_all_read();
+    return plan;
   }
+  /// Of an entry that is not there.
+  [[nodiscard]] Config nothing() const { return Config::of({}, agent_.name()); }
 
-  void go_to(const Triple<double>& to_m, Phase phase, std::string& text) {
+  void put(ScenarioTask task) { vehicle_.tasks.push_back(std::move(task)); }
+  void go_to(const Triple<double>& to_m, Phase phase) {
     if (length_of(to_m - is_at_m_) < 0.1) return;
-    text += route_text(way_round(is_at_m_, to_m, near(is_at_m_, to_m), clear_m_), phase);
+    put(route_task(way_round(is_at_m_, to_m, near(is_at_m_, to_m), clear_m_), phase));
     is_at_m_ = to_m;
   }
 
@@ -188,68 +195,64 @@ class AgentWriter {
 
   /// Turbine by turbine from the deck of a vessel. It gets its batteries while it is carried, and
   /// where its task says so between the parts of its work.
-  std::string write_carried_tasks() {
+  void go_by_carrier() {
     const bool is_swapped = gets_batteries();
     const double swap_s = time_s("swap"), launch_s = time_s("launch"),
                  recovery_s = time_s("recovery");
     const std::vector<Config> works = this->works();
-    std::string text;
     for (std::size_t i = 0; i < turbines_.size(); ++i) {
       const bool is_first = i == 0;
-      text += carried_text(is_first ? 0 : swap_s, !is_first && is_swapped) +
-              aboard_text(launch_s, false, Phase::launch);
+      put(carried_task(is_first ? 0 : swap_s, !is_first && is_swapped));
+      put(aboard_task(launch_s, false, Phase::launch));
       home_m_ = is_at_m_ = beside_stand(i);
       for (std::size_t w = 0; w < works.size(); ++w) {
         if (w > 0 && has_seconds(agent_, "swap")) {
-          go_to(home_m_, Phase::return_home, text);
-          text += aboard_text(swap_s, true, Phase::recovery);
+          go_to(home_m_, Phase::return_home);
+          put(aboard_task(swap_s, true, Phase::recovery));
         }
-        write_work(lay_out(works[w], parts_.site, *turbines_[i], intensity_), text);
+        work_on(twin::lay_out(works[w], parts_.site, *turbines_[i], intensity_));
       }
-      go_to(home_m_, Phase::return_home, text);
-      text += aboard_text(recovery_s, false, Phase::recovery);
+      go_to(home_m_, Phase::return_home);
+      put(aboard_task(recovery_s, false, Phase::recovery));
     }
     home_m_ = beside_stand(0);
-    return text;
   }
 
-  std::string write_tasks() {
+  void go_by_itself() {
     const bool stands_aboard = gets_batteries();
     const double swap_s = time_s("swap"), launch_s = time_s("launch"),
                  recovery_s = time_s("recovery");
     const std::vector<Config> works = this->works();
-    std::string text;
     if (stands_aboard)
-      text += aboard_text(launch_s, false, Phase::launch);
+      put(aboard_task(launch_s, false, Phase::launch));
     else if (launch_s > 0)
-      text += hold_text(launch_s, Phase::launch);
+      put(hold_task(launch_s, Phase::launch));
     bool is_first = true;
     for (const WorkTurbine* turbine : turbines_) {
       for (const Config& work : works) {
         if (!is_first && stands_aboard) {
-          go_to(home_m_, Phase::return_home, text);
-          text += aboard_text(swap_s, true, Phase::recovery);
+          go_to(home_m_, Phase::return_home);
+          put(aboard_task(swap_s, true, Phase::recovery));
         }
         is_first = false;
-        write_work(lay_out(work, parts_.site, *turbine, intensity_), text);
+        work_on(twin::lay_out(work, parts_.site, *turbine, intensity_));
       }
     }
-    go_to(home_m_, Phase::return_home, text);
+    go_to(home_m_, Phase::return_home);
     if (stands_aboard)
-      text += aboard_text(recovery_s, false, Phase::recovery);
+      put(aboard_task(recovery_s, false, Phase::recovery));
     else if (recovery_s > 0)
-      text += hold_text(recovery_s, Phase::recovery);
-    return text;
+      put(hold_task(recovery_s, Phase::recovery));
   }
 
-  void write_work(const std::vector<WorkLeg>& legs, std::string& text) {
+  void work_on(const std::vector<WorkLeg>& legs) {
     bool is_first = true;
     for (const WorkLeg& leg : legs) {
-      if (is_first) go_to(leg.waypoints.front().position_m, Phase::transit, text);
+      if (is_first) go_to(leg.waypoints.front().position_m, Phase::transit);
       is_first = false;
-      text += route_text(clear_of_piles(leg.waypoints), Phase::work, leg.drifts);
+      put(route_task(clear_of_piles(leg.waypoints), Phase::work, leg.drifts));
       is_at_m_ = leg.waypoints.back().position_m;
-      if (leg.stay_s > 0) text += hold_text(leg.stay_s, Phase::work);
+      if (leg.stay_s > 0) put(hold_task(leg.stay_s, Phase::work));
     }
   }
 
@@ -285,16 +288,17 @@ class AgentWriter {
   Intensity intensity_;
   double start_down_m_ = 0;
   double clear_m_ = 2;
-  bool has_tether_ = false;
+  ScenarioVehicle vehicle_;
 };
 
 }  // namespace
 
-std::string agent_text(const std::string& name, const Config& agent,
-                       const std::optional<Config>& over, const MissionParts& parts,
-                       std::span<const WorkTurbine* const> turbines,
-                       std::span<const Triple<double>> stands_m, const std::string& assumed) {
-  return AgentWriter(agent, over, parts, turbines, stands_m).write(name, assumed);
+ScenarioVehicle lay_out_agent(const std::string& name, const Config& agent,
+                              const std::optional<Config>& over, const MissionParts& parts,
+                              std::span<const WorkTurbine* const> turbines,
+                              std::span<const Triple<double>> stands_m,
+                              const std::vector<Assumption>& assumed, bool by_sensors) {
+  return AgentLayout(agent, over, parts, turbines, stands_m).lay_out(name, assumed, by_sensors);
 }
 
 }  // namespace slackwater::twin

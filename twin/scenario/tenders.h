@@ -7,6 +7,7 @@
 
 #include "fields/base/config.h"
 #include "twin/mission/work_site.h"
+#include "twin/simulate/scenario.h"
 
 namespace slackwater::twin {
 
@@ -33,13 +34,13 @@ class Tenders {
   const std::vector<Triple<double>>& taken_by(const std::string& role, const Config& agent,
                                               const std::optional<Config>& over);
 
-  /// All of the vehicles, as entries of a scenario's list.
-  [[nodiscard]] std::string text() const;
+  /// All of the vehicles, in the order of the mission. @param by_sensors  see `read_vehicle`
+  [[nodiscard]] std::vector<ScenarioVehicle> vehicles(bool by_sensors) const;
 
  private:
   [[nodiscard]] std::vector<Triple<double>> stands_at(const Config& place) const;
-  [[nodiscard]] std::string text_of(const Config& vehicle,
-                                    const std::vector<Triple<double>>& stands_m) const;
+  /// Its way from place to place.
+  void lay_out(const std::vector<Triple<double>>& stands_m, ScenarioVehicle& carrier) const;
 
   const Config& mission_;
   const WorkSite& site_;
