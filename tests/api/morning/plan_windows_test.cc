@@ -143,12 +143,12 @@ TEST_F(PlanWindows, TakeWhatFlightsAtTheSameTurbineLeave) {
   asked.tasks = {"scour_survey"};
   asked.turbines = {"T1"};
   TaskWindows flown = windows_of(asked, made_->store()).tasks.front();
-  ASSERT_GT(flown.starts[3].probability, 0.1);
-  flown.starts[3].worth = 0.1;
+  ASSERT_GT(flown.starts[3].probability, 0.01);
+  flown.starts[3].worth = 0.01;
   const std::vector<DayChances::Task> weighed =
       windows_for_plan(plan("T1, T2"), question(), made_->store(), {flown}).tasks;
   const std::vector<DayChances::Task> plain = tasks(question(), "T1, T2");
-  EXPECT_EQ(weighed[0].starts[3].probability, 0.1);
+  EXPECT_EQ(weighed[0].starts[3].probability, 0.01);
   EXPECT_EQ(weighed[0].starts[5], plain[0].starts[5]);
   EXPECT_EQ(weighed[1], plain[1]) << "another turbine";
 }

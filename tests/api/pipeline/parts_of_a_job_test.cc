@@ -112,7 +112,7 @@ TEST_F(FiveDays, WhatIsPassedOnIsTheForecastThatWasFiled) {
   EXPECT_EQ(again.filed.content_sha256, issue.filed.content_sha256);
 }
 
-TEST_F(FiveDays, AForecastThatDisplacesWhoeverLooksIsNotFiled) {
+TEST_F(FiveDays, AForecastThatIsRefusedAtALookIsNotFiled) {
   calibration::ForecastOptions options;
   options.issued = UtcTime(first_day) + days(4) + hours(5);
   EXPECT_THROW(static_cast<void>(issue_forecast(
