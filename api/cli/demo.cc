@@ -9,9 +9,11 @@
 #include "api/demo/demo_page.h"
 #include "api/demo/demo_run.h"
 #include "api/demo/demo_store.h"
-#include "api/morning/morning_answer.h"
+#include "api/morning/morning_json.h"
+#include "api/morning/morning_text.h"
 #include "api/report/skill_json.h"
 #include "api/report/verdict_text.h"
+#include "ingest/cf/forecast_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -63,6 +65,8 @@ Morning morning_of_demo(const DemoResult& result, const std::filesystem::path& s
   MorningQuestion question;
   question.windows = plain_question(result.site, demo_site_id);
   question.windows.day = result.last.day;
+  question.windows.water =
+      water_of(std::make_shared<const Snapshot>(ingest::as_filed(result.last)), result.last_sha256);
   return morning_of(question, store_folder);
 }
 
@@ -97,10 +101,10 @@ void run(const DemoArguments& arguments, const Context& context) {
                              {"page", page.string()},
                              {"store", (folder / "store").string()},
                              {"days", days},
-                             {"morning", morning_json(morning, {result.skill, {}, {}})},
+                             {"morning", morning_json(morning, result.skill, "")},
                              {"forecast_rmse_m_s", mean.forecast},
-                             {"skill", json::parse(skill_json(result.skill))}}
-                            .dump(2)
+                             {"skill", skill_list(result.skill)}}
+                            .dump(2, ' ', false, json::error_handler_t::replace)
                             .c_str());
     return;
   }

@@ -6,11 +6,12 @@
 #include "api/cli/command.h"
 #include "api/cli/morning_of_forecast.h"
 #include "api/cli/output_file.h"
-#include "api/issued/as_issued.h"
 #include "api/morning/make_morning.h"
-#include "api/pipeline/daily_job.h"
+#include "api/morning/verdict_json.h"
+#include "api/morning/verified_text.h"
 #include "api/pipeline/downloads.h"
-#include "api/pipeline/load_site_data.h"
+#include "api/pipeline/issue_forecast.h"
+#include "api/pipeline/job_summary.h"
 #include "api/program/paths.h"
 #include "api/report/forecast_page.h"
 #include "fields/base/text.h"
@@ -144,9 +145,10 @@ void print_days(const Snapshot& snapshot, const std::optional<TimeZone>& zone) {
 }
 
 void write_html(const ForecastArguments& arguments, const Context& context, const Site& site,
-                const DailyJob& job, const PastSkill& past) {
-  ForecastPage page = page_of(std::make_shared<const Snapshot>(job.forecast.snapshot), site,
-                              job.summary_json, past, made_by(context));
+                const Issue& issue) {
+  ForecastPage page =
+      page_of(std::make_shared<const Snapshot>(issue.job.forecast.snapshot), site,
+              {calibration::making_of(issue.job.forecast), issue.past}, made_by(context));
   page.depth_m = arguments.html_depth_m;
   page.slack_below_m_s = arguments.slack_below_m_s.value_or(page.slack_below_m_s);
   write_report(forecast_page(page), arguments.html);
@@ -157,6 +159,47 @@ std::string why_a_hindcast(const calibration::ForecastOptions& options) {
   if (options.hindsight) return "it was made in hindsight";
   return "the forecast of this day, or of a later one, was issued before, and stays what was "
          "issued; leave --day out for a forecast of the newest day";
+}
+
+json issue_json(const Issue& issue) {
+  const Snapshot& snapshot = issue.job.forecast.snapshot;
+  json out = job_summary(issue.job);
+  out["id"] = issue.filed.id;
+  out["already_issued"] = !issue.filed.is_new;
+  out["origin"] = name_of(issue.origin);
+  out["degraded"] = snapshot.degraded;
+  out["headline"] = snapshot.headline;
+  out["verified"] = verified_text(issue.past);
+  out["verdict"] = verdict_json(issue.past.verdict);
+  out["valid_from"] = format_utc(snapshot.time.front());
+  out["valid_to"] = format_utc(snapshot.time.back());
+  out["attributions"] = snapshot.attributions;
+  return out;
+}
+
+void print_issue(const Site& site, const Issue& issue,
+                 const calibration::ForecastOptions& options) {
+  const calibration::DailyForecast& forecast = issue.job.forecast;
+  const Snapshot& snapshot = forecast.snapshot;
+  const auto id = static_cast<long long>(issue.filed.id);
+  std::printf("%s, issued %s: forecast %lld for %s to %s\n", site.name.c_str(),
+              format_utc(snapshot.issued).c_str(), id, format_utc(snapshot.time.front()).c_str(),
+              format_utc(snapshot.time.back()).c_str());
+  if (!issue.filed.is_new)
+    std::printf("already issued as %lld: the same inputs and options at the same time\n", id);
+  if (issue.origin == ForecastOrigin::hindcast)
+    std::printf("filed as a hindcast: %s\n", why_a_hindcast(options).c_str());
+  std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(),
+              verified_text(issue.past).c_str());
+  print_calibration(forecast.columns.front());
+  print_blend(forecast);
+  if (snapshot.columns.size() > 1)
+    std::printf("  … and %zu more columns\n", snapshot.columns.size() - 1);
+  print_waves(forecast, options.wind);
+  for (const SourceUse& use : forecast.columns.front().sources)
+    std::printf("from %s\n", text_of(use).c_str());
+  print_days(snapshot, site.time_zone);
+  for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }
 
 void run_forecast(const ForecastArguments& arguments, const Context& context) {
@@ -203,72 +246,30 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
                     " without --html, whose page it is for; add --html FILE.html");
   }
   store::Store store = context.open(store::OpenMode::create_or_write);
-  const SiteData data = load_site_data(store, site, options);
-  const DailyJob job = daily_job(data, options);
-  const calibration::DailyForecast& forecast = job.forecast;
-  if (!arguments.html.empty())  // before anything is stored
-    static_cast<void>(page_depth_m(forecast.snapshot, arguments.html_depth_m));
-  const Snapshot& snapshot = forecast.snapshot;
-  store::ForecastQuery since;
-  since.site_id = snapshot.site_id;
-  since.from_day = snapshot.day;
-  const ForecastOrigin origin =
-      origin_of_run(snapshot.day, snapshot.issued, options.day.has_value(), options.hindsight,
-                    store.find_forecasts(since));
-  const auto [id, is_new] = publish(store, job, origin);
+  const Issue issue = issue_forecast(store, site, options, [&](const Snapshot& made) {
+    if (!arguments.html.empty()) static_cast<void>(page_depth_m(made, arguments.html_depth_m));
+  });
+  const Snapshot& snapshot = issue.job.forecast.snapshot;
   if (!arguments.out.empty()) {
     write_beside(arguments.out, [&](const std::filesystem::path& partial) {
       ingest::write_forecast(partial, snapshot);
     });
   }
-  const PastSkill past = verify_past(store, site, data, snapshot, options.wind);
-  if (!arguments.html.empty()) write_html(arguments, context, site, job, past);
-  const auto morning_now = [&, id = id] {
-    if (origin != ForecastOrigin::forecast) return MorningDone{};
+  if (!arguments.html.empty()) write_html(arguments, context, site, issue);
+  const auto morning_now = [&] {
     MorningAsked asked = arguments.morning;
     asked.site = arguments.site;
-    asked.forecast = id;
-    const MorningDone done =
-        morning_of_forecast(store, site, snapshot.day, asked, {job.summary_json, past}, context);
+    const MorningDone done = morning_of_forecast(store, site, issue, asked, context);
     std::fputs(done.notes.c_str(), stderr);
     return done;
   };
   if (context.json) {
-    json out = json::parse(job.summary_json);
-    out["id"] = id;
-    out["already_issued"] = !is_new;
-    out["origin"] = name_of(origin);
-    out["degraded"] = snapshot.degraded;
-    out["headline"] = snapshot.headline;
-    out["verified"] = past.verified;
-    out["verdict"] = verdict_json(past.verdict);
-    out["valid_from"] = format_utc(snapshot.time.front());
-    out["valid_to"] = format_utc(snapshot.time.back());
-    out["attributions"] = snapshot.attributions;
+    json out = issue_json(issue);
     out["morning"] = morning_now().json;
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     return;
   }
-  std::printf("%s, issued %s: forecast %lld for %s to %s\n", site.name.c_str(),
-              format_utc(snapshot.issued).c_str(), static_cast<long long>(id),
-              format_utc(snapshot.time.front()).c_str(), format_utc(snapshot.time.back()).c_str());
-  if (!is_new) {
-    std::printf("already issued as %lld: the same inputs and options at the same time\n",
-                static_cast<long long>(id));
-  }
-  if (origin == ForecastOrigin::hindcast)
-    std::printf("filed as a hindcast: %s\n", why_a_hindcast(options).c_str());
-  std::printf("%s%s\n%s\n", snapshot.degraded ? "DEGRADED: " : "", snapshot.headline.c_str(),
-              past.verified.c_str());
-  print_calibration(forecast.columns.front());
-  print_blend(forecast);
-  if (snapshot.columns.size() > 1)
-    std::printf("  … and %zu more columns\n", snapshot.columns.size() - 1);
-  print_waves(forecast, options.wind);
-  for (const SourceUse& use : forecast.columns.front().sources)
-    std::printf("from %s\n", text_of(use).c_str());
-  print_days(snapshot, site.time_zone);
-  for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
+  print_issue(site, issue, options);
   std::fflush(stdout);  // the forecast is read while what it means for the tasks is worked out
   const MorningDone morning = morning_now();
   if (!morning.text.empty()) std::printf("\n%s", morning.text.c_str());

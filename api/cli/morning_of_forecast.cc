@@ -7,11 +7,15 @@
 #include "api/issued/in_force.h"
 #include "api/morning/hook.h"
 #include "api/morning/make_morning.h"
-#include "api/morning/morning_answer.h"
+#include "api/morning/morning_json.h"
+#include "api/morning/morning_text.h"
 #include "api/morning/operator_config.h"
 #include "api/morning/page_pdf.h"
+#include "api/morning/verified_text.h"
 #include "fields/base/attempt.h"
+#include "fields/base/log.h"
 #include "fields/base/text.h"
+#include "ingest/cf/forecast_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -24,16 +28,19 @@ std::optional<FlyWindows> flights_of(const MorningAsked& asked) {
   return flights_wanted(arguments);
 }
 
-MadeMorning make(const Site& site, UtcDay day, const MorningAsked& asked,
-                 const KnownForecast& known, const Context& context) {
+MadeMorning make(const Site& site, const Issue& issue, const MorningAsked& asked,
+                 const Context& context) {
   MakeMorning how;
   how.question.windows = plain_question(site, asked.site);
-  how.question.windows.day = day;
+  how.question.windows.day = issue.job.forecast.snapshot.day;
+  how.question.windows.water =
+      water_of(std::make_shared<const Snapshot>(ingest::as_filed(issue.job.forecast.snapshot)),
+               issue.filed.content_sha256);
   how.question.plan = plan_of_site(site.id, context.store_folder);
   how.question.is_unattended = true;
   how.fly = flights_of(asked);
   how.generated = made_by(context);
-  how.known = known;
+  how.known = KnownForecast{calibration::making_of(issue.job.forecast), issue.past};
   ProgressBar progress("flying " + site.name, context.json);
   how.on_first_page = [&](const MadeMorning& first) {
     if (!context.json) std::fprintf(stderr, "first page: %s\n", first.html.c_str());
@@ -48,13 +55,13 @@ json no_morning_json(const Site& site, const std::string& why) {
 }
 
 /// What became of the hook; empty: there is none, or it was told before.
-std::string told(const Site& site, const MorningAsked& asked, const Context& context,
+std::string told(const Site& site, std::int64_t forecast, const Context& context,
                  const json& verdict) {
   std::string text;
   const auto failure = attempt([&] {
     const OperatorConfig config = operator_config();
     if (config.hook)
-      text = tell_hook(*config.hook, reports_folder(context.store_folder, site.id), asked.forecast,
+      text = tell_hook(*config.hook, reports_folder(context.store_folder, site.id), forecast,
                        verdict.dump(2, ' ', false, json::error_handler_t::replace));
   });
   return failure ? "the hook was not run: " + failure->why : text;
@@ -64,16 +71,19 @@ std::string told(const Site& site, const MorningAsked& asked, const Context& con
 
 void expect_readable(const MorningAsked& asked) { static_cast<void>(flights_of(asked)); }
 
-MorningDone morning_of_forecast(store::Store& store, const Site& site, UtcDay day,
-                                const MorningAsked& asked, const KnownForecast& known,
-                                const Context& context) {
+MorningDone morning_of_forecast(store::Store& store, const Site& site, const Issue& issue,
+                                const MorningAsked& asked, const Context& context) {
   MorningDone done;
-  if (site.tasks.empty()) return done;
+  if (site.tasks.empty() || issue.origin != ForecastOrigin::forecast) return done;
+  const UtcDay day = issue.job.forecast.snapshot.day;
   const auto note = [&](const std::string& text) {
     if (!text.empty()) done.notes += text + "\n";
   };
-  const std::int64_t in_force = forecast_in_force(store, {site.id, day, {}}).row.id;
-  if (in_force != asked.forecast) {
+  const InForce found = forecast_in_force(store, {site.id, day, {}});
+  for (const std::string& damage : found.passed_over)
+    log_event(LogLevel::warning, "forecast passed over", {{"problem", damage}});
+  const std::int64_t in_force = found.row.id;
+  if (in_force != issue.filed.id) {
     note(
         formatted("no morning report: forecast {} of the same day is in force; for its own say "
                   "`slackwater report --site {} --day {}`",
@@ -81,8 +91,8 @@ MorningDone morning_of_forecast(store::Store& store, const Site& site, UtcDay da
     return done;
   }
   const auto failure = attempt([&] {
-    const MadeMorning made = make(site, day, asked, known, context);
-    done.json = morning_json(made.morning, made.known.past);
+    const MadeMorning made = make(site, issue, asked, context);
+    done.json = morning_json(made.morning, made.known.past.entries, verified_text(made.known.past));
     done.json["page"] = made.html.string();
     done.text = morning_text(made.morning) + "The page: " + made.html.string() + "\n";
     for (const std::string& told : made.morning.windows.notes) note(told);
@@ -92,7 +102,8 @@ MorningDone morning_of_forecast(store::Store& store, const Site& site, UtcDay da
     if (const auto unprinted = attempt([&] { print_page(made.html, pdf); })) note(unprinted->why);
   });
   if (failure) note("no morning report: " + failure->why);
-  note(told(site, asked, context, failure ? no_morning_json(site, failure->why) : done.json));
+  note(told(site, issue.filed.id, context,
+            failure ? no_morning_json(site, failure->why) : done.json));
   return done;
 }
 

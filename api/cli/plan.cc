@@ -7,9 +7,12 @@
 
 #include "api/cli/command.h"
 #include "api/morning/plan_windows.h"
+#include "api/plan/earlier_plan_file.h"
 #include "api/plan/make_plan.h"
-#include "api/plan/plan_answer.h"
+#include "api/plan/plan_json.h"
 #include "api/plan/plan_setup.h"
+#include "api/plan/plan_text.h"
+#include "api/plan/windows_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -41,8 +44,8 @@ double time_limit_s_of(const std::string& text) {
 }
 
 /// What the forecast in force says.
-WindowsFile windows_in_force(const PlanFile& plan, const PlanArguments& arguments,
-                             const Context& context) {
+DayChances windows_in_force(const PlanFile& plan, const PlanArguments& arguments,
+                            const Context& context) {
   WindowsQuestion question;
   for (const std::string& text : arguments.assume)
     question.assumed.push_back(twin::parse_assumption(text));
@@ -55,7 +58,7 @@ void run_plan(const PlanArguments& arguments, const Context& context) {
   PlanAnswer answer;
   answer.time_limit_s = time_limit_s_of(arguments.time_limit);
   const PlanFile file = load_plan_file(arguments.plan, context.store_folder);
-  const WindowsFile windows =
+  const DayChances windows =
       arguments.windows.empty()
           ? with_context("no --windows were given",
                          [&] { return windows_in_force(file, arguments, context); })

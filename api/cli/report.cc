@@ -7,8 +7,10 @@
 #include "api/cli/progress.h"
 #include "api/cli/windows_options.h"
 #include "api/morning/make_morning.h"
-#include "api/morning/morning_answer.h"
+#include "api/morning/morning_json.h"
+#include "api/morning/morning_text.h"
 #include "api/morning/page_pdf.h"
+#include "api/morning/verified_text.h"
 #include "api/program/paths.h"
 
 namespace slackwater::api {
@@ -61,7 +63,7 @@ void run_report(const ReportArguments& arguments, const Context& context) {
   how.on_progress = [&](double share) { progress.update(share); };
   const MadeMorning made = make_morning(how, site, context.store_folder);
   if (context.json) {
-    json out = morning_json(made.morning, made.known.past);
+    json out = morning_json(made.morning, made.known.past.entries, verified_text(made.known.past));
     out["page"] = made.html.string();
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     context.answered = true;

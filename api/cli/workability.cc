@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/history/campaign_answer.h"
 #include "api/history/campaign_file.h"
 #include "api/history/history.h"
 #include "api/history/workability_answer.h"

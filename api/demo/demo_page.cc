@@ -52,7 +52,7 @@ ReportInput demo_page(const DemoResult& result, const Morning& morning,
                       const std::string& generated) {
   ForecastPage page;
   page.forecast = std::make_shared<const Snapshot>(result.last);
-  page.summary_json = result.last_summary_json;
+  page.making = result.last_making;
   page.skill = result.skill;
   page.skill_note = "Root mean square vector error over " + std::to_string(result.days.size()) +
                     " consecutive daily forecasts, all levels, against the analysed product; days "

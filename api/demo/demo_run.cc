@@ -126,7 +126,7 @@ DemoResult run_demo(const DemoOptions& options,
   settings.days = history_days + options.days + 4;
   const auto total = static_cast<double>(history_days + options.days + 1);
   say(0, "making an ocean");
-  DemoResult result{SyntheticOcean(settings), {}, {}, {}, {}, {}};
+  DemoResult result{SyntheticOcean(settings), {}, {}, {}, {}, {}, {}};
   const SyntheticOcean& ocean = result.ocean;
   const std::filesystem::path files = options.folder / "products";
   std::filesystem::create_directories(files);
@@ -151,10 +151,10 @@ DemoResult run_demo(const DemoOptions& options,
     const SiteData data = load_site_data(
         store, result.site, UtcTime(day) - calibration::history_wanted, UtcTime(day) + days(4));
     const DailyJob job = daily_job(data, options_of_day);
-    static_cast<void>(publish(store, job, ForecastOrigin::forecast));
+    result.last_sha256 = publish(store, job, ForecastOrigin::forecast).content_sha256;
     result.days.push_back(score_against_truth(ocean, data, job.forecast));
     result.last = job.forecast.snapshot;
-    result.last_summary_json = job.summary_json;
+    result.last_making = calibration::making_of(job.forecast);
   }
   say(1, "verifying");
   result.skill = verify(store, result.site, {}).entries;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/synthetic/synthetic_ocean.h"
+#include "calibration/day/forecast_making.h"
 #include "calibration/verify/skill_entry.h"
 #include "fields/service/snapshot.h"
 #include "fields/site/site.h"
@@ -44,7 +45,8 @@ struct DemoResult {
   std::vector<DemoDay> days;
   std::vector<calibration::SkillEntry> skill;  ///< `verify` against the analysed products
   Snapshot last;                               ///< the newest forecast
-  std::string last_summary_json;               ///< its calibration
+  std::string last_sha256;                     ///< of its file in the store
+  calibration::ForecastMaking last_making;     ///< how it was made
 };
 
 /// Writes a synthetic ocean as product files day by day, as they would arrive, ingests them and

@@ -84,16 +84,6 @@ CampaignTaskText read_task(const Config& config, const std::vector<SeriesLimit>&
 
 }  // namespace
 
-std::vector<SeriesLimit> CampaignFile::limits() const {
-  std::vector<SeriesLimit> all;
-  for (const CampaignTaskText& task : tasks) {
-    for (const SeriesLimit& limit : task.limits) {
-      if (std::find(all.begin(), all.end(), limit) == all.end()) all.push_back(limit);
-    }
-  }
-  return all;
-}
-
 CampaignFile load_campaign(const std::filesystem::path& file) {
   const Config config = Config::load(file);
   CampaignFile campaign;

@@ -80,13 +80,14 @@ SeriesLimit parse_series_limit(const std::string& text) {
   std::size_t at = 0;
   for (; at < text.size() && sign == nullptr; ++at) sign = sign_at(text, at);
   if (sign == nullptr) bad(" without <=, <, >= or >");
-  limit.side = sign->side;
+  limit.bound.side = sign->side;
   limit.variable = std::string(trimmed(std::string_view(text).substr(0, at - 1)));
   std::string_view rest = trimmed(std::string_view(text).substr(at - 1 + sign->text.size()));
   if (rest.starts_with('+')) rest.remove_prefix(1);
-  const auto [stop, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), limit.value);
+  const auto [stop, problem] =
+      std::from_chars(rest.data(), rest.data() + rest.size(), limit.bound.value);
   if (limit.variable.empty()) bad(" without a name");
-  if (problem != std::errc{} || !std::isfinite(limit.value)) bad(" without a finite number");
+  if (problem != std::errc{} || !std::isfinite(limit.bound.value)) bad(" without a finite number");
   limit.unit = std::string(trimmed(rest.substr(static_cast<std::size_t>(stop - rest.data()))));
   if (const auto meant = with_decimal_point(rest)) bad("; decimals stand after a point: " + *meant);
   return limit;
@@ -98,14 +99,14 @@ std::vector<std::string> expect_possible(const std::vector<SeriesLimit>& limits,
   std::vector<std::pair<std::string, twin::Bound>> bounds;
   for (const SeriesLimit& limit : limits) {
     const ingest::Quantity* known = vocabulary.by_standard_name(limit.variable);
-    twin::Bound bound{limit.side, limit.value};
+    twin::Bound bound = limit.bound;
     if (known != nullptr) {
       if (!limit.unit.empty())
         bound.value = converted(conversion(limit, limit.unit, known->unit, known->standard_name),
-                                limit.value);
+                                limit.bound.value);
       const Range& range = known->gross;
-      const double easiest = is_upper(limit.side) ? range.low : range.high;
-      const double hardest = is_upper(limit.side) ? range.high : range.low;
+      const double easiest = is_upper(bound.side) ? range.low : range.high;
+      const double hardest = is_upper(bound.side) ? range.high : range.low;
       if (!bound.holds(easiest))
         refuse("limit '" + limit.text + "' can never hold: " + known->standard_name +
                formatted(" lies between {:g} and {:g} {}", range.low, range.high, known->unit));
@@ -141,9 +142,9 @@ twin::Bound bound_on(const SeriesLimit& limit, const HistorySeries& series,
   const ingest::UnitConversion unit =
       conversion(limit, unit_of(limit, series, vocabulary), series.unit,
                  "'" + series.name + "' in " + series.source);
-  double value = converted(unit, limit.value);
+  double value = converted(unit, limit.bound.value);
   if (series.is_single_precision) value = static_cast<float>(value);
-  return {limit.side, value};
+  return {limit.bound.side, value};
 }
 
 }  // namespace slackwater::api

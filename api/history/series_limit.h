@@ -12,9 +12,8 @@ namespace slackwater::api {
 struct SeriesLimit {
   std::string text;      ///< "sea_surface_wave_significant_height<=1.5"
   std::string variable;  ///< a CF standard name, or a column's
-  twin::BoundSide side = twin::BoundSide::at_most;
-  double value = 0;
-  std::string unit;  ///< empty: the canonical one of the variable, else that of the series
+  twin::Bound bound;     ///< in the unit
+  std::string unit;      ///< empty: the canonical one of the variable, else that of the series
   bool operator==(const SeriesLimit&) const = default;
 };
 

@@ -13,7 +13,7 @@ std::string relief_line(const TaskWindows& task, const MorningClock& clock) {
   std::vector<std::string> parts;
   for (const Relief& relief : task.reliefs) {
     if (parts.size() == most) break;
-    const LimitText& limit = task.limits[relief.limit];
+    const TaskLimit& limit = task.limits[relief.limit];
     parts.push_back("\"" + (limit.worker.empty() ? "" : limit.worker + ": ") + limit.text +
                     formatted("\": {:.0f} % at ", 100 * relief.probability) + clock(relief.start));
   }

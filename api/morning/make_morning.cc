@@ -1,6 +1,8 @@
 #include "api/morning/make_morning.h"
 
 #include "api/morning/morning_page.h"
+#include "api/morning/verified_text.h"
+#include "api/pipeline/filed_making.h"
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/daily_forecast.h"
 #include "data/store/store.h"
@@ -23,12 +25,13 @@ std::optional<store::ForecastRow> row_of(store::Store& store, const Morning& mor
 KnownForecast known_of(const Morning& morning, const Site& site,
                        const std::filesystem::path& store_folder) {
   KnownForecast known;
-  known.past.verified = "how forecasts of this site did was not looked up: this one is a file's";
+  known.past.not_verified =
+      "how forecasts of this site did was not looked up: this one is a file's";
   if (!morning.question.windows.forecast.empty()) return known;
   store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
   const auto row = row_of(store, morning);
   if (!row) return known;
-  known.summary_json = row->summary_json;
+  known.making = filed_making(row->summary_json);
   const Snapshot& snapshot = morning.windows.water.surround.field->snapshot();
   const auto failure = attempt([&] {
     const SiteData data =
@@ -37,14 +40,14 @@ KnownForecast known_of(const Morning& morning, const Site& site,
     known.past =
         verify_past(store, site, data, snapshot, snapshot.wind_policy.value_or(WindPolicy::best));
   });
-  if (failure) known.past.verified = "Not verified: " + failure->why;
+  if (failure) known.past.not_verified = "Not verified: " + failure->why;
   return known;
 }
 
 void write(const MadeMorning& made, const Site& site, const std::string& generated) {
   const Field& field = *made.morning.windows.water.surround.field;
-  ForecastPage page = page_of(std::make_shared<const Snapshot>(field.snapshot()), site,
-                              made.known.summary_json, made.known.past, generated);
+  ForecastPage page =
+      page_of(std::make_shared<const Snapshot>(field.snapshot()), site, made.known, generated);
   page.about = day_of(made.morning.windows.from);
   write_report(morning_page(made.morning, page), made.html);
 }
@@ -52,14 +55,13 @@ void write(const MadeMorning& made, const Site& site, const std::string& generat
 }  // namespace
 
 ForecastPage page_of(std::shared_ptr<const Snapshot> forecast, const Site& site,
-                     const std::string& summary_json, const PastSkill& past,
-                     const std::string& generated) {
+                     const KnownForecast& known, const std::string& generated) {
   ForecastPage page;
   page.forecast = std::move(forecast);
-  page.summary_json = summary_json;
+  page.making = known.making;
   page.time_zone = site.time_zone;
-  page.verified = past.verified;
-  page.skill = past.entries;
+  page.verified = verified_text(known.past);
+  page.skill = known.past.entries;
   page.skill_note =
       "Root mean square vector error of the forecasts of the last two weeks whose truth is in, all "
       "levels; lower is better, pairs of days weigh the same. A baseline \"in part\" has fewer "

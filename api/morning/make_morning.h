@@ -5,14 +5,14 @@
 #include <string>
 
 #include "api/morning/morning.h"
-#include "api/morning/past_skill.h"
+#include "api/pipeline/past_skill.h"
 #include "api/report/forecast_page.h"
 
 namespace slackwater::api {
 
 /// What is known of a forecast beside its numbers.
 struct KnownForecast {
-  std::string summary_json;  ///< empty: not of the store
+  std::optional<calibration::ForecastMaking> making;  ///< absent: not of the store
   PastSkill past;
 };
 
@@ -43,8 +43,7 @@ struct MakeMorning {
 
 /// The page of a forecast with how the ones before it did.
 [[nodiscard]] ForecastPage page_of(std::shared_ptr<const Snapshot> forecast, const Site& site,
-                                   const std::string& summary_json, const PastSkill& past,
-                                   const std::string& generated);
+                                   const KnownForecast& known, const std::string& generated);
 
 /// STORE/reports/SITE.
 [[nodiscard]] std::filesystem::path reports_folder(const std::filesystem::path& store_folder,

@@ -1,15 +1,12 @@
 #include "api/morning/morning.h"
 
 #include <algorithm>
-#include <array>
 
-#include "api/morning/morning_clock.h"
 #include "api/morning/plan_windows.h"
 #include "api/plan/make_plan.h"
 #include "api/plan/plan_setup.h"
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
-#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -33,7 +30,9 @@ void plan_anew(Morning& morning, const std::filesystem::path& store_folder) {
     WindowsQuestion question = morning.question.windows;
     question.from = UtcTime(day_of(morning.windows.from));
     question.to = *question.from + std::chrono::days(1);
-    const WindowsFile windows =
+    question.water.reset();
+    if (file.site.id == morning.windows.site_id) question.water = morning.windows.water;
+    const DayChances windows =
         windows_for_plan(file, question, store_folder, morning.windows.tasks);
     MorningPlan made;
     made.problem = problem_of(file, windows, 0);
@@ -81,25 +80,6 @@ std::vector<const TaskWindows*> by_verdict(const Morning& morning) {
     return a->verdict < b->verdict;
   });
   return tasks;
-}
-
-std::string headline_of(const Morning& morning) {
-  std::array<std::size_t, 3> counts{};
-  for (const TaskWindows& task : morning.windows.tasks)
-    ++counts.at(static_cast<std::size_t>(task.verdict));
-  const std::size_t left_out = morning.windows.left_out.size();
-  const std::size_t all = morning.windows.tasks.size() + left_out;
-  const std::string when = " " + MorningClock(morning).span();
-  if (counts[0] == all)
-    return (all == 1 ? std::string("Go for the task") : formatted("Go for all {} tasks", all)) +
-           when + ".";
-  std::string text = counts[0] > 0 ? formatted("Go for {} of {} tasks", counts[0], all) + when
-                                   : formatted("No task is a go of {}", all) + when;
-  std::vector<std::string> others;
-  if (counts[1] > 0) others.push_back(formatted("{} marginal", counts[1]));
-  if (counts[2] > 0) others.push_back(formatted("{} no-go", counts[2]));
-  if (left_out > 0) others.push_back(formatted("{} not worked out", left_out));
-  return text + "; " + joined(others, ", ") + ".";
 }
 
 }  // namespace slackwater::api

@@ -57,7 +57,4 @@ void plan_anew(Morning& morning, const std::filesystem::path& store_folder);
 /// The tasks in the order in which they are told: go, marginal, no-go, each as they were asked for.
 [[nodiscard]] std::vector<const TaskWindows*> by_verdict(const Morning& morning);
 
-/// "Go for 5 of 8 tasks on Tue 11 Mar; 2 marginal, 1 not worked out."
-[[nodiscard]] std::string headline_of(const Morning& morning);
-
 }  // namespace slackwater::api

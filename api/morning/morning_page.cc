@@ -4,9 +4,10 @@
 
 #include "api/morning/gantt_html.h"
 #include "api/morning/morning_clock.h"
+#include "api/morning/morning_text.h"
 #include "api/morning/plan_html.h"
 #include "api/morning/task_words.h"
-#include "api/morning/trust.h"
+#include "api/morning/trust_text.h"
 #include "api/rehearse/risk_report.h"
 #include "api/report/time_text.h"
 #include "api/windows/worth.h"

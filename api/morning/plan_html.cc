@@ -1,6 +1,7 @@
 #include "api/morning/plan_html.h"
 
 #include "api/plan/plan_rules.h"
+#include "api/plan/plan_text.h"
 #include "api/report/html_page.h"
 #include "api/report/time_text.h"
 #include "fields/base/html.h"

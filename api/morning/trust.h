@@ -22,7 +22,4 @@ struct Trust {
 [[nodiscard]] std::vector<calibration::SkillEntry> newest_day_of(
     const std::vector<calibration::SkillEntry>& entries, WindPolicy wind);
 
-/// "current 0.05 m/s, 38 % less than the best naive rival (same-hour)".
-[[nodiscard]] std::string text_of(const Trust& trust);
-
 }  // namespace slackwater::api

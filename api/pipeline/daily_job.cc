@@ -1,5 +1,7 @@
 #include "api/pipeline/daily_job.h"
 
+#include <nlohmann/json.hpp>
+
 #include "api/pipeline/job_summary.h"
 #include "api/program/version.h"
 #include "ingest/cf/forecast_file.h"
@@ -11,7 +13,9 @@ DailyJob daily_job(const SiteData& data, const calibration::ForecastOptions& opt
   calibration::ForecastOptions ours = options;
   ours.code_version = code_version();
   job.forecast = calibration::make_forecast(data, ours);
-  job.summary_json = job_summary(data, ours, job.forecast);
+  job.site = data.site;
+  job.dry_columns = data.dry_columns;
+  job.horizon = options.horizon;
   return job;
 }
 
@@ -36,7 +40,8 @@ std::vector<store::FiledForecast> publish(store::Store& store, std::span<const D
     row.row.origin = origin;
     row.row.degraded = snapshot.degraded;
     row.row.headline = snapshot.headline;
-    row.row.summary_json = job.summary_json;
+    row.row.summary_json =
+        job_summary(job).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     row.row.code_version = code_version();
     row.row.input_granules = job.forecast.input_granules;
     rows.push_back(std::move(row));

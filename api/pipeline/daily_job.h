@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "calibration/day/daily_forecast.h"
@@ -9,17 +8,19 @@
 
 namespace slackwater::api {
 
-/// A forecast made, with what is filed beside it; not yet stored.
+/// A forecast made, with what it was made of and for; not yet stored.
 struct DailyJob {
   calibration::DailyForecast forecast;
-  std::string summary_json;  ///< calibration report, inputs, effective configuration
+  Site site;
+  std::size_t dry_columns = 0;  ///< of the site, that are on land
+  Duration horizon{0};          ///< beyond the end of D, as asked for
 };
 
 /// The daily job without the store: the forecast (calibration/day/daily_forecast.h), made by this
-/// version of the program, and its summary.
+/// version of the program.
 [[nodiscard]] DailyJob daily_job(const SiteData& data, const calibration::ForecastOptions& options);
 
-/// Writes the forecast's file and stores it as issued. A forecast of the same inputs, options,
+/// Writes the forecast's file and stores it as issued, its summary (job_summary.h) beside it. A forecast of the same inputs, options,
 /// site, program and issue time that is stored already keeps its id: nothing is added.
 store::FiledForecast publish(store::Store& store, const DailyJob& job, ForecastOrigin origin);
 /// Several at once, all or none (hindcast).

@@ -11,7 +11,6 @@ namespace {
 
 using calibration::ColumnForecast;
 using calibration::DailyForecast;
-using calibration::ForecastOptions;
 using nlohmann::json;
 
 json inputs_of(const DailyForecast& forecast) {
@@ -165,8 +164,8 @@ json blend_json(const DailyForecast& forecast) {
 
 }  // namespace
 
-std::string job_summary(const SiteData& data, const ForecastOptions& options,
-                        const DailyForecast& forecast) {
+json job_summary(const DailyJob& job) {
+  const DailyForecast& forecast = job.forecast;
   const calibration::ForecastPlan& plan = forecast.plan;
   json columns = json::array();
   for (std::size_t i = 0; i < forecast.columns.size(); ++i) {
@@ -193,26 +192,24 @@ std::string job_summary(const SiteData& data, const ForecastOptions& options,
     }
     columns.push_back(std::move(entry));
   }
-  const json summary = {
-      {"site", data.site.id},
-      {"site_yaml", data.site.yaml},
-      {"day", format_day(plan.day)},
-      {"issued", format_utc(options.issued)},
-      {"wind", std::string(name_of(options.wind))},
-      {"hindsight", forecast.snapshot.hindsight},
-      {"simulated_wind", forecast.snapshot.simulated_wind},
-      {"averaged", json::parse(ingest::averaged_json(forecast.snapshot.averaged))},
-      {"horizon_h", std::chrono::duration<double, std::ratio<3600>>(options.horizon).count()},
-      {"dataset", plan.dataset},
-      {"stands_in_for", plan.stands_in_for},
-      {"inputs", inputs_of(forecast)},
-      {"dry_columns", data.dry_columns},
-      {"columns", columns},
-      {"blend", blend_json(forecast)},
-      {"waves", waves_json(forecast)},
-      {"failed", failures_json(forecast)},
-      {"code_version", options.code_version}};
-  return summary.dump(-1, ' ', false, json::error_handler_t::replace);
+  return {{"site", job.site.id},
+          {"site_yaml", job.site.yaml},
+          {"day", format_day(plan.day)},
+          {"issued", format_utc(plan.issued)},
+          {"wind", std::string(name_of(plan.wind))},
+          {"hindsight", forecast.snapshot.hindsight},
+          {"simulated_wind", forecast.snapshot.simulated_wind},
+          {"averaged", json::parse(ingest::averaged_json(forecast.snapshot.averaged))},
+          {"horizon_h", std::chrono::duration<double, std::ratio<3600>>(job.horizon).count()},
+          {"dataset", plan.dataset},
+          {"stands_in_for", plan.stands_in_for},
+          {"inputs", inputs_of(forecast)},
+          {"dry_columns", job.dry_columns},
+          {"columns", columns},
+          {"blend", blend_json(forecast)},
+          {"waves", waves_json(forecast)},
+          {"failed", failures_json(forecast)},
+          {"code_version", forecast.snapshot.provenance.code_version}};
 }
 
 }  // namespace slackwater::api

@@ -1,14 +1,12 @@
 #pragma once
-#include <string>
+#include <nlohmann/json_fwd.hpp>
 
-#include "calibration/day/daily_forecast.h"
+#include "api/pipeline/daily_job.h"
 
 namespace slackwater::api {
 
-/// The job as JSON, stored beside the forecast: effective configuration, calibration of each column
-/// (parameters, sigma, misfit by depth, termination), notes, inputs.
-[[nodiscard]] std::string job_summary(const SiteData& data,
-                                      const calibration::ForecastOptions& options,
-                                      const calibration::DailyForecast& forecast);
+/// The job as JSON, stored beside the forecast and told with it: effective configuration,
+/// calibration of each column (parameters, sigma, misfit by depth, termination), notes, inputs.
+[[nodiscard]] nlohmann::json job_summary(const DailyJob& job);
 
 }  // namespace slackwater::api

@@ -1,5 +1,4 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -30,12 +29,8 @@ struct VesselWay {
                                                     const std::vector<Assignment>& assignments,
                                                     std::size_t vessel);
 
-/// "6 of 7 jobs planned, worth 11.88 of 17 (priority x probability); no plan is worth more."
-[[nodiscard]] std::string worth_text(const PlanProblem& problem, const Plan& plan);
-
-/// For programs: api/docs/plan.md has the schema.
-[[nodiscard]] nlohmann::json plan_json(const PlanProblem& problem, const PlanAnswer& answer);
-/// For people: what comes of it, then a table by time, the vessels' ways, what is left and why.
-[[nodiscard]] std::string plan_text(const PlanProblem& problem, const PlanAnswer& answer);
+/// Who they are, in the order given.
+[[nodiscard]] std::vector<std::string> names_of(const PlanProblem& problem,
+                                                const std::vector<std::size_t>& vehicles);
 
 }  // namespace slackwater::api

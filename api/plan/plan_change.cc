@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "api/plan/json_place.h"
 #include "api/plan/left_jobs.h"
 #include "api/plan/plan_rules.h"
 #include "fields/base/error.h"
@@ -14,27 +13,6 @@ namespace {
 
 /// Chances that are told as the same are the same.
 constexpr double as_good = 0.005;
-
-template <typename Parse>
-auto read(const JsonPlace& place, Parse parse) {
-  try {
-    return parse(place.text());
-  } catch (const Error& problem) {
-    place.refuse(problem.message());
-  }
-}
-
-EarlierPlan::Job read_job(const JsonPlace& place) {
-  EarlierPlan::Job job;
-  job.id = place.at("job").text();
-  job.start = read(place.at("start"), [](const std::string& text) { return parse_utc(text); });
-  job.probability = place.at("probability").number(0, 1);
-  job.vessel = place.at("vessel").text();
-  job.crew = place.at("crew").text();
-  const JsonPlace vehicles = place.at("vehicles");
-  for (std::size_t k = 0; k < vehicles.size(); ++k) job.vehicles.push_back(vehicles.item(k).text());
-  return job;
-}
 
 template <typename Things>
 std::optional<std::size_t> index_of(const Things& things, const std::string& id) {
@@ -139,25 +117,6 @@ PlanChange change_of(const PlanProblem& problem, const Plan& plan, const Assignm
 }
 
 }  // namespace
-
-EarlierPlan parse_earlier_plan(std::string_view json, std::string name) {
-  const nlohmann::json document = parse_document(json, name);
-  const JsonPlace root(document, name);
-  EarlierPlan plan;
-  plan.name = std::move(name);
-  plan.site = root.at("site").text();
-  plan.day = read(root.at("day"), [](const std::string& text) { return parse_day(text); });
-  const JsonPlace jobs = root.at("jobs");
-  for (std::size_t i = 0; i < jobs.size(); ++i) plan.jobs.push_back(read_job(jobs.item(i)));
-  const JsonPlace left = root.at("left");
-  for (std::size_t i = 0; i < left.size(); ++i)
-    plan.left.push_back({left.item(i).at("job").text(), left.item(i).at("why").text()});
-  return plan;
-}
-
-EarlierPlan load_earlier_plan(const std::filesystem::path& file) {
-  return parse_earlier_plan(document_text(file.string()), file.string());
-}
 
 std::string_view name_of(PlanChange::Kind kind) noexcept {
   switch (kind) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,10 +27,6 @@ struct EarlierPlan {
   std::vector<Job> jobs;
   std::vector<Left> left;
 };
-
-/// @throws Error(invalid_input) that names the place in the document; Error(not_found)
-[[nodiscard]] EarlierPlan load_earlier_plan(const std::filesystem::path& file);
-[[nodiscard]] EarlierPlan parse_earlier_plan(std::string_view json, std::string name);
 
 /// What became of a job since an earlier plan.
 struct PlanChange {

@@ -66,19 +66,19 @@ void add_ways(const PlanFile& plan, const std::vector<GeoPoint>& points, PlanPro
 }
 
 /// What the windows say of a start at a time, see `problem_of`.
-std::optional<WindowsFile::Start> start_at(const std::vector<WindowsFile::Start>& starts,
-                                           UtcTime time) {
+std::optional<DayChances::Start> start_at(const std::vector<DayChances::Start>& starts,
+                                          UtcTime time) {
   const auto after =
       std::lower_bound(starts.begin(), starts.end(), time,
-                       [](const WindowsFile::Start& one, UtcTime at) { return one.time < at; });
+                       [](const DayChances::Start& one, UtcTime at) { return one.time < at; });
   if (after == starts.end()) return std::nullopt;
   if (after->time == time) return *after;
   if (after == starts.begin()) return std::nullopt;
   const auto before = after - 1;
   if (after->time - before->time > widest_gap) return std::nullopt;
-  return WindowsFile::Start{time, std::min(before->probability, after->probability),
-                            std::max(before->duration, after->duration),
-                            std::max(before->energy_wh, after->energy_wh)};
+  return DayChances::Start{time, std::min(before->probability, after->probability),
+                           std::max(before->duration, after->duration),
+                           std::max(before->energy_wh, after->energy_wh)};
 }
 
 /// Why work may not go on at a place from one time to another; empty: it may.
@@ -126,7 +126,7 @@ class Closed {
 };
 
 PlanJob job_of(const PlanFile& plan, const PlanFile::Work& work, std::size_t turbine,
-               const WindowsFile& windows, const PlanProblem& problem) {
+               const DayChances& windows, const PlanProblem& problem) {
   PlanJob job;
   const TurbinePlace& at = plan.site.turbines[turbine];
   job.id = work.task + "@" + at.id;
@@ -135,7 +135,7 @@ PlanJob job_of(const PlanFile& plan, const PlanFile::Work& work, std::size_t tur
   job.priority = work.priority;
   job.vehicles = work.vehicles;
   job.skills = work.skills;
-  const WindowsFile::Task* task = windows.find(work.task, at.id);
+  const DayChances::Task* task = windows.find(work.task, at.id);
   if (task == nullptr)
     refuse(windows.name + ": found no starts of " + work.task + " at " + at.id +
            ", which the plan asks for; make the windows of this task too");
@@ -197,7 +197,7 @@ void expect_possible(const PlanProblem& problem, std::size_t j) {
 
 }  // namespace
 
-PlanProblem problem_of(const PlanFile& plan, const WindowsFile& windows, double least_probability) {
+PlanProblem problem_of(const PlanFile& plan, const DayChances& windows, double least_probability) {
   if (windows.site != plan.site.id)
     refuse(windows.name + ": found windows of " + windows.site + ", expected those of " +
            plan.site.id + ", the plan's site");

@@ -1,7 +1,7 @@
 #pragma once
+#include "api/plan/day_chances.h"
 #include "api/plan/plan_file.h"
 #include "api/plan/plan_problem.h"
-#include "api/plan/windows_file.h"
 
 namespace slackwater::api {
 
@@ -17,7 +17,7 @@ namespace slackwater::api {
 /// @param least_probability  see PlanProblem
 /// @throws Error(invalid_input) for windows of another site or day, without one of the tasks; for
 ///         tasks that are longer than the day, or for which no vessel has all that they take
-[[nodiscard]] PlanProblem problem_of(const PlanFile& plan, const WindowsFile& windows,
+[[nodiscard]] PlanProblem problem_of(const PlanFile& plan, const DayChances& windows,
                                      double least_probability);
 
 }  // namespace slackwater::api

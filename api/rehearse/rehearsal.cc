@@ -9,7 +9,6 @@
 #include "fields/base/parallel.h"
 #include "fields/base/text.h"
 #include "twin/chance/success_interval.h"
-#include "twin/rehearse/by_the_limits.h"
 #include "twin/simulate/step_kernel.h"
 
 namespace slackwater::api {
@@ -77,8 +76,7 @@ Rehearsal rehearse(const twin::Scenario& mission, twin::Surround surround,
   for (const UtcTime start : plan.starts) {
     StartOutcome& outcome = rehearsal.starts.emplace_back();
     outcome.start = start;
-    const twin::LimitsSay say = twin::by_the_limits(mission, surround, start, plan.flights.workers);
-    outcome.by_the_limits = {say.allows, say.binding, say.share};
+    outcome.by_the_limits = twin::by_the_limits(mission, surround, start, plan.flights.workers);
     if (plan.forbidden) outcome.forbidden = plan.forbidden(start);
     if (!outcome.forbidden.empty()) outcome.high = 0;
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "twin/rehearse/by_the_limits.h"
 #include "twin/rehearse/flight.h"
 
 namespace slackwater::api {
@@ -28,21 +29,13 @@ struct StoppedBy {
   std::size_t flights = 0;
 };
 
-/// What is known of a start from the limits and the central forecast alone, as a planner reads
-/// them: nothing is flown.
-struct ByTheLimits {
-  bool allows = true;
-  std::string binding;  ///< the limit that takes up most of what it allows
-  double share = 0;     ///< of it; above 1: exceeded
-};
-
 struct StartOutcome {
   UtcTime start;
   std::vector<twin::Flight> flights;  ///< by member
   std::size_t done = 0;
   double low = 0, high = 1;  ///< of P(success)
   bool is_narrow = false;    ///< it was flown no more because that is narrow enough
-  ByTheLimits by_the_limits;
+  twin::LimitsSay by_the_limits;
   std::string forbidden;              ///< why it was not flown at all; empty: it was
   std::vector<StoppedBy> stopped_by;  ///< most frequent first
 

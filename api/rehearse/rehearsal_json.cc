@@ -107,7 +107,7 @@ json start_json(const StartOutcome& start, const std::vector<twin::Consequence>&
     for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v)
       vehicles.push_back(vehicle_json(start, v));
   for (const twin::Flight& flight : start.flights) flights.push_back(flight_json(flight));
-  const ByTheLimits& limits = start.by_the_limits;
+  const twin::LimitsSay& limits = start.by_the_limits;
   const std::string disagreement = disagreement_of(start);
   return {{"start", format_utc(start.start)},
           {"flights", start.flights.size()},

@@ -150,7 +150,7 @@ std::string starts_html(const Rehearsal& rehearsal) {
       for (const twin::VehicleOutcome& vehicle : flight.vehicles)
         if (vehicle.energy_j > 0) left.push_back(100 * vehicle.least_charge);
     const auto least = quantile_of(left, 0.1);
-    const ByTheLimits& limits = start.by_the_limits;
+    const twin::LimitsSay& limits = start.by_the_limits;
     table.rows.push_back({format_utc(start.start).substr(0, 16),
                           formatted("{} of {}", start.done, start.flights.size()),
                           formatted("{:.0f} to {:.0f} %", 100 * start.low, 100 * start.high),

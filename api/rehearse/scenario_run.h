@@ -40,6 +40,10 @@ struct ScenarioWater {
 [[nodiscard]] ScenarioWater water_of(const twin::Scenario& scenario,
                                      const std::filesystem::path& store_folder,
                                      const std::filesystem::path& scenario_folder);
+/// The water of a forecast that is at hand.
+/// @param sha256  of its file
+[[nodiscard]] ScenarioWater water_of(std::shared_ptr<const Snapshot> forecast,
+                                     const std::string& sha256);
 /// Gives a forecast at least so many members, the central one among them: those beyond what was
 /// issued are drawn from the stored calibration (`with_further_members`); neither its file nor the
 /// store is touched. Nothing for made-up water, whose futures differ in their seed alone.

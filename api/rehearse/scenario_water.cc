@@ -35,15 +35,8 @@ ScenarioWater made_up(const Scenario& scenario) {
 }
 
 ScenarioWater of_file(const std::filesystem::path& file) {
-  ScenarioWater water;
-  auto snapshot = std::make_shared<Snapshot>(ingest::read_forecast(file));
-  water.forecast_sha256 = sha256_of_file(file);
-  water.forecast_name = snapshot->site_id + " " + format_day(snapshot->day) + ", issued " +
-                        format_utc(snapshot->issued);
-  water.members_issued = snapshot->members;
-  water.surround.site = snapshot->columns.front().point;
-  water.surround.field = std::make_shared<Field>(std::move(snapshot));
-  return water;
+  return water_of(std::make_shared<const Snapshot>(ingest::read_forecast(file)),
+                  sha256_of_file(file));
 }
 
 /// Turbines of the site about the scenario's origin, and the curve they share.
@@ -84,6 +77,18 @@ void hold_members(ScenarioWater& water, std::size_t members,
   const store::ForecastRow row = row_of(store, water, members);
   water.surround.field = std::make_shared<Field>(
       std::make_shared<Snapshot>(with_further_members(store, row, members, threads)));
+}
+
+ScenarioWater water_of(std::shared_ptr<const Snapshot> forecast, const std::string& sha256) {
+  ScenarioWater water;
+  water.forecast_sha256 = sha256;
+  water.forecast_name = forecast->site_id + " " + format_day(forecast->day) + ", issued " +
+                        format_utc(forecast->issued);
+  water.members_issued = forecast->members;
+  water.surround.site = forecast->columns.front().point;
+  water.surround.field = std::make_shared<Field>(std::move(forecast));
+  water.surround.data_folder = data_folder();
+  return water;
 }
 
 ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& store_folder,

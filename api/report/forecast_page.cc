@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
@@ -19,7 +18,7 @@
 namespace slackwater::api {
 namespace {
 
-using nlohmann::json;
+using calibration::ForecastMaking;
 using std::chrono::days;
 using std::chrono::hours;
 using std::chrono::minutes;
@@ -241,111 +240,83 @@ std::vector<ReportSkill> skill_of(const std::vector<calibration::SkillEntry>& en
   return rows;
 }
 
-ReportTable calibration_table(const json& calibration) {
+ReportTable calibration_table(const ForecastMaking::Fit& fit) {
   ReportTable table;
   table.title = "Parameters fitted on day D";
   table.columns = {"parameter", "value", "unit", "prior", "note"};
-  for (const auto& p : calibration["parameters"]) {
-    std::string note = p["at_bound"].get<bool>() ? "at its bound" : "";
-    if (p["weakly_determined"].get<bool>())
-      note += note.empty() ? "weakly determined" : ", weakly determined";
+  for (const auto& p : fit.parameters) {
+    std::string note = p.at_bound ? "at its bound" : "";
+    if (p.weakly_determined) note += note.empty() ? "weakly determined" : ", weakly determined";
     table.rows.push_back(
-        {p["name"].get<std::string>(), formatted("{:.4g}", p["value"].get<double>()),
-         p["unit"].get<std::string>(), formatted("{:.4g}", p["prior"].get<double>()), note});
+        {p.name, formatted("{:.4g}", p.value), p.unit, formatted("{:.4g}", p.prior), note});
   }
-  table.note = formatted("Misfit {:.3f} m/s over {} values. ", calibration["rms_m_s"].get<double>(),
-                         calibration["observations"].get<std::int64_t>()) +
-               calibration["termination"].get<std::string>();
+  table.note = formatted("Misfit {:.3f} m/s over {} values. ", fit.rms_m_s, fit.observations) +
+               fit.termination;
   return table;
 }
 
 /// Weights by method, a column for each day of lead.
-ReportTable blend_table(const json& blend) {
+ReportTable blend_table(const ForecastMaking::Mixture& mixture) {
   ReportTable table;
   table.title = "What was mixed";
-  table.columns = {"method", "0-24 h"};
-  std::vector<const json*> shares{&blend["share"]};
-  const json later = blend.value("later", json::array());
-  for (const json& of_day : later) {
-    table.columns.push_back(formatted("{}-{} h", 24 * shares.size(), 24 * (shares.size() + 1)));
-    shares.push_back(&of_day["share"]);
-  }
-  for (std::size_t method = 0; method < shares.front()->size(); ++method) {
-    std::vector<std::string> row{(*shares.front())[method]["method"].get<std::string>()};
+  table.columns = {"method"};
+  for (std::size_t day = 0; day < mixture.by_day.size(); ++day)
+    table.columns.push_back(formatted("{}-{} h", 24 * day, 24 * (day + 1)));
+  for (std::size_t method = 0; method < mixture.by_day.front().size(); ++method) {
+    std::vector<std::string> row{mixture.by_day.front()[method].method};
     bool counts = false;
-    for (const json* share : shares) {
-      const double weight = (*share)[method]["weight"].get<double>();
+    for (const auto& shares : mixture.by_day) {
+      const double weight = shares[method].weight;
       counts = counts || weight > 0;
       row.push_back(weight > 0 ? formatted("{:.0f} %", 100 * weight) : "");
     }
     if (counts) table.rows.push_back(std::move(row));
   }
-  table.note = blend["provenance"].get<std::string>() +
-               formatted(" Spread times {:.2f}. ", blend["spread_scale"].get<double>()) +
-               blend["spread_provenance"].get<std::string>();
-  const auto simulated = blend.value("simulated_days", std::int64_t{0});
-  if (simulated > 0) {
+  table.note = mixture.provenance + formatted(" Spread times {:.2f}. ", mixture.spread_scale) +
+               mixture.spread_provenance;
+  if (mixture.simulated_days > 0) {
     table.note += formatted(
         " {} of the rehearsed days had no run of the wind stored from then: simulated by the later "
         "analysis with a forecast's error.",
-        simulated);
+        mixture.simulated_days);
   }
   return table;
 }
 
-/// Whose values it was made from, from the sources of the summary.
-ReportTable sources_table(const json& sources) {
-  ReportTable table{.title = "Whose values count",
-                    .note = "",
-                    .columns = {"quantity, product and run, from, to, why"},
-                    .rows = {},
-                    .highlighted_row = {}};
-  for (const auto& use : sources) table.rows.push_back({use["text"].get<std::string>()});
-  return table;
+/// A table of one column; none where it has no rows.
+void fold_lines(const std::string& title, const std::string& column,
+                const std::vector<std::string>& lines, ReportInput& page) {
+  if (lines.empty()) return;
+  ReportTable table;
+  table.title = title;
+  table.columns = {column};
+  for (const std::string& line : lines) table.rows.push_back({line});
+  page.folded.push_back(std::move(table));
 }
 
-/// The calibration, from the summary filed beside the forecast.
-void fold_calibration(const std::string& summary_json, ReportInput& page) {
-  const auto summary = json::parse(summary_json, nullptr, false);
-  if (summary.is_discarded() || !summary.contains("columns") || summary["columns"].empty()) return;
+void fold_making(const ForecastMaking& making, ReportInput& page) {
   page.folded_title = "How it was made: calibration, mixture, notes";
-  const auto& column = summary["columns"][0];
-  const auto calibration = column.value("calibration", json());
-  if (calibration.is_object()) {
-    page.folded.push_back(calibration_table(calibration));
+  if (making.fit) {
+    page.folded.push_back(calibration_table(*making.fit));
   } else {
-    page.folded.push_back({.title = "Not calibrated",
-                           .note = column.value("calibration_problem", ""),
-                           .columns = {},
-                           .rows = {},
-                           .highlighted_row = {}});
+    ReportTable table;
+    table.title = "Not calibrated";
+    table.note = making.no_fit;
+    page.folded.push_back(std::move(table));
   }
-  const auto blend = summary.value("blend", json());
-  if (blend.is_object()) page.folded.push_back(blend_table(blend));
-  ReportTable sources = sources_table(column.value("sources", json::array()));
-  if (!sources.rows.empty()) page.folded.push_back(std::move(sources));
-  ReportTable notes{
-      .title = "Notes", .note = "", .columns = {"note"}, .rows = {}, .highlighted_row = {}};
-  for (const auto& note : column.value("notes", json::array()))
-    notes.rows.push_back({note.get<std::string>()});
-  if (!notes.rows.empty()) page.folded.push_back(std::move(notes));
+  if (making.mixture) page.folded.push_back(blend_table(*making.mixture));
+  fold_lines("Whose values count", "quantity, product and run, from, to, why", making.sources,
+             page);
+  fold_lines("Notes", "note", making.notes, page);
 }
 
-/// From the same summary: the highest computed wave, and what half and twice the fetch make of it.
-FetchDoubt fetch_doubt_of(const std::string& summary_json) {
-  const auto summary = json::parse(summary_json, nullptr, false);
-  const auto waves = summary.is_object() ? summary.value("waves", json()) : json();
-  const auto computed = waves.is_object() ? waves.value("computed", json()) : json();
-  if (!computed.is_object()) return {};
-  const auto number = [&](const char* key) {
-    const auto value = computed.value(key, json());
-    return value.is_number() ? value.get<double>() : nan;
-  };
-  const double highest_m = number("highest_m");
-  const double half = number("highest_half_fetch_m") / highest_m;
-  const double twice = number("highest_twice_fetch_m") / highest_m;
-  if (!(highest_m > 0) || std::isnan(half) || std::isnan(twice)) return {};
-  return {std::min(half, 1.0), std::max(twice, 1.0)};
+/// From the highest computed wave, and what half and twice the fetch make of it.
+FetchDoubt fetch_doubt_of(const std::optional<ForecastMaking>& making) {
+  if (!making || !making->highest_wave) return {};
+  const ForecastMaking::HighestWave& wave = *making->highest_wave;
+  if (!(wave.as_assumed_m > 0)) return {};
+  return {std::min(wave.half_fetch_m / wave.as_assumed_m, 1.0),
+          std::max(wave.twice_fetch_m / wave.as_assumed_m, 1.0)};
 }
 
 std::string wind_policy_text(WindPolicy wind) {
@@ -408,7 +379,7 @@ ReportInput forecast_page(const ForecastPage& what) {
     page.answer_title = "The answer " + when;
     page.answer.emplace_back("Current", "not in this forecast: see the sentence above");
   }
-  const SurfaceSeries surface = surface_series(s, what.truth, fetch_doubt_of(what.summary_json));
+  const SurfaceSeries surface = surface_series(s, what.truth, fetch_doubt_of(what.making));
   page.series_time = s.time;
   page.series = surface.panels;
   page.series_note = surface.note;
@@ -419,7 +390,7 @@ ReportInput forecast_page(const ForecastPage& what) {
   page.tables.push_back(numbers_table(page, surface, clock));
   page.skill = skill_of(what.skill, s.wind_policy.value_or(WindPolicy::best));
   page.skill_note = what.skill_note;
-  fold_calibration(what.summary_json, page);
+  if (what.making) fold_making(*what.making, page);
   page.attributions = s.attributions;
   page.generated = what.generated;
   return page;

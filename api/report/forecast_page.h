@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/report/report.h"
+#include "calibration/day/forecast_making.h"
 #include "calibration/verify/skill_entry.h"
 #include "fields/base/local_time.h"
 #include "fields/service/snapshot.h"
@@ -23,7 +24,7 @@ struct ForecastTruth {
 /// What the page of a forecast is made from.
 struct ForecastPage {
   std::shared_ptr<const Snapshot> forecast;
-  std::string summary_json;  ///< as filed beside the forecast: its calibration and blend
+  std::optional<calibration::ForecastMaking> making;  ///< absent: nobody knows
   std::optional<double>
       depth_m;  ///< shown first; else 10 m, or half of a water less deep than 20 m
   double slack_below_m_s = 0.5;

@@ -93,7 +93,10 @@ json set_json(const calibration::SkillSet& set) {
   return j;
 }
 
-json entry_json(const calibration::SkillEntry& e) {
+/// Of one of the entries, with the set that it is of.
+json entry_json(const std::vector<calibration::SkillEntry>& entries,
+                const calibration::SkillSets& sets, std::size_t i) {
+  const calibration::SkillEntry& e = entries[i];
   json j = {{"variable", e.variable},
             {"site", e.site},
             {"column", e.column ? json(*e.column) : json(nullptr)},
@@ -118,20 +121,26 @@ json entry_json(const calibration::SkillEntry& e) {
     add_vector(j, e.vector);
     j["forecast_rmse_m_s"] = or_null(e.forecast_rmse);
   }
+  j["set"] = set_json(sets.sets[sets.of_entry[i]]);
   return j;
 }
 
 }  // namespace
+
+json skill_list(const std::vector<calibration::SkillEntry>& entries) {
+  const calibration::SkillSets sets = calibration::sets_of(entries);
+  json list = json::array();
+  for (std::size_t i = 0; i < entries.size(); ++i) list.push_back(entry_json(entries, sets, i));
+  return list;
+}
 
 std::string skill_json(const std::vector<calibration::SkillEntry>& entries) {
   const calibration::SkillSets sets = calibration::sets_of(entries);
   // One entry a line: a month of hours is long, and a line is what people search for.
   std::string text = "[";
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    json j = entry_json(entries[i]);
-    j["set"] = set_json(sets.sets[sets.of_entry[i]]);
     text += i == 0 ? "\n" : ",\n";
-    text += j.dump(-1, ' ', false, json::error_handler_t::replace);
+    text += entry_json(entries, sets, i).dump(-1, ' ', false, json::error_handler_t::replace);
   }
   return text + "\n]";
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -6,7 +7,9 @@
 
 namespace slackwater::api {
 
-/// The JSON list that `verify` and `hindcast` share (api/docs/json.md).
+/// The JSON list that `verify`, `hindcast` and `demo` share (api/docs/json.md).
+[[nodiscard]] nlohmann::json skill_list(const std::vector<calibration::SkillEntry>& entries);
+/// The same as text, an entry a line.
 [[nodiscard]] std::string skill_json(const std::vector<calibration::SkillEntry>& entries);
 
 }  // namespace slackwater::api

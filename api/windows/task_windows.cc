@@ -19,22 +19,6 @@
 namespace slackwater::api {
 namespace {
 
-LimitText text_of_limit(const std::string& worker, const twin::Limit& limit) {
-  LimitText text;
-  text.worker = worker;
-  text.text = twin::text_of(limit);
-  for (std::size_t p = 0; p < twin::phase_count; ++p)
-    if (const auto phase = static_cast<twin::Phase>(p); limit.phases.has(phase))
-      text.phases.emplace_back(twin::name_of(phase));
-  const twin::LimitWord& word = twin::word_of(limit.variable);
-  text.bound = limit.bound;
-  text.unit = word.unit;
-  text.variable = word.key;
-  text.source = limit.source;
-  text.status = limit.status;
-  return text;
-}
-
 bool is_unknown(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
 }
@@ -77,7 +61,7 @@ void watch_limits(const WindowsQuestion& question, const SharedOutlook& shared, 
     if (!agent.conduct) continue;
     const std::size_t before = out.limits.size();
     for (const twin::Limit& limit : agent.conduct->plan.limits) {
-      out.limits.push_back(text_of_limit(agent.name, limit));
+      out.limits.push_back({agent.name, twin::text_of(limit), limit});
       if (twin::only_a_run_shows(limit.variable))
         not_checked.insert(agent.name + ": " + twin::text_of(limit) + " (only a run shows it)");
     }
@@ -127,9 +111,7 @@ void add_gate(const std::string& text, const twin::StepRanges& open, Outlook& ou
   // The values move with the vector that holds them, their place does not.
   watched.members.emplace_back(outlook.gates.back());
   outlook.question.watched.push_back(std::move(watched));
-  LimitText limit;
-  limit.text = text;
-  out.limits.push_back(std::move(limit));
+  out.limits.push_back({{}, text, {}});
 }
 
 /// Polar days and nights are told.
@@ -164,9 +146,7 @@ void add_gates(const WindowsQuestion& question, const SharedOutlook& shared, con
 void add_too_little_time(const SharedOutlook& shared, Outlook& outlook, TaskWindows& out) {
   if (!outlook.question.split) return;
   outlook.question.split->limit = out.limits.size();
-  LimitText limit;
-  limit.text = "hours enough for the work by " + format_utc(shared.to);
-  out.limits.push_back(std::move(limit));
+  out.limits.push_back({{}, "hours enough for the work by " + format_utc(shared.to), {}});
 }
 
 /// The chances in order, zones laid over them.

@@ -17,8 +17,8 @@ namespace {
 using std::chrono::days;
 
 /// The forecast in force, a day's, or that of a file.
-ScenarioWater water_of_question(const WindowsQuestion& question, const Site& site,
-                                const std::filesystem::path& store_folder) {
+ScenarioWater forecast_water(const WindowsQuestion& question,
+                             const std::filesystem::path& store_folder) {
   twin::Scenario scenario;
   twin::ForecastWater wanted;
   if (question.forecast.empty())
@@ -27,7 +27,13 @@ ScenarioWater water_of_question(const WindowsQuestion& question, const Site& sit
     wanted.file = std::filesystem::absolute(question.forecast).string();
   wanted.day = question.day;
   scenario.water = wanted;
-  ScenarioWater water = water_of(scenario, store_folder, std::filesystem::current_path());
+  return water_of(scenario, store_folder, std::filesystem::current_path());
+}
+
+/// With the members that are asked for.
+ScenarioWater water_of_question(const WindowsQuestion& question, const Site& site,
+                                const std::filesystem::path& store_folder) {
+  ScenarioWater water = question.water ? *question.water : forecast_water(question, store_folder);
   water.surround.site = site.point;
   if (question.members > 0) hold_members(water, question.members, store_folder, question.threads);
   return water;

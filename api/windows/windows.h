@@ -20,9 +20,11 @@ namespace slackwater::api {
 
 /// Which windows are asked for.
 struct WindowsQuestion {
-  std::string site;                   ///< id, or the path of its file
-  std::optional<UtcDay> day;          ///< day D of the forecast; absent: the one in force
-  std::filesystem::path forecast;     ///< a forecast's file instead; empty: of the store
+  std::string site;                ///< id, or the path of its file
+  std::optional<UtcDay> day;       ///< day D of the forecast; absent: the one in force
+  std::filesystem::path forecast;  ///< a forecast's file instead; empty: of the store
+  /// The water of that forecast where it is at hand; else it is read.
+  std::optional<ScenarioWater> water;
   std::vector<std::string> tasks;     ///< empty: those of the site
   std::vector<std::string> turbines;  ///< empty: the first that the task can be done at
   std::optional<UtcTime> from;        ///< of the starts; absent: the first full UTC day
@@ -54,16 +56,11 @@ struct TwinChance {
   std::vector<twin::RiskEntry> risks;
 };
 
-/// One limit of a task, in words.
-struct LimitText {
+/// One limit of a task.
+struct TaskLimit {
   std::string worker;  ///< empty: of the task as a whole
   std::string text;
-  std::vector<std::string> phases;
-  std::optional<double> bound;
-  std::string unit;
-  std::string variable;
-  std::string source;
-  std::string status;
+  std::optional<twin::Limit> limit;  ///< absent: hours that are open, or enough of them
 };
 
 struct TaskStart {
@@ -107,7 +104,7 @@ struct TaskWindows {
   double contingency_s = 0;  ///< beyond it
   bool is_split = false;     ///< over several visits, each of this and more
   double least_visit_s = 0;
-  std::vector<LimitText> limits;
+  std::vector<TaskLimit> limits;
   std::vector<std::string> not_checked;
   std::vector<std::string> assumed;
   std::vector<std::string> notes;

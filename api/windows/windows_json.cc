@@ -3,6 +3,7 @@
 
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/risk_report.h"
+#include "api/windows/as_told.h"
 #include "api/windows/windows_answer.h"
 
 namespace slackwater::api {
@@ -13,24 +14,35 @@ using nlohmann::json;
 /// Numbers that are none are null.
 json number(double value) {
   if (!std::isfinite(value)) return nullptr;
-  return std::round(value * 1e6) / 1e6;
+  return as_told(value);
 }
 
-json limit_json(const LimitText& limit) {
-  return {{"worker", limit.worker.empty() ? json(nullptr) : json(limit.worker)},
-          {"limit", limit.text},
-          {"variable", limit.variable.empty() ? json(nullptr) : json(limit.variable)},
-          {"bound", limit.bound ? number(*limit.bound) : json(nullptr)},
-          {"unit", limit.unit},
-          {"phases", limit.phases},
-          {"source", limit.source},
-          {"status", limit.status}};
+json limit_json(const TaskLimit& of) {
+  json out{{"worker", of.worker.empty() ? json(nullptr) : json(of.worker)},
+           {"limit", of.text},
+           {"variable", nullptr},
+           {"bound", nullptr},
+           {"unit", ""},
+           {"phases", json::array()},
+           {"source", ""},
+           {"status", ""}};
+  if (!of.limit) return out;
+  const twin::LimitWord& word = twin::word_of(of.limit->variable);
+  out["variable"] = word.key;
+  out["bound"] = number(of.limit->bound);
+  out["unit"] = word.unit;
+  for (std::size_t p = 0; p < twin::phase_count; ++p)
+    if (const auto phase = static_cast<twin::Phase>(p); of.limit->phases.has(phase))
+      out["phases"].push_back(twin::name_of(phase));
+  out["source"] = of.limit->source;
+  out["status"] = of.limit->status;
+  return out;
 }
 
 json binding_json(const TaskWindows& task, const TaskStart& start) {
   if (!start.chance.binding) return nullptr;
   const twin::BindingLimit& binding = *start.chance.binding;
-  const LimitText& limit = task.limits[binding.limit];
+  const TaskLimit& limit = task.limits[binding.limit];
   return {{"index", binding.limit},
           {"worker", limit.worker.empty() ? json(nullptr) : json(limit.worker)},
           {"limit", limit.text},
@@ -98,7 +110,7 @@ json phases_json(const TaskWindows& task) {
 
 json task_json(const TaskWindows& task, std::size_t members) {
   json limits = json::array();
-  for (const LimitText& limit : task.limits) limits.push_back(limit_json(limit));
+  for (const TaskLimit& limit : task.limits) limits.push_back(limit_json(limit));
   json starts = json::array();
   for (const TaskStart& start : task.starts) starts.push_back(start_json(task, start, members));
   json out{{"task", task.id},

@@ -35,7 +35,7 @@ class PeoplesClock {
   bool has_date_;
 };
 
-std::string owner_and(const LimitText& limit) {
+std::string owner_and(const TaskLimit& limit) {
   return limit.worker.empty() ? limit.text : limit.worker + ": " + limit.text;
 }
 

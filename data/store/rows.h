@@ -110,6 +110,7 @@ struct NewForecast {
 struct FiledForecast {
   std::int64_t id = 0;
   bool is_new = true;  ///< false: it was issued before, to the byte
+  std::string content_sha256;
 };
 
 /// Which forecasts are wanted; what is not set does not restrict.

@@ -180,9 +180,9 @@ std::vector<FiledForecast> Store::commit_forecasts(std::span<const NewForecast> 
   for (std::size_t i = 0; i < forecasts.size(); ++i) {
     const ForecastRow& row = forecasts[i].row;
     if (const auto known = same_forecast(state_->database, row, sealed[i].sha256)) {
-      filed.push_back({*known, false});
+      filed.push_back({*known, false, sealed[i].sha256});
     } else {
-      filed.push_back({insert_forecast(state_->database, row, sealed[i]), true});
+      filed.push_back({insert_forecast(state_->database, row, sealed[i]), true, sealed[i].sha256});
     }
   }
   adoption.keep();

@@ -14,6 +14,8 @@ inline constexpr double wind_member_step_m_s = 1.0 / 1024;
 /// A member's velocity as the file holds it: each component a float, rounded to a multiple of a
 /// step.
 [[nodiscard]] Horizontal as_filed(Horizontal member_m_s, double step_m_s) noexcept;
+/// A forecast as `read_forecast` would read it back: its members rounded so.
+[[nodiscard]] Snapshot as_filed(Snapshot forecast);
 
 /// Writes an issued forecast as one CF-1.8 NetCDF-4 file, fsynced.
 ///

@@ -34,6 +34,14 @@ Horizontal as_filed(Horizontal member_m_s, double step_m_s) noexcept {
           static_cast<double>(rounded(member_m_s.imag(), step_m_s))};
 }
 
+Snapshot as_filed(Snapshot forecast) {
+  for (ForecastColumn& column : forecast.columns) {
+    for (Horizontal& u : column.member_m_s) u = as_filed(u, member_step_m_s);
+    for (Horizontal& u : column.wind_member_m_s) u = as_filed(u, wind_member_step_m_s);
+  }
+  return forecast;
+}
+
 bool MemberWriter::has(const MemberVariable& variable) const {
   return variable.levels(s_) > 0 &&
          std::any_of(s_.columns.begin(), s_.columns.end(),

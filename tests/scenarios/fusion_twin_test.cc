@@ -11,6 +11,7 @@
 
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/hindcast.h"
+#include "api/pipeline/job_summary.h"
 #include "api/pipeline/load_site_data.h"
 #include "fields/base/random.h"
 #include "tests/scenarios/real_pairs.h"
@@ -172,8 +173,8 @@ Issued issue(std::uint64_t seed, const std::vector<Profiler>& profilers,
   options.horizon = std::chrono::hours(24);
   Issued issued;
   api::DailyJob job = api::daily_job(data, options);
+  issued.summary_json = api::job_summary(job).dump();
   issued.forecast = std::move(job.forecast);
-  issued.summary_json = std::move(job.summary_json);
   const Snapshot& snapshot = issued.forecast.snapshot;
   double squares = 0;
   int count = 0;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "api/demo/demo_run.h"
+#include "data/store/store.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
@@ -34,7 +35,8 @@ TemporaryFolder* SyntheticTwin::folder_ = nullptr;
 api::DemoResult* SyntheticTwin::result_ = nullptr;
 
 TEST_F(SyntheticTwin, CalibrationFindsTheMixingThatTheOceanWasMadeWith) {
-  const auto summary = nlohmann::json::parse(result_->last_summary_json);
+  store::Store store = store::Store::open(*folder_ / "store", store::OpenMode::read_only);
+  const auto summary = nlohmann::json::parse(store.list_forecasts().back().summary_json);
   const auto& calibration = summary["columns"][0]["calibration"];
   ASSERT_FALSE(calibration.is_null());
   EXPECT_EQ(calibration["form"], "finite_depth");

@@ -9,6 +9,7 @@
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/further_members.h"
 #include "api/pipeline/ingest_files.h"
+#include "api/pipeline/job_summary.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/synthetic/product_files.h"
 #include "calibration/day/daily_forecast.h"
@@ -109,7 +110,7 @@ TEST(WindEnsemble, ItsNumbersStandInTheIssuedFileBesideTheWindsTheyName) {
     }
   }
 
-  const auto summary = nlohmann::json::parse(job.summary_json);
+  const auto summary = job_summary(job);
   const auto& winds = summary["columns"][0]["wind_members"];
   EXPECT_EQ(winds["product"], "NWP_ecmf");
   EXPECT_EQ(winds["reference_time"], format_utc(end));

@@ -21,7 +21,7 @@ namespace {
 
 using constants::degree;
 
-std::vector<Structure> structures_of(const WorkSite& site) {
+std::vector<Structure> obstacles_of(const WorkSite& site) {
   std::vector<Structure> all;
   for (const WorkTurbine& t : site.turbines)
     all.push_back(Cylinder{t.north_m, t.east_m, t.radius_m, std::min(t.hub_m, t.top_m), t.foot_m});
@@ -44,7 +44,7 @@ class AgentLayout {
         parts_(parts),
         turbines_(turbines),
         stands_m_(stands_m),
-        structures_(structures_of(parts.site)) {}
+        structures_(obstacles_of(parts.site)) {}
 
   ScenarioVehicle lay_out(const std::string& name, const std::vector<Assumption>& assumed,
                           bool by_sensors) {

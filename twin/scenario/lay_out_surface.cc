@@ -18,7 +18,7 @@ namespace slackwater::twin {
 namespace {
 
 /// depth_m or height_m.
-void put_level(double z_m, YamlValue& value) {
+void put_z(double z_m, YamlValue& value) {
   if (z_m < 0)
     value.put("height_m", to_micrometre(-z_m));
   else
@@ -27,14 +27,14 @@ void put_level(double z_m, YamlValue& value) {
 
 YamlValue level_of(double z_m) {
   YamlValue value;
-  put_level(z_m, value);
+  put_z(z_m, value);
   return value;
 }
 
 YamlValue place_of(const Triple<double>& at_m) {
   YamlValue value;
   value.put("north_m", to_micrometre(at_m.x)).put("east_m", to_micrometre(at_m.y));
-  put_level(at_m.z, value);
+  put_z(at_m.z, value);
   return value;
 }
 

@@ -4,9 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "api/pipeline/daily_job.h"
+#include "api/pipeline/filed_making.h"
 #include "api/pipeline/hindcast.h"
 #include "api/pipeline/ingest_files.h"
+#include "api/pipeline/issue_forecast.h"
+#include "api/pipeline/job_summary.h"
 #include "api/pipeline/load_site_data.h"
+#include "api/pipeline/snapshot_difference.h"
 #include "api/pipeline/verify.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
@@ -74,6 +78,48 @@ class FiveDays : public ::testing::Test {
   int files_ = 0;
 };
 
+TEST_F(FiveDays, WhatIsFiledOfTheMakingIsWhatTheForecastKnowsOfIt) {
+  const DailyJob job = job_of(first_day + days(2));
+  const calibration::ForecastMaking making = calibration::making_of(job.forecast);
+  ASSERT_TRUE(making.fit);
+  ASSERT_TRUE(making.mixture);
+  EXPECT_GT(making.mixture->by_day.size(), 1U) << "later days of lead have shares of their own";
+  EXPECT_TRUE(making.highest_wave) << "the fetch is assumed";
+  EXPECT_FALSE(making.sources.empty());
+  EXPECT_EQ(filed_making(job_summary(job).dump()), making);
+  EXPECT_FALSE(filed_making("{}"));
+  EXPECT_FALSE(filed_making("not JSON"));
+}
+
+TEST_F(FiveDays, WhatIsPassedOnIsTheForecastThatWasFiled) {
+  calibration::ForecastOptions options;
+  options.day = first_day + days(3);
+  options.issued = UtcTime(first_day) + days(4) + hours(5);
+  const Issue issue = issue_forecast(store_, site_, options);
+  EXPECT_TRUE(issue.filed.is_new);
+  EXPECT_EQ(issue.origin, ForecastOrigin::forecast);
+  const Snapshot read = ingest::read_forecast(store_.content_path(issue.filed.content_sha256));
+  const Snapshot passed_on = ingest::as_filed(issue.job.forecast.snapshot);
+  EXPECT_EQ(difference_of(read, passed_on), "");
+  EXPECT_EQ(read.columns[0].member_m_s, passed_on.columns[0].member_m_s);
+  EXPECT_EQ(read.columns[0].wind_member_m_s, passed_on.columns[0].wind_member_m_s);
+  EXPECT_NE(read.columns[0].member_m_s, issue.job.forecast.snapshot.columns[0].member_m_s)
+      << "the file rounds members";
+  const Issue again = issue_forecast(store_, site_, options);
+  EXPECT_FALSE(again.filed.is_new);
+  EXPECT_EQ(again.filed.content_sha256, issue.filed.content_sha256);
+}
+
+TEST_F(FiveDays, AForecastThatIsRefusedAtALookIsNotFiled) {
+  calibration::ForecastOptions options;
+  options.issued = UtcTime(first_day) + days(4) + hours(5);
+  EXPECT_THROW(static_cast<void>(issue_forecast(
+                   store_, site_, options,
+                   [](const Snapshot&) { throw Error(ErrorKind::usage, "not so deep"); })),
+               Error);
+  EXPECT_TRUE(store_.list_forecasts().empty());
+}
+
 TEST_F(FiveDays, APartThatFailsIsInTheStoredHeadlineAndInTheSummary) {
   calibration::DayParts parts;
   parts.of_column.tide = [](auto&&...) -> calibration::FittedTide {
@@ -87,7 +133,7 @@ TEST_F(FiveDays, APartThatFailsIsInTheStoredHeadlineAndInTheSummary) {
   EXPECT_EQ(rows[0].id, id);
   EXPECT_TRUE(rows[0].degraded);
   EXPECT_TRUE(contains(rows[0].headline, "he tide failed")) << rows[0].headline;
-  const json summary = json::parse(job.summary_json);
+  const json summary = job_summary(job);
   ASSERT_EQ(summary.at("failed").size(), 1u);
   EXPECT_EQ(summary["failed"][0]["part"], "tide");
   EXPECT_EQ(summary["failed"][0]["column"], 0);
@@ -99,7 +145,7 @@ TEST_F(FiveDays, APartThatFailsIsInTheStoredHeadlineAndInTheSummary) {
 }
 
 TEST_F(FiveDays, WavesOfTheWindAreSaidToBeThatInTheSummary) {
-  const json waves = json::parse(job_of(first_day + days(2)).summary_json).at("waves");
+  const json waves = job_summary(job_of(first_day + days(2))).at("waves");
   EXPECT_EQ(waves.at("source"), "computed from the wind");
   const json& computed = waves.at("computed");
   EXPECT_EQ(computed.at("of_wind_alone"), true);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/morning/past_skill.h"
+#include "api/morning/verified_text.h"
 #include "api/pipeline/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
@@ -124,15 +124,15 @@ TEST_F(KnownErrors, TheForecastThatWasIssuedIsScoredWhateverWasRunLater) {
   ASSERT_TRUE(shown.verdict);
   EXPECT_EQ(shown.verdict->forecast.score.pairs, 2U);
   EXPECT_NEAR(shown.verdict->forecast.score.rmse, std::hypot(0.20, 0.25) / std::sqrt(2), 1e-4);
-  EXPECT_NE(shown.verified.find("2 pairs of days (few: no interval)"), std::string::npos)
-      << shown.verified;
+  EXPECT_NE(verified_text(shown).find("2 pairs of days (few: no interval)"), std::string::npos)
+      << verified_text(shown);
 }
 
 TEST_F(KnownErrors, AHindcastIsNoPastForecast) {
   for (const int i : {4, 5, 6}) file(i, 0.1, UtcTime(day(i + 1)), ForecastOrigin::hindcast);
   const PastSkill none = past(8);
   EXPECT_FALSE(none.verdict);
-  EXPECT_NE(none.verified.find("Not verified yet"), std::string::npos) << none.verified;
+  EXPECT_NE(verified_text(none).find("Not verified yet"), std::string::npos) << verified_text(none);
   const auto rows = ours(scored());
   ASSERT_EQ(rows.size(), 3U) << "verify scores it, as what it is";
   for (const SkillEntry& e : rows) EXPECT_EQ(e.origin, ForecastOrigin::hindcast);

@@ -5,8 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/plan/earlier_plan_file.h"
 #include "api/plan/make_plan.h"
-#include "api/plan/plan_answer.h"
+#include "api/plan/plan_json.h"
 #include "fields/base/error.h"
 #include "tests/api/plan/plan_days.h"
 

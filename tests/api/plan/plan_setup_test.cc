@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "api/plan/windows_file.h"
 #include "fields/base/error.h"
 #include "tests/support/store_for_tests.h"
 

@@ -15,6 +15,7 @@
 namespace slackwater::api {
 namespace {
 
+using calibration::ForecastMaking;
 using nlohmann::json;
 using tests::contains;
 
@@ -65,16 +66,15 @@ TEST(ForecastPage, WindWithoutAnEnsembleHasNoBandAndSaysSo) {
 
 TEST(ForecastPage, WavesComputedFromTheWindSaySoAndTakeInTheDoubtAboutTheirFetch) {
   Snapshot s = made_up();  // its waves are modelled
-  const std::string over_a_fetch =
-      R"({"waves": {"computed": {"highest_m": 2.0, "highest_half_fetch_m": 1.6,
-          "highest_twice_fetch_m": 2.3}}})";
-  const auto with_summary = [&](const std::string& summary) {
+  ForecastMaking over_a_fetch;
+  over_a_fetch.highest_wave = {2.0, 1.6, 2.3};
+  const auto made = [&](const ForecastMaking& making) {
     ForecastPage page = page_of(s);
-    page.summary_json = summary;
+    page.making = making;
     return forecast_page(page);
   };
-  const ReportInput given = with_summary("{}");
-  const ReportInput assumed = with_summary(over_a_fetch);
+  const ReportInput given = made({});
+  const ReportInput assumed = made(over_a_fetch);
   EXPECT_TRUE(contains(given.series_note, "computed from the wind"));
   EXPECT_FALSE(contains(given.series_note, "assumed"));
   EXPECT_TRUE(contains(assumed.series_note, "the band takes in half and twice of it"));
@@ -89,7 +89,7 @@ TEST(ForecastPage, WavesComputedFromTheWindSaySoAndTakeInTheDoubtAboutTheirFetch
     EXPECT_NEAR(wide.low[t], std::max(0.0, height_m - down), 1e-12);
   }
   for (DataStatus& source : s.columns.front().sea_source) source = DataStatus::forecast;
-  const ReportInput product = with_summary(over_a_fetch);
+  const ReportInput product = made(over_a_fetch);
   EXPECT_FALSE(contains(product.series_note, "computed from the wind"));
   EXPECT_EQ(product.series[1].lines.front().high, narrow.high) << "a product's own waves";
 }
@@ -196,19 +196,17 @@ TEST(ForecastPage, WithoutCurrentsWindOrWavesItSaysWhatIsMissing) {
 
 TEST(ForecastPage, FoldsTheCalibrationAway) {
   ForecastPage what = page_of(made_up());
-  what.summary_json = R"({"columns": [{
-    "notes": ["no tide: the record is short"],
-    "calibration": {"rms_m_s": 0.02, "observations": 120, "termination": "Converged.",
-      "parameters": [{"name": "eddy viscosity", "unit": "m2 s-1", "value": 0.02, "prior": 0.01,
-                      "at_bound": false, "weakly_determined": true}]}}],
-    "blend": null})";
+  what.making.emplace();
+  what.making->notes = {"no tide: the record is short"};
+  what.making->fit = {
+      {{"eddy viscosity", "m2 s-1", 0.02, 0.01, false, true}}, 0.02, 120, "Converged."};
   const std::string html = report_html(forecast_page(what), "/* library */");
   const auto details = html.find("<details>");
   ASSERT_NE(details, std::string::npos);
   EXPECT_GT(html.find("eddy viscosity"), details);
   EXPECT_GT(html.find("no tide: the record is short"), details);
   EXPECT_LT(html.find("id=\"answer\""), details);
-  what.summary_json = "not JSON";
+  what.making.reset();
   EXPECT_FALSE(contains(report_html(forecast_page(what), "x"), "<details>"));
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +12,11 @@ namespace slackwater::api {
 
 /// How past forecasts did.
 struct PastSkill {
+  WindPolicy wind = WindPolicy::best;
   std::vector<calibration::SkillEntry> entries;
-  std::optional<calibration::Verdict> verdict;
-  std::string verified;  ///< in words
+  std::optional<calibration::Verdict> verdict;  ///< absent: no truth is in
+  std::vector<std::string> unscored;            ///< forecasts that could not be, and why
+  std::string not_verified;                     ///< why nothing was verified; empty: it was
 };
 
 /// What can be verified is: earlier forecasts of the last two weeks under the same wind policy, as
@@ -24,8 +25,5 @@ struct PastSkill {
 /// fails here is told, and takes nothing from it.
 [[nodiscard]] PastSkill verify_past(store::Store& store, const Site& site, const SiteData& data,
                                     const Snapshot& snapshot, WindPolicy wind);
-
-/// A verdict as in `forecast --json`; null before any truth is in.
-[[nodiscard]] nlohmann::json verdict_json(const std::optional<calibration::Verdict>& verdict);
 
 }  // namespace slackwater::api

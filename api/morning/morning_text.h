@@ -1,14 +1,12 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "api/morning/morning.h"
-#include "api/morning/past_skill.h"
 
 namespace slackwater::api {
 
-/// For programs, and what the operator's hook reads: api/docs/report.md has the schema.
-[[nodiscard]] nlohmann::json morning_json(const Morning& morning, const PastSkill& past);
+/// "Go for 5 of 8 tasks on Tue 11 Mar; 2 marginal, 1 not worked out."
+[[nodiscard]] std::string headline_of(const Morning& morning);
 
 /// For people at a terminal: the headline, a line a task (go first, at most eight; how many more
 /// there are), in ten lines at most with the one that the caller adds.

@@ -1,11 +1,10 @@
-#include "api/morning/morning_answer.h"
+#include "api/morning/morning_json.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "api/morning/morning_clock.h"
-#include "api/morning/task_words.h"
+#include "api/morning/morning_text.h"
 #include "api/morning/trust.h"
+#include "api/plan/plan_json.h"
 #include "api/windows/windows_answer.h"
 #include "api/windows/worth.h"
 #include "fields/base/text.h"
@@ -14,8 +13,6 @@ namespace slackwater::api {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t most_lines = 8;
 
 std::string utc(UtcTime time) { return format_utc(time); }
 
@@ -42,7 +39,7 @@ json help_json(const TaskWindows& task) {
   if (task.verdict == twin::Verdict::go) return nullptr;
   json limits = json::array();
   for (const Relief& relief : task.reliefs) {
-    const LimitText& limit = task.limits[relief.limit];
+    const TaskLimit& limit = task.limits[relief.limit];
     limits.push_back({{"without", limit.text},
                       {"worker", limit.worker.empty() ? json(nullptr) : json(limit.worker)},
                       {"start", utc(relief.start)},
@@ -71,9 +68,9 @@ json task_json(const Morning& morning, const TaskWindows& task) {
           {"assumed", task.assumed}};
 }
 
-json trust_json(const PastSkill& past, WindPolicy wind) {
+json trust_json(const std::vector<calibration::SkillEntry>& past, WindPolicy wind) {
   json out = json::array();
-  for (const Trust& of : trust_of(past.entries, wind)) {
+  for (const Trust& of : trust_of(past, wind)) {
     const auto& best = of.verdict.best;
     out.push_back({{"variable", of.variable},
                    {"unit", of.unit},
@@ -88,7 +85,8 @@ json trust_json(const PastSkill& past, WindPolicy wind) {
 
 }  // namespace
 
-json morning_json(const Morning& morning, const PastSkill& past) {
+json morning_json(const Morning& morning, const std::vector<calibration::SkillEntry>& past,
+                  const std::string& verified) {
   const WindowsAnswer& windows = morning.windows;
   const Snapshot& forecast = windows.water.surround.field->snapshot();
   json tasks = json::array();
@@ -113,36 +111,10 @@ json morning_json(const Morning& morning, const PastSkill& past) {
            {"plan", nullptr},
            {"no_plan", morning.no_plan.empty() ? json(nullptr) : json(morning.no_plan)},
            {"trust", trust_json(past, forecast.wind_policy.value_or(WindPolicy::best))},
-           {"verified", past.verified},
+           {"verified", verified},
            {"notes", windows.notes}};
   if (morning.plan) out["plan"] = plan_json(morning.plan->problem, morning.plan->answer);
   return out;
-}
-
-std::string morning_text(const Morning& morning) {
-  const MorningClock clock(morning);
-  const std::vector<const TaskWindows*> tasks = by_verdict(morning);
-  // One more than there is room for is better named than counted.
-  const std::size_t room = most_lines - (morning.windows.left_out.empty() ? 0 : 1);
-  const std::size_t shown = tasks.size() > room ? room - 1 : tasks.size();
-  std::string text = headline_of(morning) + " " + clock.note() + "\n";
-  for (std::size_t i = 0; i < shown; ++i) {
-    const TaskWindows& task = *tasks[i];
-    const TaskStart* best = best_of(task);
-    text += formatted("  {:<9}", std::string(twin::name_of(task.verdict))) + task.name + " at " +
-            joined(task.turbines, ", ") + ": " + best_text(task, clock);
-    if (task.verdict != twin::Verdict::go && best != nullptr)
-      text += "; " + stopping_text(task, *best, futures_of(morning), clock);
-    text += "\n";
-  }
-  if (!morning.windows.left_out.empty())
-    text += "  not worked out: " + morning.windows.left_out.front().task +
-            (morning.windows.left_out.size() > 1
-                 ? formatted(" and {} more", morning.windows.left_out.size() - 1)
-                 : std::string()) +
-            "; the page says why\n";
-  if (shown < tasks.size()) text += formatted("  and {} more, none better\n", tasks.size() - shown);
-  return text;
 }
 
 }  // namespace slackwater::api
