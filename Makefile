@@ -3,7 +3,7 @@
 JOBS ?= 2
 CTEST_PARALLEL ?= 2
 
-.PHONY: all demo test package bench soak tsan coverage fuzz tidy format check-format packages \
+.PHONY: all demo test quick outputs package bench soak tsan coverage fuzz tidy format check-format packages \
   test-packages venv clean
 
 all: packages
@@ -17,6 +17,16 @@ test: test-packages check-format venv
 	cmake --preset dev
 	cmake --build --preset dev -j$(JOBS)
 	ctest --preset dev -j$(CTEST_PARALLEL)
+
+# Unit tests of the rooms that were changed, in the tree of `make test`.
+quick: test-packages
+	cmake --preset dev
+	cmake/quick build/dev $(JOBS)
+
+# What the program answers to every kind of question, in build/outputs: keep a copy before a
+# rearrangement, compare with `diff -r` after it.
+outputs: all test-packages
+	tests/outputs/capture build/release/api/slackwater build/outputs
 
 # build/package/slackwater_VERSION_ARCHITECTURE.deb
 package: all

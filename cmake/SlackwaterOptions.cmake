@@ -16,16 +16,22 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(slackwater_options
                          INTERFACE "$<BUILD_INTERFACE:-Wno-restrict;-fpch-preprocess>")
 endif()
+# GCC 12's flow warnings follow its optimiser, and see in inlined library code what is not there (GCC
+# bugs 105562, 105329, 105651): where warnings are errors they warn, but do not end a build; who only
+# builds to run is not shown them.
+set(flow_warnings maybe-uninitialized stringop-overflow stringop-overread array-bounds
+    null-dereference free-nonheap-object)
 if(SLACKWATER_WERROR)
   target_compile_options(slackwater_options INTERFACE $<BUILD_INTERFACE:-Werror>)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # GCC 12's flow warnings follow its optimiser, and see in inlined library code what is not there
-    # (GCC bugs 105562, 105329, 105651): they warn, but do not end a build.
-    foreach(flow maybe-uninitialized stringop-overflow stringop-overread array-bounds
-            null-dereference free-nonheap-object)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  foreach(flow ${flow_warnings})
+    if(SLACKWATER_WERROR)
       target_compile_options(slackwater_options INTERFACE $<BUILD_INTERFACE:-Wno-error=${flow}>)
-    endforeach()
-  endif()
+    else()
+      target_compile_options(slackwater_options INTERFACE $<BUILD_INTERFACE:-Wno-${flow}>)
+    endif()
+  endforeach()
 endif()
 # Under ASan Eigen would align by hand, unlike the Ceres library of the system: memory that crosses
 # between them must be allocated one way. glibc's malloc is aligned to 16 bytes, which is all that
@@ -88,6 +94,10 @@ function(slackwater_unity target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # GCC takes what is included for a header, whose types should not use an unnamed namespace.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
 endfunction()
 
 # slackwater_room(<name> [FOLDER <folder>] [LINK <public targets>] [PRIVATE <private targets>]

@@ -71,31 +71,31 @@ struct DaySpread {
 };
 
 /// The entry of the day that a lead is of, made where there is none.
-PastSpread& spread_of(const PastLead& one, std::size_t leads, std::vector<DaySpread>& days) {
-  const auto found = std::find_if(days.begin(), days.end(),
+PastSpread& spread_of(const PastLead& one, std::size_t leads, std::vector<DaySpread>& of_days) {
+  const auto found = std::find_if(of_days.begin(), of_days.end(),
                                   [&](const DaySpread& of) { return of.day == one.day.get(); });
-  if (found != days.end()) return found->spread;
+  if (found != of_days.end()) return found->spread;
   PastSpread spread;
   spread.age_days = one.age_days + static_cast<double>(one.lead);
   spread.later.resize(leads - 1);
-  days.push_back({one.day.get(), std::move(spread)});
-  return days.back().spread;
+  of_days.push_back({one.day.get(), std::move(spread)});
+  return of_days.back().spread;
 }
 
 /// How the blend's own spread has held its errors, by day of lead.
 EarnedSpread spread_of_leads(std::span<const std::vector<PastLead>> past, const Earned& earned) {
-  std::vector<DaySpread> days;
+  std::vector<DaySpread> of_days;
   for (std::size_t lead = 0; lead < past.size(); ++lead) {
     const Blend& blend = lead == 0 ? earned.blend : earned.later[lead - 1];
     for (std::size_t i = 0; i < past[lead].size(); ++i) {
-      PastSpread& spread = spread_of(past[lead][i], past.size(), days);
+      PastSpread& spread = spread_of(past[lead][i], past.size(), of_days);
       (lead == 0 ? spread.errors : spread.later[lead - 1]) =
           normalised(lead_of(past[lead][i]), blend, blend.without_pair[i]);
     }
   }
   std::vector<PastSpread> spreads;
-  spreads.reserve(days.size());
-  for (DaySpread& of : days) spreads.push_back(std::move(of.spread));
+  spreads.reserve(of_days.size());
+  for (DaySpread& of : of_days) spreads.push_back(std::move(of.spread));
   return earned_spread(spreads);
 }
 

@@ -5,14 +5,14 @@
 namespace slackwater::ingest {
 namespace {
 
-constexpr std::size_t longest = 1000;
+constexpr std::size_t longest_credit = 1000;
 
 /// The first of these global attributes that says something and is no longer than a sentence.
 std::string said_in(const netcdf::File& file, std::initializer_list<const char*> attributes) {
   for (const char* attribute : attributes) {
     const std::string text = file.text(attribute).value_or("");
     const std::size_t first = text.find_first_not_of(" \t\n");
-    if (first == std::string::npos || text.size() > longest) continue;
+    if (first == std::string::npos || text.size() > longest_credit) continue;
     const std::size_t last = text.find_last_not_of(" \t\n");
     return text.substr(first, last - first + 1);
   }

@@ -73,9 +73,9 @@ std::optional<std::int64_t> time_of_day(TextScanner& scan) {
     if (!found) return std::nullopt;
     minute = *found;
     if (scan.take(':') || scan.at_digit()) {
-      const auto seconds = scan.decimal();
-      if (!seconds) return std::nullopt;
-      second = *seconds;
+      const auto found_s = scan.decimal();
+      if (!found_s) return std::nullopt;
+      second = *found_s;
     }
   }
   if (*hour > 24 || minute > 59 || second > 60.0) return std::nullopt;

@@ -31,8 +31,8 @@ Way way_over_ground(const Autopilot& a, const Measured& measured, const Triple<d
 
 /// Learns the drift while the bow is about where it should be.
 void learn_drift(const Autopilot& a, const Triple<double>& wanted_m_s, const Outset& outset,
-                 double turn, double dt_s, ControlState& state) noexcept {
-  if (std::abs(turn) > 0.5) return;
+                 double turned, double dt_s, ControlState& state) noexcept {
+  if (std::abs(turned) > 0.5) return;
   const double rate = 0.35 * a.station_per_s * dt_s;
   const double most = a.settings.most_speed_m_s;
   state.drift_north_m_s = std::clamp(
@@ -56,8 +56,8 @@ Effort steer_by_turning(const Autopilot& a, const Measured& measured, const Refe
   if (is_station) way = way_over_ground(a, measured, over_ground, outset, state);
   if (reference.target == Target::path)
     way = way_along(a, measured, reference, over_ground, outset, dt_s, state);
-  const double turn = turn_rad(outset.bow, way.heading);
-  const double yaw_rate = std::clamp(a.heading.outer_per_s * turn, -most_turn, most_turn);
+  const double to_turn = turn_rad(outset.bow, way.heading);
+  const double yaw_rate = std::clamp(a.heading.outer_per_s * to_turn, -most_turn, most_turn);
   const double yaw_lacking = yaw_rate - measured.nu.angular.z;
   const double yaw_push = acceleration_of(a.heading, yaw_lacking, state.yaw_rad_s2);
 
@@ -75,7 +75,7 @@ Effort steer_by_turning(const Autopilot& a, const Measured& measured, const Refe
   const Thrusts thrusts = allocate(a.allocation, tau);
   integrate(a.heading, yaw_lacking, yaw_push, thrusts.share[5], dt_s, state.yaw_rad_s2);
   if (is_station)
-    learn_drift(a, over_ground, outset, turn, dt_s, state);
+    learn_drift(a, over_ground, outset, to_turn, dt_s, state);
   else
     integrate(a.horizontal, lacking, push, thrusts.share[0], dt_s, state.surge_m_s2);
   Effort effort;

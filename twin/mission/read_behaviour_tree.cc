@@ -17,9 +17,9 @@ constexpr double longest_s = 30 * 86400.0;
 constexpr std::size_t most_trees = 100;  // each may refer to the next
 
 const std::vector<std::string>& node_kinds() {
-  static const std::vector<std::string> words{"do",    "when",  "sequence", "fallback", "parallel",
+  static const std::vector<std::string> keys{"do",    "when",  "sequence", "fallback", "parallel",
                                               "guard", "retry", "timeout",  "tree"};
-  return words;
+  return keys;
 }
 
 /// Says which words of that sort there are.

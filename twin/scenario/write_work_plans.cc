@@ -40,7 +40,7 @@ YamlValue tool_value(const CleaningTool& tool) {
 /// From where to where. Of the bearings that are the first angle, the one that the arc comes back
 /// from.
 YamlValue bearings_value(const CleaningPlan& plan) {
-  constexpr double degree = constants::pi / 180;
+  using constants::degree;
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const double near_deg = degrees_for(plan.from_rad);
   double from_deg = near_deg, to_deg = 0;

@@ -25,10 +25,10 @@ std::vector<Triple<double>> read_corners(const Config& config) {
   for (std::size_t i = 0; i < n; ++i) {
     const Triple<double> in = corners[(i + 1) % n] - corners[i];
     const Triple<double> out = corners[(i + 2) % n] - corners[(i + 1) % n];
-    const double turn = std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y);
-    turned_rad += turn;
-    turns_right |= turn > 1e-9;
-    turns_left |= turn < -1e-9;
+    const double turn_rad = std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y);
+    turned_rad += turn_rad;
+    turns_right |= turn_rad > 1e-9;
+    turns_left |= turn_rad < -1e-9;
   }
   // Once round, all one way.
   if (turns_right == turns_left || std::abs(std::abs(turned_rad) - 2 * constants::pi) > 1e-6)
