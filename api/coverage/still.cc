@@ -26,17 +26,17 @@ CoverageQuad quad_of(const std::vector<const CoveragePatch*>& patches,
   CoverageQuad quad;
   Place centre{0, 0, 0}, normal{0, 0, 0};
   std::array<double, patch_states> areas{};
-  double area = 0, left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
+  double area = 0, from_left = 1e300, to_right = -1e300, from_top = 1e300, to_bottom = -1e300;
   for (const CoveragePatch* p : patches) {
     const double weight = std::max(p->area_m2, 1e-12);
     area += weight;
     areas[static_cast<std::size_t>(p->state)] += weight;
     centre = centre + weight * p->centre_m;
     normal = normal + weight * p->normal;
-    left = std::min(left, p->along_m - p->width_m / 2);
-    right = std::max(right, p->along_m + p->width_m / 2);
-    top = std::min(top, p->down_m - p->height_m / 2);
-    bottom = std::max(bottom, p->down_m + p->height_m / 2);
+    from_left = std::min(from_left, p->along_m - p->width_m / 2);
+    to_right = std::max(to_right, p->along_m + p->width_m / 2);
+    from_top = std::min(from_top, p->down_m - p->height_m / 2);
+    to_bottom = std::max(to_bottom, p->down_m + p->height_m / 2);
   }
   quad.area_m2 = area;
   quad.centre_m = (1 / area) * centre;
@@ -44,7 +44,7 @@ CoverageQuad quad_of(const std::vector<const CoveragePatch*>& patches,
   quad.state =
       static_cast<PatchState>(std::max_element(areas.begin(), areas.end()) - areas.begin());
   SheetTangents own = tangents_of(patches);
-  double half_wide = (right - left) / 2, half_high = (bottom - top) / 2;
+  double half_wide = (to_right - from_left) / 2, half_high = (to_bottom - from_top) / 2;
   if (!own.is_known) {
     // Upright surfaces lie level along; of a flat one the sheet knows the way.
     const bool is_upright = std::abs(quad.normal.z()) < 0.95;

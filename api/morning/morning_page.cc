@@ -61,12 +61,12 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
 
 /// What befell a task where its flights went best, or else what is gravest of it.
 void add_risks(const TaskWindows& task, const MorningClock& clock, ReportTable& table) {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t most_risks = 3;
   const TaskStart* best = best_flown(task);
   if (best == nullptr) return;
   std::vector<twin::RiskEntry> told;
   for (const twin::RiskEntry& risk : best->twin->risks)
-    if (risk.befell > 0 && told.size() < most) told.push_back(risk);
+    if (risk.befell > 0 && told.size() < most_risks) told.push_back(risk);
   if (told.empty() && !best->twin->risks.empty()) told.push_back(best->twin->risks.front());
   for (const twin::RiskEntry& risk : told) {
     std::vector<std::string> row{task.name + " at " + clock(best->start)};

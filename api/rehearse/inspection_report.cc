@@ -27,11 +27,11 @@ std::string counted(std::size_t count, const char* what) {
 }
 
 json score_json(const twin::DetectionScore& score) {
-  json kinds = json::object();
+  json by_kind = json::object();
   for (const twin::DefectKind kind : twin::all_defect_kinds()) {
     const auto& of = score.kinds[static_cast<std::size_t>(kind)];
     if (of.planted + of.false_alarms == 0) continue;
-    kinds[twin::name_of(kind)] = {
+    by_kind[twin::name_of(kind)] = {
         {"planted", of.planted}, {"found", of.found}, {"false_alarms", of.false_alarms}};
   }
   const auto optional = [](const std::optional<double>& value) {
@@ -43,7 +43,7 @@ json score_json(const twin::DetectionScore& score) {
           {"detection_rate", optional(score.detection_rate)},
           {"false_alarms_per_100_m2", optional(score.false_alarms_per_100_m2)},
           {"size_error_rms_m", optional(score.size_error_rms_m)},
-          {"by_kind", kinds}};
+          {"by_kind", by_kind}};
 }
 
 }  // namespace

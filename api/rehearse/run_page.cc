@@ -57,7 +57,7 @@ bool is_ever(const TrajectoryFile& log, const Rows& rows, std::size_t vehicle, c
 }
 
 json vehicle_json(const TrajectoryFile& log, const Rows& rows, std::size_t i) {
-  constexpr double degrees = 57.29577951308232;
+  constexpr double degrees_a_radian = 57.29577951308232;
   const auto line = [&](const char* name, std::size_t k = 0, double scale = 1) {
     return line_of(log, rows, i, name, k, scale);
   };
@@ -69,9 +69,9 @@ json vehicle_json(const TrajectoryFile& log, const Rows& rows, std::size_t i) {
           {"x", line("x")},
           {"y", line("y")},
           {"z", line("z")},
-          {"roll", line("roll", 0, degrees)},
-          {"pitch", line("pitch", 0, degrees)},
-          {"yaw", line("yaw", 0, degrees)},
+          {"roll", line("roll", 0, degrees_a_radian)},
+          {"pitch", line("pitch", 0, degrees_a_radian)},
+          {"yaw", line("yaw", 0, degrees_a_radian)},
           {"thrust", thrust},
           {"power", line("electrical_power")},
           {"charge", line("state_of_charge", 0, 100)},

@@ -12,9 +12,9 @@ namespace {
 using nlohmann::json;
 
 json line_json(const SkillLine& line) {
-  const std::size_t hours = line.lead_h.size();
-  expects(line.rmse_m_s.size() == hours && line.low_m_s.size() == hours &&
-              line.high_m_s.size() == hours,
+  const std::size_t leads = line.lead_h.size();
+  expects(line.rmse_m_s.size() == leads && line.low_m_s.size() == leads &&
+              line.high_m_s.size() == leads,
           "a line of skill has an error and an interval for every hour of lead");
   return {{"method", line.method},
           {"lead", numbers(line.lead_h)},
