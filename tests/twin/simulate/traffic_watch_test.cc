@@ -1,4 +1,5 @@
 #include "twin/simulate/traffic_watch.h"
+#include "fields/base/check.h"
 
 #include <gtest/gtest.h>
 
