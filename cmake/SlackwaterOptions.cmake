@@ -16,9 +16,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(slackwater_options
                          INTERFACE "$<BUILD_INTERFACE:-Wno-restrict;-fpch-preprocess>")
 endif()
-# GCC 12's flow warnings follow its optimiser, and see in inlined library code what is not there (GCC
-# bugs 105562, 105329, 105651): where warnings are errors they warn, but do not end a build; who only
-# builds to run is not shown them.
+# GCC 12's flow warnings follow its optimiser, and see in inlined library code what is not there
+# (GCC bugs 105562, 105329, 105651): where warnings are errors they warn, but do not end a build;
+# who only builds to run is not shown them.
 set(flow_warnings maybe-uninitialized stringop-overflow stringop-overread array-bounds
     null-dereference free-nonheap-object)
 if(SLACKWATER_WERROR)
@@ -78,8 +78,8 @@ set(SLACKWATER_PRECOMPILED <algorithm> <array> <chrono> <cmath> <complex> <files
 # slackwater_unity(<target> <sources>)
 #
 # Sources of one folder are compiled together, twelve at a time: half the time of a build, for most
-# of what a source costs is reading the same headers. So a name in an unnamed namespace is one of its
-# folder's. Off (the preset of who works on one file, clang-tidy) each source is a unit of its own.
+# of what a source costs is reading the same headers. So a name in an unnamed namespace is one of
+# its folder's. With SLACKWATER_UNITY=OFF each source is a unit of its own, as for clang-tidy.
 function(slackwater_unity target)
   if(NOT SLACKWATER_UNITY)
     return()

@@ -32,8 +32,8 @@ namespace slackwater {
   return std::remainder(angle_rad, 2 * constants::pi);
 }
 
-/// rad in [-pi, pi), by counting the turns: an angle of many turns keeps some of their rounding. The
-/// rule of the autopilots and instruments.
+/// rad in [-pi, pi), by counting the turns: an angle of many turns keeps some of their rounding.
+/// The rule of the autopilots and instruments.
 [[nodiscard]] inline double wrapped_rad(double angle_rad) noexcept {
   constexpr double turn = 2 * constants::pi;
   return angle_rad - turn * std::floor(angle_rad / turn + 0.5);

@@ -16,7 +16,7 @@ using namespace slackwater::ingest;
 void check_limit(const std::string& text) {
   fuzz::accepts([&] {
     const api::SeriesLimit limit = api::parse_series_limit(text);
-    fuzz::claim(!limit.variable.empty() && std::isfinite(limit.value), "a limit on nothing");
+    fuzz::claim(!limit.variable.empty() && std::isfinite(limit.bound.value), "a limit on nothing");
     static_cast<void>(api::expect_possible({limit}, fuzz::products().vocabulary()));
   });
   fuzz::accepts([&] { static_cast<void>(parse_named_column(text)); });

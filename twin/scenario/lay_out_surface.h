@@ -5,7 +5,8 @@
 namespace slackwater::twin {
 
 /// One entry of a task's `surfaces`, laid out at a turbine: the entry of a scenario
-/// (twin/inspection/surface/make_surface.h), with the place and the sizes that the site states. What the entry says itself is handed on. A LEVEL is that of work_pattern.h, and
+/// (twin/inspection/surface/make_surface.h), with the place and the sizes that the site
+/// states. What the entry says itself is handed on. A LEVEL is that of work_pattern.h, and
 /// [in brackets] stands what may be left out:
 ///
 ///     kind: monopile           [from: the sea's surface], [to: its foot]
