@@ -3,8 +3,8 @@
 JOBS ?= 2
 CTEST_PARALLEL ?= 2
 
-.PHONY: all demo test quick outputs package bench soak tsan coverage fuzz tidy format check-format packages \
-  test-packages venv clean
+.PHONY: all demo test quick outputs package bench soak tsan coverage fuzz tidy format \
+  check-format packages test-packages venv clean
 
 all: packages
 	cmake --preset release

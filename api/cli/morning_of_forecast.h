@@ -28,8 +28,8 @@ struct MorningDone {
 
 /// The morning report of a forecast that was issued just now, where its site lists tasks: the page
 /// in the store, its PDF where that was asked for, and the operator's hook, which hears too why
-/// there is no report. There is none of a hindcast, nor where another forecast of the day is in force.
-/// What goes wrong is told and takes nothing from the forecast.
+/// there is no report. There is none of a hindcast, nor where another forecast of the day is in
+/// force. What goes wrong is told and takes nothing from the forecast.
 [[nodiscard]] MorningDone morning_of_forecast(store::Store& store, const Site& site,
                                               const Issue& issue, const MorningAsked& asked,
                                               const Context& context);

@@ -3,8 +3,8 @@
 #include <initializer_list>
 #include <string_view>
 
-// Files that commands write where the user says: one rule for all of them. They are written whole or
-// not at all, see fields/base/whole_file.h.
+// Files that commands write where the user says: one rule for all of them. They are written
+// whole or not at all, see fields/base/whole_file.h.
 
 namespace slackwater::api {
 

@@ -20,8 +20,9 @@ struct DailyJob {
 /// version of the program.
 [[nodiscard]] DailyJob daily_job(const SiteData& data, const calibration::ForecastOptions& options);
 
-/// Writes the forecast's file and stores it as issued, its summary (job_summary.h) beside it. A forecast of the same inputs, options,
-/// site, program and issue time that is stored already keeps its id: nothing is added.
+/// Writes the forecast's file and stores it as issued, its summary (job_summary.h) beside it. A
+/// forecast of the same inputs, options, site, program and issue time that is stored
+/// already keeps its id: nothing is added.
 store::FiledForecast publish(store::Store& store, const DailyJob& job, ForecastOrigin origin);
 /// Several at once, all or none (hindcast).
 std::vector<store::FiledForecast> publish(store::Store& store, std::span<const DailyJob> jobs,

@@ -18,7 +18,7 @@ constexpr std::size_t most_trees = 100;  // each may refer to the next
 
 const std::vector<std::string>& node_kinds() {
   static const std::vector<std::string> keys{"do",    "when",  "sequence", "fallback", "parallel",
-                                              "guard", "retry", "timeout",  "tree"};
+                                             "guard", "retry", "timeout",  "tree"};
   return keys;
 }
 
