@@ -1,24 +1,14 @@
 #include "api/plan/earlier_plan_file.h"
 
 #include "api/plan/json_place.h"
-#include "fields/base/error.h"
 
 namespace slackwater::api {
 namespace {
 
-template <typename Parse>
-auto read(const JsonPlace& place, Parse parse) {
-  try {
-    return parse(place.text());
-  } catch (const Error& problem) {
-    place.refuse(problem.message());
-  }
-}
-
 EarlierPlan::Job read_job(const JsonPlace& place) {
   EarlierPlan::Job job;
   job.id = place.at("job").text();
-  job.start = read(place.at("start"), [](const std::string& text) { return parse_utc(text); });
+  job.start = place.at("start").time();
   job.probability = place.at("probability").number(0, 1);
   job.vessel = place.at("vessel").text();
   job.crew = place.at("crew").text();
@@ -35,7 +25,7 @@ EarlierPlan parse_earlier_plan(std::string_view json, std::string name) {
   EarlierPlan plan;
   plan.name = std::move(name);
   plan.site = root.at("site").text();
-  plan.day = read(root.at("day"), [](const std::string& text) { return parse_day(text); });
+  plan.day = root.at("day").day();
   const JsonPlace jobs = root.at("jobs");
   for (std::size_t i = 0; i < jobs.size(); ++i) plan.jobs.push_back(read_job(jobs.item(i)));
   const JsonPlace left = root.at("left");

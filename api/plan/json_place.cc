@@ -59,6 +59,23 @@ std::string JsonPlace::text() const {
   return value_->get<std::string>();
 }
 
+template <typename Parse>
+auto JsonPlace::parsed(Parse parse) const {
+  try {
+    return parse(text());
+  } catch (const Error& problem) {
+    refuse(problem.message());
+  }
+}
+
+UtcTime JsonPlace::time() const {
+  return parsed([](const std::string& text) { return parse_utc(text); });
+}
+
+UtcDay JsonPlace::day() const {
+  return parsed([](const std::string& text) { return parse_day(text); });
+}
+
 std::string document_text(const std::string& file) {
   std::ostringstream text;
   if (file == "-") {

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "fields/base/time.h"
+
 namespace slackwater::api {
 
 /// A value of a JSON document that somebody else wrote, and where it stands there:
@@ -21,11 +23,15 @@ class JsonPlace {
   [[nodiscard]] JsonPlace item(std::size_t i) const;
   [[nodiscard]] double number(double least, double most) const;
   [[nodiscard]] std::string text() const;
+  [[nodiscard]] UtcTime time() const;  ///< of a text as `format_utc` writes it
+  [[nodiscard]] UtcDay day() const;
   [[noreturn]] void refuse(const std::string& why) const;
 
  private:
   JsonPlace(const nlohmann::json& value, std::string name, std::string path)
       : value_(&value), name_(std::move(name)), path_(std::move(path)) {}
+  template <typename Parse>
+  [[nodiscard]] auto parsed(Parse parse) const;
   [[nodiscard]] std::string found() const;
   const nlohmann::json* value_;
   std::string name_;

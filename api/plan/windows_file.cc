@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "api/plan/json_place.h"
-#include "fields/base/error.h"
 
 namespace slackwater::api {
 namespace {
@@ -16,18 +15,9 @@ double planned(const JsonPlace& place, double least, double most) {
   return place.is_object() ? place.at("p90").number(least, most) : place.number(least, most);
 }
 
-template <typename Parse>
-auto read(const JsonPlace& place, Parse parse) {
-  try {
-    return parse(place.text());
-  } catch (const Error& problem) {
-    place.refuse(problem.message());
-  }
-}
-
 DayChances::Start read_start(const JsonPlace& task, const JsonPlace& start) {
   DayChances::Start one;
-  one.time = read(start.at("start"), [](const std::string& text) { return parse_utc(text); });
+  one.time = start.at("start").time();
   // Flights may have taken from the chance of the limits.
   one.probability = start.at(start.has("worth") ? "worth" : "probability").number(0, 1);
   const JsonPlace& of_duration = start.has("duration_h") ? start : task;
@@ -65,7 +55,7 @@ DayChances parse_windows(std::string_view json, std::string name) {
   DayChances chances;
   chances.name = std::move(name);
   chances.site = root.at("site").text();
-  chances.day = read(root.at("day"), [](const std::string& text) { return parse_day(text); });
+  chances.day = root.at("day").day();
   const JsonPlace tasks = root.at("tasks");
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     chances.tasks.push_back(read_task(tasks.item(i)));
