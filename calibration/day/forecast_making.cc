@@ -1,5 +1,8 @@
 #include "calibration/day/forecast_making.h"
 
+#include "calibration/day/daily_forecast.h"
+#include "fields/base/check.h"
+
 namespace slackwater::calibration {
 namespace {
 
@@ -31,6 +34,7 @@ ForecastMaking::Mixture mixture_of(const Earned& earned) {
 }  // namespace
 
 ForecastMaking making_of(const DailyForecast& forecast) {
+  expects(!forecast.columns.empty(), "a forecast has a column");
   ForecastMaking making;
   const ColumnForecast& column = forecast.columns.front();
   if (const Calibration* calibration = column.calibration())

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "calibration/day/daily_forecast.h"
-
 namespace slackwater::calibration {
+
+struct DailyForecast;
 
 /// How a forecast was made, as far as its readers are told: of its first column.
 struct ForecastMaking {

@@ -31,8 +31,8 @@ Way way_over_ground(const Autopilot& a, const Measured& measured, const Triple<d
 
 /// Learns the drift while the bow is about where it should be.
 void learn_drift(const Autopilot& a, const Triple<double>& wanted_m_s, const Outset& outset,
-                 double turned, double dt_s, ControlState& state) noexcept {
-  if (std::abs(turned) > 0.5) return;
+                 double to_turn, double dt_s, ControlState& state) noexcept {
+  if (std::abs(to_turn) > 0.5) return;
   const double rate = 0.35 * a.station_per_s * dt_s;
   const double most = a.settings.most_speed_m_s;
   state.drift_north_m_s = std::clamp(

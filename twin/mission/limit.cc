@@ -183,9 +183,10 @@ Assumption parse_assumption(const std::string& text) {
   if (equals == std::string::npos)
     throw Error(ErrorKind::invalid_input,
                 found + ", expected NAME=NUMBER, as in visibility_m=5000");
-  const LimitWord* const word = assumable(text.substr(0, equals));
+  const LimitWord* const word = assumable(trimmed(text.substr(0, equals)));
   if (word == nullptr) throw Error(ErrorKind::invalid_input, found + ", which " + no_assumption);
-  const std::string number = text.substr(equals + 1);
+  std::string number(trimmed(text.substr(equals + 1)));
+  if (number.starts_with('+')) number.erase(0, 1);
   const char* const end = number.data() + number.size();
   double value = 0;
   const auto [stop, problem] = std::from_chars(number.data(), end, value);

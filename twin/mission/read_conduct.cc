@@ -1,18 +1,17 @@
 #include "twin/mission/conduct.h"
+#include "twin/mission/reach.h"
 #include "twin/mission/read_look_out.h"
 #include "twin/mission/read_seconds.h"
 
 namespace slackwater::twin {
 namespace {
 
-constexpr Range distance{-50e3, 50e3};
-
 Triple<double> read_home(const Config& config) {
-  const auto deep = config.optional_number("depth_m", {0, 12000});
-  const auto high = config.optional_number("height_m", {0, 1000});
+  const auto deep = config.optional_number("depth_m", reached_depth_m);
+  const auto high = config.optional_number("height_m", reached_height_m);
   if (deep.has_value() == high.has_value())
     config.refuse("depth_m", "give one of depth_m and height_m");
-  return {config.number("north_m", distance), config.number("east_m", distance),
+  return {config.number("north_m", within_reach_m), config.number("east_m", within_reach_m),
           deep ? *deep : -*high};
 }
 

@@ -1,15 +1,13 @@
 #include "twin/mission/read_look_out.h"
 
+#include "twin/mission/reach.h"
 #include "twin/mission/read_seconds.h"
 
 namespace slackwater::twin {
-
 namespace {
 
-constexpr Range of_a_post{-50e3, 50e3};
-
 Triple<double> read_surface_place(const Config& place) {
-  return {place.number("north_m", of_a_post), place.number("east_m", of_a_post), 0};
+  return {place.number("north_m", within_reach_m), place.number("east_m", within_reach_m), 0};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fields/base/ascends.h"
 #include "fields/base/text.h"
 
 namespace slackwater::twin {
@@ -15,11 +16,6 @@ LimitVariable variable_of(const Config& config) {
     keys.emplace_back(word.key);
   }
   config.refuse("variable", "found " + key + ", expected one of " + joined(keys, ", "));
-}
-
-bool ascends(const std::vector<double>& values) {
-  return std::adjacent_find(values.begin(), values.end(),
-                            [](double a, double b) { return !(a < b); }) == values.end();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/base/ascends.h"
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
@@ -60,11 +61,6 @@ double rare_height(double low_m, double high_m, const Probability& probability) 
   return 0.5 * (low_m + high_m);
 }
 
-bool is_ascending(const std::vector<double>& values) {
-  return std::adjacent_find(values.begin(), values.end(),
-                            [](double a, double b) { return !(a < b); }) == values.end();
-}
-
 }  // namespace
 
 HeightError HeightErrors::at(double height_m, double lead_h) const noexcept {
@@ -92,7 +88,7 @@ HeightErrors read_height_errors(const Config& config) {
   errors.source = config.text("source");
   errors.status = config.optional_text("status").value_or("");
   errors.leads_h = config.numbers("leads_h", {0, 400});
-  if (errors.leads_h.empty() || !is_ascending(errors.leads_h))
+  if (errors.leads_h.empty() || !ascends(errors.leads_h))
     config.refuse("leads_h", "expected one lead or more, ascending");
   for (const Config& entry : config.children("heights")) {
     errors.heights_m.push_back(entry.number("height_m", {0.05, 20}));
@@ -105,7 +101,7 @@ HeightErrors read_height_errors(const Config& config) {
     auto& row = errors.by_height.emplace_back();
     for (std::size_t i = 0; i < bias_m.size(); ++i) row.push_back({bias_m[i], sigma_m[i]});
   }
-  if (errors.heights_m.empty() || !is_ascending(errors.heights_m))
+  if (errors.heights_m.empty() || !ascends(errors.heights_m))
     config.refuse("heights", "expected one height or more, ascending");
   config.expect_all_read();
   return errors;

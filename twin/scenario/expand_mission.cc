@@ -9,6 +9,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/mission/conduct.h"
+#include "twin/mission/reach.h"
 #include "twin/scenario/laid_out_task.h"
 #include "twin/scenario/lay_out_agent.h"
 #include "twin/scenario/tenders.h"
@@ -73,27 +74,50 @@ std::vector<Assumption> assumed_by(const Config& mission, const std::vector<Assu
   return all;
 }
 
+bool is_in(Range range, double value) { return value >= range.low && value <= range.high; }
+
+bool is_within_reach(const Triple<double>& at_m) {
+  return is_in(within_reach_m, at_m.x) && is_in(within_reach_m, at_m.y) &&
+         at_m.z >= -reached_height_m.high && at_m.z <= reached_depth_m.high;
+}
+
 /// What a scenario's reader refuses of numbers, which here come of a site and of work at it.
 void expect_within_reach(const Scenario& scenario) {
-  const auto expect = [](bool is_within, const std::string& what) {
-    if (!is_within)
-      throw Error(ErrorKind::invalid_input,
-                  what +
-                      "; expected it within 50 km north and east of the run's origin, and from "
-                      "1000 m above to 12000 m below the sea");
+  const auto expect_near = [](bool is_near, const std::string& what) {
+    if (!is_near)
+      refuse(
+          formatted("{} too far away; expected it within {:.0f} km north and east of the run's "
+                    "origin, and from {:.0f} m above to {:.0f} m below the sea",
+                    what, farthest_m / 1000, reached_height_m.high, reached_depth_m.high));
   };
-  const auto is_near = [](const Triple<double>& at_m) {
-    return std::abs(at_m.x) <= 50e3 && std::abs(at_m.y) <= 50e3 && at_m.z >= -1000 &&
-           at_m.z <= 12000;
-  };
-  for (const ScenarioStructure& s : scenario.structures)
-    expect(is_near(s.centre_m) && s.bottom_m > s.top_m,
-           "turbine " + s.name + " is laid out too far away, or upside down");
+  for (const ScenarioStructure& s : scenario.structures) {
+    expect_near(is_within_reach(s.centre_m), "turbine " + s.name + " stands");
+    if (!is_in(cylinder_diameter_m, s.diameter_m))
+      refuse(
+          formatted("turbine {}: found a foundation {:g} m wide, expected {:g} to {:g} m; state "
+                    "its foundation in the site's file",
+                    s.name, s.diameter_m, cylinder_diameter_m.low, cylinder_diameter_m.high));
+    if (!is_in(structure_height_m, -s.top_m) || !(s.bottom_m > s.top_m) ||
+        s.bottom_m > reached_depth_m.high)
+      refuse(
+          formatted("turbine {}: found its top at {:g} m and its foot at {:g} m above the sea; "
+                    "expected the foot below the top, {:g} m high and {:g} m deep at most",
+                    s.name, -s.top_m, -s.bottom_m, structure_height_m.high, reached_depth_m.high));
+  }
   for (const ScenarioVehicle& vehicle : scenario.vehicles) {
-    expect(is_near(vehicle.start_m), vehicle.name + " starts too far away");
-    for (const ScenarioTask& task : vehicle.tasks)
+    expect_near(is_within_reach(vehicle.start_m), vehicle.name + " starts");
+    expect_near(
+        !vehicle.tether || !vehicle.tether->top_m || is_within_reach(*vehicle.tether->top_m),
+        "the tether of " + vehicle.name + " is fixed");
+    for (const ScenarioTask& task : vehicle.tasks) {
       for (const Waypoint& at : task.waypoints)
-        expect(is_near(at.position_m), vehicle.name + " has work too far away");
+        expect_near(is_within_reach(at.position_m), vehicle.name + " has work");
+      if (task.waypoints.size() > most_waypoints)
+        refuse(
+            formatted("{}: found {} waypoints in one task, expected at most {}; take a coarser "
+                      "pattern",
+                      vehicle.name, task.waypoints.size(), most_waypoints));
+    }
   }
 }
 

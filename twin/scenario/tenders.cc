@@ -56,7 +56,6 @@ const std::vector<Triple<double>>& Tenders::taken_by(const std::string& role, co
                                 turbines_.size(), role, role));
     return none;
   }
-  (void)carrier->keys();  // read with the scenario
   const std::string name = carrier->text("name");
   std::vector<std::string> known;
   for (const Config& vehicle : vehicles_) known.push_back(vehicle.text("name"));

@@ -75,14 +75,29 @@ void put_log(const AisLog& log, YamlValue& value) {
   if (log.starts) value.put("starts", format_utc(*log.starts));
 }
 
+const char* name_of(ScenarioTask::Kind kind) {
+  switch (kind) {
+    case ScenarioTask::Kind::route:
+      return "route";
+    case ScenarioTask::Kind::hold:
+      return "hold";
+    case ScenarioTask::Kind::follow_track:
+      return "follow_track";
+    case ScenarioTask::Kind::aboard:
+      return "aboard";
+    case ScenarioTask::Kind::stand_by:
+      return "stand_by";
+  }
+  return "";
+}
+
 YamlValue task_value(const ScenarioTask& task) {
   using Kind = ScenarioTask::Kind;
   YamlValue value;
   const auto put_duration = [&] {
     if (std::isfinite(task.hold_s)) value.put("duration_s", task.hold_s);
   };
-  const char* const does[] = {"route", "hold", "follow_track", "aboard", "stand_by"};
-  value.put("do", does[static_cast<std::size_t>(task.kind)]).put("phase", name_of(task.phase));
+  value.put("do", name_of(task.kind)).put("phase", name_of(task.phase));
   switch (task.kind) {
     case Kind::route: {
       if (task.drifts) value.put("frame", "drifting");

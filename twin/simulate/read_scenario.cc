@@ -11,6 +11,7 @@
 #include "fields/wave/scenario_sea.h"
 #include "twin/clearance/read_stand_off.h"
 #include "twin/control/patterns.h"
+#include "twin/mission/reach.h"
 #include "twin/mission/read_seconds.h"
 #include "twin/simulate/read_scenario.h"
 
@@ -18,15 +19,12 @@ namespace slackwater::twin {
 namespace {
 
 using constants::degree;
-constexpr double farthest_m = 50e3;
-constexpr Range distance{-farthest_m, farthest_m};
-constexpr Range depth{0, 12000};
 constexpr Range speed{0.01, 60};
 
 /// Depth down or height up, exactly one of them.
 double read_down(const Config& config) {
-  const auto deep = config.optional_number("depth_m", depth);
-  const auto high = config.optional_number("height_m", {0, 1000});
+  const auto deep = config.optional_number("depth_m", reached_depth_m);
+  const auto high = config.optional_number("height_m", reached_height_m);
   if (deep && high) config.refuse("height_m", "found beside depth_m; give the one or the other");
   if (!deep && !high)
     config.refuse("depth_m", "missing; give depth_m below mean sea level, or height_m above it");
@@ -34,7 +32,8 @@ double read_down(const Config& config) {
 }
 
 Triple<double> read_place(const Config& config) {
-  return {config.number("north_m", distance), config.number("east_m", distance), read_down(config)};
+  return {config.number("north_m", within_reach_m), config.number("east_m", within_reach_m),
+          read_down(config)};
 }
 
 struct AskedSpeed {
@@ -66,9 +65,9 @@ std::vector<Waypoint> read_waypoints(const Config& config) {
     put_speed(read_speed(at), waypoint);
     out.push_back(waypoint);
   }
-  if (out.empty() || out.size() > 100000)
-    config.refuse("waypoints",
-                  "found " + std::to_string(out.size()) + " waypoints, expected 1 to 100000");
+  if (out.empty() || out.size() > most_waypoints)
+    config.refuse("waypoints", "found " + std::to_string(out.size()) +
+                                   " waypoints, expected 1 to " + std::to_string(most_waypoints));
   return out;
 }
 
@@ -113,11 +112,11 @@ ScenarioTask read_task(const Config& config) {
               config.optional_number("end_depth_m", {-1000, 12000}).value_or(at.z),
               config.optional_number("chord_m", {0.1, 1000}).value_or(0.5 * radius_m), 0);
   } else if (kind == "depth_sweep") {
-    task.waypoints =
-        depth_sweep(read_place(config.child("from")), course(),
-                    config.number("length_m", {1, farthest_m}), config.number("shallow_m", depth),
-                    config.number("deep_m", depth), config.number("wavelength_m", {1, farthest_m}),
-                    config.optional_number("spacing_m", {0.1, 1000}).value_or(2), 0);
+    task.waypoints = depth_sweep(
+        read_place(config.child("from")), course(), config.number("length_m", {1, farthest_m}),
+        config.number("shallow_m", reached_depth_m), config.number("deep_m", reached_depth_m),
+        config.number("wavelength_m", {1, farthest_m}),
+        config.optional_number("spacing_m", {0.1, 1000}).value_or(2), 0);
   } else if (kind == "aboard") {
     task.kind = ScenarioTask::Kind::aboard;
     task.until_stand_by = read_until(config);
@@ -293,10 +292,11 @@ ScenarioWaves read_waves(const Config& config, bool has_forecast) {
 ScenarioStructure read_structure(const Config& config) {
   ScenarioStructure s;
   s.name = config.optional_text("name").value_or("structure");
-  s.centre_m = {config.number("north_m", distance), config.number("east_m", distance), 0};
+  s.centre_m = {config.number("north_m", within_reach_m), config.number("east_m", within_reach_m),
+                0};
   const std::string kind = config.text("kind");
   if (kind == "cylinder") {
-    s.diameter_m = config.number("diameter_m", {0.1, 100});
+    s.diameter_m = config.number("diameter_m", cylinder_diameter_m);
     s.turns_current = config.optional_flag("turns_current").value_or(false);
   } else if (kind == "box") {
     s.kind = ScenarioStructure::Kind::box;
@@ -305,7 +305,7 @@ ScenarioStructure read_structure(const Config& config) {
   } else {
     config.refuse("kind", "found " + kind + ", expected cylinder or box");
   }
-  s.top_m = -config.number("top_height_m", {-12000, 500});
+  s.top_m = -config.number("top_height_m", structure_height_m);
   s.bottom_m = config.number("bottom_depth_m", {-500, 12000});
   if (!(s.bottom_m > s.top_m)) config.refuse("bottom_depth_m", "is above the top of the structure");
   s.size_m.z = s.bottom_m - s.top_m;

@@ -3,6 +3,7 @@
 
 #include "fields/base/config.h"
 #include "fields/base/error.h"
+#include "twin/mission/reach.h"
 #include "twin/simulate/scenario_traffic.h"
 #include "twin/traffic/laid_track.h"
 
@@ -10,7 +11,6 @@ namespace slackwater::twin {
 namespace {
 
 constexpr int largest_mmsi = 999'999'999;
-constexpr Range of_traffic{-50e3, 50e3};
 
 std::uint32_t read_mmsi(const Config& config) {
   return static_cast<std::uint32_t>(config.integer("mmsi", 1, largest_mmsi));
@@ -49,7 +49,8 @@ MadeUpVessel read_vessel(const Config& config) {
   vessel.begins_s = config.optional_number("begins_s", {-30 * 86400.0, 30 * 86400.0}).value_or(0);
   std::vector<Triple<double>>& places = vessel.places_m;
   for (const Config& at : config.children("waypoints"))
-    places.push_back({at.number("north_m", of_traffic), at.number("east_m", of_traffic), 0});
+    places.push_back(
+        {at.number("north_m", within_reach_m), at.number("east_m", within_reach_m), 0});
   if (places.empty()) config.refuse("waypoints", "none; give places with north_m and east_m");
   if (places.size() > 1000) config.refuse("waypoints", "found more than 1000");
   if (places.size() > 1 || config.has("speed_m_s"))
