@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "fields/base/advice.h"
+#include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -58,8 +59,14 @@ YamlValue value_of(const YAML::Node& node) {
     return list;
   }
   YamlValue mapping;
-  for (const auto& entry : node)
-    if (!entry.second.IsNull()) mapping.put(entry.first.Scalar(), value_of(entry.second));
+  for (const auto& entry : node) {
+    const std::string& key = entry.first.Scalar();
+    const std::vector<std::string>& had = mapping.keys();
+    if (std::find(had.begin(), had.end(), key) != had.end())
+      refuse("line " + std::to_string(entry.first.Mark().line + 1) + ": found '" + key +
+             "' twice in one mapping; keep one");
+    if (!entry.second.IsNull()) mapping.put(key, value_of(entry.second));
+  }
   return mapping;
 }
 
@@ -207,6 +214,7 @@ Config Config::of(const YamlValue& mapping, std::string_view name) {
 }
 
 Config Config::merged_over(const Config& base, const std::set<std::string>& left_out) const {
+  expects(node_->home_of.empty(), "what was merged over another is not merged again");
   auto merged = std::make_shared<Node>(node_->yaml, node_->file, node_->path);
   for (const std::string& key : left_out) {
     merged->entries.erase(key);

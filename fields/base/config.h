@@ -35,7 +35,7 @@ class Config {
   [[nodiscard]] static Config of(const YamlValue& mapping, std::string_view name);
   /// The keys of this mapping, and those of another that it does not have; each keeps its file and
   /// line. All of them count as read in the two, and are to be read in the result.
-  /// @param left_out  of this one's keys
+  /// @param left_out  keys of neither
   [[nodiscard]] Config merged_over(const Config& base, const std::set<std::string>& left_out) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
