@@ -1,5 +1,6 @@
 #include "fields/base/whole_file.h"
 
+#include <cerrno>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -9,9 +10,10 @@
 namespace slackwater {
 namespace {
 
-Error unwritten(const std::filesystem::path& file) {
+Error unwritten(const std::filesystem::path& file, const std::string& why) {
   return {ErrorKind::unavailable,
-          "cannot write " + file.string() + "; check free space and permissions"};
+          "writing " + file.string() + " failed (" + why +
+              "); a writable folder with room was expected; check free space and permissions"};
 }
 
 }  // namespace
@@ -23,7 +25,7 @@ void write_beside(const std::filesystem::path& file,
   try {
     write(partial);
     std::filesystem::rename(partial, file, problem);
-    if (problem) throw unwritten(file);
+    if (problem) throw unwritten(file, problem.message());
   } catch (...) {
     std::error_code ignored;
     std::filesystem::remove(partial, ignored);
@@ -33,10 +35,11 @@ void write_beside(const std::filesystem::path& file,
 
 void write_text(const std::filesystem::path& file, std::string_view text) {
   write_beside(file, [&](const std::filesystem::path& partial) {
+    errno = 0;
     std::ofstream out(partial, std::ios::binary);
     out << text;
     out.close();
-    if (!out) throw unwritten(file);
+    if (!out) throw unwritten(file, std::generic_category().message(errno));
   });
 }
 

@@ -19,6 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string what_to_do =
+    "; a writable folder with room was expected; check free space and permissions";
+
 class WholeFile : public testing::Test {
  protected:
   void SetUp() override { write_text(file_, "old"); }
@@ -70,7 +73,7 @@ TEST_F(WholeFile, AFullDiskLeavesTheOldOne) {
     const SmallDisk disk(4096);
     problem = tests::error_of([&] { return write_text(file_, text), 0; });
   }
-  EXPECT_EQ(problem, "cannot write " + file_.string() + "; check free space and permissions");
+  EXPECT_EQ(problem, "writing " + file_.string() + " failed (File too large)" + what_to_do);
   expect_untouched();
   write_text(file_, text);
   EXPECT_EQ(text_of(file_), text);
@@ -80,7 +83,7 @@ TEST_F(WholeFile, AFolderThatMayNotBeWrittenLeavesTheOldOne) {
   // To root every folder is writable, but not one that is not there.
   const fs::path file = folder_ / "none" / "page.html";
   EXPECT_EQ(tests::error_of([&] { return write_text(file, "new"), 0; }),
-            "cannot write " + file.string() + "; check free space and permissions");
+            "writing " + file.string() + " failed (No such file or directory)" + what_to_do);
   fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
   if (::access(folder_.path().c_str(), W_OK) != 0) {
     EXPECT_THROW(write_text(file_, "new"), Error);
@@ -103,7 +106,7 @@ TEST_F(WholeFile, WhatCannotTakeItsPlaceIsGone) {
   fs::remove(file_);
   fs::create_directories(file_ / "in the way");
   EXPECT_EQ(tests::error_of([&] { return write_text(file_, "new"), 0; }),
-            "cannot write " + file_.string() + "; check free space and permissions");
+            "writing " + file_.string() + " failed (Is a directory)" + what_to_do);
   EXPECT_TRUE(fs::is_directory(file_ / "in the way"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
