@@ -32,7 +32,8 @@ ForecastMaking::Mixture mixture_of(const json& blend) {
   ForecastMaking::Mixture mixture;
   mixture.by_day.push_back(shares_of(blend));
   for (const json& of_day : blend.value("later", json::array()))
-    mixture.by_day.push_back(shares_of(of_day));
+    if (of_day.at("share").size() == mixture.by_day.front().size())
+      mixture.by_day.push_back(shares_of(of_day));
   mixture.provenance = blend.at("provenance").get<std::string>();
   mixture.spread_scale = blend.at("spread_scale").get<double>();
   mixture.spread_provenance = blend.at("spread_provenance").get<std::string>();
@@ -54,10 +55,7 @@ std::optional<ForecastMaking::HighestWave> highest_wave_of(const json& waves) {
   return ForecastMaking::HighestWave{*highest, *half, *twice};
 }
 
-}  // namespace
-
-std::optional<ForecastMaking> filed_making(const std::string& summary_json) {
-  const json summary = json::parse(summary_json, nullptr, false);
+std::optional<ForecastMaking> making_in(const json& summary) {
   if (!summary.is_object() || !summary.contains("columns") || summary["columns"].empty())
     return std::nullopt;
   ForecastMaking making;
@@ -73,6 +71,16 @@ std::optional<ForecastMaking> filed_making(const std::string& summary_json) {
   making.notes = column.value("notes", std::vector<std::string>());
   making.highest_wave = highest_wave_of(summary.value("waves", json()));
   return making;
+}
+
+}  // namespace
+
+std::optional<ForecastMaking> filed_making(const std::string& summary_json) {
+  try {
+    return making_in(json::parse(summary_json));
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace slackwater::api

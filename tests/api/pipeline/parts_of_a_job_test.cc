@@ -89,6 +89,7 @@ TEST_F(FiveDays, WhatIsFiledOfTheMakingIsWhatTheForecastKnowsOfIt) {
   EXPECT_EQ(filed_making(job_summary(job).dump()), making);
   EXPECT_FALSE(filed_making("{}"));
   EXPECT_FALSE(filed_making("not JSON"));
+  EXPECT_FALSE(filed_making(R"({"columns": [{"calibration": {}}]})")) << "of another version";
 }
 
 TEST_F(FiveDays, WhatIsPassedOnIsTheForecastThatWasFiled) {
