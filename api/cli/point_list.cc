@@ -9,24 +9,19 @@
 
 #include "fields/base/csv.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
 
+constexpr std::string_view blank_or_quote = " \t\r\"";
 constexpr std::size_t most_depths = 10'000;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r\"";
-  const std::size_t from = text.find_first_not_of(blank);
-  if (from == std::string_view::npos) return {};
-  return text.substr(from, text.find_last_not_of(blank) - from + 1);
-}
 
 std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
   for (;;) {
     const std::size_t end = line.find(separator);
-    cells.push_back(trimmed(line.substr(0, end)));
+    cells.push_back(trimmed(line.substr(0, end), blank_or_quote));
     if (end == std::string_view::npos) return cells;
     line.remove_prefix(end + 1);
   }
@@ -97,7 +92,7 @@ PointList points_in(std::istream& in) {
   const auto named = find_column(head, {"name", "id", "station", "label"});
   PointList list;
   for (std::size_t number = 2; std::getline(in, line); ++number) {
-    if (trimmed(line).empty()) continue;
+    if (trimmed(line, blank_or_quote).empty()) continue;
     with_context("line " + std::to_string(number), [&] {
       const std::vector<std::string> cells = cells_in(line);
       const double north = cell_number(cells, latitude, "latitude");

@@ -51,10 +51,10 @@ CampaignAnswer answer_of(const History& history, const CampaignFile& campaign,
   twin::StepRanges known{{0, clock.steps}};
   for (const CampaignTaskText& task : campaign.tasks) {
     if (!task.split && task.duration + task.contingency > clock.end() - clock.first)
-      throw Error(
-          ErrorKind::invalid_input,
-          formatted("task '{}': found {:g} h, longer than the series: it has {:g} h", task.name,
-                    hours(task.duration + task.contingency), hours(clock.end() - clock.first)));
+      throw Error(ErrorKind::invalid_input,
+                  formatted("task '{}': found {:g} h, longer than the series: it has {:g} h",
+                            task.name, hours_of(task.duration + task.contingency),
+                            hours_of(clock.end() - clock.first)));
     LimitedHistory limited = api::limited(history, task.limits, vocabulary, campaign.zone);
     known = twin::common_to(known, twin::outside(limited.access.missing, clock.steps));
     if (task.daylight) {

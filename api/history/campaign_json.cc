@@ -41,7 +41,7 @@ json campaign_json(const History& history, const CampaignFile& campaign,
                    {"missing_steps", twin::steps_in(answer.missing)},
                    {"gaps", gaps_json(clock, answer.missing)},
                    {"time_zone", campaign.zone ? campaign.zone->name() : "UTC"},
-                   {"work_h", hours(answer.work)},
+                   {"work_h", hours_of(answer.work)},
                    {"tasks", json::array()},
                    {"seasons", json::array()},
                    {"notes", history.notes}};
@@ -50,8 +50,8 @@ json campaign_json(const History& history, const CampaignFile& campaign,
     for (const SeriesLimit& limit : task.limits) limits.push_back(limit.text);
     document["tasks"].push_back({{"name", task.name},
                                  {"times", task.times},
-                                 {"duration_h", hours(task.duration)},
-                                 {"contingency_h", hours(task.contingency)},
+                                 {"duration_h", hours_of(task.duration)},
+                                 {"contingency_h", hours_of(task.contingency)},
                                  {"split", task.split.has_value()},
                                  {"limits", limits}});
   }

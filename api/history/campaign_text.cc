@@ -26,7 +26,7 @@ std::string campaign_text(const History& history, const CampaignFile& campaign,
   const StepClock& clock = history.regular.clock;
   std::string text =
       formatted("{}: {:g} h of work without the weather.\n{}: {}.\n\n", campaign.name,
-                hours(answer.work), history.source, extent_text(clock, answer.missing));
+                hours_of(answer.work), history.source, extent_text(clock, answer.missing));
   // One team is what is meant where nothing is said.
   const bool says_teams = campaign.teams != std::vector<std::size_t>{1};
   if (says_teams) text += formatted("{:>5}  ", "teams");

@@ -18,12 +18,6 @@ namespace {
 
 using twin::BoundSide;
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t from = text.find_first_not_of(" \t");
-  if (from == std::string_view::npos) return {};
-  return text.substr(from, text.find_last_not_of(" \t") - from + 1);
-}
-
 struct Sign {
   std::string_view text;
   BoundSide side;

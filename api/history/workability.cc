@@ -20,15 +20,16 @@ WorkabilityAnswer answer_of(const History& history, const WorkabilityQuestion& q
   const StepClock& clock = history.regular.clock;
   const Duration needed = question.duration + question.contingency;
   if (needed > clock.end() - clock.first)
-    throw Error(ErrorKind::invalid_input,
-                formatted("found --duration {:g} h{}, longer than the series: it has {:g} h, from "
-                          "{} to {}; expected a task that fits into it",
-                          hours(question.duration),
-                          question.contingency > Duration(0)
-                              ? formatted(" and --contingency {:g} h", hours(question.contingency))
-                              : std::string(),
-                          hours(clock.end() - clock.first), format_utc(clock.first),
-                          format_utc(clock.end())));
+    throw Error(
+        ErrorKind::invalid_input,
+        formatted("found --duration {:g} h{}, longer than the series: it has {:g} h, from "
+                  "{} to {}; expected a task that fits into it",
+                  hours_of(question.duration),
+                  question.contingency > Duration(0)
+                      ? formatted(" and --contingency {:g} h", hours_of(question.contingency))
+                      : std::string(),
+                  hours_of(clock.end() - clock.first), format_utc(clock.first),
+                  format_utc(clock.end())));
   WorkabilityAnswer answer;
   answer.limited = limited(history, question.limits, vocabulary, question.zone);
   if (question.daylight) {

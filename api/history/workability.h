@@ -43,8 +43,4 @@ struct WorkabilityAnswer {
 /// The longest of some stretches, the first of them; null where there is none.
 [[nodiscard]] const twin::StepRange* longest_of(const twin::StepRanges& ranges);
 
-[[nodiscard]] inline double hours(Duration duration) {
-  return std::chrono::duration<double, std::ratio<3600>>(duration).count();
-}
-
 }  // namespace slackwater::api

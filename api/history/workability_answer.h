@@ -24,7 +24,7 @@ namespace slackwater::api {
 [[nodiscard]] nlohmann::json gaps_json(const StepClock& clock, const twin::StepRanges& missing);
 
 /// NaN of nothing.
-[[nodiscard]] double share(std::size_t part, std::size_t of) noexcept;
+[[nodiscard]] double share_of(std::size_t part, std::size_t of) noexcept;
 /// "Europe/Berlin"; "UTC" where nobody named one.
 [[nodiscard]] std::string zone_text(const std::optional<TimeZone>& zone);
 

@@ -54,8 +54,8 @@ json workability_json(const History& history, const WorkabilityQuestion& questio
   document["last"] = format_utc(clock.time_of(clock.steps - 1));
   document["step_h"] = clock.step_h();
   document["time_zone"] = zone_text(question.zone);
-  document["duration_h"] = hours(question.duration);
-  document["contingency_h"] = hours(question.contingency);
+  document["duration_h"] = hours_of(question.duration);
+  document["contingency_h"] = hours_of(question.contingency);
   document["start_hours"] =
       question.start_hours ? json(twin::text_of(*question.start_hours)) : json(nullptr);
   document["limits"] = json::array();
@@ -71,15 +71,15 @@ json workability_json(const History& history, const WorkabilityQuestion& questio
          {"at", std::string(twin::sign_of(limit.bound.side))},
          {"value", limit.bound.value},
          {"unit", unit_of(limit, history.series[s], vocabulary)},
-         {"holds", share(answer.limited.shares[l].holds, clock.steps)},
-         {"stops_alone", share(answer.limited.shares[l].stops_alone, clock.steps)}});
+         {"holds", share_of(answer.limited.shares[l].holds, clock.steps)},
+         {"stops_alone", share_of(answer.limited.shares[l].stops_alone, clock.steps)}});
   }
   document["daylight"] = nullptr;
   if (question.daylight)
     document["daylight"] = {{"light", std::string(twin::name_of(*question.daylight))},
                             {"latitude_deg", history.place->latitude_deg()},
                             {"longitude_deg", history.place->longitude_deg()},
-                            {"holds", share(answer.light_steps, clock.steps)}};
+                            {"holds", share_of(answer.light_steps, clock.steps)}};
   document["gaps"] = gaps_json(clock, answer.limited.access.missing);
   document["by_month"] = json::array();
   for (const twin::MonthStatistics& month : answer.workability.by_month) {

@@ -31,9 +31,9 @@ std::string row_text(const std::string& name, const WindowStatistics& s) {
 }
 
 std::string need_text(const WorkabilityQuestion& question) {
-  std::string text = formatted("A task of {:g} h", hours(question.duration));
+  std::string text = formatted("A task of {:g} h", hours_of(question.duration));
   if (question.contingency > Duration(0))
-    text += formatted(" and {:g} h of contingency", hours(question.contingency));
+    text += formatted(" and {:g} h of contingency", hours_of(question.contingency));
   if (question.start_hours)
     text += ", begun from " + twin::text_of(*question.start_hours) + " " +
             zone_text(question.zone) + ",";
@@ -63,7 +63,7 @@ std::string verdict_text(const WorkabilityQuestion& question, const WindowStatis
 
 }  // namespace
 
-double share(std::size_t part, std::size_t of) noexcept {
+double share_of(std::size_t part, std::size_t of) noexcept {
   return of == 0 ? std::nan("") : static_cast<double>(part) / static_cast<double>(of);
 }
 
@@ -94,16 +94,16 @@ std::string workability_text(const History& history, const WorkabilityQuestion& 
   for (std::size_t l = 0; l < question.limits.size(); ++l) {
     const LimitShare& one = answer.limited.shares[l];
     text += formatted("  {}: holds {} % of the time", question.limits[l].text,
-                      percent_text(share(one.holds, clock.steps)));
+                      percent_text(share_of(one.holds, clock.steps)));
     if (question.limits.size() > 1)
-      text +=
-          formatted(", alone in the way {} %", percent_text(share(one.stops_alone, clock.steps)));
+      text += formatted(", alone in the way {} %",
+                        percent_text(share_of(one.stops_alone, clock.steps)));
     text += "\n";
   }
   if (question.daylight)
     text += formatted("  daylight ({}): holds {} % of the time\n",
                       std::string(twin::name_of(*question.daylight)),
-                      percent_text(share(answer.light_steps, clock.steps)));
+                      percent_text(share_of(answer.light_steps, clock.steps)));
   text +=
       formatted("  all together: {} % of the time", percent_text(found.overall.accessibility()));
   if (found.overall.windows > 0)

@@ -7,6 +7,7 @@
 #include "calibration/fuse/comparison.h"
 #include "calibration/fuse/error_filter.h"
 #include "fields/base/check.h"
+#include "fields/base/square.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -30,8 +31,6 @@ class Spread {
   double squares_ = 0;
   std::size_t count_ = 0;
 };
-
-double square(double value) { return value * value; }
 
 /// Noise variance of the values of one time.
 class Noise {

@@ -10,6 +10,7 @@
 #include "calibration/fuse/instrument_noise.h"
 #include "calibration/fuse/tide_agreement.h"
 #include "fields/base/check.h"
+#include "fields/base/square.h"
 #include "fields/base/text.h"
 
 namespace slackwater::calibration {
@@ -23,8 +24,6 @@ constexpr double least_share_of_times = 0.75;
 constexpr double noise_worth_saying_m_s = 0.10;
 constexpr double forgotten_share = 1.0 / 3.0;
 constexpr double least_silence_worth_saying_h = 6.0;
-
-double squared(double value) { return value * value; }
 
 std::optional<UtcTime> last_value(const VectorColumn& column) {
   for (std::size_t t = column.times(); t-- > 0;) {
@@ -145,8 +144,8 @@ InstrumentErrors errors_of(const VectorColumn& column, std::optional<double> sta
   double noise = 0;
   for (const double one : errors.noise_m_s) noise += one * one;
   noise /= static_cast<double>(errors.noise_m_s.size());
-  const double known = std::max(noise, squared(settings.instrument_error_m_s));
-  errors.lasting_m_s = std::sqrt(std::max(0.0, squared(*stated_m_s) - known));
+  const double known = std::max(noise, square(settings.instrument_error_m_s));
+  errors.lasting_m_s = std::sqrt(std::max(0.0, square(*stated_m_s) - known));
   return errors;
 }
 

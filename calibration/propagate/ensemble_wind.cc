@@ -8,6 +8,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
+#include "fields/base/square.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -26,8 +27,6 @@ T at(std::span<const UtcTime> times, std::span<const T> values, UtcTime end_of_d
   const double share = hours_between(before, time) / hours_between(before, times[i]);
   return (1.0 - share) * low + share * values[i];
 }
-
-double squared(double x) noexcept { return x * x; }
 
 }  // namespace
 
@@ -104,7 +103,7 @@ EnsembleWind::Driver EnsembleWind::driver_of(std::span<const Horizontal> departu
                                              UtcTime end_of_day) const {
   Driver driver;
   std::optional<std::size_t> last;  // the last sample at which the member says something
-  const double least = squared(least_ensemble_sigma_m_s());
+  const double least = square(least_ensemble_sigma_m_s());
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     const UtcTime time = samples_[k];
     const Horizontal known = at(times, departure_m_s, end_of_day, time);
@@ -117,7 +116,7 @@ EnsembleWind::Driver EnsembleWind::driver_of(std::span<const Horizontal> departu
       last = k;
     } else if (last) {
       const double kept = std::exp(-hours_between(samples_[*last], time) / law_.memory_h);
-      const double remainder = squared(kept * driver.remainder_m_s[*last]);
+      const double remainder = square(kept * driver.remainder_m_s[*last]);
       driver.departure_m_s.push_back(kept * driver.departure_m_s[*last]);
       driver.spread_m_s.push_back(kept * driver.spread_m_s[*last]);
       driver.remainder_m_s.push_back(std::sqrt(remainder + (1.0 - kept * kept) * law * law));

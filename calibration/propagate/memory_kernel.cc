@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
+#include "fields/base/square.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -38,8 +39,6 @@ Horizontal mean_decay(const HourCell& a, const HourCell& b, Horizontal mu_per_h)
           twice(a.from_h - b.to_h)) /
          (a.length_h() * b.length_h());
 }
-
-double square(double value) { return value * value; }
 
 }  // namespace
 

@@ -15,10 +15,6 @@ namespace {
 /// Loose messages are read by so many bytes at a time.
 constexpr std::uint64_t loose_stretch = std::uint64_t{1} << 20U;
 
-[[noreturn]] void damaged_index(const std::string& what) {
-  throw Error(ErrorKind::invalid_input, what);
-}
-
 class Indexer {
  public:
   explicit Indexer(const InputFile& file) : file_(file), window_(file) {}
@@ -26,7 +22,7 @@ class Indexer {
   McapIndex index() {
     if (!file_.has(0, mcap_magic.size()) ||
         !std::equal(mcap_magic.begin(), mcap_magic.end(), window_.at(0, mcap_magic.size()).begin()))
-      damaged_index("no MCAP file: it does not begin as one");
+      refuse("no MCAP file: it does not begin as one");
     std::optional<McapSummary> summary;
     try {
       summary = read_summary(file_, definitions_);
@@ -67,34 +63,32 @@ class Indexer {
         ++next_chunk;
         continue;
       }
-      if (!file_.has(at_, mcap_record_head)) damaged_index("it ends without an end");
+      if (!file_.has(at_, mcap_record_head)) refuse("it ends without an end");
       McapFields head(window_.at(at_, mcap_record_head));
       const auto op = static_cast<McapOp>(head.number<std::uint8_t>());
       const auto length = head.number<std::uint64_t>();
-      if (!file_.has(at_ + mcap_record_head, length)) damaged_index("a record goes beyond the end");
+      if (!file_.has(at_ + mcap_record_head, length)) refuse("a record goes beyond the end");
       if (op == McapOp::data_end || op == McapOp::footer) break;
       take(op, length);
       at_ += mcap_record_head + length;
     }
     if (summary && next_chunk < summary->chunks.size())
-      damaged_index("the data end before all chunks of the summary were met");
+      refuse("the data end before all chunks of the summary were met");
   }
 
   void take(McapOp op, std::uint64_t length) {
     const std::uint64_t content = at_ + mcap_record_head;
     switch (op) {
       case McapOp::none:
-        damaged_index("there is no record of kind 0");
+        refuse("there is no record of kind 0");
       case McapOp::schema:
       case McapOp::channel:
-        if (length > largest_chunk)
-          damaged_index("a definition of " + std::to_string(length) + " bytes");
+        if (length > largest_chunk) refuse("a definition of " + std::to_string(length) + " bytes");
         file_.read(content, length, work_);
         op == McapOp::schema ? definitions_.take_schema(work_) : definitions_.take_channel(work_);
         break;
       case McapOp::message: {
-        if (length < mcap_message_head)
-          damaged_index("a message of " + std::to_string(length) + " bytes");
+        if (length < mcap_message_head) refuse("a message of " + std::to_string(length) + " bytes");
         McapFields fields(window_.at(content, mcap_message_head));
         take_loose(time_of_message(fields), mcap_record_head + length);
         break;
@@ -111,14 +105,14 @@ class Indexer {
   std::int64_t time_of_message(McapFields& fields) const {
     const auto channel = fields.number<std::uint16_t>();
     if (definitions_.channels().find(channel) == nullptr)
-      damaged_index("a message of channel " + std::to_string(channel) + ", which is not defined");
+      refuse("a message of channel " + std::to_string(channel) + ", which is not defined");
     static_cast<void>(fields.number<std::uint32_t>());
     return fields.time_ns();
   }
 
   void take_loose(std::int64_t time_ns, std::uint64_t length) {
     if (loose_ && at_ + length - loose_->offset > loose_stretch) end_loose();
-    if (length > largest_chunk) damaged_index("a message of " + std::to_string(length) + " bytes");
+    if (length > largest_chunk) refuse("a message of " + std::to_string(length) + " bytes");
     if (!loose_) loose_ = McapStretch{at_, 0, time_ns, false};
     loose_->length = at_ + length - loose_->offset;
     loose_->first_ns = std::min(loose_->first_ns, time_ns);

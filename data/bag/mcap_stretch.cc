@@ -7,19 +7,13 @@
 #include "fields/base/error.h"
 
 namespace slackwater::bag {
-namespace {
-
-[[noreturn]] void damaged_stretch(const std::string& what) {
-  throw Error(ErrorKind::invalid_input, what);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void read_stretch(const InputFile& file, const McapStretch& stretch, Bytes& file_bytes,
                   Bytes& records) {
   if (stretch.length > largest_chunk) {
-    damaged_stretch("a chunk of " + std::to_string(stretch.length) + " bytes; no more than " +
-                    std::to_string(largest_chunk) + " are read");
+    refuse("a chunk of " + std::to_string(stretch.length) + " bytes; no more than " +
+           std::to_string(largest_chunk) + " are read");
   }
   if (!stretch.is_chunk) {
     file.read(stretch.offset, stretch.length, records);
@@ -28,8 +22,7 @@ void read_stretch(const InputFile& file, const McapStretch& stretch, Bytes& file
   file.read(stretch.offset, stretch.length, file_bytes);
   ByteView rest = file_bytes;
   const McapRecord record = take_record(rest);
-  if (record.op != McapOp::chunk || !rest.empty())
-    damaged_stretch("no chunk where one is said to be");
+  if (record.op != McapOp::chunk || !rest.empty()) refuse("no chunk where one is said to be");
   McapFields fields(record.content);
   fields.time_ns();
   fields.time_ns();
@@ -38,7 +31,7 @@ void read_stretch(const InputFile& file, const McapStretch& stretch, Bytes& file
   const std::string compression = fields.text();
   const ByteView packed = fields.raw(fields.number<std::uint64_t>());
   unpack_chunk(compression, packed, size, records);
-  if (sum != 0 && sum != crc32(records)) damaged_stretch("the sum of a chunk is another");
+  if (sum != 0 && sum != crc32(records)) refuse("the sum of a chunk is another");
 }
 
 }  // namespace slackwater::bag

@@ -10,8 +10,6 @@
 namespace slackwater::bag {
 namespace {
 
-[[noreturn]] void damaged(const std::string& what) { throw Error(ErrorKind::invalid_input, what); }
-
 McapSummary::Chunk indexed_chunk(ByteView content, std::uint64_t data_start,
                                  std::uint64_t data_end) {
   McapFields fields(content);
@@ -27,7 +25,7 @@ McapSummary::Chunk indexed_chunk(ByteView content, std::uint64_t data_start,
                     chunk.stretch.length >= mcap_record_head &&
                     chunk.stretch.length <= data_end - chunk.stretch.offset &&
                     indexes <= data_end - chunk.stretch.offset - chunk.stretch.length;
-  if (!fits) damaged("the summary places a chunk outside the data");
+  if (!fits) refuse("the summary places a chunk outside the data");
   chunk.end = chunk.stretch.offset + chunk.stretch.length + indexes;
   return chunk;
 }
@@ -53,7 +51,7 @@ McapSummary summary_in(ByteView bytes, std::uint64_t data_end, McapDefinitions& 
             });
   for (std::size_t i = 1; i < summary.chunks.size(); ++i) {
     if (summary.chunks[i].stretch.offset < summary.chunks[i - 1].end)
-      damaged("it places two chunks at one place");
+      refuse("it places two chunks at one place");
   }
   return summary;
 }
@@ -75,11 +73,11 @@ std::optional<McapSummary> read_summary(const InputFile& file, McapDefinitions& 
   static_cast<void>(fields.number<std::uint64_t>());
   const auto sum = fields.number<std::uint32_t>();
   if (start == 0) return std::nullopt;
-  if (start < mcap_magic.size() || start > footer) damaged("it is said to begin outside the file");
+  if (start < mcap_magic.size() || start > footer) refuse("it is said to begin outside the file");
   if (footer - start > largest_chunk) return std::nullopt;
   file.read(start, file.size() - start, all);
   if (sum != 0 && sum != crc32(ByteView(all).first(all.size() - mcap_magic.size() - 4)))
-    damaged("its sum is another");
+    refuse("its sum is another");
   McapSummary summary =
       summary_in(ByteView(all).first(static_cast<std::size_t>(footer - start)), start, definitions);
   // Channels may stand in the chunks alone: then all of them are to be looked through.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fields/base/sha256.h"
+#include "fields/base/text.h"
 
 namespace slackwater::bag {
 namespace {
@@ -36,12 +37,6 @@ struct Field {
   unsigned string_capacity = 0;
   std::string nested;  ///< "package/msg/Name"
 };
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::optional<unsigned> number_in(std::string_view text) {
   unsigned value = 0;

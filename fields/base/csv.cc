@@ -8,19 +8,12 @@
 namespace slackwater {
 namespace {
 
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r";
-  const std::size_t from = text.find_first_not_of(blank);
-  if (from == std::string_view::npos) return {};
-  return std::string(text.substr(from, text.find_last_not_of(blank) - from + 1));
-}
-
 /// Takes one cell and the comma behind it from `rest`; nothing where its quote stays open.
 std::optional<std::string> take_cell(std::string_view& rest) {
   const std::size_t start = rest.find_first_not_of(" \t");
   if (start == std::string_view::npos || rest[start] != '"') {
     const std::size_t end = std::min(rest.find(','), rest.size());
-    std::string cell = trimmed(rest.substr(0, end));
+    std::string cell(trimmed(rest.substr(0, end)));
     rest.remove_prefix(end);
     return cell;
   }

@@ -36,6 +36,9 @@ template <typename Texts>
   return all;
 }
 
+/// Without what is blank at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view blank = " \t\r");
+
 /// A to Z in lower case, every other byte as it is.
 [[nodiscard]] std::string lower_case(std::string_view text);
 /// Whether `text` holds `part`, the case of A to Z ignored.

@@ -24,8 +24,11 @@ using Duration = std::chrono::milliseconds;
 /// zero.
 [[nodiscard]] Duration parse_duration(std::string_view text);
 
+[[nodiscard]] constexpr double hours_of(Duration duration) noexcept {
+  return std::chrono::duration<double, std::ratio<3600>>(duration).count();
+}
 [[nodiscard]] constexpr double hours_between(UtcTime from, UtcTime to) noexcept {
-  return std::chrono::duration<double, std::ratio<3600>>(to - from).count();
+  return hours_of(to - from);
 }
 [[nodiscard]] constexpr double seconds_between(UtcTime from, UtcTime to) noexcept {
   return std::chrono::duration<double>(to - from).count();

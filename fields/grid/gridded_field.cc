@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/base/ascends.h"
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 
 namespace slackwater {
 namespace {
-
-bool ascends(const std::vector<double>& axis) {
-  return std::adjacent_find(axis.begin(), axis.end(),
-                            [](double a, double b) { return !(a < b); }) == axis.end();
-}
 
 /// A lone cell is 10 km wide (fields/docs/conventions.md: 5 km for a one-cell grid).
 constexpr double lone_half_cell_m = 5000.0;

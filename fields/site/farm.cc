@@ -13,11 +13,6 @@ constexpr Range hub_range{10, 400};
 constexpr Range rotor_range{10, 400};
 constexpr Range bearing_range{-360, 360};
 
-GeoPoint read_corner(const Config& config) {
-  return GeoPoint::from_degrees(config.number("latitude_deg", {-90, 90}),
-                                config.number("longitude_deg", {-180, 360}));
-}
-
 std::vector<Mooring> read_moorings(const Config& turbine, const std::optional<Foundation>& on) {
   std::vector<Mooring> lines;
   for (const Config& entry : turbine.children("moorings")) {
@@ -38,6 +33,11 @@ std::vector<Mooring> read_moorings(const Config& turbine, const std::optional<Fo
 }
 
 }  // namespace
+
+GeoPoint read_point(const Config& config) {
+  return GeoPoint::from_degrees(config.number("latitude_deg", {-90, 90}),
+                                config.number("longitude_deg", {-180, 360}));
+}
 
 const char* name_of(FoundationKind kind) noexcept {
   switch (kind) {
@@ -84,7 +84,7 @@ std::vector<TurbinePlace> read_turbines(const Config& site) {
     turbine.id = entry.text("id");
     if (!ids.insert(turbine.id).second)
       entry.refuse("id", "found " + turbine.id + " twice; name each turbine differently");
-    turbine.point = read_corner(entry);
+    turbine.point = read_point(entry);
     turbine.water_depth_m = entry.optional_number("water_depth_m", {1, 11000});
     turbine.foundation = read_foundation(entry);
     if (!turbine.foundation) turbine.foundation = common;
@@ -123,7 +123,7 @@ std::vector<CableRoute> read_cables(const Config& site, const std::vector<Turbin
       cable.route.push_back(found->point);
     };
     end("from");
-    for (const Config& via : entry.children("via")) cable.route.push_back(read_corner(via));
+    for (const Config& via : entry.children("via")) cable.route.push_back(read_point(via));
     end("to");
     if (cable.route.size() < 2)
       entry.refuse("via", "a cable has two ends; give from and to, or two places and more");

@@ -50,6 +50,8 @@ struct CableRoute {
 [[nodiscard]] const char* name_of(FoundationKind kind) noexcept;
 
 class Config;
+/// latitude_deg and longitude_deg of a mapping.
+[[nodiscard]] GeoPoint read_point(const Config& config);
 /// `foundation` of a site or of a turbine:
 ///
 ///     {kind: monopile, diameter_m: 6, top_height_m: 20}

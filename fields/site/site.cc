@@ -13,14 +13,6 @@
 namespace slackwater {
 namespace {
 
-constexpr Range latitude_range{-90, 90};
-constexpr Range longitude_range{-180, 360};
-
-GeoPoint read_point(const Config& config) {
-  return GeoPoint::from_degrees(config.number("latitude_deg", latitude_range),
-                                config.number("longitude_deg", longitude_range));
-}
-
 std::optional<TimeZone> read_time_zone(const Config& config) {
   const auto name = config.optional_text("timezone");
   if (!name) return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
+#include "fields/base/square.h"
 #include "fields/base/turn.h"
 
 namespace slackwater {
@@ -25,8 +26,6 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 double degrees_between(double a_deg, double b_deg) {
   return std::abs(short_way_deg(a_deg - b_deg));
 }
-
-double square(double x) { return x * x; }
 
 /// Fetch at which this wind raises this height, at most `longest_m`.
 double fetch_of_height(double wind_speed_m_s, double height_m, double longest_m,

@@ -5,7 +5,8 @@ namespace slackwater {
 
 /// The sinusoids of a sea as the kernel reads them: arrays of `count` values, a multiple of 8,
 /// by ascending wavenumber (waves of no height that fill up the last eight stand anywhere). Plain
-/// pointers on purpose, see fields/current/steady_column_kernel.h.
+/// pointers on purpose: a kernel is compiled once for each instruction set, and inline functions of
+/// library types would be taken from one of them by all.
 struct SeaKernelWaves {
   std::size_t count = 0;
   double depth_m = 0;

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "fields/base/ascends.h"
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
@@ -32,12 +33,6 @@ std::vector<std::string> lines_of(const std::string& text) {
     from = to + 1;
   }
   return lines;
-}
-
-template <typename T>
-bool ascends(const std::vector<T>& axis) {
-  return std::adjacent_find(axis.begin(), axis.end(),
-                            [](const T& a, const T& b) { return !(a < b); }) == axis.end();
 }
 
 /// One file being read.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fields/base/advice.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/cf/units.h"
@@ -15,7 +16,7 @@
 namespace slackwater::ingest {
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 bool is_number(const netcdf::Variable& variable) {
   return variable.type != netcdf::Type::character && variable.type != netcdf::Type::string;
@@ -131,7 +132,7 @@ class CfHistory {
         if (weight[k] == 0) continue;
         const SampleStatus status = read.status[read.at(t, k)];
         if (status != SampleStatus::missing && !has_value(status)) ++flagged;
-        value += has_value(status) ? weight[k] * read.values[read.at(t, k)] : missing;
+        value += has_value(status) ? weight[k] * read.values[read.at(t, k)] : nan;
       }
       series.time.push_back(times.cells[t].start);
       series.value.push_back(value);

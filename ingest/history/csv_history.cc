@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "fields/base/advice.h"
+#include "fields/base/constants.h"
 #include "fields/base/csv.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -18,14 +19,7 @@
 namespace slackwater::ingest {
 namespace {
 
-constexpr double missing_cell = std::numeric_limits<double>::quiet_NaN();
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r";
-  const std::size_t from = text.find_first_not_of(blank);
-  if (from == std::string_view::npos) return {};
-  return text.substr(from, text.find_last_not_of(blank) - from + 1);
-}
+using constants::nan;
 
 std::string shown(std::string_view text) {
   constexpr std::size_t enough = 60;
@@ -82,8 +76,8 @@ double number_in(std::string_view cell, const std::string& column) {
   const char* const end = digits.data() + digits.size();
   const auto [stop, problem] = std::from_chars(digits.data(), end, value);
   if (problem == std::errc{} && stop == end && !digits.empty())
-    return std::isfinite(value) ? value : missing_cell;
-  if (is_missing(cell)) return missing_cell;
+    return std::isfinite(value) ? value : nan;
+  if (is_missing(cell)) return nan;
   const auto meant = with_decimal_point(cell);
   refuse(
       "column '" + column + "': found " + shown(cell) + ", expected a number" +

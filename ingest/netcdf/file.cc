@@ -22,24 +22,20 @@ constexpr std::size_t max_text = std::size_t{1} << 16;
 constexpr std::size_t max_texts_bytes = std::size_t{1} << 30;  // as strings in memory
 constexpr std::size_t letters_at_once = std::size_t{1} << 20;
 
-[[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& why) {
-  throw Error(ErrorKind::invalid_input, path.string() + ": " + why);
-}
-
 void expect_netcdf_magic(const std::filesystem::path& path) {
   std::error_code status;
   if (!std::filesystem::exists(path, status)) {
     throw Error(ErrorKind::not_found, "no such file: " + path.string());
   }
   if (!std::filesystem::is_regular_file(path, status))
-    refuse_file(path, "is not a regular file; give a NetCDF file");
+    refuse(path, "is not a regular file; give a NetCDF file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw Error(ErrorKind::unavailable, "cannot read " + path.string() + "; check its permissions");
   std::string magic(8, '\0');
   stream.read(magic.data(), 8);
   const auto found = static_cast<std::size_t>(stream.gcount());
-  if (found == 0) refuse_file(path, "is empty (0 bytes); expected a NetCDF file; fetch it again");
+  if (found == 0) refuse(path, "is empty (0 bytes); expected a NetCDF file; fetch it again");
   const bool hdf5 = found == 8 && magic == std::string("\x89HDF\r\n\x1a\n", 8);
   const bool classic =
       found >= 4 && magic.starts_with("CDF") && (magic[3] == 1 || magic[3] == 2 || magic[3] == 5);
@@ -49,7 +45,7 @@ void expect_netcdf_magic(const std::filesystem::path& path) {
       const auto byte = static_cast<unsigned char>(magic[i]);
       shown += byte >= 32 && byte < 127 ? magic[i] : '.';
     }
-    refuse_file(
+    refuse(
         path,
         "is not a NetCDF file (it starts with '" + shown +
             "'); expected netCDF classic, 64-bit offset or netCDF-4; convert it or leave it out");
@@ -80,12 +76,12 @@ void expect_bounded_texts(const std::filesystem::path& path, const Variable& var
   const std::string found = "variable '" + variable.name + "' holds " + std::to_string(rows) +
                             " texts of " + std::to_string(letters) + " letters";
   if (rows != 0 && max_texts_bytes / rows < sizeof(std::string) + letters)
-    refuse_file(path, found + "; expected at most 1 GiB of them in memory");
+    refuse(path, found + "; expected at most 1 GiB of them in memory");
   std::error_code none;
   const std::uintmax_t bytes = std::filesystem::file_size(path, none);
   if (!none && variable.chunks.empty() && variable.size() > bytes) {
-    refuse_file(path, found + ", more than the " + std::to_string(bytes) +
-                          " bytes of the file; it is damaged or truncated; fetch it again");
+    refuse(path, found + ", more than the " + std::to_string(bytes) +
+                     " bytes of the file; it is damaged or truncated; fetch it again");
   }
 }
 
@@ -137,15 +133,14 @@ File File::open(const std::filesystem::path& path) {
   const int status = nc_open(name.c_str(), NC_NOWRITE, &file.id_);
   if (status != NC_NOERR) {
     file.id_ = -1;
-    refuse_file(path, std::string("cannot be opened as NetCDF (") + nc_strerror(status) +
-                          "); it is damaged or truncated; fetch it again");
+    refuse(path, std::string("cannot be opened as NetCDF (") + nc_strerror(status) +
+                     "); it is damaged or truncated; fetch it again");
   }
   int variables = 0;
   int global_attributes = 0;
   check(nc_inq(file.id_, nullptr, &variables, &global_attributes, nullptr), path,
         "reading the header");
-  if (variables > max_variables)
-    refuse_file(path, "has " + std::to_string(variables) + " variables");
+  if (variables > max_variables) refuse(path, "has " + std::to_string(variables) + " variables");
   file.dimensions_ = read_dimensions(file.id_, path);
   file.attributes_ = read_attributes(file.id_, NC_GLOBAL, global_attributes, path);
   for (int id = 0; id < variables; ++id)
@@ -226,9 +221,9 @@ void File::read(const Variable& variable, std::span<const std::size_t> start,
 std::vector<double> File::read_all(const Variable& variable) const {
   const std::size_t size = variable.size();
   if (size > max_read_all) {
-    refuse_file(path_, "variable '" + variable.name + "' holds " + std::to_string(size) +
-                           " values; expected at most " + std::to_string(max_read_all) +
-                           " in one piece");
+    refuse(path_, "variable '" + variable.name + "' holds " + std::to_string(size) +
+                      " values; expected at most " + std::to_string(max_read_all) +
+                      " in one piece");
   }
   std::vector<double> values(size);
   const std::vector<std::size_t> start(variable.shape.size(), 0);
@@ -240,7 +235,7 @@ std::string File::read_text(const Variable& variable) const {
   const LibraryLock lock;
   const std::string doing = "reading text variable '" + variable.name + "'";
   if (variable.size() > max_text)
-    refuse_file(path_, "variable '" + variable.name + "' is too long for a text");
+    refuse(path_, "variable '" + variable.name + "' is too long for a text");
   std::string text;
   if (variable.type == Type::character) {
     text.resize(variable.size());
@@ -251,7 +246,7 @@ std::string File::read_text(const Variable& variable) const {
     if (strings.front() != nullptr) text = strings.front();
     nc_free_string(strings.size(), strings.data());
   } else if (variable.type != Type::string) {
-    refuse_file(path_, "variable '" + variable.name + "' holds numbers; expected text");
+    refuse(path_, "variable '" + variable.name + "' holds numbers; expected text");
   }
   const auto last = text.find_last_not_of(std::string_view(" \0\t", 3));
   text.resize(last == std::string::npos ? 0 : last + 1);

@@ -18,10 +18,6 @@ constexpr int max_dimensions = 4096;
 constexpr int max_attributes = 1024;
 constexpr std::size_t max_attribute_values = std::size_t{1} << 20;
 
-[[noreturn]] void refuse_header(const std::filesystem::path& path, const std::string& why) {
-  throw Error(ErrorKind::invalid_input, path.string() + ": " + why);
-}
-
 Type type_of(nc_type type) noexcept {
   switch (type) {
     case NC_BYTE:
@@ -67,8 +63,8 @@ Attribute read_attribute(int file, int variable, int number, const std::filesyst
   check(nc_inq_att(file, variable, attribute.name.c_str(), &type, &length), path, doing);
   attribute.type = type_of(type);
   if (length > max_attribute_values) {
-    refuse_header(path, "attribute '" + attribute.name + "' holds " + std::to_string(length) +
-                            " values; expected at most " + std::to_string(max_attribute_values));
+    refuse(path, "attribute '" + attribute.name + "' holds " + std::to_string(length) +
+                     " values; expected at most " + std::to_string(max_attribute_values));
   }
   if (attribute.type == Type::character) {
     std::string text(length, '\0');
@@ -127,7 +123,7 @@ void read_large_plain_chunks_in_place(int file, const Variable& variable) {
 std::vector<Attribute> read_attributes(int file, int variable, int count,
                                        const std::filesystem::path& path) {
   if (count > max_attributes)
-    refuse_header(path, "has " + std::to_string(count) + " attributes on one variable");
+    refuse(path, "has " + std::to_string(count) + " attributes on one variable");
   std::vector<Attribute> attributes;
   attributes.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) attributes.push_back(read_attribute(file, variable, i, path));
@@ -137,7 +133,7 @@ std::vector<Attribute> read_attributes(int file, int variable, int count,
 std::vector<Dimension> read_dimensions(int file, const std::filesystem::path& path) {
   int count = 0;
   check(nc_inq_dimids(file, &count, nullptr, 0), path, "counting dimensions");
-  if (count > max_dimensions) refuse_header(path, "has " + std::to_string(count) + " dimensions");
+  if (count > max_dimensions) refuse(path, "has " + std::to_string(count) + " dimensions");
   std::vector<int> ids(static_cast<std::size_t>(count));
   check(nc_inq_dimids(file, nullptr, ids.data(), 0), path, "listing dimensions");
   int unlimited_count = 0;

@@ -3,15 +3,16 @@
 #include <limits>
 
 #include "api/dds/message/cdr.h"
+#include "api/dds/message/map_frame.h"
 #include "api/dds/message/parts.h"
 #include "api/dds/message/profile_message.h"
+#include "fields/base/constants.h"
 #include "rosgraph_msgs.h"
 
 namespace slackwater::dds {
 namespace {
 
-constexpr const char* map_frame = "map";
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 
 Place place_of(const SiteWater& water, double vertical_m, UtcTime time) {
   return {water.point.longitude_deg(), water.point.latitude_deg(), vertical_m, time};
@@ -61,7 +62,7 @@ Bytes wind(const SiteWater& water, UtcTime time, const Stamp& stamp) {
   const Place place = place_of(water, height_m, time);
   WindSample sample;
   water.field.sample_wind({&place, 1}, {&sample, 1}, water.member);
-  twin::Triple<double> towards{no_number, no_number, no_number};
+  twin::Triple<double> towards{nan, nan, nan};
   if (has_value(sample.status))
     towards = {sample.velocity_m_s.real(), sample.velocity_m_s.imag(), 0};
   geometry_msgs::msg::Vector3Stamped message;
@@ -74,9 +75,9 @@ Bytes wave(const SeaSample& sea, const Stamp& stamp) {
   const bool has = has_value(sea.status);
   slackwater_msgs::msg::SeaState message;
   message.header(header_message(stamp, map_frame));
-  message.hs_m(has ? sea.sea.significant_height_m : no_number);
-  message.tp_s(has ? sea.sea.peak_period_s : no_number);
-  message.from_deg(has ? sea.sea.from_direction_deg : no_number);
+  message.hs_m(has ? sea.sea.significant_height_m : nan);
+  message.tp_s(has ? sea.sea.peak_period_s : nan);
+  message.from_deg(has ? sea.sea.from_direction_deg : nan);
   return encoded(message);
 }
 
@@ -85,7 +86,7 @@ Bytes tide_level(const SiteWater& water, UtcTime time) {
   SeaLevelSample sample;
   water.field.sample_sea_level({&place, 1}, {&sample, 1}, water.member);
   std_msgs::msg::Float64 message;
-  message.data(has_value(sample.status) ? sample.level_m : no_number);
+  message.data(has_value(sample.status) ? sample.level_m : nan);
   return encoded(message);
 }
 

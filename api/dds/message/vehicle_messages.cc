@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "api/dds/message/cdr.h"
+#include "api/dds/message/map_frame.h"
 #include "api/dds/message/parts.h"
+#include "fields/base/constants.h"
 #include "nav_msgs.h"
 #include "sensor_msgs.h"
 #include "slackwater_msgs.h"
@@ -13,8 +15,7 @@
 namespace slackwater::dds {
 namespace {
 
-constexpr const char* map = "map";
-constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
+using constants::nan;
 constexpr double gravity_m_s2 = 9.80665;
 constexpr double standard_atmosphere_pa = 101325;
 
@@ -38,9 +39,7 @@ Bytes velocity_over(const twin::Triple<double>& velocity_m_s, double sd_m_s,
   message.twist().twist(twist_message(nu));
   std::array<double, 36> covariance{};
   // What is not measured has no number, and no variance either; of turning it knows nothing.
-  const auto variance = [&](double value) {
-    return std::isnan(value) ? no_reading : sd_m_s * sd_m_s;
-  };
+  const auto variance = [&](double value) { return std::isnan(value) ? nan : sd_m_s * sd_m_s; };
   covariance[0] = variance(velocity_m_s.x);
   covariance[7] = variance(velocity_m_s.y);
   covariance[14] = variance(velocity_m_s.z);
@@ -61,7 +60,7 @@ Bytes odometry(const twin::Agent& agent, const twin::AgentState& state, const st
                const Stamp& stamp) {
   const twin::Measured known = twin::known_of(agent, state);
   nav_msgs::msg::Odometry message;
-  message.header(header_message(stamp, map));
+  message.header(header_message(stamp, map_frame));
   message.child_frame_id(base_link(name));
   message.pose().pose(pose_message(known.position_m, known.attitude));
   message.twist().twist(twist_message(known.nu));
@@ -71,7 +70,7 @@ Bytes odometry(const twin::Agent& agent, const twin::AgentState& state, const st
 Bytes pose(const twin::AgentState& state, const Stamp& stamp) {
   const twin::BodyState<double>& body = state.vehicle.body;
   geometry_msgs::msg::PoseStamped message;
-  message.header(header_message(stamp, map));
+  message.header(header_message(stamp, map_frame));
   message.pose(pose_message(body.position_m, body.attitude));
   return encoded(message);
 }
@@ -162,9 +161,9 @@ Bytes nav_sat_fix(const twin::AgentState& state, const GeoPoint& origin, double 
     message.position_covariance(
         diagonal(level, level, square(kind.white_vertical_sd_m) + square(kind.slow_vertical_m.sd)));
   } else {
-    message.latitude(no_reading);
-    message.longitude(no_reading);
-    message.altitude(no_reading);
+    message.latitude(nan);
+    message.longitude(nan);
+    message.altitude(nan);
   }
   message.position_covariance_type(has_fix ? approximated : unknown);
   return encoded(message);
@@ -182,7 +181,7 @@ Bytes fluid_pressure(const twin::AgentState& state, double density_kg_m3, const 
 Bytes dvl(const twin::Agent& agent, const twin::AgentState& state, const std::string& name,
           const Stamp& stamp) {
   const twin::Shown& shown = state.navigation.instruments.shown;
-  const twin::Triple<double> nothing{no_reading, no_reading, no_reading};
+  const twin::Triple<double> nothing{nan, nan, nan};
   return velocity_over(shown.dvl_is_bottom > 0.5 ? shown.dvl_velocity_m_s : nothing,
                        dvl_sd_m_s(agent), name, stamp);
 }
@@ -190,7 +189,7 @@ Bytes dvl(const twin::Agent& agent, const twin::AgentState& state, const std::st
 Bytes dvl_water(const twin::Agent& agent, const twin::AgentState& state, const std::string& name,
                 const Stamp& stamp) {
   const twin::Shown& shown = state.navigation.instruments.shown;
-  twin::Triple<double> through{shown.dvl_ahead_m_s, no_reading, no_reading};
+  twin::Triple<double> through{shown.dvl_ahead_m_s, nan, nan};
   if (shown.dvl_is_bottom < 0.5) through = shown.dvl_velocity_m_s;
   return velocity_over(through, dvl_sd_m_s(agent), name, stamp);
 }
@@ -207,7 +206,7 @@ Bytes reserve(const Reserve& reserve, const std::string& name, const Stamp& stam
 
 Bytes active_waypoints(const std::vector<twin::Waypoint>& waypoints, const Stamp& stamp) {
   nav_msgs::msg::Path message;
-  message.header(header_message(stamp, map));
+  message.header(header_message(stamp, map_frame));
   for (const twin::Waypoint& waypoint : waypoints) {
     geometry_msgs::msg::PoseStamped place;
     place.header(message.header());
