@@ -63,6 +63,11 @@ TEST(StrictConfig, MissingDoubledAndMisshapenKeysAreRefused) {
       std::string::npos);
   EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: 1\na: 2\n", "f")); }).find("twice"),
             std::string::npos);
+  // In what is handed on unread too.
+  EXPECT_NE(message_of([] {
+              static_cast<void>(Config::parse("a: [{b: 1, b: 2}]\n", "f").value("a"));
+            }).find("found 'b' twice"),
+            std::string::npos);
   EXPECT_NE(message_of([] { static_cast<void>(Config::parse("- 1\n", "f")); }).find("mapping"),
             std::string::npos);
   EXPECT_NE(message_of([] { static_cast<void>(Config::parse("a: [1\n", "f")); }).find("YAML"),

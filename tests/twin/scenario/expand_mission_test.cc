@@ -205,6 +205,41 @@ TEST(ExpandMission, SaysWhatATetherAtSeveralTurbinesNeeds) {
             std::string::npos);
 }
 
+TEST(ExpandMission, AMisspeltPlaceOnACarrierIsRefused) {
+  EXPECT_NE(error_of([] {
+              return expanded(
+                  from_a_vessel("{carrier: {name: tender, forward_m: -4, starbord_m: 6, up_m: 2}}",
+                                "{name: tender, model: ctv24}"));
+            }).find("did you mean 'starboard_m'?"),
+            std::string::npos);
+}
+
+// Else its log could not be replayed.
+TEST(ExpandMission, WhatAScenarioMayNotSayIsNotLaidOut) {
+  const auto message = [](const auto& change) {
+    return error_of([&] {
+      twin::MissionParts parts = small_farm_parts();
+      change(parts.site.turbines[1]);
+      const std::string yaml = mission("blade_scan");
+      return twin::expand_mission(Config::parse(yaml, "mission.yaml"), parts);
+    });
+  };
+  using Turbine = twin::WorkTurbine;
+  EXPECT_EQ(message([](Turbine&) {}), "no error");
+  EXPECT_NE(message([](Turbine& t) {
+              t.radius_m = 56.5;
+            }).find("turbine A02: found a foundation 113 m wide, expected 0.1 to 100 m"),
+            std::string::npos);
+  EXPECT_NE(message([](Turbine& t) {
+              t.north_m = 60e3;
+            }).find("turbine A02 stands too far away; expected it within 50 km"),
+            std::string::npos);
+  EXPECT_NE(message([](Turbine& t) {
+              t.top_m = t.hub_m = -600;
+            }).find("turbine A02: found its top at 600 m"),
+            std::string::npos);
+}
+
 TEST(ExpandMission, WhatTheMissionSaysOfAnAgentTakesTheTasksPlace) {
   const auto out =
       expanded(mission("scour_survey", "A01",

@@ -65,7 +65,8 @@ TEST(MammalDuty, TakesANameForNothingButAName) {
 }
 
 TEST(Assumption, IsOneNameAndOneNumber) {
-  EXPECT_EQ(twin::parse_assumption("visibility_m=5000").value, 5000);
+  for (const char* text : {"visibility_m=5000", "visibility_m = 5000", " visibility_m=+5000 "})
+    EXPECT_EQ(twin::parse_assumption(text).value, 5000) << text;
   for (const std::string& end : ends)
     EXPECT_NE(error_of([&] {
                 return twin::parse_assumption("visibility_m=5000" + end);
