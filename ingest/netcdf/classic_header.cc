@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fields/base/error.h"
+#include "ingest/netcdf/refuse_file.h"
 
 namespace slackwater::ingest::netcdf {
 namespace {
@@ -16,8 +16,8 @@ constexpr std::uint64_t max_name = 256;  // NC_MAX_NAME
 constexpr std::uint64_t max_list =
     1u << 16;  // entries in a list of dimensions, attributes or variables
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
-  throw Error(ErrorKind::invalid_input, path.string() + ": " + why + "; fetch it again");
+[[noreturn]] void refuse_damaged(const std::filesystem::path& path, const std::string& why) {
+  refuse_file(path, why + "; fetch it again");
 }
 
 std::uint64_t saturating_multiply(std::uint64_t a, std::uint64_t b) noexcept {
@@ -57,14 +57,14 @@ class Header {
     word();
     const std::uint64_t entries = count();
     if (entries > max_list)
-      refuse(path_, "damaged header (a list of " + std::to_string(entries) + " entries)");
+      refuse_damaged(path_, "damaged header (a list of " + std::to_string(entries) + " entries)");
     return entries;
   }
   /// The library copies a name of any length into a buffer of NC_MAX_NAME + 1 bytes.
   void skip_name() {
     const std::uint64_t length = count();
     if (length > max_name)
-      refuse(path_, "damaged header (a name of " + std::to_string(length) + " bytes)");
+      refuse_damaged(path_, "damaged header (a name of " + std::to_string(length) + " bytes)");
     skip(padded(length));
   }
   void skip_attributes() {
@@ -77,20 +77,20 @@ class Header {
   [[nodiscard]] std::uint64_t bytes_of(std::uint64_t type) const {
     constexpr std::uint64_t bytes[] = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
     if (type == 0 || type >= std::size(bytes))
-      refuse(path_, "damaged header (type " + std::to_string(type) + ")");
+      refuse_damaged(path_, "damaged header (type " + std::to_string(type) + ")");
     return bytes[type];
   }
 
  private:
   void skip(std::uint64_t bytes) {
     if (bytes > size_ - at_)
-      refuse(path_, "is truncated inside its header (" + std::to_string(size_) + " bytes)");
+      refuse_damaged(path_, "is truncated inside its header (" + std::to_string(size_) + " bytes)");
     at_ += bytes;
     stream_.seekg(static_cast<std::streamoff>(at_));
   }
   std::uint64_t big_endian(std::uint64_t bytes) {
     if (bytes > size_ - at_)
-      refuse(path_, "is truncated inside its header (" + std::to_string(size_) + " bytes)");
+      refuse_damaged(path_, "is truncated inside its header (" + std::to_string(size_) + " bytes)");
     std::uint64_t value = 0;
     for (std::uint64_t i = 0; i < bytes; ++i)
       value = value << 8 | static_cast<std::uint64_t>(stream_.get() & 0xFF);
@@ -130,12 +130,12 @@ void expect_classic_file_is_whole(const std::filesystem::path& path) {
     header.skip_name();
     const std::uint64_t rank = header.count();
     if (rank > max_list)
-      refuse(path, "damaged header (a variable of rank " + std::to_string(rank) + ")");
+      refuse_damaged(path, "damaged header (a variable of rank " + std::to_string(rank) + ")");
     block.bytes = 1;
     for (std::uint64_t d = 0; d < rank; ++d) {
       const std::uint64_t dimension = header.count();
       if (dimension >= lengths.size())
-        refuse(path, "damaged header (dimension " + std::to_string(dimension) + ")");
+        refuse_damaged(path, "damaged header (dimension " + std::to_string(dimension) + ")");
       const std::uint64_t length = lengths[dimension];
       if (length == 0 && d == 0) {
         block.is_record = true;
@@ -168,7 +168,7 @@ void expect_classic_file_is_whole(const std::filesystem::path& path) {
     end = std::max(end, saturating_add(saturating_add(block.begin, before), block.bytes));
   }
   if (end > header.size()) {
-    refuse(path, "is truncated: it has " + std::to_string(header.size()) +
+    refuse_damaged(path, "is truncated: it has " + std::to_string(header.size()) +
                      " bytes where its header announces " + std::to_string(end));
   }
 }

@@ -12,6 +12,7 @@
 #include "ingest/netcdf/hdf5_heap.h"
 #include "ingest/netcdf/header.h"
 #include "ingest/netcdf/library.h"
+#include "ingest/netcdf/refuse_file.h"
 
 namespace slackwater::ingest::netcdf {
 namespace {
@@ -28,14 +29,14 @@ void expect_netcdf_magic(const std::filesystem::path& path) {
     throw Error(ErrorKind::not_found, "no such file: " + path.string());
   }
   if (!std::filesystem::is_regular_file(path, status))
-    refuse(path, "is not a regular file; give a NetCDF file");
+    refuse_file(path, "is not a regular file; give a NetCDF file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw Error(ErrorKind::unavailable, "cannot read " + path.string() + "; check its permissions");
   std::string magic(8, '\0');
   stream.read(magic.data(), 8);
   const auto found = static_cast<std::size_t>(stream.gcount());
-  if (found == 0) refuse(path, "is empty (0 bytes); expected a NetCDF file; fetch it again");
+  if (found == 0) refuse_file(path, "is empty (0 bytes); expected a NetCDF file; fetch it again");
   const bool hdf5 = found == 8 && magic == std::string("\x89HDF\r\n\x1a\n", 8);
   const bool classic =
       found >= 4 && magic.starts_with("CDF") && (magic[3] == 1 || magic[3] == 2 || magic[3] == 5);
@@ -45,7 +46,7 @@ void expect_netcdf_magic(const std::filesystem::path& path) {
       const auto byte = static_cast<unsigned char>(magic[i]);
       shown += byte >= 32 && byte < 127 ? magic[i] : '.';
     }
-    refuse(
+    refuse_file(
         path,
         "is not a NetCDF file (it starts with '" + shown +
             "'); expected netCDF classic, 64-bit offset or netCDF-4; convert it or leave it out");
@@ -76,11 +77,11 @@ void expect_bounded_texts(const std::filesystem::path& path, const Variable& var
   const std::string found = "variable '" + variable.name + "' holds " + std::to_string(rows) +
                             " texts of " + std::to_string(letters) + " letters";
   if (rows != 0 && max_texts_bytes / rows < sizeof(std::string) + letters)
-    refuse(path, found + "; expected at most 1 GiB of them in memory");
+    refuse_file(path, found + "; expected at most 1 GiB of them in memory");
   std::error_code none;
   const std::uintmax_t bytes = std::filesystem::file_size(path, none);
   if (!none && variable.chunks.empty() && variable.size() > bytes) {
-    refuse(path, found + ", more than the " + std::to_string(bytes) +
+    refuse_file(path, found + ", more than the " + std::to_string(bytes) +
                      " bytes of the file; it is damaged or truncated; fetch it again");
   }
 }
@@ -133,14 +134,14 @@ File File::open(const std::filesystem::path& path) {
   const int status = nc_open(name.c_str(), NC_NOWRITE, &file.id_);
   if (status != NC_NOERR) {
     file.id_ = -1;
-    refuse(path, std::string("cannot be opened as NetCDF (") + nc_strerror(status) +
+    refuse_file(path, std::string("cannot be opened as NetCDF (") + nc_strerror(status) +
                      "); it is damaged or truncated; fetch it again");
   }
   int variables = 0;
   int global_attributes = 0;
   check(nc_inq(file.id_, nullptr, &variables, &global_attributes, nullptr), path,
         "reading the header");
-  if (variables > max_variables) refuse(path, "has " + std::to_string(variables) + " variables");
+  if (variables > max_variables) refuse_file(path, "has " + std::to_string(variables) + " variables");
   file.dimensions_ = read_dimensions(file.id_, path);
   file.attributes_ = read_attributes(file.id_, NC_GLOBAL, global_attributes, path);
   for (int id = 0; id < variables; ++id)
@@ -221,7 +222,7 @@ void File::read(const Variable& variable, std::span<const std::size_t> start,
 std::vector<double> File::read_all(const Variable& variable) const {
   const std::size_t size = variable.size();
   if (size > max_read_all) {
-    refuse(path_, "variable '" + variable.name + "' holds " + std::to_string(size) +
+    refuse_file(path_, "variable '" + variable.name + "' holds " + std::to_string(size) +
                       " values; expected at most " + std::to_string(max_read_all) +
                       " in one piece");
   }
@@ -235,7 +236,7 @@ std::string File::read_text(const Variable& variable) const {
   const LibraryLock lock;
   const std::string doing = "reading text variable '" + variable.name + "'";
   if (variable.size() > max_text)
-    refuse(path_, "variable '" + variable.name + "' is too long for a text");
+    refuse_file(path_, "variable '" + variable.name + "' is too long for a text");
   std::string text;
   if (variable.type == Type::character) {
     text.resize(variable.size());
@@ -246,7 +247,7 @@ std::string File::read_text(const Variable& variable) const {
     if (strings.front() != nullptr) text = strings.front();
     nc_free_string(strings.size(), strings.data());
   } else if (variable.type != Type::string) {
-    refuse(path_, "variable '" + variable.name + "' holds numbers; expected text");
+    refuse_file(path_, "variable '" + variable.name + "' holds numbers; expected text");
   }
   const auto last = text.find_last_not_of(std::string_view(" \0\t", 3));
   text.resize(last == std::string::npos ? 0 : last + 1);

@@ -8,6 +8,7 @@
 
 #include "fields/base/error.h"
 #include "ingest/netcdf/library.h"
+#include "ingest/netcdf/refuse_file.h"
 
 namespace slackwater::ingest::netcdf {
 namespace {
@@ -63,7 +64,7 @@ Attribute read_attribute(int file, int variable, int number, const std::filesyst
   check(nc_inq_att(file, variable, attribute.name.c_str(), &type, &length), path, doing);
   attribute.type = type_of(type);
   if (length > max_attribute_values) {
-    refuse(path, "attribute '" + attribute.name + "' holds " + std::to_string(length) +
+    refuse_file(path, "attribute '" + attribute.name + "' holds " + std::to_string(length) +
                      " values; expected at most " + std::to_string(max_attribute_values));
   }
   if (attribute.type == Type::character) {
@@ -123,7 +124,7 @@ void read_large_plain_chunks_in_place(int file, const Variable& variable) {
 std::vector<Attribute> read_attributes(int file, int variable, int count,
                                        const std::filesystem::path& path) {
   if (count > max_attributes)
-    refuse(path, "has " + std::to_string(count) + " attributes on one variable");
+    refuse_file(path, "has " + std::to_string(count) + " attributes on one variable");
   std::vector<Attribute> attributes;
   attributes.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) attributes.push_back(read_attribute(file, variable, i, path));
@@ -133,7 +134,7 @@ std::vector<Attribute> read_attributes(int file, int variable, int count,
 std::vector<Dimension> read_dimensions(int file, const std::filesystem::path& path) {
   int count = 0;
   check(nc_inq_dimids(file, &count, nullptr, 0), path, "counting dimensions");
-  if (count > max_dimensions) refuse(path, "has " + std::to_string(count) + " dimensions");
+  if (count > max_dimensions) refuse_file(path, "has " + std::to_string(count) + " dimensions");
   std::vector<int> ids(static_cast<std::size_t>(count));
   check(nc_inq_dimids(file, nullptr, ids.data(), 0), path, "listing dimensions");
   int unlimited_count = 0;
