@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/command.h"
+#include "api/rehearse/account_json.h"
 #include "api/rehearse/score.h"
 #include "fields/base/text.h"
 
@@ -12,60 +13,45 @@ namespace {
 
 using nlohmann::json;
 
-json maybe(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
-
-json findings_json(const std::optional<LoggedInspection>& inspection) {
-  if (!inspection) return nullptr;
-  return {{"found", inspection->found},
-          {"missed", inspection->missed},
-          {"false_alarms", inspection->false_alarms}};
+double coverage_of(const twin::VehicleAccount& v) {
+  return v.inspection ? v.inspection->share() : 0;
 }
 
-json score_json(const VehicleScore& s) {
-  return {{"name", s.name},
-          {"done", s.is_done},
-          {"time_s", s.time_s},
-          {"sailed_m", s.sailed_m},
-          {"rms_across_track_m", s.rms_across_track_m},
-          {"largest_across_track_m", s.largest_across_track_m},
-          {"rms_depth_error_m", s.rms_depth_error_m},
-          {"energy_per_metre_j", maybe(s.energy_per_metre_j)},
-          {"closest_structure_m", maybe(s.closest_structure_m)},
-          {"closest_vehicle_m", maybe(s.closest_vehicle_m)},
-          {"closest_vessel_m", maybe(s.closest_vessel_m)},
-          {"closest_tether_m", maybe(s.closest_tether_m)},
-          {"interventions", s.interventions},
-          {"takeover_s", s.takeover_s},
-          {"longest_takeover_s", s.longest_takeover_s},
-          {"limit_violations", s.limit_violations},
-          {"coverage", s.inspection ? json(s.inspection->share()) : json(nullptr)},
-          {"findings", findings_json(s.inspection)}};
-}
+/// A vehicle of a run that lasted `ran_s`.
+struct Scored {
+  const twin::VehicleAccount& vehicle;
+  double ran_s = 0;
+
+  [[nodiscard]] twin::Interventions away() const {
+    return twin::interventions_of(vehicle.mission, ran_s);
+  }
+};
 
 /// What is compared over runs, by vehicle.
-const std::map<std::string, double (*)(const VehicleScore&)>& pooled() {
-  static const std::map<std::string, double (*)(const VehicleScore&)> all{
-      {"time_s", [](const VehicleScore& s) { return s.time_s; }},
-      {"rms_across_track_m", [](const VehicleScore& s) { return s.rms_across_track_m; }},
+const std::map<std::string, double (*)(const Scored&)>& pooled() {
+  static const std::map<std::string, double (*)(const Scored&)> all{
+      {"time_s", [](const Scored& s) { return scored_time_s(s.vehicle); }},
+      {"rms_across_track_m", [](const Scored& s) { return s.vehicle.at_work.rms_across_m; }},
       {"energy_per_metre_j",
-       [](const VehicleScore& s) { return s.energy_per_metre_j.value_or(0); }},
-      {"interventions", [](const VehicleScore& s) { return static_cast<double>(s.interventions); }},
-      {"takeover_s", [](const VehicleScore& s) { return s.takeover_s; }},
-      {"coverage", [](const VehicleScore& s) { return s.inspection ? s.inspection->share() : 0; }},
-      {"done", [](const VehicleScore& s) { return s.is_done ? 1.0 : 0.0; }}};
+       [](const Scored& s) { return energy_per_metre_j(s.vehicle).value_or(0); }},
+      {"interventions", [](const Scored& s) { return static_cast<double>(s.away().count); }},
+      {"takeover_s", [](const Scored& s) { return s.away().away_s; }},
+      {"coverage", [](const Scored& s) { return coverage_of(s.vehicle); }},
+      {"done", [](const Scored& s) { return is_scored_done(s.vehicle, s.ran_s) ? 1.0 : 0.0; }}};
   return all;
 }
 
 json pooled_json(const std::vector<Scorecard>& cards) {
-  std::map<std::string, std::vector<const VehicleScore*>> by_name;
+  std::map<std::string, std::vector<Scored>> by_name;
   for (const Scorecard& card : cards)
-    for (const VehicleScore& score : card.vehicles) by_name[score.name].push_back(&score);
+    for (const twin::VehicleAccount& vehicle : card.account.vehicles)
+      by_name[vehicle.name].push_back({vehicle, card.account.ran_s});
   json out = json::array();
   for (const auto& [name, scores] : by_name) {
     json vehicle = {{"name", name}, {"runs", scores.size()}};
     for (const auto& [key, of] : pooled()) {
       std::vector<double> values;
-      for (const VehicleScore* score : scores) values.push_back(of(*score));
+      for (const Scored& score : scores) values.push_back(of(score));
       const Spread spread = spread_of(values);
       vehicle[key] = {{"mean", spread.mean}, {"deviation", spread.deviation}};
     }
@@ -74,8 +60,12 @@ json pooled_json(const std::vector<Scorecard>& cards) {
   return out;
 }
 
-std::string metres(const std::optional<double>& value) {
+std::string one_decimal(const std::optional<double>& value) {
   return value ? formatted("{:.1f}", *value) : "-";
+}
+
+std::string metres(const std::optional<twin::Approach>& near) {
+  return near ? one_decimal(near->distance_m) : "-";
 }
 
 void print_cards(const std::vector<Scorecard>& cards) {
@@ -83,20 +73,24 @@ void print_cards(const std::vector<Scorecard>& cards) {
               "time s", "sailed m", "off m", "J per m", "pile m", "other m", "ship m", "away",
               "for s", "limits");
   for (const Scorecard& card : cards)
-    for (const VehicleScore& s : card.vehicles)
+    for (const twin::VehicleAccount& v : card.account.vehicles) {
+      const twin::Interventions away = twin::interventions_of(v.mission, card.account.ran_s);
       std::printf("%-24s %-12s %5s %8.0f %9.1f %8.2f %9s %8s %8s %8s %6zu %9.0f %7zu\n",
-                  card.run.substr(0, 24).c_str(), s.name.c_str(), s.is_done ? "yes" : "no",
-                  s.time_s, s.sailed_m, s.rms_across_track_m, metres(s.energy_per_metre_j).c_str(),
-                  metres(s.closest_structure_m).c_str(), metres(s.closest_vehicle_m).c_str(),
-                  metres(s.closest_vessel_m).c_str(), s.interventions, s.takeover_s,
-                  s.limit_violations);
+                  card.run.substr(0, 24).c_str(), v.name.c_str(),
+                  is_scored_done(v, card.account.ran_s) ? "yes" : "no", scored_time_s(v),
+                  v.at_work.sailed_m, v.at_work.rms_across_m,
+                  one_decimal(energy_per_metre_j(v)).c_str(), metres(v.closest.structure).c_str(),
+                  metres(v.closest.vehicle).c_str(), metres(v.closest.vessel).c_str(), away.count,
+                  away.away_s, away.limit_violations);
+    }
   for (const Scorecard& card : cards)
-    for (const VehicleScore& s : card.vehicles)
-      if (s.inspection)
-        std::printf("%s, %s: %.0f %% of %.0f m2 covered; %zu found, %zu missed, %zu false alarms\n",
-                    card.run.c_str(), s.name.c_str(), 100 * s.inspection->share(),
-                    s.inspection->area_m2, s.inspection->found, s.inspection->missed,
-                    s.inspection->false_alarms);
+    for (const twin::VehicleAccount& v : card.account.vehicles) {
+      if (!v.inspection) continue;
+      const twin::DetectionScore& score = v.inspection->score;
+      std::printf("%s, %s: %.0f %% of %.0f m2 covered; %zu found, %zu missed, %zu false alarms\n",
+                  card.run.c_str(), v.name.c_str(), 100 * v.inspection->share(),
+                  v.inspection->area_m2(), score.all.found, score.missed(), score.all.false_alarms);
+    }
   if (cards.size() < 2) return;
   for (const json& vehicle : pooled_json(cards))
     std::printf(
@@ -124,7 +118,9 @@ void run_score(const std::vector<std::filesystem::path>& logs, const Context& co
   json out = {{"runs", json::array()}, {"vehicles", pooled_json(cards)}};
   for (std::size_t i = 0; i < cards.size(); ++i) {
     json vehicles = json::array();
-    for (const VehicleScore& score : cards[i].vehicles) vehicles.push_back(score_json(score));
+    const twin::RunAccount& account = cards[i].account;
+    for (const twin::VehicleAccount& vehicle : account.vehicles)
+      vehicles.push_back(score_json(vehicle, account.ran_s));
     out["runs"].push_back({{"log", logs[i].string()},
                            {"run", cards[i].run},
                            {"seed", cards[i].seed},

@@ -30,7 +30,7 @@ json name_or_null(const std::string& name) { return name.empty() ? json(nullptr)
 
 json alarm_json(const ScenarioResult& result, const AlarmRecord& alarm) {
   const bool is_over = alarm.end != AlarmEnd::still_on;
-  return {{"vehicle", result.vehicles[alarm.vehicle].name},
+  return {{"vehicle", result.account.vehicles[alarm.vehicle].name},
           {"mmsi", alarm.mmsi},
           {"name", name_or_null(name_of_vessel(result.vessels, alarm.mmsi))},
           {"begin_s", alarm.begin_s},
@@ -70,7 +70,7 @@ void print_traffic(const ScenarioResult& result) {
               "to s", "CPA m", "TCPA s", "least m", "end");
   for (const AlarmRecord& alarm : result.alarms)
     std::printf("%-16s %9u  %-20s %8.0f %8.0f %7.0f %7.0f %8.0f  %s\n",
-                result.vehicles[alarm.vehicle].name.c_str(), alarm.mmsi,
+                result.account.vehicles[alarm.vehicle].name.c_str(), alarm.mmsi,
                 name_of_vessel(result.vessels, alarm.mmsi).c_str(), alarm.begin_s, alarm.end_s,
                 alarm.cpa_m, alarm.tcpa_s, alarm.least_distance_m,
                 std::string(name_of(alarm.end)).c_str());

@@ -4,14 +4,12 @@
 
 #include "api/rehearse/over_flights.h"
 #include "api/rehearse/rehearsal_json.h"
-#include "api/rehearse/scenario_run.h"
 #include "api/report/plot_json.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
 
-using ingest::TrajectoryTable;
 using nlohmann::json;
 using twin::CleaningOutcome;
 
@@ -57,7 +55,7 @@ json cleaning_json(const CleaningOutcome& c) {
 }
 
 json cleaning_json(const StartOutcome& start, std::size_t vehicle) {
-  const OverFlights all(start, vehicle, &twin::VehicleOutcome::cleaning);
+  const OverFlights all(start, vehicle, &twin::VehicleAccount::cleaning);
   if (all.empty()) return nullptr;
   const CleaningOutcome& first = all.first();
   json bands = json::array();
@@ -87,7 +85,7 @@ std::vector<std::string> cleaning_texts(const StartOutcome& start) {
   std::vector<std::string> texts;
   if (start.flights.empty()) return texts;
   for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v) {
-    const OverFlights all(start, v, &twin::VehicleOutcome::cleaning);
+    const OverFlights all(start, v, &twin::VehicleAccount::cleaning);
     if (all.empty()) continue;
     const auto share = [&](double at) {
       return 100 * all.quantile(at, [](const auto& c) { return c.share(); });
@@ -101,42 +99,9 @@ std::vector<std::string> cleaning_texts(const StartOutcome& start) {
   return texts;
 }
 
-TrajectoryTable cleaning_table(std::span<const VehicleSummary> vehicles) {
-  TrajectoryTable table;
-  table.name = "cleaning";
-  table.columns = {{"vehicle", "1", "which of the trajectories, from 0", {}},
-                   {"upper_depth", "m", "of the band, below mean sea level", {}},
-                   {"lower_depth", "m", "of the band", {}},
-                   {"area", "m2", "with growth to take off", {}},
-                   {"cleaned_area", "m2", "of it that is clean", {}},
-                   {"growth_removed", "m3", "from the band", {}},
-                   {"growth_left", "m3", "on the band", {}}};
-  for (std::size_t i = 0; i < vehicles.size(); ++i) {
-    if (!vehicles[i].cleaning) continue;
-    for (const CleaningOutcome::Band& band : vehicles[i].cleaning->bands) {
-      const double row[] = {static_cast<double>(i), band.top_m,      band.bottom_m, band.area_m2,
-                            band.cleaned_m2,        band.removed_m3, band.left_m3};
-      for (std::size_t c = 0; c < table.columns.size(); ++c)
-        table.columns[c].values.push_back(row[c]);
-    }
-  }
-  return table;
-}
-
-std::string cleaned_in(const ingest::TrajectoryFile& log, std::size_t vehicle) {
-  const TrajectoryTable* table = log.find_table("cleaning");
-  if (table == nullptr) return {};
-  const auto *who = table->column("vehicle"), *area = table->column("area"),
-             *cleaned = table->column("cleaned_area");
-  if (who == nullptr || area == nullptr || cleaned == nullptr) return {};
-  double area_m2 = 0, cleaned_m2 = 0;
-  for (std::size_t i = 0; i < table->rows(); ++i) {
-    if ((*who)[i] != static_cast<double>(vehicle)) continue;
-    area_m2 += (*area)[i];
-    cleaned_m2 += (*cleaned)[i];
-  }
-  if (!(area_m2 > 0)) return {};
-  return area_text(cleaned_m2, area_m2) + formatted(" ({:.0f} %)", 100 * cleaned_m2 / area_m2);
+std::string cleaned_text(const CleaningOutcome& cleaning) {
+  return area_text(cleaning.cleaned_m2, cleaning.area_m2) +
+         formatted(" ({:.0f} %)", 100 * cleaning.share());
 }
 
 }  // namespace slackwater::api

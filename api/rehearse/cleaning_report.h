@@ -1,18 +1,14 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "api/rehearse/rehearsal.h"
-#include "ingest/cf/trajectory_file.h"
 #include "twin/surface/cleaning_outcome.h"
 
-// What vehicles that clean have cleaned, for people, as JSON and in logs.
+// What vehicles that clean have cleaned, for people and as JSON.
 
 namespace slackwater::api {
-
-struct VehicleSummary;
 
 /// "9.2 of 9.4 m2 clean (97 %, asked for 95 %), 0.94 m3 of growth off, 0.01 m3 left, 1 pass
 /// needed".
@@ -24,9 +20,7 @@ struct VehicleSummary;
 /// "cleaner: 97 % of 9.4 m2 clean (P10 95 %, P90 98 %)", one for each that cleans.
 [[nodiscard]] std::vector<std::string> cleaning_texts(const StartOutcome& start);
 
-/// Of a log: a row a vehicle and band of depth; none where nobody cleans.
-[[nodiscard]] ingest::TrajectoryTable cleaning_table(std::span<const VehicleSummary> vehicles);
-/// "9.2 of 9.4 m2 (97 %)", by such a table; empty for a vehicle that is not in it.
-[[nodiscard]] std::string cleaned_in(const ingest::TrajectoryFile& log, std::size_t vehicle);
+/// "9.2 of 9.4 m2 (97 %)".
+[[nodiscard]] std::string cleaned_text(const twin::CleaningOutcome& cleaning);
 
 }  // namespace slackwater::api

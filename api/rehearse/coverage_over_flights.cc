@@ -123,7 +123,7 @@ std::vector<Coverage> coverage_over_flights(const StartOutcome& start, std::size
                                             const twin::Inspection* what) {
   std::vector<Coverage> coverages;
   if (what == nullptr || start.flights.empty()) return coverages;
-  const OverFlights all(start, vehicle, &twin::VehicleOutcome::inspection);
+  const OverFlights all(start, vehicle, &twin::VehicleAccount::inspection);
   if (all.empty()) return coverages;
   for (std::size_t pair = 0; pair < what->pairs.size(); ++pair)
     coverages.push_back(over_flights(all, *what, pair));
@@ -138,7 +138,7 @@ std::string rehearsed_coverage_html(const StartOutcome& start,
   for (std::size_t v = 0; v < vehicles.size(); ++v) {
     const auto found = inspections.find(vehicles[v].name);
     if (found == inspections.end()) continue;
-    const OverFlights all(start, v, &twin::VehicleOutcome::inspection);
+    const OverFlights all(start, v, &twin::VehicleAccount::inspection);
     const auto coverages = coverage_over_flights(start, v, found->second.get());
     for (std::size_t pair = 0; pair < coverages.size(); ++pair)
       pictures += pictures_html(coverages[pair], {}, sentence(all, coverages[pair], pair));

@@ -10,6 +10,7 @@ struct Inspected {
   std::shared_ptr<const twin::Inspection> what;
   twin::InspectionState state;  ///< at the end
   twin::InspectionOutcome outcome;
+  twin::Findings findings;
 };
 
 }  // namespace slackwater::api

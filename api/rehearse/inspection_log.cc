@@ -3,40 +3,24 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "api/rehearse/scenario_run.h"
+#include "api/rehearse/table_reader.h"
+#include "api/rehearse/table_rows.h"
 #include "api/report/plot_json.h"
 #include "fields/base/constants.h"
+#include "fields/base/error.h"
 
 namespace slackwater::api {
 namespace {
 
 using ingest::TrajectoryTable;
 using nlohmann::json;
-using twin::Triple;
+using twin::InspectionOutcome;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double degrees_of_radian = 180 / constants::pi;
 
-/// Rows of a table whose columns are known beforehand.
-class Rows {
- public:
-  Rows(std::string name, std::vector<TrajectoryTable::Column> columns) {
-    table_.name = std::move(name);
-    table_.columns = std::move(columns);
-  }
-  void add(std::initializer_list<double> row) {
-    expects(row.size() == table_.columns.size(), "a value for each column");
-    auto column = table_.columns.begin();
-    for (const double value : row) (column++)->values.push_back(value);
-  }
-  [[nodiscard]] TrajectoryTable take() { return std::move(table_); }
-
- private:
-  TrajectoryTable table_;
-};
-
-Rows patch_rows() {
+TableRows patch_rows() {
   return {"inspected_patches",
           {{"pair", "1", "which entry of the attribute inspection, from 0", {}},
            {"along", "m", "of its centre on the sheet, to the right", {}},
@@ -58,7 +42,7 @@ Rows patch_rows() {
            {"covered", "1", "1: seen as well and as often as asked", {}}}};
 }
 
-Rows finding_rows() {
+TableRows finding_rows() {
   return {"findings",
           {{"pair", "1", "which entry of the attribute inspection, from 0; -1: of none", {}},
            {"kind",
@@ -118,14 +102,15 @@ json pair_json(const Inspected& inspected, std::size_t vehicle, std::size_t pair
           {"median_detail_m", number(part.median_detail_m)}};
 }
 
-void add_patches(const Inspected& inspected, std::size_t first_pair, std::size_t pair, Rows& rows) {
+void add_patches(const Inspected& inspected, std::size_t first_pair, std::size_t pair,
+                 TableRows& rows) {
   const twin::InspectedPair& which = inspected.what->pairs[pair];
   const twin::Surface& surface = inspected.what->surfaces[which.surface];
   const twin::InspectionLine& line = inspected.what->plan.lines[which.line];
   for (std::size_t p = 0; p < surface.patches.size(); ++p) {
     const twin::Patch& patch = surface.patches[p];
     const twin::BestLook& best = inspected.state.best[pair][p];
-    const auto seen = [&](double value) { return best.is_seen() ? value : none; };
+    const auto seen = [&](double value) { return best.is_seen() ? value : constants::nan; };
     rows.add({static_cast<double>(first_pair + pair), patch.along_m, patch.down_m,
               double{patch.width_m}, double{patch.height_m}, patch.centre_m.y, patch.centre_m.x,
               -patch.centre_m.z, patch.normal.y, patch.normal.x, -patch.normal.z, patch.area_m2,
@@ -148,43 +133,45 @@ std::size_t pair_of(const Inspected& inspected, std::size_t surface,
   return what.pairs.size();
 }
 
-void add_findings(const Inspected& inspected, std::size_t first_pair, Rows& rows) {
+void add_findings(const Inspected& inspected, std::size_t first_pair, TableRows& rows) {
   const auto numbered = [&](std::size_t surface, const std::string& instrument) {
     const std::size_t pair = pair_of(inspected, surface, instrument);
     return pair < inspected.what->pairs.size() ? static_cast<double>(first_pair + pair) : -1.0;
   };
   const auto& surfaces = inspected.what->surfaces;
-  for (const twin::Finding& f : inspected.outcome.findings.found) {
+  for (const twin::Finding& f : inspected.findings.found) {
     const twin::Patch& patch = surfaces[f.surface].patches[f.patch];
     const bool is_real = f.defect.has_value();
-    const auto real = [&](double value) { return is_real ? value : none; };
+    const auto real = [&](double value) { return is_real ? value : constants::nan; };
     rows.add({numbered(f.surface, f.instrument), static_cast<double>(f.kind), is_real ? 0.0 : 1.0,
               is_real ? static_cast<double>(*f.defect) : -1.0, patch.along_m, patch.down_m,
               f.position_m.y, f.position_m.x, -f.position_m.z, real(f.true_position_m.y),
               real(f.true_position_m.x), real(-f.true_position_m.z), f.size_m, real(f.true_size_m),
-              f.severity.value_or(none), real(f.true_severity), f.t_s, f.detail_m});
+              f.severity.value_or(constants::nan), real(f.true_severity), f.t_s, f.detail_m});
   }
-  for (const twin::Miss& m : inspected.outcome.findings.missed) {
+  for (const twin::Miss& m : inspected.findings.missed) {
     const twin::Patch& patch = surfaces[m.defect.surface].patches[m.defect.patch];
     const double why = m.reason == twin::MissReason::overlooked        ? 4
                        : m.reason == twin::MissReason::seen_too_poorly ? 3
                                                                        : 2;
-    const double detail_m = std::isfinite(m.detail_m) ? m.detail_m : none;
+    const double detail_m = std::isfinite(m.detail_m) ? m.detail_m : constants::nan;
     rows.add({numbered(m.defect.surface, ""), static_cast<double>(m.defect.kind), why,
-              static_cast<double>(m.defect.number), patch.along_m, patch.down_m, none, none, none,
-              patch.centre_m.y, patch.centre_m.x, -patch.centre_m.z, none, m.defect.size_m, none,
-              m.defect.severity, none, detail_m});
+              static_cast<double>(m.defect.number), patch.along_m, patch.down_m, constants::nan,
+              constants::nan, constants::nan, patch.centre_m.y, patch.centre_m.x, -patch.centre_m.z,
+              constants::nan, m.defect.size_m, constants::nan, m.defect.severity, constants::nan,
+              detail_m});
   }
 }
 
 }  // namespace
 
-void add_inspections(std::span<const VehicleSummary> vehicles, ingest::TrajectoryFile& log) {
+void add_inspections(std::span<const std::optional<Inspected>> vehicles,
+                     ingest::TrajectoryFile& log) {
   json pairs = json::array();
-  Rows patches = patch_rows(), findings = finding_rows();
+  TableRows patches = patch_rows(), findings = finding_rows();
   for (std::size_t v = 0; v < vehicles.size(); ++v) {
-    if (!vehicles[v].inspection) continue;
-    const Inspected& inspected = *vehicles[v].inspection;
+    if (!vehicles[v]) continue;
+    const Inspected& inspected = *vehicles[v];
     const std::size_t first_pair = pairs.size();
     for (std::size_t i = 0; i < inspected.what->pairs.size(); ++i) {
       pairs.push_back(pair_json(inspected, v, i));
@@ -198,31 +185,137 @@ void add_inspections(std::span<const VehicleSummary> vehicles, ingest::Trajector
   log.tables.push_back(findings.take());
 }
 
-std::optional<LoggedInspection> inspection_in(const ingest::TrajectoryFile& log,
-                                              std::size_t vehicle) {
-  const json pairs = json::parse(log.attribute(inspection_attribute), nullptr, false);
-  if (!pairs.is_array()) return std::nullopt;
-  LoggedInspection out;
-  std::vector<bool> is_its_own;
-  for (const json& pair : pairs) {
-    is_its_own.push_back(pair.value("vehicle", std::size_t{0}) == vehicle);
-    if (!is_its_own.back()) continue;
-    out.area_m2 += pair.value("area_m2", 0.0);
-    out.covered_m2 += pair.value("covered_m2", 0.0);
+namespace {
+
+/// The parts of all inspections of a log, one after the other, with their vehicles.
+struct LoggedPart {
+  std::size_t vehicle = 0;
+  InspectionOutcome::Part part;
+};
+
+twin::SurfaceKind surface_kind_named(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(twin::SurfaceKind::water); ++i)
+    if (name == twin::name_of(static_cast<twin::SurfaceKind>(i)))
+      return static_cast<twin::SurfaceKind>(i);
+  refuse("the log has a surface of kind '" + name +
+         "', which this version does not know; read it with the version that wrote it");
+}
+
+std::vector<LoggedPart> parts_in(const ingest::TrajectoryFile& log, std::size_t vehicles) {
+  std::vector<LoggedPart> parts;
+  const std::string text = log.attribute(inspection_attribute);
+  if (text.empty()) return parts;
+  try {
+    for (const json& pair : json::parse(text)) {
+      LoggedPart& logged = parts.emplace_back();
+      logged.vehicle = pair.at("vehicle").get<std::size_t>();
+      if (logged.vehicle >= vehicles) refuse("it is about a vehicle that the log does not have");
+      InspectionOutcome::Part& part = logged.part;
+      // What has no end is null in JSON.
+      const auto detail_m = [&](const char* key) {
+        return pair.contains(key) && pair.at(key).is_number()
+                   ? pair.at(key).get<double>()
+                   : std::numeric_limits<double>::infinity();
+      };
+      part.surface = pair.at("surface").get<std::string>();
+      part.instrument = pair.at("instrument").get<std::string>();
+      part.kind = surface_kind_named(pair.at("kind").get<std::string>());
+      part.area_m2 = pair.at("area_m2").get<double>();
+      part.seen_m2 = pair.at("seen_m2").get<double>();
+      part.covered_m2 = pair.at("covered_m2").get<double>();
+      part.least_detail_m = detail_m("least_detail_m");
+      part.median_detail_m = detail_m("median_detail_m");
+    }
+  } catch (const json::exception& error) {
+    throw Error(ErrorKind::invalid_input, std::string("the attribute inspection of the log is "
+                                                      "damaged (") +
+                                              error.what() + "); make the log again");
   }
-  if (!(out.area_m2 > 0)) return std::nullopt;
-  const TrajectoryTable* table = log.find_table("findings");
-  const auto* which = table == nullptr ? nullptr : table->column("pair");
-  const auto* outcomes = table == nullptr ? nullptr : table->column("outcome");
-  if (which == nullptr || outcomes == nullptr) return out;
-  for (std::size_t i = 0; i < table->rows(); ++i) {
-    const double pair = (*which)[i], outcome = (*outcomes)[i];
-    if (!(pair >= 0 && pair < static_cast<double>(is_its_own.size())) ||
-        !is_its_own[static_cast<std::size_t>(pair)])
-      continue;
-    ++(outcome < 0.5 ? out.found : outcome < 1.5 ? out.false_alarms : out.missed);
+  return parts;
+}
+
+void read_covered(const ingest::TrajectoryFile& log, std::vector<LoggedPart>& parts) {
+  const TrajectoryTable* patches = log.find_table("inspected_patches");
+  const TableReader table(log, "inspected_patches");
+  for (std::size_t row = 0; patches != nullptr && row < patches->rows(); ++row) {
+    const std::size_t pair = table.whole("pair", row);
+    if (pair >= parts.size()) table.refuse("has a patch of a pair that is not there");
+    parts[pair].part.covered.push_back(table.number("covered", row) > 0.5);
   }
-  return out;
+}
+
+void read_scores(const ingest::TrajectoryFile& log, twin::RunAccount& account) {
+  const TableReader table(log, "inspected"), kinds(log, "defect_kind");
+  const auto outcome = [&](const TableReader& from, std::size_t vehicle) -> InspectionOutcome& {
+    auto& inspection = account.vehicles[vehicle].inspection;
+    if (!inspection) from.refuse("is about a vehicle that inspected nothing");
+    return *inspection;
+  };
+  table.for_each([&](std::size_t vehicle, std::size_t row) {
+    InspectionOutcome& out = outcome(table, vehicle);
+    const auto maybe = [&](const char* column) {
+      const double value = table.number(column, row);
+      return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    };
+    out.looks = table.whole("looks", row);
+    out.rays = table.whole("rays", row);
+    out.worked_s = table.number("worked", row);
+    out.left = table.word("left", row);
+    out.is_done = out.left.empty();
+    out.score.detection_rate = maybe("detection_rate");
+    out.score.false_alarms_per_100_m2 = maybe("false_alarms_per_100_m2");
+    out.score.size_error_rms_m = maybe("size_error_rms");
+    out.score.size_error_relative_rms = maybe("size_error_relative_rms");
+  });
+  kinds.for_each([&](std::size_t vehicle, std::size_t row) {
+    twin::DetectionScore& score = outcome(kinds, vehicle).score;
+    const std::size_t kind = kinds.whole("kind", row);
+    if (kind >= score.kinds.size()) kinds.refuse("has a kind of defect that is not there");
+    twin::DetectionScore::OfKind& of = score.kinds[kind];
+    of = {kinds.whole("planted", row), kinds.whole("found", row), kinds.whole("false_alarms", row)};
+    score.all.planted += of.planted;
+    score.all.found += of.found;
+    score.all.false_alarms += of.false_alarms;
+  });
+}
+
+/// Of logs without their scores.
+void count_findings(const ingest::TrajectoryFile& log, const std::vector<LoggedPart>& parts,
+                    twin::RunAccount& account) {
+  const TrajectoryTable* findings = log.find_table("findings");
+  const TableReader table(log, "findings");
+  std::set<std::pair<std::size_t, double>> seen;
+  for (std::size_t row = 0; findings != nullptr && row < findings->rows(); ++row) {
+    const double pair = table.number("pair", row);
+    if (!(pair >= 0 && pair < static_cast<double>(parts.size()))) continue;
+    const std::size_t vehicle = parts[static_cast<std::size_t>(pair)].vehicle;
+    twin::DetectionScore::OfKind& all = account.vehicles[vehicle].inspection->score.all;
+    const std::size_t outcome = table.whole("outcome", row);
+    const bool is_new = table.number("defect", row) < 0 ||
+                        seen.emplace(vehicle, table.number("defect", row)).second;
+    if (outcome == 1) {
+      ++all.false_alarms;
+    } else if (is_new) {  // else another instrument found it, too
+      ++all.planted;
+      all.found += outcome == 0 ? 1 : 0;
+    }
+  }
+}
+
+}  // namespace
+
+void read_inspections(const ingest::TrajectoryFile& log, twin::RunAccount& account) {
+  std::vector<LoggedPart> parts = parts_in(log, account.vehicles.size());
+  read_covered(log, parts);
+  for (const LoggedPart& logged : parts) {
+    auto& inspection = account.vehicles[logged.vehicle].inspection;
+    if (!inspection) inspection.emplace();
+    inspection->parts.push_back(logged.part);
+  }
+  if (log.find_table("inspected") != nullptr)
+    read_scores(log, account);
+  else
+    count_findings(log, parts, account);
 }
 
 }  // namespace slackwater::api

@@ -2,11 +2,11 @@
 #include <optional>
 #include <span>
 
+#include "api/rehearse/inspected.h"
 #include "ingest/cf/trajectory_file.h"
+#include "twin/account/vehicle_account.h"
 
 namespace slackwater::api {
-
-struct VehicleSummary;
 
 inline constexpr const char* inspection_attribute = "inspection";
 
@@ -17,20 +17,14 @@ inline constexpr const char* inspection_attribute = "inspection";
 /// * Table `inspected_patches`: each patch of each pair, where it is, and how well it was seen at
 ///   best; no numbers where it was not.
 /// * Table `findings`: what was reported, and what was there and was not; positions ENU.
-void add_inspections(std::span<const VehicleSummary> vehicles, ingest::TrajectoryFile& log);
+/// @param vehicles  of each what it inspected, null: nothing
+void add_inspections(std::span<const std::optional<Inspected>> vehicles,
+                     ingest::TrajectoryFile& log);
 
-/// What a log says of a vehicle's inspection.
-struct LoggedInspection {
-  double area_m2 = 0;
-  double covered_m2 = 0;
-  std::size_t found = 0;
-  std::size_t missed = 0;
-  std::size_t false_alarms = 0;
-
-  [[nodiscard]] double share() const noexcept { return area_m2 > 0 ? covered_m2 / area_m2 : 0; }
-};
-/// Nothing where it inspected nothing, or the log does not say.
-[[nodiscard]] std::optional<LoggedInspection> inspection_in(const ingest::TrajectoryFile& log,
-                                                            std::size_t vehicle);
+/// What a log says of inspections, in the accounts of their vehicles: by the attribute, the patches
+/// and the tables `inspected` and `defect_kind`; in logs of formats before 6, which have neither,
+/// the findings are counted.
+/// @throws Error(invalid_input) for an attribute that is damaged
+void read_inspections(const ingest::TrajectoryFile& log, twin::RunAccount& account);
 
 }  // namespace slackwater::api

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/rehearse/inspection_log.h"
 #include "api/rehearse/over_flights.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/report/plot_json.h"
@@ -15,12 +14,6 @@ namespace {
 
 using nlohmann::json;
 using twin::InspectionOutcome;
-
-double area_of(const InspectionOutcome& outcome) {
-  double area_m2 = 0;
-  for (const InspectionOutcome::Part& part : outcome.parts) area_m2 += part.area_m2;
-  return area_m2;
-}
 
 std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what;
@@ -48,18 +41,21 @@ json score_json(const twin::DetectionScore& score) {
 
 }  // namespace
 
+std::string covered_text(const InspectionOutcome& outcome) {
+  return formatted("{:.0f} of {:.0f} m2 covered ({:.0f} %)", outcome.covered_m2(),
+                   outcome.area_m2(), 100 * outcome.share());
+}
+
 std::string inspection_text(const InspectionOutcome& outcome) {
-  const double area_m2 = area_of(outcome);
-  std::string text = formatted("{:.0f} of {:.0f} m2 covered ({:.0f} %)", outcome.share() * area_m2,
-                               area_m2, 100 * outcome.share());
+  std::string text = covered_text(outcome);
   std::string parts;
   for (const InspectionOutcome::Part& part : outcome.parts)
     parts += (parts.empty() ? ": " : ", ") + part.surface + " by the " + part.instrument +
              formatted(" {:.0f} %", 100 * part.share());
   text += parts;
-  if (!outcome.planted.empty() || !outcome.findings.found.empty())
+  if (outcome.score.all.planted + outcome.score.all.false_alarms > 0)
     text += "; " + counted(outcome.score.all.found, "found") + ", " +
-            counted(outcome.findings.missed.size(), "missed") + ", " +
+            counted(outcome.score.missed(), "missed") + ", " +
             counted(outcome.score.all.false_alarms, "false alarms");
   return text;
 }
@@ -87,7 +83,7 @@ json inspection_json(const InspectionOutcome& outcome) {
 }
 
 json inspection_json(const StartOutcome& start, std::size_t vehicle) {
-  const OverFlights all(start, vehicle, &twin::VehicleOutcome::inspection);
+  const OverFlights all(start, vehicle, &twin::VehicleAccount::inspection);
   if (all.empty()) return nullptr;
   json parts = json::array();
   for (std::size_t p = 0; p < all.first().parts.size(); ++p) {
@@ -98,16 +94,17 @@ json inspection_json(const StartOutcome& start, std::size_t vehicle) {
                      {"share", all.quantiles([p](const auto& o) { return o.parts[p].share(); })}});
   }
   const auto rate = [](const auto& o) { return o.score.detection_rate.value_or(0); };
-  return {{"share", all.quantiles([](const auto& o) { return o.share(); })},
-          {"surfaces", parts},
-          {"detection_rate", all.first().planted.empty() ? json(nullptr) : all.quantiles(rate)}};
+  return {
+      {"share", all.quantiles([](const auto& o) { return o.share(); })},
+      {"surfaces", parts},
+      {"detection_rate", all.first().score.all.planted == 0 ? json(nullptr) : all.quantiles(rate)}};
 }
 
 std::vector<std::string> inspection_texts(const StartOutcome& start) {
   std::vector<std::string> texts;
   if (start.flights.empty()) return texts;
   for (std::size_t v = 0; v < start.flights.front().vehicles.size(); ++v) {
-    const OverFlights all(start, v, &twin::VehicleOutcome::inspection);
+    const OverFlights all(start, v, &twin::VehicleAccount::inspection);
     if (all.empty()) continue;
     const auto share = [&](double at) {
       return 100 * all.quantile(at, [](const auto& o) { return o.share(); });
@@ -119,20 +116,13 @@ std::vector<std::string> inspection_texts(const StartOutcome& start) {
     }
     texts.push_back(start.flights.front().vehicles[v].name +
                     formatted(": {:.0f} % of {:.0f} m2 covered (P10 {:.0f} %, P90 {:.0f} %)",
-                              share(0.5), area_of(all.first()), share(0.1), share(0.9)) +
+                              share(0.5), all.first().area_m2(), share(0.1), share(0.9)) +
                     (planted == 0 ? std::string()
                                   : formatted("; of made-up defects {:.0f} % found",
                                               100.0 * static_cast<double>(found) /
                                                   static_cast<double>(planted))));
   }
   return texts;
-}
-
-std::string inspected_in(const ingest::TrajectoryFile& log, std::size_t vehicle) {
-  const auto inspection = inspection_in(log, vehicle);
-  if (!inspection) return {};
-  return formatted("{:.0f} of {:.0f} m2 covered ({:.0f} %)", inspection->covered_m2,
-                   inspection->area_m2, 100 * inspection->share());
 }
 
 }  // namespace slackwater::api

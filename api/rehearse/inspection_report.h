@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "api/rehearse/rehearsal.h"
-#include "ingest/cf/trajectory_file.h"
 
 namespace slackwater::api {
 
@@ -20,7 +19,7 @@ namespace slackwater::api {
 /// A line a vehicle that inspects.
 [[nodiscard]] std::vector<std::string> inspection_texts(const StartOutcome& start);
 
-/// What a log says of a vehicle's inspection, in words; empty: nothing.
-[[nodiscard]] std::string inspected_in(const ingest::TrajectoryFile& log, std::size_t vehicle);
+/// "1210 of 1480 m2 covered (82 %)".
+[[nodiscard]] std::string covered_text(const twin::InspectionOutcome& outcome);
 
 }  // namespace slackwater::api

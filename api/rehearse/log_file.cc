@@ -3,11 +3,9 @@
 #include <map>
 
 #include "api/program/version.h"
-#include "api/rehearse/cleaning_report.h"
-#include "api/rehearse/closest.h"
+#include "api/rehearse/account_tables.h"
 #include "api/rehearse/command_tables.h"
 #include "api/rehearse/inspection_log.h"
-#include "api/rehearse/mission_events.h"
 #include "api/rehearse/traffic_tables.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
@@ -61,7 +59,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
                            std::span<const twin::Agent> agents) {
   TrajectoryFile file;
   for (const twin::Agent& agent : agents) file.names.push_back(agent.name);
-  file.epoch = result.start;
+  file.epoch = result.account.start;
   file.t_s = result.log.t_s;
   add_places(origin, result.log, agents.size(), file);
   for (const twin::LogColumn& column : twin::log_columns()) {
@@ -108,16 +106,18 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   for (const TrackFollowing& followed : result.followed)
     deviations += (deviations.empty() ? "" : "\n") + text_of(followed);
   if (!deviations.empty()) file.attributes.emplace_back("track_deviation", deviations);
-  file.tables = traffic_tables(result.vessels, result.alarms);
-  file.tables.push_back(fate_table(result.vehicles));
-  file.tables.push_back(mission_table(agents, result.vehicles));
-  file.tables.push_back(approach_table(result.vehicles));
-  file.tables.push_back(clearance_table(result.vehicles));
-  file.tables.push_back(cleaning_table(result.vehicles));
-  add_inspections(result.vehicles, file);
-  for (TrajectoryTable& table : command_tables(result.commands, result.refusals, scenario.step_s))
-    file.tables.push_back(std::move(table));
   return file;
+}
+
+void add_tables(const twin::Scenario& scenario, ScenarioResult& result) {
+  std::vector<TrajectoryTable>& tables = result.file.tables;
+  const auto add = [&](std::vector<TrajectoryTable> more) {
+    for (TrajectoryTable& table : more) tables.push_back(std::move(table));
+  };
+  add(traffic_tables(result.vessels, result.alarms));
+  add(account_tables(result.account));
+  add_inspections(result.inspected, result.file);
+  add(command_tables(result.commands, result.refusals, scenario.step_s));
 }
 
 }  // namespace slackwater::api

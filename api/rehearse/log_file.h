@@ -6,11 +6,15 @@
 namespace slackwater::api {
 
 /// The log of a run as a file of tracks, with all that is needed to run it again: scenario, seed,
-/// checksums of forecast and vehicles, version. Nothing in it tells when or where it was run.
+/// checksums of forecast and vehicles, version. Nothing in it tells when or where it was run. Its
+/// tables come with `add_tables`.
 [[nodiscard]] ingest::TrajectoryFile log_file_of(const twin::Scenario& scenario,
                                                  const ScenarioWater& water, const GeoPoint& origin,
                                                  const ScenarioResult& result,
                                                  std::span<const twin::Agent> agents);
+
+/// Puts traffic, account, inspections and commands of a run into its file as tables.
+void add_tables(const twin::Scenario& scenario, ScenarioResult& result);
 
 /// "bluerov2_heavy 3f2a..., x500 ...": checksums of the vehicles' files, in the order of their
 /// names.

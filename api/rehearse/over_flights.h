@@ -15,7 +15,7 @@ template <typename Outcome>
 class OverFlights {
  public:
   OverFlights(const StartOutcome& start, std::size_t vehicle,
-              std::optional<Outcome> twin::VehicleOutcome::*part) {
+              std::optional<Outcome> twin::VehicleAccount::*part) {
     for (const twin::Flight& flight : start.flights)
       if (const auto& outcome = flight.vehicles[vehicle].*part) all_.push_back(&*outcome);
   }

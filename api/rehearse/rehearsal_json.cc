@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "api/rehearse/account_tables.h"
 #include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/inspection_report.h"
 #include "api/rehearse/risk_report.h"
@@ -22,26 +23,23 @@ using nlohmann::json;
 json closest_json(const StartOutcome& start, std::size_t vehicle) {
   json out = json::object();
   bool any = false;
-  for (const auto& [name, of] : {std::pair{"vehicle", &twin::NearestPasses::vehicle},
-                                 {"structure", &twin::NearestPasses::structure},
-                                 {"vessel", &twin::NearestPasses::vessel},
-                                 {"tether", &twin::NearestPasses::line}}) {
+  for (const ApproachKind& kind : approach_kinds()) {
     std::vector<double> distance_m;
-    for (const twin::Flight& flight : start.flights) {
-      const twin::NearestPass& pass = flight.vehicles[vehicle].nearest.*of;
-      if (pass.is_any()) distance_m.push_back(pass.distance_m);
-    }
+    for (const twin::Flight& flight : start.flights)
+      if (const auto& near = flight.vehicles[vehicle].closest.*kind.of)
+        distance_m.push_back(near->distance_m);
     any |= !distance_m.empty();
-    out[name] = distance_m.empty() ? json(nullptr) : quantiles_json(distance_m);
+    out[kind.name] = distance_m.empty() ? json(nullptr) : quantiles_json(distance_m);
   }
   return any ? out : json(nullptr);
 }
 
 /// In how many flights a vehicle that keeps clear raised an alarm.
 json alarmed_json(const StartOutcome& start, std::size_t vehicle) {
-  if (!start.flights.front().vehicles[vehicle].clearance_alarms) return nullptr;
+  if (!start.flights.front().vehicles[vehicle].clearance) return nullptr;
   return std::count_if(start.flights.begin(), start.flights.end(), [&](const twin::Flight& f) {
-    return f.vehicles[vehicle].clearance_alarms.value_or(0) > 0;
+    const auto& clearance = f.vehicles[vehicle].clearance;
+    return clearance && clearance->alarms() > 0;
   });
 }
 
@@ -50,11 +48,11 @@ json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
   std::vector<double> left, energy_wh, fuel_kg, held_s, worst, thrust, line;
   std::size_t done = 0;
   for (const twin::Flight& flight : start.flights) {
-    const twin::VehicleOutcome& v = flight.vehicles[vehicle];
+    const twin::VehicleAccount& v = flight.vehicles[vehicle];
     done += v.is_done ? 1 : 0;
     left.push_back(v.least_charge);
-    energy_wh.push_back(v.energy_j / 3600);
-    fuel_kg.push_back(v.fuel_kg);
+    energy_wh.push_back(v.on_mission.drawn_j / 3600);
+    fuel_kg.push_back(v.on_mission.fuel_kg);
     held_s.push_back(v.held_s);
     worst.push_back(v.worst_share);
     thrust.push_back(1 - v.thrust_used);
@@ -86,7 +84,7 @@ json flight_json(const twin::Flight& flight) {
                     {"stops", number(noise->stops)},
                     {"mammal_within_s", number(noise->exposed_s)},
                     {"by", noise->by.empty() ? json(nullptr) : json(noise->by)}};
-  for (const twin::VehicleOutcome& vehicle : flight.vehicles) {
+  for (const twin::VehicleAccount& vehicle : flight.vehicles) {
     if (vehicle.cleaning) out["cleaned_share"][vehicle.name] = number(vehicle.cleaning->share());
     if (vehicle.inspection)
       out["covered_share"][vehicle.name] = number(vehicle.inspection->share());

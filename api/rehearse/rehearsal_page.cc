@@ -147,8 +147,8 @@ std::string starts_html(const Rehearsal& rehearsal) {
       causes += (causes.empty() ? "" : "; ") + cause.cause + formatted(" ({})", cause.flights);
     std::vector<double> left;
     for (const Flight& flight : start.flights)
-      for (const twin::VehicleOutcome& vehicle : flight.vehicles)
-        if (vehicle.energy_j > 0) left.push_back(100 * vehicle.least_charge);
+      for (const twin::VehicleAccount& vehicle : flight.vehicles)
+        if (vehicle.on_mission.drawn_j > 0) left.push_back(100 * vehicle.least_charge);
     const auto least = quantile_of(left, 0.1);
     const twin::LimitsSay& limits = start.by_the_limits;
     table.rows.push_back({format_utc(start.start).substr(0, 16),

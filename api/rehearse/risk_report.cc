@@ -47,7 +47,7 @@ std::vector<RiskEntry> risks_of(const StartOutcome& start,
   std::vector<twin::RiskCauses> flights;
   for (const twin::Flight& flight : start.flights) {
     twin::RiskCauses& befell = flights.emplace_back();
-    for (const twin::VehicleOutcome& vehicle : flight.vehicles) befell.add(vehicle.risks);
+    for (const twin::VehicleAccount& vehicle : flight.vehicles) befell.add(vehicle.risks());
     // Each vehicle did its part, and still nobody was found or the noise was not made.
     if (!flight.is_done && befell.none()) befell.add(twin::RiskCause::work);
   }

@@ -5,15 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "api/coverage/page.h"
-#include "api/rehearse/fate.h"
+#include "api/rehearse/account_log.h"
+#include "api/rehearse/account_text.h"
 #include "api/rehearse/limit_bounds.h"
-#include "api/rehearse/mission_timeline.h"
-#include "api/rehearse/run_outcome.h"
 #include "api/rehearse/run_page_traffic.h"
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -57,7 +58,7 @@ bool is_ever(const TrajectoryFile& log, const Rows& rows, std::size_t vehicle, c
 }
 
 json vehicle_json(const TrajectoryFile& log, const Rows& rows, std::size_t i) {
-  constexpr double degrees_a_radian = 57.29577951308232;
+  constexpr double degrees_a_radian = 1 / constants::degree;
   const auto line = [&](const char* name, std::size_t k = 0, double scale = 1) {
     return line_of(log, rows, i, name, k, scale);
   };
@@ -82,11 +83,11 @@ json vehicle_json(const TrajectoryFile& log, const Rows& rows, std::size_t i) {
 }
 
 /// What the vehicles did, a row each: `[[from_s, to_s, phase, doing], ...]`.
-json timeline_json(const TrajectoryFile& log, const std::vector<MissionEvent>& events) {
+json timeline_json(const twin::RunAccount& account) {
   json rows = json::array();
-  for (std::size_t i = 0; i < log.names.size(); ++i) {
+  for (const twin::VehicleAccount& vehicle : account.vehicles) {
     json row = json::array();
-    for (const MissionStretch& s : stretches_of(events, i, log.t_s.back()))
+    for (const twin::MissionStretch& s : twin::stretches_of(vehicle.mission, account.ran_s))
       row.push_back({number(s.from_s), number(s.to_s), s.phase, s.doing});
     rows.push_back(std::move(row));
   }
@@ -146,39 +147,67 @@ json structures_json(const twin::Scenario& scenario) {
   return structures;
 }
 
-std::string outcome_html(const TrajectoryFile& log, const twin::Scenario* scenario) {
+std::string outcome_html(const twin::RunAccount& account, bool has_scenario) {
   std::string html = "<section class=\"outcome\"><h2>How it came out</h2><div class=\"cards\">";
-  for (const VehicleOutcome& outcome : outcomes_of(log, scenario)) {
-    html += std::string("<div class=\"card") + (outcome.is_stopped ? " stopped" : "") + "\"><h3>" +
-            escaped_html(outcome.name) + "</h3><p><strong>" + escaped_html(outcome.verdict) +
-            "</strong></p><dl>";
-    for (const auto& [what, how_much] : outcome.margins)
+  for (const twin::VehicleAccount& vehicle : account.vehicles) {
+    const bool is_stopped = vehicle.halt != twin::Halt::none;
+    html += std::string("<div class=\"card") + (is_stopped ? " stopped" : "") + "\"><h3>" +
+            escaped_html(vehicle.name) + "</h3><p><strong>" +
+            escaped_html(verdict_text(vehicle, account.start)) + "</strong></p><dl>";
+    for (const auto& [what, how_much] : margins_of(vehicle, account.start))
       html += "<dt>" + escaped_html(what) + "</dt><dd>" + escaped_html(how_much) + "</dd>";
     html += "</dl></div>";
   }
   html += "</div><p class=\"note\">Extremes of the logged times";
-  return html + (scenario == nullptr ? "; the log holds no scenario that this version reads, so no "
-                                       "plan and no structures are shown.</p></section>\n"
-                                     : ".</p></section>\n");
+  return html + (has_scenario ? ".</p></section>\n"
+                              : "; the log holds no scenario that this version reads, so no plan "
+                                "and no structures are shown.</p></section>\n");
 }
 
-std::string events_html(const TrajectoryFile& log, const std::vector<RunEvent>& events) {
+std::string events_html(const twin::RunAccount& account, const std::vector<EventLine>& events) {
   if (events.empty()) return {};
   ReportTable table;
   table.title = "Events";
   table.columns = {"UTC", "Vehicle", "What"};
-  for (const RunEvent& event : events) {
+  for (const EventLine& event : events) {
     const auto whole = Duration(static_cast<Duration::rep>(std::floor(event.t_s)) * 1000);
-    table.rows.push_back({format_utc(log.epoch + whole), log.names[event.vehicle], event.what});
+    table.rows.push_back(
+        {format_utc(account.start + whole), account.vehicles[event.vehicle].name, event.what});
   }
   return table_html(table);
 }
 
-json events_json(const std::vector<RunEvent>& events) {
+json events_json(const std::vector<EventLine>& events) {
   json list = json::array();
-  for (const RunEvent& event : events)
+  for (const EventLine& event : events)
     list.push_back({{"t", number(event.t_s)}, {"vehicle", event.vehicle}, {"what", event.what}});
   return list;
+}
+
+std::string cell(double value) {
+  return std::isfinite(value) ? formatted("{:.2f}", value) : std::string("-");
+}
+
+std::string fate_html(const twin::RunAccount& account) {
+  ReportTable table;
+  table.title = "How each fared";
+  table.note =
+      "Off the track and off the depth until it halted; largest roll and pitch over all steps.";
+  table.columns = {"Vehicle",           "What befell it",    "Sailed m",        "Energy Wh",
+                   "Fuel kg",           "Off track m rms",   "Off depth m rms", "Off depth m most",
+                   "Roll deg, largest", "Pitch deg, largest"};
+  for (const twin::VehicleAccount& v : account.vehicles) {
+    const std::string befell = v.fate_text(account.start);
+    table.rows.push_back({v.name, befell.empty() ? "-" : befell, cell(v.track.sailed_m),
+                          v.makeup.is_electric ? cell(v.in_all.drawn_j / 3600) : "-",
+                          v.makeup.burns_fuel ? cell(v.in_all.fuel_kg) : "-",
+                          cell(v.track.rms_across_m),
+                          v.makeup.floats ? "-" : cell(v.track.rms_depth_error_m),
+                          v.makeup.floats ? "-" : cell(size_of(v.track.depth_error_m)),
+                          cell(v.largest_roll_rad / constants::degree),
+                          cell(v.largest_pitch_rad / constants::degree)});
+  }
+  return table_html(table);
 }
 
 std::string choice_html() {
@@ -216,15 +245,18 @@ std::string plots(bool has_missions) {
 }
 
 /// What befell vehicles first, then how their missions ended.
-void say_verdict(const TrajectoryFile& log, const std::vector<MissionEvent>& missions,
-                 HtmlPage& page) {
-  page.headline = fates_in(log);
+void say_verdict(const twin::RunAccount& account, HtmlPage& page) {
+  page.headline = fates_text(account);
   if (!page.headline.empty()) page.alarm = "Not a normal run.";
-  bool is_done = true;
-  const std::string verdict = mission_headline(log, missions, is_done);
-  if (!is_done && page.alarm.empty()) page.alarm = "Held or called home.";
-  if (!page.headline.empty() && !verdict.empty()) page.headline += ". ";
-  page.headline += verdict;
+  if (!all_missions_done(account) && page.alarm.empty()) page.alarm = "Held or called home.";
+  const std::string missions = mission_headline(account);
+  if (!page.headline.empty() && !missions.empty()) page.headline += ". ";
+  page.headline += missions;
+}
+
+bool has_missions(const twin::RunAccount& account) {
+  return std::any_of(account.vehicles.begin(), account.vehicles.end(),
+                     [](const auto& vehicle) { return !vehicle.mission.empty(); });
 }
 
 }  // namespace
@@ -244,7 +276,8 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
   for (std::size_t i = 0; i < log.names.size(); ++i) vehicles.push_back(vehicle_json(log, rows, i));
   const std::optional<twin::Scenario> read = scenario_of(log);
   const twin::Scenario* scenario = read ? &*read : nullptr;
-  const std::vector<RunEvent> events = events_of(log, scenario);
+  const twin::RunAccount account = account_in(log, scenario);
+  const std::vector<EventLine> events = event_lines(log, account);
   const std::vector<Coverage> coverages = coverage_in(log);
   const std::string seen = coverage_html(coverages, choice.shows_truth);
   HtmlPage page;
@@ -256,13 +289,12 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
                 {"origin", log.attribute("origin")},
                 {"seed", log.attribute("seed")},
                 {"member", log.attribute("member")}};
-  const std::vector<MissionEvent> missions = mission_events_in(log);
-  say_verdict(log, missions, page);
-  page.plots_html = outcome_html(log, scenario) + seen + coverage_plots_html(coverages) +
-                    plots(!missions.empty());
-  page.instead_of_plots_html = outcome_html(log, scenario) + seen;
+  say_verdict(account, page);
+  const std::string outcome = outcome_html(account, scenario != nullptr);
+  page.plots_html = outcome + seen + coverage_plots_html(coverages) + plots(has_missions(account));
+  page.instead_of_plots_html = outcome + seen;
   page.tables_html = coverage_tables_html(coverages, log.epoch, choice.shows_truth) +
-                     events_html(log, events) + fate_html(log) + traffic_html(log);
+                     events_html(account, events) + fate_html(account) + traffic_html(log);
   page.data_json = script_safe(
       {{"t", seconds},
        {"epoch", std::chrono::duration_cast<std::chrono::milliseconds>(log.epoch.time_since_epoch())
@@ -271,7 +303,7 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
        {"plan", scenario == nullptr ? json::array() : plan_json(log, *scenario)},
        {"structures", scenario == nullptr ? json::array() : structures_json(*scenario)},
        {"events", events_json(events)},
-       {"timeline", timeline_json(log, missions)},
+       {"timeline", timeline_json(account)},
        {"limits", limits_json(log, scenario)},
        {"coverage", coverage_json(coverages)},
        {"vessels", vessels_json(log)}});

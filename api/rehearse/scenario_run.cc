@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "api/program/version.h"
+#include "api/rehearse/account_log.h"
 #include "api/rehearse/checkpoint_file.h"
 #include "api/rehearse/log_file.h"
 #include "api/rehearse/run_observers.h"
@@ -24,56 +25,11 @@ using twin::Agent;
 using twin::AgentState;
 using twin::RunLog;
 
-VehicleSummary summary_of(const Agent& agent, const AgentState& state, const RunLog& log,
-                          std::size_t vehicle, UtcTime start) {
-  VehicleSummary s;
-  s.name = agent.name;
-  s.model = agent.vehicle->id;
-  const auto voltage = log.column(vehicle, "bus_voltage");
-  const TrackQuality quality = track_quality(log, vehicle);
-  s.sailed_m = quality.sailed_m;
-  s.rms_across_track_m = quality.rms_across_m;
-  s.rms_depth_error_m = quality.rms_depth_error_m;
-  s.largest_depth_error_m = quality.largest_depth_error_m;
-  s.largest_roll_deg = state.milestones.largest_roll_rad() * 180 / constants::pi;
-  s.largest_pitch_deg = state.milestones.largest_pitch_rad() * 180 / constants::pi;
-  s.least_voltage_v = std::numeric_limits<double>::quiet_NaN();
-  for (const double v : voltage) s.least_voltage_v = std::fmin(s.least_voltage_v, v);
-  s.has_battery = agent.vehicle->battery.has_value();
-  s.burns_fuel = twin::burns_fuel(*agent.vehicle);
-  s.is_electric = s.has_battery || !s.burns_fuel || agent.vehicle->hotel_w > 0;
-  s.floats = agent.vehicle->body.hull.strips > 0;
-  s.energy_wh = state.vehicle.drawn_j / 3600;
-  s.fuel_kg = state.vehicle.fuel_kg;
-  s.state_of_charge = state.vehicle.battery.charge;
-  s.waypoints = state.mission.waypoints_taken + state.helm.way.waypoints_taken;
-  s.tasks_done = state.mission.task;
-  s.tasks = agent.mission.tasks.size();
-  s.halt = name_of(state.halt);
-  s.halted_at_s = state.halted_at_s;
-  s.events = fate_of(agent, state);
-  s.mission_events = state.conduct.events;
-  if (agent.conduct && agent.conduct->cleaning)
-    s.cleaning = twin::cleaning_outcome(*agent.conduct->cleaning, state.conduct.cleaning);
-  if (agent.inspection)
-    s.inspection = Inspected{agent.inspection, state.inspection,
-                             twin::inspection_outcome(*agent.inspection, state.inspection)};
-  s.fate = fate_text(s.events, start);
-  if (agent.clearance) s.clearance = state.clearance;
-  return s;
-}
-
-void add_navigation(const Agent& agent, const twin::SensorLog& sensed, std::size_t vehicle,
-                    VehicleSummary& s) {
-  s.by_sensors = agent.navigation && agent.navigation->steers;
-  if (!s.by_sensors) return;
-  const std::vector<double> error = sensed.column(vehicle, "navigation_error");
-  double squares = 0;
-  for (std::size_t i = 0; i + 2 < error.size(); i += 3) {
-    s.navigation_error_m = std::hypot(error[i], error[i + 1], error[i + 2]);
-    squares += s.navigation_error_m * s.navigation_error_m;
-  }
-  s.rms_navigation_error_m = std::sqrt(3 * squares / static_cast<double>(error.size()));
+std::optional<Inspected> inspected_by(const Agent& agent, const AgentState& state) {
+  if (!agent.inspection) return std::nullopt;
+  return Inspected{agent.inspection, state.inspection,
+                   twin::inspection_outcome(*agent.inspection, state.inspection),
+                   twin::inspection_findings(*agent.inspection, state.inspection).findings};
 }
 
 CheckpointOrigin checkpoint_origin(const twin::Scenario& scenario, const ScenarioWater& water,
@@ -243,7 +199,7 @@ twin::TrafficWatch watch_of(const twin::Scenario& scenario, const twin::ReadyRun
 /// What is known before the first step.
 ScenarioResult begun(const ScenarioWater& water, const twin::ReadyRun& ready) {
   ScenarioResult result;
-  result.start = ready.start;
+  result.account.start = ready.start;
   result.warnings = water.warnings;
   result.warnings.insert(result.warnings.end(), ready.warnings.begin(), ready.warnings.end());
   result.vessels = ready.vessels;
@@ -251,22 +207,25 @@ ScenarioResult begun(const ScenarioWater& water, const twin::ReadyRun& ready) {
 }
 
 /// What is known after the last one.
-void conclude(const WatchedRun& watched) {
+void conclude(const WatchedRun& watched, const ScenarioWater& water, const GeoPoint& origin) {
   auto& [run, watch, result, scenario, slipway, data_folder, steward] = watched;
-  result.duration_s = run.time_s();
+  const auto agents = run.agents();
+  result.account.ran_s = run.time_s();
   result.commands.assign(run.commands_taken().begin(), run.commands_taken().end());
   if (steward) result.refusals = steward->refusals();
-  result.log.let_join(run.agents().size());
-  result.sensed.let_join(run.agents().size());
-  const auto states = run.states();
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    result.vehicles.push_back(summary_of(run.agents()[i], states[i], result.log, i, result.start));
-    add_navigation(run.agents()[i], result.sensed, i, result.vehicles[i]);
-    result.vehicles[i].closest =
-        closest_of(states[i].nearest, run.agents(), scenario, result.vessels);
+  result.log.let_join(agents.size());
+  result.sensed.let_join(agents.size());
+  const twin::EndedRun ended{agents, run.states(), scenario.structures, run.time_s()};
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    result.account.vehicles.push_back(twin::account_of(ended, i));
+    result.inspected.push_back(inspected_by(agents[i], ended.states[i]));
   }
   result.alarms.assign(watch.records().begin(), watch.records().end());
-  result.followed = tracks_followed(run.agents(), result.log);
+  result.followed = tracks_followed(agents, result.log);
+  result.file = log_file_of(scenario, water, origin, result, agents);
+  for (std::size_t i = 0; i < agents.size(); ++i)
+    twin::add_rows(rows_of(result.file, i), result.account.vehicles[i]);
+  add_tables(scenario, result);
 }
 
 }  // namespace
@@ -321,8 +280,7 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
                                             choice.checkpoint.string());
   }
   if (run.steps_made() < steps && !run.all_halted()) result.stopped_at_step = run.steps_made();
-  conclude(watched);
-  result.file = log_file_of(scenario, water, ready.origin, result, run.agents());
+  conclude(watched, water, ready.origin);
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return result;
 }

@@ -8,11 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "api/rehearse/closest.h"
-#include "api/rehearse/fate.h"
 #include "api/rehearse/inspected.h"
 #include "api/rehearse/track_following.h"
 #include "ingest/cf/trajectory_file.h"
+#include "twin/account/vehicle_account.h"
 #include "twin/helm/steward.h"
 #include "twin/simulate/run_control.h"
 #include "twin/simulate/run_log.h"
@@ -21,7 +20,6 @@
 #include "twin/simulate/set_up.h"
 #include "twin/simulate/slipway.h"
 #include "twin/simulate/traffic_watch.h"
-#include "twin/surface/cleaning_outcome.h"
 
 namespace slackwater::api {
 
@@ -56,48 +54,13 @@ void hold_members(ScenarioWater& water, std::size_t members,
                                          const std::filesystem::path& store_folder,
                                          const std::optional<std::filesystem::path>& file);
 
-/// How one vehicle fared.
-struct VehicleSummary {
-  std::string name;
-  std::string model;
-  double sailed_m = 0;   ///< over ground
-  double energy_wh = 0;  ///< electrical, whatever gave it
-  double fuel_kg = 0;
-  double state_of_charge = 1;
-  double least_voltage_v = 0;
-  double rms_across_track_m = 0;
-  double rms_depth_error_m = 0;      ///< off the depth or height of its way
-  double largest_depth_error_m = 0;  ///< of its size
-  double largest_roll_deg = 0;       ///< of its size, over all steps
-  double largest_pitch_deg = 0;
-  std::size_t waypoints = 0;
-  std::size_t tasks_done = 0;
-  std::size_t tasks = 0;
-  std::string halt = "none";
-  double halted_at_s = 0;
-  std::vector<FateEvent> events;                   ///< what befell it, causes first
-  std::vector<twin::ConductEvent> mission_events;  ///< of one that conducts itself
-  std::optional<twin::CleaningOutcome> cleaning;   ///< of one that cleans
-  std::optional<Inspected> inspection;             ///< of one that inspects
-  std::string fate;  ///< the same in a sentence; empty for a normal run
-  Closest closest;   ///< to what was around it, over all steps of the barrier
-  std::optional<twin::ClearanceState> clearance;  ///< of one that keeps clear, at the end
-  bool has_battery = false;
-  bool is_electric = false;  ///< something on board draws from a bus
-  bool burns_fuel = false;
-  bool floats = false;                ///< it has no depth to keep
-  bool by_sensors = false;            ///< else its autopilot was told the truth
-  double navigation_error_m = 0;      ///< where it took itself to be from where it was, at the end
-  double rms_navigation_error_m = 0;  ///< over the times of the log
-};
-
 struct ScenarioResult {
-  UtcTime start;
-  double duration_s = 0;
+  twin::RunAccount account;
   double wall_s = 0;
   twin::RunLog log;
   twin::SensorLog sensed;
-  std::vector<VehicleSummary> vehicles;
+  std::vector<std::optional<Inspected>>
+      inspected;                             ///< of each vehicle; nothing: it inspects nothing
   std::vector<twin::TrafficVessel> vessels;  ///< the traffic
   std::vector<twin::AlarmRecord> alarms;
   std::vector<TrackFollowing> followed;

@@ -3,42 +3,29 @@
 #include <string>
 #include <vector>
 
-#include "api/rehearse/inspection_log.h"
 #include "ingest/cf/trajectory_file.h"
+#include "twin/account/vehicle_account.h"
+
+// How well the vehicles of logged runs did, whatever steered them.
 
 namespace slackwater::api {
-
-/// How well one vehicle of one logged run did, whatever steered it.
-struct VehicleScore {
-  std::string name;
-  double time_s = 0;     ///< until its last task ended; without an end, that it is in the log
-  bool is_done = false;  ///< its log says that it finished without turning for home or halting
-  double sailed_m = 0;   ///< over ground
-  double rms_across_track_m = 0;
-  double largest_across_track_m = 0;
-  double rms_depth_error_m = 0;
-  std::optional<double> energy_per_metre_j;  ///< electrical; none: it draws or goes nothing
-  /// Over the whole run, as its log says it (`closest_in`).
-  std::optional<double> closest_structure_m;
-  std::optional<double> closest_vehicle_m;
-  std::optional<double> closest_vessel_m;
-  std::optional<double> closest_tether_m;
-  std::size_t interventions = 0;  ///< times it left its task: holds and ways home
-  double takeover_s = 0;          ///< spent away from it, until it was resumed
-  double longest_takeover_s = 0;
-  std::size_t limit_violations = 0;            ///< interventions that a limit called for
-  std::optional<LoggedInspection> inspection;  ///< of one that inspects
-};
 
 /// The scorecard of a run.
 struct Scorecard {
   std::string run;  ///< its title
   std::string seed;
-  std::vector<VehicleScore> vehicles;
+  twin::RunAccount account;
 };
-
 /// @throws Error(invalid_input) for a log without positions
 [[nodiscard]] Scorecard scorecard_of(const ingest::TrajectoryFile& log);
+
+/// From when it was there until its mission ended: what it does then, hovering where others still
+/// work, is not scored. Of one without a mission, or without an end, that it is in the log.
+[[nodiscard]] double scored_time_s(const twin::VehicleAccount& vehicle);
+/// Its mission finished without turning for home or halting.
+[[nodiscard]] bool is_scored_done(const twin::VehicleAccount& vehicle, double ran_s);
+/// Electrical; nothing where it draws or goes nothing.
+[[nodiscard]] std::optional<double> energy_per_metre_j(const twin::VehicleAccount& vehicle);
 
 /// Mean and standard deviation over runs.
 struct Spread {

@@ -187,10 +187,4 @@ std::vector<TrafficVessel> vessels_in(const ingest::TrajectoryFile& log) {
   return out;
 }
 
-std::string name_of_vessel(std::span<const TrafficVessel> vessels, std::uint32_t mmsi) {
-  const auto found = std::find_if(vessels.begin(), vessels.end(),
-                                  [&](const TrafficVessel& vessel) { return vessel.id == mmsi; });
-  return found == vessels.end() ? std::string() : found->name;
-}
-
 }  // namespace slackwater::api

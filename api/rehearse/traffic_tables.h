@@ -20,8 +20,4 @@ namespace slackwater::api {
 /// @throws Error(invalid_input) for tables that do not fit each other
 [[nodiscard]] std::vector<twin::TrafficVessel> vessels_in(const ingest::TrajectoryFile& log);
 
-/// The name of a vessel, where it is known.
-[[nodiscard]] std::string name_of_vessel(std::span<const twin::TrafficVessel> vessels,
-                                         std::uint32_t mmsi);
-
 }  // namespace slackwater::api

@@ -41,7 +41,8 @@ TwinChance chance_of(const StartOutcome& flown, const std::vector<twin::Conseque
   for (const twin::Flight& flight : flown.flights) {
     if (flight.is_done) out.duration_s.push_back(flight.ended_s);
     double energy_j = 0;
-    for (const twin::VehicleOutcome& vehicle : flight.vehicles) energy_j += vehicle.energy_j;
+    for (const twin::VehicleAccount& vehicle : flight.vehicles)
+      energy_j += vehicle.on_mission.drawn_j;
     out.energy_wh.push_back(energy_j / 3600);
   }
   out.risks = risks_of(flown, harms);

@@ -59,7 +59,7 @@ TEST_F(SimulateFates, AnEmptyBatteryIsTheCauseAndNotTheSeaThatItStruck) {
   EXPECT_GT(uav.at("largest_depth_error_m").get<double>(), 30) << "the height that it lost";
   EXPECT_NE(read_bytes(path("flat.html")).find("battery empty at 18:40:"), std::string::npos);
   const ingest::TrajectoryFile log = ingest::read_trajectories(path("flat.nc"));
-  EXPECT_EQ(log.attribute("log_format"), "5");
+  EXPECT_EQ(log.attribute("log_format"), "6");
   ASSERT_NE(log.find_table("fate"), nullptr);
   EXPECT_EQ(log.find_table("fate")->text("events")->at(0), uav.at("fate").get<std::string>());
   EXPECT_EQ(made_.run({"replay", path("flat.nc")}).exit_code, 0);

@@ -89,7 +89,7 @@ Ran run(const twin::Scenario& scenario, Live how) {
   };
   const api::ScenarioResult result = api::run_scenario(scenario, water, choice);
   ran.wall_s = result.wall_s;
-  ran.simulated_s = result.duration_s;
+  ran.simulated_s = result.account.ran_s;
   return ran;
 }
 

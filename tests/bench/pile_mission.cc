@@ -115,8 +115,8 @@ Flown flown(const Scenario& mission, std::size_t starts, std::size_t members, in
     for (const Flight& flight : start.flights) {
       ++out.flights;
       out.flown_s += flight.ended_s;
-      const VehicleOutcome& outcome = flight.vehicles.front();
-      out.energy_j.push_back(outcome.energy_j);
+      const VehicleAccount& outcome = flight.vehicles.front();
+      out.energy_j.push_back(outcome.on_mission.drawn_j);
       if (outcome.inspection) {
         out.covered.push_back(outcome.inspection->share());
         out.rays += outcome.inspection->rays;

@@ -75,13 +75,28 @@ bool is_covered(const InspectionLine& line, const BestLook& best) noexcept {
          best.incidence_cosine >= std::cos(line.most_incidence_rad) - 1e-6;
 }
 
+double InspectionOutcome::area_m2() const noexcept {
+  double sum_m2 = 0;
+  for (const Part& part : parts) sum_m2 += part.area_m2;
+  return sum_m2;
+}
+
+double InspectionOutcome::covered_m2() const noexcept {
+  double sum_m2 = 0;
+  for (const Part& part : parts) sum_m2 += part.covered_m2;
+  return sum_m2;
+}
+
 double InspectionOutcome::share() const noexcept {
-  double area_m2 = 0, covered_m2 = 0;
-  for (const Part& part : parts) {
-    area_m2 += part.area_m2;
-    covered_m2 += part.covered_m2;
-  }
-  return area_m2 > 0 ? covered_m2 / area_m2 : 0;
+  return area_m2() > 0 ? covered_m2() / area_m2() : 0;
+}
+
+InspectionFindings inspection_findings(const Inspection& inspection, const InspectionState& state) {
+  InspectionFindings out;
+  out.planted = plant(inspection.plan.defects, inspection.surfaces, inspection.facts, state.seed);
+  out.findings = find_defects(out.planted, inspection.surfaces, looks_of(inspection, state),
+                              inspection.methods, inspection.facts, state.seed);
+  return out;
 }
 
 InspectionOutcome inspection_outcome(const Inspection& inspection, const InspectionState& state) {
@@ -94,10 +109,8 @@ InspectionOutcome inspection_outcome(const Inspection& inspection, const Inspect
   for (std::size_t l = 0; l < inspection.plan.lines.size() && out.left.empty(); ++l)
     out.left = left_of(inspection, l, out.parts);
   out.is_done = out.left.empty();
-  out.planted = plant(inspection.plan.defects, inspection.surfaces, inspection.facts, state.seed);
-  out.findings = find_defects(out.planted, inspection.surfaces, looks_of(inspection, state),
-                              inspection.methods, inspection.facts, state.seed);
-  out.score = score_of(out.planted, out.findings);
+  const InspectionFindings all = inspection_findings(inspection, state);
+  out.score = score_of(all.planted, all.findings);
   return out;
 }
 

@@ -22,10 +22,9 @@ struct InspectionOutcome {
     std::vector<bool> covered;   ///< of each patch
 
     [[nodiscard]] double share() const noexcept { return area_m2 > 0 ? covered_m2 / area_m2 : 0; }
+    friend bool operator==(const Part&, const Part&) = default;
   };
   std::vector<Part> parts;  ///< of each pair
-  std::vector<Defect> planted;
-  Findings findings;
   DetectionScore score;
   std::uint64_t looks = 0;
   std::uint64_t rays = 0;
@@ -34,11 +33,22 @@ struct InspectionOutcome {
   std::string left;      ///< in words, the line that did not; empty: done
 
   /// Of all parts together.
+  [[nodiscard]] double area_m2() const noexcept;
+  [[nodiscard]] double covered_m2() const noexcept;
   [[nodiscard]] double share() const noexcept;
+  friend bool operator==(const InspectionOutcome&, const InspectionOutcome&) = default;
 };
 
 /// Whether a place is covered.
 [[nodiscard]] bool is_covered(const InspectionLine& line, const BestLook& best) noexcept;
+
+/// What is there to be found, and what was found of it: all that `InspectionOutcome::score` counts.
+struct InspectionFindings {
+  std::vector<Defect> planted;
+  Findings findings;
+};
+[[nodiscard]] InspectionFindings inspection_findings(const Inspection& inspection,
+                                                     const InspectionState& state);
 
 [[nodiscard]] InspectionOutcome inspection_outcome(const Inspection& inspection,
                                                    const InspectionState& state);

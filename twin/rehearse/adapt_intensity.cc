@@ -61,7 +61,7 @@ double charge_left_of(const Flight& flight, const Scenario& mission,
   double least = 1;
   for (std::size_t v = 0; v < flight.vehicles.size(); ++v)
     if (counts(mission.vehicles[v], settings))
-      least = std::min(least, flight.vehicles[v].state_of_charge);
+      least = std::min(least, flight.vehicles[v].on_mission.charge);
   return least;
 }
 
@@ -168,7 +168,7 @@ double coverage_of(const Flight& flight, const Scenario& flown, const Scenario& 
     }
     const double whole_m = work_way_m(fixed_plan.vehicles[v]);
     const double planned = whole_m > 0 ? work_way_m(flown.vehicles[v]) / whole_m : 1;
-    sum += planned * flight.vehicles[v].work_share;
+    sum += planned * flight.vehicles[v].work_share();
   }
   return vehicles > 0 ? sum / static_cast<double>(vehicles) : 1;
 }

@@ -55,7 +55,7 @@ struct IntensityChoice {
 
 /// What a flight has looked at, the mean of the vehicles whose work counts: of one that inspects,
 /// the share of its surfaces that it covered; of others what they have done of their work
-/// (`VehicleOutcome::work_share`) times the length of that against the fixed plan's.
+/// (`VehicleAccount::work_share`) times the length of that against the fixed plan's.
 [[nodiscard]] double coverage_of(const Flight& flight, const Scenario& flown,
                                  const Scenario& fixed_plan, const FlightSettings& settings);
 

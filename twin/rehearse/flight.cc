@@ -102,8 +102,8 @@ bool is_lost(const AgentState& state) {
 /// A search is done when somebody was found, by whichever vehicle.
 void note_search(Flight& flight) {
   bool is_search = false;
-  for (const VehicleOutcome& vehicle : flight.vehicles) {
-    is_search |= vehicle.searches;
+  for (const VehicleAccount& vehicle : flight.vehicles) {
+    is_search |= vehicle.makeup.searches;
     if (vehicle.found_s) flight.found_s = std::min(flight.found_s.value_or(1e99), *vehicle.found_s);
   }
   if (!is_search || flight.found_s) return;
@@ -207,6 +207,7 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
   }
   sample();
   const auto states = run.states();
+  const EndedRun ended{run.agents(), states, mission.structures, run.time_s()};
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Flight& flight = flights[c];
     flight.flown = cases[c];
@@ -214,8 +215,8 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
     double over_s = 0;  // for all of its vehicles, of work or not
     for (std::size_t i = c * per_case; i < (c + 1) * per_case; ++i) {
       const Agent& agent = run.agents()[i];
-      flight.vehicles.push_back(outcome_of(agent, states[i], run.time_s()));
-      const VehicleOutcome& outcome = flight.vehicles.back();
+      flight.vehicles.push_back(account_of(ended, i));
+      const VehicleAccount& outcome = flight.vehicles.back();
       over_s = std::max(over_s, outcome.ended_s);
       const bool has_work = counts(agent, settings);
       if (!has_work && !is_lost(states[i])) continue;

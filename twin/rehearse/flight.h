@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "twin/rehearse/outcome.h"
+#include "twin/account/vehicle_account.h"
 #include "twin/simulate/set_up.h"
 
 namespace slackwater::twin {
@@ -37,7 +37,7 @@ struct Flight {
   double ended_s = 0;
   std::optional<double> found_s;     ///< when any vehicle found whom they search for
   std::optional<NoiseRecord> noise;  ///< of work that their watches for mammals let go on
-  std::vector<VehicleOutcome> vehicles;
+  std::vector<VehicleAccount> vehicles;
   std::vector<std::vector<FlightSample>> samples;  ///< of each vehicle
 };
 

@@ -5,13 +5,13 @@
 namespace slackwater::twin {
 namespace {
 
-bool has_event(const VehicleOutcome& vehicle, ConductEventKind kind) {
-  return std::any_of(vehicle.events.begin(), vehicle.events.end(),
-                     [&](const ConductEvent& event) { return event.kind == kind; });
+bool has_event(const VehicleAccount& vehicle, ConductEventKind kind) {
+  return std::any_of(vehicle.mission.begin(), vehicle.mission.end(),
+                     [&](const MissionEvent& event) { return event.kind == kind; });
 }
 
-bool was_called_home(const VehicleOutcome& vehicle) {
-  return std::any_of(vehicle.events.begin(), vehicle.events.end(), [](const ConductEvent& event) {
+bool was_called_home(const VehicleAccount& vehicle) {
+  return std::any_of(vehicle.mission.begin(), vehicle.mission.end(), [](const MissionEvent& event) {
     return event.kind == ConductEventKind::turned_for_home && event.cause == Cause::reserve;
   });
 }
@@ -32,15 +32,15 @@ const char* name_of(ReserveFate fate) noexcept {
   return "not_home";
 }
 
-ReserveFate reserve_fate(const VehicleOutcome& vehicle, double reserve_share) {
-  const bool is_energy = vehicle.risks.has(RiskCause::energy);
+ReserveFate reserve_fate(const VehicleAccount& vehicle, double reserve_share) {
+  const bool is_energy = vehicle.risks().has(RiskCause::energy);
   const bool is_home = has_event(vehicle, ConductEventKind::finished) ||
                        has_event(vehicle, ConductEventKind::gave_up);
   if (!is_home)
     return is_energy && vehicle.least_charge < reserve_share ? ReserveFate::broken
                                                              : ReserveFate::not_home;
   if (!is_energy) return ReserveFate::kept;
-  return was_called_home(vehicle) && vehicle.state_of_charge >= reserve_share
+  return was_called_home(vehicle) && vehicle.on_mission.charge >= reserve_share
              ? ReserveFate::called_home
              : ReserveFate::broken;
 }

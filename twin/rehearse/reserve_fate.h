@@ -15,7 +15,7 @@ inline constexpr std::size_t reserve_fate_count = 4;
 [[nodiscard]] const char* name_of(ReserveFate fate) noexcept;
 
 /// @param reserve_share  of its conduct
-[[nodiscard]] ReserveFate reserve_fate(const VehicleOutcome& vehicle, double reserve_share);
+[[nodiscard]] ReserveFate reserve_fate(const VehicleAccount& vehicle, double reserve_share);
 /// The worst of the vehicles whose work counts.
 [[nodiscard]] ReserveFate reserve_fate(const Flight& flight, const Scenario& mission,
                                        const FlightSettings& settings);

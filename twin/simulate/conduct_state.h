@@ -70,6 +70,7 @@ struct Spent {
   double drawn_j = 0;  ///< electrical
   double fuel_kg = 0;
   double charge = 1;  ///< of the battery, left
+  friend bool operator==(const Spent&, const Spent&) = default;
 };
 
 /// How far a vehicle that conducts itself has come.

@@ -14,6 +14,7 @@ struct CleaningOutcome {
     double cleaned_m2 = 0;
     double removed_m3 = 0;
     double left_m3 = 0;
+    friend bool operator==(const Band&, const Band&) = default;
   };
   double area_m2 = 0;  ///< with growth to take off
   double cleaned_m2 = 0;
@@ -27,6 +28,7 @@ struct CleaningOutcome {
 
   [[nodiscard]] double share() const noexcept { return cleaned_m2 / area_m2; }
   [[nodiscard]] bool is_done() const noexcept { return share() >= done_at; }
+  friend bool operator==(const CleaningOutcome&, const CleaningOutcome&) = default;
 };
 [[nodiscard]] CleaningOutcome cleaning_outcome(const Cleaning& cleaning,
                                                const CleaningState& state);

@@ -1,5 +1,7 @@
 #include "twin/traffic/traffic_picture.h"
 
+#include <algorithm>
+
 namespace slackwater::twin {
 
 void populate(const std::vector<TrafficVessel>& vessels, double t_s, const TrackRule& rule,
@@ -15,6 +17,12 @@ void populate(const std::vector<TrafficVessel>& vessels, double t_s, const Track
       picture.unheard.push_back(vessel.id);
     }
   }
+}
+
+std::string name_of_vessel(std::span<const TrafficVessel> vessels, std::uint32_t mmsi) {
+  const auto found = std::find_if(vessels.begin(), vessels.end(),
+                                  [&](const TrafficVessel& vessel) { return vessel.id == mmsi; });
+  return found == vessels.end() ? std::string() : found->name;
 }
 
 }  // namespace slackwater::twin

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct TrafficVessel {
   Track track;
   bool is_around = true;  ///< false: it is not met, only its track is of use
 };
+
+/// The name of a vessel, where it is known; else empty.
+[[nodiscard]] std::string name_of_vessel(std::span<const TrafficVessel> vessels,
+                                         std::uint32_t mmsi);
 
 /// Who is around at one moment. Values that are filled anew at each moment: after the first few,
 /// without allocation.

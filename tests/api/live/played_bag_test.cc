@@ -61,7 +61,7 @@ TEST(PlayedBag, CommandsTakeEffectAtTheStepAtWhichTheyCame) {
     EXPECT_EQ(velocity.yaw_rate_rad_s, 0.1) << "to starboard, where ROS counts to port";
   }
   EXPECT_TRUE(result.refusals.empty());
-  EXPECT_GT(result.vehicles[0].sailed_m, 0.3);
+  EXPECT_GT(result.account.vehicles[0].track.sailed_m, 0.3);
 }
 
 TEST(PlayedBag, WhatTheVehicleCannotDoIsRefusedAsOfAnyClient) {

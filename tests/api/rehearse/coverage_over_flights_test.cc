@@ -49,7 +49,7 @@ std::shared_ptr<twin::Inspection> board() {
 twin::Flight flight(std::size_t member, const std::vector<bool>& covered, float current_m_s) {
   twin::Flight out;
   out.flown.member = member;
-  twin::VehicleOutcome eye, other;
+  twin::VehicleAccount eye, other;
   eye.name = "eye";
   other.name = "other";
   twin::InspectionOutcome::Part part;

@@ -82,7 +82,7 @@ TEST_F(HelmedRun, TheLogHoldsWhatWasDoneAndMakesTheRunAgain) {
   const Made made = make_with_guests("run.nc");
   EXPECT_EQ(guests_.barriers, 1200);
   const ingest::TrajectoryFile log = ingest::read_trajectories(made.log);
-  EXPECT_EQ(log.attribute("log_format"), "5");
+  EXPECT_EQ(log.attribute("log_format"), "6");
   const std::vector<Command> commands = commands_in(log);
   ASSERT_EQ(commands.size(), made.result.commands.size());
   EXPECT_GT(commands.size(), 150U);
@@ -218,7 +218,7 @@ TEST_F(HelmedRun, OneThatWasEndedFromOutsideIsEndedThereAgain) {
   const Made made = make("run.nc", choice);
   EXPECT_TRUE(is_over);
   EXPECT_EQ(made.result.stopped_at_step, 333U);
-  EXPECT_NEAR(made.result.duration_s, 16.65, 1e-9);
+  EXPECT_NEAR(made.result.account.ran_s, 16.65, 1e-9);
   const ReplayResult again = replayed(made.log);
   EXPECT_TRUE(again.is_identical) << again.difference;
 }

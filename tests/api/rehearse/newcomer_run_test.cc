@@ -3,8 +3,9 @@
 
 #include <fstream>
 
+#include "api/rehearse/account_log.h"
+#include "api/rehearse/account_text.h"
 #include "api/rehearse/command_tables.h"
-#include "api/rehearse/run_outcome.h"
 #include "api/rehearse/run_page.h"
 #include "api/rehearse/score.h"
 #include "fields/base/error.h"
@@ -122,15 +123,16 @@ TEST_F(RunThatVehiclesJoin, HasThemInItsLogFromTheirFirstTimeOn) {
     for (std::size_t t = 0; t < times; ++t)
       EXPECT_EQ(std::isfinite(x->values[vehicle * times + t]), log.t_s[t] >= from_s - 1e-9)
           << vehicle << " at " << log.t_s[t];
-  for (const VehicleSummary& vehicle : made.result.vehicles) {
-    EXPECT_TRUE(std::isfinite(vehicle.sailed_m + vehicle.rms_depth_error_m)) << vehicle.name;
-    EXPECT_TRUE(std::isfinite(vehicle.least_voltage_v)) << vehicle.name;
-    EXPECT_EQ(vehicle.halt, "none") << vehicle.name;
+  for (const twin::VehicleAccount& vehicle : made.result.account.vehicles) {
+    const twin::TrackAccount& track = vehicle.track;
+    EXPECT_TRUE(std::isfinite(track.sailed_m + track.rms_depth_error_m)) << vehicle.name;
+    EXPECT_TRUE(track.least_voltage_v.has_value()) << vehicle.name;
+    EXPECT_EQ(vehicle.halt, twin::Halt::none) << vehicle.name;
     EXPECT_TRUE(vehicle.closest.vehicle.has_value()) << vehicle.name;
   }
-  const VehicleSummary& rov = made.result.vehicles[1];
-  EXPECT_GT(rov.sailed_m, 5);
-  EXPECT_LT(rov.sailed_m, 30) << "no way from the origin to where it joined";
+  const twin::VehicleAccount& rov = made.result.account.vehicles[1];
+  EXPECT_GT(rov.track.sailed_m, 5);
+  EXPECT_LT(rov.track.sailed_m, 30) << "no way from the origin to where it joined";
   EXPECT_EQ(rov.waypoints, 1U);
   EXPECT_TRUE(rov.closest.vessel.has_value()) << "the traffic passes it too";
 }
@@ -146,11 +148,12 @@ TEST_F(RunThatVehiclesJoin, EndsInGoodOrderWhereOneHasNoRowYet) {
     });
   };
   const Made made = make("run.nc", choice);
-  ASSERT_EQ(made.result.vehicles.size(), 2U);
-  EXPECT_EQ(made.result.vehicles[1].sailed_m, 0);
-  EXPECT_EQ(made.result.vehicles[1].rms_depth_error_m, 0);
+  const auto& vehicles = made.result.account.vehicles;
+  ASSERT_EQ(vehicles.size(), 2U);
+  EXPECT_EQ(vehicles[1].track.sailed_m, 0);
+  EXPECT_EQ(vehicles[1].track.rms_depth_error_m, 0);
   const ingest::TrajectoryFile log = ingest::read_trajectories(made.log);
-  EXPECT_EQ(scorecard_of(log).vehicles[1].time_s, 0);
+  EXPECT_EQ(scored_time_s(scorecard_of(log).account.vehicles[1]), 0);
   EXPECT_FALSE(run_page_html(log, "").empty());
   const ReplayResult again = replayed(made.log);
   EXPECT_TRUE(again.is_identical) << again.difference;
@@ -159,20 +162,18 @@ TEST_F(RunThatVehiclesJoin, EndsInGoodOrderWhereOneHasNoRowYet) {
 TEST_F(RunThatVehiclesJoin, IsScoredAndShownWithThem) {
   const Made made = make_joined("run.nc");
   const ingest::TrajectoryFile log = ingest::read_trajectories(made.log);
-  const Scorecard card = scorecard_of(log);
-  ASSERT_EQ(card.vehicles.size(), 4U);
-  EXPECT_EQ(card.vehicles[0].time_s, 60);
-  EXPECT_NEAR(card.vehicles[1].time_s, 49.5, 1e-9);
-  EXPECT_NEAR(card.vehicles[2].time_s, 39.5, 1e-9);
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(card.vehicles[i].sailed_m, made.result.vehicles[i].sailed_m, 1e-9) << i;
-    EXPECT_TRUE(std::isfinite(card.vehicles[i].rms_depth_error_m)) << i;
-    EXPECT_TRUE(card.vehicles[i].closest_vehicle_m.has_value()) << i;
+  const twin::RunAccount account = scorecard_of(log).account;
+  ASSERT_EQ(account.vehicles.size(), 4U);
+  EXPECT_EQ(account, made.result.account);
+  EXPECT_EQ(scored_time_s(account.vehicles[0]), 60);
+  EXPECT_NEAR(scored_time_s(account.vehicles[1]), 49.5, 1e-9);
+  EXPECT_NEAR(scored_time_s(account.vehicles[2]), 39.5, 1e-9);
+  for (const twin::VehicleAccount& vehicle : account.vehicles) {
+    EXPECT_TRUE(std::isfinite(vehicle.at_work.rms_depth_error_m)) << vehicle.name;
+    EXPECT_TRUE(vehicle.closest.vehicle.has_value()) << vehicle.name;
   }
-  const auto scenario = scenario_of(log);
-  ASSERT_TRUE(scenario.has_value());
   std::vector<std::string> told;
-  for (const RunEvent& event : events_of(log, &*scenario))
+  for (const EventLine& event : event_lines(log, account))
     if (event.vehicle > 0) told.push_back(event.what);
   EXPECT_EQ(std::count(told.begin(), told.end(), "joins the run"), 3);
   EXPECT_EQ(std::count(told.begin(), told.end(), "battery on again"), 0);

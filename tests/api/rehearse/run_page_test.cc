@@ -4,7 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/rehearse/run_outcome.h"
+#include "api/rehearse/account_log.h"
+#include "api/rehearse/account_text.h"
 #include "fields/base/error.h"
 
 namespace slackwater::tests {
@@ -53,60 +54,94 @@ ingest::TrajectoryFile log_of(const std::string& scenario = yaml) {
   add("bus_voltage", {16, 14.5, 15, 0, 0, 0});
   add("battery_off", {0, 0, 1, 0, 0, 0});
   add("task", {0, 1, 1, 0, 0, 0});
-  add("halt", {0, 0, 6, 0, 0, 0}, "0 goes on, 1 diverged, 6 struck, 9 lost_its_way");
+  add("halt", {0, 0, 6, 0, 0, 0}, "0 goes on, 1 diverged, 6 struck");
   log.attributes = {{"title", "past <a> pile"}, {"scenario", scenario}};
   return log;
 }
 
-std::string of(const VehicleOutcome& outcome, const std::string& what) {
-  for (const auto& [name, value] : outcome.margins)
+twin::RunAccount account_of(const ingest::TrajectoryFile& log) {
+  const auto scenario = scenario_of(log);
+  return account_in(log, scenario ? &*scenario : nullptr);
+}
+
+std::string of(const twin::RunAccount& account, std::size_t vehicle, const std::string& what) {
+  for (const auto& [name, value] : margins_of(account.vehicles.at(vehicle), account.start))
     if (name == what) return value;
   return "";
 }
 
-TEST(RunOutcome, SaysHowItEndedAndTheMarginsWithTheirTimes) {
-  const ingest::TrajectoryFile log = log_of();
-  const auto scenario = scenario_of(log);
-  ASSERT_TRUE(scenario);
-  const auto outcomes = outcomes_of(log, &*scenario);
-  ASSERT_EQ(outcomes.size(), 2U);
-  EXPECT_EQ(outcomes[0].verdict, "Struck something at 06:00:40 UTC; 1 of 2 tasks done.");
-  EXPECT_TRUE(outcomes[0].is_stopped);
-  EXPECT_EQ(of(outcomes[0], "Battery left"), "80.0 %");
-  EXPECT_EQ(of(outcomes[0], "Energy used"), "1.0 Wh");
-  EXPECT_EQ(of(outcomes[0], "Least voltage"), "14.5 V");
-  EXPECT_EQ(of(outcomes[0], "Farthest off the track"), "1.50 m at 06:00:40 UTC");
-  EXPECT_EQ(of(outcomes[0], "Farthest off the depth"), "2.50 m at 06:00:20 UTC");
-  EXPECT_EQ(of(outcomes[0], "Largest roll"), "29° at 06:00:20 UTC");
-  EXPECT_EQ(outcomes[1].verdict, "Ran to the end; 0 of 1 task done.");
-  EXPECT_EQ(of(outcomes[1], "Battery left"), "") << "nothing was drawn from it";
+TEST(AccountText, SaysHowItEndedAndTheMarginsWithTheirTimes) {
+  const twin::RunAccount account = account_of(log_of());
+  ASSERT_EQ(account.vehicles.size(), 2U);
+  EXPECT_EQ(verdict_text(account.vehicles[0], account.start),
+            "Battery cut off at its least voltage at 06:00:40Z \u2192 struck a structure at "
+            "06:00:40Z; 1 of 2 tasks done.");
+  EXPECT_EQ(account.vehicles[0].halt, twin::Halt::struck);
+  EXPECT_EQ(of(account, 0, "Battery left"), "80.0 %");
+  EXPECT_EQ(of(account, 0, "Energy used"), "1.0 Wh");
+  EXPECT_EQ(of(account, 0, "Least voltage"), "14.5 V");
+  EXPECT_EQ(of(account, 0, "Farthest off the track"), "1.50 m at 06:00:40 UTC");
+  EXPECT_EQ(of(account, 0, "Farthest off the depth"), "2.50 m at 06:00:20 UTC");
+  EXPECT_EQ(of(account, 0, "Largest roll"), "29° at 06:00:20 UTC");
+  EXPECT_EQ(verdict_text(account.vehicles[1], account.start), "Ran to the end; 0 of 1 task done.");
+  EXPECT_EQ(of(account, 1, "Battery left"), "") << "nothing was drawn from it";
 }
 
-TEST(RunOutcome, TheClosestApproachIsThatOfTheWayNotOfTheRows) {
-  const ingest::TrajectoryFile log = log_of();
-  const auto scenario = scenario_of(log);
-  const auto outcomes = outcomes_of(log, &*scenario);
-  EXPECT_EQ(of(outcomes[0], "Closest to a structure"), "1.0 m, pile at 06:00:20 UTC");
-  EXPECT_EQ(of(outcomes[1], "Closest to a structure"), "20.0 m, barge at 06:00:00 UTC")
+TEST(AccountText, TheClosestApproachIsThatOfTheWayNotOfTheRows) {
+  const twin::RunAccount account = account_of(log_of());
+  EXPECT_EQ(of(account, 0, "Closest to a structure"), "1.0 m, pile at 06:00:20 UTC");
+  EXPECT_EQ(of(account, 1, "Closest to a structure"), "20.0 m, barge at 06:00:00 UTC")
       << "its side is at 50 m north";
-  EXPECT_EQ(of(outcomes[1], "Closest to another vehicle"), "27.9 m, rov at 06:00:00 UTC");
+  EXPECT_EQ(of(account, 1, "Closest to another vehicle"), "27.9 m, rov at 06:00:00 UTC");
 }
 
-TEST(RunOutcome, EventsAreTasksCutOffsAndHaltsByTime) {
+TEST(AccountText, EventsAreTasksCutOffsAndHaltsByTime) {
   const ingest::TrajectoryFile log = log_of();
-  const auto scenario = scenario_of(log);
-  const auto events = events_of(log, &*scenario);
+  const auto events = event_lines(log, account_of(log));
   ASSERT_EQ(events.size(), 3U);
   EXPECT_EQ(events[0].what, "task 2 begins");
   EXPECT_EQ(events[0].t_s, 20);
   EXPECT_EQ(events[1].what, "battery cut off");
-  EXPECT_EQ(events[2].what, "struck something");
+  EXPECT_EQ(events[2].what, "struck a structure");
 }
 
-TEST(RunOutcome, AHaltOfAnotherVersionHasTheNameThatTheLogGivesIt) {
-  const ingest::TrajectoryFile log = log_of();
-  EXPECT_EQ(halt_in_words(*log.find("halt"), 9), "stopped: lost_its_way");
-  EXPECT_EQ(halt_in_words(*log.find("halt"), 77), "stopped");
+TEST(AccountLog, AHaltThatThisVersionDoesNotKnowIsRefusedWithItsNumber) {
+  ingest::TrajectoryFile log = log_of();
+  for (auto& variable : log.variables)
+    if (variable.name == "halt") variable.values[2] = 9;
+  try {
+    (void)account_of(log);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& e) {
+    EXPECT_NE(e.message().find("has 9 as halt, expected 0 to 8"), std::string::npos) << e.message();
+  }
+}
+
+TEST(AccountLog, TablesThatDoNotFitAreRefused) {
+  const auto refused = [](auto&& change) {
+    ingest::TrajectoryFile log = log_of();
+    ingest::TrajectoryTable mission;
+    mission.name = "mission";
+    mission.columns = {{"vehicle", "1", "", {1}}, {"time", "s", "", {5}}};
+    mission.texts = {{"kind", "", {"phase_began"}}, {"cause", "", {"none"}}, {"text", "", {"w"}}};
+    change(mission);
+    log.tables.push_back(mission);
+    try {
+      (void)account_of(log);
+    } catch (const Error& e) {
+      return e.message();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused([](auto&) {}), "");
+  EXPECT_NE(refused([](auto& t) { t.columns[0].values[0] = 2; }).find("vehicle 2, and there are 2"),
+            std::string::npos);
+  EXPECT_NE(refused([](auto& t) { t.columns[0].values[0] = -1; }).find("expected a count"),
+            std::string::npos);
+  EXPECT_NE(
+      refused([](auto& t) { t.texts[0].values[0] = "flew_away"; }).find("'flew_away' as kind"),
+      std::string::npos);
+  EXPECT_NE(refused([](auto& t) { t.texts.pop_back(); }).find("has no text"), std::string::npos);
 }
 
 TEST(RunPage, HoldsThePlanTheStructuresTheTetherAndTheEvents) {
@@ -136,7 +171,7 @@ TEST(RunPage, ALogWithoutTimesIsAnErrorAndNoCrash) {
 
 TEST(RunPage, WithoutAScenarioOrThePlotsItStillSaysHowItCameOut) {
   const std::string html = run_page_html(log_of("not: a scenario"), "");
-  EXPECT_NE(html.find("Struck something at 06:00:40 UTC."), std::string::npos);
+  EXPECT_NE(html.find("struck a structure at 06:00:40Z."), std::string::npos);
   EXPECT_NE(html.find("no scenario that this version reads"), std::string::npos);
 }
 

@@ -40,25 +40,27 @@ ingest::TrajectoryFile log_of_one(bool has_mission) {
 }
 
 TEST(Score, WhatAVehicleDoesWhenItsWorkIsOverIsNotScored) {
-  const VehicleScore score = scorecard_of(log_of_one(true)).vehicles.front();
-  EXPECT_TRUE(score.is_done);
-  EXPECT_EQ(score.time_s, 20);
-  EXPECT_NEAR(score.sailed_m, 20, 1e-12);
-  ASSERT_TRUE(score.energy_per_metre_j);
-  EXPECT_NEAR(*score.energy_per_metre_j, 20, 1e-12);
-  EXPECT_NEAR(score.rms_across_track_m, 0.5, 1e-12);
-  EXPECT_NEAR(score.largest_across_track_m, 0.5, 1e-12);
-  EXPECT_EQ(score.interventions, 1U);
-  EXPECT_EQ(score.limit_violations, 1U);
-  EXPECT_EQ(score.takeover_s, 4);
+  const twin::VehicleAccount eye = scorecard_of(log_of_one(true)).account.vehicles.front();
+  EXPECT_TRUE(is_scored_done(eye, 60));
+  EXPECT_EQ(scored_time_s(eye), 20);
+  EXPECT_NEAR(eye.at_work.sailed_m, 20, 1e-12);
+  ASSERT_TRUE(energy_per_metre_j(eye));
+  EXPECT_NEAR(*energy_per_metre_j(eye), 20, 1e-12);
+  EXPECT_NEAR(eye.at_work.rms_across_m, 0.5, 1e-12);
+  EXPECT_NEAR(eye.at_work.across_m->value, 0.5, 1e-12);
+  EXPECT_NEAR(eye.track.across_m->value, 3, 1e-12) << "of the whole run";
+  const twin::Interventions away = twin::interventions_of(eye.mission, 60);
+  EXPECT_EQ(away.count, 1U);
+  EXPECT_EQ(away.limit_violations, 1U);
+  EXPECT_EQ(away.away_s, 4);
 }
 
 TEST(Score, OfAStackWithoutMissionsIsThatOfTheWholeLog) {
-  const VehicleScore score = scorecard_of(log_of_one(false)).vehicles.front();
-  EXPECT_FALSE(score.is_done);
-  EXPECT_EQ(score.time_s, 60);
-  EXPECT_NEAR(score.sailed_m, 20 + 40 * 3, 3.1);
-  EXPECT_EQ(score.interventions, 0U);
+  const twin::VehicleAccount eye = scorecard_of(log_of_one(false)).account.vehicles.front();
+  EXPECT_FALSE(is_scored_done(eye, 60));
+  EXPECT_EQ(scored_time_s(eye), 60);
+  EXPECT_NEAR(eye.at_work.sailed_m, 20 + 40 * 3, 3.1);
+  EXPECT_EQ(twin::interventions_of(eye.mission, 60).count, 0U);
 }
 
 TEST(Score, ClosestApproachesAreThoseThatTheLogTells) {
@@ -69,9 +71,10 @@ TEST(Score, ClosestApproachesAreThoseThatTheLogTells) {
     variable.values.insert(variable.values.end(), eye.begin(), eye.end());
   }
   // By its rows it goes through the other.
-  EXPECT_EQ(scorecard_of(log).vehicles.front().closest_vehicle_m, 0.0);
+  const auto closest = [&](std::size_t i) { return scorecard_of(log).account.vehicles[i].closest; };
+  EXPECT_EQ(closest(0).vehicle->distance_m, 0.0);
   log.attributes.emplace_back("log_format", "3");
-  EXPECT_FALSE(scorecard_of(log).vehicles.front().closest_vehicle_m) << "they were aboard, say";
+  EXPECT_FALSE(closest(0).vehicle) << "they were aboard, say";
   ingest::TrajectoryTable approach;
   approach.name = "approach";
   approach.columns = {{"vehicle", "1", "", {0, 0, 1}},
@@ -81,12 +84,11 @@ TEST(Score, ClosestApproachesAreThoseThatTheLogTells) {
   approach.texts = {{"kind", "", {"vehicle", "tether", "vessel"}},
                     {"to", "", {"other", "other", ""}}};
   log.tables.push_back(approach);
-  const auto scores = scorecard_of(log).vehicles;
-  EXPECT_EQ(scores[0].closest_vehicle_m, 4.5);
-  EXPECT_EQ(scores[0].closest_tether_m, 2.5) << "of the whole run, also when its work is over";
-  EXPECT_FALSE(scores[0].closest_vessel_m);
-  EXPECT_EQ(scores[1].closest_vessel_m, 9.0);
-  EXPECT_FALSE(scores[1].closest_structure_m);
+  EXPECT_EQ(closest(0).vehicle->distance_m, 4.5);
+  EXPECT_EQ(closest(0).tether->distance_m, 2.5) << "of the whole run, also when its work is over";
+  EXPECT_FALSE(closest(0).vessel);
+  EXPECT_EQ(closest(1).vessel->distance_m, 9.0);
+  EXPECT_FALSE(closest(1).structure);
 }
 
 TEST(Score, ALogWithoutPlacesIsAnError) {

@@ -144,20 +144,21 @@ TEST(ReserveFate, SaysWhatCameOfTheReserve) {
   using twin::Cause;
   using twin::ConductEventKind;
   const auto fate = [](const auto& change) {
-    twin::VehicleOutcome out;
-    out.state_of_charge = out.least_charge = 0.4;
-    out.events.push_back({100, ConductEventKind::finished});
+    twin::VehicleAccount out;
+    out.is_done = true;
+    out.on_mission.charge = out.least_charge = 0.4;
+    out.mission.push_back({100, ConductEventKind::finished, Cause::none, ""});
     change(out);
     return twin::reserve_fate(out, 0.2);
   };
-  const auto energy = [](twin::VehicleOutcome& out, double charge) {
-    out.risks.add(twin::RiskCause::energy);
-    out.state_of_charge = out.least_charge = charge;
+  const auto energy = [](twin::VehicleAccount& out, double charge) {
+    out.broke_reserve = true;
+    out.on_mission.charge = out.least_charge = charge;
   };
   EXPECT_EQ(fate([](auto&) {}), ReserveFate::kept);
   EXPECT_EQ(fate([&](auto& out) { energy(out, 0.19); }), ReserveFate::broken);
-  const auto turn = [](twin::VehicleOutcome& out, Cause cause) {
-    out.events.insert(out.events.begin(), {50, ConductEventKind::turned_for_home, cause, 0, 0});
+  const auto turn = [](twin::VehicleAccount& out, Cause cause) {
+    out.mission.insert(out.mission.begin(), {50, ConductEventKind::turned_for_home, cause, ""});
   };
   EXPECT_EQ(fate([&](auto& out) { turn(out, Cause::limit); }), ReserveFate::kept);
   EXPECT_EQ(fate([&](auto& out) {
@@ -170,9 +171,9 @@ TEST(ReserveFate, SaysWhatCameOfTheReserve) {
               turn(out, Cause::reserve);
             }),
             ReserveFate::broken);
-  EXPECT_EQ(fate([](auto& out) { out.events.clear(); }), ReserveFate::not_home);
+  EXPECT_EQ(fate([](auto& out) { out.mission.clear(); }), ReserveFate::not_home);
   EXPECT_EQ(fate([&](auto& out) {
-              out.events.clear();
+              out.mission.clear();
               energy(out, 0);
             }),
             ReserveFate::broken);

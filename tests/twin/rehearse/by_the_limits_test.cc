@@ -59,8 +59,8 @@ TEST(ByTheLimits, AllowWhatTheBatteryRefuses) {
   EXPECT_FALSE(flight.is_done);
   EXPECT_EQ(flight.stopped_by, "surveyor: energy for the way home");
   // Home with what it was to keep.
-  EXPECT_GT(flight.vehicles[0].state_of_charge, 0.2);
-  EXPECT_LT(flight.vehicles[0].work_share, 1);
+  EXPECT_GT(flight.vehicles[0].on_mission.charge, 0.2);
+  EXPECT_LT(flight.vehicles[0].work_share(), 1);
 }
 
 TEST(ByTheLimits, ForbidWhatIsDoneBeforeTheyAreExceeded) {
@@ -125,7 +125,7 @@ TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {
   EXPECT_EQ(told[2].kind, twin::ConductEventKind::came_home);
   EXPECT_EQ(flight.stopped_by, "surveyor: energy for the way home");
   // The current has grown on its way: that is what the reserve is for.
-  EXPECT_GT(flight.vehicles[0].state_of_charge, 0.1);
+  EXPECT_GT(flight.vehicles[0].on_mission.charge, 0.1);
 }
 
 }  // namespace

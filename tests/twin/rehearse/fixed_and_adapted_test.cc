@@ -98,7 +98,7 @@ Compared compared(std::size_t number, std::size_t futures) {
     out.coverage = twin::coverage_of(flight, flown, fixed, question.flights);
     out.time_s = flight.ended_s;
     out.hole_m = hole_of(flight.samples[0]);
-    out.charge = flight.vehicles[0].state_of_charge;
+    out.charge = flight.vehicles[0].on_mission.charge;
     return out;
   };
   Compared out;

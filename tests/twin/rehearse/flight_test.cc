@@ -46,9 +46,9 @@ TEST(Flight, IsOverForItselfWhileOthersLast) {
   ASSERT_FALSE(together[1].is_done);
   ASSERT_LT(together[0].ended_s + 60, together[1].ended_s);
   const twin::Flight alone = twin::fly(mission, surround, {both.data(), 1}, {}).front();
-  const twin::VehicleOutcome &a = together[0].vehicles[0], &b = alone.vehicles[0];
-  EXPECT_EQ(a.energy_j, b.energy_j);
-  EXPECT_EQ(a.state_of_charge, b.state_of_charge);
+  const twin::VehicleAccount &a = together[0].vehicles[0], &b = alone.vehicles[0];
+  EXPECT_EQ(a.on_mission.drawn_j, b.on_mission.drawn_j);
+  EXPECT_EQ(a.on_mission.charge, b.on_mission.charge);
   EXPECT_EQ(a.least_charge, b.least_charge);
   EXPECT_EQ(together[0].ended_s, alone.ended_s);
   // What stood still meanwhile is where it was.
@@ -59,7 +59,7 @@ TEST(Flight, IsOverForItselfWhileOthersLast) {
 
 /// The outcome of the flight above, over after 100 s, with something befallen it.
 template <typename Change>
-twin::VehicleOutcome outcome_with(Change&& change) {
+twin::VehicleAccount outcome_with(Change&& change) {
   const twin::Scenario mission = against_the_current();
   twin::ReadyRun ready = twin::set_up(mission, surround_of(mission));
   twin::AgentState& state = ready.states[0];
@@ -67,10 +67,10 @@ twin::VehicleOutcome outcome_with(Change&& change) {
   state.mission.is_done = true;
   state.conduct.events.push_back({100, twin::ConductEventKind::finished});
   change(state);
-  return twin::outcome_of(ready.agents[0], state, 240);
+  return twin::account_of({ready.agents, ready.states, mission.structures, 240}, 0);
 }
 
-TEST(Outcome, NamesWhatBefellAVehicle) {
+TEST(VehicleAccount, NamesWhatBefellAVehicle) {
   using twin::AgentState;
   using twin::RiskCause;
   const auto one = [](RiskCause cause) {
@@ -78,7 +78,7 @@ TEST(Outcome, NamesWhatBefellAVehicle) {
     causes.add(cause);
     return causes;
   };
-  const auto risks = [](auto&& change) { return outcome_with(change).risks; };
+  const auto risks = [](auto&& change) { return outcome_with(change).risks(); };
   EXPECT_TRUE(risks([](AgentState&) {}).none());
   EXPECT_TRUE(outcome_with([](AgentState&) {}).is_done);
   EXPECT_EQ(risks([](AgentState& s) { s.conduct.most_share = 1.1; }), one(RiskCause::limit));
@@ -89,15 +89,15 @@ TEST(Outcome, NamesWhatBefellAVehicle) {
   EXPECT_EQ(risks([](AgentState& s) { s.mission.is_done = false; }), one(RiskCause::work));
   // After the end it is no part of the mission.
   EXPECT_TRUE(risks([](AgentState& s) { s.milestones.line_parted_s = 120; }).none());
-  const twin::VehicleOutcome parted =
+  const twin::VehicleAccount parted =
       outcome_with([](AgentState& s) { s.milestones.line_parted_s = 60; });
-  EXPECT_EQ(parted.risks, one(RiskCause::tether));
+  EXPECT_EQ(parted.risks(), one(RiskCause::tether));
   EXPECT_FALSE(parted.is_done);
   EXPECT_EQ(parted.stopped_by, "its tether parted");
-  EXPECT_EQ(parted.line_parted_s, 60.0);
+  EXPECT_EQ(twin::time_of(parted.fate, twin::Fate::tether_parted), 60.0);
 }
 
-TEST(Outcome, HasLessThrustToSpareInMoreCurrent) {
+TEST(VehicleAccount, HasLessThrustToSpareInMoreCurrent) {
   const auto used = [](double current_m_s) {
     twin::Scenario mission = against_the_current();
     twin::Surround surround = surround_of(mission);

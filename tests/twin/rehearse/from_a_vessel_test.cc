@@ -49,9 +49,9 @@ twin::Flight flown(const FromAVessel& mission) {
   return twin::fly(mission.scenario, mission.surround, {&flown, 1}, settings).front();
 }
 
-std::vector<double> times(const twin::VehicleOutcome& vehicle, Kind kind) {
+std::vector<double> times(const twin::VehicleAccount& vehicle, Kind kind) {
   std::vector<double> out;
-  for (const twin::ConductEvent& event : vehicle.events)
+  for (const twin::MissionEvent& event : vehicle.mission)
     if (event.kind == kind) out.push_back(event.t_s);
   return out;
 }
@@ -61,8 +61,8 @@ TEST(FromAVessel, AnRovSurveysTwoPilesInOneMorning) {
   const twin::Flight flight = flown(mission);
   EXPECT_TRUE(flight.is_done) << flight.stopped_by;
   ASSERT_EQ(flight.vehicles.size(), 2U);
-  const twin::VehicleOutcome &rov = flight.vehicles[0], &tender = flight.vehicles[1];
-  EXPECT_EQ(rov.work_share, 1);
+  const twin::VehicleAccount &rov = flight.vehicles[0], &tender = flight.vehicles[1];
+  EXPECT_EQ(rov.work_share(), 1);
   EXPECT_EQ(rov.held_s, 0);
   const auto launched = times(rov, Kind::launched), aboard = times(rov, Kind::came_aboard);
   ASSERT_EQ(launched.size(), 2U);
@@ -75,7 +75,7 @@ TEST(FromAVessel, AnRovSurveysTwoPilesInOneMorning) {
   // Work alike at both, in the same water.
   EXPECT_NEAR(aboard[1] - launched[1], aboard[0] - launched[0], 0.1 * (aboard[0] - launched[0]));
   EXPECT_TRUE(tender.is_done) << tender.stopped_by;
-  EXPECT_GT(tender.nearest.structure.distance_m, 13);
+  EXPECT_GT(tender.closest.structure->distance_m, 13);
   EXPECT_LT(rov.line_used, 0.5);
   EXPECT_GT(rov.line_used, 0.005);
 }
@@ -87,7 +87,7 @@ TEST(FromAVessel, APilotInsideAFenceReadsAnodesAtTwoPiles) {
     yaml.replace(yaml.find("  surveyor:"), 11, "  inspector:");
   }));
   EXPECT_TRUE(flight.is_done) << flight.stopped_by;
-  EXPECT_EQ(flight.vehicles[0].work_share, 1);
+  EXPECT_EQ(flight.vehicles[0].work_share(), 1);
   EXPECT_EQ(times(flight.vehicles[0], Kind::launched).size(), 2U);
 }
 

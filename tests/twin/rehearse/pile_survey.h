@@ -52,7 +52,7 @@ inline double charge_taken(const twin::Intensity& thinned_by, double current_m_s
                                        std::vector<Horizontal>(4, Horizontal(current_m_s, 0)),
                                        {0, 0}, surround.site, 40);
   const twin::FlightCase once{start, 0};
-  return full - twin::fly(mission, surround, {&once, 1}, {}).front().vehicles[0].state_of_charge;
+  return full - twin::fly(mission, surround, {&once, 1}, {}).front().vehicles[0].on_mission.charge;
 }
 
 /// The same in water of which there is a forecast with members.

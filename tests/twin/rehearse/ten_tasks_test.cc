@@ -67,7 +67,7 @@ void PrintTo(const Trial& trial, std::ostream* out) { *out << trial.task; }
 
 double worst_share(const twin::Flight& flight) {
   double worst = 0;
-  for (const twin::VehicleOutcome& vehicle : flight.vehicles)
+  for (const twin::VehicleAccount& vehicle : flight.vehicles)
     worst = std::max(worst, vehicle.worst_share);
   return worst;
 }
@@ -79,9 +79,9 @@ TEST_P(TenTasks, AreDoneInCalmWater) {
   const twin::Flight flight = flown(mission_of(trial.task, trial.turbine, {}));
   EXPECT_TRUE(flight.is_done) << flight.stopped_by;
   EXPECT_LT(worst_share(flight), 0.7);
-  for (const twin::VehicleOutcome& vehicle : flight.vehicles) {
+  for (const twin::VehicleAccount& vehicle : flight.vehicles) {
     EXPECT_EQ(vehicle.held_s, 0) << vehicle.name;
-    EXPECT_EQ(vehicle.work_share, 1) << vehicle.name;
+    EXPECT_EQ(vehicle.work_share(), 1) << vehicle.name;
   }
 }
 
@@ -99,9 +99,9 @@ TEST_P(TenTasks, AreNotBegunBeyondThem) {
   EXPECT_FALSE(flight.is_done);
   EXPECT_NE(flight.stopped_by.find(std::string("limit: ") + trial.forbids), std::string::npos)
       << flight.stopped_by;
-  for (const twin::VehicleOutcome& vehicle : flight.vehicles) {
+  for (const twin::VehicleAccount& vehicle : flight.vehicles) {
     if (vehicle.is_done) continue;
-    EXPECT_LT(vehicle.work_share, 0.7) << vehicle.name;
+    EXPECT_LT(vehicle.work_share(), 0.7) << vehicle.name;
     // It waits for half an hour, then it is home.
     EXPECT_GT(vehicle.held_s, 1700) << vehicle.name;
     EXPECT_EQ(vehicle.events.back().kind, twin::ConductEventKind::finished) << vehicle.name;
@@ -122,10 +122,10 @@ TEST(Flight, IsTheSameToTheBitInWhateverCompanyItIsFlown) {
   const auto together = twin::fly(mission, surround, three, {});
   const auto alone = twin::fly(mission, surround, {&three[2], 1}, {});
   ASSERT_EQ(together.size(), 3U);
-  EXPECT_EQ(together[2].vehicles[0].energy_j, alone[0].vehicles[0].energy_j);
+  EXPECT_EQ(together[2].vehicles[0].on_mission.drawn_j, alone[0].vehicles[0].on_mission.drawn_j);
   EXPECT_EQ(together[2].ended_s, alone[0].ended_s);
   // Futures differ: the pilot's hand and the gusts are others.
-  EXPECT_NE(together[1].vehicles[0].energy_j, together[2].vehicles[0].energy_j);
+  EXPECT_NE(together[1].vehicles[0].on_mission.drawn_j, together[2].vehicles[0].on_mission.drawn_j);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST(WavesOfFlights, AreStoppedInTheMembersInWhichTheLimitsAheadBreak) {
     EXPECT_EQ(flights[m].is_done, holds[m]) << "member " << m << ": " << flights[m].stopped_by;
     // Side by side as by itself.
     const twin::Flight alone = twin::fly(mission, surround, {&cases[m], 1}, {}).front();
-    EXPECT_EQ(alone.vehicles[0].energy_j, flights[m].vehicles[0].energy_j);
+    EXPECT_EQ(alone.vehicles[0].on_mission.drawn_j, flights[m].vehicles[0].on_mission.drawn_j);
   }
   // With the waves of the forecast no member is stopped.
   const std::vector<twin::Flight> as_forecast =
@@ -106,7 +106,7 @@ TEST(WavesOfFlights, MoveTheVehicleToo) {
     const twin::Surround surround = in_forecast_sea(mission, {{1, 6, 250}, {then_m, 6, 250}});
     const twin::Flight flight = twin::fly(mission, surround, {&flown, 1}, {}).front();
     EXPECT_TRUE(flight.is_done) << flight.stopped_by;
-    return flight.vehicles[0].energy_j;
+    return flight.vehicles[0].on_mission.drawn_j;
   };
   EXPECT_GT(energy_j(2.5), 1.005 * energy_j(0));
 }

@@ -96,7 +96,10 @@ TEST(InspectionInARun, TwoThatCarryTheSameInstrumentDoNotDrawAlike) {
   const auto run =
       run_of(water_of(0) + rov_that_films(defects, "one") + rov_that_films(defects, "two"));
   while (run->time_s() < 300 && !run->all_ended()) run->step();
-  const twin::InspectionOutcome one = outcome_of(*run, 0), two = outcome_of(*run, 1);
+  const auto findings_of = [&](std::size_t i) {
+    return twin::inspection_findings(*run->agents()[i].inspection, run->states()[i].inspection);
+  };
+  const twin::InspectionFindings one = findings_of(0), two = findings_of(1);
   // The same truth, seen alike; what is measured of it is each one's own.
   ASSERT_EQ(one.planted.size(), two.planted.size());
   EXPECT_EQ(one.planted[3].patch, two.planted[3].patch);

@@ -13,6 +13,7 @@ struct DetectionScore {
     std::size_t planted = 0;
     std::size_t found = 0;         ///< by at least one instrument
     std::size_t false_alarms = 0;  ///< one for each that was reported
+    friend bool operator==(const OfKind&, const OfKind&) = default;
   };
   std::array<OfKind, defect_kinds> kinds;  ///< in the order of all_defect_kinds
   OfKind all;
@@ -24,6 +25,10 @@ struct DetectionScore {
   /// where none was found.
   std::optional<double> size_error_rms_m;
   std::optional<double> size_error_relative_rms;  ///< each by the true size
+
+  /// Found by no instrument at all.
+  [[nodiscard]] std::size_t missed() const noexcept { return all.planted - all.found; }
+  friend bool operator==(const DetectionScore&, const DetectionScore&) = default;
 };
 [[nodiscard]] DetectionScore score_of(std::span<const Defect> defects, const Findings& findings);
 
