@@ -144,6 +144,17 @@ TableRows inspected_rows() {
           {{"left", "what it lacks of its plan; - nothing", {}}}};
 }
 
+TableRows surface_rows() {
+  return {"inspected_surface",
+          {{"vehicle", "1", "which of the trajectories, from 0", {}},
+           {"area", "m2", "of the surface", {}},
+           {"seen_area", "m2", "however well", {}},
+           {"covered_area", "m2", "as well as asked", {}},
+           {"least_detail", "m", "of what was seen: the best; none: nothing was", {}},
+           {"median_detail", "m", "by area; none: less than half was seen", {}}},
+          {{"surface", "its name", {}}, {"instrument", "that looked at it", {}}}};
+}
+
 TableRows defect_rows() {
   return {"defect_kind",
           {{"vehicle", "1", "which of the trajectories, from 0", {}},
@@ -163,7 +174,12 @@ void add_cleaning(double i, const CleaningOutcome& c, TableRows& cleaned, TableR
 }
 
 void add_inspection(double i, const InspectionOutcome& out, TableRows& inspected,
-                    TableRows& kinds) {
+                    TableRows& surfaces, TableRows& kinds) {
+  const auto finite = [](double value) { return or_none(std::isfinite(value), value); };
+  for (const InspectionOutcome::Part& part : out.parts)
+    surfaces.add({i, part.area_m2, part.seen_m2, part.covered_m2, finite(part.least_detail_m),
+                  finite(part.median_detail_m)},
+                 {part.surface, part.instrument});
   const auto or_nan = [](const std::optional<double>& v) { return v.value_or(constants::nan); };
   inspected.add({i, static_cast<double>(out.looks), static_cast<double>(out.rays), out.worked_s,
                  or_nan(out.score.detection_rate), or_nan(out.score.false_alarms_per_100_m2),
@@ -238,7 +254,7 @@ std::span<const AccountColumn> account_columns() {
 std::vector<TrajectoryTable> account_tables(const RunAccount& account) {
   TableRows befell = befell_rows(), mission = mission_rows(), approach = approach_rows(),
             clearance = clearance_rows(), cleaned = cleaned_rows(), bands = cleaning_rows(),
-            inspected = inspected_rows(), kinds = defect_rows();
+            inspected = inspected_rows(), surfaces = surface_rows(), kinds = defect_rows();
   for (std::size_t v = 0; v < account.vehicles.size(); ++v) {
     const VehicleAccount& vehicle = account.vehicles[v];
     const auto i = static_cast<double>(v);
@@ -258,11 +274,11 @@ std::vector<TrajectoryTable> account_tables(const RunAccount& account) {
       clearance.add(row);
     }
     if (vehicle.cleaning) add_cleaning(i, *vehicle.cleaning, cleaned, bands);
-    if (vehicle.inspection) add_inspection(i, *vehicle.inspection, inspected, kinds);
+    if (vehicle.inspection) add_inspection(i, *vehicle.inspection, inspected, surfaces, kinds);
   }
   std::vector<TrajectoryTable> tables{fate_table(account)};
   for (TableRows* rows :
-       {&befell, &mission, &approach, &clearance, &cleaned, &bands, &inspected, &kinds})
+       {&befell, &mission, &approach, &clearance, &cleaned, &bands, &inspected, &surfaces, &kinds})
     tables.push_back(rows->take());
   return tables;
 }

@@ -31,8 +31,8 @@ inline constexpr const char* no_word = "-";
 /// * `approach`: how near something came, a row for each kind; `clearance`: how often those that
 ///   keep clear raised an alarm, by its cause;
 /// * `cleaned`: what was cleaned in all; `cleaning`: the same by bands of depth;
-/// * `inspected`, `defect_kind`: what inspections come to, without their patches and findings
-///   (api/rehearse/inspection_log.h).
+/// * `inspected`, `inspected_surface`, `defect_kind`: what inspections come to, without their
+///   patches and findings (api/rehearse/inspection_log.h).
 /// Those that nobody has to do with have no rows.
 [[nodiscard]] std::vector<ingest::TrajectoryTable> account_tables(const twin::RunAccount& account);
 

@@ -234,6 +234,28 @@ std::vector<LoggedPart> parts_in(const ingest::TrajectoryFile& log, std::size_t 
   return parts;
 }
 
+/// With all their digits: the attribute rounds.
+void read_surfaces(const ingest::TrajectoryFile& log, std::vector<LoggedPart>& parts) {
+  const TableReader table(log, "inspected_surface");
+  const auto detail_m = [&](const char* column, std::size_t row) {
+    const double found = table.number(column, row);
+    return std::isfinite(found) ? found : std::numeric_limits<double>::infinity();
+  };
+  std::size_t rows = 0;
+  table.for_each([&](std::size_t vehicle, std::size_t row) {
+    if (row >= parts.size() || parts[row].vehicle != vehicle)
+      table.refuse("does not fit the attribute inspection");
+    InspectionOutcome::Part& part = parts[row].part;
+    part.area_m2 = table.number("area", row);
+    part.seen_m2 = table.number("seen_area", row);
+    part.covered_m2 = table.number("covered_area", row);
+    part.least_detail_m = detail_m("least_detail", row);
+    part.median_detail_m = detail_m("median_detail", row);
+    ++rows;
+  });
+  if (rows != parts.size()) table.refuse("does not fit the attribute inspection");
+}
+
 void read_covered(const ingest::TrajectoryFile& log, std::vector<LoggedPart>& parts) {
   const TrajectoryTable* patches = log.find_table("inspected_patches");
   const TableReader table(log, "inspected_patches");
@@ -306,13 +328,15 @@ void count_findings(const ingest::TrajectoryFile& log, const std::vector<LoggedP
 
 void read_inspections(const ingest::TrajectoryFile& log, twin::RunAccount& account) {
   std::vector<LoggedPart> parts = parts_in(log, account.vehicles.size());
+  const bool has_scores = log.find_table("inspected") != nullptr;
+  if (has_scores) read_surfaces(log, parts);
   read_covered(log, parts);
   for (const LoggedPart& logged : parts) {
     auto& inspection = account.vehicles[logged.vehicle].inspection;
     if (!inspection) inspection.emplace();
     inspection->parts.push_back(logged.part);
   }
-  if (log.find_table("inspected") != nullptr)
+  if (has_scores)
     read_scores(log, account);
   else
     count_findings(log, parts, account);

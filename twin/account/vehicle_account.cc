@@ -157,7 +157,7 @@ VehicleAccount account_of(const EndedRun& run, std::size_t vehicle) {
   if (agent.conduct)
     add_conduct(agent, state, account);
   else if (state.halt != Halt::none)
-    account.stopped_by = words_of(account.fate.back().what);
+    account.stopped_by = befell_before(account, state.halted_at_s);
   account.is_done = account.stopped_by.empty();
   return account;
 }

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <set>
+
 #include "api/rehearse/account_json.h"
 #include "api/rehearse/account_tables.h"
+#include "api/rehearse/heard_traffic.h"
 #include "api/rehearse/scenario_run.h"
 #include "fields/base/text.h"
 #include "fields/site/site.h"
@@ -30,8 +34,12 @@ class AccountOfARun : public ::testing::Test {
       water.depth_m = 35;
       scenario.water = water;
       if (!scenario.start) scenario.start = parse_utc("2025-03-10T06:00:00Z");
+      for (twin::ScenarioVehicle& vehicle : scenario.vehicles)
+        for (std::size_t l = 0; vehicle.conduct && l < vehicle.conduct->limits.size(); ++l)
+          vehicle.conduct->limits[l].may_be_missing = true;
     }
-    const ScenarioWater water = water_of(scenario, folder_.path() / "store", beside);
+    ScenarioWater water = water_of(scenario, folder_.path() / "store", beside);
+    add_heard_traffic(scenario, beside, water);
     const ScenarioResult result = run_scenario(scenario, water, {});
     const std::filesystem::path file = folder_.path() / "run.nc";
     ingest::write_trajectories(result.file, file);
