@@ -136,7 +136,7 @@ Packing packing_of(const Located& located, const Product& product,
     throw Error(ErrorKind::invalid_input,
                 "variable '" + variable.name + "' (" + quantity.standard_name +
                     ") has no units, and product '" + product.id +
-                    "' does not settle them; expected '" + quantity.unit + "'" + say_so);
+                    "' does not give them; expected '" + quantity.unit + "'" + say_so);
   }
   if (unit)
     packing.convert(unit_conversion(*unit, quantity.unit, "variable '" + variable.name + "'"));

@@ -40,7 +40,7 @@ std::optional<UtcTime> date_in(const netcdf::File& file, const char* name, bool 
   const auto found = find_date_and_clock(*text);
   if (!found || found->time > latest_believed) {
     warnings.push_back("the attribute " + std::string(name) + " says '" + text->substr(0, 40) +
-                       "', expected a date like 2024-03-01T05:00:00Z; it is passed over");
+                       "', expected a date like 2024-03-01T05:00:00Z; it is ignored");
     return std::nullopt;
   }
   if (found->has_clock && !is_a_day) return found->time;

@@ -58,12 +58,12 @@ std::string unknown_text(const CLI::App& app) {
          did_you_mean(word, known_words(app, word)) + "; ";
 }
 
-/// "; decimals stand after a point: write 48.85" where a number came with a comma.
+/// "; use a decimal point: write 48.85" where a number came with a comma.
 std::string comma_text(const std::string& problem) {
   std::istringstream words(problem);
   for (std::string word; words >> word;)
     if (const auto meant = with_decimal_point(word))
-      return "; decimals stand after a point: write " + *meant;
+      return "; use a decimal point: write " + *meant;
   return {};
 }
 

@@ -90,8 +90,8 @@ void print_blend(const calibration::DailyForecast& forecast) {
   }
   if (earned.simulated_days > 0) {
     std::printf(
-        "%zu of the rehearsed days had no run of the wind stored from then: simulated by the later "
-        "analysis with a forecast's error\n",
+        "%zu of the rehearsed days have no stored wind run from that time: the later analysis with "
+        "a random forecast error is used\n",
         earned.simulated_days);
   }
   std::printf("Spread times %.2f. %s\n", forecast.earned->spread.scale,
@@ -157,8 +157,8 @@ void write_html(const ForecastArguments& arguments, const Context& context, cons
 /// Why what was made is no forecast that was issued, in words.
 std::string why_a_hindcast(const calibration::ForecastOptions& options) {
   if (options.hindsight) return "it was made in hindsight";
-  return "the forecast of this day, or of a later one, was issued before, and stays what was "
-         "issued; leave --day out for a forecast of the newest day";
+  return "a forecast of this day or of a later one was issued before and stays in force; leave "
+         "--day out for a forecast of the newest day";
 }
 
 json issue_json(const Issue& issue) {
@@ -212,8 +212,8 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
   options.hindsight = arguments.hindsight;
   if (options.hindsight && options.wind != WindPolicy::best) {
     throw Error(ErrorKind::usage, "found --hindsight with --wind " + arguments.wind +
-                                      ", expected it with --wind best: the others never look "
-                                      "beyond what was known; leave one of the two out");
+                                      ", expected it only with --wind best: the other policies "
+                                      "never use later data; leave one of the two out");
   }
   if (!arguments.day.empty()) options.day = option_value("--day", arguments.day, parse_day);
   if (arguments.print_downloads) {
@@ -243,7 +243,7 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
     throw Error(ErrorKind::usage,
                 std::string("found ") +
                     (arguments.html_depth_m ? "--html-depth" : "--slack-below") +
-                    " without --html, whose page it is for; add --html FILE.html");
+                    " without --html; it is an option of that page: add --html FILE.html");
   }
   store::Store store = context.open(store::OpenMode::create_or_write);
   const Issue issue = issue_forecast(store, site, options, [&](const Snapshot& made) {

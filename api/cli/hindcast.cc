@@ -58,9 +58,9 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
   options.simulate_wind = arguments.simulate_wind;
   options.wind = option_value("--wind", arguments.wind, wind_policy_from);
   if (options.simulate_wind && options.wind != WindPolicy::forecast) {
-    throw Error(ErrorKind::usage, "found --simulate-wind with --wind " + arguments.wind +
-                                      "; it stands for runs that --wind forecast would have had, "
-                                      "so ask for that or leave it out");
+    throw Error(ErrorKind::usage,
+                "found --simulate-wind with --wind " + arguments.wind +
+                    "; it works only with --wind forecast: add that, or leave it out");
   }
   options.latency = option_value("--latency", arguments.latency, parse_duration);
   options.horizon = horizon_from(arguments.horizon);
@@ -83,8 +83,8 @@ void run_hindcast(const HindcastArguments& arguments, const Context& context) {
                 report.forecasts.size());
     if (report.simulated_winds > 0) {
       std::printf(
-          "wind simulated for %zu of them: no run published by their issue time is stored, so the "
-          "analysis with a forecast's error drawn stands for one\n",
+          "wind simulated for %zu of them: no wind run published by their issue time is stored, so "
+          "the analysis with a random forecast error is used\n",
           report.simulated_winds);
     }
     print_skill(report.skill, arguments.full);
@@ -107,10 +107,10 @@ void add_hindcast(CLI::App& app, Context& context) {
   command->add_option("--to", arguments->to, "last day D")->required();
   command->add_option("--wind", arguments->wind, "best | forecast | persist (default best)");
   command->add_flag("--simulate-wind", arguments->simulate_wind,
-                    "with --wind forecast, where no run published by then is stored: the analysis "
-                    "with a forecast's error drawn, said to be simulated");
+                    "with --wind forecast, where no wind run published by then is stored: use the "
+                    "analysis with a random forecast error, marked as simulated");
   command->add_option("--latency", arguments->latency,
-                      "how late a day's data arrive after it ends (default 0h)");
+                      "how long after its end the data of a day arrive (default 0h)");
   command->add_option("--horizon", arguments->horizon, "how far beyond the end of D (default 72h)");
   command->add_option("--bands", arguments->bands, "edges of depth bands in metres, e.g. 0,150");
   command->add_option("--levels", arguments->levels, "native: score on the truth's own levels")

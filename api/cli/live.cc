@@ -200,15 +200,15 @@ void add_live(CLI::App& app, Context& context) {
       });
   command
       ->add_option("--when-host-fails", arguments->when_host_fails,
-                   "what becomes of a vehicle whose agent or physics, in another process, is "
-                   "gone, late or lies (default take-back)")
+                   "what happens to a vehicle whose agent or physics in another process is gone, "
+                   "late or wrong (default take-back)")
       ->check(CLI::IsMember({"take-back", "halt"}));
   command->add_option("--record", arguments->recordings,
                       "bag of all messages: FILE.mcap, or a folder for rosbag2; repeatable");
   command->add_option("--play-commands", arguments->played_commands,
-                      "bag whose commands are handed in again as they came; repeatable");
+                      "bag whose commands are sent again at their times; repeatable");
   command->add_option("--play-traffic", arguments->played_traffic,
-                      "bag whose vehicles pass by, where they were then, as vessels");
+                      "bag whose vehicles pass by as vessels, on their recorded tracks");
   command->add_option("--out", arguments->out, "log as FILE.nc, for replay and score");
   command->add_option("--html", arguments->html, "page of plots as FILE.html");
   command

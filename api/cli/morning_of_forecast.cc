@@ -85,7 +85,7 @@ MorningDone morning_of_forecast(store::Store& store, const Site& site, const Iss
   const std::int64_t in_force = found.row.id;
   if (in_force != issue.filed.id) {
     note(
-        formatted("no morning report: forecast {} of the same day is in force; for its own say "
+        formatted("no morning report: forecast {} of the same day is in force; for its report run "
                   "`slackwater report --site {} --day {}`",
                   in_force, asked.site, format_day(day)));
     return done;

@@ -36,7 +36,7 @@ double nearest_column_m(const Field& field, const GeoPoint& point) {
 }
 
 std::string passed_over_text(const std::string& damage) {
-  return damage + "; an older forecast answers in its place";
+  return damage + "; an older forecast is used";
 }
 
 /// Forecasts of different sites may reach a place; the answer is that of the nearest column. Read

@@ -75,8 +75,8 @@ void Recordings::expect_complete() const {
   }
   if (broken.empty()) return;
   throw Error(ErrorKind::unavailable,
-              "the run went on to its end, but not its recording: incomplete is " + broken +
-                  "; free space, and where there is a log of the run, record it from that: "
+              "the run is complete, but its recording is not: found " + broken +
+                  "; free space on the disk; if the run has a log, record it again from that: "
                   "slackwater replay LOG --record FILE");
 }
 

@@ -109,8 +109,8 @@ void expect_beside(const RehearseArguments& arguments) {
     return;
   throw Error(ErrorKind::usage, "--adapted: found " + arguments.adapted.string() +
                                     ", expected a file beside " + arguments.mission.string() +
-                                    ", since the files that a mission names count from "
-                                    "its folder; copy the mission to where you want to have it");
+                                    ", because file names in a mission are relative to its folder; "
+                                    "copy the mission to the other folder first");
 }
 
 /// The best start of those that may be flown.
@@ -305,7 +305,7 @@ void add_rehearse(CLI::App& app, Context& context) {
   command->add_option("--starts", arguments->count, "how many starts")->check(CLI::Range(1, 1000));
   command
       ->add_option("--until-within", arguments->narrow_enough,
-                   "fly a start no more once the 95 % interval of P(success) is narrower")
+                   "stop flying a start when its 95 % interval of P(success) is narrower than this")
       ->check(CLI::Range(0.001, 1.0));
   command->add_option("--assume", arguments->assume,
                       "what no forecast serves, e.g. visibility_m=5000");
@@ -315,8 +315,8 @@ void add_rehearse(CLI::App& app, Context& context) {
                    "them); forecast: all have those of the forecast")
       ->check(CLI::IsMember({"error", "forecast"}));
   command->add_flag("--advice", arguments->advice,
-                    "fly the best start otherwise too: an hour off, other side of the tide, half "
-                    "speed, more battery, other vehicles");
+                    "fly the best start with changes too: an hour earlier or later, other side of "
+                    "the tide, half speed, more battery, other vehicles");
   command->add_flag("--adapt-intensity", arguments->adapt_intensity,
                     "the densest passes with which the reserve is kept in nine of ten futures, at "
                     "the best start; 9 futures at the least");

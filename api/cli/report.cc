@@ -43,10 +43,10 @@ void run_report(const ReportArguments& arguments, const Context& context) {
   expect_output("--pdf", arguments.pdf, {".pdf"});
   const Site site = find_site(arguments.windows.site, site_folders(context.store_folder));
   if (arguments.html.empty() && !is_of_the_day(arguments.windows))
-    throw Error(ErrorKind::usage,
-                "found a question of your own (--task, --turbine, --from, --to or --forecast) "
-                "without --html, expected a file for its page; the site's report of the day in "
-                "the store is that of all its tasks; add --html FILE.html");
+    throw Error(
+        ErrorKind::usage,
+        "found --task, --turbine, --from, --to or --forecast without --html; the store keeps only "
+        "the report of all tasks, so this page needs its own file: add --html FILE.html");
   MakeMorning how;
   how.question.windows = windows_question(arguments.windows, context);
   how.question.plan = plan_of(arguments, site, context);

@@ -34,8 +34,7 @@ store::ForecastRow find_instance(store::Store& store, const Site& site, const st
   if (wanted == "newest") {
     InForce in_force = forecast_in_force(store, {site.id, {}, {}});
     for (const std::string& damage : in_force.passed_over)
-      std::fprintf(stderr, "slackwater: %s; an older one is sampled in its place\n",
-                   damage.c_str());
+      std::fprintf(stderr, "slackwater: %s; an older forecast is used\n", damage.c_str());
     return std::move(in_force.row);
   }
   std::int64_t id = 0;

@@ -61,8 +61,8 @@ Freshness freshness_from(const std::string& text) {
   if (text.empty()) return freshness;
   freshness.stale_after = option_value("--stale-after", text, parse_duration);
   if (freshness.stale_after <= Duration(0)) {
-    throw Error(ErrorKind::usage, "found --stale-after " + text +
-                                      ", expected more than no time at all, e.g. 36h or 2d");
+    throw Error(ErrorKind::usage,
+                "found --stale-after " + text + ", expected a time longer than 0, e.g. 36h or 2d");
   }
   return freshness;
 }

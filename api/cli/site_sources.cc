@@ -47,7 +47,7 @@ void run_site_sources(const SourcesArguments& arguments, const Context& context)
   std::printf("%s at %s, day D %s\n", site.name.c_str(), format_utc(options.issued).c_str(),
               format_day(inputs.day).c_str());
   for (const SourceUse& use : inputs.sources) std::printf("  %s\n", text_of(use).c_str());
-  if (inputs.sources.empty()) std::printf("  nothing is known that a forecast could use\n");
+  if (inputs.sources.empty()) std::printf("  the store holds nothing that a forecast could use\n");
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ void add_windows_options(CLI::App& command, WindowsArguments& arguments) {
                      "fly the starts that the limits leave open too, for so long at most, e.g. "
                      "15min: the twin's probability of success with its reserve");
   command.add_option("--fly-every", arguments.fly_every,
-                     "from one start that is flown to the next (default 1h)");
+                     "time between the starts that are flown (default 1h)");
   command.add_option("--go", arguments.go, "P of a start that is a go (default 0.9)")
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--marginal", arguments.marginal, "P of a marginal one (default 0.5)")

@@ -113,8 +113,8 @@ ReportTable coverage_table(const std::vector<Coverage>& coverages) {
   ReportTable table;
   table.title = "Coverage";
   table.note =
-      "Detail: the least that is made out, of each patch's best look. Covered: as fine, as square "
-      "and as often as asked.";
+      "Detail: the smallest size that can be seen, in the best look at each patch. Covered: seen "
+      "as finely, as squarely and as often as asked.";
   table.columns = {"Surface", "Instrument",      "Vehicle",       "Area",
                    "Covered", "Not well enough", "Not seen",      "Asked for",
                    "Done",    "Least detail",    "Median detail", "A patch is covered at"};
@@ -214,7 +214,7 @@ std::string coverage_html(const std::vector<Coverage>& coverages, bool shows_tru
 std::string coverage_plots_html(const std::vector<Coverage>& coverages) {
   if (coverages.empty()) return {};
   return plot_html("detail-range", "Detail against distance",
-                   "The least that is made out (mm) at the distance of each patch's best look: the "
+                   "The smallest size that can be seen (mm), in the best look at each patch: the "
                    "median, and a band from P10 to P90. Dashed: asked for. Up is coarser.") +
          plot_html("covered-time", "Covered against time",
                    "Of the area of each surface (%), by the time of each patch's best look. "

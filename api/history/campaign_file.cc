@@ -73,11 +73,14 @@ CampaignTaskText read_task(const Config& config, const std::vector<SeriesLimit>&
     task.split->shortest_visit = read_duration(*split, "shortest_visit", false);
     if (split->has("lost")) task.split->lost = read_duration(*split, "lost", true);
     if (task.split->lost >= task.split->shortest_visit)
-      split->refuse("lost", "found a visit that is lost whole; expected less than shortest_visit");
+      split->refuse("lost",
+                    "found a loss as long as the shortest visit or longer; expected less than "
+                    "shortest_visit");
     if (task.start_hours)
-      config.refuse("start_hours", "found them for split work; say working_hours");
+      config.refuse("start_hours", "found start_hours for split work; write working_hours");
     if (task.contingency > Duration(0))
-      config.refuse("contingency", "found it for split work, which stops when it must");
+      config.refuse("contingency",
+                    "found contingency for split work, which needs none; leave it out");
   }
   return task;
 }

@@ -47,8 +47,8 @@ std::string campaign_text(const History& history, const CampaignFile& campaign,
   }
   if (censored > 0)
     text += formatted(
-        "left out, since the series ends before the campaign does: {} of all begun; the "
-        "others look better for it\n",
+        "left out because the series ends before the campaign does: {} of all campaigns; the "
+        "figures above are too good for this reason\n",
         censored);
   return text;
 }

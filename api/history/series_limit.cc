@@ -83,7 +83,7 @@ SeriesLimit parse_series_limit(const std::string& text) {
   if (limit.variable.empty()) bad(" without a name");
   if (problem != std::errc{} || !std::isfinite(limit.bound.value)) bad(" without a finite number");
   limit.unit = std::string(trimmed(rest.substr(static_cast<std::size_t>(stop - rest.data()))));
-  if (const auto meant = with_decimal_point(rest)) bad("; decimals stand after a point: " + *meant);
+  if (const auto meant = with_decimal_point(rest)) bad("; use a decimal point: " + *meant);
   return limit;
 }
 

@@ -46,19 +46,19 @@ std::string verdict_text(const WorkabilityQuestion& question, const WindowStatis
   if (all.workable_starts == 0) {
     return need + " could never be done: " +
            (all.accessible_steps == 0
-                ? "the limits never all held.\n"
+                ? "there was no time at which all limits held.\n"
                 : formatted("the longest window lasted {:g} h.\n",
                             static_cast<double>(all.longest_window_steps) * all.step_h));
   }
   const twin::WaitingTime& wait = all.waiting;
   const std::string could =
       need + " could start " + percent_text(all.workability()) + " % of the time.\n";
-  if (wait.mean_h == 0) return could + "Nobody waits for a start.\n";
-  return could + "Whoever waits for a start waits " + about(wait.mean_h) +
+  if (wait.mean_h == 0) return could + "There is no wait for a start.\n";
+  return could + "The wait for a start is " + about(wait.mean_h) +
          " on average: half of the time " +
-         (wait.p50_h > 0 ? "at most " + about(wait.p50_h) : "not at all") + ", 8 times in 10 " +
-         (wait.p80_h > 0 ? "at most " + about(wait.p80_h) : "not at all") + ", 9 in 10 " +
-         (wait.p90_h > 0 ? "at most " + about(wait.p90_h) : "not at all") + ".\n";
+         (wait.p50_h > 0 ? "at most " + about(wait.p50_h) : "0 h") + ", 8 times in 10 " +
+         (wait.p80_h > 0 ? "at most " + about(wait.p80_h) : "0 h") + ", 9 in 10 " +
+         (wait.p90_h > 0 ? "at most " + about(wait.p90_h) : "0 h") + ".\n";
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::string workability_text(const History& history, const WorkabilityQuestion& 
     text += formatted("  {}: holds {} % of the time", question.limits[l].text,
                       percent_text(share_of(one.holds, clock.steps)));
     if (question.limits.size() > 1)
-      text += formatted(", alone in the way {} %",
+      text += formatted(", is the only one exceeded {} % of the time",
                         percent_text(share_of(one.stops_alone, clock.steps)));
     text += "\n";
   }

@@ -68,7 +68,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
   void refuse_newcomer() override {
     refuse({503, "All " + std::to_string(site_.limits.connections) +
-                     " connections of the server are taken; come back in a moment."});
+                     " connections of the server are in use; try again in a moment."});
   }
 
   void drain() override {
@@ -203,7 +203,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     if (site_.is_stopping) return refuse({503, "The server is stopping."});
     if (site_.websockets >= site_.limits.websockets) {
       return refuse({503, "All " + std::to_string(site_.limits.websockets) +
-                              " WebSockets of the server are taken; come back later."});
+                              " WebSockets of the server are in use; try again later."});
     }
     if (reader_.has_bytes()) {
       return refuse({400, "A client waits for the answer to its handshake before it sends more."});

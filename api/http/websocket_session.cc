@@ -51,7 +51,7 @@ class Outbox final : public WebSocket {
     const auto pushed = frames_.push(std::move(frame));
     if (pushed.is_overrun) {
       frames_.clear();
-      farewell_ = Farewell{close_code::policy_violation, "what was sent was not taken in"};
+      farewell_ = Farewell{close_code::policy_violation, "the client did not read what was sent"};
     }
     if (pushed.dropped > 0 && metrics_ != nullptr) metrics_->frames_dropped(pushed.dropped);
     wake();

@@ -83,10 +83,10 @@ std::string in_words(const SiteState& state, const Freshness& freshness) {
     return "None of its forecasts can be read; the newest was issued " + format_utc(row.issued) +
            ". Run `slackwater store check`.";
   }
-  std::string text = state.age < Duration(0) ? "Issued " + age_in_words(state.age) +
-                                                   " ahead of this machine's clock: one of the two "
-                                                   "is wrong."
-                                             : "Issued " + age_in_words(state.age) + " ago.";
+  std::string text = state.age < Duration(0)
+                         ? "Issued " + age_in_words(state.age) +
+                               " in the future by this machine's clock: check the clock."
+                         : "Issued " + age_in_words(state.age) + " ago.";
   if (state.condition == SiteCondition::hindcast)
     return text + " Made in hindsight; no forecast was issued for this site.";
   if (state.condition == SiteCondition::stale) {

@@ -81,7 +81,7 @@ void add_bag_traffic(const std::filesystem::path& path, const twin::Scenario& sc
   if (tellers.empty()) {
     throw Error(ErrorKind::invalid_input,
                 path.string() +
-                    ": nobody in it tells where he is; expected topics like /rov/pose "
+                    ": found no positions of vehicles; expected topics like /rov/pose "
                     "(geometry_msgs/msg/PoseStamped) or /rov/odometry");
   }
   std::map<std::size_t, std::string> names;

@@ -151,7 +151,7 @@ void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle
       [&steward, vehicle](dds::Payload request, const std::string& client) {
         dds::read_trigger(request);
         return done_or(steward.allow_take_over(client, vehicle, steward.time_s()),
-                       "for 10 s another client may ask for it");
+                       "another client may ask for it within 10 s");
       },
       not_done);
   serve(
@@ -159,7 +159,7 @@ void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle
       [this, vehicle](dds::Payload request, const std::string& client) {
         dds::read_trigger(request);
         return done_or(desk_.submit(client, vehicle, twin::Resume{}).refusal,
-                       "at its own mission again");
+                       "back on its own mission");
       },
       not_done);
   serve(

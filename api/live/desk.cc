@@ -64,13 +64,14 @@ std::optional<twin::Refusal> Desk::stale(const std::string& client, std::size_t 
     const std::lock_guard lock(mutex_);
     if (vehicle < vehicles_.size()) name = vehicles_[vehicle].name;
   }
-  return steward_.refuse(client, name,
-                         {twin::RefusalReason::stale,
-                          formatted("found a command held back for {:.1f} s on its way here, "
-                                    "expected at most {:g} s of velocity and thrusters; send a new "
-                                    "one, keep the last one only, and look at the link",
-                                    held_back_s, oldest_s)},
-                         now_s);
+  return steward_.refuse(
+      client, name,
+      {twin::RefusalReason::stale,
+       formatted(
+           "found a command that was {:.1f} s on its way, expected at most {:g} s for velocity and "
+           "thrusters; send a new one, do not queue old ones, and check the link",
+           held_back_s, oldest_s)},
+      now_s);
 }
 
 void Desk::lost(const std::string& client) {

@@ -79,7 +79,8 @@ void ForecastService::tell(const api::ForecastCatalogue::SiteForecast& forecast)
   if (now < field.range().from || now > field.range().to) {
     if (!std::exchange(site.is_over, true) && on_trouble_) {
       on_trouble_(forecast.instance + " says nothing of now; " + field.range().text() +
-                  "; nothing is told of " + forecast.site_id + " until a newer one is issued");
+                  "; nothing is published for " + forecast.site_id +
+                  " until a newer one is issued");
     }
     return;
   }

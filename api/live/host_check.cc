@@ -23,7 +23,7 @@ std::optional<std::string> unphysical_state(const BodyState<double>& body,
   constexpr double fastest_m_s = 100, fastest_rad_s = 20, most_m_s2 = 200;
   const twin::Attitude<double>& q = body.attitude;
   if (!is_finite(body.position_m) || !is_finite(body.nu) || !std::isfinite(q.w + q.x + q.y + q.z))
-    return "a pose or twist that is no number";
+    return "a pose or twist that is not a number";
   const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   if (std::abs(length - 1) > 1e-3) return formatted("an orientation of length {:g}, not 1", length);
   const double speed_m_s = length_of(body.nu.linear);
@@ -34,12 +34,12 @@ std::optional<std::string> unphysical_state(const BodyState<double>& body,
   const Triple<double> v0 = twin::rotation_of(before.attitude).to_ned(before.nu.linear);
   const Triple<double> v1 = twin::rotation_of(q).to_ned(body.nu.linear);
   if (const double change_m_s = length_of(v1 - v0); change_m_s > most_m_s2 * dt_s + 0.01)
-    return formatted("{:g} m/s faster or slower within {:g} s", change_m_s, dt_s);
+    return formatted("a change of speed of {:g} m/s within {:g} s", change_m_s, dt_s);
   const double way_m = 0.5 * dt_s * (length_of(v0) + length_of(v1));
   const Triple<double> led_to = before.position_m + (0.5 * dt_s) * (v0 + v1);
   const double off_m = length_of(body.position_m - led_to);
   if (off_m > 0.1 + 0.1 * way_m)
-    return formatted("a jump: {:g} m from where its velocities lead to", off_m);
+    return formatted("a jump of {:g} m from the place that its velocities lead to", off_m);
   return std::nullopt;
 }
 

@@ -67,7 +67,7 @@ void NavigateAction::take_goal(dds::Payload request, const std::string& client,
   }
   const twin::Reroute reroute = reroute_to(asked.places_m);
   if (reroute.waypoints.empty()) {
-    desk_.refuse(client, vehicle_, "a goal without a place; give its path at least one pose");
+    desk_.refuse(client, vehicle_, "found a goal without a place; give its path at least one pose");
     return refuse();
   }
   // Without the lock, for which a barrier waits: a long path takes its time to be looked at.
@@ -75,8 +75,7 @@ void NavigateAction::take_goal(dds::Payload request, const std::string& client,
       desk_.submit(client, vehicle_, reroute, dds::active_waypoints(reroute.waypoints, now));
   if (submitted.refusal) return refuse();
   const std::lock_guard lock(mutex_);
-  if (Goal* before = active())
-    end(*before, dds::GoalStatus::aborted, "another goal took its place");
+  if (Goal* before = active()) end(*before, dds::GoalStatus::aborted, "another goal replaced it");
   if (goals_.size() >= most_goals) goals_.pop_front();
   Goal& goal = goals_.emplace_back();
   goal.is = {{asked.id, now}, dds::GoalStatus::executing};
@@ -138,9 +137,9 @@ void NavigateAction::follow(Goal& goal, const twin::AgentState& state, const dds
   const twin::HelmState& helm = state.helm;
   if (state.halt != twin::Halt::none) {
     end(goal, dds::GoalStatus::aborted,
-        "the vehicle goes no further: " + std::string(twin::name_of(state.halt)));
+        "the vehicle has stopped: " + std::string(twin::name_of(state.halt)));
   } else if (desk_.steward().taken(vehicle_) != goal.number) {
-    end(goal, dds::GoalStatus::aborted, "another command took its place");
+    end(goal, dds::GoalStatus::aborted, "another command replaced it");
   } else if (desk_.steward().is_waiting(vehicle_)) {
     // Accepted while a step was under way: what the vehicle does is still of before.
   } else if (helm.mode == twin::HelmMode::hold && helm.cause == twin::HelmCause::list_done) {

@@ -12,8 +12,8 @@ bool is_on_earth(const dds::ProfileAsked& asked) noexcept {
 dds::Bytes profile_answer(const Field* field, std::size_t member, const dds::ProfileAsked& asked) {
   if (!is_on_earth(asked)) {
     return dds::profile_refusal(
-        formatted("no place on earth: {:g} N, {:g} E; latitudes are from -90 to 90, longitudes "
-                  "from -360 to 360 degrees",
+        formatted("found {:g} N, {:g} E; expected a latitude from -90 to 90 and a longitude from "
+                  "-360 to 360 degrees",
                   asked.latitude_deg, asked.longitude_deg));
   }
   if (field == nullptr) {
@@ -23,8 +23,8 @@ dds::Bytes profile_answer(const Field* field, std::size_t member, const dds::Pro
   const UtcTime time = dds::time_of(asked.time);
   const Place place{asked.longitude_deg, asked.latitude_deg, 0, time};
   if (const CurrentSample top = field->current(place); !has_value(top.status)) {
-    return dds::profile_refusal("no current there and then (" + std::string(name_of(top.status)) +
-                                "); " + field->range().text());
+    return dds::profile_refusal("no current at this place and time (" +
+                                std::string(name_of(top.status)) + "); " + field->range().text());
   }
   const GeoPoint at = GeoPoint::from_degrees(asked.latitude_deg, asked.longitude_deg);
   return dds::profile_reply({*field, member, at}, time, asked.time);

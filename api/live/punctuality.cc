@@ -16,7 +16,7 @@ void Punctuality::begin(std::optional<WallClock::time_point> due, WallClock::tim
 
 std::string Punctuality::text() const {
   if (factor_ <= 0) return "as fast as the machine can";
-  if (steps_ == 0) return "no step by the clock";
+  if (steps_ == 0) return "no step was timed by the clock";
   const double share = 100 * static_cast<double>(late_steps_) / static_cast<double>(steps_);
   return formatted(
       "{} steps, {} of them ({:.3g} %) began more than {:g} ms late, the worst by "

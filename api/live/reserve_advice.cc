@@ -49,7 +49,7 @@ dds::Reserve ReserveAdvice::look(const twin::Agent& agent, const twin::AgentStat
   if (!battery) {
     reserve.energy_left_j = reserve.energy_home_j = reserve.margin_s =
         std::numeric_limits<double>::quiet_NaN();
-    reserve.advice = "it burns fuel: no reserve is reckoned";
+    reserve.advice = "it burns fuel: no reserve is computed";
     return reserve;
   }
   // The power of the last minute, so that a moment's effort does not call it home.
@@ -75,13 +75,13 @@ dds::Reserve ReserveAdvice::look(const twin::Agent& agent, const twin::AgentStat
 }
 
 std::string advice_of(double margin_s, UtcTime now) {
-  if (std::isnan(margin_s)) return "no reserve is reckoned";
+  if (std::isnan(margin_s)) return "no reserve is computed";
   if (margin_s <= 0) {
-    return std::isinf(margin_s) ? "it cannot come home: the stream is faster than it"
+    return std::isinf(margin_s) ? "it cannot come home: the current is faster than the vehicle"
                                 : "come home now: the reserve is needed";
   }
   constexpr double longest_s = 30.0 * 86400;
-  if (margin_s > longest_s) return "nothing calls it home within a month";
+  if (margin_s > longest_s) return "it need not come home within a month";
   const auto left = Duration(static_cast<Duration::rep>(margin_s) * 1000);
   return "come home by " + format_utc(std::chrono::floor<std::chrono::seconds>(now + left));
 }

@@ -98,9 +98,10 @@ void SpawnService::speak() {
   }
   for (const Waiting& one : there)
     one.answer(dds::done_reply(
-        true, formatted("/{}: a {} that nobody is at the helm of; it keeps its place until "
-                        "somebody commands it",
-                        one.newcomer.name, one.newcomer.model)));
+        true,
+        formatted(
+            "/{}: a {} without a client at the helm; it holds its place until a client commands it",
+            one.newcomer.name, one.newcomer.model)));
 }
 
 void SpawnService::end_run() {

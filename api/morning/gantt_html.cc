@@ -83,7 +83,7 @@ std::string picture_text(const Morning& morning, const TaskWindows& task) {
     text += (text.empty() ? "" : "; ") +
             clock(task.starts[run.first].start, task.starts[run.last].start) +
             formatted(" {:.0f} to {:.0f} %", 100 * run.least, 100 * run.most);
-  return text.empty() ? "no start with a chance worth a thought" : text;
+  return text.empty() ? "no start has a useful chance" : text;
 }
 
 std::string row(const Morning& morning, const TaskWindows& task, const Across& across,

@@ -26,8 +26,8 @@ std::string no_relief_line(const TaskWindows& task) {
   if (task.verdict != twin::Verdict::no_go) return {};
   for (const TaskStart& start : task.starts)
     if (start.chance.binding && start.chance.binding->is_exceeded)
-      return "No one limit alone stands in the way: without any one of them the best start has "
-             "hardly a better chance.";
+      return "More than one limit stops this task: leaving out a single limit hardly improves the "
+             "best start.";
   return {};
 }
 
@@ -41,7 +41,7 @@ std::string flown_line(const FlownAdvice& advice, const MorningClock& clock) {
   std::size_t flown = 0;
   for (const Advice& change : advice.changes) flown += change.flights > 0 ? 1 : 0;
   if (flown == 0) return {};
-  return of_start + formatted(" in {} ways are done no more often.", flown);
+  return of_start + formatted(" in {} ways are not done more often.", flown);
 }
 
 }  // namespace

@@ -18,10 +18,10 @@ bool claim(const std::filesystem::path& mark) {
   const int file = ::open(mark.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (file < 0 && errno == EEXIST) return false;
   if (file < 0)
-    throw Error(ErrorKind::unavailable, "writing " + mark.string() + " failed (" +
-                                            std::strerror(errno) +
-                                            "); the hook was not run: it could not be kept from "
-                                            "running twice");
+    throw Error(
+        ErrorKind::unavailable,
+        "writing " + mark.string() + " failed (" + std::strerror(errno) +
+            "); the hook was not run, because it might run twice; make the folder writable");
   ::fsync(file);
   ::close(file);
   return true;
@@ -37,7 +37,7 @@ std::string tell_hook(const Hook& hook, const std::filesystem::path& folder, std
   if (std::filesystem::exists(mark, ignored)) return {};
   if (::access(hook.command.front().c_str(), X_OK) != 0)  // its one chance is not used up
     return "the hook was not run: found no program to start as " + hook.command.front() +
-           "; mend its path or rights, and issue the forecast again";
+           "; correct its path or permissions, and issue the forecast again";
   if (!claim(mark)) return {};
   const std::string name = "the hook " + hook.command.front();
   try {

@@ -26,7 +26,7 @@ KnownForecast known_of(const Morning& morning, const Site& site,
                        const std::filesystem::path& store_folder) {
   KnownForecast known;
   known.past.not_verified =
-      "how forecasts of this site did was not looked up: this one is a file's";
+      "past forecasts of this site were not checked: this forecast comes from a file";
   if (!morning.question.windows.forecast.empty()) return known;
   store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
   const auto row = row_of(store, morning);

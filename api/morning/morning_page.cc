@@ -31,11 +31,10 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
   if (trust.empty()) return {};
   const calibration::SkillEntry& of = trust.front().verdict.forecast.of;
   ReportTable table;
-  table.title = "The last forecast against what came: that of " + date_text(of.issued);
+  table.title = "The last forecast compared with the truth: that of " + date_text(of.issued);
   table.note =
-      "Root mean square error over its first day. A rival is a naive forecast that knew no more: "
-      "the last value held, the same hour of the day before, a tide, a slab of water pushed by the "
-      "wind.";
+      "Root mean square error over its first day. A simple method has the same data: the last "
+      "value kept, the same hour of the day before, a tide, or a slab of water pushed by the wind.";
   table.columns = {"What", "Forecast", "Best naive rival", "Rival's error", "Better", "Against"};
   for (const Trust& of_variable : trust) {
     const calibration::Verdict& verdict = of_variable.verdict;

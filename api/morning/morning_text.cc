@@ -26,7 +26,7 @@ std::string headline_of(const Morning& morning) {
     return (all == 1 ? std::string("Go for the task") : formatted("Go for all {} tasks", all)) +
            when + ".";
   std::string text = counts[0] > 0 ? formatted("Go for {} of {} tasks", counts[0], all) + when
-                                   : formatted("No task is a go of {}", all) + when;
+                                   : formatted("No go for any of {} tasks", all) + when;
   std::vector<std::string> others;
   if (counts[1] > 0) others.push_back(formatted("{} marginal", counts[1]));
   if (counts[2] > 0) others.push_back(formatted("{} no-go", counts[2]));
@@ -56,7 +56,8 @@ std::string morning_text(const Morning& morning) {
                  ? formatted(" and {} more", morning.windows.left_out.size() - 1)
                  : std::string()) +
             "; the page says why\n";
-  if (shown < tasks.size()) text += formatted("  and {} more, none better\n", tasks.size() - shown);
+  if (shown < tasks.size())
+    text += formatted("  and {} more with no better verdict\n", tasks.size() - shown);
   return text;
 }
 

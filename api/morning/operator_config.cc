@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 void expect_ours(const fs::path& place) {
   struct stat found {};
   if (::stat(place.c_str(), &found) != 0)
-    throw Error(ErrorKind::not_found, "found no " + place.string() +
-                                          " that can be read, expected a file of yours; mend its "
-                                          "path or rights");
+    throw Error(ErrorKind::not_found,
+                "found no " + place.string() +
+                    " that can be read, expected a file of yours; correct its path or permissions");
   if (found.st_uid != 0 && found.st_uid != ::geteuid())
     throw Error(
         ErrorKind::invalid_input,

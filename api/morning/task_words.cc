@@ -52,15 +52,15 @@ std::string best_line(const Morning& morning, const TaskWindows& task, const Mor
   const TaskStart* best = best_of(task);
   if (best == nullptr) return "There is no start.";
   const bool is_likely = best->worth >= morning.question.windows.rule.marginal;
-  std::string text = is_likely ? "Best " : "No start is likely; the best is ";
+  std::string text = is_likely ? "Best " : "No start has a good chance; the best is ";
   text += clock(best->start) + ": " + percent(best->probability) +
           formatted(" ({:.0f} to {:.0f})", 100 * best->interval.low, 100 * best->interval.high);
   if (best->worth < best->probability) text += ", " + percent(best->worth) + " as flown";
   const bool is_exceeded = best->chance.binding && best->chance.binding->is_exceeded;
   return text +
          (!is_likely    ? ". What stops it: "
-          : is_exceeded ? ". What threatens it: "
-                        : ". What comes nearest: ") +
+          : is_exceeded ? ". Main risk: "
+                        : ". Nearest to its limit: ") +
          stopping_text(task, *best, futures_of(morning), clock) + ".";
 }
 
@@ -97,8 +97,8 @@ std::string rule_line(const TaskWindows& task, const MorningClock& clock) {
   };
   std::string text = "The central forecast alone: " + starts(task.by_threshold);
   return text +
-         (task.by_alpha ? "; with the margins of practice: " + starts(*task.by_alpha)
-                        : "; practice says nothing: " + task.no_alpha) +
+         (task.by_alpha ? "; with the usual safety margins: " + starts(*task.by_alpha)
+                        : "; no answer with safety margins: " + task.no_alpha) +
          ".";
 }
 
@@ -106,7 +106,7 @@ std::string rule_line(const TaskWindows& task, const MorningClock& clock) {
 
 std::string where_and_how_long(const TaskWindows& task) {
   return joined(task.turbines, ", ") +
-         formatted(", {:.1f} h and {:.1f} h in hand", task.planned_s / 3600,
+         formatted(", {:.1f} h and {:.1f} h of reserve time", task.planned_s / 3600,
                    task.contingency_s / 3600) +
          (task.is_split ? formatted(", in visits of {:.1f} h and more", task.least_visit_s / 3600)
                         : std::string());
@@ -146,10 +146,9 @@ std::string rules_text(const Morning& morning) {
              "of the forecast say. Full: {:.0f} % or more, go; hatched: {:.0f} % or more, "
              "marginal; pale: less. ",
              futures_of(morning), 100 * question.rule.go, 100 * question.rule.marginal) +
-         (is_flown
-              ? "Rings: the share of flights that were done; where they shut a chance out, it is "
-                "worth no more than they say. "
-              : "") +
+         (is_flown ? "Rings: the share of flights that were done. Where that is clearly lower, it "
+                     "replaces the chance. "
+                   : "") +
          "Grey behind: the sun is down. Practice: " + question.practice.name() + ". " +
          MorningClock(morning).note();
 }

@@ -11,9 +11,9 @@ std::string text_of(const Trust& trust) {
   const double rmse = verdict.best ? verdict.best->forecast_rmse : verdict.forecast.score.rmse;
   const std::string ours = trust.variable + formatted(" {:.2f} {} over {} {}", rmse, trust.unit,
                                                       pairs, pairs == 1 ? "forecast" : "forecasts");
-  if (!verdict.best) return ours + " (no naive rival to hold it against)";
+  if (!verdict.best) return ours + " (no simple method to compare with)";
   const calibration::BestBaseline& best = *verdict.best;
-  const std::string rival = " the best naive rival (" + std::string(name_of(best.method)) +
+  const std::string rival = " the best simple method (" + std::string(name_of(best.method)) +
                             formatted(", {:.2f} ", best.rmse) + trust.unit + ")";
   const bool looks_alike = formatted("{:.2f}", rmse) == formatted("{:.2f}", best.rmse);
   if (looks_alike) return ours + ", within noise of" + rival;

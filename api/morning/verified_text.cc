@@ -9,7 +9,8 @@ namespace {
 std::string verdict_sentence(const PastSkill& past) {
   const std::optional<calibration::Verdict>& verdict = past.verdict;
   if (!verdict) {
-    return "Not verified yet: no truth after an issued forecast of this site with wind " +
+    return "Not verified yet: the truth is not stored yet for any issued forecast of this site "
+           "with wind " +
            std::string(name_of(past.wind)) + ".";
   }
   std::string text = "Verified over past days, lead " +

@@ -27,16 +27,16 @@ using std::chrono::days;
 [[noreturn]] void refuse(const store::ForecastRow& row, std::size_t held, std::size_t wanted,
                          const std::string& why) {
   const std::string version = code_version();
-  std::string cause = "the store has to hold what it held then";
+  std::string cause = "the store must still hold the same data";
   if (row.code_version != version)
-    cause +=
-        ", and the program to be the same: " + row.code_version + " made it, this is " + version;
+    cause += ", and the program must be the same version: " + row.code_version +
+             " made it, this is " + version;
   throw Error(ErrorKind::unavailable,
               "forecast " + std::to_string(row.id) + " of site " + row.site_id + ", issued " +
                   format_utc(row.issued) + ", holds " + std::to_string(held) +
                   " members and cannot be given " + std::to_string(wanted) +
-                  ": made again from the store it is not what was issued (" + why + "). " +
-                  "For that " + cause + "; ask for at most " + std::to_string(held) +
+                  ": making it again from the store gives another forecast (" + why + "). " +
+                  "For more members " + cause + "; ask for at most " + std::to_string(held) +
                   " members, or issue a forecast now (`slackwater forecast --site " + row.site_id +
                   "`)");
 }

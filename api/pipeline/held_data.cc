@@ -83,10 +83,10 @@ std::string area_text(store::Store& store, const Site& site) {
     return "it holds no currents, wind or waves at all: ingest product files first (`forecast "
            "--print-downloads` shows which)";
   if (looks_swapped(store, site))
-    return "no product in it comes near, but with latitude and longitude exchanged one would: did "
-           "you swap latitude and longitude? (its " +
+    return "no product in it is near the site, but one is near if latitude and longitude are "
+           "exchanged: did you swap latitude and longitude? (its " +
            text + ")";
-  return "no product in it comes near: its " + text +
+  return "no product in it is near the site: its " + text +
          "; ingest product files around the site first (`forecast --print-downloads` shows which)";
 }
 

@@ -77,7 +77,7 @@ std::string difference_of(const Snapshot& issued, const Snapshot& made) {
   if (issued.day != made.day) {
     return "its day D is " + format_day(issued.day) + ", this one's " + format_day(made.day);
   }
-  if (issued.provenance.inputs != made.provenance.inputs) return "it rests on other product files";
+  if (issued.provenance.inputs != made.provenance.inputs) return "it uses other product files";
   if (issued.time != made.time || issued.depth_m != made.depth_m)
     return "its times and depths differ";
   if (issued.columns.size() != made.columns.size()) return "its columns differ";
@@ -97,7 +97,7 @@ std::string difference_of(const Snapshot& issued, const Snapshot& made) {
       issued.simulated_wind == made.simulated_wind && issued.averaged == made.averaged &&
       issued.attributions == made.attributions &&
       same_provenance(issued.provenance, made.provenance);
-  return is_told_alike ? std::string() : "what it says of itself differs";
+  return is_told_alike ? std::string() : "its description differs";
 }
 
 }  // namespace slackwater::api

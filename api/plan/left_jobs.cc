@@ -37,7 +37,7 @@ std::string in_all_text(const PlanProblem& problem, const Breach& breach) {
     return problem.vessels[breach.resource].id + " has no room for another crew";
   if (breach.rule == Rule::charger)
     return "the chargers of " + problem.batteries[breach.resource].id + " are in use";
-  return "no pack of " + problem.batteries[breach.resource].id + " would be charged by then";
+  return "no pack of " + problem.batteries[breach.resource].id + " is charged by then";
 }
 
 /// Less is in the way of it; then it has the better chance.
@@ -65,13 +65,12 @@ std::string hindrance_text(const PlanProblem& problem, const Plan& plan,
     for (const auto& [breach, i] : nearest->by)
       why.push_back(problem.jobs[plan.assignments[i].job].id);
     return "its best place, " + clock_text(problem, begin_of(problem, nearest->wanted)) + " (" +
-           chance_text(start_of(problem, nearest->wanted).probability) + "), would cost " +
+           chance_text(start_of(problem, nearest->wanted).probability) + "), would push out " +
            joined(why, ", ");
   }
   return "at " + clock_text(problem, begin_of(problem, nearest->wanted)) + " (" +
          chance_text(start_of(problem, nearest->wanted).probability) + ") " +
-         (why.empty() ? "it would fit, which the search had no time to find"
-                      : joined(why, ", and "));
+         (why.empty() ? "it would fit, but the search ran out of time" : joined(why, ", and "));
 }
 
 const StartChance& best_start(const PlanJob& job) {
@@ -105,7 +104,7 @@ std::string alone_text(const PlanProblem& problem, std::size_t j) {
       if (!breach) breach = breach_of(problem, team);
     }
   }
-  if (!breach) return "nobody who could do it is there";
+  if (!breach) return "no team that can do it is available";
   if (breach->rule == Rule::packs_of_one)
     return formatted("it takes {} packs of {}, and there are {}",
                      packs_for(problem.batteries[breach->resource], best),
@@ -114,7 +113,8 @@ std::string alone_text(const PlanProblem& problem, std::size_t j) {
   const std::string when = first == last ? "its only start, " + clock_text(problem, first) + ","
                                          : "its starts, " + clock_text(problem, first) + " to " +
                                                clock_text(problem, last) + ",";
-  return when + " and the way out and home do not fit the hours of any who could do it" +
+  return when +
+         " with the way out and home do not fit the working hours of any team that can do it" +
          (job.without_starts.empty() ? std::string() : "; " + job.without_starts);
 }
 
@@ -150,7 +150,8 @@ std::string taken_text(const PlanProblem& problem, const Breach& breach, const A
       return problem.vessels[breach.resource].id + " is at " + place + " " + hours + " (" + job.id +
              ")";
     case Rule::place_aboard:
-      return "those who could do it are on " + problem.vessels[by.vessel].id + " (" + job.id + ")";
+      return "the teams that can do it are on " + problem.vessels[by.vessel].id + " (" + job.id +
+             ")";
     case Rule::crew_hours:
       return problem.vessels[by.vessel].id + " keeps to the shift of " +
              problem.crews[breach.resource].id;

@@ -64,11 +64,10 @@ std::string obstacle(const PlanProblem& problem, const Plan& plan, std::size_t j
     return "the chance of " + at + " fell from " + chance_text(was.probability) + " to " +
            chance_text(now);
   if (!has_chance(problem, start_of(problem, *before)))
-    return at + " has " + chance_text(now) + ", less than is asked for now";
+    return at + " has " + chance_text(now) + ", less than the plan now requires";
   if (breach_of(problem, *before))
-    return "those who were to do it cannot at " + at +
-           " any more: their hours, skills or packs are "
-           "others now";
+    return "the team that was planned cannot do it at " + at +
+           " any more: its hours, skills or packs have changed";
   const std::vector<std::size_t> kits = kits_of(problem);
   for (const Assignment& other : plan.assignments) {
     if (other.job == job) continue;
@@ -109,7 +108,7 @@ PlanChange change_of(const PlanProblem& problem, const Plan& plan, const Assignm
   if (has_moved && is_other_team) what += ", now by " + team_text(problem, now);
   std::string why = obstacle(problem, plan, now.job, was);
   if (why.empty() && start_of(problem, now).probability > was.probability + as_good)
-    why = "its chance is better so: " + chance_text(start_of(problem, now).probability) +
+    why = "its chance is better now: " + chance_text(start_of(problem, now).probability) +
           " against " + chance_text(was.probability);
   if (why.empty()) why = "the day as a whole is worth as much or more";
   change.why = what + ": " + why;
@@ -142,10 +141,10 @@ std::vector<PlanChange> changes_since(const EarlierPlan& earlier, const PlanProb
     throw Error(ErrorKind::invalid_input,
                 earlier.name + ": found the plan of " + earlier.site + ", expected one of " + site);
   if (earlier.day != day_of(problem.begin))
-    throw Error(ErrorKind::invalid_input,
-                earlier.name + ": found the plan of " + format_day(earlier.day) +
-                    ", expected one of " + format_day(day_of(problem.begin)) +
-                    "; only plans of one day are held against each other");
+    throw Error(ErrorKind::invalid_input, earlier.name + ": found the plan of " +
+                                              format_day(earlier.day) + ", expected one of " +
+                                              format_day(day_of(problem.begin)) +
+                                              "; only plans of the same day can be compared");
   std::vector<PlanChange> changes;
   for (std::size_t j = 0; j < problem.jobs.size(); ++j) {
     const std::string& id = problem.jobs[j].id;
@@ -158,11 +157,12 @@ std::vector<PlanChange> changes_since(const EarlierPlan& earlier, const PlanProb
       changes.push_back(change_of(problem, plan, *now, earlier.jobs[*was]));
     } else if (now != plan.assignments.end()) {
       const auto was_left = index_of(earlier.left, id);
-      changes.push_back({id, PlanChange::Kind::added,
-                         "at " + clock_text(problem, begin_of(problem, *now)) + " (" +
-                             chance_text(start_of(problem, *now).probability) + "): " +
-                             (was_left ? "it was left before, since " + earlier.left[*was_left].why
-                                       : "it was not asked for before")});
+      changes.push_back(
+          {id, PlanChange::Kind::added,
+           "at " + clock_text(problem, begin_of(problem, *now)) + " (" +
+               chance_text(start_of(problem, *now).probability) + "): " +
+               (was_left ? "it was left out before, because " + earlier.left[*was_left].why
+                         : "it was not asked for before")});
     } else if (was) {
       const std::string why = obstacle(problem, plan, j, earlier.jobs[*was]);
       changes.push_back({id, PlanChange::Kind::dropped,
@@ -173,7 +173,7 @@ std::vector<PlanChange> changes_since(const EarlierPlan& earlier, const PlanProb
   for (const EarlierPlan::Job& was : earlier.jobs)
     if (!index_of(problem.jobs, was.id))
       changes.push_back(
-          {was.id, PlanChange::Kind::no_longer_asked, "the plan's file has it no more"});
+          {was.id, PlanChange::Kind::no_longer_asked, "it is no longer in the plan's file"});
   return changes;
 }
 

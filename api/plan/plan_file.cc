@@ -227,7 +227,7 @@ void expect_crew(const Config& config, const PlanFile& plan, const PlanFile::Wor
         });
       });
   if (!is_there)
-    config.refuse("skills", "found no crew that has all of " + joined(work.skills, ", ") +
+    config.refuse("skills", "found no single crew that has all of " + joined(work.skills, ", ") +
                                 ", which " + work.task + " takes");
 }
 

@@ -87,7 +87,7 @@ std::string worth_text(const PlanProblem& problem, const Plan& plan) {
 std::string plan_text(const PlanProblem& problem, const PlanAnswer& answer) {
   const Plan& plan = answer.plan;
   std::string text =
-      formatted("{}, {}, {}, by the clocks of {}", answer.name, answer.site,
+      formatted("{}, {}, {}, times of {}", answer.name, answer.site,
                 format_day(day_of(problem.begin)), problem.zone ? problem.zone->name() : "UTC");
   text += problem.least_probability > 0
               ? "; no start of less than " + chance_text(problem.least_probability) + ".\n"

@@ -145,9 +145,9 @@ std::string rehearsed_coverage_html(const StartOutcome& start,
   }
   if (pictures.empty()) return {};
   return coverage_section_html(
-      "What is covered, whatever comes", pictures,
-      formatted("Of a start at {}Z, over its {} futures. What is covered in some of them hangs on "
-                "the current, the wind and the waves that come.",
+      "What is covered, over all futures", pictures,
+      formatted("Of a start at {}Z, over its {} futures. What is covered only in some of them "
+                "depends on current, wind and waves.",
                 format_utc(start.start).substr(0, 16), start.flights.size()));
 }
 

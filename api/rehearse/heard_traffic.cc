@@ -83,7 +83,7 @@ Heard hear(const std::filesystem::path& file, const AisLog& log, const Wanted& w
     refuse(file.string() + ": holds positions from " + format_utc(*contents.first) + " to " +
            format_utc(*contents.last) + ", and the run asks for " + format_utc(wanted.from) +
            " to " + format_utc(wanted.to) +
-           "; set `starts`, the instant of the log that is the start of the run");
+           "; set `starts`: the time in the log at which the run starts");
   Heard out{std::move(collector).take(), {}};
   for (const std::string& warning : reading.warnings())
     out.warnings.push_back(file.string() + ": " + warning);
@@ -139,7 +139,7 @@ class Gathering {
     }
     if (strays > 0)
       warnings.push_back(std::to_string(strays) + " positions of " + std::to_string(stray_vessels) +
-                         " vessels are where they cannot have been: left out");
+                         " vessels have impossible positions and are left out");
     return out;
   }
 

@@ -172,11 +172,12 @@ std::string disagreement_of(const StartOutcome& start) {
     return "The limits allow it (" +
            (start.by_the_limits.binding.empty() ? std::string("none is near")
                                                 : start.by_the_limits.binding) +
-           "), and the flights are stopped by " +
+           "), but the flights are stopped by " +
            (start.stopped_by.empty() ? std::string("time") : start.stopped_by.front().cause) + ".";
   if (!start.by_the_limits.allows && share >= 0.5)
     return "The limits forbid it (" + start.by_the_limits.binding +
-           "), and most flights are done: they hold, or are elsewhere, while it is exceeded.";
+           "), but most flights are done: the vehicle holds, or is elsewhere, while the limit is "
+           "exceeded.";
   return "";
 }
 

@@ -56,9 +56,9 @@ store::ForecastRow row_of(store::Store& store, const ScenarioWater& water, std::
   for (store::ForecastRow& row : store.list_forecasts())
     if (row.content_sha256 == water.forecast_sha256) return std::move(row);
   throw Error(ErrorKind::unavailable,
-              formatted("the forecast {} was issued with {} members and cannot be given {}: the "
-                        "store does not hold it; ask for at most those, or name the store that "
-                        "issued it (--store)",
+              formatted("the forecast {} was issued with {} members, and {} were asked for: this "
+                        "store does not hold the forecast; ask for at most those issued, or name "
+                        "the store that issued it (--store)",
                         water.forecast_name, water.members_issued, members));
 }
 

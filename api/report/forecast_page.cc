@@ -276,8 +276,8 @@ ReportTable blend_table(const ForecastMaking::Mixture& mixture) {
                mixture.spread_provenance;
   if (mixture.simulated_days > 0) {
     table.note += formatted(
-        " {} of the rehearsed days had no run of the wind stored from then: simulated by the later "
-        "analysis with a forecast's error.",
+        " {} of the rehearsed days have no stored wind run from that time: the later analysis with "
+        "a random forecast error is used.",
         mixture.simulated_days);
   }
   return table;

@@ -129,16 +129,15 @@ SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& trut
         "record), not this day's own.";
     if (has_waves_of(column, DataStatus::modelled)) {
       result.note +=
-          " Where no wave product is stored the waves are computed from the wind, without swell "
-          "from elsewhere";
-      result.note += doubt.twice > 1 ? ", over a fetch that is assumed: the band takes in half and "
-                                       "twice of it."
-                                     : ".";
+          " Where no wave product is stored, the waves are computed from the wind, without swell";
+      result.note += doubt.twice > 1
+                         ? ", with an assumed fetch: the band covers half and twice this fetch."
+                         : ".";
     }
     if (has_waves_of(column, DataStatus::persisted))
       result.note +=
-          " Where there is no wind either the last known waves are kept: less sure than "
-          "the band says.";
+          " Where there is no wind either, the last known waves are used: they are less certain "
+          "than the band shows.";
     if (truth.significant_height_m)
       panel.lines.push_back(truth_line(forecast.time, truth.significant_height_m));
     result.panels.push_back(std::move(panel));

@@ -175,7 +175,7 @@ std::string short_skill_table(const std::vector<calibration::SkillEntry>& entrie
     table += "oracle-mean knows the day itself: a yardstick, not a forecast.\n";
   const auto is_few = [](const auto* row) { return row->score.is_of_few(); };
   if (std::any_of(rows.begin(), rows.end(), is_few))
-    table += "Fewer than five pairs are few: no interval is claimed of them.\n";
+    table += "Fewer than five pairs of days: too few for an interval.\n";
   return table;
 }
 

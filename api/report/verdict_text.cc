@@ -34,10 +34,10 @@ std::string error_text(const calibration::Verdict& verdict) {
   std::string text = formatted("{:.3f} {}", verdict.forecast.score.rmse, unit_of(verdict));
   if (hides_the_tide(of.truth_averaging)) {
     text += " against " + averaging_text(of.truth_averaging) +
-            ", not instants: what passes within a mean is not scored";
+            ", not instants: changes within a mean are not scored";
   }
   if (of.simulated_wind) {
-    text += ", driven by simulated forecasts of the wind where none was kept";
+    text += ", with simulated wind forecasts where no real one is stored";
   } else if (of.hindsight) {
     text += ", made in hindsight: its wind was not known when it was issued";
   }
@@ -57,10 +57,10 @@ std::string baseline_text(const calibration::Verdict& verdict) {
   std::string text = "best baseline " + std::string(name_of(best.method)) +
                      formatted(" {:.3f} {}", best.rmse, unit_of(verdict));
   if (best.pairs < verdict.forecast.score.pairs) {
-    text += formatted(" (over {} of these pairs, there the forecast has {:.3f} {})", best.pairs,
+    text += formatted(" (over {} of these pairs, where the forecast has {:.3f} {})", best.pairs,
                       best.forecast_rmse, unit_of(verdict));
   } else if (std::abs(best.forecast_rmse - verdict.forecast.score.rmse) > not_shown) {
-    text += formatted(" (over the values that both have, there the forecast has {:.3f} {})",
+    text += formatted(" (over the values that both have, where the forecast has {:.3f} {})",
                       best.forecast_rmse, unit_of(verdict));
   }
   return text;

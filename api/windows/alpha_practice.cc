@@ -40,10 +40,11 @@ std::optional<AlphaFactor> AlphaPractice::at(const twin::Limit& limit, double pe
     if (limit.variable != LimitVariable::significant_wave_height) return std::nullopt;
     const double longest_h = errors_->leads_h.back();
     if (period_h > longest_h)
-      return AlphaFactor{{},
-                         formatted("{:.0f} h from the issue of the forecast to the end of the task "
-                                   "are more than the {:g} h that errors are known for",
-                                   period_h, longest_h)};
+      return AlphaFactor{
+          {},
+          formatted(
+              "the task ends {:.0f} h after the forecast was issued; errors are known up to {:g} h",
+              period_h, longest_h)};
     return AlphaFactor{twin::alpha_by_errors(limit.bound, errors_->at(limit.bound, period_h)), ""};
   }
   for (const AlphaTable& table : tables_)

@@ -201,7 +201,7 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
   if (has_practice)
     out.by_alpha = windows([](const auto& chance) { return chance.by_alpha.value_or(false); });
   else if (out.no_alpha.empty())
-    out.no_alpha = "it has no factor for any of the limits";
+    out.no_alpha = "the table has no factor for any limit of this task";
   const TaskStart* best = best_of(out);
   out.verdict = twin::verdict_of(best == nullptr ? 0 : best->worth, question.rule);
 }

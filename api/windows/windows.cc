@@ -130,10 +130,10 @@ WindowsAnswer windows_of(const WindowsQuestion& question,
   if (!question.waves_as_forecast && shared.members > 1) shared.waves = &waves;
   if (shared.members == 1)
     answer.notes.emplace_back(
-        "the forecast has one future, the central one: no start of it is more probable than 0.67");
+        "the forecast has only the central future: no start can have a probability above 0.67");
   if (field.snapshot().hindsight)
     answer.notes.emplace_back(
-        "the forecast was made in hindsight: nobody could have had it at its issue time");
+        "the forecast was made in hindsight: it was not available at its issue time");
   if (field.snapshot().degraded)
     answer.notes.push_back("the forecast is degraded: " + field.snapshot().headline);
   work_out(question, shared, tasks, answer);

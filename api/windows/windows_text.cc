@@ -110,14 +110,13 @@ std::string task_text(const WindowsQuestion& question, const TaskWindows& task, 
     return start.worth < start.probability;
   });
   if (const TaskStart* best = best_of(task); best != nullptr && is_less)
-    text += "  with what flights leave of them: best " + clock(best->start) +
+    text += "  after the flights: best " + clock(best->start) +
             formatted(", worth {:.2f}; ", best->worth) +
             stopping_text(task, *best, members, clock) + "\n";
-  text +=
-      "  the central forecast alone: " + rule_text(task, task.by_threshold, clock) +
-      "; with alpha: " +
-      (task.by_alpha ? rule_text(task, *task.by_alpha, clock) : "says nothing, " + task.no_alpha) +
-      "\n";
+  text += "  the central forecast alone: " + rule_text(task, task.by_threshold, clock) +
+          "; with alpha: " +
+          (task.by_alpha ? rule_text(task, *task.by_alpha, clock) : "no answer, " + task.no_alpha) +
+          "\n";
   for (const std::string& limit : task.not_checked) text += "  not checked: " + limit + "\n";
   for (const std::string& value : task.assumed) text += "  assumed: " + value + "\n";
   for (const std::string& note : task.notes) text += "  " + note + "\n";
@@ -150,7 +149,7 @@ std::string binding_text(const TaskWindows& task, const TaskStart& start, std::s
                       binding.members, members);
   if (!std::isnan(binding.share))
     text += formatted(binding.is_exceeded ? FormatOf<double>(" (forecast up to {:.0f} % of it)")
-                                          : FormatOf<double>(", {:.0f} % taken up at "),
+                                          : FormatOf<double>(", {:.0f} % of the limit reached at "),
                       100 * binding.share) +
             (binding.is_exceeded ? std::string() : clock(*start.binds_at));
   return text;
@@ -179,7 +178,7 @@ std::string windows_text(const WindowsQuestion& question, const WindowsAnswer& a
   text += "forecast " + answer.water.forecast_name +
           (members > 1 ? question.waves_as_forecast
                              ? "; waves as forecast in all futures"
-                             : "; waves of each future with the published error of forecasts"
+                             : "; the waves of each future have the usual error of wave forecasts"
                        : "") +
           "\nalpha: " + question.practice.name() + ", period from the " +
           (question.period_from_start ? "start" : "issue of the forecast") + "\n";

@@ -136,7 +136,7 @@ std::string provenance_of(const Blend& blend, const std::optional<Contest>& cont
                           const BlendSettings& settings) {
   if (!blend.earned) {
     return settings.prior_name + " (" + list_of(blend.share) + "): " + pairs_text(blend.pairs) +
-           " verified so far, " + std::to_string(settings.fewest_pairs) +
+           " verified so far; " + std::to_string(settings.fewest_pairs) +
            " are needed for other weights";
   }
   if (contest && replaces(*contest, settings)) {

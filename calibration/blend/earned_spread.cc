@@ -90,10 +90,10 @@ LaterSpread earned_of(const Seen& seen, double before, const SpreadSettings& set
 }
 
 std::string provenance_of(const EarnedSpread& spread, const SpreadSettings& settings) {
-  if (spread.pairs == 0) return "spread as forecast: no past pair has verified it";
+  if (spread.pairs == 0) return "spread as forecast: no past pair of days has checked it yet";
   std::string sentence = formatted(
-      "spread times {:.2f}: over {} past pair{} the 80 % band held {:.0f} % of the truth (averaged "
-      "with {:.3g} pairs in which it would hold 80 %)",
+      "spread times {:.2f}: in {} past pair{} of days the 80 % band held {:.0f} % of the truth "
+      "(averaged with {:.3g} assumed pairs of 80 %)",
       spread.scale, spread.pairs, spread.pairs == 1 ? "" : "s", 100.0 * spread.past_coverage_80,
       settings.prior_pairs);
   for (std::size_t day = 0; day < spread.later.size(); ++day) {

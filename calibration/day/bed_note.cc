@@ -32,17 +32,17 @@ std::optional<std::string> note_on_bed(const ColumnData& column, const std::stri
   const bool is_shallower = *deepest_m > bed_m + depth_tolerance_m(bed_m);
   const bool is_deeper = bed_m > *deepest_m + depth_tolerance_m(*deepest_m);
   if (!is_shallower && !is_deeper) return std::nullopt;
-  const std::string says =
-      formatted("the {} says {:.0f} m of water, the currents ", column.water_depth.source, bed_m);
+  const std::string says = formatted("the {} gives {:.0f} m of water, but the currents ",
+                                     column.water_depth.source, bed_m);
   if (is_shallower) {
     return says + formatted(
-                      "reach {:.0f} m there: below {:.0f} m nothing is served; check the "
-                      "depth of the site",
+                      "go down to {:.0f} m: below {:.0f} m no current is given; check the depth of "
+                      "the site",
                       *deepest_m, bed_m);
   }
   return says + formatted(
-                    "end at {:.0f} m there: from there to the bed those of {:.0f} m are "
-                    "carried, and marked so",
+                    "end at {:.0f} m: below that the current of {:.0f} m is used down to the bed, "
+                    "and marked as carried",
                     *deepest_m, *deepest_m);
 }
 

@@ -79,17 +79,18 @@ std::string text_of(const ComputedWaves& waves) {
   const std::string hours =
       std::to_string(waves.hours) + " of " + std::to_string(waves.of_hours) + " hours";
   if (waves.is_kept)
-    return "the waves of " + hours + " are the last ones known: no newer waves, no wind are stored";
-  std::string text = waves.of_wind_alone
-                         ? "no wave product is stored, the waves are computed from the wind alone, "
-                           "without swell from elsewhere"
-                         : "the waves of " + hours +
-                               " are computed from the wind, no wave product is stored for them";
+    return "the waves of " + hours +
+           " are the last ones known: no newer waves and no wind are stored";
+  std::string text =
+      waves.of_wind_alone
+          ? "no wave product is stored: the waves are computed from the wind alone, without swell"
+          : "the waves of " + hours +
+                " are computed from the wind: no wave product is stored for these hours";
   if (!waves.is_fetch_assumed) return text + "; fetch " + waves.fetch.text();
   text += "; a fetch of " + waves.fetch.text() + " is assumed (fetch_km in the site's file)";
   if (waves.highest_half_fetch_m && waves.highest_twice_fetch_m) {
     text += formatted(
-        ": significant height up to {:.1f} m, with half of it {:.1f} m, with twice "
+        ": significant height up to {:.1f} m; with half this fetch {:.1f} m, with twice this fetch "
         "{:.1f} m",
         waves.highest_m, *waves.highest_half_fetch_m, *waves.highest_twice_fetch_m);
   }

@@ -22,8 +22,8 @@ constexpr const char* hindsight_note =
     "made in hindsight: wind or waves were used that were not known at the issue time";
 
 std::string simulated_note(const ForecastPlan& plan) {
-  return "the wind after D is simulated: no run published by the issue time is stored, so the "
-         "later analysis stands for one, with a forecast's error drawn (seed " +
+  return "the wind after D is simulated: no wind run published by the issue time is stored, so the "
+         "later analysis with a random forecast error is used (seed " +
          std::to_string(plan.best.simulated_seed.value_or(0)) + ")";
 }
 
@@ -60,7 +60,7 @@ void forecast_columns(const SiteData& data, const ForecastOptions& options, Dail
       made.failures.push_back(std::move(failures.front()));
     }
     const auto failure = attempt([&] { tell_of_inputs(data.columns[i], plan, made); });
-    if (failure) made.notes.push_back("no notes on the inputs: " + failure->why);
+    if (failure) made.notes.push_back("the inputs could not be checked: " + failure->why);
     if (made.hindsight) made.notes.emplace_back(hindsight_note);
   });
 }
@@ -73,7 +73,8 @@ void keep_to_our_own(Earned& earned) {
     share.weight = share.method == Method::forecast ? 1 : 0;
   earned.blend.earned = false;
   earned.blend.fell_back_to.reset();
-  earned.blend.provenance = "Our own alone: the currents are means, and so are the baselines.";
+  earned.blend.provenance =
+      "Our own forecast only, without a blend: the currents are means, and so are the baselines.";
   earned.spread.scale = std::max(1.0, earned.spread.scale);
   for (LaterSpread& later : earned.spread.later) later.scale = std::max(1.0, later.scale);
 }

@@ -70,11 +70,13 @@ std::string note_on(const WindEnsembleRun& run, const WindDepartures& ensemble, 
                      std::to_string(run.number.size()) + " of " + text_of(run) +
                      ", numbers recorded; " + text_of(run.spread);
   if (raised > 0) {
-    note += formatted("; at {} of {} hours its spread is raised to {:.1f} m/s, an analysis' error",
-                      raised, after, least_ensemble_sigma_m_s());
+    note += formatted(
+        "; at {} of {} hours its spread was too small and is raised to {:.1f} m/s, the error of an "
+        "analysis",
+        raised, after, least_ensemble_sigma_m_s());
   }
   if (silent > 0) {
-    note += formatted("; at {} of {} hours it says nothing and the usual error of the wind stands",
+    note += formatted("; it has no value at {} of {} hours; the usual wind error is used there",
                       silent, after);
   }
   return note;

@@ -150,7 +150,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
     result.best_form = fitted.best();
     if (propagated.wind_missing > 0) {
       result.notes.push_back("no wind at " + std::to_string(propagated.wind_missing) +
-                             " of the forecast's times: the wind-driven part is left out there");
+                             " times of the forecast: the wind-driven current is left out there");
     }
     result.form_weight = propagated.form_weight;
     result.forms = std::move(fitted.forms);

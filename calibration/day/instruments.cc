@@ -127,7 +127,7 @@ std::vector<Instrument> instruments_without_product(const ColumnData& column,
   for (const Piece* piece : series_in_reach(column, plan)) {
     instruments.push_back(named(*piece));
     instruments.back().verdict.use = InstrumentUse::apart;
-    instruments.back().verdict.why = "no product is there to fuse it with";
+    instruments.back().verdict.why = "no current product is stored to combine it with";
   }
   return instruments;
 }

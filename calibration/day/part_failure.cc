@@ -13,19 +13,21 @@ struct PartWords {
 
 constexpr std::array<PartWords, 14> words_of_parts{{
     {"day", "the choice of the day", "no current is forecast"},
-    {"wind", "the wind", "it and the current that it drives are left out"},
+    {"wind", "the wind", "the wind and the wind-driven current are left out"},
     {"waves", "the waves", "none are forecast"},
     {"record", "the record of currents", "no current is forecast"},
     {"mixed_layer", "the product's mixed layer", "it is not used"},
     {"tide", "the tide", "it is left out of the current"},
     {"calibration", "the calibration", "no current is forecast"},
-    {"propagation", "the step from the calibrated day to the horizon", "no current is forecast"},
+    {"propagation", "the forecast from the calibrated day to the horizon",
+     "no current is forecast"},
     {"column", "the forecast", "nothing is forecast"},
     {"rehearsal", "the rehearsal of past days",
-     "our own forecast is issued without a blend, its spread unchanged"},
-    {"blend", "the blend", "our own forecast is issued without it"},
-    {"unresolved_tide", "the tide that the means leave out", "the band does not hold it"},
-    {"stand_in", "the comparison with the leading product", "the band is not widened by it"},
+     "our own forecast is issued without a blend, with its spread unchanged"},
+    {"blend", "the blend", "our own forecast is issued without a blend"},
+    {"unresolved_tide", "the tide that is averaged out of the means",
+     "the band is not widened for it"},
+    {"stand_in", "the comparison with the leading product", "the band is not widened for it"},
     {"sea_level", "the level of the sea", "none is forecast"},
 }};
 

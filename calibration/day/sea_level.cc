@@ -115,14 +115,14 @@ std::string note_on(const LevelHindcast& hindcast, Duration length) {
   const double record_d = hours_between(UtcTime{}, UtcTime{} + length) / 24;
   std::string text = formatted("sea level: harmonic tide of {:.1f} days", record_d);
   const double memory_h = hours_between(UtcTime{}, UtcTime{} + hindcast.surge.memory);
-  text += memory_h > 0 ? formatted(", what departs from it decays over {:.0f} h", memory_h)
-                       : std::string(", nothing of what departs from it is carried on");
+  text += memory_h > 0 ? formatted(", the difference from the tide decays over {:.0f} h", memory_h)
+                       : std::string(", the difference from the tide is not carried on");
   if (hindcast.days == 0)
-    return text + "; too few past days to judge it by, its spread is an estimate";
-  return text + formatted(
-                    "; as forecast on {} past days it errs by {:.2f} m up to 12 h ahead and "
-                    "{:.2f} m at last",
-                    hindcast.days, hindcast.errors.sigma_m.front(), hindcast.errors.sigma_m.back());
+    return text + "; too few past days to check it: its spread is an estimate";
+  return text +
+         formatted(
+             "; error on {} past days: {:.2f} m up to 12 h ahead, {:.2f} m at the longest lead",
+             hindcast.days, hindcast.errors.sigma_m.front(), hindcast.errors.sigma_m.back());
 }
 
 /// The provider's own forecast, as long as it lasts.
@@ -191,8 +191,8 @@ LevelForecast forecast_level(const ScalarRecord& record, const ForecastPlan& pla
   } else if (next < size && !usable.pieces.empty()) {
     // Mean water over a tidal sea would be a number that is wrong at most hours.
     result.notes.push_back(
-        formatted("no sea level is forecast{}: its record of {:.1f} days "
-                  "shows no tide; three days with values every three hours are needed",
+        formatted("no sea level is forecast{}: its record of {:.1f} days shows no tide; "
+                  "expected three days with a value at least every three hours",
                   next > 0 ? " beyond the provider's" : "",
                   hours_between(UtcTime{}, UtcTime{} + length) / 24));
   }

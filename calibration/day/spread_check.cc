@@ -132,16 +132,16 @@ std::string text_of(const SpreadCheck& check) {
     std::size_t most = 0;
     for (const CheckedLead& lead : check.lead) most = std::max(most, lead.days);
     return formatted(
-        "its spread is not yet checked against its error ({} of {} days with an analysed wind)",
+        "its spread is not checked yet: {} days with an analysed wind are stored, {} are needed",
         most, fewest_checked_days);
   }
-  std::string text = "its spread held against its error: ";
+  std::string text = "its spread was checked against its error: ";
   bool is_first = true;
   for (std::size_t day = 0; day < check.lead.size(); ++day) {
     const CheckedLead& lead = check.lead[day];
     if (!lead.is_checked()) continue;
     const std::string verdict =
-        lead.factor == 1 ? "in keeping" : formatted("times {:.2f}", lead.factor);
+        lead.factor == 1 ? "agrees" : formatted("times {:.2f}", lead.factor);
     text += formatted("{}day {} {} ({:.1f} of {:.1f} m/s, {} days)", is_first ? "" : ", ", day + 1,
                       verdict, lead.rms_error_m_s, lead.rms_spread_m_s, lead.days);
     is_first = false;

@@ -46,10 +46,10 @@ std::optional<double> rms_difference(const VectorColumn& leading, const VectorCo
 std::string text_of(const StandIn& stand_in) {
   const std::string apart =
       stand_in.difference_m_s
-          ? formatted("the two differed by {:.2f} m/s before", *stand_in.difference_m_s)
-          : "how far the two differ is not known";
-  return "the leading product " + stand_in.leading + " has no whole day near enough, " +
-         stand_in.used + " stands in: " + apart;
+          ? formatted("the two differed by {:.2f} m/s in the past", *stand_in.difference_m_s)
+          : "their difference is not known";
+  return "the leading product " + stand_in.leading + " has no whole day that is recent enough; " +
+         stand_in.used + " is used instead: " + apart;
 }
 
 std::optional<StandIn> widen_by_stand_in(ForecastColumn& column, const ColumnData& data,

@@ -60,7 +60,7 @@ FittedTide tide_of_record(const Chosen<Horizontal>& known, UtcDay day, Angle lat
   FittedTide tide = fit_column_tide(slice(known.column, *since, UtcTime::max()), latitude);
   tide.since = *since;
   std::string note = "tide of the record since ";
-  note.append(format_utc(*since)).append(": before, nothing but detided currents is there");
+  note.append(format_utc(*since)).append(": the currents before that have no tide in them");
   tide.notes.insert(tide.notes.begin(), std::move(note));
   return tide;
 }

@@ -15,11 +15,11 @@ namespace {
 /// What was late or missing about the day's currents.
 void judge_day(const DayChoice& choice, bool is_failed, std::vector<std::string>& troubles) {
   if (!choice.usable && !is_failed) {
-    troubles.push_back("no whole day of currents is stored: wind and waves alone");
+    troubles.push_back("no whole day of currents is stored: only wind and waves are forecast");
   } else if (choice.usable && *choice.usable != choice.wanted) {
     troubles.push_back("currents of " + format_day(choice.wanted) +
-                       " are missing or not whole, the last good day " +
-                       format_day(*choice.usable) + " is used");
+                       " are missing or incomplete: the last good day, " +
+                       format_day(*choice.usable) + ", is used");
   }
 }
 
@@ -37,8 +37,8 @@ void judge_named_product(const SiteData& data, std::vector<std::string>& trouble
       if (piece.origin->product_id == *named) return;
   }
   troubles.push_back("the site's file names currents of " + *named +
-                     ", of which none are stored here: another product leads; ingest it, or mend "
-                     "`currents` in the file");
+                     ", but none are stored: another product is used; ingest that product, or "
+                     "correct `currents` in the site's file");
 }
 
 /// Which columns could not be calibrated; those that failed as a whole are named with the parts.
@@ -64,20 +64,20 @@ void judge_wind(const ColumnForecast& made, const ForecastPlan& plan,
   const ForecastColumn& column = made.column;
   if (has_failed(made, Part::wind) || has_failed(made, Part::column)) return;  // said of the parts
   if (column.wind_m_s.empty()) {
-    troubles.push_back("no wind is stored: the wind-driven part is left out");
+    troubles.push_back("no wind is stored: the wind-driven current is left out");
     return;
   }
   if (plan.wind == WindPolicy::persist) return;
   for (const WindGap& gap : made.wind_gaps) {
     troubles.push_back("no wind is known from " + format_utc(gap.from) + " to " +
-                       format_utc(gap.to) + ": it is persisted there");
+                       format_utc(gap.to) + ": the last known wind is used there");
   }
   const auto persisted =
       std::count(column.wind_source.begin(), column.wind_source.end(), DataStatus::persisted);
   if (2 * persisted > static_cast<std::ptrdiff_t>(column.wind_source.size())) {
-    troubles.push_back("wind is persisted for " + std::to_string(persisted) + " of " +
+    troubles.push_back("the last known wind is used for " + std::to_string(persisted) + " of " +
                        std::to_string(column.wind_source.size()) +
-                       " hours: no wind forecast known at " + format_utc(plan.issued) +
+                       " hours: no wind forecast that was known at " + format_utc(plan.issued) +
                        " is stored");
   }
 }
@@ -107,10 +107,9 @@ void judge_parts(const DailyForecast& result, std::vector<std::string>& troubles
     if (!is_named) troubles.push_back(failure_text(*failed.front(), failed.size(), all));
   }
   if (result.earned && result.earned->first_failure) {
-    troubles.push_back(
-        "the rehearsal of " + std::to_string(result.earned->failed_days) +
-        (result.earned->failed_days == 1 ? " past day" : " past days") +
-        " failed, the blend rests on the others: " + result.earned->first_failure->why);
+    troubles.push_back("the rehearsal of " + std::to_string(result.earned->failed_days) +
+                       (result.earned->failed_days == 1 ? " past day" : " past days") +
+                       " failed; the blend uses the others: " + result.earned->first_failure->why);
   }
 }
 
@@ -162,7 +161,7 @@ std::string headline_of(const ForecastPlan& plan, const std::vector<std::string>
                         const Snapshot& made) {
   std::string headline = plain_headline(plan, troubles);
   if (made.simulated_wind) {
-    headline += " Driven by a simulated forecast of the wind: none published by " +
+    headline += " Driven by a simulated wind forecast: no wind forecast published by " +
                 format_utc(plan.issued) + " is stored.";
   } else if (made.hindsight) {
     headline += " Made in hindsight: wind or waves were used that were not known at " +

@@ -107,8 +107,7 @@ std::string bias_text(const Means& means, double sigma_m_s) {
   const double found = std::abs(means.difference);
   if (found <= usual) return {};
   return formatted(
-      "it differs from the product by {:.2f} m/s on average over {}, where {:.2f} m/s is the most "
-      "that water and products explain",
+      "it differs from the product by {:.2f} m/s on average over {}; expected at most {:.2f} m/s",
       found, span_text(means.hours), usual);
 }
 
@@ -120,18 +119,18 @@ std::string bias_of(const std::vector<Moment>& moments, double step, double sigm
 }
 
 std::string text_of(const TideAgreement& found) {
-  const std::string turn = std::abs(found.turned_deg) > 150
-                               ? formatted("runs against the product's (turned by {:.0f} degrees)",
-                                           std::abs(found.turned_deg))
-                               : formatted("is turned by {:.0f} degrees {} against the product's",
-                                           std::abs(found.turned_deg),
-                                           found.turned_deg > 0 ? "clockwise" : "anticlockwise");
+  const std::string turn =
+      std::abs(found.turned_deg) > 150
+          ? formatted("runs opposite to the product's (turned by {:.0f} degrees)",
+                      std::abs(found.turned_deg))
+          : formatted("is turned {:.0f} degrees {} of the product's", std::abs(found.turned_deg),
+                      found.turned_deg > 0 ? "clockwise" : "anticlockwise");
   const std::string lag =
       formatted("{:.1f} h {}", std::abs(found.late_h), found.late_h > 0 ? "late" : "early");
   if (found.is_turned && !found.is_late)
     return "its tide " + turn + ": check its sign, heading and declination";
   if (found.is_late && !found.is_turned)
-    return "its tide is " + lag + " against the product's: check its clock and time zone";
+    return "its tide is " + lag + " compared with the product's: check its clock and time zone";
   return "its tide " + turn + ", or is " + lag + ": check its clock, sign and declination";
 }
 
@@ -155,14 +154,14 @@ void remark_on(const UnbrokenSeries& unbroken, double silent_h, InstrumentVerdic
                               (unbroken.spikes == 1 ? " spike" : " spikes") + " left out");
   if (unbroken.stuck_h > 0)
     verdict.remarks.push_back(span_text(unbroken.stuck_h) +
-                              " of a value that never changed left out");
+                              " left out because the value never changed");
   const std::vector<double>& noise = verdict.errors.noise_m_s;
   const double loudest = *std::max_element(noise.begin(), noise.end());
   if (loudest >= noise_worth_saying_m_s)
     verdict.remarks.push_back(
-        formatted("its values scatter by {:.2f} m/s and count for less", loudest));
+        formatted("its values scatter by {:.2f} m/s, so they get less weight", loudest));
   if (verdict.errors.lasting_m_s >= noise_worth_saying_m_s)
-    verdict.remarks.push_back(formatted("it states an error of {:.2f} m/s and counts for less",
+    verdict.remarks.push_back(formatted("it states an error of {:.2f} m/s, so it gets less weight",
                                         verdict.errors.lasting_m_s));
   if (silent_h > least_silence_worth_saying_h)
     verdict.remarks.push_back("its last good value is " + span_text(silent_h) +
@@ -187,12 +186,12 @@ InstrumentVerdict check_instrument(const VectorColumn& product, const VectorColu
   const auto sent = last_value(observed);
   const auto good = last_value(verdict.column);
   if (!sent || product.time.empty())
-    return give_up(InstrumentUse::apart, "it has no value beside the product");
+    return give_up(InstrumentUse::apart, "it has no value to compare with the product");
   const bool sends_rubbish = unbroken.stuck_h > 0 && (!good || unbroken.stuck_until > *good) &&
                              hours_between(*sent, until) <= least_silence_worth_saying_h;
   verdict.is_stuck_at_the_end = sends_rubbish;
   if (!good)
-    return give_up(InstrumentUse::rejected, "its value never changes, and the product's does");
+    return give_up(InstrumentUse::rejected, "its value never changes, but the product's does");
   const double silent_h = hours_between(*good, until);
   if (silent_h > -std::log(forgotten_share) * settings.slow_memory_h) {
     if (sends_rubbish)

@@ -15,8 +15,8 @@ constexpr double member_share = 0.3;      ///< of a direction of length one
 
 std::string bound_warning(const Parameter& p, bool is_lower) {
   return formatted(
-      "{} ended on its {} bound of {:g} {}: the day asks for what the steady model cannot give",
-      p.name, is_lower ? "lower" : "upper", is_lower ? p.lower : p.upper, p.unit);
+      "{} ended at its {} bound of {:g} {}: the steady model does not fit this day well", p.name,
+      is_lower ? "lower" : "upper", is_lower ? p.lower : p.upper, p.unit);
 }
 
 /// "a", "a and b", "a, b and c".
@@ -30,9 +30,9 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 std::string little_said_of(const std::vector<std::string>& names) {
-  return "the day says little about " + listed(names) +
-         (names.size() == 1 ? ": its value is mostly the prior's"
-                            : ": their values are mostly the priors'");
+  return "the data of the day tell little about " + listed(names) +
+         (names.size() == 1 ? ": its value is mostly the one assumed beforehand"
+                            : ": their values are mostly those assumed beforehand");
 }
 
 /// The parameters that share a direction.
@@ -90,7 +90,7 @@ std::vector<std::string> judge_determination(const std::vector<double>& estimate
     if (names.size() == 1) {
       unsaid.push_back(names.front());
     } else {
-      together.push_back(listed(names) + " can only be told together: the day fits as well with " +
+      together.push_back(listed(names) + " cannot be told apart: the day fits as well with " +
                          "one a little off when the " +
                          (names.size() == 2 ? "other makes" : "others make") + " up for it");
     }

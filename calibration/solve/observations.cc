@@ -44,7 +44,7 @@ std::vector<std::optional<Horizontal>> stress_of_times(const CalibrationInput& i
   }
   StressSeries series = input.wind ? StressSeries(*input.wind, input.drag_law) : StressSeries();
   if (series.empty()) {
-    found.warnings.emplace_back("no wind for this day: the wind-driven term is dropped");
+    found.warnings.emplace_back("no wind for this day: the wind-driven current is left out");
     return stress;
   }
   std::size_t missing = 0;
@@ -54,7 +54,7 @@ std::vector<std::optional<Horizontal>> stress_of_times(const CalibrationInput& i
   }
   if (missing == stress.size()) {
     found.warnings.emplace_back(
-        "the wind does not reach any time of this day: the wind-driven term is dropped");
+        "the wind has no value at any time of this day: the wind-driven current is left out");
     std::fill(stress.begin(), stress.end(), Horizontal{});
     return stress;
   }

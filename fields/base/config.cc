@@ -128,7 +128,7 @@ struct Config::Node {
       const std::string key = entry.first.Scalar();
       if (entries.contains(key)) {
         throw Error(ErrorKind::invalid_input,
-                    where(entry.first) + "key '" + key + "' stands twice; keep one");
+                    where(entry.first) + "key '" + key + "' is there twice; keep one");
       }
       entries.emplace(key, entry.second);
       order.push_back(key);
@@ -176,7 +176,7 @@ struct Config::Node {
       const auto meant = node.IsScalar() ? with_decimal_point(node.Scalar()) : std::nullopt;
       refuse(key, node,
              "found " + shape(node) + " where a number was expected" +
-                 (meant ? "; decimals stand after a point: write " + *meant : ""));
+                 (meant ? "; use a decimal point: write " + *meant : ""));
     }
     if (!(value >= range.low && value <= range.high)) {
       refuse(key, node,

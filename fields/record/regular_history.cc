@@ -58,7 +58,7 @@ Duration usual_step(const std::vector<UtcTime>& time) {
 OwnSteps own_steps_of(const HistorySeries& series) {
   if (series.time.size() < 2)
     refuse(name_of(series) + ": found " + (series.time.empty() ? "no time" : "one time") +
-           ", expected two or more: a step cannot be told");
+           ", expected two or more, to know the step");
   OwnSteps own;
   own.first = series.time.front();
   own.step = usual_step(series.time);

@@ -153,8 +153,8 @@ SiteData site_data_of(const Site& site, SitePieces all) {
   if (!data.has_currents() && on_land) {
     throw Error(ErrorKind::not_found,
                 "site " + site.id + " at " + position_text(site.point) +
-                    " is on land in the stored current product; move the site into the water or "
-                    "ingest a product that is wet there");
+                    " is on land in the stored current product; move the site into the water, or "
+                    "ingest a product that has water there");
   }
   if (!data.has_currents() && !pieces.current.empty() && !site.column_block) {
     const BoundingBox box = coverage_of(pieces.current.front().east.grid);

@@ -46,7 +46,7 @@ std::string text_of(const SourceUse& use) {
   text += ", " + format_utc(use.from) + " to " + format_utc(use.to) + ": " + use.why;
   if (use.revised_times > 0)
     text += formatted("; {} of its times came more than once", use.revised_times);
-  if (use.may_be_revised) text += "; what stood there at the issue time is not known";
+  if (use.may_be_revised) text += "; the values stored at the issue time are not known";
   return text;
 }
 

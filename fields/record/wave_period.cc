@@ -33,7 +33,7 @@ WavePeriod wave_period_at(const SitePieces& pieces, const GeoPoint& point, bool 
     ScalarRecord record = record_at(other.pieces, point);
     if (record.pieces.empty()) continue;
     found.peak_period = converted(std::move(record), other.to_peak_period);
-    found.note = "no peak period of the waves is stored: it is taken for " +
+    found.note = "no peak period of the waves is stored: it is computed as " +
                  formatted("{:.2f}", other.to_peak_period(1)) + " times the " + other.name +
                  ", as in a JONSWAP sea of gamma 3.3";
     return found;

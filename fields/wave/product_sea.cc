@@ -89,16 +89,16 @@ void rescale_to_total(ServedSea& served, double total_m) {
   const double sum_m = served.sea.significant_height_m();
   if (std::abs(sum_m - total_m) > 0.02 * total_m) {
     served.warnings.push_back(formatted(
-        "wave partitions of together {:.3g} m rescaled to the total of {:.3g} m", sum_m, total_m));
+        "wave partitions, {:.3g} m together, scaled to the total of {:.3g} m", sum_m, total_m));
   }
   if (total_m <= sum_m) {
     scale_heights(served.sea, total_m / sum_m);
   } else if (!raise_within_limits(served.sea, total_m)) {
     scale_heights(served.sea, total_m / served.sea.significant_height_m());
-    served.warnings.push_back(formatted(
-        "the total sea of Hs {:.3g} m is steeper than its partitions can carry; served as "
-        "the product gives it",
-        total_m));
+    served.warnings.push_back(
+        formatted("the total sea of Hs {:.3g} m is steeper than its partitions allow; it is used "
+                  "as the product gives it",
+                  total_m));
   }
 }
 
@@ -111,7 +111,7 @@ ServedSea product_sea(double total_height_m, std::span<const WavePartition> part
     rescale_to_total(served, total_height_m);
   } else if (sum_m <= 0 && total_height_m > 0) {
     served.warnings.push_back(formatted(
-        "a total sea of Hs {:.3g} m without any usable partition: no waves can be made of it",
+        "a total sea of Hs {:.3g} m has no usable partition: no waves can be made from it",
         total_height_m));
   }
   const double total_m = served.sea.significant_height_m();

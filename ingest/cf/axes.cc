@@ -265,7 +265,7 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
     if (!assumed) {
       refuse(data, std::string("has no ") + (air ? "height" : "depth") +
                        ", neither an axis nor a scalar coordinate, and product '" + product.id +
-                       "' does not settle it; expected metres below the surface; download it with "
+                       "' does not give it; expected metres below the surface; download it with "
                        "its depth" +
                        say_so);
     }
@@ -322,8 +322,7 @@ std::vector<double> coordinate_values(const netcdf::File& file, const netcdf::Va
     const auto found = product.attribute(coordinate, "units");
     if (!found) {
       refuse(coordinate, "has no units, and product '" + product.id +
-                             "' does not settle them; expected '" + std::string(unit) + "'" +
-                             say_so);
+                             "' does not give them; expected '" + std::string(unit) + "'" + say_so);
     }
     const std::string what = "axis '" + coordinate.name + "'";
     const bool geographic =

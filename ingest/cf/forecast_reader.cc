@@ -94,7 +94,7 @@ class ForecastReader {
     std::uint64_t value = 0;
     const char* const end = found->data() + found->size();
     const auto [stop, problem] = std::from_chars(found->data(), end, value);
-    if (problem != std::errc{} || stop != end) refuse("a seed that is no number: " + *found);
+    if (problem != std::errc{} || stop != end) refuse("a seed that is not a number: " + *found);
     return value;
   }
   WindPolicy wind_policy() const {

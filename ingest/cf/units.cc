@@ -117,7 +117,7 @@ UnitConversion unit_conversion(std::string_view found, std::string_view canonica
   ut_system* system = unit_system();
   const Unit from(ut_parse(system, meaning.c_str(), UT_UTF8));
   const Unit to(ut_parse(system, target.c_str(), UT_UTF8));
-  if (from == nullptr) refuse(found, canonical, what, "no unit that UDUNITS knows");
+  if (from == nullptr) refuse(found, canonical, what, "UDUNITS does not know this unit");
   if (to == nullptr) refuse(found, canonical, what, "the canonical unit is unknown");
   const Unit one(ut_get_dimensionless_unit_one(system));
   const bool number_for_angle =

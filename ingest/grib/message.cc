@@ -21,7 +21,7 @@ void keep_quiet(const codes_context*, int, const char*) {}
 /// ecCodes ends the process where a damaged message breaks an assumption of its own; this throws
 /// instead, through its frames (they carry unwind tables), and what it was building is not freed.
 [[noreturn]] void refuse_assertion(const char* message) {
-  throw Error(ErrorKind::invalid_input, std::string("ecCodes holds it for impossible (") + message +
+  throw Error(ErrorKind::invalid_input, std::string("ecCodes says it is impossible (") + message +
                                             "); the file is damaged: download it again");
 }
 
@@ -50,9 +50,8 @@ Message::Message(std::vector<std::byte> bytes, std::string name)
   handle_ = with_context(
       name_, [&] { return codes_handle_new_from_message(nullptr, bytes_.data(), bytes_.size()); });
   if (handle_ == nullptr) {
-    throw Error(
-        ErrorKind::invalid_input,
-        name_ + ": ecCodes cannot make sense of it; the file is damaged: download it again");
+    throw Error(ErrorKind::invalid_input,
+                name_ + ": ecCodes cannot read it; the file is damaged: download it again");
   }
 }
 

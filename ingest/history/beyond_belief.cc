@@ -32,7 +32,7 @@ std::string reject_beyond_belief(HistorySeries& series, const Vocabulary& vocabu
   }
   if (rejected == 0) return {};
   const std::string found = formatted(
-      "{} of {} values of '{}' are beyond belief for {} in {}, {:g} at {} the first", rejected,
+      "{} of {} values of '{}' are impossible for {} in {}, the first is {:g} at {}", rejected,
       values, series.name, series.standard_name, series.unit, example, format_utc(when));
   if (10 * rejected > values)
     throw Error(ErrorKind::invalid_input,

@@ -18,7 +18,7 @@ void warn_of_stamps_before_deployment(const netcdf::File& file, const SeriesTime
     if (!deployed || times.cells.front().start > *deployed - std::chrono::hours(24)) continue;
     warnings.push_back("stamps begin " + format_utc(times.cells.front().start) +
                        ", before the deployment of " + format_utc(*deployed) + " (" + attribute +
-                       "): kept as they stand; trust differences of times only");
+                       "): kept as they are; only differences between times are certain");
     return;
   }
 }

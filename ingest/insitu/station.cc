@@ -208,7 +208,7 @@ GeoPoint position_of(const netcdf::File& file, const StationAxes& axes, std::siz
                                               " m at most), not a ship or a drifter");
   }
   if (farthest_m > worth_telling_m) {
-    warnings.push_back("the platform strays up to " + told + ", which stands for it");
+    warnings.push_back("the platform moves up to " + told + ", which is used for it");
   }
   return middle;
 }

@@ -165,7 +165,7 @@ TEST_F(BedAtEveryDoor, ASiteShallowerThanTheProductEndsAtItsOwnBed) {
   issue(8);
   for (const double depth_m : {0.0, 5.0, 7.5}) expect_one_answer(depth_m, "ok");
   for (const double depth_m : {9.0, 10.0, 20.0, 30.0}) expect_one_answer(depth_m, "below_bed");
-  EXPECT_NE(notes_.find("the site says 8 m of water, the currents reach 30 m there"),
+  EXPECT_NE(notes_.find("the site gives 8 m of water, but the currents go down to 30 m"),
             std::string::npos)
       << notes_;
 }
@@ -175,7 +175,7 @@ TEST_F(BedAtEveryDoor, ASiteDeeperThanTheProductCarriesItsDeepestValueAndSaysSo)
   for (const double depth_m : {20.0, 30.0, 35.0}) expect_one_answer(depth_m, "ok");
   for (const double depth_m : {37.0, 50.0, 60.0}) expect_one_answer(depth_m, "carried");
   expect_one_answer(61, "below_bed");
-  EXPECT_NE(notes_.find("the site says 60 m of water, the currents end at 30 m there"),
+  EXPECT_NE(notes_.find("the site gives 60 m of water, but the currents end at 30 m"),
             std::string::npos)
       << notes_;
 }

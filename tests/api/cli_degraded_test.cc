@@ -79,7 +79,7 @@ TEST_F(Degraded, NoWindDropsTheWindDrivenPartAndSaysSo) {
 TEST_F(Degraded, NoWindForecastIsNamed) {
   ingest_currents(2);
   ingest_wind_and_waves(2);
-  expect_degraded(forecast("2025-03-08T05:00:00Z"), {"ind is persisted"});
+  expect_degraded(forecast("2025-03-08T05:00:00Z"), {"he last known wind is used"});
 }
 
 /// The wind product with all of it times a factor.
@@ -117,7 +117,7 @@ TEST_F(Degraded, WavesOfTheWindAreToldInTableProfileAndFile) {
   const ProgramResult table =
       store_.run({"forecast", "--site", store_.site(), "--at", "2025-03-08T05:00:00Z"});
   ASSERT_EQ(table.exit_code, 0) << table.err;
-  EXPECT_TRUE(contains(table.out, "o wave product is stored, the waves are computed from the wind"))
+  EXPECT_TRUE(contains(table.out, "o wave product is stored: the waves are computed from the wind"))
       << table.out;
   EXPECT_TRUE(contains(table.out, "Waves: computed from the wind.")) << table.out;
   EXPECT_TRUE(contains(table.out, "  computed from the wind\n"))

@@ -63,7 +63,7 @@ TEST_F(InspectionCommand, TellsWhatWasCoveredOverTheFuturesAndInOneRun) {
   EXPECT_EQ(start.at("done"), 3) << start.dump(1);
   const std::string page = read_bytes(path("page.html"));
   EXPECT_NE(page.find("m2 covered (P10"), std::string::npos);
-  EXPECT_NE(page.find("What is covered, whatever comes"), std::string::npos);
+  EXPECT_NE(page.find("What is covered, over all futures"), std::string::npos);
   EXPECT_NE(page.find("Covered against current or wind"), std::string::npos);
 
   const ProgramResult one = made_.run({"simulate", path("laid_out.yaml"), "--out", path("one.nc"),
@@ -99,7 +99,7 @@ TEST_F(InspectionCommand, WhatIsLeftIsFlownAgain) {
   const ProgramResult first = made_.run({"simulate", path("laid_out.yaml"), "--out",
                                          path("first.nc"), "--resurvey", path("again.yaml")});
   ASSERT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_NE(first.out.find("places once more"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("another look from "), std::string::npos) << first.out;
   const ProgramResult again =
       made_.run({"simulate", path("again.yaml"), "--out", path("again.nc")});
   ASSERT_EQ(again.exit_code, 0) << again.err << read_bytes(path("again.yaml"));

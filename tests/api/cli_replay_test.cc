@@ -96,7 +96,7 @@ TEST(Replay, InHindsightOnlyWhereThatIsAskedForAndThenMarkedOnEveryDoor) {
   StoreForTests store;
   store.ingest_days(first, 8);
   const json honest = forecast(store, at);
-  EXPECT_TRUE(contains(honest.at("headline").get<std::string>(), "ind is persisted"))
+  EXPECT_TRUE(contains(honest.at("headline").get<std::string>(), "he last known wind is used"))
       << honest.at("headline");
   const json made = forecast(store, at, {"--hindsight"});
   EXPECT_EQ(made.at("hindsight"), true);
@@ -145,10 +145,10 @@ TEST(Replay, OfAHindcastWithASimulatedWindTheSkillAndEveryDoorSaySo) {
   const ProgramResult text = store.run(simulated);
   ASSERT_EQ(text.exit_code, 0) << text.err;
   EXPECT_TRUE(contains(text.out, "Wind forecast (simulated)")) << text.out;
-  EXPECT_TRUE(contains(text.out, "simulated forecasts of the wind")) << text.out;
+  EXPECT_TRUE(contains(text.out, "simulated wind forecasts")) << text.out;
   const ProgramResult profile =
       store.run({"profile", "--site", store.site(), "--time", "2025-03-09T14:00:00Z"});
-  EXPECT_TRUE(contains(profile.out, "simulated forecast of the wind")) << profile.out;
+  EXPECT_TRUE(contains(profile.out, "simulated wind forecast")) << profile.out;
   simulated.emplace_back("--json");
   const json entries = json::parse(store.run(simulated).out);
   ASSERT_FALSE(entries.empty());
@@ -166,7 +166,7 @@ TEST(Replay, OfAHindcastWithASimulatedWindTheSkillAndEveryDoorSaySo) {
   const json listing = json::parse(store.listing());
   ASSERT_FALSE(listing.at("forecasts").empty());
   for (const json& row : listing.at("forecasts")) {
-    EXPECT_EQ(contains(row.at("headline").get<std::string>(), "simulated forecast of the wind"),
+    EXPECT_EQ(contains(row.at("headline").get<std::string>(), "simulated wind forecast"),
               row.at("wind") == "forecast")
         << row;
   }
@@ -187,7 +187,7 @@ TEST(Replay, AProductThatRunsOnAndHadComeInIsUsedAsItWasThen) {
   EXPECT_EQ(made.at("degraded"), false) << made.at("headline");
   EXPECT_EQ(made.at("hindsight"), false);
   const json earlier = forecast(store, "2025-03-08T04:00:00Z");
-  EXPECT_TRUE(contains(earlier.at("headline").get<std::string>(), "ind is persisted"))
+  EXPECT_TRUE(contains(earlier.at("headline").get<std::string>(), "he last known wind is used"))
       << earlier.at("headline");
 }
 

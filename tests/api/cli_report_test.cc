@@ -189,7 +189,7 @@ TEST_F(ReportCommand, RefusesWhatItCannotAnswerAndWritesNothing) {
   const auto before = made_->digests();
   const std::string html = path("refused.html");
   refuse({"--task", "no_such_task", "--html", html}, 4, {"no_such_task"});
-  refuse({"--task", "scour_survey"}, 2, {"--html", "question of your own"});
+  refuse({"--task", "scour_survey"}, 2, {"--html", "this page needs its own file"});
   refuse({"--task", "scour_survey", "--task", "scour_survey", "--html", html}, 2, {"twice"});
   refuse({"--task", "scour_survey", "--turbine", "T1", "--turbine", "T1", "--html", html}, 2,
          {"T1 twice"});

@@ -131,7 +131,7 @@ TEST_F(WhichValueCounts, AnotherProductStandsInDegradedAndIsHeldAgainstTheLeadin
   const auto headline = made["headline"].get<std::string>();
   EXPECT_NE(headline.find(std::string("leading product ") + regional), std::string::npos)
       << headline;
-  EXPECT_NE(headline.find(std::string(global) + " stands in"), std::string::npos) << headline;
+  EXPECT_NE(headline.find(std::string(global) + " is used instead"), std::string::npos) << headline;
   EXPECT_NE(made["stands_in_for"], "");
   // The leading product comes back: its days are the truth, and the stand-in is seen to be wrong.
   ingest(store, {"regional2.nc", titled(current_product(day + days(1), 25), regional)});

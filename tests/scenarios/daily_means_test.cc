@@ -131,7 +131,7 @@ TEST(DailyMeans, WithoutOneTheBandIsBlindAndTheHeadlineSaysSo) {
   EXPECT_FALSE(issued.snapshot.averaged->unresolved_tide_m_s);
   EXPECT_TRUE(issued.snapshot.degraded);
   EXPECT_NE(issued.snapshot.headline.find(
-                "daily means: the tide is not in them and nothing here says how large it is"),
+                "daily means: they do not hold the tide, and its size is not known"),
             std::string::npos)
       << issued.snapshot.headline;
   EXPECT_LT(issued.inside, 0.7) << "or the sea was no tidal one, and this test shows nothing";

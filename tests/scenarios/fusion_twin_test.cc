@@ -319,9 +319,9 @@ TEST(FusionTwin, AProfilerThatLiesIsLeftOutAndNamed) {
   late.late_h = 3;
   const double alone = issue(3, {}).rmse_m_s;
   for (const auto& [liar, why] : {std::pair{biased, "it differs from the product by 1.0"},
-                                  std::pair{reversed, "its tide runs against the product's"},
-                                  std::pair{turned, "degrees anticlockwise against the product's"},
-                                  std::pair{late, "3.0 h late against the product's"}}) {
+                                  std::pair{reversed, "its tide runs opposite to the product's"},
+                                  std::pair{turned, "degrees anticlockwise of the product's"},
+                                  std::pair{late, "3.0 h late compared with the product's"}}) {
     const Issued issued = issue(3, {liar});
     const Snapshot& snapshot = issued.forecast.snapshot;
     EXPECT_TRUE(snapshot.degraded);
@@ -380,7 +380,7 @@ TEST(FusionTwin, AStandardErrorInTheFileWeakensTheProfiler) {
   Profiler doubtful;
   doubtful.standard_error_m_s = 0.3;
   const Issued issued = issue(1, {doubtful});
-  EXPECT_NE(issued.summary_json.find("it states an error of 0.30 m/s and counts for less"),
+  EXPECT_NE(issued.summary_json.find("it states an error of 0.30 m/s, so it gets less weight"),
             std::string::npos);
   const double plain = issue(1, {Profiler{}}).rmse_m_s;
   const double alone = issue(1, {}).rmse_m_s;

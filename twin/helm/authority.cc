@@ -9,7 +9,7 @@ namespace {
 constexpr double soon_s = 1e-6;  // what rounding leaves of a number of steps
 
 std::string held_by(std::string_view name, const std::string& holder) {
-  return formatted("{} is held by {}, and one client alone commands it", name, holder);
+  return formatted("{} is held by {}; only one client can command a vehicle", name, holder);
 }
 
 }  // namespace
@@ -23,11 +23,10 @@ std::optional<std::string> Authority::ask(std::string_view client, std::size_t v
   Held& held = held_.at(vehicle);
   const bool has_leave = held.leave_until_s >= now_s;
   if (!held.client.empty() && held.client != client && !has_leave)
-    return held_by(name, held.client) +
-           formatted(
-               "; wait until it gives it back, or until it lets others take over, and ask "
-               "within {:g} s of that",
-               take_over_s);
+    return held_by(name, held.client) + formatted(
+                                            "; wait until that client gives it back, or ask within "
+                                            "{:g} s after it allows a take-over",
+                                            take_over_s);
   held = {std::string(client), Keeping::asked, now_s, -1};
   return std::nullopt;
 }
@@ -37,7 +36,7 @@ std::optional<std::string> Authority::refusal(std::string_view client, std::size
   expects(!client.empty(), "a client has a name");
   const Held& held = held_.at(vehicle);
   if (held.client.empty() || held.client == client || is_over(held, now_s)) return std::nullopt;
-  return held_by(name, held.client) + "; ask for it once that one has given it back";
+  return held_by(name, held.client) + "; ask for it when that client has given it back";
 }
 
 void Authority::note_command(std::string_view client, std::size_t vehicle, Keeping keeping,
@@ -59,7 +58,7 @@ std::optional<std::string> Authority::release(std::string_view client, std::size
     return std::nullopt;
   }
   if (held.client.empty()) return formatted("nobody holds {}; there is nothing to give back", name);
-  return held_by(name, held.client) + "; it gives it back itself";
+  return held_by(name, held.client) + "; only that client can give it back";
 }
 
 std::optional<std::string> Authority::allow_take_over(std::string_view client, std::size_t vehicle,
@@ -70,8 +69,8 @@ std::optional<std::string> Authority::allow_take_over(std::string_view client, s
     held.leave_until_s = now_s + take_over_s;
     return std::nullopt;
   }
-  if (held.client.empty()) return formatted("nobody holds {}; whoever asks has it", name);
-  return held_by(name, held.client) + "; it alone lets others take over";
+  if (held.client.empty()) return formatted("nobody holds {}; ask for it to get it", name);
+  return held_by(name, held.client) + "; only that client can allow a take-over";
 }
 
 std::vector<std::size_t> Authority::lost(std::string_view client, double now_s) {

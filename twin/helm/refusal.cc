@@ -44,25 +44,25 @@ Answer each_number(const CommandWhat& what, const Look& look) {
 Answer look_at_numbers(const CommandWhat& what) {
   return each_number(what, [](const std::string& name, double value) -> Answer {
     if (std::isfinite(value)) return std::nullopt;
-    return no(RefusalReason::not_finite, formatted("{}: found {}, expected a number; send one that "
-                                                   "is finite",
-                                                   name, value));
+    return no(RefusalReason::not_finite,
+              formatted("{}: found {}, expected a finite number", name, value));
   });
 }
 
 Answer look_at_standing(const Command& command, const Agent& agent, const Standing& standing) {
   if (standing.halt != Halt::none)
     return no(RefusalReason::vehicle_halted,
-              formatted("{} goes no further: {} at {:g} s of the run; command another vehicle",
+              formatted("{} has stopped: {} at {:g} s of the run; command another vehicle",
                         agent.name, name_of(standing.halt), standing.halted_at_s));
   if (standing.is_aboard)
     return no(RefusalReason::vehicle_not_free,
               formatted("{} is aboard; wait until its mission launches it", agent.name));
   if (standing.must_come_home && leads_elsewhere(command.what))
-    return no(RefusalReason::vehicle_not_free,
-              formatted("{} comes home by its reserve: found {:.4g} J left, and the way home takes "
-                        "{:.4g} J besides margin and reserve; wait until it is nearer to home",
-                        agent.name, standing.energy_left_j, standing.energy_home_j));
+    return no(
+        RefusalReason::vehicle_not_free,
+        formatted("{} must come home to keep its reserve: found {:.4g} J left, and the way home "
+                  "takes {:.4g} J besides margin and reserve; wait until it is nearer to home",
+                  agent.name, standing.energy_left_j, standing.energy_home_j));
   return std::nullopt;
 }
 
@@ -70,10 +70,9 @@ Answer look_at_age(const Command& command, const Agent& agent,
                    std::optional<std::uint64_t> last_sequence, double now_s,
                    const RefusalLimits& limits) {
   if (last_sequence && command.sequence <= *last_sequence)
-    return no(RefusalReason::stale,
-              formatted("found sequence {}, expected one above {}, which {} had last from this "
-                        "source; count on",
-                        command.sequence, *last_sequence, agent.name));
+    return no(RefusalReason::stale, formatted("found sequence {}, expected more than {}, the last "
+                                              "that {} had from this source; count upwards",
+                                              command.sequence, *last_sequence, agent.name));
   constexpr std::uint64_t most_sequence = 9007199254740992;  // 2^53: what a log holds exactly
   if (command.sequence > most_sequence)
     return no(RefusalReason::out_of_range,
@@ -83,8 +82,8 @@ Answer look_at_age(const Command& command, const Agent& agent,
                           std::holds_alternative<SetThrusters>(command.what);
   if (!is_renewed || std::abs(now_s - command.received_s) <= limits.oldest_s) return std::nullopt;
   return no(RefusalReason::stale,
-            formatted("came in at {:g} s of the run, and it is {:g} s: velocity and thrusters are "
-                      "taken within {:g} s; send a new one",
+            formatted("came in at {:g} s of the run, and now it is {:g} s: velocity and thrusters "
+                      "are valid for {:g} s; send a new one",
                       command.received_s, now_s, limits.oldest_s));
 }
 
@@ -108,10 +107,9 @@ Answer look_at_velocity(const SetVelocity& set, const Agent& agent) {
   const auto within = [&](const char* name, double value, double low, double high,
                           const char* unit) -> Answer {
     if (value >= rounding * low && value <= rounding * high) return std::nullopt;
-    return no(
-        RefusalReason::out_of_range,
-        formatted("{}: found {:g} {}, expected {:g} to {:g} {}: a {} can be asked for no more",
-                  name, value, unit, low, high, unit, agent.vehicle->name));
+    return no(RefusalReason::out_of_range,
+              formatted("{}: found {:g} {}, expected {:g} to {:g} {}, the limits of a {}", name,
+                        value, unit, low, high, unit, agent.vehicle->name));
   };
   if (Answer answer =
           within("surge", v.surge_m_s, range.least_ahead_m_s, range.most_ahead_m_s, "m/s ahead"))
@@ -174,14 +172,16 @@ class PlaceLooker {
                             "scenario; move it nearer",
                             name, value, farthest_from_origin_m));
     if (flies_ && at_m.z > 0)
-      return refuse(name, at_m, "is below the sea, and this one flies; give a height above it");
-    if (!flies_ && !floats_ && at_m.z < 0)
-      return refuse(name, at_m, "is above the sea, and this one swims; give a depth below it");
-    if (vehicle.rated_depth_m && at_m.z > *vehicle.rated_depth_m)
       return refuse(name, at_m,
-                    formatted("is deeper than the {:g} m that a {} is rated for; stay "
-                              "above that",
-                              *vehicle.rated_depth_m, vehicle.name));
+                    "is below the sea surface, but this vehicle flies; give a height above it");
+    if (!flies_ && !floats_ && at_m.z < 0)
+      return refuse(name, at_m,
+                    "is above the sea surface, but this vehicle swims; give a depth below it");
+    if (vehicle.rated_depth_m && at_m.z > *vehicle.rated_depth_m)
+      return refuse(
+          name, at_m,
+          formatted("is deeper than the {:g} m that a {} is rated for; give a smaller depth",
+                    *vehicle.rated_depth_m, vehicle.name));
     const auto& structures = agent_.water->environment().structures;
     for (std::size_t i = 0; i < structures.size(); ++i)
       if (signed_distance_m(structures[i], met(at_m)) < -touch_m)

@@ -91,11 +91,10 @@ std::optional<Refusal> Steward::refusal_to(std::string_view client, std::size_t 
     return Refusal{RefusalReason::unauthorised, std::move(*held)};
   const Taken& taken = taken_[vehicle];
   if (taken.opening == openings_ && taken.at_once >= limits_.most_at_once)
-    return Refusal{
-        RefusalReason::too_many,
-        formatted("found {} commands of {} that wait for its next step, expected at most "
-                  "as many; send the next when the run goes on",
-                  taken.at_once, name)};
+    return Refusal{RefusalReason::too_many,
+                   formatted("found {} commands for {} that wait for its next step, the most that "
+                             "may wait; send the next one after that step",
+                             taken.at_once, name)};
   return std::nullopt;
 }
 
@@ -139,10 +138,9 @@ std::optional<Refusal> Steward::look_at_name(const std::string& name) const {
                    formatted("name: {} is taken; give the vehicle another one", name)};
   const std::size_t most = run_.most_vehicles();
   if (agents_.size() + coming_.size() >= most)
-    return Refusal{RefusalReason::too_many,
-                   formatted("found {} vehicles, and this run has room for no more; begin another "
-                             "one",
-                             most)};
+    return Refusal{
+        RefusalReason::too_many,
+        formatted("found {} vehicles, the most that this run can hold; begin another run", most)};
   return std::nullopt;
 }
 

@@ -19,7 +19,8 @@ InspectionLine read_line(const Config& config, const std::vector<SurfaceKind>& t
   for (const std::string& word : config.texts("kinds")) {
     const SurfaceKind kind = surface_kind_of(word, config, "kinds");
     if (std::find(there.begin(), there.end(), kind) == there.end())
-      config.refuse("kinds", "found " + word + ", and no surface is one; add it to surfaces");
+      config.refuse("kinds",
+                    "found " + word + ", but no surface has that name; add it to surfaces");
     line.kinds.push_back(kind);
   }
   if (line.kinds.empty()) config.refuse("kinds", "missing; say which surfaces it inspects");

@@ -157,8 +157,8 @@ std::vector<Limit> read_limits(const Config& config) {
         continue;
       const double most = a.is_least ? b.bound : a.bound, least = a.is_least ? a.bound : b.bound;
       if (least > most)
-        config.refuse("limits", formatted("{} has to be at least {:g} and at most {:g} {} at once; "
-                                          "no sea or weather is that",
+        config.refuse("limits", formatted("{} has to be at least {:g} and at most {:g} {} at the "
+                                          "same time, which is impossible; correct one of them",
                                           word_of(a.variable).meaning, least, most,
                                           word_of(a.variable).unit));
     }
@@ -196,7 +196,7 @@ Assumption parse_assumption(const std::string& text) {
     throw Error(ErrorKind::invalid_input,
                 found +
                     formatted(", expected a number from {:g} to {:g} {}", low, high, word->unit) +
-                    (meant ? "; decimals stand after a point: write " + *meant : ""));
+                    (meant ? "; use a decimal point: write " + *meant : ""));
   }
   return {word->variable, value};
 }

@@ -63,7 +63,7 @@ std::string read_kind(const Config& node) {
 double read_limit_s(const Config& timeout) {
   const auto seconds = timeout.optional_number("after_s", {0.001, longest_s});
   const auto text = timeout.optional_text("after");
-  if (seconds && text) timeout.refuse("after_s", "found beside after; give the one or the other");
+  if (seconds && text) timeout.refuse("after_s", "found beside after; give one of the two");
   if (!seconds && !text) timeout.refuse("after", "missing; give it as 10min, or after_s");
   if (seconds) return *seconds;
   double limit_s = 0;
@@ -73,7 +73,7 @@ double read_limit_s(const Config& timeout) {
     timeout.refuse("after", problem.message());
   }
   if (!(limit_s > 0 && limit_s <= longest_s))
-    timeout.refuse("after", "found " + *text + ", expected more than no time and at most 30d");
+    timeout.refuse("after", "found " + *text + ", expected more than 0 and at most 30d");
   return limit_s;
 }
 
@@ -171,9 +171,10 @@ class Reader {
       refuse_word(config, key, name, tree_names_, "tree");
     if (const auto above = std::find(under_way_.begin(), under_way_.end(), name);
         above != under_way_.end())
-      config.refuse(key, formatted("found '{}', which leads back to itself: {} > {}; a tree cannot "
-                                   "stand in itself",
-                                   name, joined(std::span(above, under_way_.end()), " > "), name));
+      config.refuse(
+          key,
+          formatted("found '{}', which leads back to itself: {} > {}; a tree cannot contain itself",
+                    name, joined(std::span(above, under_way_.end()), " > "), name));
     under_way_.push_back(name);
     const Config node = trees_->child(name);
     BehaviourTree tree = read(node, level);

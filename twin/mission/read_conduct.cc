@@ -26,7 +26,8 @@ void read_pilot(const Config& config, Conduct& conduct) {
   const auto pilot = config.optional_child("pilot");
   if (!pilot) return;
   if (conduct.autonomy == Autonomy::automatic)
-    config.refuse("pilot", "found beside autonomy: auto, which has none; say shared or teleop");
+    config.refuse("pilot",
+                  "found beside autonomy: auto, which has no pilot; write shared or teleop");
   PilotHand& hand = conduct.pilot;
   hand.wander_m = pilot->optional_number("wander_m", {0, 50}).value_or(hand.wander_m);
   hand.memory_s = pilot->optional_number("memory_s", {0.1, 600}).value_or(hand.memory_s);
@@ -37,8 +38,9 @@ void read_envelope(const Config& config, Conduct& conduct) {
   const auto envelope = config.optional_child("envelope");
   if (!envelope) return;
   if (conduct.autonomy != Autonomy::shared)
-    config.refuse("envelope",
-                  "found without autonomy: shared, which alone keeps a pilot inside it");
+    config.refuse(
+        "envelope",
+        "found without autonomy: shared; only shared autonomy keeps the pilot inside an envelope");
   conduct.envelope.most_speed_m_s =
       envelope->optional_number("most_speed_m_s", {0.01, 60}).value_or(0);
   conduct.envelope.stand_off_m = envelope->optional_number("stand_off_m", {0, 1000}).value_or(0);
@@ -49,7 +51,7 @@ void read_mammals(const Config& config, Conduct& conduct) {
   const auto noisy = config.optional_text("noise_by");
   const auto mammals = config.optional_child("mammals");
   if (noisy && !mammals)
-    config.refuse("noise_by", "found without mammals, the watch whose word it hears");
+    config.refuse("noise_by", "found without mammals; it says whose noise that watch stops");
   if (!mammals) return;
   conduct.mammals = read_mammal_duty(*mammals);
   conduct.mammals->noise_by = noisy.value_or("");
@@ -109,7 +111,8 @@ Conduct read_conduct(const Config& config) {
   if (config.has("behaviour"))
     conduct.behaviour = read_behaviour_tree(config, conduct_leaves());
   else if (config.has("trees"))
-    config.refuse("trees", "found without a behaviour that they are named in");
+    config.refuse("trees",
+                  "found without a behaviour that uses them; add behaviour, or leave trees out");
   return conduct;
 }
 

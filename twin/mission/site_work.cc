@@ -32,7 +32,8 @@ WorkTurbine work_turbine_of(const Site& site, const TurbinePlace& place, const L
   t.top_m = -place.foundation->top_height_m;
   t.foot_m =
       place.foundation->kind == FoundationKind::floating ? place.foundation->draught_m : t.bed_m;
-  if (t.foot_m > t.bed_m) refuse(who + "is deeper than the water; mend draught_m or water_depth_m");
+  if (t.foot_m > t.bed_m)
+    refuse(who + "is deeper than the water; correct draught_m or water_depth_m");
   if (place.hub_height_m) t.hub_m = -*place.hub_height_m;
   if (place.rotor_diameter_m) t.rotor_radius_m = 0.5 * *place.rotor_diameter_m;
   t.landing_rad = *place.landing_deg * degree;

@@ -75,8 +75,8 @@ Resurvey resurvey_of(const Scenario& scenario, std::span<const Structure> struct
     again.carrier.reset();
     takes_s = std::max(takes_s, work.takes_s);
     out.words.push_back(entry.name +
-                        formatted(": {:.0f} m2 are left, {:.0f} of them seen too poorly: from {} "
-                                  "places once more, {:.0f} min by reckoning{}",
+                        formatted(": {:.0f} m2 are not covered, {:.0f} of them seen too poorly; "
+                                  "another look from {} places takes about {:.0f} min{}",
                                   way.left_m2, way.poorly_m2, way.stands.size(), work.takes_s / 60,
                                   way.asks_slower ? ", at half the speed" : ""));
   }

@@ -23,14 +23,17 @@ LimitVariable variable_of(const Config& config) {
 AlphaFactor AlphaTable::at(double period_h, double limit) const {
   const char* unit = word_of(variable).unit;
   if (limit < limits.front())
-    return {{}, formatted("limits below {:g} {} are judged case by case", limits.front(), unit)};
+    return {
+        {},
+        formatted("the table has no factor for limits below {:g} {}: judge such a limit by itself",
+                  limits.front(), unit)};
   const auto row = std::find_if(rows.begin(), rows.end(),
                                 [&](const Row& one) { return period_h <= one.period_h; });
   if (row == rows.end())
     return {{},
-            formatted("{:.0f} h from the issue of the forecast to the end of the task are more "
-                      "than the {:g} h that the table is for",
-                      period_h, rows.back().period_h)};
+            formatted(
+                "the task ends {:.0f} h after the forecast was issued; the table goes up to {:g} h",
+                period_h, rows.back().period_h)};
   std::size_t i = 0;
   while (i + 1 < limits.size() && limits[i + 1] <= limit) ++i;
   if (i + 1 == limits.size()) return {row->factor.back(), ""};

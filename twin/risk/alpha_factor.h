@@ -11,7 +11,7 @@ namespace slackwater::twin {
 /// A factor of practice, or why there is none.
 struct AlphaFactor {
   std::optional<double> value;
-  std::string why;  ///< of none: "limits below 1 m are judged case by case"
+  std::string why;  ///< of none: "the table has no factor for limits below 1 m"
 };
 
 /// Factors for what a forecast does not know: operate only if

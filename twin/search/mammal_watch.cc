@@ -16,7 +16,7 @@ std::vector<double> read_falling(const Config& c, std::string_view key, Range ra
     c.refuse(key, formatted("found {} numbers, expected {}, one for each Beaufort force from 0",
                             values.size(), MammalWatch::forces));
   if (!std::is_sorted(values.rbegin(), values.rend()))
-    c.refuse(key, "nobody notices more in a rougher sea");
+    c.refuse(key, "found a greater number in a rougher sea; expected it not to grow");
   return values;
 }
 

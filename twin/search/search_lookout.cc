@@ -31,7 +31,9 @@ void read_widths(const Config& c, std::string_view seen_as, SearchLookout& looko
       widths.refuse(object, formatted("found {} widths for {} visibilities", width_m.size(),
                                       lookout.visibility_m.size()));
     if (!std::is_sorted(width_m.begin(), width_m.end()))
-      widths.refuse(object, "nobody sees farther in worse visibility");
+      widths.refuse(object,
+                    "found a greater width in worse visibility; expected it not to grow as the "
+                    "visibility falls");
     if (object == seen_as) lookout.width_m = width_m;
   }
   if (lookout.width_m.empty())
@@ -49,7 +51,8 @@ void read_weather(const Config& c, SearchLookout& lookout) {
     if (!lookout.weather.empty()) {
       const SearchLookout::Weather& before = lookout.weather.back();
       if (weather.factor > before.factor)
-        entry.refuse("factor", "nobody sees farther in rougher weather");
+        entry.refuse("factor",
+                     "found a greater factor in rougher weather; expected it not to grow");
       if (weather.most_wind_m_s < before.most_wind_m_s ||
           weather.most_wave_height_m < before.most_wave_height_m)
         entry.refuse("factor", "give the weather in rising order of wind and waves");

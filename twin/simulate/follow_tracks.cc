@@ -43,19 +43,18 @@ const TrafficVessel& vessel_of(const TrackToFollow& follow, std::span<const Traf
     const auto points = all.front()->track.points();
     refuse("the track of " + name +
            formatted(" lasts from {:.0f} to {:.0f} s of the run's time and the run to {:.0f} s; "
-                     "set `starts`, the instant of the log that is the start of the run",
+                     "set `starts`: the time in the log at which the run starts",
                      points.front().t_s, points.back().t_s, duration_s));
   }
   if (during.size() > 1) {
     const TrackPoint& from = during[0]->track.points().back();
     const TrackPoint& to = during[1]->track.points().front();
-    refuse(
-        "the track of " + name +
-        formatted(
-            " jumps by {:.0f} m between {:.0f} and {:.0f} s of the run, which nothing can follow; "
-            "run before or after that",
-            std::hypot(to.position_m.x - from.position_m.x, to.position_m.y - from.position_m.y),
-            from.t_s, to.t_s));
+    refuse("the track of " + name +
+           formatted(
+               " jumps by {:.0f} m between {:.0f} and {:.0f} s of the run, which no vehicle can "
+               "follow; let the run start after it or end before it",
+               std::hypot(to.position_m.x - from.position_m.x, to.position_m.y - from.position_m.y),
+               from.t_s, to.t_s));
   }
   return *during.front();
 }

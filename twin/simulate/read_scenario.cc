@@ -25,7 +25,7 @@ constexpr Range speed{0.01, 60};
 double read_down(const Config& config) {
   const auto deep = config.optional_number("depth_m", reached_depth_m);
   const auto high = config.optional_number("height_m", reached_height_m);
-  if (deep && high) config.refuse("height_m", "found beside depth_m; give the one or the other");
+  if (deep && high) config.refuse("height_m", "found beside depth_m; give one of the two");
   if (!deep && !high)
     config.refuse("depth_m", "missing; give depth_m below mean sea level, or height_m above it");
   return deep ? *deep : -*high;
@@ -48,7 +48,7 @@ AskedSpeed read_speed(const Config& config) {
   if (own && over_ground)
     config.refuse("ground_speed_m_s",
                   "found beside speed_m_s, which AUVs and surface craft keep through the water; "
-                  "give the one or the other");
+                  "give one of the two");
   return over_ground ? AskedSpeed{*over_ground, true} : AskedSpeed{own.value_or(0), false};
 }
 
@@ -197,22 +197,22 @@ std::optional<ScenarioFault> fault_of(const ScenarioVehicle& vehicle, std::size_
   if (has_task([](const auto& t) { return t.drifts; }) &&
       (!vehicle.conduct || !vehicle.conduct->search))
     return ScenarioFault{i, "tasks",
-                         "found frame: drifting, and nobody is searched for whose drift it would "
-                         "be; give the vehicle's conduct a search, or say frame: fixed"};
+                         "found frame: drifting without a search for a person who drifts; give the "
+                         "vehicle's conduct a search, or write frame: fixed"};
   const bool goes_aboard = vehicle.carrier || has_task([](const auto& t) {
                              return t.kind == ScenarioTask::Kind::aboard;
                            });
   if (goes_aboard && !vehicle.conduct)
     return ScenarioFault{i, "conduct",
-                         "missing; a vehicle that goes aboard conducts itself: say conduct: {}"};
+                         "missing; a vehicle that goes aboard needs a conduct: write conduct: {}"};
   if (!vehicle.conduct &&
       has_task([](const auto& t) { return t.kind == ScenarioTask::Kind::stand_by; }))
     return ScenarioFault{i, "conduct",
-                         "missing; a vehicle that stands by conducts itself: say conduct: {}"};
+                         "missing; a vehicle that stands by needs a conduct: write conduct: {}"};
   if (!vehicle.carrier && has_task([](const auto& t) { return t.until_stand_by; }))
     return ScenarioFault{i, "tasks",
-                         "found until: stand_by, and no carrier that would stand by; give the "
-                         "vehicle one, or a duration"};
+                         "found until: stand_by without a carrier; give the vehicle a carrier, or "
+                         "the task a duration"};
   if (vehicle.starts_on_track && (vehicle.tasks.empty() || !vehicle.tasks.front().follow))
     return ScenarioFault{i, "start", "missing; give a place, or a first task that follows a track"};
   return std::nullopt;
@@ -270,7 +270,7 @@ ScenarioWaves read_waves(const Config& config, bool has_forecast) {
     return waves;
   }
   if (waves.have_height_errors)
-    c->refuse("height_errors", "found true beside waves that no forecast has; leave it out");
+    c->refuse("height_errors", "found true, but the waves are not from a forecast; leave it out");
   waves.from_forecast = false;
   if (from == "calm") return waves;
   if (from != "partitions")

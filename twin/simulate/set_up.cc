@@ -120,7 +120,7 @@ void tie_watches(const Scenario& scenario, std::vector<Agent>& agents) {
   }
   if (!tied.empty() && !loose.empty())
     refuse("vehicle " + loose + ": watches for mammals without noise_by, and " + tied +
-           " with it; say at both whose work is the noise, or at none");
+           " with it; give noise_by at both, or at neither");
 }
 
 /// By what an autopilot is worked out from.
@@ -197,8 +197,8 @@ void expect_instants(const Scenario& scenario, const Snapshot& forecast,
   const std::string sentence = sentence_of(*forecast.averaged);
   if (wanted == nullptr || !wanted->accept_means) {
     refuse("water: " + sentence +
-           "; a vehicle would meet water that never flows so. Take a forecast made from hourly "
-           "currents, or say `accept_means: true` beside the forecast to run in it all the same");
+           "; a mean is not the flow at any moment. Use a forecast made from hourly currents, or "
+           "write `accept_means: true` beside the forecast to run in it anyway");
   }
   warnings.push_back(sentence);
 }

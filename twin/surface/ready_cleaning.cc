@@ -85,8 +85,9 @@ Cleaning ready_cleaning(const CleaningPlan& plan, std::span<const Structure> str
   }
   if (cleaning.patches.empty())
     refuse(nearest_m <= plan.tool.reach_m
-               ? formatted("its work does not come to the patch, {:g} to {:g} m deep; lay it there",
-                           plan.top_m, plan.bottom_m)
+               ? formatted(
+                     "its work does not reach the patch, {:g} to {:g} m deep; move the work there",
+                     plan.top_m, plan.bottom_m)
            : std::isfinite(nearest_m)
                ? formatted("its work stays {:.2f} m off the foundation, and the tool reaches {:g} "
                            "m; go nearer, or give it a longer reach_m",
@@ -103,8 +104,8 @@ Cleaning ready_cleaning(const CleaningPlan& plan, std::span<const Structure> str
   }
   if (!grows)
     refuse(
-        formatted("nothing grows in the patch, {:g} to {:g} m deep, that would have to be taken "
-                  "off; mend growth, or the patch",
+        formatted("found no growth to take off in the patch, {:g} to {:g} m deep; correct growth, "
+                  "or the patch",
                   plan.top_m, plan.bottom_m));
   cleaning.passes = passes_of(cleaning, speed_along(cleaning, way));
   return cleaning;

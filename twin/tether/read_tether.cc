@@ -34,7 +34,7 @@ void expect_a_line(const Config& config, const Tether& tether) {
   if (tether.tangential_drag_coefficient > tether.normal_drag_coefficient)
     config.refuse(
         "tangential_drag_coefficient",
-        formatted("found {:g}, more than the {:g} across the line; have they changed places?",
+        formatted("found {:g}, more than the {:g} across the line; are the two exchanged?",
                   tether.tangential_drag_coefficient, tether.normal_drag_coefficient));
 }
 

@@ -165,7 +165,7 @@ void look_at_submerged(const Vehicle& vehicle, const Balance& balance, Findings&
   if (bg_m < 0.01 * body.height_m)
     findings.warning("displacement",
                      formatted("the centre of gravity lies {:.2g} m below that of buoyancy, less "
-                               "than 1 % of the height of {:.3g} m: it hardly rights itself",
+                               "than 1 % of the height of {:.3g} m: it is hardly stable",
                                bg_m, body.height_m));
   look_at_buoyancy(vehicle, balance, findings);
   const double heel_deg = std::abs(balance.heel_rad) / degree;
@@ -234,8 +234,9 @@ void look_at_floating(const Vehicle& vehicle, const Balance& balance, Findings& 
   const double beam_m = 2 * outward_m + section_at(hull, balance.draught_m).breadth_m;
   const double usual_m = vehicle.kind == VehicleKind::vessel ? 0.15 : 0.05 * beam_m;
   if (balance.stability_m < usual_m)
-    findings.warning("hulls",
-                     found + formatted("; expected at least {:.2g} m: it is tender", usual_m));
+    findings.warning(
+        "hulls",
+        found + formatted("; expected at least {:.2g} m: its stability is too small", usual_m));
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ Answer answer_of(Selection s, std::vector<Coverage> coverages, const Absences& a
   }
   if (snapshot.simulated_wind) {
     answer.notes.emplace_back(
-        "driven by a simulated forecast of the wind: none published by the issue time was kept");
+        "driven by a simulated wind forecast: none published by the issue time is stored");
   }
   if (std::holds_alternative<Quantities<SeaSample>>(s.collection->quantities) &&
       !has_given_waves_only(snapshot)) {

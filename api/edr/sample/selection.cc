@@ -129,8 +129,8 @@ std::vector<std::string> notes_of(const Absences& absences, const Field& field) 
   if (absences.too_steep > 0) {
     notes.push_back(
         std::to_string(absences.too_steep) +
-        " sea states are steeper than waves stand (2 pi Hs/(g Tp^2) above 1/15 for 8 s, 1/25 "
-        "for 15 s and longer; DNV-RP-C205): as the product gives them, to be doubted");
+        " sea states are steeper than real waves (2 pi Hs/(g Tp^2) above 1/15 for 8 s, 1/25 for 15 "
+        "s and longer; DNV-RP-C205): given as in the product, use them with care");
   }
   return notes;
 }

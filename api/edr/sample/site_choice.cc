@@ -222,7 +222,7 @@ std::vector<std::string> notes_on(const SiteForecast& site) {
   std::vector<std::string> notes;
   for (const std::string& instance : site.passed_over) {
     notes.push_back("the newer forecast " + instance +
-                    " is damaged or cannot be read: this older one answers in its place");
+                    " is damaged or cannot be read: this older one is used");
   }
   return notes;
 }

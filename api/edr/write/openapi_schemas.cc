@@ -63,7 +63,7 @@ constexpr std::array refusals{
     Refusal{"400", "The request cannot be read; the detail says what was expected"},
     Refusal{"404", "Nothing there; the detail gives the valid range or names"},
     Refusal{"405", "A method that is not served"},
-    Refusal{"408", "The request did not come to its end in time"},
+    Refusal{"408", "The request was not complete in time"},
     Refusal{"413", "The body is too large"},
     Refusal{"414", "The address is too long"},
     Refusal{"431", "The header is too large"},

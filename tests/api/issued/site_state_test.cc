@@ -71,7 +71,7 @@ TEST_F(SiteStates, AClockThatIsBehindIsSaid) {
   const Freshness freshness = at("2025-03-11T02:00:00Z");
   const SiteState state = of(site_states(*forecasts.catalogue(), freshness), "lone");
   EXPECT_EQ(state.age, -3h);
-  EXPECT_NE(in_words(state, freshness).find("3 h ahead of this machine's clock"),
+  EXPECT_NE(in_words(state, freshness).find("3 h in the future by this machine's clock"),
             std::string::npos);
 }
 

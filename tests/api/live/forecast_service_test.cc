@@ -86,7 +86,8 @@ TEST(ForecastService, TellsOfTheWaterNowAndOfEachNewForecast) {
   const auto has_told = [&] {
     const std::lock_guard lock(mutex);
     return std::any_of(told.begin(), told.end(), [](const std::string& text) {
-      return text.find("nothing is told of lone until a newer one is issued") != std::string::npos;
+      return text.find("nothing is published for lone until a newer one is issued") !=
+             std::string::npos;
     });
   };
   for (int i = 0; i < 2000 && !has_told(); ++i) std::this_thread::sleep_for(10ms);
@@ -104,7 +105,8 @@ TEST(ProfileAnswer, SaysWhyThereIsNone) {
   };
   const double latitude = at.latitude_deg(), longitude = at.longitude_deg();
   EXPECT_EQ(live::profile_answer(&field, 0, {latitude, longitude, then})[4], 1) << "success";
-  EXPECT_TRUE(has(live::profile_answer(&field, 0, {91, longitude, then}), "no place on earth"));
+  EXPECT_TRUE(has(live::profile_answer(&field, 0, {91, longitude, then}),
+                  "expected a latitude from -90 to 90"));
   EXPECT_TRUE(has(live::profile_answer(nullptr, 0, {10, 10, then}), "no forecast reaches"));
   EXPECT_TRUE(
       has(live::profile_answer(&field, 0, {latitude, longitude, {}}), field.range().text().c_str()))

@@ -61,7 +61,8 @@ TEST(FullDiskOfALiveRun, IsSaidAndTheRunGoesOnAndItsRecordsStayReadable) {
   std::this_thread::sleep_for(500ms);
   fill_disk(run.process(), RLIM_INFINITY);
   ASSERT_EQ(run.end(SIGINT), 5) << text_of(folder / "err");
-  EXPECT_NE(text_of(folder / "err").find("incomplete is " + mcap.string()), std::string::npos);
+  EXPECT_NE(text_of(folder / "err").find("its recording is not: found " + mcap.string()),
+            std::string::npos);
 
   // What there was when it was full is what there is; of all later steps the log alone knows.
   for (const auto* record : {&in_mcap, &in_rosbag}) EXPECT_GT(expect_even_clock(*record), 10U);

@@ -54,12 +54,12 @@ TEST(HostCheck, EachLieIsNamed) {
     return text.find(part) != std::string::npos ? testing::AssertionSuccess()
                                                 : testing::AssertionFailure() << text;
   };
-  EXPECT_TRUE(has(said([&](auto& m) { m.body.position_m.x = no_number; }), "no number"));
-  EXPECT_TRUE(has(said([&](auto& m) { m.body.nu.angular.z = endless; }), "no number"));
+  EXPECT_TRUE(has(said([&](auto& m) { m.body.position_m.x = no_number; }), "not a number"));
+  EXPECT_TRUE(has(said([&](auto& m) { m.body.nu.angular.z = endless; }), "not a number"));
   EXPECT_TRUE(has(said([&](auto& m) { m.body.attitude.w = 2; }), "of length 2"));
   EXPECT_TRUE(has(said([&](auto& m) { m.body.nu.linear.y = 101; }), "101 m/s"));
-  EXPECT_TRUE(has(said([&](auto& m) { m.body.nu.linear.x = 11; }), "faster or slower"));
-  EXPECT_TRUE(has(said([&](auto& m) { m.body.position_m.z += 0.2; }), "a jump: 0.2 m"));
+  EXPECT_TRUE(has(said([&](auto& m) { m.body.nu.linear.x = 11; }), "a change of speed of"));
+  EXPECT_TRUE(has(said([&](auto& m) { m.body.position_m.z += 0.2; }), "a jump of 0.2 m"));
   EXPECT_TRUE(has(said([&](auto& m) { m.power_w = -1; }), "a power of -1 W"));
   EXPECT_TRUE(has(said([&](auto& m) { m.power_w = no_number; }), "a power of"));
   EXPECT_TRUE(has(said([&](auto& m) { m.kind = 3; }), "of kind 3"));

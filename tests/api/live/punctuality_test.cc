@@ -31,7 +31,7 @@ TEST(Punctuality, CountsStepsThatBeginMoreThanTenMillisecondsLate) {
 TEST(Punctuality, AStepByHandIsNeverLate) {
   Punctuality punctuality(1);
   punctuality.begin({}, noon + 60s);
-  EXPECT_EQ(punctuality.text(), "no step by the clock");
+  EXPECT_EQ(punctuality.text(), "no step was timed by the clock");
 }
 
 TEST(Punctuality, AsFastAsItGoesNothingIsLate) {

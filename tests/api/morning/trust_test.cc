@@ -40,7 +40,7 @@ TEST(Trust, SaysWhatIsBetterWhatIsWorseAndWhatNobodyCanTell) {
   ASSERT_EQ(better.size(), 1U) << "currents and wind were not scored";
   EXPECT_EQ(
       api::text_of(better.front()),
-      "wave height 0.20 m over 10 forecasts, 50 % less than the best naive rival (persistence, "
+      "wave height 0.20 m over 10 forecasts, 50 % less than the best simple method (persistence, "
       "0.41 m)");
   const auto worse = api::trust_of(ten_days(0.4, 0.2), WindPolicy::best);
   EXPECT_NE(api::text_of(worse.front()).find("WORSE than"), std::string::npos);
@@ -54,7 +54,7 @@ TEST(Trust, AForecastWithoutARivalIsNotPraised) {
   std::vector<SkillEntry> alone;
   for (int day = 0; day < 10; ++day) alone.push_back(waves(day, Method::forecast, 0.2, 0.2));
   EXPECT_EQ(api::text_of(api::trust_of(alone, WindPolicy::best).front()),
-            "wave height 0.20 m over 10 forecasts (no naive rival to hold it against)");
+            "wave height 0.20 m over 10 forecasts (no simple method to compare with)");
 }
 
 TEST(Trust, TheNewestDayStandsByItself) {

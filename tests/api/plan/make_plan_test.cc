@@ -178,8 +178,8 @@ TEST(MakePlan, SaysWhyAJobIsLeft) {
   EXPECT_EQ(plan.left[1].why, "at 08:00 (85 %) crew are at A01 from 08:00 to 09:00 (done)");
   EXPECT_EQ(plan.left[2].why, "it needs daylight (civil)");
   EXPECT_EQ(plan.left[3].why,
-            "its only start, 23:45, and the way out and home do not fit the hours of any who could "
-            "do it");
+            "its only start, 23:45, with the way out and home do not fit the working hours of any "
+            "team that can do it");
 }
 
 TEST(MakePlan, OfNothingIsNothing) {

@@ -82,17 +82,17 @@ TEST(PlanChanges, SayWhatWasDroppedAddedAndNoLongerAskedFor) {
       (PlanChange{"cp_anode@A01", PlanChange::Kind::dropped,
                   "the chance of 08:00 fell from 93 % to 30 %; no start reaches 85 %: the best "
                   "is 30 % at 08:00"}));
-  EXPECT_EQ(
-      found[1],
-      (PlanChange{"cp_anode@A02", PlanChange::Kind::added,
-                  "at 09:30 (90 %): it was left before, since no start reaches 85 %: the best "
-                  "is 60 % at 09:30"}));
+  EXPECT_EQ(found[1],
+            (PlanChange{
+                "cp_anode@A02", PlanChange::Kind::added,
+                "at 09:30 (90 %): it was left out before, because no start reaches 85 %: the best "
+                "is 60 % at 09:30"}));
   now = two_jobs();
   now.jobs.erase(now.jobs.begin());
   found = changes(printed(two_jobs()), now);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[1], (PlanChange{"cp_anode@A01", PlanChange::Kind::no_longer_asked,
-                                  "the plan's file has it no more"}));
+                                  "it is no longer in the plan's file"}));
 }
 
 TEST(PlanChanges, SayWhoTookOverAndWhatMakesRoomForWhat) {

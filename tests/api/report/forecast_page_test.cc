@@ -77,7 +77,7 @@ TEST(ForecastPage, WavesComputedFromTheWindSaySoAndTakeInTheDoubtAboutTheirFetch
   const ReportInput assumed = made(over_a_fetch);
   EXPECT_TRUE(contains(given.series_note, "computed from the wind"));
   EXPECT_FALSE(contains(given.series_note, "assumed"));
-  EXPECT_TRUE(contains(assumed.series_note, "the band takes in half and twice of it"));
+  EXPECT_TRUE(contains(assumed.series_note, "the band covers half and twice this fetch"));
   const ReportLine& narrow = given.series[1].lines.front();
   const ReportLine& wide = assumed.series[1].lines.front();
   for (std::size_t t = 0; t < narrow.values.size(); ++t) {

@@ -59,7 +59,7 @@ TEST(ComputedWaves, AreNoneWhereAProductGivesThemAll) {
 TEST(ComputedWaves, WithoutAProductDegradeTheForecastAndStateTheFetchAndWhatItDoes) {
   const DailyForecast made = forecast_of_sea(windy_sea());
   EXPECT_TRUE(made.snapshot.degraded);
-  EXPECT_TRUE(says(made, "o wave product is stored, the waves are computed from the wind alone"))
+  EXPECT_TRUE(says(made, "o wave product is stored: the waves are computed from the wind alone"))
       << made.snapshot.headline;
   EXPECT_TRUE(says(made, "a fetch of 200 km is assumed")) << made.snapshot.headline;
   ASSERT_TRUE(made.computed_waves);

@@ -186,7 +186,7 @@ TEST(MakeForecast, FallsBackOnTheLastGoodDayAndSaysSo) {
   const Snapshot snapshot = make_forecast(site_of({sea.data}), at_five(day)).snapshot;
   EXPECT_EQ(snapshot.day, day - days(1));
   EXPECT_TRUE(snapshot.degraded);
-  EXPECT_TRUE(says(snapshot, "2024-06-11 are missing or not whole")) << snapshot.headline;
+  EXPECT_TRUE(says(snapshot, "2024-06-11 are missing or incomplete")) << snapshot.headline;
   EXPECT_TRUE(says(snapshot, "the last good day 2024-06-10 is used")) << snapshot.headline;
   EXPECT_EQ(snapshot.time.front(), midnight) << "lead counts from the end of the day used";
   EXPECT_EQ(snapshot.time.back(), end_of_day + days(1)) << "and reaches as far as was asked";
@@ -224,7 +224,7 @@ TEST(MakeForecast, WithoutCurrentsWindAndWavesStandAlone) {
   add_wind_and_waves(sea);
   const DailyForecast made = make_forecast(site_of({sea.data}), at_five(day));
   EXPECT_TRUE(made.snapshot.degraded);
-  EXPECT_TRUE(says(made.snapshot, "wind and waves alone")) << made.snapshot.headline;
+  EXPECT_TRUE(says(made.snapshot, "only wind and waves are forecast")) << made.snapshot.headline;
   EXPECT_TRUE(made.plan.dataset.empty());
   EXPECT_FALSE(made.earned);
   EXPECT_TRUE(made.snapshot.depth_m.empty());

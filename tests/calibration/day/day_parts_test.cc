@@ -141,7 +141,7 @@ TEST(DayParts, ABrokenWindIsAForecastWithoutAnyStoredWind) {
     DayParts parts;
     parts.of_column.wind = [&](auto&&...) -> HorizonWind { return how(), HorizonWind{}; };
     const DailyForecast made = forecast_with(parts);
-    expect_named(made, "he wind failed, it and the current that it drives are left out");
+    expect_named(made, "he wind failed, the wind and the wind-driven current are left out");
     EXPECT_EQ(made.snapshot.headline.find("No wind is stored"), std::string::npos)
         << "it is stored: " << made.snapshot.headline;
     expect_same(made, expected);
@@ -286,7 +286,7 @@ TEST(DayParts, ABrokenPastDayIsNamedAndTheOthersDecide) {
     return known_currents(column, plan);
   };
   const DailyForecast made = forecast_with(parts);
-  expect_named(made, "he rehearsal of 1 past day failed, the blend rests on the others");
+  expect_named(made, "he rehearsal of 1 past day failed; the blend uses the others");
   EXPECT_EQ(made.earned->blend.pairs, whole().earned->blend.pairs - 1);
 }
 

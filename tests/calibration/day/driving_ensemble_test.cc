@@ -338,7 +338,7 @@ TEST(DrivingEnsemble, BeyondItsEndTheNoteSaysSoAndTheSpreadGoesOn) {
   ASSERT_EQ(c.wind_member_number.size(), 24U);
   bool is_said = false;
   for (const std::string& note : made.columns[0].notes)
-    is_said = is_said || note.find("at 18 of 48 hours it says nothing") != std::string::npos;
+    is_said = is_said || note.find("it has no value at 18 of 48 hours") != std::string::npos;
   EXPECT_TRUE(is_said);
   const auto spread_at = [&](std::size_t t) {
     double squares = 0;

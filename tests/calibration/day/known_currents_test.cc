@@ -274,7 +274,7 @@ TEST(KnownCurrents, AnInstrumentThatIsStuckToTheEndIsATroubleThoughItsPastIsUsed
   EXPECT_EQ(notes[0], "fused with station Buoy at 2.1 km");
   EXPECT_EQ(
       notes[1],
-      "station Buoy at 2.1 km: 2.0 days of a value that never changed left out; its last good "
+      "station Buoy at 2.1 km: 2.0 days left out because the value never changed; its last good "
       "value is 2.0 days before the end of the day");
   ASSERT_EQ(known_currents(sea.data, plan_of("model")).remarks.troubles.size(), 1U);
   EXPECT_LT(error_on_the_day(sea), 1e-9) << "the product is right, and nothing pulls it away";
@@ -323,10 +323,11 @@ TEST(KnownCurrents, AStationBesideAnotherWithoutAProductIsNamedAsNotUsed) {
   KnownSeriesForTests sea;
   sea.current(station_of("Buoy"), hourly_around_the_day(), {8}, water, 400);
   sea.current(station_of("Other"), hourly_around_the_day(), {8}, water, 3000);
-  EXPECT_EQ(known_currents(sea.data, plan_of("Buoy")).remarks.notes,
-            (std::vector<std::string>{"currents of station Buoy at 0.4 km alone, no product",
-                                      "station Other at 3.0 km is not used: no product is there to "
-                                      "fuse it with"}));
+  EXPECT_EQ(
+      known_currents(sea.data, plan_of("Buoy")).remarks.notes,
+      (std::vector<std::string>{
+          "currents of station Buoy at 0.4 km alone, no product",
+          "station Other at 3.0 km is not used: no current product is stored to combine it with"}));
 }
 
 TEST(KnownCurrents, WhereTheSeriesLeadsItsTimesAndDepthsAreKept) {
@@ -415,7 +416,7 @@ TEST(TruthOf, IsTheInstrumentWhereItStandsNearAndSpeaksOfTheSameDepths) {
   EXPECT_EQ(truth_beside(0, {8}, always), "Buoy");
   EXPECT_EQ(truth_beside(5000, {8}, always), "Buoy");
   EXPECT_EQ(truth_beside(5001, {8}, always), "model");
-  EXPECT_EQ(truth_beside(5001, {8}, always, false), "Buoy") << "no product is there";
+  EXPECT_EQ(truth_beside(5001, {8}, always, false), "Buoy") << "no current product is stored";
   EXPECT_EQ(truth_beside(0, {1}, always), "Buoy");
   EXPECT_EQ(truth_beside(0, {20, 40}, always), "Buoy") << "one depth within is enough";
   EXPECT_EQ(truth_beside(0, {0.5, 25}, always), "model") << "the product does not reach there";

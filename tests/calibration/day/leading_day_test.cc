@@ -106,9 +106,10 @@ TEST(LeadingDay, AStandInIsDegradedNamedAndAsWideAsTheTwoAreKnownToDiffer) {
   const Snapshot stood_in = make_forecast(two.site(), at_five()).snapshot;
   const Snapshot own = make_forecast(alone.site(), at_five()).snapshot;
   EXPECT_TRUE(stood_in.degraded);
-  EXPECT_EQ(own.headline.find("stands in"), std::string::npos) << own.headline;
+  EXPECT_EQ(own.headline.find("is used instead"), std::string::npos) << own.headline;
   EXPECT_NE(stood_in.headline.find("regional"), std::string::npos) << stood_in.headline;
-  EXPECT_NE(stood_in.headline.find("global stands in"), std::string::npos) << stood_in.headline;
+  EXPECT_NE(stood_in.headline.find("global is used instead"), std::string::npos)
+      << stood_in.headline;
   // The tide that one has and the other lacks: 1/sqrt(2) m/s in one of two components.
   const double known = std::sqrt(0.5 / 2);
   for (std::size_t i = 0; i < stood_in.columns[0].current_sigma_m_s.size(); ++i) {

@@ -147,10 +147,12 @@ TEST(SpreadCheck, TooFewDaysLeaveTheSpreadAsItIs) {
   const SpreadCheck check = checked(sea_with({.days = 9, .spread = 0.5}));
   EXPECT_FALSE(check.is_checked());
   for (const double lead_h : {0.0, 12.0, 70.0}) EXPECT_EQ(check.factor_at(lead_h), 1);
-  EXPECT_EQ(text_of(check),
-            "its spread is not yet checked against its error (9 of 10 days with an analysed wind)");
+  EXPECT_EQ(
+      text_of(check),
+      "its spread is not checked yet: 9 days with an analysed wind are stored, 10 are needed");
   EXPECT_EQ(checked(sea_with({.days = 10, .spread = 0.5})).lead[0].days, 10u);
-  EXPECT_NE(text_of(SpreadCheck{}).find("(0 of 10 days"), std::string::npos);
+  EXPECT_NE(text_of(SpreadCheck{}).find("0 days with an analysed wind are stored"),
+            std::string::npos);
 }
 
 TEST(SpreadCheck, RunsTwiceADayAreNoMoreDays) {
@@ -253,11 +255,12 @@ TEST(SpreadCheck, TheForecastNamesItAndIsAsItWasWithTooFewDays) {
     return std::pair(made.snapshot.columns.front(), notes);
   };
   const auto [few, few_notes] = made_with({.days = 6, .spread = 0.5});
-  EXPECT_NE(few_notes.find("not yet checked"), std::string::npos) << few_notes;
+  EXPECT_NE(few_notes.find("not checked yet"), std::string::npos) << few_notes;
   const auto [none, none_notes] = made_with({.days = 0, .spread = 0.5});
   EXPECT_EQ(few.wind_member_m_s, none.wind_member_m_s);
   const auto [many, many_notes] = made_with({.days = 30, .spread = 0.5});
-  EXPECT_NE(many_notes.find("its spread held against its error: day 1 times "), std::string::npos)
+  EXPECT_NE(many_notes.find("its spread was checked against its error: day 1 times "),
+            std::string::npos)
       << many_notes;
   EXPECT_NE(many.wind_member_m_s, none.wind_member_m_s);
 }

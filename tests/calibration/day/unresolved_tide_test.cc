@@ -101,9 +101,10 @@ TEST(UnresolvedTide, ItsAbsenceIsStatedWhereNoRecordTellsOfIt) {
   add_currents(sea, "daily", end_of_day - days(20), end_of_day, days(1));
   const Snapshot made = forecast(sea).snapshot;
   EXPECT_TRUE(made.degraded);
-  EXPECT_NE(made.headline.find("he currents are daily means: the tide is not in them and nothing "
-                               "here says how large it is"),
-            std::string::npos)
+  EXPECT_NE(
+      made.headline.find(
+          "he currents are daily means: they do not hold the tide, and its size is not known"),
+      std::string::npos)
       << made.headline;
   ASSERT_TRUE(made.averaged);
   EXPECT_FALSE(made.averaged->unresolved_tide_m_s) << "unknown is not zero";

@@ -104,7 +104,7 @@ TEST(InstrumentCheck, ABiasAsProductsHaveIsLeftToTheFusion) {
 TEST(InstrumentCheck, AWrongSignIsRejected) {
   Twin twin(5);
   const VectorColumn wrong = twin.instrument([&](double h, double z) { return -twin.seen(h, z); });
-  expect_rejected(verdict_on(twin.product(), wrong), "its tide runs against the product's");
+  expect_rejected(verdict_on(twin.product(), wrong), "its tide runs opposite to the product's");
 }
 
 TEST(InstrumentCheck, ADeclinationOfThirtyDegreesIsRejectedWithItsAngleAndSense) {

@@ -116,7 +116,7 @@ TEST(CalibrateDay, AWindThatNeverReachesTheDayIsDroppedAndSaid) {
     cell = TimeCell::instant(cell.start - std::chrono::hours(24 * 10));
   const Calibration fitted = calibrate_day(input);
   EXPECT_FALSE(fitted.wind_used);
-  EXPECT_TRUE(warns_of(fitted, "does not reach"));
+  EXPECT_TRUE(warns_of(fitted, "has no value at any time"));
 }
 
 TEST(CalibrateDay, CurrentsInAGapOfTheWindAreNotUsedAndItIsSaid) {
@@ -164,9 +164,10 @@ TEST(CalibrateDay, WhatADayCannotDetermineIsFlaggedAndNamed) {
   }
   EXPECT_FALSE(find_parameter(fitted, "interior_east")->weakly_determined);
   // One sentence for an operator, not one per parameter and direction.
-  EXPECT_TRUE(warns_of(fitted,
-                       "the day says little about eddy_viscosity, bottom_eddy_viscosity and "
-                       "stress_factor: their values are mostly the priors'"));
+  EXPECT_TRUE(
+      warns_of(fitted,
+               "the data of the day tell little about eddy_viscosity, bottom_eddy_viscosity and "
+               "stress_factor: their values are mostly those assumed beforehand"));
   EXPECT_EQ(fitted.warnings.size(), 1u);
 }
 
@@ -204,7 +205,8 @@ TEST(JudgeDetermination, AWeakParameterIsNamedOnce) {
   const std::vector<std::string> warnings = judge_determination({0, 0}, covariance, parameters);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0],
-            "the day says little about bottom_friction: its value is mostly the prior's");
+            "the data of the day tell little about bottom_friction: its value is mostly the one "
+            "assumed beforehand");
 }
 
 TEST(CalibrateDay, AParameterOnItsBoundIsFlaggedAndWarnedOf) {
@@ -218,11 +220,11 @@ TEST(CalibrateDay, AParameterOnItsBoundIsFlaggedAndWarnedOf) {
   input.observation_sigma_m_s = 2e-4;
   const Calibration fitted = calibrate_day(input);
   EXPECT_TRUE(find_parameter(fitted, "eddy_viscosity")->at_bound);
-  EXPECT_TRUE(warns_of(fitted, "eddy_viscosity ended on its upper bound of 1 m2 s-1"));
+  EXPECT_TRUE(warns_of(fitted, "eddy_viscosity ended at its upper bound of 1 m2 s-1"));
   for (const Parameter& p : fitted.parameters) {
     EXPECT_GE(p.value, p.lower * (1 - 1e-12));
     EXPECT_LE(p.value, p.upper * (1 + 1e-12));
-    EXPECT_EQ(p.at_bound, warns_of(fitted, p.name + " ended on its")) << p.name;
+    EXPECT_EQ(p.at_bound, warns_of(fitted, p.name + " ended at its")) << p.name;
   }
 }
 

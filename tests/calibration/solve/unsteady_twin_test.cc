@@ -134,7 +134,7 @@ TEST(UnsteadyTwin, ALayerBeyondTheBoundsIsFlaggedOnThem) {
   for (const Parameter& p : fitted.parameters) {
     const bool is_named =
         std::any_of(fitted.warnings.begin(), fitted.warnings.end(), [&](const std::string& w) {
-          return w.find(p.name + " ended on its") != std::string::npos;
+          return w.find(p.name + " ended at its") != std::string::npos;
         });
     EXPECT_EQ(p.at_bound, is_named) << p.name;
   }

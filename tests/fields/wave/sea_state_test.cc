@@ -124,7 +124,7 @@ TEST(ProductSea, ATooSteepPartitionIsLoweredAndItsEnergyGoesToTheOthers) {
               std::sqrt(2.5 * 2.5 - std::pow(steepest_height_m(4), 2)), 1e-12);
   ASSERT_EQ(served.warnings.size(), 2u);
   EXPECT_TRUE(contains(served.warnings[0], "wave partition 1: Hs 2 m with Tp 4 s is steeper"));
-  EXPECT_TRUE(contains(served.warnings[1], "rescaled to the total of 2.5 m"));
+  EXPECT_TRUE(contains(served.warnings[1], "scaled to the total of 2.5 m"));
 }
 
 TEST(ProductSea, ATotalBeyondTheLimitIsServedWithAWarning) {
@@ -145,7 +145,7 @@ TEST(ProductSea, AbsentPartitionsAreLeftOutAndBrokenOnesTold) {
   EXPECT_TRUE(contains(broken.warnings.at(0), "partition 2 left out"));
   const ServedSea none = product_sea(1, {});
   EXPECT_TRUE(none.sea.partitions.empty());
-  EXPECT_TRUE(contains(none.warnings.at(0), "without any usable partition"));
+  EXPECT_TRUE(contains(none.warnings.at(0), "has no usable partition"));
   EXPECT_TRUE(product_sea(0, {}).warnings.empty());
 }
 

@@ -232,7 +232,7 @@ TEST(DamagedMembers, WithASeedThatIsNoNumberAreRefused) {
   for (const char* seed : {"", "-1", "7 ", "18446744073709551616", "many"}) {
     Damage damage;
     damage.attributes["slackwater_seed"] = seed;
-    expect_refused(damage, "a seed that is no number");
+    expect_refused(damage, "a seed that is not a number");
   }
 }
 

@@ -190,7 +190,7 @@ TEST(GriddedDecode, ACurrentWithoutDepthIsRefused) {
   product.order = {"time", "latitude", "longitude"};
   const std::string message = refusal_of(product);
   EXPECT_TRUE(contains(message, "has no depth")) << message;
-  EXPECT_TRUE(contains(message, "does not settle it")) << message;
+  EXPECT_TRUE(contains(message, "does not give it")) << message;
 }
 
 TEST(GriddedDecode, DepthsOnTheWrongSideOfTheSurfaceAreRefused) {

@@ -212,7 +212,7 @@ int main(int argc, char** argv) {
   expect(late && !late->success(), "which the first can no longer give back");
   Trigger resume_mission(other, vehicle + "/resume_mission");
   const auto own = resume_mission.call({});
-  expect(own && own->success(), "back at its own mission");
+  expect(own && own->success(), "back on its own mission");
   std::printf("%d failed\n", failures);
   return failures == 0 ? 0 : 1;
 }

@@ -153,7 +153,7 @@ TEST(Refusal, OfTooManyWaypoints) {
 TEST(Refusal, OfWhatIsStale) {
   for (const std::uint64_t last : {5U, 6U})
     expect_no(answer(SetVelocity{}, {rov, {}, last}), RefusalReason::stale,
-              {"found sequence 5", "count on"});
+              {"found sequence 5", "count upwards"});
   EXPECT_FALSE(answer(SetVelocity{}, {rov, {}, 4}));
   // Received at 10 s.
   EXPECT_FALSE(answer(SetVelocity{}, {rov, {}, {}, 11}));

@@ -44,7 +44,7 @@ TEST(ReadInspection, WhatCannotBeIsRefusedInOneSentence) {
       {looks, "an inspection has at least one surface"},
       {pile, "at least one instrument that looks"},
       {pile + "looks: [{instrument: camera, kinds: [blade], detail_mm: 10}]\n",
-       "found blade, and no surface is one"},
+       "found blade, but no surface has that name"},
       {pile + "looks: [{instrument: camera, kinds: [monopole], detail_mm: 10}]\n", "monopile"},
       {pile + "looks: [{instrument: camera, detail_mm: 10}]\n", "say which surfaces it inspects"},
       {pile + "looks: [{instrument: camera, kinds: [monopile]}]\n", "detail_mm"},

@@ -146,23 +146,22 @@ TEST(ReadBehaviourTree, RefusesTimesThatAreNone) {
   const auto timeout = [](const std::string& after) {
     return said_of_node("\n  timeout:\n    " + after + "\n    then: {do: scan}");
   };
-  EXPECT_EQ(timeout("after: 0min"),
-            "made-up.yaml:3: behaviour.timeout.after: found 0min, expected more than no time and "
-            "at most 30d");
+  EXPECT_EQ(
+      timeout("after: 0min"),
+      "made-up.yaml:3: behaviour.timeout.after: found 0min, expected more than 0 and at most 30d");
   EXPECT_NE(timeout("after: 31d").find("at most 30d"), std::string::npos);
   EXPECT_EQ(timeout("after: -5min"),
             "made-up.yaml:3: behaviour.timeout.after: found '-5min' where a duration was expected; "
             "write it as 72h, 90min, 3d or 1h30min");
   EXPECT_NE(timeout("after_s: 0").find("found 0, expected a value from 0.001"), std::string::npos);
   EXPECT_EQ(said_of_node("{timeout: {after: 1min, after_s: 60, then: {do: scan}}}"),
-            "made-up.yaml:1: behaviour.timeout.after_s: found beside after; give the one or the "
-            "other");
+            "made-up.yaml:1: behaviour.timeout.after_s: found beside after; give one of the two");
 }
 
 TEST(ReadBehaviourTree, RefusesTreesThatLeadBackToThemselves) {
   EXPECT_EQ(said_of("trees:\n  survey: {tree: survey}\nbehaviour: {do: scan}"),
             "made-up.yaml:2: trees.survey.tree: found 'survey', which leads back to itself: survey "
-            "> survey; a tree cannot stand in itself");
+            "> survey; a tree cannot contain itself");
   EXPECT_EQ(said_of("trees:\n"
                     "  work: {sequence: [{do: transit}, {tree: survey}]}\n"
                     "  survey: {retry: {times: 2, then: {tree: dive}}}\n"
@@ -171,7 +170,7 @@ TEST(ReadBehaviourTree, RefusesTreesThatLeadBackToThemselves) {
                     "      - {tree: survey}\n"
                     "behaviour: {do: scan}"),
             "made-up.yaml:6: trees.dive.fallback[0].tree: found 'survey', which leads back to "
-            "itself: survey > dive > survey; a tree cannot stand in itself");
+            "itself: survey > dive > survey; a tree cannot contain itself");
 }
 
 /// A chain of so many retries above an action.

@@ -411,7 +411,7 @@ TEST(Conduct, RefusesWhatNobodyKnowsAndWhatItDoesNotHave) {
             std::string::npos);
   EXPECT_NE(message("{limits: [{speed: 0.2}]}").find("without a variable"), std::string::npos);
   EXPECT_NE(message("{limits: [{current_speed_m_s: 0.2}, {least_current_speed_m_s: 0.4}]}")
-                .find("at once"),
+                .find("at the same time"),
             std::string::npos);
   EXPECT_NE(
       message("{faults: [{fault: lost_thruster, at_s: 1, thruster: 12}]}").find("expected 0 to 7"),

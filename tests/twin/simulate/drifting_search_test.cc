@@ -205,7 +205,7 @@ TEST(DriftingSearch, IsRefusedToWhoSearchesForNobody) {
   EXPECT_NE(message(bad).find("expected fixed or drifting"), std::string::npos) << message(bad);
   bad = good;
   bad.replace(bad.find("search: {"), bad.find("}}, tasks") + 1 - bad.find("search: {"), "");
-  EXPECT_NE(message(bad).find("nobody is searched for"), std::string::npos) << message(bad);
+  EXPECT_NE(message(bad).find("without a search for a person"), std::string::npos) << message(bad);
   bad = good;
   bad.replace(bad.find("{do: route, phase: return"), 25, "{do: hold, frame: drifting}, {do: route");
   EXPECT_NE(message(bad).find("without waypoints"), std::string::npos) << message(bad);

@@ -234,13 +234,14 @@ TEST(LineOnDeck, IsRefusedWhereItCannotHang) {
   waits.replace(waits.find("tasks: ["), 8, "tasks: [{do: aboard, until: stand_by}, ");
   EXPECT_TRUE(has(message(calm_head(0.05) + wamv() + waits), "which does so 0 times"));
   EXPECT_TRUE(has(message(calm_head(0.05) + wamv("tasks: [{do: stand_by}]") + waits),
-                  "stands by conducts itself"));
+                  "stands by needs a conduct"));
   EXPECT_EQ(message(calm_head(0.05) + wamv("conduct: {}, tasks: [{do: stand_by}]") + waits),
             "no error");
   std::string alone = waits;
   alone.erase(alone.find(carrier), carrier.size());
   alone.replace(alone.find("tether: {"), 9, "tether: {top: {north_m: 0, east_m: 0, depth_m: 0}, ");
-  EXPECT_TRUE(has(message(calm_head(0.05) + wamv() + alone), "no carrier that would stand by"));
+  EXPECT_TRUE(
+      has(message(calm_head(0.05) + wamv() + alone), "found until: stand_by without a carrier"));
   std::string far = waits;
   far.replace(far.find("depth_m: 10"), 11, "depth_m: 50");
   EXPECT_TRUE(has(message(calm_head(0.05) + wamv("conduct: {}, tasks: [{do: stand_by}]") + far),

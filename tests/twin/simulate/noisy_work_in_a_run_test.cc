@@ -207,7 +207,7 @@ TEST(NoisyWorkInARun, RefusesATieToNobody) {
   EXPECT_NE(message(watch()).find("of which there is none"), std::string::npos);
   std::string second = watch("");
   second.replace(second.find("name: watch"), 11, "name: other");
-  EXPECT_NE(message(worker + watch() + second).find("or at none"), std::string::npos);
+  EXPECT_NE(message(worker + watch() + second).find("or at neither"), std::string::npos);
   std::string blind = watch();
   blind.replace(blind.find("mammals: {"), blind.find("}}, noise_by") + 4 - blind.find("mammals: {"),
                 "");

@@ -61,7 +61,7 @@ TEST(ReadTether, RefusesWhatNoLineCanBeAndSaysWhy) {
   EXPECT_TRUE(refused("1557", "35", "own weight"));
   EXPECT_TRUE(refused("tangential_drag_coefficient: 0.01",
                       "normal_drag_coefficient: 0.1\n  tangential_drag_coefficient: 0.9",
-                      "changed places"));
+                      "are the two exchanged"));
   EXPECT_TRUE(
       refused("elongation_at_break: 0.02", "elongation_at_break: 2", "elongation_at_break"));
   EXPECT_TRUE(refused("[-0.2, 0, -0.1]", "[-0.2, 0]", "[x, y, z]"));

@@ -40,10 +40,10 @@ Range read_span(const Config& config, const char* key, double most) {
     config.refuse(
         key, formatted("found {} numbers, expected one, or two: from what to what", ends.size()));
   const Range span{ends.front(), ends.back()};
-  if (!(span.low > 0)) config.refuse(key, "found 0, expected more: what is not there is no defect");
+  if (!(span.low > 0)) config.refuse(key, "found 0, expected more than 0");
   if (span.high < span.low)
-    config.refuse(key,
-                  formatted("goes from {:g} to {:g}; give the lesser first", span.low, span.high));
+    config.refuse(
+        key, formatted("goes from {:g} to {:g}; give the smaller one first", span.low, span.high));
   return span;
 }
 

@@ -81,7 +81,8 @@ PodTable read_table(const Config& c, bool is_share) {
       table.size.end())
     c.refuse(key, "give the sizes in rising order, each once");
   if (!std::is_sorted(table.pod.begin(), table.pod.end()))
-    c.refuse("pod", "falls with the size; a larger defect is not found more seldom");
+    c.refuse("pod",
+             "falls with the size; expected larger defects to be found as often or more often");
   if (!is_share)
     for (double& size : table.size) size *= 1e-3;
   return table;

@@ -11,8 +11,8 @@ void refuse_turbidity(const Config& c) {
   for (const std::string_view key : {"turbidity", "turbidity_ntu", "turbidity_fnu"})
     if (c.has(key))
       c.refuse(key,
-               "a turbidity is no attenuation: it has to be read off against the water of its "
-               "place; give beam_attenuation_per_m, or visibility_m of a black disc");
+               "turbidity cannot be turned into attenuation without measurements of that water; "
+               "give beam_attenuation_per_m, or visibility_m of a black disc");
   for (const std::string_view key : {"beam_attenuation", "visibility", "diffuse_attenuation"})
     if (c.has(key)) {
       const bool is_range = key == "visibility";

@@ -117,9 +117,10 @@ Surface make_cable(const Config& config, double patch_m) {
   const double off_ends_m = number_or(config, "off_ends_m", 0, {0, 5000});
   const double whole_m = length_of_route(route);
   if (whole_m - 2 * off_ends_m < patch_m)
-    config.refuse("route", formatted("is {:g} m long, of which off_ends_m leaves {:g} m, less "
-                                     "than a patch of {:g} m; mend it, or take a smaller patch_m",
-                                     whole_m, whole_m - 2 * off_ends_m, patch_m));
+    config.refuse("route",
+                  formatted("is {:g} m long, of which off_ends_m leaves {:g} m, less "
+                            "than a patch of {:g} m; correct it, or take a smaller patch_m",
+                            whole_m, whole_m - 2 * off_ends_m, patch_m));
   route = shortened(std::move(route), off_ends_m);
   const double corridor_m = number_or(config, "corridor_m", usual::corridor_m, {0.1, 500});
   const double radius_m = number_or(config, "radius_m", usual::cable_radius_m, {0.005, 1});

@@ -13,7 +13,7 @@ Surface make_mooring_line(const Config& config, double patch_m) {
   const double whole_m = length_of(line.to_m - line.from_m);
   if (whole_m < patch_m)
     config.refuse("anchor", formatted("is {:g} m from the fairlead, less than a patch of {:g} m; "
-                                      "mend it, or take a smaller patch_m",
+                                      "correct it, or take a smaller patch_m",
                                       whole_m, patch_m));
   const double share = config.optional_number("share", {0.001, 1}).value_or(1);
   line.to_m = line.from_m + share * (line.to_m - line.from_m);

@@ -48,7 +48,7 @@ Arc read_arc(const Config& config) {
   const double arc_deg = bearings[1] - bearings[0];
   if (!(arc_deg > 0 && arc_deg <= 360))
     config.refuse("bearings_deg", formatted("goes round by {:g} degrees, expected more than 0 and "
-                                            "at most 360; over north say [350, 370]",
+                                            "at most 360; across north write [350, 370]",
                                             arc_deg));
   return {bearings[0] * degree, arc_deg * degree};
 }

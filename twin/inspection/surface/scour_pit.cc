@@ -35,9 +35,11 @@ ScourPit read_scour_pit(const Config& scour, const ScourPit& level_bed) {
   pit.depth_m = scour.number("depth_m", {0, 100});
   const double most_m = deepest * 2 * pit.pile_radius_m;
   if (pit.depth_m > most_m)
-    scour.refuse("depth_m", formatted("found {:g} m, expected at most {:.1f} m: {:g} diameters of "
-                                      "the foundation; mend it",
-                                      pit.depth_m, most_m, deepest));
+    scour.refuse(
+        "depth_m",
+        formatted(
+            "found {:g} m, expected at most {:.1f} m: {:g} diameters of the foundation; correct it",
+            pit.depth_m, most_m, deepest));
   if (scour.has("width_m") && scour.has("slope_deg"))
     scour.refuse("slope_deg", "found beside width_m; give one of them");
   const double slope_rad =

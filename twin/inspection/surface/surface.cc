@@ -44,7 +44,7 @@ void expect_closed(const Surface& surface) {
                     "mend its sizes");
   if (const double enclosed_m3 = volume_m3(surface.mesh); !(enclosed_m3 > 0))
     throw Error(ErrorKind::invalid_input,
-                formatted("{}: encloses {:g} m3, its triangles face inward; mend its sizes",
+                formatted("{}: encloses {:g} m3, its triangles face inward; correct its sizes",
                           surface.name, enclosed_m3));
 }
 

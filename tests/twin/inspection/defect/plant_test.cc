@@ -160,7 +160,7 @@ TEST(PlantedDefects, RefuseWhatCannotBe) {
            Case{"{kind: crack}", "count"},
            Case{"{kind: crack, count: -1}", "count"},
            Case{"{kind: crack, count: 1.5}", "count"},
-           Case{"{kind: crack, count: 2, size_m: [0.2, 0.02]}", "give the lesser first"},
+           Case{"{kind: crack, count: 2, size_m: [0.2, 0.02]}", "give the smaller one first"},
            Case{"{kind: crack, count: 2, size_m: [0.1, 0.2, 0.3]}", "found 3 numbers"},
            Case{"{kind: crack, count: 2, size_m: 0}", "found 0, expected more"},
            Case{"{kind: crack, count: 2, severity_share: 0.3}", "is told as severity_m"},

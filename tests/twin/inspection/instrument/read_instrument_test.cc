@@ -130,7 +130,8 @@ TEST(ReadClarity, AttenuationIsGivenOrComesFromABlackDisc) {
 
 TEST(ReadClarity, ATurbidityWithoutUnitIsRefused) {
   EXPECT_TRUE(contains(refusal_of_clarity("{turbidity: 4}"), "beam_attenuation_per_m"));
-  EXPECT_TRUE(contains(refusal_of_clarity("{turbidity_ntu: 4}"), "is no attenuation"));
+  EXPECT_TRUE(contains(refusal_of_clarity("{turbidity_ntu: 4}"),
+                       "turbidity cannot be turned into attenuation"));
   EXPECT_TRUE(contains(refusal_of_clarity("{visibility: 4}"), "write visibility_m"));
   EXPECT_TRUE(
       contains(refusal_of_clarity("{beam_attenuation: 4}"), "write beam_attenuation_per_m"));

@@ -393,7 +393,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"bearings",
                 pile + ", radius_m: 3, from: {height_m: 0}, to: {depth_m: 5}, bearings_deg: [350, "
                        "10]",
-                "over north say [350, 370]"},
+                "across north write [350, 370]"},
         Refused{"fine",
                 pile + ", radius_m: 3, from: {height_m: 0}, to: {depth_m: 35}, patch_m: 0.01",
                 "take larger ones"},
