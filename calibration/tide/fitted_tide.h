@@ -12,7 +12,7 @@ namespace slackwater::calibration {
 struct FittedTide {
   std::vector<TideFit> levels;
   std::vector<std::string> notes;
-  UtcTime since = UtcTime::min();  ///< the record's values before lack it (day/tide_of_record.h)
+  UtcTime since = UtcTime::min();  ///< before it the record has no tide (`tide_of_record`)
 
   /// Of a level, m/s; 0 where there is none.
   [[nodiscard]] Horizontal at(std::size_t level, const TimeCell& cell) const {

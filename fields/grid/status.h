@@ -17,7 +17,7 @@ enum class SampleStatus : std::uint8_t {
   above_surface = 6,
   not_checked = 7,  ///< a value, but nobody has checked it (QC flag "no QC performed")
   suspect = 8,      ///< rejected: bad QC flag, gross range or spike
-  carried = 9,      ///< a value of higher up, where the product knows no water (service/bed_rule.h)
+  carried = 9,      ///< a value of higher up, where the product has no water (see `bed_rule.h`)
 };
 inline constexpr std::size_t sample_status_count = 10;
 

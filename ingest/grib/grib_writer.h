@@ -12,7 +12,7 @@ namespace slackwater::ingest {
 /// One field to be coded as a GRIB message, as a weather centre would: rows from north to south,
 /// longitudes from 0 to 360.
 struct GribField {
-  std::string short_name;    ///< "10u", "10v", "100u", "i10fg", "swh" ... (grib/parameter.h)
+  std::string short_name;    ///< "10u", "10v", "100u", "i10fg", "swh" ... (ingest/grib/parameter.h)
   UtcTime reference_time{};  ///< run; whole minutes
   int step_hours = 0;
   std::optional<int> member;          ///< perturbation number; nothing for a deterministic run

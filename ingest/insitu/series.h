@@ -15,10 +15,9 @@ namespace slackwater::ingest {
 /// Decodes buoys, platforms and current profilers into granules on a grid of 1 x 1, with a status
 /// for every value.
 ///
-/// - Quality flags become statuses (quality/flags.h); what nobody checked is `not_checked`, not
-/// good. Then the range,
-///   spike and ensemble tests of ingest/quality run; what is rejected is counted in the warnings
-///   and has no value.
+/// - Quality flags become statuses (ingest/quality/flags.h); what nobody checked is `not_checked`,
+///   not good. Then the range, spike and ensemble tests of ingest/quality run; what is rejected is
+///   counted in the warnings and has no value.
 /// - Speeds with directions become components: a current goes *to*, a wind comes *from*.
 /// - A platform that swings stands at its median position, bins that heave at their median depth
 /// (series_levels.h).

@@ -70,7 +70,8 @@ template <typename T>
 }
 
 /// The nine with names, units, priors, bounds and sources. The prior of the spiral's scale is that
-/// of the eddy viscosity of the daily calibration (solve/parameter_set.h) at this latitude.
+/// of the eddy viscosity of the daily calibration at this latitude
+/// (calibration/solve/parameter_set.h).
 [[nodiscard]] std::vector<Parameter> profile_parameters(ProfileForm form, Angle latitude);
 
 }  // namespace slackwater::calibration

@@ -3,8 +3,8 @@
 
 namespace slackwater::twin {
 
-/// What the leaves of a vehicle's tree may ask for (`simulate/conduct.h` answers them), in this
-/// order.
+/// What the leaves of a vehicle's tree may ask for (`twin/simulate/conduct.h` answers them), in
+/// this order.
 enum class ConductAction {
   carry_on,   ///< its tasks, from where it left them
   hold,       ///< where it is, until somebody else is asked
