@@ -35,7 +35,7 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
   table.note =
       "Root mean square error over its first day. A simple method has the same data: the last "
       "value kept, the same hour of the day before, a tide, or a slab of water pushed by the wind.";
-  table.columns = {"What", "Forecast", "Best naive rival", "Rival's error", "Better", "Against"};
+  table.columns = {"What", "Forecast", "Best simple method", "Its error", "Better", "Against"};
   for (const Trust& of_variable : trust) {
     const calibration::Verdict& verdict = of_variable.verdict;
     const std::string unit = " " + of_variable.unit;
@@ -47,7 +47,7 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
       row.emplace_back(name_of(verdict.best->method));
       row.push_back(formatted("{:.2f}", verdict.best->rmse) + unit);
       row.emplace_back(verdict.outcome == calibration::Outcome::ahead    ? "the forecast"
-                       : verdict.outcome == calibration::Outcome::beaten ? "the rival"
+                       : verdict.outcome == calibration::Outcome::beaten ? "the simple method"
                                                                          : "a tie");
     } else {
       row.insert(row.end(), {"none", "-", "-"});

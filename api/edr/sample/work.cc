@@ -26,10 +26,10 @@ Work moderate_work(const Selection& s, std::size_t places, std::size_t domains) 
 
 std::size_t moderate_comparisons(std::size_t cells, std::size_t vertices) {
   if (cells <= most_comparisons / std::max<std::size_t>(1, vertices)) return cells * vertices;
-  throw Error(ErrorKind::usage, "coords: found a shape of " + std::to_string(vertices) +
+  throw Error(ErrorKind::usage, "coords: found an area of " + std::to_string(vertices) +
                                     " vertices over " + std::to_string(cells) +
                                     " cells; expected at most " + std::to_string(most_comparisons) +
-                                    " of cells times vertices: simplify the shape, or lower "
+                                    " of cells times vertices: simplify the area, or lower "
                                     "resolution-x and resolution-y");
 }
 
