@@ -57,9 +57,9 @@ struct SpreadCheck {
                                        const Knowledge& knowledge, const VectorColumn& truth,
                                        UtcTime until);
 
-/// "its spread is not yet checked against its error (3 of 10 days with an analysed wind)", or "its
-/// spread held against its error: day 1 in keeping (1.1 of 1.0 m/s, 21 days), day 2 times 1.9 (2.1
-/// of 1.1 m/s, 20 days)".
+/// "its spread is not checked yet: 3 days with an analysed wind are stored, 10 are needed", or "its
+/// spread was checked against its error: day 1 agrees (1.1 of 1.0 m/s, 21 days), day 2 times 1.9
+/// (2.1 of 1.1 m/s, 20 days)".
 [[nodiscard]] std::string text_of(const SpreadCheck& check);
 
 }  // namespace slackwater::calibration
