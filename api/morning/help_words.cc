@@ -36,7 +36,7 @@ std::string flown_line(const FlownAdvice& advice, const MorningClock& clock) {
   for (const Advice& change : advice.changes)
     if (change.impossible.empty() && change.gain() > 0 && parts.size() < most)
       parts.push_back(text_of(change));
-  const std::string of_start = "The flights of " + clock(advice.start) + " done otherwise";
+  const std::string of_start = "The flights of " + clock(advice.start) + " with one thing changed";
   if (!parts.empty()) return of_start + ": " + joined(parts, "; ") + ".";
   std::size_t flown = 0;
   for (const Advice& change : advice.changes) flown += change.flights > 0 ? 1 : 0;
