@@ -169,7 +169,7 @@ void expect_classic_file_is_whole(const std::filesystem::path& path) {
   }
   if (end > header.size()) {
     refuse_damaged(path, "is truncated: it has " + std::to_string(header.size()) +
-                     " bytes where its header announces " + std::to_string(end));
+                             " bytes where its header announces " + std::to_string(end));
   }
 }
 

@@ -82,7 +82,7 @@ void expect_bounded_texts(const std::filesystem::path& path, const Variable& var
   const std::uintmax_t bytes = std::filesystem::file_size(path, none);
   if (!none && variable.chunks.empty() && variable.size() > bytes) {
     refuse_file(path, found + ", more than the " + std::to_string(bytes) +
-                     " bytes of the file; it is damaged or truncated; fetch it again");
+                          " bytes of the file; it is damaged or truncated; fetch it again");
   }
 }
 
@@ -135,13 +135,14 @@ File File::open(const std::filesystem::path& path) {
   if (status != NC_NOERR) {
     file.id_ = -1;
     refuse_file(path, std::string("cannot be opened as NetCDF (") + nc_strerror(status) +
-                     "); it is damaged or truncated; fetch it again");
+                          "); it is damaged or truncated; fetch it again");
   }
   int variables = 0;
   int global_attributes = 0;
   check(nc_inq(file.id_, nullptr, &variables, &global_attributes, nullptr), path,
         "reading the header");
-  if (variables > max_variables) refuse_file(path, "has " + std::to_string(variables) + " variables");
+  if (variables > max_variables)
+    refuse_file(path, "has " + std::to_string(variables) + " variables");
   file.dimensions_ = read_dimensions(file.id_, path);
   file.attributes_ = read_attributes(file.id_, NC_GLOBAL, global_attributes, path);
   for (int id = 0; id < variables; ++id)
@@ -223,8 +224,8 @@ std::vector<double> File::read_all(const Variable& variable) const {
   const std::size_t size = variable.size();
   if (size > max_read_all) {
     refuse_file(path_, "variable '" + variable.name + "' holds " + std::to_string(size) +
-                      " values; expected at most " + std::to_string(max_read_all) +
-                      " in one piece");
+                           " values; expected at most " + std::to_string(max_read_all) +
+                           " in one piece");
   }
   std::vector<double> values(size);
   const std::vector<std::size_t> start(variable.shape.size(), 0);

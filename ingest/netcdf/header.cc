@@ -65,7 +65,7 @@ Attribute read_attribute(int file, int variable, int number, const std::filesyst
   attribute.type = type_of(type);
   if (length > max_attribute_values) {
     refuse_file(path, "attribute '" + attribute.name + "' holds " + std::to_string(length) +
-                     " values; expected at most " + std::to_string(max_attribute_values));
+                          " values; expected at most " + std::to_string(max_attribute_values));
   }
   if (attribute.type == Type::character) {
     std::string text(length, '\0');

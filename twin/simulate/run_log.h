@@ -41,8 +41,8 @@ struct RunLog {
 /// the tables `approach` and `clearance` beside them. 4: `tether_top`. 5: what was done to the
 /// vehicles from outside, in the tables `client`, `command`, `content` and `refusal`, and the
 /// attribute `stopped_at_step` of a run that was ended from outside; none of them where nobody did
-/// anything. 6: all of the account of a run (twin/account) in the tables `fate`, `befell`, `cleaned`,
-/// `inspected` and `defect_kind`.
+/// anything. 6: all of the account of a run (twin/account) in the tables `fate`, `befell`,
+/// `cleaned`, `inspected` and `defect_kind`.
 inline constexpr int log_format = 6;
 
 /// The row of a vehicle at a time of the run. Water, surface and wind are those at the vehicle

@@ -107,8 +107,8 @@ structures:
   - {name: pile, kind: cylinder, north_m: 0, east_m: 0, diameter_m: 6, top_height_m: 20,
      bottom_depth_m: 40}
 vehicles:
-  - {name: flat, model: x500, state_of_charge: 0.005, start: {north_m: 100, east_m: 0, height_m: 40},
-     tasks: [{do: hold}]}
+  - {name: flat, model: x500, state_of_charge: 0.005,
+     start: {north_m: 100, east_m: 0, height_m: 40}, tasks: [{do: hold}]}
   - {name: slow, model: lrauv_tethys, start: {north_m: 0, east_m: 90, depth_m: 20},
      tasks: [{do: route, waypoints: [{north_m: 500, east_m: 90, depth_m: 20}]}]}
   - {name: boat, model: ctv24, start: {north_m: -90, east_m: 0, depth_m: 0},
