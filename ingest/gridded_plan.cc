@@ -33,11 +33,6 @@ struct Located {
   AxisOrder columns;
 };
 
-bool is_numeric(netcdf::Type type) {
-  return type != netcdf::Type::character && type != netcdf::Type::string &&
-         type != netcdf::Type::other;
-}
-
 [[noreturn]] void refuse_nothing_wanted(const netcdf::File& file, const Product& product) {
   refuse_terrain_following(file);
   std::string found;
@@ -59,7 +54,7 @@ std::vector<Candidate> wanted(const netcdf::File& file, const ProductCatalogue& 
                               const Product& product) {
   std::vector<Candidate> candidates;
   for (const netcdf::Variable& variable : file.variables()) {
-    if (!is_numeric(variable.type) || variable.dimensions.empty()) continue;
+    if (!variable.has_numbers() || variable.dimensions.empty()) continue;
     // A coordinate variable is no data, whatever its name.
     if (variable.dimensions.size() == 1 && variable.dimensions[0] == variable.name) continue;
     if (const Quantity* quantity = products.quantity_of(variable, product))

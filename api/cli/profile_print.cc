@@ -7,9 +7,8 @@
 #include <string>
 
 #include "api/cli/command.h"
+#include "api/pipeline/snapshot_json.h"
 #include "fields/service/wave_source.h"
-#include "ingest/cf/averaged_json.h"
-#include "ingest/cf/provenance_json.h"
 
 namespace slackwater::api {
 namespace {
@@ -119,7 +118,7 @@ json to_json(const ProfileAnswer& a) {
           {"contains_stokes", snapshot.contains_stokes},
           {"hindsight", snapshot.hindsight},
           {"simulated_wind", snapshot.simulated_wind},
-          {"averaged", json::parse(ingest::averaged_json(snapshot.averaged))},
+          {"averaged", averaged_json(snapshot.averaged)},
           {"headline", snapshot.headline},
           {"notes", a.notes},
           {"water_depth_m", a.water_depth_m},
@@ -129,7 +128,7 @@ json to_json(const ProfileAnswer& a) {
           {"waves", waves_json(a)},
           {"sea_level", sea_level_json(a)},
           {"attributions", snapshot.attributions},
-          {"provenance", json::parse(ingest::provenance_json(snapshot.provenance))}};
+          {"provenance", provenance_json(snapshot.provenance)}};
 }
 
 /// "21 members" beside the central forecast, or which of them the table shows.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/cli/progress.h"
+#include "api/pipeline/snapshot_json.h"
 #include "fields/base/csv.h"
 #include "fields/base/error.h"
 #include "ingest/cf/averaged_json.h"
@@ -161,7 +162,7 @@ void print_samples_json(const Samples& s, const std::filesystem::path& out) {
                          {"degraded", f.degraded},
                          {"hindsight", f.hindsight},
                          {"simulated_wind", f.simulated_wind},
-                         {"averaged", json::parse(ingest::averaged_json(f.averaged))},
+                         {"averaged", averaged_json(f.averaged)},
                          {"headline", f.headline},
                          {"out", out.string()},
                          {"points", s.grid.points.size()},

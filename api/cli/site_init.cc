@@ -12,7 +12,7 @@
 #include "api/program/paths.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
-#include "fields/site/site.h"
+#include "fields/site/write_site.h"
 
 namespace slackwater::api {
 namespace {
@@ -46,28 +46,13 @@ std::string id_from(const std::string& name) {
 void check_place(const InitArguments& arguments) {
   const double latitude = arguments.latitude_deg;
   const double longitude = arguments.longitude_deg;
-  if (std::abs(latitude) <= 90 && std::abs(longitude) <= 360) return;
+  if (std::abs(latitude) <= 90 && longitude >= -180 && longitude <= 360) return;
   std::string message =
       formatted("found latitude {:g} and longitude {:g}, expected -90 to 90 and -180 to 360",
                 latitude, longitude);
   if (std::abs(longitude) <= 90 && std::abs(latitude) <= 360)
     message += "; did you swap --lat and --lon?";
   throw Error(ErrorKind::usage, message);
-}
-
-/// The text of the file; the name in double quotes, as YAML wants it.
-std::string yaml_of(const InitArguments& arguments, const std::string& id,
-                    const std::optional<double>& depth_m, const std::string& depth_source) {
-  std::string yaml = "id: " + id + "\nname: " + json(arguments.name).dump() + "\n" +
-                     formatted("latitude_deg: {:.6g}\nlongitude_deg: {:.7g}\n",
-                               arguments.latitude_deg, arguments.longitude_deg);
-  if (depth_m) {
-    yaml += formatted("water_depth_m: {:.1f}  # {}\n", *depth_m, depth_source);
-  } else {
-    yaml += "# water_depth_m: 35  # not known: no bathymetry is stored for this place\n";
-  }
-  if (!arguments.time_zone.empty()) yaml += "timezone: " + arguments.time_zone + "\n";
-  return yaml;
 }
 
 /// The depth there, where the store holds bathymetry.
@@ -79,14 +64,15 @@ std::optional<double> stored_depth_m(const Site& site, const Context& context) {
 
 void run_site_init(const InitArguments& arguments, const Context& context) {
   check_place(arguments);
-  if (!arguments.time_zone.empty())
-    static_cast<void>(option_value("--timezone", arguments.time_zone, TimeZone::named));
   const std::string id = arguments.id.empty() ? id_from(arguments.name) : arguments.id;
   if (id.empty()) {
     throw Error(ErrorKind::usage, "--name: found '" + arguments.name +
                                       "', which has no letter or digit of ASCII to make an id of; "
                                       "give --id");
   }
+  if (!is_site_id(id))
+    throw Error(ErrorKind::invalid_input,
+                "--id: found '" + id + "', expected at most 64 letters, digits, '-', '_' or '.'");
   const std::filesystem::path file = context.store_folder / "sites" / (id + ".yaml");
   const std::vector<std::string> known = known_sites(site_folders(context.store_folder));
   if (std::find(known.begin(), known.end(), id) != known.end()) {
@@ -94,30 +80,35 @@ void run_site_init(const InitArguments& arguments, const Context& context) {
                 "found a site '" + id + "' already; give another --name or --id" +
                     (std::filesystem::exists(file) ? ", or edit " + file.string() : ""));
   }
-  std::optional<double> depth_m = arguments.water_depth_m;
+  Site site;
+  site.id = id;
+  site.name = arguments.name;
+  site.point = GeoPoint::from_degrees(arguments.latitude_deg, arguments.longitude_deg);
+  site.water_depth_m = arguments.water_depth_m;
+  if (!arguments.time_zone.empty())
+    site.time_zone = option_value("--timezone", arguments.time_zone, TimeZone::named);
   std::string source = "as given";
-  Site site = parse_site(yaml_of(arguments, id, depth_m, source), "site init");
-  if (!depth_m) {
-    depth_m = stored_depth_m(site, context);
+  if (!site.water_depth_m) {
+    site.water_depth_m = stored_depth_m(site, context);
     source = "from the bathymetry in the store";
   }
-  const std::string yaml = yaml_of(arguments, id, depth_m, source);
-  site = parse_site(yaml, "site init");  // what is written can be read
   std::filesystem::create_directories(file.parent_path());
-  write_text(file, yaml);
+  write_text(file, new_site_yaml(site, source));
   if (context.json) {
     std::printf("%s\n", json{{"id", id},
                              {"file", file.string()},
-                             {"water_depth_m", depth_m ? json(*depth_m) : json(nullptr)}}
+                             {"water_depth_m",
+                              site.water_depth_m ? json(*site.water_depth_m) : json(nullptr)}}
                             .dump(2, ' ', false, json::error_handler_t::replace)
                             .c_str());
     return;
   }
   std::printf("%s: %s at %s, %s\n", file.c_str(), site.name.c_str(),
               position_text(site.point).c_str(),
-              depth_m ? formatted("{:.1f} m of water ({})", *depth_m, source).c_str()
-                      : "water depth not known yet: it will be taken from bathymetry, or from the "
-                        "deepest wet level of the currents");
+              site.water_depth_m
+                  ? formatted("{:.1f} m of water ({})", *site.water_depth_m, source).c_str()
+                  : "water depth not known yet: it will be taken from bathymetry, or from the "
+                    "deepest wet level of the currents");
   std::printf("Next:  slackwater forecast --site %s --print-downloads\n", id.c_str());
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "api/coverage/raster.h"
+#include "fields/base/angle.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
 #include "fields/base/turn.h"
@@ -182,7 +183,7 @@ std::optional<double> north_on_sheet_deg(const Coverage& coverage) {
   if (std::abs(turn) < 0.3) return std::nullopt;
   // The way along the sheet that leads north and not east.
   const double along = -east_down / turn, down = east_along / turn;
-  return std::atan2(along, -down) * 57.29577951308232;
+  return Angle::from_radians(std::atan2(along, -down)).degrees();
 }
 
 std::string sheet_svg(const Coverage& coverage, const std::vector<CoverageMark>& marks) {

@@ -6,6 +6,8 @@
 
 #include "api/coverage/sheet.h"
 #include "api/coverage/tangents.h"
+#include "fields/base/angle.h"
+#include "fields/base/constants.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
 #include "fields/base/turn.h"
@@ -71,8 +73,7 @@ struct View {
   Place up{0, 0, 0};
 
   explicit View(double bearing_deg) : from_deg(bearing_deg) {
-    constexpr double radians = 0.017453292519943295;
-    const double a = bearing_deg * radians, e = 25 * radians;
+    const double a = bearing_deg * constants::degree, e = 25 * constants::degree;
     eye = {std::sin(a) * std::cos(e), std::cos(a) * std::cos(e), std::sin(e)};
     right = {-std::cos(a), std::sin(a), 0};
     up = cross(eye, right);
@@ -102,7 +103,7 @@ std::vector<View> views_of(const std::vector<CoverageQuad>& quads) {
   }
   double bearing = 225;
   if (std::hypot(looked.x(), looked.y()) > 0.02 * area) {
-    bearing = std::atan2(looked.x(), looked.y()) * 57.29577951308232;
+    bearing = Angle::from_radians(std::atan2(looked.x(), looked.y())).degrees();
     bearing = compass_deg(45 * std::round(bearing / 45) + 360);
   }
   std::vector<View> views{View(bearing)};

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/base/turn.h"
@@ -146,7 +147,7 @@ CoveragePatch patch_of(const Rows& rows, std::size_t i) {
   patch.state = is_covered ? PatchState::covered
                 : is_seen  ? PatchState::seen_poorly
                            : PatchState::unseen;
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const double nothing = constants::nan;
   // Light may have been too poor to make out anything: a detail without bound.
   const double detail_m = rows.column("detail")[i];
   if (is_seen && !(detail_m >= 0))
@@ -161,7 +162,7 @@ CoveragePatch patch_of(const Rows& rows, std::size_t i) {
 constexpr std::size_t outcomes = 5;
 
 Finding finding_of(const Rows& rows, std::size_t i) {
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const double nothing = constants::nan;
   Finding finding;
   finding.kind = static_cast<twin::DefectKind>(rows.whole("kind", i, twin::defect_kinds));
   finding.outcome = static_cast<FindingOutcome>(rows.whole("outcome", i, outcomes));

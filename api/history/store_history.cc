@@ -1,9 +1,9 @@
 #include "api/history/store_history.h"
 
 #include <cmath>
-#include <limits>
 
 #include "api/pipeline/load_site_data.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/record/choose.h"
@@ -12,7 +12,7 @@
 namespace slackwater::api {
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = constants::nan;
 
 /// Values at one level, NaN where there is none, or only a forecast.
 template <typename T>

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/battery/battery.h"
 #include "twin/simulate/conduct.h"
@@ -47,8 +48,7 @@ dds::Reserve ReserveAdvice::look(const twin::Agent& agent, const twin::AgentStat
   dds::Reserve reserve;
   const auto& battery = agent.vehicle->battery;
   if (!battery) {
-    reserve.energy_left_j = reserve.energy_home_j = reserve.margin_s =
-        std::numeric_limits<double>::quiet_NaN();
+    reserve.energy_left_j = reserve.energy_home_j = reserve.margin_s = constants::nan;
     reserve.advice = "it burns fuel: no reserve is computed";
     return reserve;
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "fields/base/turn.h"
 #include "twin/traffic/closest_approach.h"
 
@@ -15,7 +15,7 @@ constexpr double power_every_s = 60, traffic_every_s = 2;
 /// The nearest of the approaches that are foreseen to any vehicle that goes on.
 twin::ClosestApproach nearest_of(const twin::MovingPoint& vessel,
                                  std::span<const twin::Seen> vehicles) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double none = constants::nan;
   twin::ClosestApproach nearest{none, none, false};
   for (const twin::Seen& vehicle : vehicles) {
     if (vehicle.halt != twin::Halt::none) continue;

@@ -1,6 +1,7 @@
 #include "api/morning/help_words.h"
 
 #include "api/morning/morning_clock.h"
+#include "api/rehearse/advice_report.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -5,6 +5,7 @@
 #include "api/morning/morning_text.h"
 #include "api/morning/trust.h"
 #include "api/plan/plan_json.h"
+#include "api/rehearse/advice_report.h"
 #include "api/windows/windows_answer.h"
 #include "api/windows/worth.h"
 #include "fields/base/text.h"

@@ -4,7 +4,6 @@
 
 #include "api/morning/help_words.h"
 #include "api/morning/morning_clock.h"
-#include "api/rehearse/rehearsal_json.h"
 #include "api/windows/windows_answer.h"
 #include "api/windows/worth.h"
 #include "fields/base/quantile.h"

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/pipeline/snapshot_json.h"
 #include "api/pipeline/sources_json.h"
 #include "fields/service/wave_source.h"
-#include "ingest/cf/averaged_json.h"
 
 namespace slackwater::api {
 namespace {
@@ -199,8 +199,8 @@ json job_summary(const DailyJob& job) {
           {"wind", std::string(name_of(plan.wind))},
           {"hindsight", forecast.snapshot.hindsight},
           {"simulated_wind", forecast.snapshot.simulated_wind},
-          {"averaged", json::parse(ingest::averaged_json(forecast.snapshot.averaged))},
-          {"horizon_h", std::chrono::duration<double, std::ratio<3600>>(job.horizon).count()},
+          {"averaged", averaged_json(forecast.snapshot.averaged)},
+          {"horizon_h", hours_of(job.horizon)},
           {"dataset", plan.dataset},
           {"stands_in_for", plan.stands_in_for},
           {"inputs", inputs_of(forecast)},

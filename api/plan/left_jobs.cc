@@ -73,16 +73,16 @@ std::string hindrance_text(const PlanProblem& problem, const Plan& plan,
          (why.empty() ? "it would fit, but the search ran out of time" : joined(why, ", and "));
 }
 
-const StartChance& best_start(const PlanJob& job) {
+const JobStart& best_start(const PlanJob& job) {
   return *std::max_element(
       job.starts.begin(), job.starts.end(),
-      [](const StartChance& a, const StartChance& b) { return a.probability < b.probability; });
+      [](const JobStart& a, const JobStart& b) { return a.probability < b.probability; });
 }
 
 /// Where no way to do it breaks no rule by itself.
 std::string alone_text(const PlanProblem& problem, std::size_t j) {
   const PlanJob& job = problem.jobs[j];
-  const StartChance& best = best_start(job);
+  const JobStart& best = best_start(job);
   if (!has_chance(problem, best)) {
     const std::string found =
         "the best is " + chance_text(best.probability) + " at " +

@@ -45,8 +45,8 @@ struct Plan {
   [[nodiscard]] double gap() const noexcept;
 };
 
-[[nodiscard]] inline const StartChance& start_of(const PlanProblem& problem,
-                                                 const Assignment& assignment) {
+[[nodiscard]] inline const JobStart& start_of(const PlanProblem& problem,
+                                              const Assignment& assignment) {
   return problem.jobs[assignment.job].starts[assignment.start];
 }
 /// When it begins and when all that it takes is free again (a vehicle after its swap).

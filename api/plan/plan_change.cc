@@ -24,8 +24,8 @@ std::optional<std::size_t> index_of(const Things& things, const std::string& id)
 /// The earlier assignment among the things of the new problem; or what of it is gone.
 std::optional<Assignment> as_before(const PlanProblem& problem, std::size_t job,
                                     const EarlierPlan::Job& was, std::string& gone) {
-  const std::vector<StartChance>& starts = problem.jobs[job].starts;
-  const auto start = std::find_if(starts.begin(), starts.end(), [&](const StartChance& one) {
+  const std::vector<JobStart>& starts = problem.jobs[job].starts;
+  const auto start = std::find_if(starts.begin(), starts.end(), [&](const JobStart& one) {
     return problem.begin + std::chrono::minutes(problem.minute_of(one.slot)) == was.start;
   });
   Assignment before{job, static_cast<std::size_t>(start - starts.begin()), 0, 0, {}};

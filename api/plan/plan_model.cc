@@ -44,7 +44,7 @@ class ModelBuilder {
  private:
   using Pair = std::pair<std::size_t, std::size_t>;
 
-  const StartChance& start_of(std::size_t column) const {
+  const JobStart& start_of(std::size_t column) const {
     const PlanModel::Option& option = model_.options[column];
     return problem_.jobs[option.job].starts[option.start];
   }
@@ -53,7 +53,7 @@ class ModelBuilder {
   }
   /// @param after_min  that it is taken after the work
   Taking taking(std::size_t column, std::size_t option, Minute after_min) const {
-    const StartChance& start = start_of(option);
+    const JobStart& start = start_of(option);
     const Minute end = problem_.minute_of(start.slot) + start.hold_min + after_min;
     return {column, start.slot, problem_.slot_from(end)};
   }
@@ -66,14 +66,14 @@ class ModelBuilder {
     return fit;
   }
 
-  bool has_packs(std::size_t vehicle, const StartChance& start) const {
+  bool has_packs(std::size_t vehicle, const JobStart& start) const {
     const auto battery = problem_.vehicles[vehicle].battery;
     return !battery ||
            packs_for(problem_.batteries[*battery], start) <= problem_.batteries[*battery].count;
   }
 
   /// Whether each need can have a vehicle of its own.
-  bool choose_vehicles(const std::vector<std::vector<std::size_t>>& fit, const StartChance& start,
+  bool choose_vehicles(const std::vector<std::vector<std::size_t>>& fit, const JobStart& start,
                        std::vector<std::size_t>& chosen) const {
     if (chosen.size() == fit.size()) return true;
     for (const std::size_t k : fit[chosen.size()]) {
@@ -96,7 +96,7 @@ class ModelBuilder {
           const PlanCrew& crew = problem_.crews[c];
           if (crew.vessel.value_or(v) != v || !is_skilled(crew, job)) continue;
           for (std::size_t s = 0; s < job.starts.size(); ++s) {
-            const StartChance& start = job.starts[s];
+            const JobStart& start = job.starts[s];
             std::vector<std::size_t> chosen;
             if (!has_chance(problem_, start) || !choose_vehicles(fit, start, chosen) ||
                 !vessel_holds(problem_, problem_.vessels[v], job, start) ||

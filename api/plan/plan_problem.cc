@@ -22,7 +22,7 @@ void expect_sound(const PlanProblem& problem, const PlanJob& job) {
   expects(job.priority > 0 && std::isfinite(job.priority), "a job is worth something");
   expects(job.contingency_min >= 0, "a contingency is no less than 0");
   std::size_t next = 0;
-  for (const StartChance& start : job.starts) {
+  for (const JobStart& start : job.starts) {
     expects(start.slot >= next && start.slot < problem.slots, "starts go by slot, each once");
     expects(start.probability >= 0 && start.probability <= 1, "a probability is of 0 to 1");
     expects(start.hold_min > 0, "a job takes time");
@@ -39,7 +39,7 @@ std::size_t head_of(const std::vector<std::size_t>& joined, std::size_t i) {
 
 }  // namespace
 
-std::size_t packs_for(const PlanBattery& battery, const StartChance& start) noexcept {
+std::size_t packs_for(const PlanBattery& battery, const JobStart& start) noexcept {
   const double packs = std::ceil(start.energy_wh / battery.usable_wh - 1e-9);
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::max(0.0, packs)));
 }

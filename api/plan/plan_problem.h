@@ -63,7 +63,7 @@ struct PlanCharger {
 };
 
 /// One start of a job, as the windows have it.
-struct StartChance {
+struct JobStart {
   std::size_t slot = 0;
   double probability = 0;  ///< 0 to 1, of all being well to the way home
   Minute hold_min = 0;     ///< the crew, the vehicles and the vessel are there for so long
@@ -80,7 +80,7 @@ struct PlanJob {
   std::vector<std::vector<std::string>> vehicles;
   std::vector<std::string> skills;  ///< that its crew has to have
   Minute contingency_min = 0;       ///< more that there has to be until the end of the hours
-  std::vector<StartChance> starts;  ///< by slot, each slot once; others are none
+  std::vector<JobStart> starts;     ///< by slot, each slot once; others are none
   std::string without_starts;       ///< why there are none, or so few, in words; may be empty
 };
 
@@ -112,7 +112,7 @@ struct PlanProblem {
 };
 
 /// Packs that a vehicle of this battery takes along to a start.
-[[nodiscard]] std::size_t packs_for(const PlanBattery& battery, const StartChance& start) noexcept;
+[[nodiscard]] std::size_t packs_for(const PlanBattery& battery, const JobStart& start) noexcept;
 
 /// Vehicles in groups, by the batteries and chargers that they share: a group sails together.
 /// @return the group of each vehicle, counted from 0 without holes

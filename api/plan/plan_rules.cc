@@ -8,7 +8,7 @@ namespace {
 
 /// From leaving the port to being back, the contingency used up.
 PlanHours out_and_home(const PlanProblem& problem, const PlanVessel& vessel, const PlanJob& job,
-                       const StartChance& start) {
+                       const JobStart& start) {
   const Minute begin = problem.minute_of(start.slot);
   PlanHours hours{begin, begin + start.hold_min + job.contingency_min};
   if (vessel.port) {
@@ -39,7 +39,7 @@ PackCount packs_used(const PlanProblem& problem, std::span<const Assignment> ass
   for (const Assignment& one : assignments) {
     for (const std::size_t k : one.vehicles) {
       if (problem.vehicles[k].battery != battery) continue;
-      const StartChance& start = start_of(problem, one);
+      const JobStart& start = start_of(problem, one);
       const int packs = static_cast<int>(packs_for(problem.batteries[battery], start));
       count.taken[start.slot] += packs;
       count.back[std::min(problem.slot_from(end_of(problem, one)), problem.slots)] += packs;
@@ -51,12 +51,12 @@ PackCount packs_used(const PlanProblem& problem, std::span<const Assignment> ass
 }  // namespace
 
 bool vessel_holds(const PlanProblem& problem, const PlanVessel& vessel, const PlanJob& job,
-                  const StartChance& start) {
+                  const JobStart& start) {
   return holds(vessel.hours, out_and_home(problem, vessel, job, start));
 }
 
 bool shift_holds(const PlanProblem& problem, const PlanVessel& vessel, const PlanCrew& crew,
-                 const PlanJob& job, const StartChance& start) {
+                 const PlanJob& job, const JobStart& start) {
   return holds(crew.shift, out_and_home(problem, vessel, job, start));
 }
 
@@ -80,7 +80,7 @@ std::vector<std::size_t> vehicles_of(const PlanProblem& problem, std::size_t ves
 
 std::optional<Breach> breach_of(const PlanProblem& problem, const Assignment& assignment) {
   const PlanJob& job = problem.jobs[assignment.job];
-  const StartChance& start = start_of(problem, assignment);
+  const JobStart& start = start_of(problem, assignment);
   const PlanCrew& crew = problem.crews[assignment.crew];
   const std::size_t vessel = assignment.vessel;
   if (!has_chance(problem, start)) return Breach{Rule::chance, 0};

@@ -54,16 +54,16 @@ struct Breach {
 
 /// A job at a start by a crew on a vessel: whether their hours hold it.
 [[nodiscard]] bool vessel_holds(const PlanProblem& problem, const PlanVessel& vessel,
-                                const PlanJob& job, const StartChance& start);
+                                const PlanJob& job, const JobStart& start);
 [[nodiscard]] bool shift_holds(const PlanProblem& problem, const PlanVessel& vessel,
-                               const PlanCrew& crew, const PlanJob& job, const StartChance& start);
+                               const PlanCrew& crew, const PlanJob& job, const JobStart& start);
 /// Whether a crew has every skill of a job.
 [[nodiscard]] bool is_skilled(const PlanCrew& crew, const PlanJob& job);
 /// The vehicles of a vessel, or of any, that are of one of these kinds.
 [[nodiscard]] std::vector<std::size_t> vehicles_of(const PlanProblem& problem, std::size_t vessel,
                                                    const std::vector<std::string>& kinds);
 /// Whether a start has a chance, and as much as is asked for.
-[[nodiscard]] inline bool has_chance(const PlanProblem& problem, const StartChance& start) {
+[[nodiscard]] inline bool has_chance(const PlanProblem& problem, const JobStart& start) {
   return start.probability > 0 && start.probability >= problem.least_probability;
 }
 /// Slots that a charge of this battery takes.

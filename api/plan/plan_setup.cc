@@ -168,12 +168,11 @@ void expect_possible(const PlanProblem& problem, std::size_t j) {
            ": found no vessel that could carry a crew for it and the vehicles it takes "
            "together; put them on one vessel, or leave `vessel` out");
   if (job.starts.empty()) return;
-  const Minute shortest = std::min_element(job.starts.begin(), job.starts.end(),
-                                           [](const StartChance& a, const StartChance& b) {
-                                             return a.hold_min < b.hold_min;
-                                           })
-                              ->hold_min +
-                          job.contingency_min;
+  const Minute shortest =
+      std::min_element(job.starts.begin(), job.starts.end(),
+                       [](const JobStart& a, const JobStart& b) { return a.hold_min < b.hold_min; })
+          ->hold_min +
+      job.contingency_min;
   Minute longest_day = 0;
   bool fits = false;
   for (const Assignment& team : teams) {

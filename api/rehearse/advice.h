@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -42,11 +41,5 @@ struct FlownStart {
 ///              is flown once however long that takes
 [[nodiscard]] std::vector<Advice> advice_for(const LoadedMission& mission,
                                              const RehearsalPlan& plan, const FlownStart& flown);
-
-[[nodiscard]] nlohmann::json advice_json(const std::vector<Advice>& advice);
-/// "an hour later: 22 of 24 done instead of 10".
-[[nodiscard]] std::string text_of(const Advice& advice);
-[[nodiscard]] std::string advice_table_html(const std::string& title,
-                                            const std::vector<Advice>& advice);
 
 }  // namespace slackwater::api

@@ -5,7 +5,7 @@
 #include "api/coverage/pictures.h"
 #include "api/rehearse/over_flights.h"
 #include "api/report/plot_json.h"
-#include "fields/base/constants.h"
+#include "fields/base/angle.h"
 #include "fields/base/text.h"
 #include "twin/simulate/conduct.h"
 
@@ -17,7 +17,6 @@ using twin::InspectionOutcome;
 
 constexpr StateWords words_of_flights{"covered in at least 9 of 10 futures", "in some",
                                       "in fewer than 1 of 10"};
-constexpr double degrees = 180 / constants::pi;
 
 Vector3<Enu> enu(const twin::Triple<double>& ned) { return {ned.y, ned.x, -ned.z}; }
 
@@ -29,7 +28,7 @@ PatchState state_of(double share) {
 
 CoverageSheet laid_flat(const twin::Sheet& sheet) {
   return {sheet.width_m, sheet.height_m, sheet.is_all_round,
-          sheet.along,   sheet.down,     sheet.first_bearing_rad * degrees,
+          sheet.along,   sheet.down,     Angle::from_radians(sheet.first_bearing_rad).degrees(),
           sheet.top_z_m};
 }
 
@@ -43,7 +42,7 @@ Coverage asked_of(const twin::Inspection& what, std::size_t pair) {
   coverage.kind = twin::name_of(surface.kind);
   coverage.instrument = what.instruments[what.pairs[pair].line].name;
   coverage.asked_detail_m = line.detail_m;
-  coverage.asked_incidence_deg = line.most_incidence_rad * degrees;
+  coverage.asked_incidence_deg = Angle::from_radians(line.most_incidence_rad).degrees();
   coverage.asked_looks = line.looks;
   coverage.done_at = line.done_at;
   coverage.words = words_of_flights;

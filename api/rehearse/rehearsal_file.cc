@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "api/program/version.h"
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/scenario/write_scenario.h"
 
@@ -16,7 +16,7 @@ using ingest::TrajectoryTable;
 using twin::Flight;
 using twin::FlightSample;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double none = constants::nan;
 
 TrajectoryTable flight_table(const Rehearsal& rehearsal) {
   TrajectoryTable table;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "api/rehearse/account_tables.h"
+#include "api/rehearse/advice_report.h"
 #include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/inspection_report.h"
 #include "api/rehearse/risk_report.h"
+#include "api/rehearse/risks.h"
+#include "api/rehearse/unchecked.h"
 #include "api/report/plot_json.h"
 #include "fields/base/quantile.h"
 #include "fields/base/text.h"
@@ -179,26 +181,6 @@ std::string disagreement_of(const StartOutcome& start) {
            "), but most flights are done: the vehicle holds, or is elsewhere, while the limit is "
            "exceeded.";
   return "";
-}
-
-Unchecked unchecked_of(const twin::Scenario& mission) {
-  std::set<std::string> not_checked, assumed;
-  for (const twin::ScenarioVehicle& vehicle : mission.vehicles) {
-    if (!vehicle.conduct) continue;
-    for (const twin::Limit& limit : vehicle.conduct->limits) {
-      const auto found =
-          std::find_if(vehicle.conduct->assumed.begin(), vehicle.conduct->assumed.end(),
-                       [&](const twin::Assumption& a) { return a.variable == limit.variable; });
-      const bool is_assumed = found != vehicle.conduct->assumed.end();
-      if (twin::word_of(limit.variable).is_served && !is_assumed) continue;
-      if (!is_assumed)
-        not_checked.insert(text_of(limit));
-      else
-        assumed.insert(formatted("{} {:g} {}", twin::word_of(limit.variable).meaning, found->value,
-                                 twin::word_of(limit.variable).unit));
-    }
-  }
-  return {{not_checked.begin(), not_checked.end()}, {assumed.begin(), assumed.end()}};
 }
 
 json rehearsal_json(const LoadedMission& mission, const RehearsalPlan& plan,

@@ -19,13 +19,6 @@ namespace slackwater::api {
 /// Why the limits and the flights disagree about a start; empty where they do not.
 [[nodiscard]] std::string disagreement_of(const StartOutcome& start);
 
-/// Limits of a mission that nobody could check, and those held against what is assumed.
-struct Unchecked {
-  std::vector<std::string> not_checked;
-  std::vector<std::string> assumed;
-};
-[[nodiscard]] Unchecked unchecked_of(const twin::Scenario& mission);
-
 /// {"p10", "p50", "p90"}; null of none.
 [[nodiscard]] nlohmann::json quantiles_json(const std::vector<double>& values);
 

@@ -6,14 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include "api/program/version.h"
-#include "api/rehearse/advice.h"
+#include "api/rehearse/advice_report.h"
 #include "api/rehearse/cleaning_report.h"
 #include "api/rehearse/coverage_over_flights.h"
 #include "api/rehearse/inspection_report.h"
 #include "api/rehearse/limit_bounds.h"
 #include "api/rehearse/rehearsal_json.h"
 #include "api/rehearse/risk_report.h"
+#include "api/rehearse/risks.h"
 #include "api/rehearse/run_page_traffic.h"
+#include "api/rehearse/unchecked.h"
 #include "api/report/assets.h"
 #include "api/report/html_page.h"
 #include "api/report/plot_json.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "twin/body/frame.h"
@@ -15,7 +15,7 @@ using ingest::TrajectoryTable;
 using twin::TrackPoint;
 using twin::TrafficVessel;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double none = constants::nan;
 
 TrajectoryTable vessel_table(std::span<const TrafficVessel> vessels) {
   TrajectoryTable table;

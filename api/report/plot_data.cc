@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "api/report/plot_json.h"
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 
 namespace slackwater::api {
 namespace {
@@ -21,7 +21,7 @@ std::vector<Horizontal> depth_means(const ReportProfile& profile,
   for (std::size_t t = 0; t < profile.time.size(); ++t) {
     Horizontal sum = 0;
     double thickness_m = 0;
-    Horizontal lone{std::numeric_limits<double>::quiet_NaN(), 0};
+    Horizontal lone{constants::nan, 0};
     for (std::size_t k = 0; k < levels; ++k) {
       const Horizontal here = current[t * levels + k];
       if (std::isnan(here.real())) continue;

@@ -13,9 +13,7 @@ using nlohmann::json;
 json number(double value) { return std::round(value * 1e7) / 1e7; }
 
 /// Over how many hours the truth was averaged; 0: instants.
-json mean_hours(const calibration::SkillEntry& e) {
-  return number(std::chrono::duration<double, std::ratio<3600>>(e.truth_averaging).count());
-}
+json mean_hours(const calibration::SkillEntry& e) { return number(hours_of(e.truth_averaging)); }
 
 json or_null(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
 

@@ -7,8 +7,6 @@
 namespace slackwater::api {
 namespace {
 
-constexpr double radians = constants::pi / 180;
-
 /// Multiples of the lunar hour angle tau and of the mean longitudes of moon s, sun h and lunar
 /// perigee p, a constant, and what the constituent does at the site.
 struct Constituent {
@@ -42,7 +40,8 @@ constexpr double amplitude_gain(PlanePoint point) noexcept {
 
 /// The wave travels east: 0.25 degrees of M2 per km.
 double travel_lag_rad(PlanePoint point, std::size_t constituent) noexcept {
-  return radians * 0.25e-3 * point.east_m * Tide::speed_deg_h(constituent) / Tide::speed_deg_h(0);
+  return constants::degree * 0.25e-3 * point.east_m * Tide::speed_deg_h(constituent) /
+         Tide::speed_deg_h(0);
 }
 
 }  // namespace
@@ -66,8 +65,8 @@ Tide::Arguments Tide::arguments(UtcTime time) noexcept {
   Arguments result;
   for (std::size_t j = 0; j < constituents; ++j) {
     const Constituent& c = table[j];
-    result[j] =
-        std::polar(1.0, radians * (c.tau * tau + c.s * s + c.h * h + c.p * p + c.constant_deg));
+    result[j] = std::polar(
+        1.0, constants::degree * (c.tau * tau + c.s * s + c.h * h + c.p * p + c.constant_deg));
   }
   return result;
 }
@@ -78,9 +77,9 @@ Tide::RotaryParts Tide::parts(const ColumnPhysics& physics, PlanePoint point, do
   const double gain = amplitude_gain(point);
   for (std::size_t j = 0; j < constituents; ++j) {
     const Constituent& c = table[j];
-    const double sigma_rad_s = radians * speed_deg_h(j) / 3600;
-    const double lag = radians * c.lag_deg + travel_lag_rad(point, j);
-    const double turn = radians * c.inclination_deg;
+    const double sigma_rad_s = constants::degree * speed_deg_h(j) / 3600;
+    const double lag = constants::degree * c.lag_deg + travel_lag_rad(point, j);
+    const double turn = constants::degree * c.inclination_deg;
     result.counter_clockwise[j] = std::polar(gain * 0.5 * (c.major_m_s + c.minor_m_s), turn - lag) *
                                   bottom_layer_factor(physics, water_depth_m, depth_m, sigma_rad_s);
     result.clockwise[j] = std::polar(gain * 0.5 * (c.major_m_s - c.minor_m_s), turn + lag) *
@@ -100,7 +99,7 @@ Horizontal Tide::current(const RotaryParts& parts, const Arguments& arguments) n
 double Tide::elevation_m(PlanePoint point, const Arguments& arguments) noexcept {
   double sum = 0;
   for (std::size_t j = 0; j < constituents; ++j) {
-    const double lag = radians * table[j].elevation_lag_deg + travel_lag_rad(point, j);
+    const double lag = constants::degree * table[j].elevation_lag_deg + travel_lag_rad(point, j);
     sum += amplitude_gain(point) * table[j].elevation_m *
            std::real(arguments[j] * std::polar(1.0, -lag));
   }

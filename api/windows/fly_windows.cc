@@ -4,9 +4,9 @@
 #include <chrono>
 #include <numeric>
 
+#include "api/rehearse/advice.h"
 #include "api/rehearse/rehearsal.h"
-#include "api/rehearse/rehearsal_json.h"
-#include "api/rehearse/risk_report.h"
+#include "api/rehearse/risks.h"
 #include "api/rehearse/zones.h"
 #include "api/windows/task_windows.h"
 #include "api/windows/worth.h"

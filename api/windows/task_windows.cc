@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "api/rehearse/rehearsal_json.h"
+#include "api/rehearse/unchecked.h"
 #include "api/rehearse/zones.h"
 #include "api/windows/relief.h"
 #include "api/windows/task_outlook.h"

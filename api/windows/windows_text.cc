@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/rehearse/rehearsal_json.h"
 #include "api/windows/windows_answer.h"
 #include "api/windows/worth.h"
 #include "fields/base/quantile.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
 
 namespace slackwater::calibration {
@@ -25,7 +25,7 @@ Horizontal mean_at(const std::vector<WindMember>& members, std::size_t t) {
 }  // namespace
 
 WindDepartures departures_of(const HorizonWind& wind, std::span<const UtcTime> stamps) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using constants::nan;
   std::vector<double> factor;
   std::vector<Horizontal> mean;
   for (std::size_t t = 0; t < wind.wind_m_s.size(); ++t) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "calibration/day/horizon_input.h"
+#include "fields/base/constants.h"
 #include "fields/interpolate/temporal.h"
 #include "fields/wave/growth.h"
 
@@ -42,9 +42,7 @@ std::optional<UtcTime> last_known(const Chosen<double>& height, UtcTime stamp) {
 
 /// How far back the wind is followed where no sea is known: what it raised before is swell by then.
 constexpr Duration longest_spin_up = hours(48);
-constexpr SeaState unknown_sea{std::numeric_limits<double>::quiet_NaN(),
-                               std::numeric_limits<double>::quiet_NaN(),
-                               std::numeric_limits<double>::quiet_NaN()};
+constexpr SeaState unknown_sea{constants::nan, constants::nan, constants::nan};
 
 /// Directions as unit vectors, which may be averaged and moved.
 VectorRecord as_vectors(const ScalarRecord& from_direction) {
@@ -133,7 +131,7 @@ HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy po
       looks_ahead(height, best) || looks_ahead(period, best) || looks_ahead(heading, best);
   result.stretches = height.stretches;
   if (height.empty() && wind.wind_m_s.empty()) return result;
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr double unknown = constants::nan;
   const auto at = [](const Chosen<double>& chosen, UtcTime time) {
     return chosen.empty() ? std::nullopt : value_at(chosen.column, time, widest_wave_gap);
   };

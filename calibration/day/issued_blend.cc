@@ -1,10 +1,10 @@
 #include "calibration/day/issued_blend.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "calibration/day/merge.h"
 #include "calibration/day/methods.h"
+#include "fields/base/constants.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -63,7 +63,7 @@ bool is_own_alone(const Earned& earned) {
 void blend_values(ForecastColumn& column, const ForecastPlan& plan,
                   const std::vector<MethodForecast>& methods, const VectorColumn& places,
                   const Earned& earned) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using constants::nan;
   std::vector<Voice> voices;
   for (const CandidateShare& share : earned.blend.share) {
     const MethodForecast* method = find_method(methods, share.method);

@@ -1,8 +1,8 @@
 #include "calibration/day/layer_of_days.h"
 
 #include <cmath>
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "fields/record/choose.h"
 #include "fields/record/slice.h"
 
@@ -23,7 +23,7 @@ std::vector<double> mean_profile(const ScalarColumn& column) {
     }
   }
   for (std::size_t k = 0; k < sum.size(); ++k)
-    sum[k] = count[k] > 0 ? sum[k] / count[k] : std::numeric_limits<double>::quiet_NaN();
+    sum[k] = count[k] > 0 ? sum[k] / count[k] : constants::nan;
   return sum;
 }
 

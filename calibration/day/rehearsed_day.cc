@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "calibration/blend/blend.h"
+#include "fields/base/constants.h"
 
 namespace slackwater::calibration {
 
@@ -17,7 +17,7 @@ std::vector<Method> candidate_methods() {
 void add_errors(const std::vector<MethodForecast>& methods, const Chosen<Horizontal>& against,
                 UtcTime end_of_day, RehearsedDay& rehearsed) {
   const VectorColumn& truth = against.column;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using constants::nan;
   const std::vector<Method> candidates = candidate_methods();
   for (std::size_t t = 0; t < truth.times(); ++t) {
     const double lead_h = hours_between(end_of_day, truth.time[t].centre());

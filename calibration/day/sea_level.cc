@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +10,7 @@
 #include "calibration/tide/level_tide.h"
 #include "calibration/tide/surge.h"
 #include "fields/base/averaging.h"
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "fields/interpolate/temporal.h"
 #include "fields/record/run.h"
@@ -112,9 +112,9 @@ void add_origins(const Chosen<double>& chosen, LevelForecast& result) {
 }
 
 std::string note_on(const LevelHindcast& hindcast, Duration length) {
-  const double record_d = hours_between(UtcTime{}, UtcTime{} + length) / 24;
+  const double record_d = hours_of(length) / 24;
   std::string text = formatted("sea level: harmonic tide of {:.1f} days", record_d);
-  const double memory_h = hours_between(UtcTime{}, UtcTime{} + hindcast.surge.memory);
+  const double memory_h = hours_of(hindcast.surge.memory);
   text += memory_h > 0 ? formatted(", the difference from the tide decays over {:.0f} h", memory_h)
                        : std::string(", the difference from the tide is not carried on");
   if (hindcast.days == 0)
@@ -181,8 +181,8 @@ LevelForecast forecast_level(const ScalarRecord& record, const ForecastPlan& pla
       known.time.empty() ? Duration(0) : record_length(known.time, known.status);
 
   const std::size_t size = plan.stamps.size();
-  SeaLevel level{std::vector<double>(size, std::numeric_limits<double>::quiet_NaN()),
-                 std::vector<double>(size, 0), std::vector<DataStatus>(size, DataStatus::modelled)};
+  SeaLevel level{std::vector<double>(size, constants::nan), std::vector<double>(size, 0),
+                 std::vector<DataStatus>(size, DataStatus::modelled)};
   const std::size_t next = add_provider(usable, known, plan, level, result);
   const bool has_tide = length >= shortest_tide_record && shows_a_tide(known);
   if (next < size && has_tide) {
@@ -193,8 +193,7 @@ LevelForecast forecast_level(const ScalarRecord& record, const ForecastPlan& pla
     result.notes.push_back(
         formatted("no sea level is forecast{}: its record of {:.1f} days shows no tide; "
                   "expected three days with a value at least every three hours",
-                  next > 0 ? " beyond the provider's" : "",
-                  hours_between(UtcTime{}, UtcTime{} + length) / 24));
+                  next > 0 ? " beyond the provider's" : "", hours_of(length) / 24));
   }
   if (next > 0 || has_tide) result.level = std::move(level);
   return result;

@@ -76,8 +76,7 @@ class Filling {
     }
     if (!place.has_after) return wind;
     const std::size_t next = place.has_before ? place.before + 1 : 0;
-    const double left = std::min(
-        1.0, hours_between(stamp, times_[next]) / hours_between(UtcTime{}, UtcTime{} + way_back));
+    const double left = std::min(1.0, hours_between(stamp, times_[next]) / hours_of(way_back));
     return left * wind + (1 - left) * series_.value[next];
   }
 

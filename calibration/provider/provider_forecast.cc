@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "calibration/provider/run_error.h"
 #include "calibration/provider/series_at.h"
+#include "fields/base/constants.h"
 #include "fields/current/coriolis.h"
 
 namespace slackwater::calibration {
@@ -56,7 +56,7 @@ void add_error_of(const ProviderRun& run, std::size_t index, const Chosen<Horizo
     some.push_back(cells[cells.size() - 1 - back]);
   const BaselineForecast water = series_at(known.column, {between.tide, true}, some, depths);
   const BaselineForecast said = series_at(run.column, between, some, depths);
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using constants::nan;
   for (std::size_t t = 0; t < some.size(); ++t) {
     seen.moments.push_back(moment_of(some[t], run, index, end_of_day));
     for (std::size_t k = 0; k < depths.size(); ++k) {

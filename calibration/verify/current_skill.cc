@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "calibration/day/methods.h"
 #include "calibration/day/truth.h"
 #include "fields/base/averaging.h"
+#include "fields/base/constants.h"
 #include "fields/base/parallel.h"
 
 namespace slackwater::calibration {
@@ -84,7 +84,7 @@ void trace_column(const VectorColumn& truth, const MethodForecast& forecast, dou
     trace->depth_m = truth.levels_m;
   }
   trace->water_depth_m = std::max(trace->water_depth_m, water_depth_m);
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using constants::nan;
   for (std::size_t t = 0; t < truth.times(); ++t) {
     const UtcTime time = truth.time[t].centre();
     if (first) trace->time.push_back(time);

@@ -29,7 +29,7 @@ std::string averaging_text(Duration averaging) {
   if (averaging <= Duration(0)) return "instants";
   // Products that filter the tide out call a mean over 25 hours a daily one.
   if (averaging >= hours(20) && averaging <= hours(28)) return "daily means";
-  const double whole_hours = std::chrono::duration<double, std::ratio<3600>>(averaging).count();
+  const double whole_hours = hours_of(averaging);
   return formatted("means over {:.3g} h", whole_hours);
 }
 

@@ -16,9 +16,7 @@ struct StepClock {
   }
   /// The end of the last step.
   [[nodiscard]] constexpr UtcTime end() const noexcept { return time_of(steps); }
-  [[nodiscard]] constexpr double step_h() const noexcept {
-    return std::chrono::duration<double, std::ratio<3600>>(step).count();
-  }
+  [[nodiscard]] constexpr double step_h() const noexcept { return hours_of(step); }
   constexpr bool operator==(const StepClock&) const = default;
 };
 

@@ -10,13 +10,11 @@
 namespace slackwater {
 namespace {
 
-constexpr double rad_per_deg = constants::pi / 180.0;
-
 /// Hourly rates in degrees: mean lunar time and the three longitudes.
 constexpr Constituent make(std::string_view name, int tau, int s, int h, int p,
                            double offset_cycles) {
   const double deg_per_hour = tau * 14.49205212 + s * 0.54901653 + h * 0.04106864 + p * 0.00464183;
-  return {name, tau, s, h, p, offset_cycles, deg_per_hour * rad_per_deg / 3600.0};
+  return {name, tau, s, h, p, offset_cycles, deg_per_hour * constants::degree / 3600.0};
 }
 
 // Offsets in cycles after Foreman (1977): K1 alone among the diurnals is a quarter turn behind.
@@ -47,9 +45,9 @@ MeanLongitudes mean_longitudes(UtcTime time) noexcept {
   constexpr UtcTime epoch =
       std::chrono::sys_days(std::chrono::year(1899) / 12 / 31) + std::chrono::hours(12);
   const double days = seconds_between(epoch, time) / 86400.0;
-  return {(270.434164 + 13.1763965268 * days) * rad_per_deg,
-          (279.696678 + 0.9856473354 * days) * rad_per_deg,
-          (334.329556 + 0.1114040803 * days) * rad_per_deg};
+  return {(270.434164 + 13.1763965268 * days) * constants::degree,
+          (279.696678 + 0.9856473354 * days) * constants::degree,
+          (334.329556 + 0.1114040803 * days) * constants::degree};
 }
 
 double astronomical_argument_rad(const Constituent& constituent, UtcTime time) noexcept {

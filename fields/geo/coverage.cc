@@ -9,8 +9,6 @@
 namespace slackwater {
 namespace {
 
-constexpr double radians_per_degree = constants::pi / 180.0;
-
 /// Degrees from west to east, eastward; 360 for a box round the Earth.
 double longitude_extent_deg(const BoundingBox& box) noexcept {
   if (box.east_deg - box.west_deg >= 360) return 360;
@@ -35,17 +33,17 @@ BoundingBox widened(const BoundingBox& box, double margin_km) noexcept {
   if (!(margin_km > 0)) return box;
   // Meridional curvature radius of WGS 84 is at least 6335.4 km, 0.56 % below the mean radius.
   const double margin_rad = margin_km * 1000.0 * 1.006 / constants::earth_radius_m;
-  const double margin_deg = margin_rad / radians_per_degree;
+  const double margin_deg = margin_rad / constants::degree;
   BoundingBox wide = box;
   wide.south_deg = std::max(-90.0, box.south_deg - margin_deg);
   wide.north_deg = std::min(90.0, box.north_deg + margin_deg);
   // A cap of angular radius d about latitude p spans asin(sin d / cos p) of longitude to either
   // side, and all of it where it holds a pole.
   const double poleward_rad =
-      std::max(std::abs(box.south_deg), std::abs(box.north_deg)) * radians_per_degree;
+      std::max(std::abs(box.south_deg), std::abs(box.north_deg)) * constants::degree;
   const double sine = std::sin(margin_rad) / std::cos(poleward_rad);
   const bool holds_pole = poleward_rad + margin_rad >= constants::pi / 2;
-  const double aside_deg = holds_pole ? 180.0 : std::asin(std::min(1.0, sine)) / radians_per_degree;
+  const double aside_deg = holds_pole ? 180.0 : std::asin(std::min(1.0, sine)) / constants::degree;
   if (longitude_extent_deg(box) + 2 * aside_deg >= 360) {
     wide.west_deg = -180;
     wide.east_deg = 180;

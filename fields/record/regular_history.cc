@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -121,7 +122,7 @@ RegularHistory on_regular_steps(std::span<const HistorySeries> series) {
   RegularHistory history;
   history.clock = clock_of(series, own);
   for (std::size_t s = 0; s < series.size(); ++s) {
-    std::vector<double> values(history.clock.steps, std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> values(history.clock.steps, constants::nan);
     const auto offset =
         static_cast<std::size_t>((own[s].first - history.clock.first) / history.clock.step);
     const auto each = static_cast<std::size_t>(own[s].step / history.clock.step);

@@ -12,7 +12,6 @@ namespace slackwater {
 namespace {
 
 constexpr double product_wind_m = 10.0;
-constexpr double radians = constants::pi / 180.0;
 /// Weight of a sea without waves in the mean direction: none beside any other, all where all are
 /// calm.
 constexpr double calm_m2 = 1e-12;
@@ -30,7 +29,7 @@ class MeanSea {
     sum_.peak_period_s += weight * s.peak_period_s;
     if (s.peak_period_s == 0) without_period_ += weight;
     const double energy = s.significant_height_m * s.significant_height_m + calm_m2;
-    from_ += weight * energy * std::polar(1.0, radians * s.from_direction_deg);
+    from_ += weight * energy * std::polar(1.0, constants::degree * s.from_direction_deg);
   }
   /// Missing where any of them had no number.
   [[nodiscard]] SeaSample sample() const noexcept {
@@ -39,7 +38,7 @@ class MeanSea {
     // Calm water has no period: beside a sea it must not make that sea's look short and steep.
     if (without_period_ > 0 && without_period_ < 1)
       sample.sea.peak_period_s = sum_.peak_period_s / (1 - without_period_);
-    sample.sea.from_direction_deg = compass_deg(std::arg(from_) / radians);
+    sample.sea.from_direction_deg = compass_deg(std::arg(from_) / constants::degree);
     return sample;
   }
 

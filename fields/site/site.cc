@@ -108,18 +108,22 @@ BoundingBox Site::box(double margin_deg) const {
                                    east + margin_deg, std::min(90.0, north + margin_deg));
 }
 
+bool is_site_id(std::string_view id) {
+  return !id.empty() && id.size() <= 64 &&
+         std::all_of(id.begin(), id.end(),
+                     [](unsigned char c) {
+                       return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+                     }) &&
+         id != "." && id != "..";
+}
+
 Site parse_site(std::string_view yaml, std::string_view name) {
   const Config config = Config::parse(yaml, name);
   Site site;
   site.yaml = yaml;
   site.id = config.text("id");
-  const bool plain = !site.id.empty() && site.id.size() <= 64 &&
-                     std::all_of(site.id.begin(), site.id.end(),
-                                 [](unsigned char c) {
-                                   return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
-                                 }) &&
-                     site.id != "." && site.id != "..";  // it names a folder
-  if (!plain) config.refuse("id", "expected at most 64 letters, digits, '-', '_' or '.'");
+  if (!is_site_id(site.id))
+    config.refuse("id", "expected at most 64 letters, digits, '-', '_' or '.'");
   site.name = config.optional_text("name").value_or(site.id);
   site.point = read_point(config);
   site.water_depth_m = config.optional_number("water_depth_m", {1, 11000});

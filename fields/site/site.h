@@ -42,6 +42,9 @@ struct Site {
   [[nodiscard]] BoundingBox box(double margin_deg) const;
 };
 
+/// At most 64 letters, digits, '-', '_' or '.', for it names a folder.
+[[nodiscard]] bool is_site_id(std::string_view id);
+
 /// Reads a site from YAML; unknown keys, values out of range and contradictions are
 /// Error(invalid_input).
 [[nodiscard]] Site parse_site(std::string_view yaml, std::string_view name);

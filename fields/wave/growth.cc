@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
@@ -21,7 +20,6 @@ constexpr double energy_period_over_peak = 0.903;  ///< Tm-10/Tp of JONSWAP, gam
 constexpr double oldest_wave_age =
     1.2;  ///< c_p/U10 of a fully developed sea (Pierson & Moskowitz 1964)
 constexpr double widest_turn_deg = 60.0;
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 double degrees_between(double a_deg, double b_deg) {
   return std::abs(short_way_deg(a_deg - b_deg));
@@ -175,7 +173,7 @@ std::vector<SeaState> propagate_sea_state(const SeaState& last, std::span<const 
                                           const WaveSetting& setting) {
   expects(setting.water_depth_m > 0 && setting.swell_decay_h > 0,
           "waves need a depth and a decay time above zero");
-  std::vector<SeaState> sea(wind.size(), SeaState{missing, missing, missing});
+  std::vector<SeaState> sea(wind.size(), SeaState{constants::nan, constants::nan, constants::nan});
   if (wind.empty() || !std::isfinite(last.significant_height_m)) return sea;
   sea[0] = last;
   const auto known = [](Horizontal w) {

@@ -35,7 +35,7 @@ AveragedCurrents averaged_of(const json& object) {
 std::string averaged_json(const std::optional<AveragedCurrents>& averaged) {
   if (!averaged) return "null";
   const json object = {
-      {"mean_h", static_cast<double>(averaged->averaging.count()) / ms_of_an_hour},
+      {"mean_h", hours_of(averaged->averaging)},
       {"holds_part_of_the_tide", averaged->holds_part_of_the_tide},
       {"unresolved_tide_m_s",
        averaged->unresolved_tide_m_s ? json(*averaged->unresolved_tide_m_s) : json(nullptr)},

@@ -23,11 +23,6 @@ bool is_one_of(std::string_view text, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), text) != words.end();
 }
 
-bool is_numeric(const netcdf::Variable& variable) {
-  return variable.type != netcdf::Type::character && variable.type != netcdf::Type::string &&
-         variable.type != netcdf::Type::other;
-}
-
 AxisKind kind_from_units(const std::string& units) {
   if (is_one_of(units, {"degrees_north", "degree_north", "degree_n", "degrees_n", "degreen",
                         "degreesn"})) {
@@ -80,7 +75,7 @@ bool is_named_by(const netcdf::Variable& data, const std::string& coordinate) {
 const netcdf::Variable* coordinate_of(const netcdf::File& file, const netcdf::Variable& data,
                                       const std::string& dimension, const Product& product) {
   const auto runs_along = [&](const netcdf::Variable& v) {
-    return v.dimensions.size() == 1 && v.dimensions[0] == dimension && is_numeric(v) &&
+    return v.dimensions.size() == 1 && v.dimensions[0] == dimension && v.has_numbers() &&
            v.name != data.name;
   };
   if (const netcdf::Variable* own = file.find(dimension); own != nullptr && runs_along(*own))
@@ -196,7 +191,7 @@ BoundVariable bind_axes(const netcdf::File& file, const netcdf::Variable& variab
   for (const netcdf::Variable& scalar : file.variables()) {
     const bool is_scalar =
         scalar.dimensions.empty() || (scalar.dimensions.size() == 1 && scalar.shape[0] == 1);
-    if (!is_scalar || !is_numeric(scalar) || &scalar == &variable) continue;
+    if (!is_scalar || !scalar.has_numbers() || &scalar == &variable) continue;
     const AxisKind kind = axis_kind(scalar, product);
     const bool named = is_named_by(variable, scalar.name);
     const BoundAxis axis{&scalar, std::nullopt};

@@ -18,8 +18,6 @@ constexpr std::size_t values_per_read = std::size_t{1} << 20;
 
 constexpr double most_wind_members = 1e6;
 
-constexpr auto member_fill = static_cast<float>(forecast_names::fill);
-
 /// Shape that a member variable must have, so that every index below is inside it.
 std::vector<std::size_t> shape_of(const MemberVariable& variable, const Snapshot& s,
                                   std::size_t file_columns, bool many) {
@@ -61,7 +59,8 @@ void place(const netcdf::File& file, const MemberVariable& variable, Snapshot& s
     for (std::size_t cell = 0; cell < cells; ++cell) {
       if (!variable.is_there(column, cell)) continue;
       there += members;
-      for (std::size_t m = 0; m < members; ++m) found += at(cell, m) != member_fill ? 1U : 0U;
+      for (std::size_t m = 0; m < members; ++m)
+        found += at(cell, m) != forecast_names::member_fill ? 1U : 0U;
     }
     if (found == 0 && all.empty()) continue;  // a column without members
     if (!variable.on_depth && column.wind_m_s.empty())

@@ -16,7 +16,6 @@ using netcdf::Writer;
 constexpr std::size_t member_chunk_values = std::size_t{256} << 10;
 /// A fifth of the bytes go at level 1; higher levels save 2 % more and take twice the time.
 constexpr int deflate_level = 1;
-constexpr auto member_fill_value = static_cast<float>(forecast_names::fill);
 
 std::string rounding(double step_m_s) {
   return "rounded to multiples of 2^" + std::to_string(std::ilogb(step_m_s)) +
@@ -100,7 +99,7 @@ void MemberWriter::define(const MemberVariable& variable, const std::vector<int>
   if (many_) layout.chunks.push_back(columns);
   layout.chunks.push_back(members);
   layout.deflate = deflate_level;
-  layout.fill_value = member_fill_value;
+  layout.fill_value = forecast_names::member_fill;
   const int id = out_.variable(variable.name(), Type::float32, dimensions, layout);
   out_.attribute(id, "standard_name", variable.standard_name);
   out_.attribute(id, "long_name", variable.long_name);
@@ -153,7 +152,7 @@ std::vector<float> MemberWriter::block(const MemberVariable& variable, std::size
                                        std::size_t columns) const {
   const std::size_t cells = s_.time.size() * variable.levels(s_);
   const std::size_t members = s_.members - 1;
-  std::vector<float> values(cells * columns * members, member_fill_value);
+  std::vector<float> values(cells * columns * members, forecast_names::member_fill);
   for (std::size_t c = 0; c < columns; ++c) {
     const ForecastColumn& column = s_.columns[first + c];
     const std::vector<Horizontal>& all = column.*variable.values;

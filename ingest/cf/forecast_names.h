@@ -4,6 +4,7 @@
 namespace slackwater::ingest::forecast_names {
 
 inline constexpr double fill = 9.969209968386869e+36;  // NC_FILL_DOUBLE
+inline constexpr auto member_fill = static_cast<float>(fill);
 inline constexpr const char* east = "eastward_sea_water_velocity";
 inline constexpr const char* north = "northward_sea_water_velocity";
 inline constexpr const char* sigma = "sea_water_velocity_component_standard_deviation";

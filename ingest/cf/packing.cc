@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 
 namespace slackwater::ingest {
@@ -37,7 +38,7 @@ double default_fill(Type type) {
     case Type::float64:
       return 9.9692099683868690e+36;
     default:
-      return std::numeric_limits<double>::quiet_NaN();
+      return constants::nan;
   }
 }
 
@@ -161,7 +162,7 @@ void Packing::negate() noexcept {
 double Packing::coordinate(double raw) const noexcept {
   if (raw < 0) raw += unsigned_turn_;
   for (const double missing : missing_) {
-    if (raw == missing) return std::numeric_limits<double>::quiet_NaN();
+    if (raw == missing) return constants::nan;
   }
   return raw * scale_ + offset_;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fields/base/config.h"
+#include "fields/base/constants.h"
 #include "ingest/cf/units.h"
 #include "ingest/netcdf/file.h"
 
@@ -62,9 +63,7 @@ class Packing {
   double offset_ = 0.0;
   bool wide_ = false;
   double unsigned_turn_ = 0.0;  ///< added to negative raw values
-  std::array<double, 3> missing_{std::numeric_limits<double>::quiet_NaN(),
-                                 std::numeric_limits<double>::quiet_NaN(),
-                                 std::numeric_limits<double>::quiet_NaN()};
+  std::array<double, 3> missing_{constants::nan, constants::nan, constants::nan};
   double low_ = -std::numeric_limits<double>::infinity();
   double high_ = std::numeric_limits<double>::infinity();
   Range gross_;

@@ -1,8 +1,8 @@
 #include "ingest/cf/provenance_json.h"
 
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 
 namespace slackwater::ingest {
@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 
 double number_of(const json& value) {
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  return value.is_null() ? constants::nan : value.get<double>();
 }
 
 CalibrationSummary calibration_of(const json& object) {

@@ -1,9 +1,9 @@
 #include "ingest/cf/trajectory_table.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "ingest/cf/trajectory_table_file.h"
 
 namespace slackwater::ingest {
@@ -47,7 +47,7 @@ TableWriter::TableWriter(std::span<const TrajectoryTable> tables, Writer& out) :
       Writer::Layout layout;
       layout.chunks = {rows};
       layout.deflate = 1;
-      layout.fill_value = std::numeric_limits<double>::quiet_NaN();
+      layout.fill_value = constants::nan;
       layout.is_prefilled = false;
       const int id = out.variable(table.name + "_" + column.name, Type::float64, {row}, layout);
       out.attribute(id, "long_name", column.long_name);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 
 namespace slackwater::ingest::grib {
@@ -139,7 +140,7 @@ std::vector<double> Message::values(std::size_t expected) {
         "unpacking the values");
   for (double& value : values) {
     const bool storable = std::abs(value) <= std::numeric_limits<float>::max();
-    if (value == masked || !storable) value = std::numeric_limits<double>::quiet_NaN();
+    if (value == masked || !storable) value = constants::nan;
   }
   return values;
 }

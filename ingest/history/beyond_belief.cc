@@ -1,8 +1,8 @@
 #include "ingest/history/beyond_belief.h"
 
 #include <cmath>
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/cf/units.h"
@@ -28,7 +28,7 @@ std::string reject_beyond_belief(HistorySeries& series, const Vocabulary& vocabu
       example = value;
       when = series.time[t];
     }
-    value = std::numeric_limits<double>::quiet_NaN();
+    value = constants::nan;
   }
   if (rejected == 0) return {};
   const std::string found = formatted(

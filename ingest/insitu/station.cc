@@ -23,10 +23,6 @@ bool named(const netcdf::Variable& variable, std::initializer_list<std::string_v
   return std::find(names.begin(), names.end(), lower) != names.end();
 }
 
-bool is_numeric(const netcdf::Variable& variable) {
-  return variable.type != netcdf::Type::character && variable.type != netcdf::Type::string;
-}
-
 /// Whether a variable runs along one dimension at most; others may be there with a length of 1 (a
 /// lone station).
 bool runs_along_one_dimension(const netcdf::Variable& variable) {
@@ -43,7 +39,7 @@ std::string dimension_of_time(const netcdf::Variable& time) {
 }
 
 bool is_time(const netcdf::Variable& variable) {
-  return is_numeric(variable) && runs_along_one_dimension(variable) &&
+  return variable.has_numbers() && runs_along_one_dimension(variable) &&
          contains_ignoring_case(variable.text("units").value_or(""), " since ");
 }
 
@@ -65,10 +61,10 @@ const netcdf::Variable* time_of(const netcdf::File& file) {
 const netcdf::Variable* horizontal(const netcdf::File& file, const char* standard_name,
                                    std::initializer_list<std::string_view> names) {
   for (const netcdf::Variable& variable : file.variables()) {
-    if (variable.text("standard_name") == standard_name && is_numeric(variable)) return &variable;
+    if (variable.text("standard_name") == standard_name && variable.has_numbers()) return &variable;
   }
   for (const netcdf::Variable& variable : file.variables()) {
-    if (named(variable, names) && is_numeric(variable)) return &variable;
+    if (named(variable, names) && variable.has_numbers()) return &variable;
   }
   return nullptr;
 }
@@ -76,7 +72,7 @@ const netcdf::Variable* horizontal(const netcdf::File& file, const char* standar
 /// Scalar `x` or `y` that a variable names in its `coordinates`.
 const netcdf::Variable* bare_scalar(const netcdf::File& file, const char* name) {
   const netcdf::Variable* found = file.find(name);
-  if (found == nullptr || found->size() != 1 || !is_numeric(*found)) return nullptr;
+  if (found == nullptr || found->size() != 1 || !found->has_numbers()) return nullptr;
   for (const netcdf::Variable& variable : file.variables()) {
     std::istringstream words(variable.text("coordinates").value_or(""));
     for (std::string word; words >> word;) {
@@ -249,7 +245,7 @@ std::optional<double> water_depth_of(const netcdf::File& file) {
     const std::string name = variable.text("standard_name").value_or(variable.name);
     const bool is_it = name.starts_with("sea_floor_depth_below_") ||
                        named(variable, {"water_depth", "bottom_depth", "sea_floor_depth"});
-    if (!is_it || !is_numeric(variable) || variable.size() > most_depths) continue;
+    if (!is_it || !variable.has_numbers() || variable.size() > most_depths) continue;
     std::vector<double> depths = file.read_all(variable);
     std::erase_if(depths, [&](double depth) { return !believable(depth); });
     if (!depths.empty()) return upper_median(std::move(depths));

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/frame.h"
 
 namespace slackwater::ingest {
@@ -62,8 +62,7 @@ Components components_of(const VectorPair& pair, const SeriesValues& speed,
     const double magnitude = speed.values[i];
     const double degrees = direction.values[i];
     SampleStatus status = worse(speed.status[i], direction.status[i]);
-    Horizontal vector{std::numeric_limits<double>::quiet_NaN(),
-                      std::numeric_limits<double>::quiet_NaN()};
+    Horizontal vector{constants::nan, constants::nan};
     if (magnitude == 0.0 && has_value(speed.status[i])) {
       status = speed.status[i];
       vector = {0.0, 0.0};

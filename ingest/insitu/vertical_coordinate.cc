@@ -10,10 +10,6 @@
 namespace slackwater::ingest {
 namespace {
 
-bool has_numbers(const netcdf::Variable& variable) {
-  return variable.type != netcdf::Type::character && variable.type != netcdf::Type::string;
-}
-
 bool is_one_of(const std::string& text, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), text) != words.end();
 }
@@ -43,7 +39,7 @@ std::string count_of(const std::vector<double>& levels_m) {
 }  // namespace
 
 bool is_depth_coordinate(const netcdf::Variable& variable) {
-  if (!has_numbers(variable)) return false;
+  if (!variable.has_numbers()) return false;
   if (lower_case(variable.text("positive").value_or("")) == "up") return false;
   const std::string standard_name = variable.text("standard_name").value_or("");
   if (!standard_name.empty()) return standard_name == "depth";
@@ -51,7 +47,7 @@ bool is_depth_coordinate(const netcdf::Variable& variable) {
 }
 
 bool counts_from_bed(const netcdf::Variable& variable) {
-  if (!has_numbers(variable)) return false;
+  if (!variable.has_numbers()) return false;
   const std::string standard_name = variable.text("standard_name").value_or("");
   if (is_one_of(standard_name, {"height_above_sea_floor", "height_above_sea_bed"})) return true;
   // Any other vertical standard name has a foot of its own.
@@ -77,7 +73,7 @@ const netcdf::Variable* own_vertical(const netcdf::File& file, const StationAxes
   for (std::string name; names >> name;) {
     const netcdf::Variable* found = file.find(name);
     if (found == nullptr || found == axes.latitude || found == axes.longitude ||
-        found == axes.time || !has_numbers(*found) || !has_one_value_a_station(*found, axes)) {
+        found == axes.time || !found->has_numbers() || !has_one_value_a_station(*found, axes)) {
       continue;
     }
     if (is_vertical(*found)) return found;

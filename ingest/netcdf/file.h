@@ -59,6 +59,10 @@ struct Variable {
   [[nodiscard]] std::optional<std::string> text(std::string_view attribute) const;
   [[nodiscard]] std::optional<double> number(std::string_view attribute) const;
   [[nodiscard]] std::size_t size() const noexcept;  ///< product of shape, saturated
+  /// Not text, and no type of the file's own making.
+  [[nodiscard]] bool has_numbers() const noexcept {
+    return type != Type::character && type != Type::string && type != Type::other;
+  }
 };
 
 /// A NetCDF file (classic, 64-bit offset, netCDF-4) open for reading. Every failure is an Error

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "twin/body/spatial.h"
 
 namespace slackwater::twin {
@@ -55,7 +55,7 @@ struct Measured {
   double altitude_m = 0;     ///< above the bed
   /// Ahead through the water, as its speed log shows it; no number: it has none, or that gave
   /// nothing.
-  double log_m_s = std::numeric_limits<double>::quiet_NaN();
+  double log_m_s = constants::nan;
 
   [[nodiscard]] bool has_log() const noexcept { return !std::isnan(log_m_s); }
 };

@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "fields/base/yaml_value.h"
 #include "twin/inspection/defect/defect_plan.h"
 #include "twin/inspection/instrument/look.h"
-#include "twin/inspection/surface/surface.h"
+#include "twin/inspection/surface/planned_surface.h"
 
 namespace slackwater::twin {
 
@@ -23,7 +22,7 @@ struct InspectionLine {
 
 /// What a vehicle is to inspect, and with what, as its description says.
 struct InspectionPlan {
-  std::vector<YamlValue> surfaces;  ///< entries of the list (make_surface.h)
+  std::vector<PlannedSurface> surfaces;
   std::vector<InspectionLine> lines;
   Clarity water;
   Clarity air;
@@ -38,7 +37,7 @@ struct InspectionPlan {
 /// `inspection` of a vehicle's conduct:
 ///
 ///     inspection:
-///       surfaces: [{kind: monopile, ...}, ...]          # make_surface.h
+///       surfaces: [{kind: monopile, ...}, ...]          # planned_surface.h
 ///       looks:
 ///         - {instrument: rov_camera, kinds: [monopile], detail_mm: 3, incidence_deg: 60,
 ///            looks: 1, done_at: 0.9}
@@ -53,6 +52,7 @@ struct InspectionPlan {
 ///         that is not there, ...
 [[nodiscard]] InspectionPlan read_inspection(const Config& config);
 /// The same where the surfaces are values already.
-[[nodiscard]] InspectionPlan read_inspection(const Config& config, std::vector<YamlValue> surfaces);
+[[nodiscard]] InspectionPlan read_inspection(const Config& config,
+                                             std::vector<PlannedSurface> surfaces);
 
 }  // namespace slackwater::twin

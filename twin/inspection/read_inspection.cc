@@ -5,20 +5,20 @@
 #include "fields/base/text.h"
 #include "twin/inspection/inspection_plan.h"
 #include "twin/inspection/instrument/clarity.h"
-#include "twin/inspection/surface/make_surface.h"
+#include "twin/inspection/surface/planned_surface.h"
 
 namespace slackwater::twin {
 namespace {
 
 using constants::degree;
-constexpr double check_patch_m = 2;  // of surfaces that are made to see whether they can be
 
-InspectionLine read_line(const Config& config, const std::vector<SurfaceKind>& there) {
+InspectionLine read_line(const Config& config, const std::vector<PlannedSurface>& there) {
   InspectionLine line;
   line.instrument = config.text("instrument");
   for (const std::string& word : config.texts("kinds")) {
     const SurfaceKind kind = surface_kind_of(word, config, "kinds");
-    if (std::find(there.begin(), there.end(), kind) == there.end())
+    if (std::none_of(there.begin(), there.end(),
+                     [&](const PlannedSurface& surface) { return surface.kind() == kind; }))
       config.refuse("kinds",
                     "found " + word + ", but no surface has that name; add it to surfaces");
     line.kinds.push_back(kind);
@@ -42,19 +42,24 @@ void expect_once_each(const std::vector<InspectionLine>& lines, const Config& co
                                      " in two entries; make one of them");
 }
 
-/// @throws Error(invalid_input) for one that cannot be made
-SurfaceKind checked_kind(const Config& surface) {
-  const SurfaceKind kind = make_surface(surface, check_patch_m).kind;
-  surface.expect_all_read();
-  return kind;
+}  // namespace
+
+InspectionPlan read_inspection(const Config& config) {
+  std::vector<PlannedSurface> surfaces;
+  for (const Config& entry : config.children("surfaces")) {
+    surfaces.push_back(read_surface(entry));
+    entry.expect_all_read();
+  }
+  return read_inspection(config, std::move(surfaces));
 }
 
-InspectionPlan read_plan(const Config& config, const std::vector<SurfaceKind>& kinds) {
+InspectionPlan read_inspection(const Config& config, std::vector<PlannedSurface> surfaces) {
   InspectionPlan plan;
-  if (kinds.empty())
+  plan.surfaces = std::move(surfaces);
+  if (plan.surfaces.empty())
     config.refuse("surfaces", "missing; an inspection has at least one surface to look at");
   for (const Config& entry : config.children("looks"))
-    plan.lines.push_back(read_line(entry, kinds));
+    plan.lines.push_back(read_line(entry, plan.surfaces));
   if (plan.lines.empty())
     config.refuse("looks", "missing; an inspection has at least one instrument that looks");
   expect_once_each(plan.lines, config);
@@ -69,29 +74,6 @@ InspectionPlan read_plan(const Config& config, const std::vector<SurfaceKind>& k
   plan.patch_m = config.optional_number("patch_m", {0.005, 100});
   if (const auto rays = config.optional_integer("rays_per_look", 1, 2000))
     plan.rays_per_look = static_cast<std::size_t>(*rays);
-  return plan;
-}
-
-}  // namespace
-
-InspectionPlan read_inspection(const Config& config) {
-  std::vector<YamlValue> surfaces;
-  std::vector<SurfaceKind> kinds;
-  for (const Config& entry : config.children("surfaces")) {
-    kinds.push_back(checked_kind(entry));
-    surfaces.push_back(entry.value());
-  }
-  InspectionPlan plan = read_plan(config, kinds);
-  plan.surfaces = std::move(surfaces);
-  return plan;
-}
-
-InspectionPlan read_inspection(const Config& config, std::vector<YamlValue> surfaces) {
-  std::vector<SurfaceKind> kinds;
-  for (const YamlValue& surface : surfaces)
-    kinds.push_back(checked_kind(Config::of(surface, config.name() + ": inspection.surfaces")));
-  InspectionPlan plan = read_plan(config, kinds);
-  plan.surfaces = std::move(surfaces);
   return plan;
 }
 

@@ -102,13 +102,11 @@ std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
   ready->rays_per_look = plan.rays_per_look.value_or(rays_per_look);
   for (const InspectionLine& line : plan.lines)
     ready->instruments.push_back(read_named_instrument(line.instrument, data_folder));
-  std::vector<Config> entries;
-  for (const YamlValue& surface : plan.surfaces)
-    entries.push_back(Config::of(surface, "inspection.surfaces"));
   const std::vector<Triple<double>> places_m = places_of(way);
   std::vector<TriangleMesh> meshes;
-  for (std::size_t s = 0; s < entries.size(); ++s) {
-    const Surface rough = make_surface(entries[s], rough_patch_m);
+  for (std::size_t s = 0; s < plan.surfaces.size(); ++s) {
+    const PlannedSurface& planned = plan.surfaces[s];
+    const Surface rough = make_surface(planned, rough_patch_m);
     double patch_m = std::numeric_limits<double>::infinity();
     for (std::size_t l = 0; l < plan.lines.size(); ++l) {
       if (!inspects(plan.lines[l], rough.kind)) continue;
@@ -121,7 +119,7 @@ std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
     // No finer than all looks of a mission together can see.
     const double most = most_patches_per_ray * static_cast<double>(ready->rays_per_look);
     patch_m = std::max(patch_m, std::sqrt(rough.area_m2() / most));
-    ready->surfaces.push_back(make_surface(entries[s], plan.patch_m.value_or(patch_m)));
+    ready->surfaces.push_back(make_surface(planned, plan.patch_m.value_or(patch_m)));
     meshes.push_back(ready->surfaces.back().mesh);
     ready->indices.push_back(view_index(ready->surfaces.back()));
   }

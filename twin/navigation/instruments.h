@@ -1,13 +1,13 @@
 #pragma once
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "twin/body/body.h"
 #include "twin/sensor/read_sensors.h"
 
 namespace slackwater::twin {
 
 /// A number that an instrument did not give.
-inline constexpr double nothing_shown = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double nothing_shown = constants::nan;
 
 /// The instruments of a vehicle that it navigates by, and after how many steps each speaks again;
 /// 0: it has none.

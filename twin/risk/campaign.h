@@ -1,10 +1,10 @@
 #pragma once
 #include <chrono>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
+#include "fields/base/constants.h"
 #include "twin/risk/calendar.h"
 #include "twin/risk/task_history.h"
 
@@ -37,10 +37,10 @@ struct CampaignSeason {
   std::vector<CampaignYear> years;
   std::size_t censored = 0;  ///< years without an end: left out of the percentiles
   /// Hours from the beginning to the end, over the years with an end; NaN of none.
-  double p10_h = std::numeric_limits<double>::quiet_NaN();
-  double p50_h = std::numeric_limits<double>::quiet_NaN();
-  double p80_h = std::numeric_limits<double>::quiet_NaN();
-  double p90_h = std::numeric_limits<double>::quiet_NaN();
+  double p10_h = constants::nan;
+  double p50_h = constants::nan;
+  double p80_h = constants::nan;
+  double p90_h = constants::nan;
 };
 
 /// Simulates a campaign over a history, once for each year that holds the date.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/statistics.h"
 #include "twin/risk/first_stops.h"
 #include "twin/risk/peak_after.h"
@@ -70,7 +70,7 @@ std::vector<Nearness> nearness_of(const StartQuestion& question) {
 void add_share(const std::vector<Nearness>& all, std::size_t start,
                std::optional<BindingLimit>& binding) {
   const bool is_exceeded = binding && binding->is_exceeded;
-  if (is_exceeded) binding->share = std::numeric_limits<double>::quiet_NaN();
+  if (is_exceeded) binding->share = constants::nan;
   for (const Nearness& near : all) {
     const Peak& peak = near.peaks[start];
     if (!peak.step) continue;

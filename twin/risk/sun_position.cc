@@ -7,10 +7,8 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double radians_of_degree = constants::pi / 180;
-
-double sin_deg(double degrees) noexcept { return std::sin(degrees * radians_of_degree); }
-double cos_deg(double degrees) noexcept { return std::cos(degrees * radians_of_degree); }
+double sin_deg(double degrees) noexcept { return std::sin(degrees * constants::degree); }
+double cos_deg(double degrees) noexcept { return std::cos(degrees * constants::degree); }
 
 /// The sun among the stars, in radians, and what sidereal time needs of it.
 struct Ephemeris {
@@ -49,16 +47,16 @@ Ephemeris ephemeris_at(UtcTime time) noexcept {
 SunPosition sun_position(const GeoPoint& point, UtcTime time) noexcept {
   const Ephemeris sun = ephemeris_at(time);
   const double latitude = point.latitude.radians();
-  const double hour_angle = std::fmod(sun.sidereal_deg, 360.0) * radians_of_degree +
+  const double hour_angle = std::fmod(sun.sidereal_deg, 360.0) * constants::degree +
                             point.longitude.radians() - sun.right_ascension;
   const double east = -std::cos(sun.declination) * std::sin(hour_angle);
   const double north = std::cos(latitude) * std::sin(sun.declination) -
                        std::sin(latitude) * std::cos(sun.declination) * std::cos(hour_angle);
   const double up = std::sin(latitude) * std::sin(sun.declination) +
                     std::cos(latitude) * std::cos(sun.declination) * std::cos(hour_angle);
-  const double elevation = std::atan2(up, std::hypot(east, north)) / radians_of_degree;
+  const double elevation = std::atan2(up, std::hypot(east, north)) / constants::degree;
   constexpr double horizontal_parallax_deg = 8.794 / 3600;
-  const double azimuth = std::atan2(east, north) / radians_of_degree;
+  const double azimuth = std::atan2(east, north) / constants::degree;
   return {elevation - horizontal_parallax_deg * cos_deg(elevation), compass_deg(azimuth)};
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "fields/base/constants.h"
 #include "twin/risk/step_range.h"
 
 namespace slackwater::twin {
@@ -13,11 +13,11 @@ namespace slackwater::twin {
 struct WaitingTime {
   std::size_t counted = 0;   ///< steps with a start at or after them
   std::size_t censored = 0;  ///< steps without: left out of the figures
-  double mean_h = std::numeric_limits<double>::quiet_NaN();
-  double p10_h = std::numeric_limits<double>::quiet_NaN();
-  double p50_h = std::numeric_limits<double>::quiet_NaN();
-  double p80_h = std::numeric_limits<double>::quiet_NaN();
-  double p90_h = std::numeric_limits<double>::quiet_NaN();
+  double mean_h = constants::nan;
+  double p10_h = constants::nan;
+  double p50_h = constants::nan;
+  double p80_h = constants::nan;
+  double p90_h = constants::nan;
 };
 
 /// Waits that run down together: over the steps of a stretch without a start they are

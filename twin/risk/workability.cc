@@ -4,13 +4,14 @@
 #include <map>
 
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "twin/risk/workable_starts.h"
 
 namespace slackwater::twin {
 namespace {
 
 double ratio(std::size_t part, std::size_t of) noexcept {
-  if (of == 0) return std::numeric_limits<double>::quiet_NaN();
+  if (of == 0) return constants::nan;
   return static_cast<double>(part) / static_cast<double>(of);
 }
 

@@ -147,10 +147,10 @@ class AgentLayout {
     const auto over = over_ ? over_->optional_child("inspection") : std::nullopt;
     if (!base && !over) return std::nullopt;
     const Config& stated = over && (over->has("surfaces") || !base) ? *over : *base;
-    std::vector<YamlValue> surfaces;
+    std::vector<PlannedSurface> surfaces;
     for (const WorkTurbine* turbine : turbines_)
       for (const Config& entry : stated.children("surfaces")) {
-        YamlValue surface = lay_out_surface(entry, parts_.site, *turbine);
+        PlannedSurface surface = lay_out_surface(entry, parts_.site, *turbine);
         if (std::find(surfaces.begin(), surfaces.end(), surface) == surfaces.end())
           surfaces.push_back(std::move(surface));
       }

@@ -1,11 +1,12 @@
 #pragma once
 #include "fields/base/config.h"
+#include "twin/inspection/surface/planned_surface.h"
 #include "twin/mission/work_site.h"
 
 namespace slackwater::twin {
 
 /// One entry of a task's `surfaces`, laid out at a turbine: the entry of a scenario
-/// (twin/inspection/surface/make_surface.h), with the place and the sizes that the site
+/// (twin/inspection/surface/planned_surface.h), with the place and the sizes that the site
 /// states. What the entry says itself is handed on. A LEVEL is that of work_pattern.h, and
 /// [in brackets] stands what may be left out:
 ///
@@ -23,7 +24,7 @@ namespace slackwater::twin {
 ///     kind: water              [radius_m: 500], or corners
 ///
 /// @throws Error(invalid_input) for what the site does not have (a hub, a rotor, a cable, a line)
-[[nodiscard]] YamlValue lay_out_surface(const Config& entry, const WorkSite& site,
-                                        const WorkTurbine& turbine);
+[[nodiscard]] PlannedSurface lay_out_surface(const Config& entry, const WorkSite& site,
+                                             const WorkTurbine& turbine);
 
 }  // namespace slackwater::twin

@@ -8,6 +8,8 @@ namespace slackwater::twin {
 
 /// What `read_conduct` reads as the same.
 [[nodiscard]] YamlValue conduct_value(const Conduct& conduct);
+/// What `read_surface` reads as the same.
+[[nodiscard]] YamlValue surface_value(const PlannedSurface& surface);
 /// What `read_inspection` reads as the same.
 [[nodiscard]] YamlValue inspection_value(const InspectionPlan& plan);
 /// What `read_cleaning` reads as the same.

@@ -30,7 +30,7 @@ template <typename Read>
 
 /// Of an angle that a reader multiplies by pi/180.
 [[nodiscard]] inline double degrees_for(double rad) {
-  constexpr double degree = constants::pi / 180;
+  using constants::degree;
   return number_for(rad, rad / degree, [](double deg) { return deg * degree; });
 }
 /// Of what a reader multiplies by that.
@@ -62,6 +62,23 @@ inline void put_level(double down_m, YamlValue& value) {
   YamlValue value = plan_value(at_m);
   put_level(at_m.z, value);
   return value;
+}
+/// [FROM, TO], clockwise, of a reader that multiplies FROM and TO - FROM by pi/180. Of the bearings
+/// that are the first angle, the one that the arc comes back from.
+[[nodiscard]] inline YamlValue bearings_value(double from_rad, double arc_rad) {
+  using constants::degree;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double near_deg = degrees_for(from_rad);
+  double from_deg = near_deg, to_deg = 0;
+  for (const double first_deg :
+       {near_deg, std::nextafter(near_deg, -infinite), std::nextafter(near_deg, infinite)}) {
+    if (first_deg * degree != from_rad) continue;
+    const auto arc_to = [&](double bearing_deg) { return (bearing_deg - first_deg) * degree; };
+    from_deg = first_deg;
+    to_deg = number_for(arc_rad, first_deg + arc_rad / degree, arc_to);
+    if (arc_to(to_deg) == arc_rad) break;
+  }
+  return YamlValue::numbers({from_deg, to_deg});
 }
 /// {forward_m, starboard_m, up_m}.
 [[nodiscard]] inline YamlValue on_board_value(const Triple<double>& at_m) {

@@ -1,5 +1,5 @@
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "twin/scenario/write_conduct.h"
 #include "twin/scenario/write_number.h"
@@ -35,24 +35,6 @@ YamlValue tool_value(const CleaningTool& tool) {
     value.put("rate_m2_h", per_hour(tool.rate_m2_s));
   value.put("source", tool.source).put("status", tool.status);
   return value;
-}
-
-/// From where to where. Of the bearings that are the first angle, the one that the arc comes back
-/// from.
-YamlValue bearings_value(const CleaningPlan& plan) {
-  using constants::degree;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  const double near_deg = degrees_for(plan.from_rad);
-  double from_deg = near_deg, to_deg = 0;
-  for (const double first_deg :
-       {near_deg, std::nextafter(near_deg, -infinite), std::nextafter(near_deg, infinite)}) {
-    if (first_deg * degree != plan.from_rad) continue;
-    const auto arc_to = [&](double bearing_deg) { return (bearing_deg - first_deg) * degree; };
-    from_deg = first_deg;
-    to_deg = number_for(plan.arc_rad, first_deg + plan.arc_rad / degree, arc_to);
-    if (arc_to(to_deg) == plan.arc_rad) break;
-  }
-  return YamlValue::numbers({from_deg, to_deg});
 }
 
 YamlValue look_value(const InspectionLine& line) {
@@ -99,7 +81,7 @@ YamlValue defects_value(const PlannedDefects& entry) {
 
 YamlValue cleaning_value(const CleaningPlan& plan) {
   YamlValue value;
-  value.put("bearings_deg", bearings_value(plan))
+  value.put("bearings_deg", bearings_value(plan.from_rad, plan.arc_rad))
       .put("from", level_value(plan.top_m))
       .put("to", level_value(plan.bottom_m))
       .put("cell_m", plan.cell_m)
@@ -112,11 +94,12 @@ YamlValue cleaning_value(const CleaningPlan& plan) {
 }
 
 YamlValue inspection_value(const InspectionPlan& plan) {
-  std::vector<YamlValue> looks, defects;
+  std::vector<YamlValue> surfaces, looks, defects;
+  for (const PlannedSurface& surface : plan.surfaces) surfaces.push_back(surface_value(surface));
   for (const InspectionLine& line : plan.lines) looks.push_back(look_value(line));
   for (const PlannedDefects& entry : plan.defects.entries) defects.push_back(defects_value(entry));
   YamlValue value;
-  value.put("surfaces", plan.surfaces).put("looks", std::move(looks));
+  value.put("surfaces", std::move(surfaces)).put("looks", std::move(looks));
   if (plan.water != Clarity{}) value.put("water", clarity_value(plan.water));
   if (plan.air != Clarity{}) value.put("air", clarity_value(plan.air));
   if (!defects.empty()) value.put("defects", std::move(defects));

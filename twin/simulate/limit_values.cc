@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "fields/base/constants.h"
 #include "fields/wind/dryden_gust.h"
 #include "fields/wind/gust.h"
 #include "twin/body/frame.h"
@@ -10,12 +10,11 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 double wind_m_s(const Agent& agent, Triple<double> at_m, double down_m, double t_s) {
   at_m.z = down_m;
   const auto wind = agent.water->wind(at_m, t_s);
-  return has_value(wind.status) ? std::hypot(wind.velocity_m_s.x, wind.velocity_m_s.y) : unknown;
+  return has_value(wind.status) ? std::hypot(wind.velocity_m_s.x, wind.velocity_m_s.y)
+                                : constants::nan;
 }
 
 /// What a gust of three seconds reaches within ten minutes, by the turbulence that vehicles fly in.
@@ -30,7 +29,7 @@ double gust_m_s(const Agent& agent, const Triple<double>& at_m, double down_m, d
 double assumed(const ReadyConduct& conduct, LimitVariable variable) {
   for (const Assumption& assumption : conduct.plan.assumed)
     if (assumption.variable == variable) return assumption.value;
-  return unknown;
+  return constants::nan;
 }
 
 }  // namespace
@@ -42,7 +41,7 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
     case LimitVariable::significant_wave_height:
     case LimitVariable::wave_peak_period: {
       const SeaSample sea = agent.water->sea(at_m, t_s);
-      if (!has_value(sea.status)) return unknown;
+      if (!has_value(sea.status)) return constants::nan;
       if (limit.waves &&
           !limit.waves->holds(sea.sea, euler_angles(state.vehicle.body.attitude).yaw_rad))
         return 0;
@@ -58,15 +57,15 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
     case LimitVariable::current_speed: {
       const CurrentSample current =
           agent.water->forecast_current({at_m.x, at_m.y, std::max(down_m, 0.0)}, t_s);
-      return has_value(current.status) ? std::abs(current.velocity_m_s) : unknown;
+      return has_value(current.status) ? std::abs(current.velocity_m_s) : constants::nan;
     }
     case LimitVariable::deck_motion:
       return agent.carrier || agent.conduct->plan.deck_point_m ? state.conduct.deck.significant_m()
-                                                               : unknown;
+                                                               : constants::nan;
     case LimitVariable::fender_force:
       return agent.conduct->bow_mass_kg > 0
                  ? agent.conduct->bow_mass_kg * state.conduct.deck.significant_acceleration_m_s2()
-                 : unknown;
+                 : constants::nan;
     case LimitVariable::sea_surface_height: {
       const SeaLevelSample level = agent.water->sea_level(at_m, t_s);
       return has_value(level.status) ? level.level_m : assumed(*agent.conduct, limit.variable);
@@ -77,7 +76,7 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
     case LimitVariable::air_temperature:
       return assumed(*agent.conduct, limit.variable);
   }
-  return unknown;
+  return constants::nan;
 }
 
 }  // namespace slackwater::twin

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fields/base/constants.h"
 #include "twin/body/attitude.h"
@@ -10,7 +9,7 @@ namespace slackwater::twin {
 
 /// What befell a vehicle and when, seconds since the epoch; no number: it did not. Numbers only.
 struct Milestones {
-  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double never = constants::nan;
   double power_lost_s = never;
   double is_empty = 0;  ///< 1: the battery had nothing left; 0: its voltage was too low
   double capsized_s = never;

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "api/edr/sample/collection.h"
 #include "fields/base/constants.h"
@@ -47,8 +46,7 @@ double wave_from_direction(const SeaSample& s) { return s.sea.from_direction_deg
 /// `Quantity::append` by one of the functions above.
 template <auto value, typename Sample>
 void each(std::span<const Sample> samples, std::vector<double>& values) {
-  for (const Sample& s : samples)
-    values.push_back(has_value(s.status) ? value(s) : std::numeric_limits<double>::quiet_NaN());
+  for (const Sample& s : samples) values.push_back(has_value(s.status) ? value(s) : constants::nan);
 }
 
 // --- what clients are told of it ---

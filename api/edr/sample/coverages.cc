@@ -1,9 +1,9 @@
 #include "api/edr/sample/coverages.h"
 
 #include <cmath>
-#include <limits>
 #include <variant>
 
+#include "fields/base/constants.h"
 #include "fields/service/wave_source.h"
 
 namespace slackwater::api::edr {
@@ -66,9 +66,7 @@ Coverage on_grid(const Selection& s, std::vector<double> longitude_deg,
     }
   }
   const std::size_t slices = times.size() * verticals.size();
-  coverage.values.assign(
-      s.parameters.size(),
-      std::vector<double>(slices * cells, std::numeric_limits<double>::quiet_NaN()));
+  coverage.values.assign(s.parameters.size(), std::vector<double>(slices * cells, constants::nan));
   std::size_t slice = 0;
   for (const UtcTime time : times) {
     for (const double z : verticals) {

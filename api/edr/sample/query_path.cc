@@ -16,8 +16,6 @@
 namespace slackwater::api::edr {
 namespace {
 
-constexpr double radians = constants::pi / 180;
-
 /// Lines in time: as their M says, else the whole line at each time of `datetime`.
 std::vector<Path> at_times(const Path& line, bool has_time, const std::vector<UtcTime>& times) {
   if (has_time) return {line};
@@ -94,7 +92,7 @@ Path resampled(const Path& line, std::size_t count) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double north = line[i].latitude_deg - line[i - 1].latitude_deg;
     const double east = (line[i].longitude_deg - line[i - 1].longitude_deg) *
-                        std::cos(radians * line[i].latitude_deg);
+                        std::cos(constants::degree * line[i].latitude_deg);
     at.push_back(at.back() + std::hypot(north, east));
   }
   Path out;
@@ -125,12 +123,12 @@ Path beside(const Path& line, double offset_m) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const Vertex& before = line[i > 0 ? i - 1 : 0];
     const Vertex& after = line[std::min(i + 1, line.size() - 1)];
-    const double cosine = std::max(0.01, std::cos(radians * line[i].latitude_deg));
+    const double cosine = std::max(0.01, std::cos(constants::degree * line[i].latitude_deg));
     const double east = (after.longitude_deg - before.longitude_deg) * cosine;
     const double north = after.latitude_deg - before.latitude_deg;
     const double length = std::hypot(east, north);
     if (!(length > 0)) continue;
-    const double degrees = offset_m / (constants::earth_radius_m * radians);
+    const double degrees = offset_m / (constants::earth_radius_m * constants::degree);
     out[i].longitude_deg += degrees * north / length / cosine;
     out[i].latitude_deg = std::clamp(out[i].latitude_deg - degrees * east / length, -90.0, 90.0);
   }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "api/edr/read/bad_parameter.h"
 #include "api/edr/read/datetime.h"
 #include "api/edr/read/parameter_names.h"
 #include "api/edr/read/vertical.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -75,7 +75,7 @@ std::vector<double> verticals_of(const Selection& s, const QueryString& query, d
       throw Error(ErrorKind::usage, "z: found " + shown(*text) + "; the collection " +
                                         s.collection->id + " has no vertical; leave z out");
     }
-    return {std::numeric_limits<double>::quiet_NaN()};
+    return {constants::nan};
   }
   if (!text) {
     std::vector<double> levels = native_levels(*s.collection, *s.field);

@@ -25,9 +25,8 @@ Shape shape_of(Geometry polygons) {
 }
 
 Shape circle(double longitude_deg, double latitude_deg, double radius_m) {
-  constexpr double radians = constants::pi / 180;
-  const double north_deg = radius_m / (constants::earth_radius_m * radians);
-  const double cosine = std::max(0.01, std::cos(latitude_deg * radians));
+  const double north_deg = radius_m / (constants::earth_radius_m * constants::degree);
+  const double cosine = std::max(0.01, std::cos(latitude_deg * constants::degree));
   const double east_deg = std::min(180.0, north_deg / cosine);
   const Box box{longitude_deg - east_deg, std::max(-90.0, latitude_deg - north_deg),
                 longitude_deg + east_deg, std::min(90.0, latitude_deg + north_deg)};

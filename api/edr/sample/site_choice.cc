@@ -27,7 +27,6 @@ constexpr double about_a_column_km = 1.0;
 constexpr std::size_t tries_per_side = 17;
 /// Places along a line.
 constexpr std::size_t tries_per_line = 100;
-constexpr double radians_per_degree = constants::pi / 180;
 
 /// What a query points at.
 struct Target {
@@ -123,7 +122,7 @@ double reached_area(const Field& field, const Shape& shape, const Box& cut) {
     }
   }
   constexpr double least_deg = 1e-9;  // a box may be a line
-  const double middle = 0.5 * (cut.south_deg + cut.north_deg) * radians_per_degree;
+  const double middle = 0.5 * (cut.south_deg + cut.north_deg) * constants::degree;
   return std::max(least_deg, cut.east_deg - cut.west_deg) * std::cos(middle) *
          std::max(least_deg, cut.north_deg - cut.south_deg) *
          static_cast<double>(count_reached(field, places)) / (tries_per_side * tries_per_side);
@@ -143,8 +142,7 @@ double covered_area(const Field& field, const Shape& shape) {
   for (const ForecastColumn& column : field.snapshot().columns) {
     const double x = in_box(column.point.longitude_deg(), shape.box);
     const double y = column.point.latitude_deg();
-    const double north =
-        about_a_column_km * 1000 / (constants::earth_radius_m * radians_per_degree);
+    const double north = about_a_column_km * 1000 / (constants::earth_radius_m * constants::degree);
     const double east = north / std::max(0.01, std::cos(column.point.latitude.radians()));
     cut = {std::min(cut.west_deg, x - east), std::min(cut.south_deg, y - north),
            std::max(cut.east_deg, x + east), std::max(cut.north_deg, y + north)};

@@ -1,7 +1,6 @@
 #include "api/edr/write/merged_coverage.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "api/edr/sample/answer_shape.h"
 #include "api/edr/write/union_axis.h"
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api::edr {
@@ -148,7 +148,7 @@ class Merger {
     }
     const std::size_t all = places * time_.size() * level_.size();
     for (CoverageVariable& variable : file_.variables) {
-      variable.values.assign(all, std::numeric_limits<double>::quiet_NaN());
+      variable.values.assign(all, constants::nan);
     }
   }
 

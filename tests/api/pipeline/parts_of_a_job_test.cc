@@ -13,6 +13,7 @@
 #include "api/pipeline/snapshot_difference.h"
 #include "api/pipeline/verify.h"
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
@@ -42,15 +43,16 @@ class FiveDays : public ::testing::Test {
     site_.point =
         GeoPoint::from_degrees(WaterForTests::site_latitude_deg, WaterForTests::site_longitude_deg);
     site_.water_depth_m = WaterForTests::depth_m;
-    const auto products = ingest::ProductCatalogue::load(tests::source_folder() / "data/products");
     for (int i = 0; i < days_stored; ++i) {
-      for (const tests::ProductForTests& product : {tests::current_product(first_day + days(i)),
-                                                    tests::wind_product(first_day + days(i))}) {
-        const auto file = folder_ / ("product-" + std::to_string(++files_) + ".nc");
-        static_cast<void>(ingest_file(store_, products, tests::write_product(file, product), {},
-                                      UtcTime(first_day) + days(9), {}));
-      }
+      ingest(tests::current_product(first_day + days(i)));
+      ingest(tests::wind_product(first_day + days(i)));
     }
+  }
+
+  void ingest(const tests::ProductForTests& product) {
+    const auto file = folder_ / ("product-" + std::to_string(++files_) + ".nc");
+    static_cast<void>(ingest_file(store_, products_, tests::write_product(file, product), {},
+                                  UtcTime(first_day) + days(9), {}));
   }
 
   DailyJob job_of(UtcDay day, const calibration::DayParts& parts = {}) {
@@ -74,6 +76,8 @@ class FiveDays : public ::testing::Test {
 
   tests::TemporaryFolder folder_;
   store::Store store_ = store::Store::open(folder_ / "store", store::OpenMode::create_or_write);
+  const ingest::ProductCatalogue products_ =
+      ingest::ProductCatalogue::load(tests::source_folder() / "data/products");
   Site site_;
   int files_ = 0;
 };
@@ -143,6 +147,43 @@ TEST_F(FiveDays, APartThatFailsIsInTheStoredHeadlineAndInTheSummary) {
   const Snapshot read = ingest::read_forecast(store_.content_path(rows[0].content_sha256));
   EXPECT_EQ(read.headline, rows[0].headline);
   EXPECT_EQ(read.columns[0].current_status[0], SampleStatus::ok);
+}
+
+/// The currents of the day after those that are stored, with holes.
+class AHoledDay : public FiveDays {
+ protected:
+  static constexpr days after{days_stored};
+
+  void expect_degraded_to_the_day_before(const tests::ProductForTests& holed) {
+    ingest(tests::wind_product(first_day + after));
+    ingest(holed);
+    const DailyJob job = job_of(first_day + after);
+    EXPECT_EQ(format_day(job.forecast.plan.day), "2025-03-10");
+    (void)publish(store_, job, ForecastOrigin::forecast);
+    const auto rows = store_.find_forecasts({});
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_TRUE(rows[0].degraded);
+    for (const char* named : {"2025-03-11", "2025-03-10"})
+      EXPECT_TRUE(contains(rows[0].headline, named)) << rows[0].headline;
+    const Snapshot read = ingest::read_forecast(store_.content_path(rows[0].content_sha256));
+    EXPECT_TRUE(read.degraded);
+    EXPECT_EQ(read.headline, rows[0].headline);
+  }
+};
+
+TEST_F(AHoledDay, AGapInTheNewestDayIsAMissingDay) {
+  tests::ProductForTests holed = tests::current_product(first_day + after);
+  holed.time.erase(holed.time.begin() + 8, holed.time.begin() + 15);
+  expect_degraded_to_the_day_before(holed);
+}
+
+TEST_F(AHoledDay, ADayOfMissingValuesIsAMissingDay) {
+  tests::ProductForTests holed = tests::current_product(first_day + after);
+  for (tests::ProductQuantity& q : holed.quantities)
+    q.value = [value = q.value](const tests::ProductCell& cell) {
+      return cell.time < UtcTime(first_day + after) + hours(12) ? value(cell) : constants::nan;
+    };
+  expect_degraded_to_the_day_before(holed);
 }
 
 TEST_F(FiveDays, WavesOfTheWindAreSaidToBeThatInTheSummary) {

@@ -104,7 +104,7 @@ PlanProblem plain_day() {
   return day;
 }
 
-PlanJob plain_job(const std::string& id, std::size_t place, std::vector<StartChance> starts) {
+PlanJob plain_job(const std::string& id, std::size_t place, std::vector<JobStart> starts) {
   PlanJob job;
   job.id = id;
   job.place = place;

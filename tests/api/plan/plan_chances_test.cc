@@ -80,7 +80,7 @@ Tally tally_of(int days, double least, double overstated) {
     PlanProblem day = day_in(weather, random);
     day.least_probability = least;
     for (PlanJob& job : day.jobs)
-      for (StartChance& start : job.starts)
+      for (JobStart& start : job.starts)
         start.probability = std::min(1.0, start.probability + overstated);
     const Plan plan = make_plan(day, 30);
     const Truth truth = drawn(weather, random);

@@ -43,7 +43,7 @@ bool packs_suffice(const PlanProblem& problem, const std::vector<Assignment>& as
       *pack = {slot + lasts, never};
     }
     for (const Assignment& one : assignments) {
-      const StartChance& start = problem.jobs[one.job].starts[one.start];
+      const JobStart& start = problem.jobs[one.job].starts[one.start];
       if (start.slot != slot) continue;
       for (const std::size_t k : one.vehicles) {
         if (problem.vehicles[k].battery != b) continue;
@@ -89,7 +89,7 @@ std::string what_is_wrong_with_times(const PlanProblem& problem,
   std::map<std::size_t, std::vector<std::pair<Minute, Minute>>> trips;  // out and home, by vessel
   for (const Assignment& one : assignments) {
     const PlanJob& job = problem.jobs[one.job];
-    const StartChance& start = job.starts[one.start];
+    const JobStart& start = job.starts[one.start];
     const PlanVessel& vessel = problem.vessels[one.vessel];
     if (!jobs.insert(one.job).second) return job.id + " is done twice";
     if (start.probability <= 0 || start.probability < problem.least_probability)
@@ -171,7 +171,7 @@ std::vector<Charge> charged_at_once(const PlanProblem& problem,
     const PlanBattery& battery = problem.batteries[b];
     std::vector<std::size_t> back;
     for (const Assignment& one : assignments) {
-      const StartChance& start = problem.jobs[one.job].starts[one.start];
+      const JobStart& start = problem.jobs[one.job].starts[one.start];
       for (const std::size_t k : one.vehicles) {
         if (problem.vehicles[k].battery != b) continue;
         const double end = static_cast<double>(start.slot) * problem.slot_min + start.hold_min;

@@ -130,7 +130,7 @@ TEST_F(PlanSetup, LeavesOutStartsInTheDarkAndInAClosedArea) {
                      "      - {latitude_deg: 54.01, longitude_deg: 6.01}\n"
                      "      - {latitude_deg: 54.01, longitude_deg: 5.99}\n"),
                 windows);
-  for (const StartChance& start : day.jobs[0].starts) {
+  for (const JobStart& start : day.jobs[0].starts) {
     const Minute begin = day.minute_of(start.slot);
     EXPECT_TRUE(begin + 60 <= 5 * 60 || begin >= 12 * 60) << begin;
   }

@@ -10,6 +10,7 @@
 #include "twin/inspection/surface/make_surface.h"
 #include "twin/mission/site_work.h"
 #include "twin/mission/work_pattern.h"
+#include "twin/scenario/write_conduct.h"
 
 namespace slackwater::tests {
 namespace {
@@ -25,22 +26,17 @@ const twin::WorkTurbine& turbine_of(const twin::WorkSite& site, const std::strin
     if (turbine.id == id) return turbine;
   throw std::runtime_error("no turbine " + id);
 }
-YamlValue value_of(const std::string& entry, const std::string& turbine = "A01") {
+twin::PlannedSurface planned(const std::string& entry, const std::string& turbine = "A01") {
   const twin::WorkSite site = example_farm();
-  const Config config = Config::parse("{" + entry + "}", "task.yaml");
-  YamlValue surface = twin::lay_out_surface(config, site, turbine_of(site, turbine));
-  config.expect_all_read();
-  return surface;
+  return twin::lay_out_surface(Config::parse("{" + entry + "}", "task.yaml"), site,
+                               turbine_of(site, turbine));
 }
 std::string text_of(const std::string& entry, const std::string& turbine = "A01") {
-  return in_line(value_of(entry, turbine));
+  return in_line(twin::surface_value(planned(entry, turbine)));
 }
 Surface laid_out(const std::string& entry, const std::string& turbine = "A01",
                  double patch_m = 0.5) {
-  const Config config = Config::of(value_of(entry, turbine), "scenario.yaml");
-  Surface surface = twin::make_surface(config, patch_m);
-  config.expect_all_read();
-  return surface;
+  return twin::make_surface(planned(entry, turbine), patch_m);
 }
 
 TEST(LayOutSurface, APileGoesFromTheSeasSurfaceToTheBedUnlessItSaysOtherwise) {
@@ -49,8 +45,8 @@ TEST(LayOutSurface, APileGoesFromTheSeasSurfaceToTheBedUnlessItSaysOtherwise) {
             "{depth_m: 0}, to: {depth_m: 35}}");
   EXPECT_EQ(text_of("kind: monopile, from: {depth_m: 4}, to: {above_bed_m: 2}, patch_m: 0.3, "
                     "radius_m: 2.5, name: leg"),
-            "{kind: monopile, name: leg, north_m: 0, east_m: 0, from: {depth_m: 4}, to: {depth_m: "
-            "33}, patch_m: 0.3, radius_m: 2.5}");
+            "{kind: monopile, name: leg, north_m: 0, east_m: 0, radius_m: 2.5, from: {depth_m: 4}, "
+            "to: {depth_m: 33}, patch_m: 0.3}");
   EXPECT_EQ(laid_out("kind: monopile", "F01").sheet.height_m, 20);
 }
 
@@ -133,9 +129,21 @@ TEST(LayOutSurface, AnodesAreWhereTheProbeStops) {
   EXPECT_EQ(stops, 12U);
 }
 
+TEST(LayOutSurface, WhatCannotBeIsRefusedWhereItStandsInTheTask) {
+  for (const char* entry :
+       {"kind: monopile, radius: 3", "kind: monopile, from: {depth_m: 9}, to: {depth_m: 5}",
+        "kind: cable, cable: A01-A02, route: []", "kind: mooring_line, mooring: M1, anchor: {}",
+        "kind: bed, outer_m: 2", "kind: water, radius_m: 9, corners: []"}) {
+    const std::string turbine =
+        std::string(entry).find("mooring") != std::string::npos ? "F01" : "A01";
+    const std::string message = error_of([&] { return planned(entry, turbine); });
+    EXPECT_NE(message.find("task.yaml:1"), std::string::npos) << entry << "\n" << message;
+  }
+}
+
 TEST(LayOutSurface, RefusesWhatTheSiteDoesNotHave) {
   const auto message = [](const std::string& entry, const std::string& turbine = "A01") {
-    return error_of([&] { return value_of(entry, turbine); });
+    return error_of([&] { return planned(entry, turbine); });
   };
   EXPECT_NE(message("kind: monopole").find("did you mean monopile?"), std::string::npos);
   EXPECT_NE(message("kind: mooring_line, mooring: M1").find("A01 does not have"),

@@ -1,20 +1,18 @@
 #pragma once
-#include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "fields/base/constants.h"
+#include "tests/twin/scenario/random_surface.h"
 #include "twin/simulate/scenario.h"
 
 namespace slackwater::tests {
 
 /// Scenarios of a seed, with all that a reader takes, in numbers as a reader makes them: angles are
 /// degrees times pi/180, and so on.
-class RandomScenario {
+class RandomScenario : private RandomSurface {
  public:
-  explicit RandomScenario(std::uint64_t seed) : random_(seed) {}
+  explicit RandomScenario(std::uint64_t seed) : RandomSurface(seed) {}
 
   twin::Scenario make() {
     twin::Scenario s;
@@ -51,33 +49,7 @@ class RandomScenario {
 
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
-  static constexpr double degree = constants::pi / 180;
 
-  double number(double low, double high) {
-    // Round ones and odd ones.
-    const double value = std::uniform_real_distribution<double>(low, high)(random_);
-    const double round = std::round(value);
-    return chance(0.3) && round >= low && round <= high ? round : value;
-  }
-  std::size_t count(std::size_t low, std::size_t high) {
-    return std::uniform_int_distribution<std::size_t>(low, high)(random_);
-  }
-  bool chance(double share) { return std::bernoulli_distribution(share)(random_); }
-  template <typename Value>
-  Value pick(const std::vector<Value>& values) {
-    return values[count(0, values.size() - 1)];
-  }
-  double angle(double low_deg = -360, double high_deg = 360) {
-    return number(low_deg, high_deg) * degree;
-  }
-  std::string name() {
-    std::string text;
-    for (std::size_t i = count(1, 5); i > 0; --i)
-      text += pick<std::string>({"a", "B", "7",  "\"", "'", ": ",   " #",  "\n",
-                                 "{", "]", ", ", "ä",  "-", "null", "0.5", "\\",
-                                 "%", "&", "*",  "!",  "|", ">",    "~",   "\t"});
-    return text;
-  }
   double down() { return chance(0.3) ? -number(0, 500) : number(0, 12000); }
   twin::Triple<double> place() { return {number(-50e3, 50e3), number(-50e3, 50e3), down()}; }
   twin::Triple<double> on_plan() { return {number(-50e3, 50e3), number(-50e3, 50e3), 0}; }
@@ -364,25 +336,13 @@ class RandomScenario {
   twin::Clarity clarity() { return {number(0.01, 50), number(0, 1), number(0, 50)}; }
   twin::InspectionPlan inspection() {
     twin::InspectionPlan plan;
-    const auto level = [&](double depth_m) { return YamlValue().put("depth_m", depth_m); };
-    plan.surfaces.push_back(YamlValue()
-                                .put("kind", "monopile")
-                                .put("name", name())
-                                .put("north_m", number(-50e3, 50e3))
-                                .put("east_m", number(-50e3, 50e3))
-                                .put("radius_m", number(1, 5))
-                                .put("from", level(number(0, 5)))
-                                .put("to", level(number(6, 20))));
-    plan.surfaces.push_back(
-        YamlValue()
-            .put("kind", "water")
-            .put("corners", std::vector<YamlValue>{plan_value(0, 0), plan_value(number(10, 20), 0),
-                                                   plan_value(0, 20.5)}));
+    for (std::size_t i = count(1, 3); i > 0; --i) plan.surfaces.push_back(surface());
     for (std::size_t i = count(1, 3); i > 0; --i) {
       twin::InspectionLine& line = plan.lines.emplace_back();
       line.instrument = name() + std::to_string(i);
-      line.kinds = {twin::SurfaceKind::monopile};
-      if (chance(0.5)) line.kinds.push_back(twin::SurfaceKind::water);
+      line.kinds = {plan.surfaces.front().kind()};
+      if (const auto other = plan.surfaces.back().kind(); other != line.kinds.front())
+        line.kinds.push_back(other);
       line.detail_m = 1e-3 * number(0.001, 1e6);
       line.most_incidence_rad = degree * number(1, 90);
       line.looks = static_cast<std::uint32_t>(count(1, 1000));
@@ -396,9 +356,6 @@ class RandomScenario {
     if (chance(0.5)) plan.patch_m = number(0.005, 100);
     if (chance(0.5)) plan.rays_per_look = count(1, 2000);
     return plan;
-  }
-  static YamlValue plan_value(double north_m, double east_m) {
-    return YamlValue().put("north_m", north_m).put("east_m", east_m);
   }
   twin::PlannedDefects defects() {
     twin::PlannedDefects entry;
@@ -444,8 +401,6 @@ class RandomScenario {
     traffic.alarm.time_s = 60 * number(0.1, 120);
     return traffic;
   }
-
-  std::mt19937_64 random_;
 };
 
 }  // namespace slackwater::tests

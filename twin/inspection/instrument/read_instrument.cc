@@ -12,8 +12,6 @@
 namespace slackwater::twin {
 namespace {
 
-constexpr double radian = constants::pi / 180;
-
 constexpr std::array kinds{InstrumentKind::rgb,
                            InstrumentKind::infrared,
                            InstrumentKind::lidar,
@@ -49,12 +47,12 @@ Triple<double> read_triple(const Config& c, std::string_view key, Range range) {
 
 FrameFootprint read_frame(const Config& c) {
   FrameFootprint frame;
-  frame.horizontal_rad = radian * c.number("horizontal_deg", {0.1, 170});
+  frame.horizontal_rad = constants::degree * c.number("horizontal_deg", {0.1, 170});
   frame.pixels_wide = c.integer("pixels_wide", 2, 100000);
   frame.pixels_high = c.integer("pixels_high", 2, 100000);
   frame.exposure_s = c.number("exposure_s", {0, 60});
   if (const auto vertical_deg = c.optional_number("vertical_deg", {0.1, 170}))
-    frame.vertical_rad = radian * *vertical_deg;
+    frame.vertical_rad = constants::degree * *vertical_deg;
   else
     frame.vertical_rad =
         2 * std::atan(std::tan(frame.horizontal_rad / 2) * frame.pixels_high / frame.pixels_wide);
@@ -63,14 +61,14 @@ FrameFootprint read_frame(const Config& c) {
 
 FanFootprint read_fan(const Config& c) {
   FanFootprint fan;
-  fan.across_rad = radian * c.number("across_deg", {0.1, 360});
-  fan.blind_rad = radian * c.optional_number("blind_deg", {0, 360}).value_or(0);
+  fan.across_rad = constants::degree * c.number("across_deg", {0.1, 360});
+  fan.blind_rad = constants::degree * c.optional_number("blind_deg", {0, 360}).value_or(0);
   if (fan.blind_rad >= fan.across_rad)
     c.refuse("blind_deg",
              "nothing is left of the fan: the blind angle about its axis is to be "
              "less than across_deg");
-  fan.beam_across_rad = radian * c.number("beam_across_deg", {1e-4, 90});
-  fan.beam_along_rad = radian * c.number("beam_along_deg", {1e-4, 90});
+  fan.beam_across_rad = constants::degree * c.number("beam_across_deg", {1e-4, 90});
+  fan.beam_along_rad = constants::degree * c.number("beam_along_deg", {1e-4, 90});
   fan.pings_per_s = c.number("pings_per_s", {0.01, 1e6});
   return fan;
 }

@@ -3,36 +3,34 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/inspection/surface/block.h"
-#include "twin/inspection/surface/read_shape.h"
 #include "twin/inspection/surface/shapes.h"
 #include "twin/inspection/surface/usual_sizes.h"
 
 namespace slackwater::twin {
 
-Surface make_anodes(const Config& config, double patch_m) {
-  constexpr double degree = constants::pi / 180;
+Surface make(const AnodesSizes& sizes, double patch_m) {
   constexpr double gap_m = 0.2;  // between bars on the sheet
-  const Upright upright = read_upright(config);
-  const double pile_m = config.number("radius_m", {0.05, 50});
-  const int bars = config.optional_integer("bars", 1, 200).value_or(usual::anode_bars);
-  const int rows = config.optional_integer("rows", 1, 200).value_or(usual::anode_rows);
-  const double first_rad =
-      config.optional_number("first_bearing_deg", {-360, 360}).value_or(0) * degree;
-  const double length_m = number_or(config, "length_m", usual::anode_length_m, {0.05, 10});
-  const double width_m = number_or(config, "width_m", usual::anode_width_m, {0.02, 2});
-  const double off_m = number_or(config, "off_m", usual::anode_off_m, {0.01, 5});
+  const Upright& upright = sizes.upright;
+  expect_goes_down(upright);
+  const double pile_m = sizes.radius_m;
+  const int bars = sizes.bars.value_or(usual::anode_bars);
+  const int rows = sizes.rows.value_or(usual::anode_rows);
+  const double first_rad = sizes.first_bearing_rad.value_or(0);
+  const double length_m = sizes.length_m.value_or(usual::anode_length_m);
+  const double width_m = sizes.width_m.value_or(usual::anode_width_m);
+  const double off_m = sizes.off_m.value_or(usual::anode_off_m);
   if (off_m < 0.5 * width_m)
-    config.refuse("off_m", formatted("{:g} m from the pile to the middle of bars of {:g} m puts "
-                                     "them into it; give at least half their width",
-                                     off_m, width_m));
+    throw Unmakeable{"off_m", formatted("{:g} m from the pile to the middle of bars of {:g} m puts "
+                                        "them into it; give at least half their width",
+                                        off_m, width_m)};
   const double apart_m = (upright.bottom_m - upright.top_m) / (rows + 1);
   if (apart_m < length_m && rows > 1)
-    config.refuse("rows", formatted("are {:g} m apart, and the bars {:g} m long; take fewer, or "
-                                    "a longer way from `from` to `to`",
-                                    apart_m, length_m));
+    throw Unmakeable{"rows", formatted("are {:g} m apart, and the bars {:g} m long; take fewer, or "
+                                       "a longer way from `from` to `to`",
+                                       apart_m, length_m)};
   if (bars * width_m > 2 * constants::pi * (pile_m + off_m))
-    config.refuse("bars",
-                  formatted("{} of {:g} m do not fit round the pile; take fewer", bars, width_m));
+    throw Unmakeable{
+        "bars", formatted("{} of {:g} m do not fit round the pile; take fewer", bars, width_m)};
   SurfaceBuilder builder({upright.north_m, upright.east_m, upright.top_m});
   for (int row = 0; row < rows; ++row)
     for (int bar = 0; bar < bars; ++bar) {

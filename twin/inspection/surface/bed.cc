@@ -2,32 +2,30 @@
 
 #include "fields/base/text.h"
 #include "twin/inspection/surface/plan_grid.h"
-#include "twin/inspection/surface/read_shape.h"
 #include "twin/inspection/surface/scour_pit.h"
 #include "twin/inspection/surface/shapes.h"
 #include "twin/inspection/surface/usual_sizes.h"
 
 namespace slackwater::twin {
 
-Surface make_bed(const Config& config, double patch_m) {
-  const Triple<double> foot_m = read_point(config);
-  if (foot_m.z < 0) config.refuse("height_m", "puts the bed above the sea; give its depth_m");
+Surface make(const BedSizes& sizes, double patch_m) {
+  const Triple<double>& foot_m = sizes.foot_m;
+  if (foot_m.z < 0) throw Unmakeable{"height_m", "puts the bed above the sea; give its depth_m"};
   ScourPit pit;
   pit.north_m = foot_m.x;
   pit.east_m = foot_m.y;
   pit.bed_m = foot_m.z;
-  pit.pile_radius_m = config.number("radius_m", {0.05, 50});
-  if (const auto scour = config.optional_child("scour")) pit = read_scour_pit(*scour, pit);
-  const double outer_m =
-      number_or(config, "outer_m", usual::bed_radii * pit.pile_radius_m, {0.1, 5000});
+  pit.pile_radius_m = sizes.radius_m;
+  if (sizes.scour) pit = scour_pit(*sizes.scour, pit);
+  const double outer_m = sizes.outer_m.value_or(usual::bed_radii * pit.pile_radius_m);
   if (!(outer_m > pit.pile_radius_m))
-    config.refuse("outer_m", formatted("found {:g} m, within the foundation's {:g} m; give a "
-                                       "radius beyond it",
-                                       outer_m, pit.pile_radius_m));
+    throw Unmakeable{"outer_m", formatted("found {:g} m, within the foundation's {:g} m; give a "
+                                          "radius beyond it",
+                                          outer_m, pit.pile_radius_m)};
   if (pit.pile_radius_m + pit.width_m > outer_m && pit.depth_m > 0)
-    config.refuse("outer_m", formatted("found {:g} m, and the scour pit reaches to {:.1f} m; give "
-                                       "more",
-                                       outer_m, pit.pile_radius_m + pit.width_m));
+    throw Unmakeable{"outer_m", formatted("found {:g} m, and the scour pit reaches to {:.1f} m; "
+                                          "give more",
+                                          outer_m, pit.pile_radius_m + pit.width_m)};
   PlanGrid grid;
   grid.within = PlanCircle{foot_m.x, foot_m.y, outer_m};
   grid.without = PlanCircle{foot_m.x, foot_m.y, pit.pile_radius_m};

@@ -5,7 +5,6 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/inspection/surface/patched_grid.h"
-#include "twin/inspection/surface/read_shape.h"
 #include "twin/inspection/surface/rotor_axes.h"
 #include "twin/inspection/surface/shapes.h"
 #include "twin/inspection/surface/usual_sizes.h"
@@ -14,7 +13,6 @@
 namespace slackwater::twin {
 namespace {
 
-using constants::degree;
 constexpr double axis_at = 0.3;  // of the chord: where the blade's axis goes through its sections
 
 /// A blade from its root to its tip: chord, thickness and twist change evenly.
@@ -46,37 +44,32 @@ struct BladeShape {
   }
 };
 
-BladeShape read_blade(const Config& config) {
+BladeShape shape_of(const BladeSizes& sizes) {
   BladeShape blade;
-  const double faces_rad = config.number("rotor_faces_deg", {-360, 360}) * degree;
-  const double first_rad =
-      config.optional_number("rotor_azimuth_deg", {-360, 360}).value_or(0) * degree;
-  blade.axes = blade_axes(faces_rad, blade_azimuth_rad(config.integer("blade", 1, 3), first_rad));
-  blade.hub_m = read_point(config) +
-                number_or(config, "overhang_m", usual::overhang_m, {0, 50}) * blade.axes.upwind;
-  blade.tip_m = config.number("tip_m", {1, 200});
+  blade.axes = blade_axes(sizes.rotor_faces_rad,
+                          blade_azimuth_rad(sizes.blade, sizes.rotor_azimuth_rad.value_or(0)));
+  blade.hub_m = sizes.hub_m + sizes.overhang_m.value_or(usual::overhang_m) * blade.axes.upwind;
+  blade.tip_m = sizes.tip_m;
   const double scale = blade.tip_m / usual::rotor_radius_m;
-  blade.root_m = number_or(config, "root_m", usual::blade_root_m, {0, 200});
+  blade.root_m = sizes.root_m.value_or(usual::blade_root_m);
   if (!(blade.root_m < blade.tip_m))
-    config.refuse("root_m", formatted("at {:g} m is not before the tip, at {:g} m from the hub",
-                                      blade.root_m, blade.tip_m));
-  blade.root_chord_m = number_or(config, "chord_m", scale * usual::blade_chord_m, {0.05, 20});
-  blade.tip_chord_m =
-      number_or(config, "tip_chord_m", scale * usual::blade_tip_chord_m, {0.02, 20});
-  constexpr Range thick{0.05, 0.9};
-  blade.root_thickness = number_or(config, "root_thickness", usual::blade_root_thickness, thick);
-  blade.tip_thickness = number_or(config, "tip_thickness", usual::blade_tip_thickness, thick);
-  blade.root_twist_rad = number_or(config, "twist_deg", usual::blade_twist_deg, {-90, 90}) * degree;
-  blade.pitch_rad = number_or(config, "pitch_deg", 0, {-180, 180}) * degree;
-  blade.camber = number_or(config, "camber", usual::blade_camber, {0, 0.1});
+    throw Unmakeable{"root_m", formatted("at {:g} m is not before the tip, at {:g} m from the hub",
+                                         blade.root_m, blade.tip_m)};
+  blade.root_chord_m = sizes.chord_m.value_or(scale * usual::blade_chord_m);
+  blade.tip_chord_m = sizes.tip_chord_m.value_or(scale * usual::blade_tip_chord_m);
+  blade.root_thickness = sizes.root_thickness.value_or(usual::blade_root_thickness);
+  blade.tip_thickness = sizes.tip_thickness.value_or(usual::blade_tip_thickness);
+  blade.root_twist_rad = sizes.twist_rad.value_or(usual::blade_twist_deg * constants::degree);
+  blade.pitch_rad = sizes.pitch_rad.value_or(0);
+  blade.camber = sizes.camber.value_or(usual::blade_camber);
   return blade;
 }
 
 }  // namespace
 
-Surface make_blade(const Config& config, double patch_m) {
+Surface make(const BladeSizes& sizes, double patch_m) {
   constexpr double least_columns = 8, least_corners = 48;
-  const BladeShape blade = read_blade(config);
+  const BladeShape blade = shape_of(sizes);
   const double length_m = blade.tip_m - blade.root_m;
   double widest_m = 0;
   for (int i = 0; i <= 10; ++i)

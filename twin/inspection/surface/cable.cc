@@ -4,7 +4,6 @@
 
 #include "fields/base/text.h"
 #include "twin/inspection/surface/patched_grid.h"
-#include "twin/inspection/surface/read_shape.h"
 #include "twin/inspection/surface/shapes.h"
 #include "twin/inspection/surface/tube.h"
 #include "twin/inspection/surface/usual_sizes.h"
@@ -18,19 +17,19 @@ struct RoutePoint {
   double burial_m = 0;  ///< of the cable's top
 };
 
-std::vector<RoutePoint> read_route(const Config& config) {
+std::vector<RoutePoint> route_of(const CableSizes& sizes) {
   std::vector<RoutePoint> route;
-  const double everywhere_m = number_or(config, "burial_m", usual::burial_m, {0, 20});
-  for (const Config& point : config.children("route"))
-    route.push_back({read_point(point), number_or(point, "burial_m", everywhere_m, {0, 20})});
+  const double everywhere_m = sizes.burial_m.value_or(usual::burial_m);
+  for (const CableSizes::Point& point : sizes.route)
+    route.push_back({point.bed_m, point.burial_m.value_or(everywhere_m)});
   if (route.size() < 2)
-    config.refuse("route", formatted("has {} points, expected at least two: where the cable "
-                                     "begins and ends",
-                                     route.size()));
+    throw Unmakeable{"route", formatted("has {} points, expected at least two: where the cable "
+                                        "begins and ends",
+                                        route.size())};
   for (std::size_t i = 1; i < route.size(); ++i)
     if (length_of(route[i].bed_m - route[i - 1].bed_m) < 0.1)
-      config.refuse("route",
-                    formatted("points {} and {} are one; leave one of them out", i, i + 1));
+      throw Unmakeable{"route",
+                       formatted("points {} and {} are one; leave one of them out", i, i + 1)};
   return route;
 }
 
@@ -70,8 +69,8 @@ Triple<double> right_of(const Triple<double>& way) {
   return {-way.y / length_m, way.x / length_m, 0};
 }
 
-std::vector<Station> stations_of(const Config& config, const std::vector<RoutePoint>& route,
-                                 double corridor_m, double patch_m) {
+std::vector<Station> stations_of(const std::vector<RoutePoint>& route, double corridor_m,
+                                 double patch_m) {
   std::vector<Triple<double>> aside;
   for (std::size_t i = 0; i < route.size(); ++i) {
     const Triple<double> in = right_of(route[std::max<std::size_t>(i, 1)].bed_m -
@@ -82,9 +81,9 @@ std::vector<Station> stations_of(const Config& config, const std::vector<RoutePo
     // |sum|^2 = 2 (1 + cos of the bend): the mitre is as much longer as the bend is sharp.
     const double squared = dot(sum, sum);
     if (squared < 1)
-      config.refuse("route", formatted("turns by more than 120 degrees at point {}; give more "
-                                       "points round the bend",
-                                       i + 1));
+      throw Unmakeable{"route", formatted("turns by more than 120 degrees at point {}; give more "
+                                          "points round the bend",
+                                          i + 1)};
     aside.push_back((corridor_m / squared) * sum);
   }
   std::vector<Station> stations{{route[0].bed_m, aside[0], 0}};
@@ -95,9 +94,9 @@ std::vector<Station> stations_of(const Config& config, const std::vector<RoutePo
     const double narrow = std::min(dot(way, way) + dot(way, aside[i] - aside[i - 1]),
                                    dot(way, way) - dot(way, aside[i] - aside[i - 1]));
     if (!(narrow > 0))
-      config.refuse("corridor_m", formatted("{:g} m is wider than the route's bend at point {} "
-                                            "allows; take a narrower one",
-                                            corridor_m, i));
+      throw Unmakeable{"corridor_m", formatted("{:g} m is wider than the route's bend at point {} "
+                                               "allows; take a narrower one",
+                                               corridor_m, i)};
     const std::size_t pieces = pieces_in(length_m, patch_m);
     if (pieces > TooManyPatches::most_patches) throw TooManyPatches();
     for (std::size_t p = 1; p <= pieces; ++p) {
@@ -112,19 +111,19 @@ std::vector<Station> stations_of(const Config& config, const std::vector<RoutePo
 
 }  // namespace
 
-Surface make_cable(const Config& config, double patch_m) {
-  std::vector<RoutePoint> route = read_route(config);
-  const double off_ends_m = number_or(config, "off_ends_m", 0, {0, 5000});
+Surface make(const CableSizes& sizes, double patch_m) {
+  std::vector<RoutePoint> route = route_of(sizes);
+  const double off_ends_m = sizes.off_ends_m.value_or(0);
   const double whole_m = length_of_route(route);
   if (whole_m - 2 * off_ends_m < patch_m)
-    config.refuse("route",
-                  formatted("is {:g} m long, of which off_ends_m leaves {:g} m, less "
-                            "than a patch of {:g} m; correct it, or take a smaller patch_m",
-                            whole_m, whole_m - 2 * off_ends_m, patch_m));
+    throw Unmakeable{
+        "route", formatted("is {:g} m long, of which off_ends_m leaves {:g} m, less than a patch "
+                           "of {:g} m; correct it, or take a smaller patch_m",
+                           whole_m, whole_m - 2 * off_ends_m, patch_m)};
   route = shortened(std::move(route), off_ends_m);
-  const double corridor_m = number_or(config, "corridor_m", usual::corridor_m, {0.1, 500});
-  const double radius_m = number_or(config, "radius_m", usual::cable_radius_m, {0.005, 1});
-  const std::vector<Station> stations = stations_of(config, route, corridor_m, patch_m);
+  const double corridor_m = sizes.corridor_m.value_or(usual::corridor_m);
+  const double radius_m = sizes.radius_m.value_or(usual::cable_radius_m);
+  const std::vector<Station> stations = stations_of(route, corridor_m, patch_m);
   SurfaceBuilder builder(route.front().bed_m);
   PatchedGrid grid;
   grid.columns = stations.size() - 1;

@@ -24,8 +24,6 @@ double Frustum::slant_m() const noexcept {
   return std::hypot(bottom_m - top_m, bottom_radius_m - top_radius_m);
 }
 
-bool Arc::is_all_round() const noexcept { return arc_rad > turn - 1e-9; }
-
 void add_frustum(SurfaceBuilder& builder, const Frustum& frustum, const Arc& arc, double patch_m,
                  double left_m, double top_m) {
   const double widest_m = std::max(frustum.top_radius_m, frustum.bottom_radius_m);

@@ -1,5 +1,6 @@
 #pragma once
 #include "twin/inspection/surface/patched_grid.h"
+#include "twin/inspection/surface/planned_surface.h"
 
 // Only sources of this folder include this.
 
@@ -15,14 +16,6 @@ struct Frustum {
   double bottom_m = 0;
 
   [[nodiscard]] double slant_m() const noexcept;
-};
-
-/// From where to where round an upright axis, clockwise.
-struct Arc {
-  double from_rad = 0;
-  double arc_rad = 0;  ///< 2 pi: all round
-
-  [[nodiscard]] bool is_all_round() const noexcept;
 };
 
 /// The closed frustum. Its mantle is patched within the arc; its sheet has true lengths round and

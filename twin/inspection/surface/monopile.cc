@@ -1,17 +1,16 @@
-#include "twin/inspection/surface/read_shape.h"
+#include "twin/inspection/surface/frustum.h"
 #include "twin/inspection/surface/shapes.h"
 
 namespace slackwater::twin {
 
-Surface make_monopile(const Config& config, double patch_m) {
-  const Upright upright = read_upright(config);
-  const double radius_m = config.number("radius_m", {0.05, 50});
-  const Frustum pile{upright.north_m, upright.east_m, radius_m,
-                     radius_m,        upright.top_m,  upright.bottom_m};
-  const Arc arc = read_arc(config);
+Surface make(const MonopileSizes& sizes, double patch_m) {
+  const Upright& upright = sizes.upright;
+  expect_goes_down(upright);
+  const Frustum pile{upright.north_m, upright.east_m, sizes.radius_m,
+                     sizes.radius_m,  upright.top_m,  upright.bottom_m};
   SurfaceBuilder builder({upright.north_m, upright.east_m, upright.top_m});
-  add_frustum(builder, pile, arc, patch_m);
-  return builder.finish(SurfaceKind::monopile, sheet_of(pile, arc));
+  add_frustum(builder, pile, sizes.arc, patch_m);
+  return builder.finish(SurfaceKind::monopile, sheet_of(pile, sizes.arc));
 }
 
 }  // namespace slackwater::twin

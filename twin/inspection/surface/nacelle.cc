@@ -1,25 +1,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/constants.h"
 #include "twin/inspection/surface/block.h"
-#include "twin/inspection/surface/read_shape.h"
 #include "twin/inspection/surface/shapes.h"
 #include "twin/inspection/surface/usual_sizes.h"
 
 namespace slackwater::twin {
 
-Surface make_nacelle(const Config& config, double patch_m) {
-  constexpr double degree = constants::pi / 180;
+Surface make(const NacelleSizes& sizes, double patch_m) {
   constexpr double gap_m = 0.5;  // between parts on the sheet
-  const Triple<double> hub_m = read_point(config);
-  const double faces_rad = config.number("rotor_faces_deg", {-360, 360}) * degree;
-  const double long_m = number_or(config, "length_m", usual::nacelle_length_m);
-  const double wide_m = number_or(config, "width_m", usual::nacelle_width_m);
-  const double tall_m = number_or(config, "tall_m", usual::nacelle_height_m);
-  const double ahead_m = number_or(config, "ahead_m", usual::nacelle_ahead_m, {-100, 100});
-  const double rise_m = number_or(
-      config, "roof_rise_m", std::min(usual::nacelle_roof_rise_m, 0.2 * wide_m), {0, 0.5 * wide_m});
+  const Triple<double>& hub_m = sizes.hub_m;
+  const double faces_rad = sizes.rotor_faces_rad;
+  const double long_m = sizes.length_m.value_or(usual::nacelle_length_m);
+  const double wide_m = sizes.width_m.value_or(usual::nacelle_width_m);
+  const double tall_m = sizes.tall_m.value_or(usual::nacelle_height_m);
+  const double ahead_m = sizes.ahead_m.value_or(usual::nacelle_ahead_m);
+  const double rise_m =
+      sizes.roof_rise_m.value_or(std::min(usual::nacelle_roof_rise_m, 0.2 * wide_m));
   const Triple<double> ahead{std::cos(faces_rad), std::sin(faces_rad), 0};
   const Triple<double> right{-std::sin(faces_rad), std::cos(faces_rad), 0};
   Block block;

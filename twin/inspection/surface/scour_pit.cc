@@ -5,6 +5,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
+#include "twin/inspection/surface/surface_builder.h"
 #include "twin/inspection/surface/usual_sizes.h"
 
 namespace slackwater::twin {
@@ -30,24 +31,19 @@ double ScourPit::volume_m3() const noexcept {
   return 2 * constants::pi * depth_m * width_m * (pile_radius_m / 2 + width_m / 6);
 }
 
-ScourPit read_scour_pit(const Config& scour, const ScourPit& level_bed) {
+ScourPit scour_pit(const BedSizes::Scour& sizes, const ScourPit& level_bed) {
   ScourPit pit = level_bed;
-  pit.depth_m = scour.number("depth_m", {0, 100});
+  pit.depth_m = sizes.depth_m;
   const double most_m = deepest * 2 * pit.pile_radius_m;
   if (pit.depth_m > most_m)
-    scour.refuse(
-        "depth_m",
-        formatted(
-            "found {:g} m, expected at most {:.1f} m: {:g} diameters of the foundation; correct it",
-            pit.depth_m, most_m, deepest));
-  if (scour.has("width_m") && scour.has("slope_deg"))
-    scour.refuse("slope_deg", "found beside width_m; give one of them");
-  const double slope_rad =
-      degree * scour.optional_number("slope_deg", {5, 45}).value_or(usual::slope_deg);
-  pit.width_m =
-      scour.optional_number("width_m", {0.1, 500}).value_or(pit.depth_m / std::tan(slope_rad));
-  pit.skew = scour.optional_number("skew", {0, 0.9}).value_or(0);
-  pit.deepest_rad = degree * scour.optional_number("deepest_deg", {-360, 360}).value_or(0);
+    throw Unmakeable{"scour.depth_m",
+                     formatted("found {:g} m, expected at most {:.1f} m: {:g} diameters of the "
+                               "foundation; correct it",
+                               pit.depth_m, most_m, deepest)};
+  const double slope_rad = sizes.slope_rad.value_or(degree * usual::slope_deg);
+  pit.width_m = sizes.width_m.value_or(pit.depth_m / std::tan(slope_rad));
+  pit.skew = sizes.skew.value_or(0);
+  pit.deepest_rad = sizes.deepest_rad.value_or(0);
   return pit;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-#include "fields/base/config.h"
-#include "twin/body/spatial.h"
+#include "twin/inspection/surface/planned_surface.h"
+
+// Only sources of this folder include this.
 
 namespace slackwater::twin {
 
@@ -24,8 +25,8 @@ struct ScourPit {
   [[nodiscard]] double volume_m3() const noexcept;
 };
 
-/// `scour` of a bed: {depth_m: 2, slope_deg: 32 or width_m: 4, skew: 0.3, deepest_deg: 80}.
-/// @throws Error(invalid_input) for one that is deeper than scour gets
-[[nodiscard]] ScourPit read_scour_pit(const Config& scour, const ScourPit& level_bed);
+/// @param level_bed  about the same foundation
+/// @throws Unmakeable for one that is deeper than scour gets
+[[nodiscard]] ScourPit scour_pit(const BedSizes::Scour& sizes, const ScourPit& level_bed);
 
 }  // namespace slackwater::twin

@@ -41,7 +41,7 @@ void expect_closed(const Surface& surface) {
   if (!is_closed(surface.mesh))
     throw Error(ErrorKind::invalid_input,
                 surface.name + ": does not close: an edge belongs to other than two triangles; " +
-                    "mend its sizes");
+                    "correct its sizes");
   if (const double enclosed_m3 = volume_m3(surface.mesh); !(enclosed_m3 > 0))
     throw Error(ErrorKind::invalid_input,
                 formatted("{}: encloses {:g} m3, its triangles face inward; correct its sizes",

@@ -14,6 +14,12 @@ struct TooManyPatches {
   static constexpr std::size_t most_triangles = 2000000;
 };
 
+/// Sizes that no surface can be made of.
+struct Unmakeable {
+  std::string key;  ///< of an entry of a scenario
+  std::string why;
+};
+
 /// A surface while it is put together.
 class SurfaceBuilder {
  public:

@@ -5,7 +5,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/inspection/surface/block.h"
-#include "twin/inspection/surface/read_shape.h"
+#include "twin/inspection/surface/frustum.h"
 #include "twin/inspection/surface/shapes.h"
 #include "twin/inspection/surface/tube.h"
 #include "twin/inspection/surface/usual_sizes.h"
@@ -13,7 +13,6 @@
 namespace slackwater::twin {
 namespace {
 
-using constants::degree;
 constexpr double gap_m = 0.5;  // between parts on the sheet
 
 /// Parts below the mantle on the sheet, one row of them below the other.
@@ -106,37 +105,38 @@ void add_bolts(SurfaceBuilder& builder, const Frustum& piece, Shelf& shelf, int 
 
 }  // namespace
 
-Surface make_transition_piece(const Config& config, double patch_m) {
-  const Upright upright = read_upright(config);
-  const double radius_m = config.number("radius_m", {0.2, 50});
+Surface make(const TransitionPieceSizes& sizes, double patch_m) {
+  const Upright& upright = sizes.upright;
+  expect_goes_down(upright);
+  const double radius_m = sizes.radius_m;
   const Frustum piece{upright.north_m, upright.east_m, radius_m,
                       radius_m,        upright.top_m,  upright.bottom_m};
-  const Arc all_round{0, 2 * constants::pi};
+  const Arc all_round;
   const double height_m = upright.bottom_m - upright.top_m;
   SurfaceBuilder builder({upright.north_m, upright.east_m, upright.top_m});
   add_frustum(builder, piece, all_round, patch_m);
   Sheet sheet = sheet_of(piece, all_round);
   Shelf shelf{0, height_m + gap_m, 0, 0};
 
-  const double width_m = number_or(config, "flange_width_m", usual::flange_width_m);
-  const double thickness_m = number_or(config, "flange_thickness_m", usual::flange_thickness_m);
-  const int bolts = config.optional_integer("bolts", 0, 1000).value_or(usual::bolts);
+  const double width_m = sizes.flange_width_m.value_or(usual::flange_width_m);
+  const double thickness_m = sizes.flange_thickness_m.value_or(usual::flange_thickness_m);
+  const int bolts = sizes.bolts.value_or(usual::bolts);
   if (bolts * usual::bolt_m > 2 * constants::pi * (radius_m + 0.5 * width_m))
-    config.refuse("bolts", formatted("{} heads of {:g} m do not fit round a flange of {:g} m "
-                                     "radius; take fewer",
-                                     bolts, usual::bolt_m, radius_m));
+    throw Unmakeable{"bolts", formatted("{} heads of {:g} m do not fit round a flange of {:g} m "
+                                        "radius; take fewer",
+                                        bolts, usual::bolt_m, radius_m)};
   const double taken_m = thickness_m + usual::bolt_height_m;
   if (height_m < 2 * taken_m)
-    config.refuse("to", formatted("leaves {:g} m of height, and the flange with its bolts takes "
-                                  "{:g} m; make it at least twice that",
-                                  height_m, taken_m));
+    throw Unmakeable{"to", formatted("leaves {:g} m of height, and the flange with its bolts takes "
+                                     "{:g} m; make it at least twice that",
+                                     height_m, taken_m)};
   add_flange(builder, piece, patch_m, shelf, width_m, thickness_m);
   shelf.next_row();
   add_bolts(builder, piece, shelf, bolts, width_m, thickness_m);
   shelf.next_row();
 
-  if (const auto landing_deg = config.optional_number("landing_deg", {-360, 360})) {
-    const double bearing = *landing_deg * degree;
+  if (sizes.landing_rad) {
+    const double bearing = *sizes.landing_rad;
     const Landing landing{{upright.north_m, upright.east_m, 0},
                           {std::cos(bearing), std::sin(bearing), 0},
                           {std::sin(bearing), -std::cos(bearing), 0}};
@@ -148,7 +148,7 @@ Surface make_transition_piece(const Config& config, double patch_m) {
       add_tube(builder, {begin_m, end_m, r_m}, patch_m, TubeSheet{at.left_m, at.top_m, true});
     };
     const double fender_m = radius_m + usual::fender_off_m;
-    const double fender_r_m = number_or(config, "fender_radius_m", usual::fender_radius_m);
+    const double fender_r_m = sizes.fender_radius_m.value_or(usual::fender_radius_m);
     const double ladder_m = radius_m + usual::ladder_off_m;
     for (const double side : {-0.5, 0.5}) {
       bar(landing.at(fender_m, side * usual::fender_spacing_m, from_m),

@@ -8,9 +8,9 @@ namespace slackwater::tests {
 /// Of an entry as it stands in a scenario: "kind: monopile, ...".
 inline twin::Surface surface_of(const std::string& entry, double patch_m) {
   const Config config = Config::parse("{" + entry + "}", "surfaces.yaml");
-  twin::Surface surface = twin::make_surface(config, patch_m);
+  const twin::PlannedSurface planned = twin::read_surface(config);
   config.expect_all_read();
-  return surface;
+  return twin::make_surface(planned, patch_m);
 }
 
 // One of each, far enough from the run's origin for single precision to show where it is misused.
