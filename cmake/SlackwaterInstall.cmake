@@ -17,7 +17,7 @@ foreach(folder ${data_folders})
   endif()
 endforeach()
 # The types on DDS, for whoever builds clients.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/api/dds/idl
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/api/door/dds/idl
         DESTINATION ${CMAKE_INSTALL_DATADIR}/slackwater COMPONENT runtime)
 file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/api/docs/*.md)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${pages}
@@ -30,10 +30,10 @@ install(CODE "
   set(SLACKWATER_BIN \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}\")
   set(SLACKWATER_DOC \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATAROOTDIR}/doc/slackwater\")
   foreach(unit slackwater-daily@.service slackwater-daily@.timer slackwater-serve.service)
-    configure_file(\"${PROJECT_SOURCE_DIR}/api/systemd/\${unit}.in\"
+    configure_file(\"${PROJECT_SOURCE_DIR}/api/door/systemd/\${unit}.in\"
                    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/systemd/system/\${unit}\" @ONLY)
   endforeach()" COMPONENT runtime)
-install(FILES ${PROJECT_SOURCE_DIR}/api/systemd/slackwater.conf DESTINATION lib/tmpfiles.d
+install(FILES ${PROJECT_SOURCE_DIR}/api/door/systemd/slackwater.conf DESTINATION lib/tmpfiles.d
         COMPONENT runtime)
 
 # --- for programs of others ---------------------------------------------------------------------

@@ -8,8 +8,8 @@
 
 namespace slackwater {
 
-/// What kind of trouble an `Error` is; each kind has one exit code (api/cli) and one HTTP status
-/// (api/http).
+/// What kind of trouble an `Error` is; each kind has one exit code (api/door/cli) and one HTTP status
+/// (api/door/http).
 enum class ErrorKind {
   internal,       ///< ours to mend
   usage,          ///< the command line makes no sense

@@ -1,6 +1,6 @@
 #pragma once
 // For sources that are compiled once per instruction set (fields/wave/sea_kernel.cc,
-// twin/simulate/step_kernel.cc): all of this lies in the namespace of that set, so that the linker
+// twin/step/step_kernel.cc): all of this lies in the namespace of that set, so that the linker
 // never takes a function from the wrong one.
 #include <array>
 #include <cstddef>

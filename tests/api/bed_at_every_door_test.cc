@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "api/edr/service.h"
+#include "api/ask/run/scenario_run.h"
+#include "api/door/edr/service.h"
 #include "api/issued/in_force.h"
-#include "api/rehearse/scenario_run.h"
 #include "ingest/cf/forecast_file.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
-#include "twin/simulate/environment.h"
+#include "twin/environment/environment.h"
 
 namespace slackwater::tests {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/coverage/view.h"
+#include "api/show/coverage/view.h"
 #include "tests/support/farm_for_tests.h"
 
 namespace slackwater::tests {

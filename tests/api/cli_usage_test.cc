@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "api/cli/output_file.h"
+#include "api/door/cli/output_file.h"
 #include "tests/support/contains.h"
 #include "tests/support/error_of.h"
 #include "tests/support/product_files_for_tests.h"

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "api/edr/service.h"
+#include "api/ask/run/scenario_run.h"
+#include "api/door/edr/service.h"
 #include "api/issued/in_force.h"
-#include "api/rehearse/scenario_run.h"
 #include "tests/api/issued/issued_store.h"
 #include "tests/support/program.h"
-#include "twin/simulate/environment.h"
+#include "twin/environment/environment.h"
 
 namespace slackwater::tests {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "tests/support/shared_data.h"
 #include "twin/control/patterns.h"
-#include "twin/simulate/made_up_field.h"
-#include "twin/simulate/run.h"
+#include "twin/environment/made_up_field.h"
+#include "twin/run/run.h"
 #include "twin/tether/node_load.h"
 
 namespace slackwater::bench {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "tests/bench/bench_report.h"
-#include "twin/simulate/scenario.h"
-#include "twin/simulate/set_up.h"
+#include "twin/run/set_up.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::bench {
 

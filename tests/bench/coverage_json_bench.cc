@@ -7,7 +7,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
-#include "api/edr/write/format_coverage_json.h"
+#include "api/door/edr/write/format_coverage_json.h"
 #include "tests/bench/bench_report.h"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "api/synthetic/product_files.h"
-#include "api/synthetic/synthetic_ocean.h"
+#include "api/made_up/synthetic/product_files.h"
+#include "api/made_up/synthetic/synthetic_ocean.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/timed_child.h"
 #include "tests/support/temporary_folder.h"

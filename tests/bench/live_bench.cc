@@ -9,8 +9,8 @@
 #include <sstream>
 #include <thread>
 
-#include "api/live/live_run.h"
-#include "api/live/recording_outlet.h"
+#include "api/door/live/live_run.h"
+#include "api/door/live/recording_outlet.h"
 #include "data/bag/bag.h"
 #include "tests/api/dds/own_domain.h"
 #include "tests/bench/bench_report.h"

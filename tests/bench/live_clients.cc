@@ -21,9 +21,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "api/dds/message/vehicle_messages.h"
-#include "api/dds/participant.h"
-#include "api/live/punctuality.h"
+#include "api/door/dds/message/vehicle_messages.h"
+#include "api/door/dds/participant.h"
+#include "api/door/live/punctuality.h"
 
 extern char** environ;
 
@@ -137,7 +137,7 @@ int readers(const std::string& domain, std::size_t count) {
   }
 }
 
-/// By hand: the client's own encoding of what api/dds/idl says.
+/// By hand: the client's own encoding of what api/door/dds/idl says.
 int agent(const std::string& domain) {
   std::atomic<bool> is_taken{false};
   dds::Participant participant(loopback(domain));

@@ -8,7 +8,7 @@
 #include "fields/base/constants.h"
 #include "tests/support/shared_data.h"
 #include "tests/twin/mission/mission_for_tests.h"
-#include "twin/simulate/made_up_field.h"
+#include "twin/environment/made_up_field.h"
 
 namespace slackwater::bench {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "api/rehearse/rehearsal.h"
-#include "twin/simulate/scenario.h"
-#include "twin/simulate/set_up.h"
+#include "api/ask/rehearse/rehearsal.h"
+#include "twin/run/set_up.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::bench {
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "api/plan/greedy_plan.h"
-#include "api/plan/make_plan.h"
+#include "api/ask/plan/greedy_plan.h"
+#include "api/ask/plan/make_plan.h"
 #include "tests/api/plan/plan_days.h"
 #include "tests/bench/bench_report.h"
 

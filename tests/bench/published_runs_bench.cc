@@ -23,8 +23,8 @@
 #include "tests/support/own_autopilot.h"
 #include "tests/support/shared_data.h"
 #include "twin/control/patterns.h"
-#include "twin/simulate/made_up_field.h"
-#include "twin/simulate/set_up.h"
+#include "twin/environment/made_up_field.h"
+#include "twin/run/set_up.h"
 
 namespace {
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "api/rehearse/rehearsal.h"
+#include "api/ask/rehearse/rehearsal.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/coarse_beside_full.h"
 #include "tests/bench/pile_mission.h"
-#include "twin/simulate/run.h"
+#include "twin/run/run.h"
 
 using namespace slackwater;
 using namespace slackwater::bench;

@@ -1,6 +1,6 @@
 #include "tests/bench/synthetic_store.h"
 
-#include "api/synthetic/product_files.h"
+#include "api/made_up/synthetic/product_files.h"
 #include "tests/bench/timed_child.h"
 
 namespace slackwater::bench {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "api/synthetic/synthetic_ocean.h"
+#include "api/made_up/synthetic/synthetic_ocean.h"
 #include "fields/base/time.h"
 #include "tests/support/temporary_folder.h"
 

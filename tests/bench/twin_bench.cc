@@ -9,9 +9,9 @@
 
 #include "tests/bench/bench_report.h"
 #include "tests/support/shared_data.h"
-#include "twin/simulate/made_up_field.h"
-#include "twin/simulate/run_log.h"
-#include "twin/simulate/set_up.h"
+#include "twin/environment/made_up_field.h"
+#include "twin/run/run_log.h"
+#include "twin/run/set_up.h"
 
 using namespace slackwater;
 using namespace slackwater::bench;

@@ -3,12 +3,12 @@
 #include <functional>
 #include <variant>
 
-#include "api/edr/read/bbox.h"
-#include "api/edr/read/datetime.h"
-#include "api/edr/read/distance.h"
-#include "api/edr/read/resolution.h"
-#include "api/edr/read/vertical.h"
-#include "api/edr/read/wkt.h"
+#include "api/door/edr/read/bbox.h"
+#include "api/door/edr/read/datetime.h"
+#include "api/door/edr/read/distance.h"
+#include "api/door/edr/read/resolution.h"
+#include "api/door/edr/read/vertical.h"
+#include "api/door/edr/read/wkt.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "api/history/series_limit.h"
+#include "api/ask/history/series_limit.h"
 #include "fields/record/regular_history.h"
 #include "ingest/history/csv_history.h"
 #include "ingest/history/written_time.h"

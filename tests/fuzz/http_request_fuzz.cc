@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "api/http/exchange.h"
-#include "api/http/request_reader.h"
-#include "api/http/router.h"
-#include "api/http/websocket.h"
+#include "api/door/http/exchange.h"
+#include "api/door/http/request_reader.h"
+#include "api/door/http/router.h"
+#include "api/door/http/websocket.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {

@@ -2,10 +2,10 @@
 #include <set>
 #include <string>
 
-#include "api/edr/read/crs.h"
-#include "api/edr/read/parameter_names.h"
-#include "api/edr/read/query_string.h"
-#include "api/edr/write/content.h"
+#include "api/door/edr/read/crs.h"
+#include "api/door/edr/read/parameter_names.h"
+#include "api/door/edr/read/query_string.h"
+#include "api/door/edr/write/content.h"
 #include "fields/base/percent.h"
 #include "tests/fuzz/fuzz_case.h"
 

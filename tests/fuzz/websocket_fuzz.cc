@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "api/foxglove/client_request.h"
-#include "api/http/frame_reader.h"
+#include "api/door/foxglove/client_request.h"
+#include "api/door/http/frame_reader.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {

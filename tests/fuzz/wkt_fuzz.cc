@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "api/edr/read/wkt.h"
+#include "api/door/edr/read/wkt.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {

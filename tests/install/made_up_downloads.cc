@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "api/synthetic/product_files.h"
+#include "api/made_up/synthetic/product_files.h"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "api/made_up/synthetic/product_files.h"
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
-#include "api/synthetic/product_files.h"
 #include "fields/base/constants.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "tests/support/product_files_for_tests.h"

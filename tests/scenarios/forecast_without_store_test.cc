@@ -3,9 +3,9 @@
 
 #include <cstring>
 
+#include "api/made_up/synthetic/product_files.h"
 #include "api/pipeline/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
-#include "api/synthetic/product_files.h"
 #include "calibration/day/daily_forecast.h"
 #include "calibration/verify/score_forecast.h"
 #include "ingest/read_pieces.h"

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "api/demo/demo_run.h"
+#include "api/made_up/demo/demo_run.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
 #include "calibration/verify/skill_set.h"

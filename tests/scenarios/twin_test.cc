@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "api/demo/demo_run.h"
+#include "api/made_up/demo/demo_run.h"
 #include "data/store/store.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"

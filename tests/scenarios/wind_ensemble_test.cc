@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "api/made_up/synthetic/product_files.h"
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/further_members.h"
 #include "api/pipeline/ingest_files.h"
 #include "api/pipeline/job_summary.h"
 #include "api/pipeline/load_site_data.h"
-#include "api/synthetic/product_files.h"
 #include "calibration/day/daily_forecast.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"

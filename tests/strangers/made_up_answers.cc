@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "api/edr/write/body.h"
+#include "api/door/edr/write/body.h"
 #include "fields/base/error.h"
 #include "tests/api/edr/made_up_answer.h"
 

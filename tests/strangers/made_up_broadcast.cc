@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "api/foxglove/broadcast.h"
-#include "api/http/router.h"
-#include "api/http/server.h"
+#include "api/door/foxglove/broadcast.h"
+#include "api/door/http/router.h"
+#include "api/door/http/server.h"
 
 namespace {
 

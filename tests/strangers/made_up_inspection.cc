@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "api/coverage/findings_file.h"
-#include "api/rehearse/run_page.h"
+#include "api/show/coverage/findings_file.h"
+#include "api/show/rehearse/run_page.h"
 #include "tests/api/coverage/made_up_inspection.h"
 
 namespace {

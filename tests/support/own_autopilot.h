@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "twin/simulate/agent.h"
+#include "twin/agent/agent.h"
 
 namespace slackwater::tests {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "twin/simulate/agent.h"
+#include "twin/agent/agent.h"
 
 namespace slackwater::twin {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fields/base/text.h"
-#include "twin/simulate/conduct.h"
+#include "twin/agent/conduct.h"
 
 namespace slackwater::twin {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "twin/simulate/conduct_state.h"
+#include "twin/state/conduct_state.h"
 
 namespace slackwater::twin {
 

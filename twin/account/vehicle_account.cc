@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "fields/base/text.h"
-#include "twin/simulate/conduct.h"
+#include "twin/agent/conduct.h"
 
 namespace slackwater::twin {
 namespace {

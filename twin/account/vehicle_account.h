@@ -9,11 +9,11 @@
 #include "twin/account/fate.h"
 #include "twin/account/mission_event.h"
 #include "twin/account/track_account.h"
+#include "twin/agent/agent.h"
 #include "twin/clearance/clear_way.h"
 #include "twin/inspection/inspection_outcome.h"
 #include "twin/risk/risk_cause.h"
-#include "twin/simulate/agent.h"
-#include "twin/simulate/scenario.h"
+#include "twin/scenario/scenario.h"
 #include "twin/surface/cleaning_outcome.h"
 
 namespace slackwater::twin {
@@ -40,7 +40,7 @@ struct ClearanceAccount {
 };
 
 /// What became of one vehicle of a run: the one account that rehearsals, pages, scorecards and
-/// tables are made from, and that a log keeps (api/rehearse/account_log.h).
+/// tables are made from, and that a log keeps (api/log/account_log.h).
 struct VehicleAccount {
   std::string name;
   std::string model;  ///< of the catalogue

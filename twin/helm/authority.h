@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "twin/simulate/helm_rule.h"
+#include "twin/state/helm_rule.h"
 
 namespace slackwater::twin {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "fields/base/text.h"
+#include "twin/agent/agent.h"
 #include "twin/control/velocity_range.h"
 #include "twin/scene/structure.h"
-#include "twin/simulate/agent.h"
 
 namespace slackwater::twin {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "twin/simulate/command.h"
+#include "twin/run/command.h"
 
 namespace slackwater::twin {
 

@@ -4,8 +4,8 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "twin/simulate/helm.h"
-#include "twin/simulate/printable.h"
+#include "twin/agent/helm.h"
+#include "twin/run/printable.h"
 
 namespace slackwater::twin {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "twin/helm/authority.h"
 #include "twin/helm/refusal.h"
-#include "twin/simulate/run.h"
-#include "twin/simulate/slipway.h"
+#include "twin/run/run.h"
+#include "twin/run/slipway.h"
 
 namespace slackwater::twin {
 

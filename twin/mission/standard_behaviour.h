@@ -3,7 +3,7 @@
 
 namespace slackwater::twin {
 
-/// What the leaves of a vehicle's tree may ask for (`twin/simulate/conduct.h` answers them), in
+/// What the leaves of a vehicle's tree may ask for (`twin/agent/conduct.h` answers them), in
 /// this order.
 enum class ConductAction {
   carry_on,   ///< its tasks, from where it left them

@@ -6,7 +6,7 @@
 #include "fields/base/parallel.h"
 #include "fields/base/text.h"
 #include "twin/chance/rank_rule.h"
-#include "twin/simulate/step_kernel.h"
+#include "twin/step/step_kernel.h"
 
 namespace slackwater::twin {
 namespace {

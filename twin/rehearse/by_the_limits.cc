@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "fields/base/text.h"
+#include "twin/agent/conduct.h"
 #include "twin/rehearse/limit_ahead.h"
 #include "twin/rehearse/planned_work.h"
-#include "twin/simulate/conduct.h"
 
 namespace slackwater::twin {
 namespace {

@@ -2,7 +2,7 @@
 #include <span>
 #include <string>
 
-#include "twin/simulate/set_up.h"
+#include "twin/run/set_up.h"
 
 namespace slackwater::twin {
 

@@ -5,7 +5,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "twin/simulate/conduct.h"
+#include "twin/agent/conduct.h"
 
 namespace slackwater::twin {
 namespace {

@@ -2,8 +2,8 @@
 #include <span>
 #include <string>
 
+#include "twin/run/set_up.h"
 #include "twin/scenario/expand_mission.h"
-#include "twin/simulate/set_up.h"
 
 namespace slackwater::twin {
 

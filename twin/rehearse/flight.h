@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "twin/account/vehicle_account.h"
-#include "twin/simulate/set_up.h"
+#include "twin/run/set_up.h"
 
 namespace slackwater::twin {
 

@@ -5,7 +5,7 @@
 #include "fields/base/step_clock.h"
 #include "twin/rehearse/planned_work.h"
 #include "twin/risk/wave_futures.h"
-#include "twin/simulate/set_up.h"
+#include "twin/run/set_up.h"
 
 namespace slackwater::twin {
 

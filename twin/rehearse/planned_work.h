@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
+#include "twin/agent/agent.h"
 #include "twin/risk/phase_plan.h"
-#include "twin/simulate/agent.h"
 
 namespace slackwater::twin {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "twin/agent/agent.h"
 #include "twin/inspection/inspection_state.h"
-#include "twin/simulate/agent.h"
-#include "twin/simulate/scenario.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::twin {
 

@@ -6,7 +6,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "twin/simulate/environment.h"
+#include "twin/environment/environment.h"
 
 namespace slackwater::twin {
 namespace {

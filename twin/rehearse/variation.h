@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "twin/run/set_up.h"
 #include "twin/scenario/expand_mission.h"
-#include "twin/simulate/set_up.h"
 
 namespace slackwater::twin {
 

@@ -12,9 +12,9 @@
 #include "twin/mission/reach.h"
 #include "twin/scenario/laid_out_task.h"
 #include "twin/scenario/lay_out_agent.h"
+#include "twin/scenario/read_scenario.h"
 #include "twin/scenario/tenders.h"
 #include "twin/scenario/write_scenario.h"
-#include "twin/simulate/read_scenario.h"
 
 namespace slackwater::twin {
 namespace {

@@ -9,7 +9,7 @@
 #include "twin/mission/intensity.h"
 #include "twin/mission/limit.h"
 #include "twin/mission/work_site.h"
-#include "twin/simulate/scenario.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::twin {
 
@@ -65,7 +65,7 @@ struct ExpandedMission {
 /// turbine in turn and does its work there, and comes back; between sorties it stands aboard and
 /// gets another battery. One with a carrier is taken from turbine to turbine on her deck, launched
 /// at each and taken aboard again; without one a tether reaches one turbine. One on a tether is
-/// stepped as twin/simulate/coarse.h says, unless
+/// stepped as twin/agent/coarse.h says, unless
 /// `detail: full` stands at it.
 /// @throws Error(invalid_input) with file and line
 [[nodiscard]] ExpandedMission expand_mission(const Config& mission, const MissionParts& parts);

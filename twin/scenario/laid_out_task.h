@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "twin/simulate/scenario.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::twin {
 

@@ -14,7 +14,7 @@
 #include "twin/mission/work_pattern.h"
 #include "twin/scenario/laid_out_task.h"
 #include "twin/scenario/lay_out_surface.h"
-#include "twin/simulate/read_scenario.h"
+#include "twin/scenario/read_scenario.h"
 
 namespace slackwater::twin {
 namespace {

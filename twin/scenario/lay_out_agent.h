@@ -7,7 +7,7 @@
 #include "fields/base/config.h"
 #include "twin/mission/work_site.h"
 #include "twin/scenario/expand_mission.h"
-#include "twin/simulate/scenario.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::twin {
 

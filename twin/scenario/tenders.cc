@@ -6,7 +6,7 @@
 #include "fields/base/text.h"
 #include "twin/mission/way_round.h"
 #include "twin/scenario/laid_out_task.h"
-#include "twin/simulate/read_scenario.h"
+#include "twin/scenario/read_scenario.h"
 
 namespace slackwater::twin {
 namespace {

@@ -1,4 +1,4 @@
-#include "api/coverage/findings_file.h"
+#include "api/show/coverage/findings_file.h"
 
 #include <gtest/gtest.h>
 

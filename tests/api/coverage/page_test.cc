@@ -1,11 +1,11 @@
-#include "api/coverage/page.h"
+#include "api/show/coverage/page.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/rehearse/run_page.h"
+#include "api/show/rehearse/run_page.h"
 #include "tests/api/coverage/made_up_inspection.h"
 
 namespace slackwater::tests {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "api/coverage/raster.h"
-#include "api/coverage/sheet.h"
-#include "api/coverage/still.h"
+#include "api/show/coverage/raster.h"
+#include "api/show/coverage/sheet.h"
+#include "api/show/coverage/still.h"
 #include "tests/api/coverage/made_up_inspection.h"
 
 namespace slackwater::tests {

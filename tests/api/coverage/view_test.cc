@@ -1,11 +1,11 @@
-#include "api/coverage/view.h"
+#include "api/show/coverage/view.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "api/coverage/tangents.h"
+#include "api/show/coverage/tangents.h"
 #include "ingest/cf/trajectory_file.h"
 #include "tests/api/coverage/made_up_inspection.h"
 #include "tests/support/error_of.h"

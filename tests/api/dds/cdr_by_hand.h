@@ -5,14 +5,14 @@
 #include <cstring>
 #include <string>
 
-#include "api/dds/message/bytes.h"
+#include "api/door/dds/message/bytes.h"
 
 namespace slackwater::tests {
 
 // XCDR1 as the rules have it (OMG DDSI-RTPS 10, CORBA 3.1 9.3): a number lies at a multiple of its
 // own size, counted behind the encapsulation header of four; a string is its length with the NUL,
 // then its bytes; a sequence its count, then its elements. Written and read here without the
-// library that api/dds has, so that the one can be held against the other.
+// library that api/door/dds has, so that the one can be held against the other.
 
 enum class Order { little, big };
 

@@ -1,4 +1,4 @@
-#include "api/dds/message/definition.h"
+#include "api/door/dds/message/definition.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/dds/message/frames.h"
+#include "api/door/dds/message/frames.h"
 
 #include <gtest/gtest.h>
 

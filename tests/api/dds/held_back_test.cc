@@ -1,5 +1,5 @@
 // How long messages were held back on their way, by clocks that do not agree.
-#include "api/dds/held_back.h"
+#include "api/door/dds/held_back.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/dds/message/hosted.h"
+#include "api/door/dds/message/hosted.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "api/dds/participant.h"
+#include "api/door/dds/participant.h"
 
 int main(int argc, char** argv) {
   using namespace slackwater;

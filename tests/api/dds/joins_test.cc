@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "api/dds/participant.h"
+#include "api/door/dds/participant.h"
 #include "tests/api/dds/cdr_by_hand.h"
 #include "tests/api/dds/inbox.h"
 #include "tests/api/dds/own_domain.h"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "api/dds/participant.h"
+#include "api/door/dds/participant.h"
 #include "geometry_msgsPubSubTypes.h"
 #include "std_msgsPubSubTypes.h"
 #include "tests/api/dds/cdr_by_hand.h"

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "api/dds/message/orders.h"
-#include "api/dds/participant.h"
+#include "api/door/dds/message/orders.h"
+#include "api/door/dds/participant.h"
 #include "tests/api/dds/cdr_by_hand.h"
 #include "tests/api/dds/inbox.h"
 #include "tests/api/dds/own_domain.h"

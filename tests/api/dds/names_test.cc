@@ -1,4 +1,4 @@
-#include "api/dds/message/names.h"
+#include "api/door/dds/message/names.h"
 
 #include <gtest/gtest.h>
 

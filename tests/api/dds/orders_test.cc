@@ -1,11 +1,11 @@
-#include "api/dds/message/orders.h"
+#include "api/door/dds/message/orders.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "api/dds/message/navigate.h"
-#include "api/dds/message/services.h"
-#include "api/dds/message/vehicle_messages.h"
+#include "api/door/dds/message/navigate.h"
+#include "api/door/dds/message/services.h"
+#include "api/door/dds/message/vehicle_messages.h"
 #include "fields/base/error.h"
 #include "tests/api/dds/cdr_by_hand.h"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <optional>
 
-#include "api/dds/message/frames.h"
+#include "api/door/dds/message/frames.h"
 #include "slackwater_msgsPubSubTypes.h"
 #include "tests/api/dds/cdr_by_hand.h"
 #include "tests/api/dds/own_domain.h"

@@ -1,8 +1,8 @@
-#include "api/dds/participant.h"
+#include "api/door/dds/participant.h"
 
-#include "api/dds/message/orders.h"
-#include "api/dds/message/site_messages.h"
-#include "api/dds/message/vehicle_messages.h"
+#include "api/door/dds/message/orders.h"
+#include "api/door/dds/message/site_messages.h"
+#include "api/door/dds/message/vehicle_messages.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "tests/api/dds/cdr_by_hand.h"

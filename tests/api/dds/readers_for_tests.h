@@ -1,10 +1,10 @@
 #pragma once
 #include <functional>
 
-#include "api/dds/message/hosted.h"
-#include "api/dds/message/navigate.h"
-#include "api/dds/message/orders.h"
-#include "api/dds/message/services.h"
+#include "api/door/dds/message/hosted.h"
+#include "api/door/dds/message/navigate.h"
+#include "api/door/dds/message/orders.h"
+#include "api/door/dds/message/services.h"
 #include "tests/api/dds/cdr_by_hand.h"
 
 namespace slackwater::tests {

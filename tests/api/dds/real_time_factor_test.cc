@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "api/dds/participant.h"
+#include "api/door/dds/participant.h"
 #include "tests/api/dds/inbox.h"
 #include "tests/api/dds/own_domain.h"
 #include "tests/api/dds/without_leaks.h"

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <thread>
 
-#include "api/dds/message/orders.h"
-#include "api/dds/participant.h"
+#include "api/door/dds/message/orders.h"
+#include "api/door/dds/participant.h"
 
 int main(int argc, char** argv) {
   using namespace slackwater;

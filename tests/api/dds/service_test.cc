@@ -1,7 +1,7 @@
 #include <array>
 
-#include "api/dds/message/services.h"
-#include "api/dds/participant.h"
+#include "api/door/dds/message/services.h"
+#include "api/door/dds/participant.h"
 #include "fields/base/error.h"
 #include "tests/api/dds/generated_client.h"
 #include "tests/api/dds/own_domain.h"

@@ -1,4 +1,4 @@
-#include "api/dds/shared_memory.h"
+#include "api/door/dds/shared_memory.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

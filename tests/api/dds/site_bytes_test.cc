@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
 
-#include "api/dds/message/graph.h"
-#include "api/dds/message/services.h"
+#include "api/door/dds/message/graph.h"
+#include "api/door/dds/message/services.h"
 #include "tests/api/dds/cdr_by_hand.h"
 #include "tests/api/dds/site_for_tests.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "api/dds/message/site_messages.h"
+#include "api/door/dds/message/site_messages.h"
 
 namespace slackwater::tests {
 

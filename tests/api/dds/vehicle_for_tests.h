@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "api/dds/message/vehicle_messages.h"
+#include "api/door/dds/message/vehicle_messages.h"
 
 namespace slackwater::tests {
 

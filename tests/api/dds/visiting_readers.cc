@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "api/dds/participant.h"
+#include "api/door/dds/participant.h"
 #include "std_msgsPubSubTypes.h"
 #include "tests/api/dds/generated_client.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/edr/service.h"
+#include "api/door/edr/service.h"
 #include "tests/api/edr/made_up_store.h"
 #include "tests/support/temporary_folder.h"
 

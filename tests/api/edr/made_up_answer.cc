@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "api/edr/sample/answer_shape.h"
+#include "api/door/edr/sample/answer_shape.h"
 
 namespace slackwater::tests {
 namespace {

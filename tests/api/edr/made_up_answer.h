@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-#include "api/edr/sample/answer.h"
+#include "api/door/edr/sample/answer.h"
 
 namespace slackwater::tests {
 

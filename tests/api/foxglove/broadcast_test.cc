@@ -1,4 +1,4 @@
-#include "api/foxglove/broadcast.h"
+#include "api/door/foxglove/broadcast.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/foxglove/client_request.h"
+#include "api/door/foxglove/client_request.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "api/http/content_coding.h"
-#include "api/http/entity_tag.h"
-#include "api/http/response_head.h"
+#include "api/door/http/content_coding.h"
+#include "api/door/http/entity_tag.h"
+#include "api/door/http/response_head.h"
 
 namespace slackwater::tests {
 namespace {

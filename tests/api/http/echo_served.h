@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "api/http/websocket.h"
+#include "api/door/http/websocket.h"
 #include "tests/api/http/served.h"
 #include "tests/support/websocket_client.h"
 

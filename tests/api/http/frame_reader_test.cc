@@ -1,4 +1,4 @@
-#include "api/http/frame_reader.h"
+#include "api/door/http/frame_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/http/metrics.h"
+#include "api/door/http/metrics.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <thread>
 
-#include "api/http/health.h"
+#include "api/door/http/health.h"
 #include "tests/api/http/served.h"
 
 namespace slackwater::tests {

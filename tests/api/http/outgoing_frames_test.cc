@@ -1,4 +1,4 @@
-#include "api/http/outgoing_frames.h"
+#include "api/door/http/outgoing_frames.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/http/problem.h"
+#include "api/door/http/problem.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/http/router.h"
+#include "api/door/http/router.h"
 
 #include <gtest/gtest.h>
 

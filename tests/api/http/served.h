@@ -2,9 +2,9 @@
 #include <memory>
 #include <utility>
 
-#include "api/http/metrics.h"
-#include "api/http/router.h"
-#include "api/http/server.h"
+#include "api/door/http/metrics.h"
+#include "api/door/http/router.h"
+#include "api/door/http/server.h"
 #include "tests/support/http_client.h"
 
 namespace slackwater::tests {

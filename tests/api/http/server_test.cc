@@ -1,4 +1,4 @@
-#include "api/http/server.h"
+#include "api/door/http/server.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

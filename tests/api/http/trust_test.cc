@@ -1,4 +1,4 @@
-#include "api/http/trust.h"
+#include "api/door/http/trust.h"
 
 #include <gtest/gtest.h>
 

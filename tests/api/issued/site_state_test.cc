@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/cli/serve_health.h"
+#include "api/door/cli/serve_health.h"
 #include "tests/api/edr/made_up_store.h"
 #include "tests/support/temporary_folder.h"
 

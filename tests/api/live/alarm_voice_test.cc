@@ -1,5 +1,5 @@
 // What is told of the vessels that a vehicle is alarmed about.
-#include "api/live/alarm_voice.h"
+#include "api/door/live/alarm_voice.h"
 
 #include <gtest/gtest.h>
 

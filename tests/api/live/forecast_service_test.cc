@@ -1,11 +1,11 @@
 // Issued forecasts on DDS, without any run.
-#include "api/live/forecast_service.h"
+#include "api/door/live/forecast_service.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
-#include "api/live/profile_answer.h"
+#include "api/door/live/profile_answer.h"
 #include "tests/api/dds/own_domain.h"
 #include "tests/api/edr/made_up_store.h"
 #include "tests/support/temporary_folder.h"

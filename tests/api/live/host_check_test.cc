@@ -1,11 +1,11 @@
 // What physics from outside may answer, and what becomes of it.
-#include "api/live/host_check.h"
+#include "api/door/live/host_check.h"
 
 #include <array>
 #include <limits>
 
-#include "api/live/command_topics.h"
-#include "api/live/host_desk.h"
+#include "api/door/live/command_topics.h"
+#include "api/door/live/host_desk.h"
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
 

@@ -1,8 +1,8 @@
 // What a live run calls its vehicles, and when it calls them home.
 #include <limits>
 
-#include "api/live/live_run.h"
-#include "api/live/reserve_advice.h"
+#include "api/door/live/live_run.h"
+#include "api/door/live/reserve_advice.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
 namespace slackwater::tests {

@@ -1,5 +1,5 @@
 // One question, one answer, in time or not at all.
-#include "api/live/lock_step.h"
+#include "api/door/live/lock_step.h"
 
 #include <gtest/gtest.h>
 

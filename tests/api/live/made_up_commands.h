@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "api/dds/message/bytes.h"
+#include "api/door/dds/message/bytes.h"
 #include "data/bag/recording.h"
 
 namespace slackwater::tests {

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <map>
 
-#include "api/live/live_run.h"
-#include "api/live/recording_outlet.h"
+#include "api/door/live/live_run.h"
+#include "api/door/live/recording_outlet.h"
 #include "data/bag/bag.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/simulate/run_for_tests.h"

@@ -1,7 +1,7 @@
 // Bags played back: as commands of a client, as vessels that pass by.
-#include "api/live/bag_traffic.h"
-#include "api/live/live_run.h"
-#include "api/live/recording_outlet.h"
+#include "api/door/live/bag_traffic.h"
+#include "api/door/live/live_run.h"
+#include "api/door/live/recording_outlet.h"
 #include "fields/base/error.h"
 #include "tests/api/live/live_records.h"
 #include "tests/api/live/made_up_commands.h"

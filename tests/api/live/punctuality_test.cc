@@ -1,5 +1,5 @@
 // When steps begin, beside when they are due.
-#include "api/live/punctuality.h"
+#include "api/door/live/punctuality.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The operator's hook: told once, without a shell, for so long and no longer; and never by a file
 // that others can write.
-#include "api/morning/hook.h"
+#include "api/door/morning/hook.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <thread>
 
-#include "api/morning/operator_config.h"
+#include "api/ask/morning/operator_config.h"
 #include "api/program/run_program.h"
 #include "fields/base/error.h"
 #include "tests/support/store_for_tests.h"

@@ -1,5 +1,5 @@
 // A plan takes the windows of a forecast as they are, and reads the forecast once.
-#include "api/morning/plan_windows.h"
+#include "api/ask/morning/plan_windows.h"
 
 #include <gtest/gtest.h>
 #include <sys/inotify.h>
@@ -10,8 +10,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "api/plan/windows_file.h"
-#include "api/windows/windows_answer.h"
+#include "api/door/cli/windows_file.h"
+#include "api/show/windows/windows_answer.h"
 #include "data/store/layout.h"
 #include "tests/support/farm_for_tests.h"
 

@@ -1,5 +1,5 @@
 // What past forecasts were worth, in words, by the rule of the verdict.
-#include "api/morning/trust_text.h"
+#include "api/show/morning/trust_text.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/morning/verified_text.h"
 #include "api/pipeline/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
+#include "api/show/morning/verified_text.h"
 #include "calibration/verify/skill_set.h"
 #include "calibration/verify/verdict.h"
 #include "fields/base/error.h"

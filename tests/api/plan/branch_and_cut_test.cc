@@ -1,5 +1,5 @@
 // CBC behind its door.
-#include "api/plan/branch_and_cut.h"
+#include "api/ask/plan/branch_and_cut.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Plans against all plans there are, on days small enough to try them all; and what stands of them
 // on large ones.
-#include "api/plan/make_plan.h"
+#include "api/ask/plan/make_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "api/plan/greedy_plan.h"
-#include "api/plan/plan_rules.h"
+#include "api/ask/plan/greedy_plan.h"
+#include "api/ask/plan/plan_rules.h"
 #include "tests/api/plan/plan_days.h"
 
 namespace slackwater::tests {

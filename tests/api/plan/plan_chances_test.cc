@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "api/plan/make_plan.h"
+#include "api/ask/plan/make_plan.h"
 #include "tests/api/plan/plan_days.h"
 
 namespace slackwater::tests {

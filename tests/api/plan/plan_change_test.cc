@@ -1,13 +1,13 @@
 // What changed since an earlier plan, and why.
-#include "api/plan/plan_change.h"
+#include "api/ask/plan/plan_change.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "api/plan/earlier_plan_file.h"
-#include "api/plan/make_plan.h"
-#include "api/plan/plan_json.h"
+#include "api/ask/plan/make_plan.h"
+#include "api/door/cli/earlier_plan_file.h"
+#include "api/show/plan/plan_json.h"
 #include "fields/base/error.h"
 #include "tests/api/plan/plan_days.h"
 

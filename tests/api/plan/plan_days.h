@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "api/plan/plan.h"
+#include "api/ask/plan/plan.h"
 #include "fields/base/random.h"
 
 // Days to plan, and a judge of plans that shares no line with what makes them.

@@ -1,10 +1,10 @@
 // What a plan may not do, judged twice by code that shares no line.
-#include "api/plan/plan_rules.h"
+#include "api/ask/plan/plan_rules.h"
 
 #include <gtest/gtest.h>
 
-#include "api/plan/charging.h"
-#include "api/plan/make_plan.h"
+#include "api/ask/plan/charging.h"
+#include "api/ask/plan/make_plan.h"
 #include "tests/api/plan/plan_days.h"
 
 namespace slackwater::tests {

@@ -1,9 +1,9 @@
 // A plan's file and the windows of its day become a problem.
-#include "api/plan/plan_setup.h"
+#include "api/ask/plan/plan_setup.h"
 
 #include <gtest/gtest.h>
 
-#include "api/plan/windows_file.h"
+#include "api/door/cli/windows_file.h"
 #include "fields/base/error.h"
 #include "tests/support/store_for_tests.h"
 

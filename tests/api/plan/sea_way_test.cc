@@ -1,5 +1,5 @@
 // The ways of vessels round what they keep out of.
-#include "api/plan/sea_way.h"
+#include "api/ask/plan/sea_way.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,15 @@
 // The account of a run is the same from its states and from its log.
-#include "api/rehearse/account_log.h"
+#include "api/log/account_log.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "api/rehearse/account_json.h"
-#include "api/rehearse/account_tables.h"
-#include "api/rehearse/heard_traffic.h"
-#include "api/rehearse/scenario_run.h"
+#include "api/ask/run/heard_traffic.h"
+#include "api/ask/run/scenario_run.h"
+#include "api/log/account_tables.h"
+#include "api/show/rehearse/account_json.h"
 #include "fields/base/text.h"
 #include "fields/site/site.h"
 #include "tests/support/error_of.h"

@@ -1,4 +1,4 @@
-#include "api/rehearse/account_text.h"
+#include "api/show/rehearse/account_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/rehearse/ais_traffic.h"
+#include "api/ask/run/ais_traffic.h"
 
 #include <gtest/gtest.h>
 

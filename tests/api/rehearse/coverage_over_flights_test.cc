@@ -1,10 +1,10 @@
-#include "api/rehearse/coverage_over_flights.h"
+#include "api/show/rehearse/coverage_over_flights.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "twin/simulate/conduct.h"
+#include "twin/agent/conduct.h"
 
 namespace slackwater::tests {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <thread>
 
-#include "api/rehearse/command_tables.h"
+#include "api/log/command_tables.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "tests/api/rehearse/logged_runs.h"
-#include "twin/simulate/command_numbers.h"
+#include "twin/run/command_numbers.h"
 
 namespace slackwater::tests {
 namespace {

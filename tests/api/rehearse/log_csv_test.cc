@@ -1,4 +1,4 @@
-#include "api/rehearse/log_csv.h"
+#include "api/log/log_csv.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "api/rehearse/scenario_run.h"
+#include "api/ask/run/scenario_run.h"
 #include "ingest/cf/trajectory_file.h"
 #include "tests/support/temporary_folder.h"
 

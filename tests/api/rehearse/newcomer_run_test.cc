@@ -3,11 +3,11 @@
 
 #include <fstream>
 
-#include "api/rehearse/account_log.h"
-#include "api/rehearse/account_text.h"
-#include "api/rehearse/command_tables.h"
-#include "api/rehearse/run_page.h"
-#include "api/rehearse/score.h"
+#include "api/log/account_log.h"
+#include "api/log/command_tables.h"
+#include "api/log/score.h"
+#include "api/show/rehearse/account_text.h"
+#include "api/show/rehearse/run_page.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "tests/api/rehearse/logged_runs.h"

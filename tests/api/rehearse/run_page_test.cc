@@ -1,11 +1,11 @@
-#include "api/rehearse/run_page.h"
+#include "api/show/rehearse/run_page.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "api/rehearse/account_log.h"
-#include "api/rehearse/account_text.h"
+#include "api/log/account_log.h"
+#include "api/show/rehearse/account_text.h"
 #include "fields/base/error.h"
 
 namespace slackwater::tests {

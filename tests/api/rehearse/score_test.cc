@@ -1,4 +1,4 @@
-#include "api/rehearse/score.h"
+#include "api/log/score.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/rehearse/state_json.h"
+#include "api/log/state_json.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "fields/base/error.h"
-#include "twin/simulate/command_numbers.h"
-#include "twin/simulate/state_members.h"
+#include "twin/run/command_numbers.h"
+#include "twin/run/state_members.h"
 
 namespace slackwater::tests {
 namespace {

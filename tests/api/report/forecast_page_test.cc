@@ -1,4 +1,4 @@
-#include "api/report/forecast_page.h"
+#include "api/show/report/forecast_page.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/report/plot_data.h"
+#include "api/show/report/plot_data.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "tests/support/contains.h"

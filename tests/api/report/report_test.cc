@@ -1,4 +1,4 @@
-#include "api/report/report.h"
+#include "api/show/report/report.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "api/report/assets.h"
-#include "api/report/plot_data.h"
+#include "api/show/report/assets.h"
+#include "api/show/report/plot_data.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "tests/support/temporary_folder.h"

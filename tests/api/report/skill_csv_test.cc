@@ -1,4 +1,4 @@
-#include "api/report/skill_csv.h"
+#include "api/show/report/skill_csv.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "api/report/skill_json.h"
+#include "api/show/report/skill_json.h"
 #include "fields/base/csv.h"
 
 namespace slackwater::api {

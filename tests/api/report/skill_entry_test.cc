@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/report/skill_json.h"
-#include "api/report/skill_table.h"
+#include "api/show/report/skill_json.h"
+#include "api/show/report/skill_table.h"
 #include "calibration/verify/method_tallies.h"
 #include "calibration/verify/skill_set.h"
 #include "fields/base/error.h"

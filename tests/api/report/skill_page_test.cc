@@ -1,4 +1,4 @@
-#include "api/report/skill_page.h"
+#include "api/show/report/skill_page.h"
 
 #include <gtest/gtest.h>
 

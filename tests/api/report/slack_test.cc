@@ -1,4 +1,4 @@
-#include "api/report/slack.h"
+#include "api/show/report/slack.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/report/time_text.h"
+#include "api/show/report/time_text.h"
 
 #include <gtest/gtest.h>
 

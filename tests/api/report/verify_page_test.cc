@@ -1,4 +1,4 @@
-#include "api/report/verify_page.h"
+#include "api/show/report/verify_page.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/synthetic/product_files.h"
+#include "api/made_up/synthetic/product_files.h"
 
 #include <gtest/gtest.h>
 

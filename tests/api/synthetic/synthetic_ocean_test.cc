@@ -1,4 +1,4 @@
-#include "api/synthetic/synthetic_ocean.h"
+#include "api/made_up/synthetic/synthetic_ocean.h"
 
 #include <gtest/gtest.h>
 

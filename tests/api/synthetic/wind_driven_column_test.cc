@@ -1,4 +1,4 @@
-#include "api/synthetic/wind_driven_column.h"
+#include "api/made_up/synthetic/wind_driven_column.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/windows/alpha_practice.h"
+#include "api/ask/windows/alpha_practice.h"
 #include "tests/support/store_for_tests.h"
 
 namespace slackwater::api {

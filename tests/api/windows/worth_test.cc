@@ -1,5 +1,5 @@
 // What a start is worth: the chance of its limits, and what flights leave of it.
-#include "api/windows/worth.h"
+#include "api/ask/windows/worth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// cyclone_bytes FOLDER DOMAIN: writes every structure of api/dds/idl, filled with counted values,
+// cyclone_bytes FOLDER DOMAIN: writes every structure of api/door/dds/idl, filled with counted values,
 // as Cyclone DDS has it on the wire: FOLDER/package.kind.Name.FIRST.
 #include <stdio.h>
 #include <stdlib.h>

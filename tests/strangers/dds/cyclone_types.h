@@ -9,7 +9,7 @@
 #include "slackwater_msgs.h"
 #include "std_srvs.h"
 
-// Every structure of api/dds/idl as idlc made it, under its name on ROS 2's wire.
+// Every structure of api/door/dds/idl as idlc made it, under its name on ROS 2's wire.
 
 struct cyclone_type {
   const char* ros_name;  ///< "nav_msgs/msg/Odometry"

@@ -1,10 +1,10 @@
-// made_up_messages FOLDER: writes every structure of api/dds/idl, filled with counted values, as
-// api/dds has it on the wire: FOLDER/package.kind.Name.FIRST.
+// made_up_messages FOLDER: writes every structure of api/door/dds/idl, filled with counted values, as
+// api/door/dds has it on the wire: FOLDER/package.kind.Name.FIRST.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
-#include "api/dds/message/cdr.h"
+#include "api/door/dds/message/cdr.h"
 #include "every_type.h"
 #include "tests/strangers/dds/counted_values.h"
 

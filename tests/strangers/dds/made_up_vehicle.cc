@@ -8,10 +8,10 @@
 #include <mutex>
 #include <thread>
 
-#include "api/dds/message/navigate.h"
-#include "api/dds/message/orders.h"
-#include "api/dds/message/services.h"
-#include "api/dds/participant.h"
+#include "api/door/dds/message/navigate.h"
+#include "api/door/dds/message/orders.h"
+#include "api/door/dds/message/services.h"
+#include "api/door/dds/participant.h"
 #include "tests/api/dds/site_for_tests.h"
 #include "tests/api/dds/vehicle_for_tests.h"
 

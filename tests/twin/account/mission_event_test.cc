@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "twin/simulate/conduct_state.h"
+#include "twin/state/conduct_state.h"
 
 namespace slackwater::tests {
 namespace {

@@ -8,7 +8,7 @@
 #include "fields/base/random.h"
 #include "tests/support/shared_data.h"
 #include "twin/control/control_laws.h"
-#include "twin/simulate/set_up.h"
+#include "twin/run/set_up.h"
 #include "twin/vehicle/vehicle.h"
 
 namespace slackwater::twin {

@@ -2,7 +2,7 @@
 
 #include "tests/support/shared_data.h"
 #include "twin/control/autopilot.h"
-#include "twin/simulate/vehicle_step.h"
+#include "twin/step/vehicle_step.h"
 
 namespace slackwater::twin {
 namespace {

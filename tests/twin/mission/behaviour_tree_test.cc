@@ -9,7 +9,7 @@
 #include "tests/bench/counted_allocations.h"
 #include "tests/twin/mission/leaves_for_tests.h"
 #include "twin/mission/tick.h"
-#include "twin/simulate/state_members.h"
+#include "twin/run/state_members.h"
 
 namespace slackwater::twin {
 namespace {

@@ -10,7 +10,7 @@
 #include "tests/support/error_of.h"
 #include "tests/twin/mission/mission_for_tests.h"
 #include "twin/mission/work_pattern.h"
-#include "twin/simulate/scenario.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::tests {
 namespace {

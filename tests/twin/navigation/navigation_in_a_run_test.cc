@@ -1,7 +1,7 @@
 #include "fields/base/error.h"
 #include "tests/bench/counted_allocations.h"
 #include "tests/twin/navigation/navigation_for_tests.h"
-#include "twin/simulate/sensor_log.h"
+#include "twin/run/sensor_log.h"
 
 namespace slackwater::twin {
 namespace {

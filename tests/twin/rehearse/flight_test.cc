@@ -4,7 +4,7 @@
 
 #include "fields/base/text.h"
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/milestones.h"
+#include "twin/state/milestones.h"
 
 namespace slackwater::tests {
 namespace {

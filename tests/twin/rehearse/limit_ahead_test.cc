@@ -4,10 +4,10 @@
 
 #include "tests/twin/mission/mission_for_tests.h"
 #include "tests/twin/simulate/run_for_tests.h"
+#include "twin/agent/conduct.h"
 #include "twin/rehearse/by_the_limits.h"
 #include "twin/rehearse/flight.h"
 #include "twin/rehearse/planned_work.h"
-#include "twin/simulate/conduct.h"
 
 namespace slackwater::tests {
 namespace {

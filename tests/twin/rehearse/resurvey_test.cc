@@ -11,7 +11,7 @@
 #include "tests/support/contains.h"
 #include "tests/support/shared_data.h"
 #include "tests/twin/rehearse/pile_survey.h"
-#include "twin/simulate/read_scenario.h"
+#include "twin/scenario/read_scenario.h"
 
 namespace slackwater::tests {
 namespace {

@@ -1,8 +1,8 @@
 // Flights and limits have the same waves: those of the forecast with the error of their member.
 #include "tests/twin/simulate/sea_for_tests.h"
+#include "twin/agent/conduct.h"
 #include "twin/rehearse/flight.h"
 #include "twin/rehearse/limit_ahead.h"
-#include "twin/simulate/conduct.h"
 
 namespace slackwater::tests {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tests/twin/scenario/random_surface.h"
-#include "twin/simulate/scenario.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::tests {
 

@@ -1,7 +1,7 @@
-#include "twin/simulate/approach_watch.h"
+#include "twin/run/approach_watch.h"
 
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/hung_line.h"
+#include "twin/agent/hung_line.h"
 
 // How near the vehicles of a run came to what was around them: against straight ways whose closest
 // approach is known, against all of all, and against what the log of a run says.

@@ -1,4 +1,4 @@
-#include "twin/simulate/carried_water.h"
+#include "twin/environment/carried_water.h"
 
 #include "fields/wave/sea_components.h"
 #include "tests/twin/simulate/run_for_tests.h"

@@ -1,7 +1,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/conduct.h"
+#include "twin/agent/conduct.h"
 #include "twin/surface/cleaning_outcome.h"
 
 namespace slackwater::tests {

@@ -1,4 +1,4 @@
-#include "twin/simulate/coarse_step.h"
+#include "twin/agent/coarse_step.h"
 
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"

@@ -1,4 +1,4 @@
-#include "twin/simulate/conduct.h"
+#include "twin/agent/conduct.h"
 
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"

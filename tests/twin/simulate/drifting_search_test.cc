@@ -1,7 +1,7 @@
 #include "fields/base/text.h"
 #include "tests/support/error_of.h"
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/follow_datum.h"
+#include "twin/agent/follow_datum.h"
 
 namespace slackwater::tests {
 namespace {

@@ -1,4 +1,4 @@
-#include "twin/simulate/environment.h"
+#include "twin/environment/environment.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "fields/geo/local_frame.h"
 #include "fields/wave/dispersion.h"
 #include "fields/wave/sea_sampling.h"
-#include "twin/simulate/made_up_field.h"
+#include "twin/environment/made_up_field.h"
 
 namespace slackwater::twin {
 namespace {

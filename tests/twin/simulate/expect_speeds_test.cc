@@ -1,4 +1,4 @@
-#include "twin/simulate/expect_speeds.h"
+#include "twin/run/expect_speeds.h"
 
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"

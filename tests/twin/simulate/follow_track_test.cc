@@ -1,5 +1,5 @@
 // A vehicle follows the track of a vessel in time: tracks with a known answer.
-#include "twin/simulate/follow_tracks.h"
+#include "twin/agent/follow_tracks.h"
 
 #include <gtest/gtest.h>
 

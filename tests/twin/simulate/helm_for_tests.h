@@ -1,7 +1,7 @@
 #pragma once
 #include "tests/twin/simulate/run_for_tests.h"
+#include "twin/agent/helm.h"
 #include "twin/body/frame.h"
-#include "twin/simulate/helm.h"
 
 namespace slackwater::tests {
 

@@ -1,4 +1,4 @@
-#include "twin/simulate/helm_rule.h"
+#include "twin/state/helm_rule.h"
 
 #include <gtest/gtest.h>
 

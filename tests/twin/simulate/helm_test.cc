@@ -1,4 +1,4 @@
-#include "twin/simulate/helm.h"
+#include "twin/agent/helm.h"
 
 #include "tests/twin/simulate/helm_for_tests.h"
 

@@ -1,5 +1,5 @@
 #include "tests/twin/simulate/helm_for_tests.h"
-#include "twin/simulate/vehicle_step.h"
+#include "twin/step/vehicle_step.h"
 
 namespace slackwater::tests {
 namespace {

@@ -1,8 +1,8 @@
-#include "twin/simulate/line_on_deck.h"
+#include "twin/agent/line_on_deck.h"
 
 #include "tests/support/error_of.h"
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/hung_line.h"
+#include "twin/agent/hung_line.h"
 #include "twin/tether/lay_tether.h"
 #include "twin/tether/node_load.h"
 

@@ -2,8 +2,8 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/command_numbers.h"
-#include "twin/simulate/slipway.h"
+#include "twin/run/command_numbers.h"
+#include "twin/run/slipway.h"
 
 namespace slackwater::twin {
 namespace {

@@ -1,8 +1,8 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "tests/twin/simulate/run_for_tests.h"
+#include "twin/agent/conduct.h"
 #include "twin/rehearse/flight.h"
-#include "twin/simulate/conduct.h"
 
 namespace slackwater::tests {
 namespace {

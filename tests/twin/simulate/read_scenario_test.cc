@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "fields/base/error.h"
-#include "twin/simulate/scenario.h"
+#include "twin/scenario/scenario.h"
 
 namespace slackwater::twin {
 namespace {

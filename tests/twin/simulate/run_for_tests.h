@@ -8,10 +8,10 @@
 #include <string>
 
 #include "tests/support/shared_data.h"
-#include "twin/simulate/made_up_field.h"
-#include "twin/simulate/run.h"
-#include "twin/simulate/run_log.h"
-#include "twin/simulate/set_up.h"
+#include "twin/environment/made_up_field.h"
+#include "twin/run/run.h"
+#include "twin/run/run_log.h"
+#include "twin/run/set_up.h"
 
 namespace slackwater::tests {
 

@@ -1,4 +1,4 @@
-#include "twin/simulate/scheduler.h"
+#include "twin/run/scheduler.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/made_up_field.h"
+#include "twin/environment/made_up_field.h"
 
 namespace slackwater::tests {
 

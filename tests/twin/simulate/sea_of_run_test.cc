@@ -1,9 +1,9 @@
-#include "twin/simulate/sea_of_run.h"
+#include "twin/environment/sea_of_run.h"
 
 #include "fields/base/random.h"
 #include "fields/wave/sea_sampling.h"
 #include "tests/twin/simulate/sea_for_tests.h"
-#include "twin/simulate/conduct.h"
+#include "twin/agent/conduct.h"
 
 namespace slackwater::tests {
 namespace {

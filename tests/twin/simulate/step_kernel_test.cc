@@ -4,7 +4,7 @@
 
 #include "fields/base/random.h"
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/vehicle_step.h"
+#include "twin/step/vehicle_step.h"
 
 namespace slackwater::twin {
 namespace {

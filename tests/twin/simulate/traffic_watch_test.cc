@@ -1,4 +1,4 @@
-#include "twin/simulate/traffic_watch.h"
+#include "twin/run/traffic_watch.h"
 #include "fields/base/check.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "tests/twin/simulate/run_for_tests.h"
-#include "twin/simulate/company.h"
-#include "twin/simulate/conduct.h"
-#include "twin/simulate/hung_line.h"
-#include "twin/simulate/line_on_deck.h"
+#include "twin/agent/company.h"
+#include "twin/agent/conduct.h"
+#include "twin/agent/hung_line.h"
+#include "twin/agent/line_on_deck.h"
 
 namespace slackwater::tests {
 namespace {

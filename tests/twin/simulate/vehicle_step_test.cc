@@ -1,4 +1,4 @@
-#include "twin/simulate/vehicle_step.h"
+#include "twin/step/vehicle_step.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 #include "tests/support/vehicle_for_tests.h"
-#include "twin/simulate/step_dispatch.h"
+#include "twin/step/step_dispatch.h"
 
 namespace slackwater::twin {
 namespace {

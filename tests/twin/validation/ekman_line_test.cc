@@ -10,7 +10,7 @@
 #include "fields/current/ekman_layer.h"
 #include "tests/support/own_autopilot.h"
 #include "tests/twin/validation/flight.h"
-#include "twin/simulate/vehicle_step.h"
+#include "twin/step/vehicle_step.h"
 
 // An AUV on a straight line through a wind-driven column: what the current does to it where it
 // holds its heading, and what it does about it where it follows the line.

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "tests/support/shared_data.h"
-#include "twin/simulate/made_up_field.h"
-#include "twin/simulate/set_up.h"
+#include "twin/environment/made_up_field.h"
+#include "twin/run/set_up.h"
 
 namespace slackwater::tests {
 

@@ -1,8 +1,8 @@
 // bbox, distances, resolutions and reference systems.
-#include "api/edr/read/bbox.h"
-#include "api/edr/read/crs.h"
-#include "api/edr/read/distance.h"
-#include "api/edr/read/resolution.h"
+#include "api/door/edr/read/bbox.h"
+#include "api/door/edr/read/crs.h"
+#include "api/door/edr/read/distance.h"
+#include "api/door/edr/read/resolution.h"
 #include "tests/api/edr/refusal.h"
 
 namespace slackwater::api::edr {

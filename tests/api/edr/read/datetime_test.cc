@@ -1,4 +1,4 @@
-#include "api/edr/read/datetime.h"
+#include "api/door/edr/read/datetime.h"
 
 #include "tests/api/edr/refusal.h"
 

@@ -1,4 +1,4 @@
-#include "api/edr/read/geometry.h"
+#include "api/door/edr/read/geometry.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "api/edr/read/wkt.h"
+#include "api/door/edr/read/wkt.h"
 
 namespace slackwater::api::edr {
 namespace {

@@ -1,4 +1,4 @@
-#include "api/edr/read/parameter_names.h"
+#include "api/door/edr/read/parameter_names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/edr/read/query_string.h"
+#include "api/door/edr/read/query_string.h"
 
 #include "tests/api/edr/refusal.h"
 

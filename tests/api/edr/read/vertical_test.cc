@@ -1,4 +1,4 @@
-#include "api/edr/read/vertical.h"
+#include "api/door/edr/read/vertical.h"
 
 #include "tests/api/edr/refusal.h"
 

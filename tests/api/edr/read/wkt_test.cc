@@ -1,4 +1,4 @@
-#include "api/edr/read/wkt.h"
+#include "api/door/edr/read/wkt.h"
 
 #include <chrono>
 

@@ -1,4 +1,4 @@
-#include "api/edr/sample/collection.h"
+#include "api/door/edr/sample/collection.h"
 
 #include <gtest/gtest.h>
 

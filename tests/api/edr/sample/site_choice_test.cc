@@ -1,5 +1,5 @@
 // Two farms in one bay: which of them answers when none is named.
-#include "api/edr/sample/site_choice.h"
+#include "api/door/edr/sample/site_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/edr/write/content.h"
+#include "api/door/edr/write/content.h"
 
 #include <array>
 

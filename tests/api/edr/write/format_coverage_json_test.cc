@@ -1,4 +1,4 @@
-#include "api/edr/write/format_coverage_json.h"
+#include "api/door/edr/write/format_coverage_json.h"
 
 #include <gtest/gtest.h>
 

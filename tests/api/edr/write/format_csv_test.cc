@@ -1,11 +1,11 @@
-#include "api/edr/write/format_csv.h"
+#include "api/door/edr/write/format_csv.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "api/edr/write/body.h"
-#include "api/edr/write/describe.h"
+#include "api/door/edr/write/body.h"
+#include "api/door/edr/write/describe.h"
 #include "tests/api/edr/made_up_answer.h"
 
 namespace slackwater::api::edr {

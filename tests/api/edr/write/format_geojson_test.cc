@@ -1,4 +1,4 @@
-#include "api/edr/write/format_geojson.h"
+#include "api/door/edr/write/format_geojson.h"
 
 #include <gtest/gtest.h>
 

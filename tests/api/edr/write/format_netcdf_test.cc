@@ -1,4 +1,4 @@
-#include "api/edr/write/format_netcdf.h"
+#include "api/door/edr/write/format_netcdf.h"
 
 #include <gtest/gtest.h>
 

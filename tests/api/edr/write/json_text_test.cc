@@ -1,4 +1,4 @@
-#include "api/edr/write/json_text.h"
+#include "api/door/edr/write/json_text.h"
 
 #include <gtest/gtest.h>
 

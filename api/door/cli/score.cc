@@ -1,0 +1,144 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "api/door/cli/command.h"
+#include "api/log/score.h"
+#include "api/show/rehearse/account_json.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+using nlohmann::json;
+
+double coverage_of(const twin::VehicleAccount& v) {
+  return v.inspection ? v.inspection->share() : 0;
+}
+
+/// A vehicle of a run that lasted `ran_s`.
+struct Scored {
+  const twin::VehicleAccount& vehicle;
+  double ran_s = 0;
+
+  [[nodiscard]] twin::Interventions away() const {
+    return twin::interventions_of(vehicle.mission, ran_s);
+  }
+};
+
+/// What is compared over runs, by vehicle.
+const std::map<std::string, double (*)(const Scored&)>& pooled() {
+  static const std::map<std::string, double (*)(const Scored&)> all{
+      {"time_s", [](const Scored& s) { return scored_time_s(s.vehicle); }},
+      {"rms_across_track_m", [](const Scored& s) { return s.vehicle.at_work.rms_across_m; }},
+      {"energy_per_metre_j",
+       [](const Scored& s) { return energy_per_metre_j(s.vehicle).value_or(0); }},
+      {"interventions", [](const Scored& s) { return static_cast<double>(s.away().count); }},
+      {"takeover_s", [](const Scored& s) { return s.away().away_s; }},
+      {"coverage", [](const Scored& s) { return coverage_of(s.vehicle); }},
+      {"done", [](const Scored& s) { return is_scored_done(s.vehicle, s.ran_s) ? 1.0 : 0.0; }}};
+  return all;
+}
+
+json pooled_json(const std::vector<Scorecard>& cards) {
+  std::map<std::string, std::vector<Scored>> by_name;
+  for (const Scorecard& card : cards)
+    for (const twin::VehicleAccount& vehicle : card.account.vehicles)
+      by_name[vehicle.name].push_back({vehicle, card.account.ran_s});
+  json out = json::array();
+  for (const auto& [name, scores] : by_name) {
+    json vehicle = {{"name", name}, {"runs", scores.size()}};
+    for (const auto& [key, of] : pooled()) {
+      std::vector<double> values;
+      for (const Scored& score : scores) values.push_back(of(score));
+      const Spread spread = spread_of(values);
+      vehicle[key] = {{"mean", spread.mean}, {"deviation", spread.deviation}};
+    }
+    out.push_back(std::move(vehicle));
+  }
+  return out;
+}
+
+std::string one_decimal(const std::optional<double>& value) {
+  return value ? formatted("{:.1f}", *value) : "-";
+}
+
+std::string metres(const std::optional<twin::Approach>& near) {
+  return near ? one_decimal(near->distance_m) : "-";
+}
+
+void print_cards(const std::vector<Scorecard>& cards) {
+  std::printf("%-24s %-12s %5s %8s %9s %8s %9s %8s %8s %8s %6s %9s %7s\n", "run", "vehicle", "done",
+              "time s", "sailed m", "off m", "J per m", "pile m", "other m", "ship m", "away",
+              "for s", "limits");
+  for (const Scorecard& card : cards)
+    for (const twin::VehicleAccount& v : card.account.vehicles) {
+      const twin::Interventions away = twin::interventions_of(v.mission, card.account.ran_s);
+      std::printf("%-24s %-12s %5s %8.0f %9.1f %8.2f %9s %8s %8s %8s %6zu %9.0f %7zu\n",
+                  card.run.substr(0, 24).c_str(), v.name.c_str(),
+                  is_scored_done(v, card.account.ran_s) ? "yes" : "no", scored_time_s(v),
+                  v.at_work.sailed_m, v.at_work.rms_across_m,
+                  one_decimal(energy_per_metre_j(v)).c_str(), metres(v.closest.structure).c_str(),
+                  metres(v.closest.vehicle).c_str(), metres(v.closest.vessel).c_str(), away.count,
+                  away.away_s, away.limit_violations);
+    }
+  for (const Scorecard& card : cards)
+    for (const twin::VehicleAccount& v : card.account.vehicles) {
+      if (!v.inspection) continue;
+      const twin::DetectionScore& score = v.inspection->score;
+      std::printf("%s, %s: %.0f %% of %.0f m2 covered; %zu found, %zu missed, %zu false alarms\n",
+                  card.run.c_str(), v.name.c_str(), 100 * v.inspection->share(),
+                  v.inspection->area_m2(), score.all.found, score.missed(), score.all.false_alarms);
+    }
+  if (cards.size() < 2) return;
+  for (const json& vehicle : pooled_json(cards))
+    std::printf(
+        "%s over %zu runs: time %.0f s (%.0f), off track %.2f m (%.2f), %.1f J/m (%.1f), "
+        "away %.1f times for %.0f s\n",
+        vehicle["name"].get<std::string>().c_str(), vehicle["runs"].get<std::size_t>(),
+        vehicle["time_s"]["mean"].get<double>(), vehicle["time_s"]["deviation"].get<double>(),
+        vehicle["rms_across_track_m"]["mean"].get<double>(),
+        vehicle["rms_across_track_m"]["deviation"].get<double>(),
+        vehicle["energy_per_metre_j"]["mean"].get<double>(),
+        vehicle["energy_per_metre_j"]["deviation"].get<double>(),
+        vehicle["interventions"]["mean"].get<double>(),
+        vehicle["takeover_s"]["mean"].get<double>());
+}
+
+void run_score(const std::vector<std::filesystem::path>& logs, const Context& context) {
+  std::vector<Scorecard> cards;
+  for (const std::filesystem::path& log : logs)
+    cards.push_back(
+        with_context(log.string(), [&] { return scorecard_of(ingest::read_trajectories(log)); }));
+  if (!context.json) {
+    print_cards(cards);
+    return;
+  }
+  json out = {{"runs", json::array()}, {"vehicles", pooled_json(cards)}};
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    json vehicles = json::array();
+    const twin::RunAccount& account = cards[i].account;
+    for (const twin::VehicleAccount& vehicle : account.vehicles)
+      vehicles.push_back(score_json(vehicle, account.ran_s));
+    out["runs"].push_back({{"log", logs[i].string()},
+                           {"run", cards[i].run},
+                           {"seed", cards[i].seed},
+                           {"vehicles", vehicles}});
+  }
+  std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+}
+
+}  // namespace
+
+void add_score(CLI::App& app, Context& context) {
+  auto logs = std::make_shared<std::vector<std::filesystem::path>>();
+  CLI::App* command =
+      app.add_subcommand("score", "The scorecard of logged runs, whatever steered their vehicles");
+  command->add_option("logs", *logs, "FILE.nc of `simulate` or `rehearse --log`")
+      ->required()
+      ->expected(1, 10000);
+  command->callback([logs, &context] { run_score(*logs, context); });
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,181 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+
+#include "api/door/cli/command.h"
+#include "api/door/cli/serve_health.h"
+#include "api/door/edr/service.h"
+#include "api/door/http/server.h"
+#include "api/door/live/forecast_service.h"
+#include "api/issued/issued_fields.h"
+#include "api/program/version.h"
+#include "fields/base/log.h"
+
+namespace slackwater::api {
+namespace {
+
+struct ServeArguments {
+  std::string address = "127.0.0.1";
+  int port = 8080;
+  int threads = 2;
+  std::string token_file;
+  std::string base_url;
+  std::string stale_after;
+  std::optional<int> domain;
+  bool loopback = false;
+  bool udp_only = false;
+};
+
+/// The forecasts on DDS, where that was asked for.
+std::unique_ptr<live::ForecastService> on_dds(const ServeArguments& arguments,
+                                              const std::shared_ptr<IssuedFields>& forecasts,
+                                              const Context& context) {
+  if (!arguments.domain) return nullptr;
+  dds::DomainSettings settings;
+  settings.domain = *arguments.domain;
+  settings.is_loopback_only = arguments.loopback;
+  settings.is_udp_only = arguments.udp_only;
+  settings.on_trouble = [](const std::string& text) {
+    log_event(LogLevel::warning, "dds", {{"problem", text}});
+  };
+  return std::make_unique<live::ForecastService>(settings, forecasts,
+                                                 [&context] { return context.now(); });
+}
+
+std::optional<std::string> token_of(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  std::ifstream stream(file);
+  std::string token;
+  std::getline(stream, token);
+  if (!stream || token.size() < 16) {
+    throw Error(ErrorKind::usage, "--token-file: found no token in " + file +
+                                      "; expected one line of at least 16 characters");
+  }
+  return token;
+}
+
+Freshness freshness_from(const std::string& text) {
+  Freshness freshness;
+  if (text.empty()) return freshness;
+  freshness.stale_after = option_value("--stale-after", text, parse_duration);
+  if (freshness.stale_after <= Duration(0)) {
+    throw Error(ErrorKind::usage,
+                "found --stale-after " + text + ", expected a time longer than 0, e.g. 36h or 2d");
+  }
+  return freshness;
+}
+
+/// As links begin with it: a scheme and no slash at its end.
+std::string checked_base(std::string url) {
+  while (url.ends_with('/')) url.pop_back();
+  const bool is_plain = std::none_of(url.begin(), url.end(), [](char c) {
+    return c <= ' ' || c > '~' || c == '"' || c == '<' || c == '>' || c == '?' || c == '#';
+  });
+  const bool has_scheme = url.starts_with("http://") || url.starts_with("https://");
+  if (url.empty() || (is_plain && has_scheme)) return url;
+  throw Error(ErrorKind::usage, "--base-url: found '" + url +
+                                    "'; expected http:// or https:// and an address without '?' "
+                                    "and '#', e.g. https://forecasts.example.org/edr");
+}
+
+/// Blocks SIGINT and SIGTERM for this and all later threads, so that one place waits for them.
+class StopSignals {
+ public:
+  StopSignals() {
+    // Whoever reads our log may go; writing to nobody must not end the server.
+    std::signal(SIGPIPE, SIG_IGN);
+    sigemptyset(&set_);
+    sigaddset(&set_, SIGINT);
+    sigaddset(&set_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &set_, nullptr);
+  }
+  void wait() const {
+    int signal = 0;
+    sigwait(&set_, &signal);
+  }
+
+ private:
+  sigset_t set_{};
+};
+
+void run_serve(const ServeArguments& arguments, const Context& context) {
+  const std::string base_url = checked_base(arguments.base_url);
+  const Freshness freshness = freshness_from(arguments.stale_after);
+  const StopSignals stop;
+  http::ServerOptions options;
+  options.address = arguments.address;
+  options.port = static_cast<std::uint16_t>(arguments.port);
+  options.threads = static_cast<std::size_t>(arguments.threads);
+  options.token = token_of(arguments.token_file);
+  options.read_only = true;  // nothing that is served yet writes
+  options.exposed_fields = edr::own_header_fields();
+  options.on_failure = [](const http::Request& request, const std::string& what) {
+    log_event(LogLevel::error, "request failed", {{"path", request.path}, {"problem", what}});
+  };
+  const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
+  http::Router router;
+  edr::add_routes(router, forecasts, base_url, freshness);
+  std::vector<std::string> labels = router.labels();
+  labels.insert(labels.end(), {"/health", "/health/fresh", "/metrics"});
+  options.metrics = std::make_shared<http::Metrics>(labels);
+  const auto health = [forecasts, freshness] { return health_of(*forecasts, freshness); };
+  router.add("GET", "/health", http::health_handler(code_version(), options.metrics, health));
+  router.add("GET", "/health/fresh",
+             http::health_handler(code_version(), options.metrics, health, http::Asker::monitor));
+  router.add("GET", "/metrics", http::metrics_handler(options.metrics, [forecasts, freshness] {
+               return forecast_gauges(*forecasts->catalogue(), freshness);
+             }));
+  const auto dds_service = on_dds(arguments, forecasts, context);
+  http::Server server(options, router);
+  server.start();
+  const std::string url =
+      "http://" +
+      (arguments.address.find(':') == std::string::npos ? arguments.address
+                                                        : "[" + arguments.address + "]") +
+      ":" + std::to_string(server.port());
+  if (context.json) {
+    std::printf("{\"url\":\"%s\",\"port\":%d}\n", url.c_str(), server.port());
+  } else {
+    std::printf("Slackwater at %s/ (%zu forecasts); Ctrl-C ends it\n", url.c_str(),
+                forecasts->catalogue()->instances.size());
+  }
+  std::fflush(stdout);
+  log_event(LogLevel::info, "serving", {{"url", url}, {"store", context.store_folder.string()}});
+  stop.wait();
+  server.stop();
+  log_event(LogLevel::info, "stopped");
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand(
+      "serve", "Issued forecasts over HTTP: OGC API-EDR 1.1, health and metrics");
+  auto arguments = std::make_shared<ServeArguments>();
+  command->add_option("--address", arguments->address,
+                      "numeric address to listen on (default 127.0.0.1: this machine alone)");
+  command->add_option("--port", arguments->port, "port; 0 takes any that is free (default 8080)")
+      ->check(CLI::Range(0, 65535));
+  command
+      ->add_option("--threads", arguments->threads,
+                   "that answer requests, and as many more for long answers (default 2)")
+      ->check(CLI::Range(1, 64));
+  command->add_option("--token-file", arguments->token_file,
+                      "file with the token that whoever writes from afar must show");
+  command->add_option("--base-url", arguments->base_url,
+                      "address as clients see it, e.g. behind a proxy (default: the Host header)");
+  command->add_option("--stale-after", arguments->stale_after,
+                      "a forecast older than this is called stale by /, /health and /metrics "
+                      "(default 36h)");
+  command->add_option(
+      "--dds-domain", arguments->domain,
+      "also on DDS: the water of each site as forecast for now, ROS 2 names; domain "
+      "0 to 232");
+  command->add_flag("--loopback", arguments->loopback, "DDS on this machine alone");
+  command->add_flag("--udp-only", arguments->udp_only, "DDS without shared memory");
+  command->callback([arguments, &context] { run_serve(*arguments, context); });
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,25 @@
+#pragma once
+#include <fastdds/dds/core/policy/QosPolicies.hpp>
+#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <string>
+
+#include "api/door/dds/participant.h"
+
+// What we ask of Fast DDS, in its own words. Only sources of this folder include this.
+
+namespace slackwater::dds {
+
+/// @throws Error(invalid_input)
+void expect_domain(int domain);
+
+[[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos participant_qos(
+    const DomainSettings& settings);
+[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const bag::Quality& quality);
+[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const bag::Quality& quality);
+
+/// "reliability", "durability", ...
+[[nodiscard]] std::string name_of_policy(eprosima::fastdds::dds::QosPolicyId_t policy);
+
+}  // namespace slackwater::dds

@@ -1,0 +1,76 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "api/door/dds/message/bytes.h"
+#include "data/bag/channel.h"
+
+namespace slackwater::dds {
+
+/// How to be on the wire.
+struct DomainSettings {
+  int domain = 0;  ///< 0 to 232
+  std::string node = "slackwater";
+  bool is_loopback_only = false;  ///< nobody on another machine hears it
+  bool is_udp_only = false;       ///< no shared memory, of which killed processes leave files
+  /// What operators should know of: peers that ask for what is not offered, messages that are none.
+  /// From any thread.
+  std::function<void(const std::string&)> on_trouble;
+};
+
+/// A service: "/slackwater/pause", "std_srvs/srv/Trigger".
+struct Service {
+  std::string name;
+  std::string type;
+};
+
+/// Answers one request, once, at any time and from any thread; nothing where the participant is
+/// gone.
+using Answer = std::function<void(Bytes)>;
+
+/// A ROS 2 node on DDS: topics and services by ROS's conventions (names.h), messages as bytes. It
+/// is the one door to Fast DDS.
+///
+/// Clients are named by their participant: "dds 01.0f.ab.cd...". What it calls is called from
+/// threads of the library, several at once; what is thrown there is caught and told to
+/// `on_trouble`. Members are for any thread, but not from inside what it calls but for `send` and
+/// an `Answer`.
+class Participant {
+ public:
+  using OnMessage = std::function<void(Payload message, const std::string& client)>;
+  /// @param held_back_s  longer on its way than its writer's messages were of late; see HeldBack
+  using OnTimedMessage =
+      std::function<void(Payload message, const std::string& client, double held_back_s)>;
+  using OnRequest =
+      std::function<void(Payload request, const std::string& client, const Answer& answer)>;
+  using OnLost = std::function<void(const std::string& client)>;
+
+  /// Takes away what killed participants left in shared memory, then joins.
+  /// @throws Error(invalid_input) for a domain that there cannot be, Error(unavailable) where the
+  ///         domain cannot be joined
+  explicit Participant(DomainSettings settings);
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  using WriterId = std::size_t;
+  [[nodiscard]] WriterId publish_on(const bag::Channel& channel);
+  /// Whether anybody would hear it, now or, of what stays for those who come late, ever.
+  [[nodiscard]] bool is_heard(WriterId writer) const;
+  void send(WriterId writer, Payload message);
+
+  void subscribe(const bag::Channel& channel, OnMessage on_message);
+  void subscribe_timed(const bag::Channel& channel, OnTimedMessage on_message);
+  void serve(const Service& service, OnRequest on_request);
+  /// A client left, or has not been heard of for its lease.
+  void on_lost(OnLost on_lost);
+  /// Tells `ros_discovery_info` of all topics and services so far. Call after adding some.
+  void announce();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace slackwater::dds

@@ -1,0 +1,140 @@
+#include "api/door/edr/write/features.h"
+
+#include <nlohmann/json.hpp>
+
+#include "api/door/edr/write/example_query.h"
+#include "api/door/edr/write/feature_page.h"
+#include "fields/base/percent.h"
+
+namespace slackwater::api::edr {
+namespace {
+
+using nlohmann::json;
+
+std::string name_of_column(const std::string& site, std::size_t column) {
+  return column == 0 ? site : site + "." + std::to_string(column);
+}
+
+json names_of(const Collection& collection, std::size_t members) {
+  json names = json::array();
+  for (const Parameter& parameter : parameters_of(collection, members))
+    names.push_back(parameter.name);
+  return names;
+}
+
+/// To itself, to its other renditions, to where its values are had and to what it holds.
+json feature_links(const std::string& href, const std::string& data) {
+  return {
+      {{"href", href}, {"rel", "self"}, {"type", "application/geo+json"}},
+      {{"href", href + "?f=json"}, {"rel", "alternate"}, {"type", "application/json"}},
+      {{"href", href + "?f=html"}, {"rel", "alternate"}, {"type", "text/html"}},
+      {{"href", data + "/position"}, {"rel", "data"}, {"type", "application/prs.coverage+json"}},
+      {{"href", data},
+       {"rel", "describedby"},
+       {"type", "application/json"},
+       {"title", "What this forecast holds"}}};
+}
+
+slackwater::BoundingBox box_of(const ForecastCatalogue& catalogue, const std::string& site_id) {
+  for (const auto& site : catalogue.sites)
+    if (site.site_id == site_id) return site.field->range().box;
+  return {-180, -90, 180, 90};
+}
+
+json footprint(const slackwater::BoundingBox& box) {
+  const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
+  return {{"type", "Polygon"},
+          {"coordinates",
+           {{{box.west_deg, box.south_deg},
+             {east, box.south_deg},
+             {east, box.north_deg},
+             {box.west_deg, box.north_deg},
+             {box.west_deg, box.south_deg}}}}};
+}
+
+}  // namespace
+
+json locations_document(const std::string& at, const Collection& collection,
+                        const std::vector<std::shared_ptr<const Field>>& fields,
+                        const QueryString& query) {
+  const FeatureFilter filter(query);
+  json features = json::array();
+  for (const auto& field : fields) {
+    const Snapshot& snapshot = field->snapshot();
+    const UtcTime from = snapshot.time.front();
+    const UtcTime to = snapshot.time.back();
+    const json names = names_of(collection, snapshot.members);
+    const bool is_held = example_of(collection, *field).has_value();
+    for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {
+      const ForecastColumn& column = snapshot.columns[c];
+      const double x = column.point.longitude_deg();
+      const double y = column.point.latitude_deg();
+      if (!filter.takes({x, y, x, y}, from, to)) continue;
+      const std::string id = name_of_column(snapshot.site_id, c);
+      const std::string label =
+          c == 0 ? snapshot.site_name : snapshot.site_name + ", column " + std::to_string(c);
+      const std::string endpoint = at + "/locations/" + percent_encoded(id);
+      json links = json::array();
+      if (is_held)
+        links.push_back({{"href", endpoint + "?f=csv"},
+                         {"rel", "data"},
+                         {"type", "text/csv"},
+                         {"title", collection.title + " as CSV"}});
+      features.push_back({{"type", "Feature"},
+                          {"id", id},
+                          {"links", links},
+                          {"geometry", {{"type", "Point"}, {"coordinates", {x, y}}}},
+                          {"properties",
+                           {{"datetime", format_utc(from) + "/" + format_utc(to)},
+                            {"parameter-name", names},
+                            {"label", label},
+                            {"edrqueryendpoint", endpoint},
+                            {"water_depth_m", column.water_depth_m}}}});
+    }
+  }
+  return feature_page(at + "/locations", filter, std::move(features));
+}
+
+json item_document(const std::string& base, const Collection& collection,
+                   const ForecastCatalogue& catalogue, const IssuedForecast& forecast) {
+  const std::string at = base + "/collections/" + collection.id;
+  const std::string data = at + "/instances/" + percent_encoded(forecast.instance);
+  std::size_t members = 1;
+  for (const auto& site : catalogue.sites)
+    if (site.site_id == forecast.row.site_id) members = site.field->snapshot().members;
+  return {
+      {"type", "Feature"},
+      {"id", forecast.instance},
+      {"geometry", footprint(box_of(catalogue, forecast.row.site_id))},
+      {"links", feature_links(at + "/items/" + percent_encoded(forecast.instance), data)},
+      {"properties",
+       {{"datetime", format_utc(forecast.row.valid_from) + "/" + format_utc(forecast.row.valid_to)},
+        {"parameter-name", names_of(collection, members)},
+        {"label", forecast.row.site_id + ", issued " + format_utc(forecast.row.issued)},
+        {"edrqueryendpoint", data + "/position"},
+        {"site", forecast.row.site_id},
+        {"day", format_day(forecast.row.day)},
+        {"issued", format_utc(forecast.row.issued)},
+        {"wind", name_of(forecast.row.wind_policy)},
+        {"origin", name_of(forecast.row.origin)},
+        {"degraded", forecast.row.degraded},
+        {"headline", forecast.row.headline},
+        {"code_version", forecast.row.code_version}}}};
+}
+
+json items_document(const std::string& base, const Collection& collection,
+                    const ForecastCatalogue& catalogue, const QueryString& query) {
+  const FeatureFilter filter(query);
+  json features = json::array();
+  for (const IssuedForecast& forecast : catalogue.instances) {
+    if (!filter.takes(box_of(catalogue, forecast.row.site_id), forecast.row.valid_from,
+                      forecast.row.valid_to)) {
+      continue;
+    }
+    features.push_back(item_document(base, collection, catalogue, forecast));
+  }
+  return feature_page(base + "/collections/" + collection.id + "/items", filter,
+                      std::move(features));
+}
+
+}  // namespace slackwater::api::edr

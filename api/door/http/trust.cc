@@ -1,0 +1,53 @@
+#include "api/door/http/trust.h"
+
+#include <cctype>
+
+namespace slackwater::api::http {
+namespace {
+
+/// The token of "Bearer <token>" (the scheme in any case), or nothing.
+std::string_view bearer_of(std::string_view authorization) {
+  constexpr std::string_view scheme = "bearer ";
+  if (authorization.size() <= scheme.size()) return {};
+  for (std::size_t i = 0; i < scheme.size(); ++i) {
+    if (std::tolower(static_cast<unsigned char>(authorization[i])) != scheme[i]) return {};
+  }
+  authorization.remove_prefix(scheme.size());
+  authorization.remove_prefix(std::min(authorization.find_first_not_of(' '), authorization.size()));
+  return authorization;
+}
+
+/// The host without its port.
+std::string_view name_of_host(std::string_view host) {
+  if (host.starts_with('[')) return host.substr(0, host.find(']') + 1);
+  return host.substr(0, host.find(':'));
+}
+
+}  // namespace
+
+bool equal_in_constant_time(std::string_view a, std::string_view b) noexcept {
+  unsigned difference = a.size() == b.size() ? 0U : 1U;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const char other = b.empty() ? '\0' : b[i % b.size()];
+    difference |= static_cast<unsigned char>(a[i] ^ other);
+  }
+  return difference == 0;
+}
+
+bool is_loopback_host(std::string_view host) {
+  const std::string_view name = name_of_host(host);
+  // Only an address: the owner of a domain may well have a host called 127.0.0.1.example.org.
+  const bool is_number = name.find_first_not_of("0123456789.") == std::string_view::npos;
+  return name == "localhost" || name == "[::1]" || (is_number && name.starts_with("127."));
+}
+
+bool is_trusted(const std::optional<std::string>& token, const Arrival& arrival) {
+  const std::string_view offered = bearer_of(arrival.authorization);
+  if (token && !token->empty() && equal_in_constant_time(offered, *token)) return true;
+  const std::string& origin = arrival.origin;
+  const bool same_origin = origin.empty() || origin == "http://" + arrival.request.host;
+  return arrival.peer_is_loopback && !arrival.is_forwarded && same_origin &&
+         is_loopback_host(arrival.request.host);
+}
+
+}  // namespace slackwater::api::http

@@ -1,0 +1,67 @@
+#include "api/door/live/bag_commands.h"
+
+#include <algorithm>
+
+#include "fields/base/error.h"
+
+namespace slackwater::live {
+
+BagCommands::BagCommands(const std::filesystem::path& bag, const std::vector<std::string>& names,
+                         Desk& desk, std::function<void(const std::string&)> on_trouble)
+    : path_(bag),
+      client_("bag " + bag.filename().string()),
+      desk_(desk),
+      on_trouble_(std::move(on_trouble)),
+      bag_(bag::open_bag(bag)) {
+  bool has_any = false;
+  for (const bag::Channel& channel : bag_->channels()) {
+    std::optional<Target>& target = targets_.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i)
+      for (const CommandTopic& topic : command_topics())
+        if (channel.topic == "/" + names[i] + "/" + topic.name && channel.type == topic.type)
+          target = Target{i, topic.read};
+    has_any = has_any || target.has_value();
+  }
+  if (!has_any) {
+    throw Error(ErrorKind::invalid_input,
+                bag.string() +
+                    ": holds no cmd_vel, thrusters or waypoints of a vehicle of this "
+                    "run; expected topics like /" +
+                    names.front() + "/cmd_vel");
+  }
+  due_ = next();
+  for (const std::string& warning : bag_->warnings()) tell(warning);
+}
+
+void BagCommands::tell(const std::string& text) const {
+  if (on_trouble_) on_trouble_(text);
+}
+
+std::optional<BagCommands::Due> BagCommands::next() {
+  while (const auto message = bag_->next()) {
+    if (!first_ns_) first_ns_ = message->log_time_ns;
+    const std::optional<Target>& target = targets_[message->channel];
+    if (!target) continue;
+    const double at_s = 1e-9 * static_cast<double>(message->log_time_ns - *first_ns_);
+    return Due{at_s, *target, dds::Bytes(message->payload.begin(), message->payload.end())};
+  }
+  return std::nullopt;
+}
+
+std::optional<BagCommands::Due> BagCommands::next_or_end() {
+  try {
+    return next();
+  } catch (const Error& e) {
+    tell("the commands played from " + path_.string() +
+         " end here, the run goes on without them: " + e.message());
+    return std::nullopt;
+  }
+}
+
+void BagCommands::hand_in(double start_s) {
+  constexpr double soon_s = 1e-6;  // what rounding leaves of a number of steps
+  for (; due_ && due_->at_s <= start_s + soon_s; due_ = next_or_end())
+    live::hand_in(desk_, client_, due_->target.vehicle, due_->target.read, due_->message);
+}
+
+}  // namespace slackwater::live

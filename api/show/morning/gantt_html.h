@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "api/ask/morning/morning.h"
+
+namespace slackwater::api {
+
+/// When each task can begin: a row a task with its verdict in words, the chance of every start as a
+/// column of its height, and the best start with what binds it. Told apart without colour: a go is
+/// full, marginal is hatched, less is pale. Escaped.
+[[nodiscard]] std::string gantt_html(const Morning& morning);
+
+}  // namespace slackwater::api

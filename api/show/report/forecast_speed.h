@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "api/show/report/report.h"
+#include "api/show/report/time_text.h"
+#include "fields/service/field.h"
+
+namespace slackwater::api {
+
+/// Whether a forecast has any current at its first column.
+[[nodiscard]] bool has_currents(const Snapshot& forecast);
+
+/// The speed at the depths that a page offers, every ten minutes, at the forecast's first column.
+/// @param depth_m  shown first, in the water
+[[nodiscard]] ReportSpeed speed_of(const Field& field, double depth_m, double slack_below_m_s,
+                                   const PageClock& clock);
+
+/// A time at which the stream is strongest: its likely speed is the largest of the three hours on
+/// either side.
+struct StrongestStream {
+  std::size_t index = 0;  ///< of ReportSpeed::time
+};
+[[nodiscard]] std::vector<StrongestStream> strongest_streams(const ReportSpeed& speed,
+                                                             const ReportSpeedAtDepth& at);
+
+/// "0.82 m/s (0.64 to 1.01)".
+[[nodiscard]] std::string speed_text(const ReportSpeedAtDepth& at, std::size_t index);
+
+}  // namespace slackwater::api

@@ -1,0 +1,72 @@
+#include "api/show/report/slack.h"
+
+#include <cmath>
+
+#include "fields/base/check.h"
+
+namespace slackwater::api {
+namespace {
+
+/// When a line between two samples passes the threshold.
+UtcTime crossing(UtcTime a, UtcTime b, double at_a, double at_b, double threshold) {
+  const double share = (threshold - at_a) / (at_b - at_a);
+  return a + std::chrono::round<Duration>(share * std::chrono::duration<double>(b - a));
+}
+
+struct Stretch {
+  UtcTime from{};
+  UtcTime to{};
+  bool is_cut_before = false;
+  bool is_cut_after = false;
+};
+
+/// Stretches in which a series stays below the threshold.
+std::vector<Stretch> stretches_below(const std::vector<UtcTime>& time,
+                                     const std::vector<double>& value, double threshold) {
+  std::vector<Stretch> found;
+  const auto below = [&](std::size_t i) { return value[i] < threshold; };  // NaN is not
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (!below(i)) continue;
+    Stretch stretch;
+    const bool starts_unseen = i == 0 || std::isnan(value[i - 1]);
+    stretch.is_cut_before = starts_unseen;
+    stretch.from =
+        starts_unseen ? time[i] : crossing(time[i - 1], time[i], value[i - 1], value[i], threshold);
+    while (i + 1 < time.size() && below(i + 1)) ++i;
+    const bool ends_unseen = i + 1 == time.size() || std::isnan(value[i + 1]);
+    stretch.is_cut_after = ends_unseen;
+    stretch.to =
+        ends_unseen ? time[i] : crossing(time[i], time[i + 1], value[i], value[i + 1], threshold);
+    found.push_back(stretch);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<SlackWindow> slack_windows(const std::vector<UtcTime>& time,
+                                       const std::vector<double>& likely_m_s,
+                                       const std::vector<double>& high_m_s, double below_m_s) {
+  expects(likely_m_s.size() == time.size() && high_m_s.size() == time.size(),
+          "a speed and its upper edge for every time");
+  const std::vector<Stretch> sure = stretches_below(time, high_m_s, below_m_s);
+  std::vector<SlackWindow> windows;
+  for (const Stretch& likely : stretches_below(time, likely_m_s, below_m_s)) {
+    SlackWindow window{.from = likely.from,
+                       .to = likely.to,
+                       .is_cut_before = likely.is_cut_before,
+                       .is_cut_after = likely.is_cut_after,
+                       .sure_from = {},
+                       .sure_to = {}};
+    for (const Stretch& part : sure) {
+      if (part.from < likely.from || part.to > likely.to) continue;
+      if (window.sure_from && part.to - part.from <= *window.sure_to - *window.sure_from) continue;
+      window.sure_from = part.from;
+      window.sure_to = part.to;
+    }
+    windows.push_back(window);
+  }
+  return windows;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,30 @@
+#pragma once
+#include "twin/agent/conduct.h"
+
+namespace slackwater::twin {
+
+// A vehicle on the deck of another, or on something firm at its home: it is not stepped. It goes
+// into the water or the air beside where it stands, and comes aboard from near there. A line that
+// hangs from the deck is taken aboard with it, and laid anew when it is launched.
+
+/// Takes a task `aboard` on: comes alongside and aboard, stands there for its time with what its
+/// battery gets, and is launched where its next task is another.
+/// @param company  whose carrier is as of the last barrier; without one it is at home
+/// @return whether it was moved, or its battery filled
+bool come_and_go(const Agent& agent, double t_s, const Company& company, AgentState& state);
+
+/// Whether it has a place on a deck: a carrier, or a time aboard among its tasks.
+[[nodiscard]] bool goes_aboard(const Agent& agent) noexcept;
+/// Whether it is so near its place there, and so slow beside it, that it can be taken up; on a line
+/// that is caught somewhere, or hangs from one that capsized or ran aground, it cannot.
+[[nodiscard]] bool is_alongside(const Agent& agent, const AgentState* carrier,
+                                const AgentState& state);
+void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state);
+
+/// Where it would come aboard by now.
+void keep_boarding_place(const Agent& agent, const AgentState* carrier, AgentState& state);
+
+/// Moves it along with its carrier. @return whether it has one
+bool carry(const Agent& agent, const AgentState* carrier, AgentState& state);
+
+}  // namespace slackwater::twin

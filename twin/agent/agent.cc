@@ -1,0 +1,340 @@
+#include "twin/agent/agent.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/wind/gust.h"
+#include "twin/agent/conduct.h"
+#include "twin/agent/follow_datum.h"
+#include "twin/agent/helm.h"
+#include "twin/body/body_dynamics.h"
+#include "twin/body/frame.h"
+#include "twin/body/waves_at_strips.h"
+#include "twin/inspection/inspection.h"
+#include "twin/tether/tether_dynamics.h"
+#include "twin/thruster/thrust_curve.h"
+
+namespace slackwater::twin {
+namespace {
+
+Halt halt_of(SampleStatus status) {
+  switch (status) {
+    case SampleStatus::outside_area:
+      return Halt::outside_area;
+    case SampleStatus::outside_time:
+      return Halt::outside_time;
+    case SampleStatus::land:
+    case SampleStatus::below_bed:
+      return Halt::aground;
+    default:
+      return Halt::no_data;
+  }
+}
+
+Triple<double> at_point(const BodyState<double>& body, const Rotation<double>& r,
+                        const Triple<double>& point_m) {
+  return body.position_m + r.to_ned(point_m);
+}
+
+/// The mean wind at the vehicle with the gusts of its own filter: wakes slow the one and strengthen
+/// the other.
+bool feel_wind(const Agent& agent, double t_s, AgentState& state, Surroundings<double>& around) {
+  const auto wind = agent.water->wind(state.vehicle.body.position_m, t_s);
+  if (!has_value(wind.status)) {
+    // Forecasts without wind have vehicles in the water all the same.
+    if (agent.vehicle->kind != VehicleKind::uav && wind.status == SampleStatus::missing)
+      return true;
+    halt(state, halt_of(wind.status), t_s);
+    return false;
+  }
+  around.wind_m_s = wind.velocity_m_s;
+  if (agent.gusts) {
+    const Gust gust = agent.gusts->step(state.gust, state.gust_rng);
+    const Vector3<Enu> enu = gust_in_enu(gust, horizontal_of(wind.velocity_m_s));
+    const double ratio = agent.water->gust_ratio(state.vehicle.body.position_m);
+    around.wind_m_s = around.wind_m_s + ratio * ned_of(enu);
+  }
+  return true;
+}
+
+bool feel_water(const Agent& agent, double t_s, AgentState& state, const Rotation<double>& r,
+                Surroundings<double>& around, Triple<double>& current_m_s) {
+  const Vehicle& vehicle = *agent.vehicle;
+  const BodyState<double>& body = state.vehicle.body;
+  const FloatingHull& hull = vehicle.body.hull;
+  const Triple<double> at = at_point(body, r, vehicle.body.centre_of_buoyancy_m);
+  // A craft that floats has the current of the water that its hulls are in, and the waves at its
+  // strips.
+  const CarriedWater& carried = state.coarse.water;
+  const WaterSample water =
+      agent.coarse && carried.holds > 0.5 ? vehicle_water(carried, t_s)
+      : hull.strips > 0
+          ? agent.water->current({at.x, at.y, std::max(at.z, 0.0)}, vehicle.body.height_m, t_s)
+          : agent.water->water(at, vehicle.body.height_m, t_s);
+  if (!has_value(water.status)) {
+    halt(state, halt_of(water.status), t_s);
+    return false;
+  }
+  around.water = water.motion;
+  current_m_s = water.current_m_s;
+  const SeaRealisation* sea = agent.water->environment().sea.get();
+  if (sea != nullptr && hull.strips > 0) around.at_strips = waves_at_strips(*sea, t_s, hull, body);
+  return true;
+}
+
+void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, AgentState& state,
+                 Surroundings<double>& around) {
+  if (agent.coarse) {  // It has pulled already, see coarse_step.h.
+    around.pull_n = state.coarse.pull_n;
+    return;
+  }
+  const BodyState<double>& body = state.vehicle.body;
+  const Tether& tether = *agent.tether;
+  TetherEnds<double> ends;
+  ends.top_m = state.top.at(t_s);
+  ends.top_velocity_m_s = state.top.velocity_m_s;
+  ends.vehicle_m = at_point(body, r, tether.attachment_m);
+  ends.vehicle_velocity_m_s =
+      r.to_ned(body.nu.linear + cross(body.nu.angular, tether.attachment_m));
+  WaterAtNodes<double> water;
+  water.elevation_m = around.water.elevation_m;
+  for (std::size_t i = 0; i < tether_nodes; ++i) {
+    const Triple<double>& at = i == 0                  ? ends.top_m
+                               : i == tether_nodes - 1 ? ends.vehicle_m
+                                                       : state.tether.node_m[i - 1];
+    const WaterSample sample = agent.water->water(at, 0, t_s);
+    // Line that touches the bed has the water of the bed's edge: none.
+    if (has_value(sample.status)) water.velocity_m_s[i] = sample.motion.velocity_m_s;
+  }
+  const TetherPull<double> felt = pull(tether, state.tether, ends, water, agent.plan.dt_s);
+  around.pull_n = felt.on_vehicle_n;
+  state.top.pull_n = felt.on_top_n;
+  state.tether_n = felt.vehicle_tension_n;
+  note_line(state.milestones, state.tether.whole, felt.vehicle_tension_n, t_s + agent.plan.dt_s);
+  hold_snag(state);
+}
+
+/// Autopilots of measured thrusters command them by their curve at rest; what the flow takes from
+/// it their integrals make good. The others go by the water as well as they know it.
+void command_thrusters(const Agent& agent, const Effort& effort, const AgentState& state,
+                       const Measured& measured, const Rotation<double>& r, double height_m,
+                       VehicleCommand<double>& command) {
+  const Vehicle& vehicle = *agent.vehicle;
+  if (vehicle.thruster.kind == ThrusterKind::table) {
+    const ThrustCurve curve(vehicle.thruster.table, state.vehicle.bus_voltage_v);
+    for (std::size_t i = 0; i < vehicle.mounts; ++i)
+      command.thruster[i] = curve.command_for(effort.thrust_n[i]);
+    return;
+  }
+  ThrusterSurroundings<double> around;
+  around.voltage_v = state.vehicle.bus_voltage_v;
+  around.height_m = height_m;
+  const Triple<double> through = measured.nu.linear - r.to_body(measured.water_m_s);
+  for (std::size_t i = 0; i < vehicle.mounts; ++i) {
+    around.advance_m_s = dot(vehicle.mount[i].direction, through);
+    command.thruster[i] = command_for(vehicle.thruster, effort.thrust_n[i], around);
+  }
+}
+
+/// The stream that carries a vehicle in the water, as well as it knows it: all of it, or what its
+/// log shows ahead.
+Triple<double> known_stream(const Agent& agent, const Measured& measured,
+                            const Triple<double>& current_m_s) {
+  if (!agent.navigation || !agent.navigation->steers) return current_m_s;
+  if (!measured.has_log()) return {};
+  const double ahead_m_s = measured.nu.linear.x - measured.log_m_s;
+  return rotation_of(measured.attitude).to_ned({ahead_m_s, 0, 0});
+}
+
+/// Whether it swims and has come out of the water altogether, where its propellers push nothing.
+bool is_in_the_air(const Agent& agent, const BodyState<double>& body, double elevation_m) {
+  return agent.vehicle->kind != VehicleKind::uav && agent.vehicle->body.hull.strips == 0 &&
+         !(immersed_share(agent.vehicle->body, body.position_m.z, elevation_m) > 0);
+}
+
+/// By hand: fins amidships, mass and bladder as they are.
+void command_thrusters_by_hand(const Agent& agent, AgentState& state,
+                               const ThrusterSurroundings<double>& at_rest, bool has_water,
+                               VehicleCommand<double>& command) {
+  const Vehicle& vehicle = *agent.vehicle;
+  Effort effort;
+  for (std::size_t i = 0; i < vehicle.mounts; ++i) {
+    command.thruster[i] =
+        has_water ? command_by_hand(vehicle.thruster, state.helm.thruster[i]) : 0.0;
+    effort.thrust_n[i] = run(vehicle.thruster, command.thruster[i], at_rest).thrust_n;
+  }
+  note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
+  command.rudder_rad = command.elevator_rad = 0;
+  command.moving_mass_m = state.vehicle.moving_mass_m;
+  command.volume_m3 = state.vehicle.volume_m3;
+}
+
+/// Asks helm or mission, the watch for headway and the autopilot.
+/// @return false where the agent halts
+bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measured& measured,
+                          const Triple<double>& stream_m_s, double t_s, double height_m,
+                          AgentState& state, VehicleCommand<double>& command) {
+  const Asked asked = asked_of(agent, seen, measured, stream_m_s, t_s, state);
+  const Reference& reference = asked.reference;
+  const bool has_power = std::isnan(state.milestones.power_lost_s);
+  if (agent.headway && has_power &&
+      has_lost_headway(*agent.headway, reference, way_of(state).route, asked.position_m, t_s,
+                       state.headway)) {
+    halt(state, Halt::no_headway, t_s);
+    return false;
+  }
+  const Effort effort =
+      effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
+  note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
+  const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
+  command_thrusters(agent, effort, state, measured, r, height_m, command);
+  command.rudder_rad = effort.rudder_rad;
+  command.elevator_rad = effort.elevator_rad;
+  command.moving_mass_m = effort.moving_mass_m;
+  command.volume_m3 = effort.volume_m3;
+  return true;
+}
+
+/// What a fault leaves of the commands.
+void lose_thruster(const Agent& agent, double t_s, VehicleCommand<double>& command) {
+  if (!agent.conduct) return;
+  for (const Fault& fault : agent.conduct->plan.faults)
+    if (fault.kind == FaultKind::lost_thruster && fault.is_on(t_s))
+      command.thruster[fault.thruster] = 0;
+}
+
+/// Its tool works where it is, whatever it knows of that, and its instruments also while somebody
+/// else has the helm.
+void work_on_surface(const Agent& agent, double t_s, const Rotation<double>& r, AgentState& state) {
+  if (!agent.conduct || (!agent.conduct->cleaning && !agent.inspection)) return;
+  ConductState& own = state.conduct;
+  const bool has_power = std::isnan(state.milestones.power_lost_s);
+  const bool is_at_work = own.phase == Phase::work && own.doing == Doing::task && !own.has_ended &&
+                          !state.helm.is_helmed() && has_power;
+  const BodyState<double>& body = state.vehicle.body;
+  if (agent.conduct->cleaning)
+    clean(*agent.conduct->cleaning, is_at_work, body.position_m, agent.plan.dt_s, own.cleaning);
+  if (agent.inspection)
+    inspect(*agent.inspection, is_at_work || (state.helm.is_helmed() && has_power),
+            {body.position_m, r, r.to_ned(body.nu.linear), body.nu.angular},
+            known_of(agent, state).position_m, t_s, agent.plan.dt_s, state.inspection);
+}
+
+bool is_inside_a_structure(const Agent& agent, const Triple<double>& position_m) {
+  for (const Structure& structure : agent.water->environment().structures)
+    if (signed_distance_m(structure, position_m) < 0) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string_view name_of(Halt halt) noexcept {
+  switch (halt) {
+    case Halt::none:
+      return "none";
+    case Halt::diverged:
+      return "diverged";
+    case Halt::outside_area:
+      return "outside_area";
+    case Halt::outside_time:
+      return "outside_time";
+    case Halt::aground:
+      return "aground";
+    case Halt::no_data:
+      return "no_data";
+    case Halt::struck:
+      return "struck";
+    case Halt::capsized:
+      return "capsized";
+    case Halt::no_headway:
+      return "no_headway";
+  }
+  return "unknown";
+}
+
+Measured known_of(const Agent& agent, const AgentState& state) {
+  if (agent.navigation && agent.navigation->steers) return measured_of(state.navigation.navigator);
+  const BodyState<double>& body = state.vehicle.body;
+  Measured measured;
+  measured.position_m = body.position_m;
+  measured.attitude = body.attitude;
+  measured.nu = body.nu;
+  return measured;
+}
+
+bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& state,
+             StepInput& input) {
+  const Vehicle& vehicle = *agent.vehicle;
+  const BodyState<double>& body = state.vehicle.body;
+  const Rotation<double> r = rotation_of(body.attitude);
+  const bool flies = vehicle.kind == VehicleKind::uav;
+  const bool is_blown = flies || vehicle.body.hull.strips > 0;
+  // What somebody put there between two steps.
+  if (!is_sound(body, state.vehicle.battery.charge)) {
+    halt(state, Halt::diverged, t_s);
+    return false;
+  }
+  note_attitude(state.milestones, r, t_s);
+  // What swims rights itself, what flies falls on: both go on to what they meet.
+  if (vehicle.body.hull.strips > 0 && is_capsized(r)) {
+    halt(state, Halt::capsized, t_s);
+    return false;
+  }
+  if ((flies && body.position_m.z > 0) || is_inside_a_structure(agent, body.position_m)) {
+    halt(state, Halt::struck, t_s);
+    return false;
+  }
+  work_on_surface(agent, t_s, r, state);
+  Surroundings<double>& around = input.around;
+  around.water = {};
+  around.wind_m_s = {};
+  around.pull_n = {};
+  around.turn_n_m = state.borne.moment_n_m;
+  Triple<double> current_m_s;
+  if (!flies && !feel_water(agent, t_s, state, r, around, current_m_s)) return false;
+  if (is_blown && !feel_wind(agent, t_s, state, around)) return false;
+  around.height_above_m = height_of(body.position_m);
+  if (agent.tether) pull_tether(agent, t_s, r, state, around);
+  around.pull_n = around.pull_n + state.borne.force_n;
+  Measured measured;
+  measured.position_m = body.position_m;
+  measured.attitude = body.attitude;
+  measured.nu = body.nu;
+  // As a log that means the waves out.
+  if (!flies) measured.log_m_s = body.nu.linear.x - r.to_body(current_m_s).x;
+  if (agent.navigation) {
+    SensedWater sensed{*agent.water, around.water.elevation_m, t_s};
+    sensed.has_gnss = !agent.conduct ||
+                      fault_at(agent.conduct->plan.faults, FaultKind::lost_gnss, t_s) == nullptr;
+    const Measured taken_for = sense(*agent.navigation, sensed, body, state.navigation);
+    if (agent.navigation->steers) measured = taken_for;
+  }
+  if (agent.autopilot->settings.current_feed_forward) {
+    measured.water_m_s = flies ? around.wind_m_s : current_m_s;
+    if (!flies && !measured.has_log())
+      measured.log_m_s = measured.nu.linear.x - r.to_body(current_m_s).x;
+  }
+  if (state.helm.mode == HelmMode::thrusters) {
+    ThrusterSurroundings<double> at_rest;
+    at_rest.voltage_v = state.vehicle.bus_voltage_v;
+    at_rest.height_m = around.height_above_m;
+    const bool has_water = !is_in_the_air(agent, body, around.water.elevation_m);
+    command_thrusters_by_hand(agent, state, at_rest, has_water, input.command);
+  } else if (!command_by_autopilot(agent, seen, measured,
+                                   known_stream(agent, measured, current_m_s), t_s,
+                                   around.height_above_m, state, input.command)) {
+    return false;
+  }
+  lose_thruster(agent, t_s, input.command);
+  state.water_m_s = around.water.velocity_m_s;
+  state.elevation_m = around.water.elevation_m;
+  state.wind_m_s = around.wind_m_s;
+  return true;
+}
+
+void halt(AgentState& state, Halt why, double t_s) noexcept {
+  state.halt = why;
+  state.halted_at_s = t_s;
+}
+
+}  // namespace slackwater::twin

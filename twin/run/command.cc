@@ -1,0 +1,98 @@
+#include "twin/run/command.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "twin/agent/helm.h"
+
+namespace slackwater::twin {
+namespace {
+
+constexpr std::array<std::string_view, std::variant_size_v<CommandWhat>> names{
+    "waypoints", "put", "velocity", "thrusters", "hold", "home", "resume", "host", "spawn"};
+
+/// What is done, with whom and when.
+struct Doer {
+  double t_s;
+  const Agent& agent;
+  AgentState& state;
+
+  void operator()(const Reroute& reroute) const {
+    take({HelmMode::waypoints, HelmCause::asked});
+    replace_waypoints(state.helm.way, known_of(agent, state), reroute.waypoints);
+    state.helm.is_loop = reroute.loop && reroute.waypoints.size() > 1;
+  }
+  void operator()(const SetVelocity& set) const {
+    take({HelmMode::velocity, HelmCause::asked});
+    state.helm.velocity = set.velocity;
+  }
+  void operator()(const SetThrusters& set) const {
+    take({HelmMode::thrusters, HelmCause::asked});
+    state.helm.thruster = {};
+    std::copy(set.share.begin(), set.share.end(), state.helm.thruster.begin());
+  }
+  void operator()(const HoldHere& hold) const {
+    if (!hold.is_client_lost) return take({HelmMode::hold, HelmCause::asked});
+    // Whoever flies its own mission, or is on its way home, needs nobody.
+    HelmState& helm = state.helm;
+    if (!helm.is_helmed() || helm.mode == HelmMode::home) return;
+    if (helm.mode != HelmMode::hold) return take({HelmMode::hold, HelmCause::client_lost});
+    helm.cause = HelmCause::client_lost;
+    helm.since_s = helm.renewed_s = t_s;
+  }
+  void operator()(const GoHome&) const { take({HelmMode::home, HelmCause::asked}); }
+  void operator()(const Resume&) const { give_back(HelmCause::asked, t_s, agent, state); }
+  void operator()(const PutVehicle& put) const {
+    state.vehicle = put.vehicle;
+    state.coarse = {};  // of the water where it was
+  }
+  void operator()(const HostPhysics& host) const {
+    state.is_hosted = host.is_hosted;
+    state.coarse = {};
+  }
+
+  void operator()(const Spawn&) const {}  // nothing that is done to one that is there
+
+  void take(const HelmDue& due) const { take_helm(due, t_s, agent, state); }
+};
+
+bool moves_vehicle(const CommandWhat& what) {
+  return std::holds_alternative<PutVehicle>(what) || std::holds_alternative<HostPhysics>(what);
+}
+
+}  // namespace
+
+std::string_view name_of(const CommandWhat& what) noexcept { return names[what.index()]; }
+
+bool leads_elsewhere(const CommandWhat& what) noexcept {
+  return std::holds_alternative<Reroute>(what) || std::holds_alternative<SetVelocity>(what) ||
+         std::holds_alternative<SetThrusters>(what) || std::holds_alternative<HoldHere>(what);
+}
+
+std::string_view unsoundness_of(const Command& command, const Agent& agent) noexcept {
+  if (const auto* reroute = std::get_if<Reroute>(&command.what)) {
+    for (const auto& [to, speed_m_s, over_ground] : reroute->waypoints)
+      if (!std::isfinite(to.x + to.y + to.z + speed_m_s + over_ground))
+        return "waypoints of a command are finite";
+  } else if (const auto* set = std::get_if<SetVelocity>(&command.what)) {
+    const auto& [surge, sway, heave, yaw_rate] = set->velocity;
+    if (!std::isfinite(surge + sway + heave + yaw_rate)) return "a velocity asked for is finite";
+  } else if (const auto* by_hand = std::get_if<SetThrusters>(&command.what)) {
+    if (by_hand->share.size() != agent.vehicle->mounts) return "thrusters have a share each";
+    for (const double share : by_hand->share)
+      if (!(std::abs(share) <= 1)) return "thrusters are within -1 and 1";
+  }
+  return {};
+}
+
+void apply(const Command& command, double t_s, const Agent& agent, AgentState& state) {
+  if (state.halt != Halt::none || state.conduct.is_aboard) return;
+  const bool is_moved = moves_vehicle(command.what);
+  // One that was put where no vehicle can be halts in its next step.
+  if (!is_moved && !is_sound(state.vehicle.body, state.vehicle.battery.charge)) return;
+  if (leads_elsewhere(command.what) && must_come_home(agent, state)) return;
+  std::visit(Doer{t_s, agent, state}, command.what);
+}
+
+}  // namespace slackwater::twin

@@ -1,0 +1,15 @@
+#pragma once
+#include "twin/agent/agent.h"
+#include "twin/scenario/scenario.h"
+
+namespace slackwater::twin {
+
+/// That a vehicle can be where it starts and where it is to go.
+/// @param t_s  of the run, when it starts
+/// @throws Error(invalid_input) for a place outside the forecast, on land, below the bed, in a
+///         structure, above the sea for what swims, below it for what flies, and for a way through
+///         a structure
+void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const Agent& agent,
+                   double t_s);
+
+}  // namespace slackwater::twin
