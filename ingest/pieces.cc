@@ -43,7 +43,7 @@ IndexRange columns_around(const Grid& grid, const BoundingBox& box) {
   return around(grid.longitude_deg, box.west_deg + turn, east + turn);
 }
 
-IndexRange times_within(const Grid& grid, const Window& window) {
+IndexRange times_within(const Grid& grid, const CutOut& window) {
   if (grid.time.empty()) return {0, 1};
   std::size_t first = 0;
   std::size_t last = grid.time.size();
@@ -160,7 +160,7 @@ class OpenGranule {
       : entry_(entry), file_(GranuleFile::open(entry.content_file)) {}
 
   /// The window's part of one variable; nothing where the window holds no cell of it.
-  [[nodiscard]] std::optional<Loaded> read(const std::string& name, const Window& window) const {
+  [[nodiscard]] std::optional<Loaded> read(const std::string& name, const CutOut& window) const {
     const Grid& grid = file_.granule().grid;
     const IndexRange rows = around(grid.latitude_deg, window.box.south_deg, window.box.north_deg);
     const IndexRange columns = columns_around(grid, window.box);
@@ -191,7 +191,7 @@ bool pair_up(const Loaded& u, const Loaded& v) {
 }
 
 std::vector<VectorPiece> vector_pieces(const FindGranules& find, const std::string& east_name,
-                                       const std::string& north_name, const Window& window) {
+                                       const std::string& north_name, const CutOut& window) {
   std::vector<VectorPiece> pieces;
   std::vector<Loaded> lone_north;
   for (const GranuleEntry& entry : find({north_name}, window)) {
@@ -229,7 +229,7 @@ std::vector<VectorPiece> vector_pieces(const FindGranules& find, const std::stri
 /// Pieces per name, each granule opened once for all of them.
 std::vector<std::vector<ScalarPiece>> scalar_pieces(const FindGranules& find,
                                                     const std::vector<std::string>& wanted,
-                                                    const Window& window) {
+                                                    const CutOut& window) {
   std::vector<std::vector<ScalarPiece>> pieces(wanted.size());
   for (const GranuleEntry& entry : find(wanted, window)) {
     std::optional<OpenGranule> granule;
@@ -250,7 +250,7 @@ std::vector<std::vector<ScalarPiece>> scalar_pieces(const FindGranules& find,
 }  // namespace
 
 bool comes_near(bool is_point_series, const BoundingBox& bounds,
-                const std::vector<std::string>& standard_names, const Window& window) {
+                const std::vector<std::string>& standard_names, const CutOut& window) {
   if (!is_point_series) return overlaps(bounds, widened(window.box, granule_margin_km));
   double reach_km = 0;
   for (const std::string& name : standard_names)
@@ -260,7 +260,7 @@ bool comes_near(bool is_point_series, const BoundingBox& bounds,
 
 SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to, const FindGranules& find) {
   SitePieces pieces;
-  const Window window{from, to, site.box(margin_deg), site.box(0)};
+  const CutOut window{from, to, site.box(margin_deg), site.box(0)};
   pieces.current =
       vector_pieces(find, "eastward_sea_water_velocity", "northward_sea_water_velocity", window);
   join_moorings(pieces.current);

@@ -14,7 +14,7 @@
 namespace slackwater::ingest {
 
 /// The window of time and space that is read.
-struct Window {
+struct CutOut {
   std::optional<UtcTime> from;  ///< absent for static fields
   std::optional<UtcTime> to;
   BoundingBox box;   ///< of the cells that are read
@@ -40,14 +40,14 @@ inline constexpr double farthest_granule_km = 50;
 /// Whether a granule may speak for what lies in the window: a grid by its cells, a point series
 /// within its reach, in metres (`series_reach_m`), from the site.
 [[nodiscard]] bool comes_near(bool is_point_series, const BoundingBox& bounds,
-                              const std::vector<std::string>& standard_names, const Window& window);
+                              const std::vector<std::string>& standard_names, const CutOut& window);
 
 /// The granules that hold any of these standard names, do not end before the window or begin after
 /// it (static fields always count) and come near it (`comes_near`); in catalogue order: by first
 /// time (static fields first), then name of the status, reference time, ensemble member (absent
 /// before present), number.
 using FindGranules = std::function<std::vector<GranuleEntry>(
-    const std::vector<std::string>& standard_names, const Window& window)>;
+    const std::vector<std::string>& standard_names, const CutOut& window)>;
 
 /// The data around a site over a window of time, by quantity: what a forecast is made from
 /// (`site_data_of`). The one way from granules to pieces, whoever keeps the granules.

@@ -100,7 +100,7 @@ bool holds_any(const ListedGranule& granule, const std::vector<std::string>& sta
                             standard_names.end()) != held.end();
 }
 
-bool touches(const ListedGranule& granule, const Window& window) {
+bool touches(const ListedGranule& granule, const CutOut& window) {
   if (window.from && granule.last_time && *granule.last_time < *window.from) return false;
   if (window.to && granule.first_time && *granule.first_time > *window.to) return false;
   return comes_near(granule.is_point_series, granule.bounds, granule.entry.standard_names, window);
@@ -144,7 +144,7 @@ ReadPieces read_pieces(std::span<const FileToRead> files, const ProductCatalogue
   }
   std::sort(granules.begin(), granules.end(), stands_before);
   result.pieces = pieces_of(
-      site, from, to, [&](const std::vector<std::string>& standard_names, const Window& window) {
+      site, from, to, [&](const std::vector<std::string>& standard_names, const CutOut& window) {
         std::vector<GranuleEntry> found;
         for (const ListedGranule& granule : granules) {
           if (holds_any(granule, standard_names) && touches(granule, window))

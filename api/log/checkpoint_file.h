@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "twin/helm/steward.h"
+#include "twin/helm/command_arbiter.h"
 #include "twin/run/run.h"
 #include "twin/run/run_log.h"
 #include "twin/run/sensor_log.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ingest/cf/trajectory_file.h"
-#include "twin/helm/steward.h"
+#include "twin/helm/command_arbiter.h"
 #include "twin/run/command.h"
 
 namespace slackwater::api {

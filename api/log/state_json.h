@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "twin/helm/steward.h"
+#include "twin/helm/command_arbiter.h"
 #include "twin/run/command.h"
 #include "twin/run/traffic_watch.h"
 

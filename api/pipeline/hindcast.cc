@@ -34,7 +34,7 @@ HindcastReport hindcast(store::Store& store, const Site& site, const HindcastOpt
   const UtcTime last = UtcTime(options.to) + days(1) + options.horizon;
   const SiteData data = load_site_data(store, site, first - calibration::history_wanted, last);
   HindcastReport report;
-  calibration::Rehearsals rehearsals(data, options.parts.of_column);
+  calibration::RehearsedDays rehearsals(data, options.parts.of_column);
   calibration::VerifyOptions verify = options.verify;
   verify.from_archive = true;
   verify.origin = ForecastOrigin::hindcast;

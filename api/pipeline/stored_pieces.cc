@@ -18,7 +18,7 @@ class WholeGranules {
 
   /// In catalogue order.
   std::vector<ingest::GranuleEntry> find(const std::vector<std::string>& standard_names,
-                                         const ingest::Window& window) {
+                                         const ingest::CutOut& window) {
     store::GranuleQuery query;
     query.any_of = standard_names;
     query.from = window.from;
@@ -76,7 +76,7 @@ StoredPieces stored_pieces(store::Store& store, const Site& site, UtcTime from, 
 
 std::vector<store::GranuleRow> near_site(std::vector<store::GranuleRow> granules,
                                          const Site& site) {
-  const ingest::Window window{std::nullopt, std::nullopt, site.box(0), site.box(0)};
+  const ingest::CutOut window{std::nullopt, std::nullopt, site.box(0), site.box(0)};
   std::erase_if(granules, [&](const store::GranuleRow& row) {
     return !ingest::comes_near(row.is_point_series, row.bounds, row.standard_names, window);
   });

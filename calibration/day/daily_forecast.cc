@@ -87,8 +87,8 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
                                   [](const ColumnForecast& c) { return !c.forms.empty(); });
   if (first == result.columns.end()) return;
   const auto index = static_cast<std::size_t>(first - result.columns.begin());
-  Rehearsals own(data, options.parts.of_column);
-  Rehearsals& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
+  RehearsedDays own(data, options.parts.of_column);
+  RehearsedDays& rehearsals = options.rehearsals != nullptr ? *options.rehearsals : own;
   const bool is_rehearsed = attempt_part(Part::rehearsal, result.failures, [&] {
     result.earned = options.parts.rehearsal(
         rehearsals, plan,

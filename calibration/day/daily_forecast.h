@@ -33,7 +33,7 @@ struct ForecastOptions {
   int members = 24;          ///< beside the central one; a member is the same whatever their number
   std::string code_version;  ///< of the program that makes the forecast, for its provenance
   /// Rehearsed days to share between forecasts of the same data; null: the forecast's own.
-  Rehearsals* rehearsals = nullptr;
+  RehearsedDays* rehearsals = nullptr;
   DayParts parts;  ///< what does the work
 };
 

@@ -18,8 +18,8 @@ struct DayParts {
   std::function<decltype(leading_day)> day = leading_day;
   ColumnParts of_column;
   std::function<decltype(forecast_column)> column = forecast_column;
-  std::function<Earned(Rehearsals&, const ForecastPlan&, const std::vector<bool>&, int)> rehearsal =
-      &Rehearsals::earned;
+  std::function<Earned(RehearsedDays&, const ForecastPlan&, const std::vector<bool>&, int)>
+      rehearsal = &RehearsedDays::earned;
   std::function<decltype(issue_blend)> blend = issue_blend;
   std::function<decltype(widen_by_unresolved_tide)> unresolved_tide = widen_by_unresolved_tide;
   std::function<decltype(widen_by_stand_in)> stand_in = widen_by_stand_in;

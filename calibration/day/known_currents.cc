@@ -34,9 +34,9 @@ std::optional<std::string> product_behind(const ColumnData& column, const Foreca
 
 /// What the record of a plan is made of.
 struct Ingredients {
-  Chosen<Horizontal> leading;                ///< the plan's dataset
-  std::optional<Chosen<Horizontal>> behind;  ///< the product, where a series leads
-  std::vector<Instrument> instruments;       ///< nearest first, the leading series among them
+  Chosen<Horizontal> leading;                 ///< the plan's dataset
+  std::optional<Chosen<Horizontal>> behind;   ///< the product, where a series leads
+  std::vector<MooredInstrument> instruments;  ///< nearest first, the leading series among them
 };
 
 Ingredients ingredients_of(const ColumnData& column, const ForecastPlan& plan) {
@@ -59,7 +59,7 @@ Ingredients ingredients_of(const ColumnData& column, const ForecastPlan& plan) {
 /// The product brought to the cells and depths of a series, fused there, and the series itself
 /// where the product has nothing.
 FusedColumn fused_on_series(const VectorColumn& series, const VectorColumn& product,
-                            double distance_m, const InstrumentErrors& errors) {
+                            double distance_m, const MooredInstrumentErrors& errors) {
   const VectorColumn background =
       at_times(at_depths(product, series.levels_m), series.time, std::chrono::hours(30));
   FusedColumn fused = fuse(background, series, distance_m, {}, errors);
@@ -98,7 +98,7 @@ double error_left(const FusedColumn& fused, const VectorColumn& next) {
 }
 
 /// Draws a column towards one more instrument.
-void take_in(const Instrument& instrument, FusedColumn& fused) {
+void take_in(const MooredInstrument& instrument, FusedColumn& fused) {
   FusionSettings settings;
   const VectorColumn& series = instrument.verdict.column;
   settings.product_error_m_s = error_left(fused, series);
@@ -152,7 +152,7 @@ Chosen<Horizontal> fused_record(Ingredients parts, const ForecastPlan& plan, boo
   if (parts.behind) {
     const auto own = std::find_if(
         parts.instruments.begin(), parts.instruments.end(),
-        [&](const Instrument& instrument) { return instrument.dataset == plan.dataset; });
+        [&](const MooredInstrument& instrument) { return instrument.dataset == plan.dataset; });
     if (own != parts.instruments.end()) {
       // Its levels and times are those of the record, whatever is thought of it now: the choice of
       // the day decided that it leads.
@@ -163,7 +163,7 @@ Chosen<Horizontal> fused_record(Ingredients parts, const ForecastPlan& plan, boo
       add_stretches(parts.behind->stretches, "behind the instrument", known);
     }
   }
-  for (const Instrument& instrument : parts.instruments) {
+  for (const MooredInstrument& instrument : parts.instruments) {
     if (!instrument.is_used()) continue;
     take_in(instrument, fused);
     add_origins(instrument.origins, known);
@@ -183,7 +183,7 @@ KnownCurrents known_currents(const ColumnData& column, const ForecastPlan& plan)
   KnownCurrents known;
   known.remarks = remarks_on(parts.instruments, plan.dataset, parts.behind.has_value());
   known.is_contradicted = std::any_of(
-      parts.instruments.begin(), parts.instruments.end(), [&](const Instrument& instrument) {
+      parts.instruments.begin(), parts.instruments.end(), [&](const MooredInstrument& instrument) {
         return instrument.dataset == plan.dataset && instrument.is_rejected();
       });
   known.record = fused_record(std::move(parts), plan, is_series(leading));

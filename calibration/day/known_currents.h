@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "calibration/day/forecast_plan.h"
-#include "calibration/day/instruments.h"
+#include "calibration/day/moored_instruments.h"
 #include "fields/record/choose.h"
 #include "fields/record/site_data.h"
 

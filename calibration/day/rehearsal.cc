@@ -34,7 +34,7 @@ int lead_days_of(const ForecastPlan& plan) {
   if (plan.stamps.empty()) return 1;
   const double reach_h = hours_between(plan.end_of_day(), plan.stamps.back());
   return std::clamp(static_cast<int>(std::ceil(reach_h / 24.0 - 1e-9)), 1,
-                    Rehearsals::longest_lead_days);
+                    RehearsedDays::longest_lead_days);
 }
 
 /// The plan of a past day as it would have been run then, without members: they are not looked at,
@@ -136,12 +136,12 @@ Chosen<Horizontal> days_after(const ColumnData& column, const ForecastPlan& plan
 
 }  // namespace
 
-Rehearsals::Rehearsals(const SiteData& data, ColumnParts parts)
+RehearsedDays::RehearsedDays(const SiteData& data, ColumnParts parts)
     : data_(data), parts_(std::move(parts)) {
   parts_.waves = [](auto&&...) { return HorizonSea{}; };
 }
 
-RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
+RehearsedDay RehearsedDays::rehearse(const ForecastPlan& plan, UtcDay day) const {
   RehearsedDay result;
   const ForecastPlan past = with_editions_of_then(plan_of(plan, day), data_);
   result.lead.resize(static_cast<std::size_t>(lead_days_of(plan)));
@@ -170,7 +170,7 @@ RehearsedDay Rehearsals::rehearse(const ForecastPlan& plan, UtcDay day) const {
   return result;
 }
 
-std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, UtcDay day) {
+std::shared_ptr<const RehearsedDay> RehearsedDays::day(const ForecastPlan& plan, UtcDay day) {
   const ForecastPlan past = plan_of(plan, day);
   const Key key{day,
                 past.wind,
@@ -196,8 +196,8 @@ std::shared_ptr<const RehearsedDay> Rehearsals::day(const ForecastPlan& plan, Ut
   return done_.emplace(key, std::move(kept)).first->second;
 }
 
-Earned Rehearsals::earned(const ForecastPlan& asked, const std::vector<bool>& available,
-                          int threads) {
+Earned RehearsedDays::earned(const ForecastPlan& asked, const std::vector<bool>& available,
+                             int threads) {
   const ForecastPlan plan = with_past_runs(asked, data_, parts_);
   for_all(longest_days, threads,
           [&](std::size_t i) { (void)day(plan, plan.day - days(static_cast<int>(i) + 1)); });

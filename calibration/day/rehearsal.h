@@ -21,10 +21,10 @@ namespace slackwater::calibration {
 /// the currents that the store held then, and is held against those of now. Where a run of the wind
 /// is known now and none was kept of then, one is simulated (simulated_run.h). A day that fails is
 /// passed over and counted. Thread-safe.
-class Rehearsals {
+class RehearsedDays {
  public:
   /// @param parts  of a column's forecast; waves are not rehearsed
-  explicit Rehearsals(const SiteData& data, ColumnParts parts = {});
+  explicit RehearsedDays(const SiteData& data, ColumnParts parts = {});
 
   /// What the pairs up to the plan's D have earned.
   /// @param available  whether each standard candidate can be made for D

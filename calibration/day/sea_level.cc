@@ -13,7 +13,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "fields/interpolate/temporal.h"
-#include "fields/record/run.h"
+#include "fields/record/product_run.h"
 #include "fields/record/slice.h"
 
 namespace slackwater::calibration {
@@ -58,7 +58,7 @@ double provider_error_m(const ScalarRecord& record, const ScalarColumn& known,
   double sum_m2 = 0;
   std::size_t count = 0;
   std::size_t judged = 0;
-  for (const Run<double>& run :
+  for (const ProductRun<double>& run :
        runs_of(record, plan.knowledge_of_runs(), {.only_forecasts = true, .only_grids = true})) {
     const std::size_t before = count;
     for (const RunValue<double>& value : run.values) {

@@ -87,7 +87,7 @@ void judge_instruments(const std::vector<ColumnForecast>& columns,
                        std::vector<std::string>& troubles) {
   std::set<std::string> named;
   for (const ColumnForecast& column : columns) {
-    for (const InstrumentTrouble& trouble : column.remarks.troubles)
+    for (const MooredInstrumentTrouble& trouble : column.remarks.troubles)
       if (named.insert(trouble.station).second) troubles.push_back(trouble.clause);
   }
 }

@@ -35,7 +35,7 @@ class Spread {
 /// Noise variance of the values of one time.
 class Noise {
  public:
-  Noise(const FusionSettings& settings, const InstrumentErrors& errors)
+  Noise(const FusionSettings& settings, const MooredInstrumentErrors& errors)
       : least_(square(settings.instrument_error_m_s)), errors_(errors) {}
 
   /// As the instrument's values show it; 0 where nobody looked.
@@ -52,7 +52,7 @@ class Noise {
 
  private:
   double least_;
-  const InstrumentErrors& errors_;
+  const MooredInstrumentErrors& errors_;
 };
 
 double variance_lacking(const std::vector<Differences>& all, const Noise& noise) {
@@ -121,7 +121,7 @@ ErrorFilter filter_of(const std::vector<double>& depths_m, const Variances& v,
 
 }  // namespace
 
-double expected_difference(double distance_m, const InstrumentErrors& errors,
+double expected_difference(double distance_m, const MooredInstrumentErrors& errors,
                            const FusionSettings& settings) {
   return std::sqrt(variances_of(distance_m, 0, errors.lasting_m_s, settings).sum());
 }
@@ -131,7 +131,7 @@ double weight_at(double distance_m, const FusionSettings& settings) {
 }
 
 FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed, double distance_m,
-                 const FusionSettings& settings, const InstrumentErrors& errors) {
+                 const FusionSettings& settings, const MooredInstrumentErrors& errors) {
   expects(product.vertical == VerticalKind::depth_m && !product.levels_m.empty(),
           "a product over depths");
   expects(observed.vertical == VerticalKind::depth_m && !observed.levels_m.empty(),

@@ -44,11 +44,11 @@ struct FusedColumn {
 /// @param errors    of this instrument; per level of `observed`, or empty
 [[nodiscard]] FusedColumn fuse(const VectorColumn& product, const VectorColumn& observed,
                                double distance_m, const FusionSettings& settings = {},
-                               const InstrumentErrors& errors = {});
+                               const MooredInstrumentErrors& errors = {});
 
 /// Standard deviation of a component of the difference that a product and an instrument at this
 /// distance may show: sqrt(P + R(D) + what lasts of the instrument's error).
-[[nodiscard]] double expected_difference(double distance_m, const InstrumentErrors& errors,
+[[nodiscard]] double expected_difference(double distance_m, const MooredInstrumentErrors& errors,
                                          const FusionSettings& settings = {});
 
 /// How much an instrument at this distance counts where the product lacks nothing: w above.

@@ -135,9 +135,9 @@ std::string text_of(const TideAgreement& found) {
 }
 
 /// Noise and what lasts beyond it.
-InstrumentErrors errors_of(const VectorColumn& column, std::optional<double> stated_m_s,
-                           const FusionSettings& settings) {
-  InstrumentErrors errors;
+MooredInstrumentErrors errors_of(const VectorColumn& column, std::optional<double> stated_m_s,
+                                 const FusionSettings& settings) {
+  MooredInstrumentErrors errors;
   errors.noise_m_s = instrument_noise(column);
   if (!stated_m_s) return errors;
   double noise = 0;
@@ -148,7 +148,7 @@ InstrumentErrors errors_of(const VectorColumn& column, std::optional<double> sta
   return errors;
 }
 
-void remark_on(const UnbrokenSeries& unbroken, double silent_h, InstrumentVerdict& verdict) {
+void remark_on(const UnbrokenSeries& unbroken, double silent_h, MooredInstrumentVerdict& verdict) {
   if (unbroken.spikes > 0)
     verdict.remarks.push_back(std::to_string(unbroken.spikes) +
                               (unbroken.spikes == 1 ? " spike" : " spikes") + " left out");
@@ -170,15 +170,15 @@ void remark_on(const UnbrokenSeries& unbroken, double silent_h, InstrumentVerdic
 
 }  // namespace
 
-InstrumentVerdict check_instrument(const VectorColumn& product, const VectorColumn& observed,
-                                   double distance_m, UtcTime until,
-                                   std::optional<double> stated_error_m_s,
-                                   const FusionSettings& settings) {
+MooredInstrumentVerdict check_instrument(const VectorColumn& product, const VectorColumn& observed,
+                                         double distance_m, UtcTime until,
+                                         std::optional<double> stated_error_m_s,
+                                         const FusionSettings& settings) {
   expects(!product.levels_m.empty() && !observed.levels_m.empty(), "two series over depths");
-  InstrumentVerdict verdict;
+  MooredInstrumentVerdict verdict;
   UnbrokenSeries unbroken = without_broken_samples(observed, product);
   verdict.column = std::move(unbroken.column);
-  const auto give_up = [&](InstrumentUse use, std::string why) {
+  const auto give_up = [&](MooredInstrumentUse use, std::string why) {
     verdict.use = use;
     verdict.why = std::move(why);
     return verdict;
@@ -186,29 +186,32 @@ InstrumentVerdict check_instrument(const VectorColumn& product, const VectorColu
   const auto sent = last_value(observed);
   const auto good = last_value(verdict.column);
   if (!sent || product.time.empty())
-    return give_up(InstrumentUse::apart, "it has no value to compare with the product");
+    return give_up(MooredInstrumentUse::apart, "it has no value to compare with the product");
   const bool sends_rubbish = unbroken.stuck_h > 0 && (!good || unbroken.stuck_until > *good) &&
                              hours_between(*sent, until) <= least_silence_worth_saying_h;
   verdict.is_stuck_at_the_end = sends_rubbish;
   if (!good)
-    return give_up(InstrumentUse::rejected, "its value never changes, but the product's does");
+    return give_up(MooredInstrumentUse::rejected,
+                   "its value never changes, but the product's does");
   const double silent_h = hours_between(*good, until);
   if (silent_h > -std::log(forgotten_share) * settings.slow_memory_h) {
     if (sends_rubbish)
-      return give_up(InstrumentUse::rejected,
+      return give_up(MooredInstrumentUse::rejected,
                      "its value has not changed for " + span_text(silent_h));
-    return give_up(InstrumentUse::ended, formatted("it ended {:.1f} days before", silent_h / 24));
+    return give_up(MooredInstrumentUse::ended,
+                   formatted("it ended {:.1f} days before", silent_h / 24));
   }
   verdict.errors = errors_of(verdict.column, stated_error_m_s, settings);
   remark_on(unbroken, silent_h, verdict);
   const std::vector<Moment> moments = moments_of(product, verdict.column, settings);
   if (moments.empty())
-    return give_up(InstrumentUse::apart, "it has no value at a time and depth of the product");
+    return give_up(MooredInstrumentUse::apart,
+                   "it has no value at a time and depth of the product");
   std::string bias =
       bias_of(moments, step_h(product), expected_difference(distance_m, verdict.errors, settings));
-  if (!bias.empty()) return give_up(InstrumentUse::rejected, std::move(bias));
+  if (!bias.empty()) return give_up(MooredInstrumentUse::rejected, std::move(bias));
   const auto tide = tide_disagreement(product, verdict.column, verdict.errors.noise_m_s, settings);
-  if (tide) return give_up(InstrumentUse::rejected, text_of(*tide));
+  if (tide) return give_up(MooredInstrumentUse::rejected, text_of(*tide));
   return verdict;
 }
 

@@ -10,7 +10,7 @@
 namespace slackwater::calibration {
 
 /// What an instrument is taken for.
-enum class InstrumentUse {
+enum class MooredInstrumentUse {
   used,
   ended,     ///< its last value is so old that little of it is remembered
   apart,     ///< it has no value at a time and depth of the product
@@ -18,14 +18,14 @@ enum class InstrumentUse {
 };
 
 /// An instrument after a look at its own past and at the product beside it.
-struct InstrumentVerdict {
-  InstrumentUse use = InstrumentUse::used;
+struct MooredInstrumentVerdict {
+  MooredInstrumentUse use = MooredInstrumentUse::used;
   std::string why;  ///< of one that is not used: a clause about "it"
   /// Of one that is used: what was left out and what counts for less, a clause each.
   std::vector<std::string> remarks;
   bool is_stuck_at_the_end = false;  ///< it was still sending, always the same
   VectorColumn column;               ///< without broken samples
-  InstrumentErrors errors;
+  MooredInstrumentErrors errors;
 };
 
 /// Judges an instrument before it is fused with a product. In this order:
@@ -46,10 +46,10 @@ struct InstrumentVerdict {
 ///
 /// @param product, observed  over depths, nothing of either after `until`
 /// @param stated_error_m_s   of a value of one component, where the file states it
-[[nodiscard]] InstrumentVerdict check_instrument(const VectorColumn& product,
-                                                 const VectorColumn& observed, double distance_m,
-                                                 UtcTime until,
-                                                 std::optional<double> stated_error_m_s = {},
-                                                 const FusionSettings& settings = {});
+[[nodiscard]] MooredInstrumentVerdict check_instrument(const VectorColumn& product,
+                                                       const VectorColumn& observed,
+                                                       double distance_m, UtcTime until,
+                                                       std::optional<double> stated_error_m_s = {},
+                                                       const FusionSettings& settings = {});
 
 }  // namespace slackwater::calibration

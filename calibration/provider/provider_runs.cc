@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fields/record/run.h"
+#include "fields/record/product_run.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -12,10 +12,10 @@ constexpr Duration join_ramp = std::chrono::hours(6);
 
 /// Of the runs, those of one dataset on one set of levels; the dataset asked for, else the first by
 /// precedence.
-std::vector<const Run<Horizontal>*> of_one_product(const std::vector<Run<Horizontal>>& runs,
-                                                   const std::string& dataset) {
-  std::vector<const Run<Horizontal>*> found;
-  for (const Run<Horizontal>& run : runs) {
+std::vector<const ProductRun<Horizontal>*> of_one_product(
+    const std::vector<ProductRun<Horizontal>>& runs, const std::string& dataset) {
+  std::vector<const ProductRun<Horizontal>*> found;
+  for (const ProductRun<Horizontal>& run : runs) {
     if (run.origin().reference_time && run.members == 0) found.push_back(&run);
   }
   std::stable_sort(found.begin(), found.end(), [&](const auto* a, const auto* b) {
@@ -43,8 +43,8 @@ ProviderRuns provider_runs(const VectorRecord& current, const std::string& datas
   Choice choice;
   choice.only_forecasts = true;
   choice.only_grids = true;
-  const std::vector<Run<Horizontal>> runs = runs_of(current, knowledge, choice);
-  for (const Run<Horizontal>* run : of_one_product(runs, dataset)) {
+  const std::vector<ProductRun<Horizontal>> runs = runs_of(current, knowledge, choice);
+  for (const ProductRun<Horizontal>* run : of_one_product(runs, dataset)) {
     if (run->values.back().cell.end <= from) continue;
     result.runs.push_back({column_of(*run), &run->origin()});
   }

@@ -99,7 +99,7 @@ int main(int argc, char** argv) try {
   for (int i = 5; i < argc; ++i) files.push_back({argv[i], options});
 
   const SiteData data = read(site, *job.day, files);
-  calibration::Rehearsals rehearsals(data);  // kept for further days of these data
+  calibration::RehearsedDays rehearsals(data);  // kept for further days of these data
   job.rehearsals = &rehearsals;
   const calibration::DailyForecast forecast = calibration::make_forecast(data, job);
   std::printf("%s\n", forecast.snapshot.headline.c_str());

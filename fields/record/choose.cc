@@ -4,7 +4,7 @@
 
 #include "fields/record/cadence.h"
 #include "fields/record/join.h"
-#include "fields/record/run.h"
+#include "fields/record/product_run.h"
 
 namespace slackwater {
 namespace {
@@ -19,7 +19,8 @@ bool is_like(const Origin& one, const Origin& other) {
 
 /// The values of a run that lie in time that nobody has taken, in parts that hang together.
 template <typename T>
-std::vector<Part<T>> parts_left(const Run<T>& run, std::size_t rank, const TakenTime& taken) {
+std::vector<Part<T>> parts_left(const ProductRun<T>& run, std::size_t rank,
+                                const TakenTime& taken) {
   std::vector<Part<T>> parts;
   const std::vector<UtcTime> centres = run.centres();
   bool hangs_together = false;
@@ -40,7 +41,7 @@ std::vector<Part<T>> parts_left(const Run<T>& run, std::size_t rank, const Taken
 
 /// Who speaks when: each run in the order given takes what is left of its time.
 template <typename T>
-std::vector<Part<T>> shared_out(const std::vector<const Run<T>*>& runs) {
+std::vector<Part<T>> shared_out(const std::vector<const ProductRun<T>*>& runs) {
   std::vector<Part<T>> parts;
   TakenTime taken;
   for (std::size_t rank = 0; rank < runs.size(); ++rank) {
@@ -52,7 +53,7 @@ std::vector<Part<T>> shared_out(const std::vector<const Run<T>*>& runs) {
 
 /// The same runs as in another series, each for its time there.
 template <typename T>
-std::vector<Part<T>> shared_out_like(const std::vector<Run<T>>& runs,
+std::vector<Part<T>> shared_out_like(const std::vector<ProductRun<T>>& runs,
                                      const std::vector<Stretch>& like) {
   std::vector<Part<T>> parts;
   for (const Stretch& stretch : like) {
@@ -73,7 +74,7 @@ std::vector<Part<T>> shared_out_like(const std::vector<Run<T>>& runs,
 
 /// "the analysis of ECMWF", "the run of 2024-06-11T00:00:00Z of ECMWF", "station X".
 template <typename T>
-std::string name_of_run(const Run<T>& run) {
+std::string name_of_run(const ProductRun<T>& run) {
   const Origin& origin = run.origin();
   if (origin.is_point_series) return "station " + origin.station;
   const RunName name = run_name_of(origin);
@@ -96,10 +97,10 @@ std::string beside_better(const std::vector<Part<T>>& parts, std::size_t p) {
 /// values in its time.
 template <typename T>
 std::string reason_for(const std::vector<Part<T>>& parts, std::size_t p,
-                       const std::vector<const Run<T>*>& runs) {
+                       const std::vector<const ProductRun<T>*>& runs) {
   const Part<T>& part = parts[p];
   const auto next = std::find_if(runs.begin() + static_cast<std::ptrdiff_t>(part.rank) + 1,
-                                 runs.end(), [&](const Run<T>* run) {
+                                 runs.end(), [&](const ProductRun<T>* run) {
                                    return run->values.front().cell.centre() <= part.to() &&
                                           run->values.back().cell.centre() >= part.from();
                                  });
@@ -111,7 +112,7 @@ std::string reason_for(const std::vector<Part<T>>& parts, std::size_t p,
 
 template <typename T>
 Stretch stretch_of(const Part<T>& part) {
-  const Run<T>& run = *part.run;
+  const ProductRun<T>& run = *part.run;
   Stretch stretch;
   stretch.origin = run.values[part.first].piece->origin;
   stretch.from = part.from();
@@ -155,23 +156,24 @@ Column<T> series_of(const std::vector<Part<T>>& parts, std::vector<const Origin*
 
 /// The runs in order, those alone that stand on the levels of the best.
 template <typename T>
-std::vector<const Run<T>*> in_order(const std::vector<Run<T>>& runs) {
-  std::vector<const Run<T>*> order;
+std::vector<const ProductRun<T>*> in_order(const std::vector<ProductRun<T>>& runs) {
+  std::vector<const ProductRun<T>*> order;
   order.reserve(runs.size());
-  for (const Run<T>& run : runs) order.push_back(&run);
-  std::stable_sort(order.begin(), order.end(), [](const Run<T>* a, const Run<T>* b) {
+  for (const ProductRun<T>& run : runs) order.push_back(&run);
+  std::stable_sort(order.begin(), order.end(), [](const ProductRun<T>* a, const ProductRun<T>* b) {
     return counts_before(standing_of(*a), standing_of(*b));
   });
-  std::erase_if(order, [&, best = order.empty() ? nullptr : order.front()](const Run<T>* run) {
-    return run->first->column.levels_m != best->first->column.levels_m;
-  });
+  std::erase_if(order,
+                [&, best = order.empty() ? nullptr : order.front()](const ProductRun<T>* run) {
+                  return run->first->column.levels_m != best->first->column.levels_m;
+                });
   return order;
 }
 
 template <typename T>
 Chosen<T> choose_from(const Record<T>& record, const Knowledge& knowledge, const Choice& choice) {
-  const std::vector<Run<T>> runs = runs_of(record, knowledge, choice);
-  const std::vector<const Run<T>*> order = in_order(runs);
+  const std::vector<ProductRun<T>> runs = runs_of(record, knowledge, choice);
+  const std::vector<const ProductRun<T>*> order = in_order(runs);
   std::vector<Part<T>> parts =
       choice.like != nullptr ? shared_out_like(runs, *choice.like) : shared_out(order);
   Chosen<T> chosen;

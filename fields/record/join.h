@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "fields/record/cadence.h"
-#include "fields/record/run.h"
+#include "fields/record/product_run.h"
 
 namespace slackwater {
 
 /// The values of one run that became part of a series: `count` from `first` on.
 template <typename T>
 struct Part {
-  const Run<T>* run = nullptr;
+  const ProductRun<T>* run = nullptr;
   std::size_t rank = 0;  ///< smaller counts before larger
   std::size_t first = 0;
   std::size_t count = 0;
@@ -23,7 +23,7 @@ struct Part {
 /// What a run says of a time and level itself: on the line between its values; at most half a day
 /// beyond them its first or last.
 template <typename T>
-[[nodiscard]] std::optional<T> said_at(const Run<T>& run, UtcTime time, std::size_t k) {
+[[nodiscard]] std::optional<T> said_at(const ProductRun<T>& run, UtcTime time, std::size_t k) {
   constexpr Duration beyond = std::chrono::hours(12);
   const auto after = std::lower_bound(
       run.values.begin(), run.values.end(), time,

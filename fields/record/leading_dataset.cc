@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "fields/record/run.h"
+#include "fields/record/product_run.h"
 
 namespace slackwater {
 namespace {
@@ -34,7 +34,7 @@ struct Presence {
 std::map<std::string, Presence> presence_in(const VectorRecord& record, UtcTime from, UtcTime to,
                                             const Knowledge& knowledge) {
   std::map<std::string, Presence> found;
-  for (const Run<Horizontal>& run : runs_of(record, knowledge, {.every_series = true})) {
+  for (const ProductRun<Horizontal>& run : runs_of(record, knowledge, {.every_series = true})) {
     Presence& presence = found[run.origin().dataset];
     presence.origin = &run.origin();
     presence.levels = std::max(presence.levels, run.first->column.levels());

@@ -210,12 +210,12 @@ void agent_in_lock_step(BenchReport& report) {
   std::uint64_t hosted = 0;
   double from_s = 0, until_s = 0;
   Live how{on_loopback(), 0};
-  twin::Steward* steward = nullptr;
+  twin::CommandArbiter* arbiter = nullptr;
   how.also = [&](const api::RunInHand& hand) {
-    steward = &hand.steward;
+    arbiter = &hand.arbiter;
     // It begins once the agent has asked for the vehicle.
     hand.run.at_opening([&](const twin::StepTime&) {
-      while (steward->holder(0).empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      while (arbiter->holder(0).empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
       if (hosted++ == 0) from_s = monotonic_s();
       until_s = monotonic_s();
     });
@@ -283,10 +283,10 @@ void long_lists(BenchReport& report) {
   std::uint64_t taken = 0, refused = 0;
   Live how{on_loopback()};
   how.also = [&](const api::RunInHand& hand) {
-    hand.run.at_barrier([&, &steward = hand.steward, &control = hand.control](const auto&) {
-      taken = steward.taken(0);
+    hand.run.at_barrier([&, &arbiter = hand.arbiter, &control = hand.control](const auto&) {
+      taken = arbiter.taken(0);
       refused = 0;
-      for (const twin::RefusalCount& of : steward.refusals())
+      for (const twin::RefusalCount& of : arbiter.refusals())
         if (of.reason == twin::RefusalReason::unauthorised) refused += of.count;
       if (check_only && taken >= enough && refused >= enough) control.stop();
     });

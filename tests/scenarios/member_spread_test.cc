@@ -52,7 +52,7 @@ MemberTally forecasts_of(std::uint64_t seed, int count) {
   const KnownSeriesForTests known = known_ocean(ocean, seed, all_days);
   std::vector<ColumnData> columns{known.data};
   const SiteData data = site_of(std::move(columns));
-  calibration::Rehearsals rehearsals(data);
+  calibration::RehearsedDays rehearsals(data);
   MemberTally tally;
   for (int d = 0; d < count; ++d) {
     calibration::ForecastOptions options;
@@ -98,7 +98,7 @@ MemberTally forecasts_of_set(const char* name, const std::vector<std::filesystem
   const UtcTime begin(parse_day(from));
   const UtcTime end = UtcTime(parse_day(to)) + days(2);
   const SiteData data = api::load_site_data(store, site, begin - calibration::history_wanted, end);
-  calibration::Rehearsals rehearsals(data);
+  calibration::RehearsedDays rehearsals(data);
   MemberTally tally;
   for (UtcDay day = parse_day(from); day <= parse_day(to); day += days(1)) {
     calibration::ForecastOptions options;

@@ -18,8 +18,8 @@
 namespace slackwater::tests {
 namespace {
 
-using calibration::InstrumentUse;
-using calibration::InstrumentVerdict;
+using calibration::MooredInstrumentUse;
+using calibration::MooredInstrumentVerdict;
 
 struct Mooring {
   const char* file;
@@ -104,9 +104,10 @@ TEST(RealInstruments, AreUsedBesideProductsOfAnyQuality) {
           std::pair{"of the week's mean", ProductOfIt{168, 0, 0, 1, 0.15, 6}},
           std::pair{"late and turned", ProductOfIt{1, 0.7, 10, 0.8, 0.1, 1}},
           std::pair{"smooth, every 3 h", ProductOfIt{5, -0.5, -10, 1.2, 0.12, 3}}}) {
-      const InstrumentVerdict verdict =
+      const MooredInstrumentVerdict verdict =
           calibration::check_instrument(product_of(seen, how), seen, 3000, until);
-      EXPECT_EQ(verdict.use, InstrumentUse::used) << mooring.file << ' ' << what << verdict.why;
+      EXPECT_EQ(verdict.use, MooredInstrumentUse::used)
+          << mooring.file << ' ' << what << verdict.why;
       const auto broken = std::count(verdict.column.status.begin(), verdict.column.status.end(),
                                      SampleStatus::suspect) -
                           std::count(seen.status.begin(), seen.status.end(), SampleStatus::suspect);
@@ -133,8 +134,9 @@ TEST(RealInstruments, AreRejectedWithAFaultPutIntoThem) {
         std::pair{Horizontal{1, 0}, Horizontal{0.8, 0}}}) {
     VectorColumn wrong = seen;
     for (Horizontal& value : wrong.value) value = turn * value + bias;
-    const InstrumentVerdict verdict = calibration::check_instrument(product, wrong, 3000, until);
-    EXPECT_EQ(verdict.use, InstrumentUse::rejected);
+    const MooredInstrumentVerdict verdict =
+        calibration::check_instrument(product, wrong, 3000, until);
+    EXPECT_EQ(verdict.use, MooredInstrumentUse::rejected);
     std::printf("%s\n", verdict.why.c_str());
   }
 }

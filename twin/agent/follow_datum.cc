@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "twin/agent/helm.h"
-#include "twin/agent/look_out.h"
+#include "twin/agent/keep_lookout.h"
 #include "twin/body/frame.h"
 #include "twin/mission/way_round.h"
 

@@ -6,7 +6,7 @@
 #include "fields/base/text.h"
 #include "twin/agent/conduct.h"
 #include "twin/agent/follow_datum.h"
-#include "twin/agent/look_out.h"
+#include "twin/agent/keep_lookout.h"
 #include "twin/body/frame.h"
 #include "twin/mission/way_round.h"
 #include "twin/vehicle/cruise_power.h"

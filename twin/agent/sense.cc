@@ -10,12 +10,12 @@ namespace {
 
 constexpr double alignment_s = 30;
 
-double interval_s(const Instruments& instruments, std::uint64_t every) {
+double interval_s(const SensorSuite& instruments, std::uint64_t every) {
   return static_cast<double>(every) * instruments.dt_s;
 }
 
 /// The lever of the antenna is known and taken out: a fix is that of the vehicle's origin.
-std::optional<GnssFix> look_up(const Instruments& instruments, InstrumentState& state,
+std::optional<GnssFix> look_up(const SensorSuite& instruments, InstrumentState& state,
                                const Triple<double>& position_m, const Rotation<double>& r,
                                const Triple<double>& velocity_m_s, double surface_m) {
   const Gnss& gnss = *instruments.sensors.gnss;
@@ -31,7 +31,7 @@ std::optional<GnssFix> look_up(const Instruments& instruments, InstrumentState& 
   return fix;
 }
 
-std::optional<DvlReading> ping(const Instruments& instruments, InstrumentState& state,
+std::optional<DvlReading> ping(const SensorSuite& instruments, InstrumentState& state,
                                const SensedWater& water, const Triple<double>& position_m,
                                const Rotation<double>& r, const Triple<double>& velocity_m_s) {
   const Scene scene = scene_at(water, position_m);
@@ -72,7 +72,7 @@ Navigation plan_navigation(const Vehicle& vehicle, double dt_s, bool steers) {
 
 NavigationState begun(const Navigation& navigation, std::uint64_t seed, std::string_view vehicle,
                       const BodyState<double>& body) {
-  const Instruments& instruments = navigation.instruments;
+  const SensorSuite& instruments = navigation.instruments;
   NavigationState state;
   state.instruments = started(instruments, seed, vehicle, body);
   const ImuReading mean = at_rest(instruments, state.instruments, body, alignment_s);
@@ -100,7 +100,7 @@ Scene scene_at(const SensedWater& water, const Triple<double>& position_m) noexc
 
 Measured sense(const Navigation& navigation, const SensedWater& water,
                const BodyState<double>& body, NavigationState& state) {
-  const Instruments& instruments = navigation.instruments;
+  const SensorSuite& instruments = navigation.instruments;
   const Navigator& navigator = navigation.navigator;
   InstrumentState& looked = state.instruments;
   const Rotation<double> r = rotation_of(body.attitude);

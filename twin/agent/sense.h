@@ -1,14 +1,14 @@
 #pragma once
 #include "twin/environment/environment.h"
-#include "twin/navigation/instruments.h"
 #include "twin/navigation/navigator.h"
+#include "twin/navigation/sensor_suite.h"
 #include "twin/vehicle/vehicle.h"
 
 namespace slackwater::twin {
 
 /// How a vehicle knows where it is: its instruments, and what it makes of them.
 struct Navigation {
-  Instruments instruments;
+  SensorSuite instruments;
   Navigator navigator;
   bool steers = true;  ///< the autopilot goes by it; else by the truth, and it only goes along
 };

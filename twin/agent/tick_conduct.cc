@@ -5,8 +5,8 @@
 #include "twin/agent/follow_datum.h"
 #include "twin/agent/helm.h"
 #include "twin/agent/hung_line.h"
+#include "twin/agent/keep_lookout.h"
 #include "twin/agent/look_about.h"
-#include "twin/agent/look_out.h"
 #include "twin/agent/waypoints_home.h"
 
 namespace slackwater::twin {
@@ -246,7 +246,7 @@ bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Compa
   if (state.halt != Halt::none) return false;
   if (own.has_ended && !state.helm.is_helmed())
     return own.is_aboard && carry(agent, carrier, state);
-  look_out(agent, t_s, state);
+  keep_lookout(agent, t_s, state);
   follow_datum(agent, t_s, state);
   look_about(agent, t_s, state, carrier);
   if (!is_free_of_helm(agent, t_s, carrier, state)) return false;

@@ -1,6 +1,6 @@
 #include "twin/mission/conduct.h"
 #include "twin/mission/reach.h"
-#include "twin/mission/read_look_out.h"
+#include "twin/mission/read_lookout.h"
 #include "twin/mission/read_seconds.h"
 
 namespace slackwater::twin {

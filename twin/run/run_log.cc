@@ -16,48 +16,48 @@ namespace slackwater::twin {
 namespace {
 
 constexpr std::array columns{
-    LogColumn{"x", "", "m", "east of the origin", 1},
-    LogColumn{"y", "", "m", "north of the origin", 1},
-    LogColumn{"z", "", "m", "up from mean sea level", 1},
-    LogColumn{"roll", "platform_roll", "rad", "roll, to starboard", 1},
-    LogColumn{"pitch", "platform_pitch", "rad", "pitch, bow up", 1},
-    LogColumn{"yaw", "platform_yaw", "rad", "heading of the bow, clockwise from north", 1},
-    LogColumn{"velocity_body", "", "m s-1", "velocity over ground: ahead, to starboard, down", 3},
-    LogColumn{"rate_body", "", "rad s-1", "rate of turn: roll, pitch, yaw", 3},
-    LogColumn{"water_velocity", "", "m s-1",
-              "water at the vehicle, current and waves: east, north, up", 3},
-    LogColumn{"speed_through_water", "", "m s-1",
-              "of the vehicle ahead, against the current without the waves", 1},
-    LogColumn{"wind_velocity", "", "m s-1", "wind at the vehicle: east, north, up", 3},
-    LogColumn{"surface_elevation", "", "m", "of the sea surface above still water, at the vehicle",
-              1},
-    LogColumn{"thrust", "", "N", "of each thruster", most_mounts},
-    LogColumn{"thruster_state", "", "1", "behind its lag: command, shaft speed or thrust",
-              most_mounts},
-    LogColumn{"rudder", "", "rad", "positive: bow to starboard", 1},
-    LogColumn{"elevator", "", "rad", "positive: bow up", 1},
-    LogColumn{"moving_mass", "", "m", "forward of its middle", 1},
-    LogColumn{"buoyancy_volume", "", "m3", "against neutral", 1},
-    LogColumn{"electrical_power", "", "W", "drawn from the battery, or from what is in its place",
-              1},
-    LogColumn{"electrical_energy", "", "J", "drawn since the start, whatever gave it", 1},
-    LogColumn{"bus_voltage", "", "V", "of the bus", 1},
-    LogColumn{"battery_current", "", "A", "drawn from the battery", 1},
-    LogColumn{"state_of_charge", "", "1", "1 full, 0 empty", 1},
-    LogColumn{"battery_off", "", "1", "1: cut off or empty", 1},
-    LogColumn{"charge_drawn", "", "C", "since the start", 1},
-    LogColumn{"energy_delivered", "", "J", "by the battery since the start", 1},
-    LogColumn{"fuel_burnt", "", "kg", "since the start", 1},
-    LogColumn{"tether_tension", "", "N", "at the vehicle", 1},
-    LogColumn{"tether_top", "", "m", "where its tether hangs from: east, north, up", 3},
-    LogColumn{"across_track", "", "m", "from the leg under way, positive right of it", 1},
-    LogColumn{"below_track", "", "m",
-              "from the leg under way or the place that is held, positive below it", 1},
-    LogColumn{"task", "", "1", "number of the task under way, from 0", 1},
-    LogColumn{"halt", "", "1",
-              "0 goes on, 1 diverged, 2 outside_area, 3 outside_time, 4 aground, 5 no_data, 6 "
-              "struck, 7 capsized, 8 no_headway",
-              1},
+    LogVariable{"x", "", "m", "east of the origin", 1},
+    LogVariable{"y", "", "m", "north of the origin", 1},
+    LogVariable{"z", "", "m", "up from mean sea level", 1},
+    LogVariable{"roll", "platform_roll", "rad", "roll, to starboard", 1},
+    LogVariable{"pitch", "platform_pitch", "rad", "pitch, bow up", 1},
+    LogVariable{"yaw", "platform_yaw", "rad", "heading of the bow, clockwise from north", 1},
+    LogVariable{"velocity_body", "", "m s-1", "velocity over ground: ahead, to starboard, down", 3},
+    LogVariable{"rate_body", "", "rad s-1", "rate of turn: roll, pitch, yaw", 3},
+    LogVariable{"water_velocity", "", "m s-1",
+                "water at the vehicle, current and waves: east, north, up", 3},
+    LogVariable{"speed_through_water", "", "m s-1",
+                "of the vehicle ahead, against the current without the waves", 1},
+    LogVariable{"wind_velocity", "", "m s-1", "wind at the vehicle: east, north, up", 3},
+    LogVariable{"surface_elevation", "", "m",
+                "of the sea surface above still water, at the vehicle", 1},
+    LogVariable{"thrust", "", "N", "of each thruster", most_mounts},
+    LogVariable{"thruster_state", "", "1", "behind its lag: command, shaft speed or thrust",
+                most_mounts},
+    LogVariable{"rudder", "", "rad", "positive: bow to starboard", 1},
+    LogVariable{"elevator", "", "rad", "positive: bow up", 1},
+    LogVariable{"moving_mass", "", "m", "forward of its middle", 1},
+    LogVariable{"buoyancy_volume", "", "m3", "against neutral", 1},
+    LogVariable{"electrical_power", "", "W", "drawn from the battery, or from what is in its place",
+                1},
+    LogVariable{"electrical_energy", "", "J", "drawn since the start, whatever gave it", 1},
+    LogVariable{"bus_voltage", "", "V", "of the bus", 1},
+    LogVariable{"battery_current", "", "A", "drawn from the battery", 1},
+    LogVariable{"state_of_charge", "", "1", "1 full, 0 empty", 1},
+    LogVariable{"battery_off", "", "1", "1: cut off or empty", 1},
+    LogVariable{"charge_drawn", "", "C", "since the start", 1},
+    LogVariable{"energy_delivered", "", "J", "by the battery since the start", 1},
+    LogVariable{"fuel_burnt", "", "kg", "since the start", 1},
+    LogVariable{"tether_tension", "", "N", "at the vehicle", 1},
+    LogVariable{"tether_top", "", "m", "where its tether hangs from: east, north, up", 3},
+    LogVariable{"across_track", "", "m", "from the leg under way, positive right of it", 1},
+    LogVariable{"below_track", "", "m",
+                "from the leg under way or the place that is held, positive below it", 1},
+    LogVariable{"task", "", "1", "number of the task under way, from 0", 1},
+    LogVariable{"halt", "", "1",
+                "0 goes on, 1 diverged, 2 outside_area, 3 outside_time, 4 aground, 5 no_data, 6 "
+                "struck, 7 capsized, 8 no_headway",
+                1},
 };
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -136,11 +136,11 @@ struct Pen {
 
 }  // namespace
 
-std::span<const LogColumn> log_columns() noexcept { return columns; }
+std::span<const LogVariable> log_variables() noexcept { return columns; }
 
 std::size_t log_row_size() noexcept {
   std::size_t sum = 0;
-  for (const LogColumn& column : columns) sum += column.per;
+  for (const LogVariable& column : columns) sum += column.per;
   return sum;
 }
 
@@ -219,7 +219,7 @@ std::size_t RunLog::first_time(std::size_t vehicle) const {
 
 std::vector<double> RunLog::column(std::size_t vehicle, std::string_view name) const {
   std::size_t start = 0;
-  for (const LogColumn& column : columns) {
+  for (const LogVariable& column : columns) {
     if (column.name == name) {
       std::vector<double> out;
       const std::size_t size = log_row_size();

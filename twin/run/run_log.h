@@ -8,14 +8,14 @@
 namespace slackwater::twin {
 
 /// One quantity of a log, ENU at the site's origin (fields/docs/conventions.md), SI.
-struct LogColumn {
+struct LogVariable {
   const char* name;
   const char* standard_name;  ///< of CF; empty: it has none
   const char* units;
   const char* long_name;
   std::size_t per = 1;  ///< values of a vehicle at a time
 };
-[[nodiscard]] std::span<const LogColumn> log_columns() noexcept;
+[[nodiscard]] std::span<const LogVariable> log_variables() noexcept;
 /// Numbers in a row: all columns, one after the other.
 [[nodiscard]] std::size_t log_row_size() noexcept;
 

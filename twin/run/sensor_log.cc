@@ -13,7 +13,7 @@ namespace {
 constexpr double adcp_every_s = 60;
 
 /// Writes numbers one after the other; what nobody gives stays NaN.
-struct Pen {
+struct SensorPen {
   std::span<double> out;
   std::size_t at = 0;
   void put(double value) { out[at++] = value; }
@@ -37,7 +37,7 @@ NoiseStream stream_of(std::uint64_t seed, const Agent& agent, const char* instru
 }
 
 void put_nearest_echo(const RangeSonar& sonar, NoiseStream noise, const Scene& scene,
-                      const BodyState<double>& body, Pen& pen) {
+                      const BodyState<double>& body, SensorPen& pen) {
   const auto echoes = measured(sonar, noise, scene, body.position_m, rotation_of(body.attitude));
   const SonarEcho* nearest = nullptr;
   for (const SonarEcho& echo : echoes)
@@ -86,11 +86,11 @@ SensorLog::SensorLog(std::span<const Agent> agents, bool with_readings, std::uin
     needs_.compass = needs_.imu = true;
   }
   add_columns();
-  for (const LogColumn& column : columns_) row_size_ += column.per;
+  for (const LogVariable& column : columns_) row_size_ += column.per;
 }
 
 void SensorLog::add_columns() {
-  const auto add = [&](bool is_needed, const LogColumn& column) {
+  const auto add = [&](bool is_needed, const LogVariable& column) {
     if (is_needed) columns_.push_back(column);
   };
   add(needs_.error, {"navigation_error", "", "m",
@@ -148,7 +148,7 @@ void SensorLog::write(double time_s, const Agent& agent, const AgentState& state
   const Shown& shown = state.navigation.instruments.shown;
   const BodyState<double>& body = state.vehicle.body;
   const SensedWater water{*agent.water, state.elevation_m, time_s};
-  Pen pen{out};
+  SensorPen pen{out};
   const auto put = [&](bool is_needed, bool has, std::size_t numbers, const auto& writes) {
     if (!is_needed) return;
     if (has)
@@ -189,7 +189,7 @@ void SensorLog::write(double time_s, const Agent& agent, const AgentState& state
 
 std::vector<double> SensorLog::column(std::size_t vehicle, std::string_view name) const {
   std::size_t start = 0;
-  for (const LogColumn& column : columns_) {
+  for (const LogVariable& column : columns_) {
     if (column.name == name) {
       std::vector<double> out;
       const std::vector<double>& row = rows.at(vehicle);

@@ -25,7 +25,7 @@ class SensorLog {
   /// As `RunLog::let_join`.
   void let_join(std::size_t vehicles);
 
-  [[nodiscard]] std::span<const LogColumn> columns() const noexcept { return columns_; }
+  [[nodiscard]] std::span<const LogVariable> columns() const noexcept { return columns_; }
   /// A column of one vehicle, times x per. @throws ContractViolation for one that is not there
   [[nodiscard]] std::vector<double> column(std::size_t vehicle, std::string_view name) const;
 
@@ -46,7 +46,7 @@ class SensorLog {
 
   Needs needs_;
   std::uint64_t seed_ = 0;
-  std::vector<LogColumn> columns_;
+  std::vector<LogVariable> columns_;
   std::size_t row_size_ = 0;
 };
 

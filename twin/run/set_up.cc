@@ -9,7 +9,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/agent/follow_tracks.h"
-#include "twin/agent/look_out.h"
+#include "twin/agent/keep_lookout.h"
 #include "twin/body/frame.h"
 #include "twin/environment/sea_of_run.h"
 #include "twin/run/expect_places.h"

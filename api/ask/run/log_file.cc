@@ -62,7 +62,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
   file.epoch = result.account.start;
   file.t_s = result.log.t_s;
   add_places(origin, result.log, agents.size(), file);
-  for (const twin::LogColumn& column : twin::log_columns()) {
+  for (const twin::LogVariable& column : twin::log_variables()) {
     TrajectoryFile::Variable variable{column.name,      column.standard_name, column.units,
                                       column.long_name, column.per,           {}};
     for (std::size_t i = 0; i < agents.size(); ++i) {
@@ -71,7 +71,7 @@ TrajectoryFile log_file_of(const twin::Scenario& scenario, const ScenarioWater& 
     }
     file.variables.push_back(std::move(variable));
   }
-  for (const twin::LogColumn& column : result.sensed.columns()) {
+  for (const twin::LogVariable& column : result.sensed.columns()) {
     TrajectoryFile::Variable variable{column.name,      column.standard_name, column.units,
                                       column.long_name, column.per,           {}};
     for (std::size_t i = 0; i < agents.size(); ++i) {

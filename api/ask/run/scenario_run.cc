@@ -44,17 +44,18 @@ struct WatchedRun {
   twin::TrafficWatch& watch;
   ScenarioResult& so_far;
   const twin::Scenario& scenario;
-  const twin::Slipway& slipway;
+  const twin::NewcomerYard& newcomer_yard;
   const std::filesystem::path& data_folder;
-  std::unique_ptr<twin::Steward> steward{};  ///< where somebody takes part
+  std::unique_ptr<twin::CommandArbiter> arbiter{};  ///< where somebody takes part
 };
 
 /// Vehicles that joined by these commands, ready once more: nothing is read while the run goes on.
-void make_ready(const twin::Slipway& slipway, std::vector<twin::Command>& commands) {
+void make_ready(const twin::NewcomerYard& newcomer_yard, std::vector<twin::Command>& commands) {
   for (twin::Command& command : commands)
     if (auto* spawn = std::get_if<twin::Spawn>(&command.what))
-      with_context("vehicle " + spawn->newcomer.name,
-                   [&] { spawn->ready = slipway.ready(spawn->newcomer, command.received_s); });
+      with_context("vehicle " + spawn->newcomer.name, [&] {
+        spawn->ready = newcomer_yard.ready(spawn->newcomer, command.received_s);
+      });
 }
 
 std::size_t newcomers_in(std::span<const twin::Command> commands) {
@@ -74,12 +75,12 @@ std::string newcomer_checksums(const twin::Run::Checkpoint& checkpoint,
 void save(const WatchedRun& watched, const CheckpointOrigin& origin,
           const std::filesystem::path& file) {
   const twin::SensorLog& sensed = watched.so_far.sensed;
-  const auto& steward = watched.steward;
+  const auto& arbiter = watched.arbiter;
   twin::Run::Checkpoint checkpoint = watched.run.checkpoint();
   std::string newcomers = newcomer_checksums(checkpoint, watched.data_folder);
   write_checkpoint(
       {std::move(checkpoint), watched.so_far.log, sensed.rows, sensed.last_s, watched.watch.state(),
-       steward ? steward->refusals() : watched.so_far.refusals, std::move(newcomers)},
+       arbiter ? arbiter->refusals() : watched.so_far.refusals, std::move(newcomers)},
       origin, file);
 }
 
@@ -105,8 +106,8 @@ void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
       throw Error(ErrorKind::invalid_input,
                   "the files of vehicles that joined its run are others now; take it up with the "
                   "version that wrote it");
-    make_ready(watched.slipway, checkpoint.taken);
-    make_ready(watched.slipway, checkpoint.waiting);
+    make_ready(watched.newcomer_yard, checkpoint.taken);
+    make_ready(watched.newcomer_yard, checkpoint.waiting);
   });
   run.restore(checkpoint);
   watched.watch.restore(std::move(standing.watch));
@@ -135,7 +136,7 @@ void let_in(const RunChoice& choice, const ScenarioWater& water, const twin::Rea
   twin::Run& run = watched.run;
   if (!choice.record.refusals.empty()) watched.so_far.refusals = choice.record.refusals;
   std::vector<twin::Command> commands = choice.record.commands;
-  make_ready(watched.slipway, commands);
+  make_ready(watched.newcomer_yard, commands);
   std::vector<const Agent*> agents;
   for (const Agent& agent : run.agents()) agents.push_back(&agent);
   for (const twin::Command& command : commands) {
@@ -150,11 +151,11 @@ void let_in(const RunChoice& choice, const ScenarioWater& water, const twin::Rea
     run.enqueue(command);
   }
   if (!choice.on_ready) return;
-  watched.steward = std::make_unique<twin::Steward>(run);
-  watched.steward->restore(watched.so_far.refusals);
-  choice.on_ready({run, control, *watched.steward, watched.scenario, water, ready.start,
+  watched.arbiter = std::make_unique<twin::CommandArbiter>(run);
+  watched.arbiter->restore(watched.so_far.refusals);
+  choice.on_ready({run, control, *watched.arbiter, watched.scenario, water, ready.start,
                    ready.origin, ready.environment, watched.so_far.vessels, watched.watch,
-                   watched.slipway});
+                   watched.newcomer_yard});
 }
 
 /// Tells whoever took part that it is over.
@@ -208,11 +209,11 @@ ScenarioResult begun(const ScenarioWater& water, const twin::ReadyRun& ready) {
 
 /// What is known after the last one.
 void conclude(const WatchedRun& watched, const ScenarioWater& water, const GeoPoint& origin) {
-  auto& [run, watch, result, scenario, slipway, data_folder, steward] = watched;
+  auto& [run, watch, result, scenario, newcomer_yard, data_folder, arbiter] = watched;
   const auto agents = run.agents();
   result.account.ran_s = run.time_s();
   result.commands.assign(run.commands_taken().begin(), run.commands_taken().end());
-  if (steward) result.refusals = steward->refusals();
+  if (arbiter) result.refusals = arbiter->refusals();
   result.log.let_join(agents.size());
   result.sensed.let_join(agents.size());
   const twin::EndedRun ended{agents, run.states(), scenario.structures, run.time_s()};
@@ -244,9 +245,9 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   result.log.reserve(run.agents().size(), steps / every + 2);
   result.sensed = twin::SensorLog(run.agents(), scenario.logs_sensors, scenario.seed);
 
-  const twin::Slipway slipway(scenario, water.surround.data_folder, std::move(ready.vehicles),
-                              run.agents());
-  WatchedRun watched{run, watch, result, scenario, slipway, water.surround.data_folder};
+  const twin::NewcomerYard newcomer_yard(scenario, water.surround.data_folder,
+                                         std::move(ready.vehicles), run.agents());
+  WatchedRun watched{run, watch, result, scenario, newcomer_yard, water.surround.data_folder};
   const CheckpointOrigin origin = checkpoint_origin(scenario, water, ready.vessels);
   const Recorder recorder{run, result.log, result.sensed};
   if (choice.restore.empty())

@@ -12,12 +12,12 @@
 #include "api/log/inspected.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/account/vehicle_account.h"
-#include "twin/helm/steward.h"
+#include "twin/helm/command_arbiter.h"
+#include "twin/run/newcomer_yard.h"
 #include "twin/run/run_control.h"
 #include "twin/run/run_log.h"
 #include "twin/run/sensor_log.h"
 #include "twin/run/set_up.h"
-#include "twin/run/slipway.h"
 #include "twin/run/traffic_watch.h"
 #include "twin/scenario/scenario.h"
 
@@ -76,7 +76,7 @@ struct ScenarioResult {
 struct RunInHand {
   twin::Run& run;  ///< looked on with `at_barrier` and driven with `at_opening`
   twin::RunControl& control;
-  twin::Steward& steward;  ///< the way in for commands
+  twin::CommandArbiter& arbiter;  ///< the way in for commands
   const twin::Scenario& scenario;
   const ScenarioWater& water;
   UtcTime start;
@@ -84,7 +84,7 @@ struct RunInHand {
   std::shared_ptr<const twin::Environment> environment;
   std::span<const twin::TrafficVessel> vessels;  ///< the traffic
   const twin::TrafficWatch& watch;               ///< whom its vehicles are alarmed about
-  const twin::Slipway& slipway;                  ///< for vehicles that join it
+  const twin::NewcomerYard& newcomer_yard;       ///< for vehicles that join it
 };
 
 /// Vehicles that may join a run while it goes on.

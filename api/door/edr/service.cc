@@ -109,7 +109,7 @@ class Service {
 
   /// A data query that was read, and the format of its answer.
   struct Planned {
-    Plan plan;
+    QueryPoints plan;
     Format format;
   };
 

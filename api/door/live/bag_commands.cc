@@ -7,10 +7,11 @@
 namespace slackwater::live {
 
 BagCommands::BagCommands(const std::filesystem::path& bag, const std::vector<std::string>& names,
-                         Desk& desk, std::function<void(const std::string&)> on_trouble)
+                         CommandDoor& command_door,
+                         std::function<void(const std::string&)> on_trouble)
     : path_(bag),
       client_("bag " + bag.filename().string()),
-      desk_(desk),
+      command_door_(command_door),
       on_trouble_(std::move(on_trouble)),
       bag_(bag::open_bag(bag)) {
   bool has_any = false;
@@ -61,7 +62,7 @@ std::optional<BagCommands::Due> BagCommands::next_or_end() {
 void BagCommands::hand_in(double start_s) {
   constexpr double soon_s = 1e-6;  // what rounding leaves of a number of steps
   for (; due_ && due_->at_s <= start_s + soon_s; due_ = next_or_end())
-    live::hand_in(desk_, client_, due_->target.vehicle, due_->target.read, due_->message);
+    live::hand_in(command_door_, client_, due_->target.vehicle, due_->target.read, due_->message);
 }
 
 }  // namespace slackwater::live

@@ -21,8 +21,8 @@ class BagCommands {
   /// @param on_trouble  is told what a reader of the bag should know; may be empty
   /// @throws Error(invalid_input) for a bag without a command for any of them, and what `open_bag`
   ///         throws
-  BagCommands(const std::filesystem::path& bag, const std::vector<std::string>& names, Desk& desk,
-              std::function<void(const std::string&)> on_trouble);
+  BagCommands(const std::filesystem::path& bag, const std::vector<std::string>& names,
+              CommandDoor& command_door, std::function<void(const std::string&)> on_trouble);
 
   /// At the opening of a step: what is due at its start. @param start_s  of the run
   void hand_in(double start_s);
@@ -44,7 +44,7 @@ class BagCommands {
 
   std::filesystem::path path_;
   std::string client_;
-  Desk& desk_;
+  CommandDoor& command_door_;
   std::function<void(const std::string&)> on_trouble_;
   std::unique_ptr<bag::Bag> bag_;
   std::vector<std::optional<Target>> targets_;  ///< of the bag's channels

@@ -34,13 +34,13 @@ constexpr std::array<CommandTopic, 3> topics{
 
 std::span<const CommandTopic> command_topics() noexcept { return topics; }
 
-void hand_in(Desk& desk, const std::string& client, std::size_t vehicle,
+void hand_in(CommandDoor& command_door, const std::string& client, std::size_t vehicle,
              twin::CommandWhat (*read)(dds::Payload), dds::Payload message, double held_back_s) {
   try {
-    (void)desk.submit(client, vehicle, read(message), dds::Bytes(message.begin(), message.end()),
-                      held_back_s);
+    (void)command_door.submit(client, vehicle, read(message),
+                              dds::Bytes(message.begin(), message.end()), held_back_s);
   } catch (const std::exception& e) {
-    desk.refuse(client, vehicle, e.what());
+    command_door.refuse(client, vehicle, e.what());
   }
 }
 

@@ -2,7 +2,7 @@
 #include <span>
 #include <string>
 
-#include "api/door/live/desk.h"
+#include "api/door/live/command_door.h"
 
 namespace slackwater::live {
 
@@ -16,8 +16,8 @@ struct CommandTopic {
 [[nodiscard]] std::span<const CommandTopic> command_topics() noexcept;
 
 /// Hands in what came on one of them, or says on `/NAME/refused` why it cannot be read.
-/// @param held_back_s  see `Desk::submit`
-void hand_in(Desk& desk, const std::string& client, std::size_t vehicle,
+/// @param held_back_s  see `CommandDoor::submit`
+void hand_in(CommandDoor& command_door, const std::string& client, std::size_t vehicle,
              twin::CommandWhat (*read)(dds::Payload), dds::Payload message, double held_back_s = 0);
 
 }  // namespace slackwater::live

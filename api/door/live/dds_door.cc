@@ -22,13 +22,14 @@ dds::Bytes done_or(const std::optional<twin::Refusal>& refusal, const std::strin
 
 }  // namespace
 
-DdsDoor::DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk, DoorRun run)
+DdsDoor::DdsDoor(dds::Participant& participant, Stream& stream, CommandDoor& command_door,
+                 DoorRun run)
     : participant_(participant),
       stream_(stream),
-      desk_(desk),
+      command_door_(command_door),
       run_(std::move(run)),
-      spawn_(participant, desk.steward(), run_.slipway, run_.site) {
-  participant_.on_lost([&desk](const std::string& client) { desk.lost(client); });
+      spawn_(participant, command_door.arbiter(), run_.newcomer_yard, run_.site) {
+  participant_.on_lost([&command_door](const std::string& client) { command_door.lost(client); });
   open_run_services();
 }
 
@@ -36,7 +37,7 @@ void DdsDoor::open(const std::string& name) {
   const std::size_t vehicle = actions_.size();
   open_topics(name, vehicle);
   open_vehicle_services(name, vehicle);
-  actions_.emplace_back(participant_, stream_, desk_, run_.place, name, vehicle);
+  actions_.emplace_back(participant_, stream_, command_door_, run_.place, name, vehicle);
   spawn_.open(name);
 }
 
@@ -129,28 +130,28 @@ void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {
     participant_.subscribe_timed(
         channel, [this, vehicle, read = topic.read](dds::Payload message, const std::string& client,
                                                     double held_back_s) {
-          hand_in(desk_, client, vehicle, read, message, held_back_s);
+          hand_in(command_door_, client, vehicle, read, message, held_back_s);
         });
   }
 }
 
 void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle) {
-  twin::Steward& steward = desk_.steward();
+  twin::CommandArbiter& arbiter = command_door_.arbiter();
   serve(
       "/" + name + "/authority", "std_srvs/srv/SetBool",
-      [&steward, vehicle](dds::Payload request, const std::string& client) {
-        const double now_s = steward.time_s();
+      [&arbiter, vehicle](dds::Payload request, const std::string& client) {
+        const double now_s = arbiter.time_s();
         if (dds::read_set_bool(request))
           // A client whose replies cannot be told from others' finds itself by its name.
-          return done_or(steward.ask(client, vehicle, now_s), "at the helm: " + client);
-        return done_or(steward.release(client, vehicle, now_s), "given back");
+          return done_or(arbiter.ask(client, vehicle, now_s), "at the helm: " + client);
+        return done_or(arbiter.release(client, vehicle, now_s), "given back");
       },
       not_done);
   serve(
       "/" + name + "/allow_take_over", "std_srvs/srv/Trigger",
-      [&steward, vehicle](dds::Payload request, const std::string& client) {
+      [&arbiter, vehicle](dds::Payload request, const std::string& client) {
         dds::read_trigger(request);
-        return done_or(steward.allow_take_over(client, vehicle, steward.time_s()),
+        return done_or(arbiter.allow_take_over(client, vehicle, arbiter.time_s()),
                        "another client may ask for it within 10 s");
       },
       not_done);
@@ -158,7 +159,7 @@ void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle
       "/" + name + "/resume_mission", "std_srvs/srv/Trigger",
       [this, vehicle](dds::Payload request, const std::string& client) {
         dds::read_trigger(request);
-        return done_or(desk_.submit(client, vehicle, twin::Resume{}).refusal,
+        return done_or(command_door_.submit(client, vehicle, twin::Resume{}).refusal,
                        "back on its own mission");
       },
       not_done);
@@ -168,7 +169,7 @@ void DdsDoor::open_vehicle_services(const std::string& name, std::size_t vehicle
         const dds::WaypointsAsked asked = dds::read_set_waypoints(request);
         const twin::Reroute reroute = reroute_to(asked.places_m, asked.loop);
         const dds::Bytes heard = dds::active_waypoints(reroute.waypoints, {});
-        return done_or(desk_.submit(client, vehicle, reroute, heard).refusal,
+        return done_or(command_door_.submit(client, vehicle, reroute, heard).refusal,
                        formatted("{} waypoints", reroute.waypoints.size()));
       },
       not_done);

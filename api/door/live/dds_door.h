@@ -6,7 +6,7 @@
 
 #include "api/door/dds/message/services.h"
 #include "api/door/dds/participant.h"
-#include "api/door/live/desk.h"
+#include "api/door/live/command_door.h"
 #include "api/door/live/navigate_action.h"
 #include "api/door/live/spawn_service.h"
 #include "twin/run/run_control.h"
@@ -19,7 +19,7 @@ struct DoorRun {
   const twin::Environment& environment;
   RunPlace place;
   std::function<std::uint64_t()> steps_made;  ///< for any thread
-  const twin::Slipway& slipway;
+  const twin::NewcomerYard& newcomer_yard;
   std::string site;  ///< a token of ROS
 };
 
@@ -29,7 +29,7 @@ struct DoorRun {
 /// `open`, `speak` and `end_run` are for the thread of the run.
 class DdsDoor {
  public:
-  DdsDoor(dds::Participant& participant, Stream& stream, Desk& desk, DoorRun run);
+  DdsDoor(dds::Participant& participant, Stream& stream, CommandDoor& command_door, DoorRun run);
 
   /// The next vehicle of the run.
   void open(const std::string& name);
@@ -49,7 +49,7 @@ class DdsDoor {
 
   dds::Participant& participant_;
   Stream& stream_;
-  Desk& desk_;
+  CommandDoor& command_door_;
   DoorRun run_;
   SpawnService spawn_;
   std::deque<NavigateAction> actions_;  ///< of each vehicle

@@ -64,7 +64,7 @@ void ForecastService::tell(const api::ForecastCatalogue::SiteForecast& forecast)
   if (found == sites_.end()) {
     found = sites_
                 .emplace(forecast.site_id,
-                         Site{WaterVoice(stream_, dds::ros_token(forecast.site_id)), {}})
+                         Site{WaterPublisher(stream_, dds::ros_token(forecast.site_id)), {}})
                 .first;
     stream_.opened();
   }

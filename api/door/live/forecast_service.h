@@ -9,7 +9,7 @@
 
 #include "api/door/dds/participant.h"
 #include "api/door/live/stream.h"
-#include "api/door/live/water_voice.h"
+#include "api/door/live/water_publisher.h"
 #include "api/issued/issued_fields.h"
 
 namespace slackwater::live {
@@ -30,7 +30,7 @@ class ForecastService {
 
  private:
   struct Site {
-    WaterVoice voice;
+    WaterPublisher voice;
     std::string instance;  ///< told of last
     bool is_over = false;  ///< was said of it
   };

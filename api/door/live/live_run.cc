@@ -4,16 +4,16 @@
 #include <set>
 
 #include "api/door/dds/message/names.h"
-#include "api/door/live/alarm_voice.h"
+#include "api/door/live/alarm_publisher.h"
 #include "api/door/live/bag_commands.h"
+#include "api/door/live/command_door.h"
 #include "api/door/live/dds_door.h"
 #include "api/door/live/dds_outlet.h"
-#include "api/door/live/desk.h"
-#include "api/door/live/site_voice.h"
-#include "api/door/live/vehicle_voice.h"
+#include "api/door/live/site_publisher.h"
+#include "api/door/live/vehicle_publisher.h"
 #include "fields/base/text.h"
 #include "fields/geo/geoid.h"
-#include "twin/helm/steward.h"
+#include "twin/helm/command_arbiter.h"
 
 namespace slackwater::live {
 namespace {
@@ -42,8 +42,8 @@ struct LiveRun::Parts {
       : run(hand.run),
         place(place_of(hand, hand.run.step_s())),
         on_newcomer(settings.on_newcomer),
-        steward(hand.steward),
-        desk(stream, steward, place),
+        arbiter(hand.arbiter),
+        command_door(stream, arbiter, place),
         punctuality(settings.real_time_factor) {
     for (const auto& outlet : settings.outlets) stream.add(outlet);
     if (settings.domain) {
@@ -52,16 +52,17 @@ struct LiveRun::Parts {
       participant = std::make_unique<dds::Participant>(std::move(domain));
       stream.add(std::make_shared<DdsOutlet>(*participant));
     }
-    site = std::make_unique<SiteVoice>(stream, place, dds::ros_token(settings.site),
-                                       *hand.environment, hand.vessels);
-    alarms = std::make_unique<AlarmVoice>(stream, place, hand.watch, hand.vessels);
+    site = std::make_unique<SitePublisher>(stream, place, dds::ros_token(settings.site),
+                                           *hand.environment, hand.vessels);
+    alarms = std::make_unique<AlarmPublisher>(stream, place, hand.watch, hand.vessels);
     if (participant) open_doors(hand, settings);
     open_for_all();
     // At once, and not only in what is said at the end: a run may take hours.
     for (std::size_t i = 0; settings.on_trouble && i < hand.water.warnings.size(); ++i)
       settings.on_trouble(hand.water.warnings[i]);
     for (const auto& bag : settings.played_commands) {
-      BagCommands& played = played_commands.emplace_back(bag, names, desk, settings.on_trouble);
+      BagCommands& played =
+          played_commands.emplace_back(bag, names, command_door, settings.on_trouble);
       run.at_opening([&played](const twin::StepTime& time) { played.hand_in(time.start_s); });
     }
     speak();
@@ -72,15 +73,18 @@ struct LiveRun::Parts {
   }
 
   void open_doors(const api::RunInHand& hand, const LiveSettings& settings) {
-    DoorRun door_run{hand.control, *hand.environment,
-                     place,        [this] { return made.load(); },
-                     hand.slipway, dds::ros_token(settings.site)};
-    door = std::make_unique<DdsDoor>(*participant, stream, desk, std::move(door_run));
-    hosts = std::make_unique<HostDesk>(*participant, run, hand.control, desk, place,
+    DoorRun door_run{hand.control,
+                     *hand.environment,
+                     place,
+                     [this] { return made.load(); },
+                     hand.newcomer_yard,
+                     dds::ros_token(settings.site)};
+    door = std::make_unique<DdsDoor>(*participant, stream, command_door, std::move(door_run));
+    hosts = std::make_unique<HostLink>(*participant, run, hand.control, command_door, place,
                                        settings.when_host_fails, settings.on_trouble);
   }
 
-  /// Voice, desk and doors of the vehicles that have none yet: all at the start, then those that
+  /// Publishers, command door and doors of the vehicles that have none yet: all at the start, then those that
   /// join the run.
   void open_for_all() {
     const auto agents = run.agents();
@@ -90,7 +94,7 @@ struct LiveRun::Parts {
       const std::string& name = names.emplace_back(all[i]);
       voices.emplace_back(stream, place, name, agents[i], states[i], run.time_s());
       alarms->open(name);
-      desk.open(name);
+      command_door.open(name);
       if (door) door->open(name);
       if (hosts) hosts->open(name);
     }
@@ -109,12 +113,12 @@ struct LiveRun::Parts {
     const double t_s = run.time_s();
     made = run.steps_made();
     welcome_newcomers();
-    desk.speak(t_s);
+    command_door.speak(t_s);
     const auto states = run.states();
     site->speak(run.seen(), t_s);
     alarms->speak(t_s);
     for (std::size_t i = 0; i < voices.size(); ++i)
-      voices[i].speak(run.agents()[i], states[i], steward.holder(i), t_s);
+      voices[i].speak(run.agents()[i], states[i], arbiter.holder(i), t_s);
     if (door) door->speak(states, t_s);
   }
 
@@ -123,16 +127,16 @@ struct LiveRun::Parts {
   std::function<void(const twin::Agent&, const std::string&)> on_newcomer;
   std::vector<std::string> names;
   std::atomic<std::uint64_t> made{0};
-  twin::Steward& steward;
+  twin::CommandArbiter& arbiter;
   Stream stream;
-  Desk desk;
+  CommandDoor command_door;
   Punctuality punctuality;
-  std::unique_ptr<SiteVoice> site;
-  std::unique_ptr<AlarmVoice> alarms;
-  std::deque<VehicleVoice> voices;
+  std::unique_ptr<SitePublisher> site;
+  std::unique_ptr<AlarmPublisher> alarms;
+  std::deque<VehiclePublisher> voices;
   std::deque<BagCommands> played_commands;
   std::unique_ptr<DdsDoor> door;
-  std::unique_ptr<HostDesk> hosts;
+  std::unique_ptr<HostLink> hosts;
   std::unique_ptr<dds::Participant> participant;  ///< goes first: it calls all the others
 };
 

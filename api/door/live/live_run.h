@@ -8,7 +8,7 @@
 
 #include "api/ask/run/scenario_run.h"
 #include "api/door/dds/participant.h"
-#include "api/door/live/host_desk.h"
+#include "api/door/live/host_link.h"
 #include "api/door/live/punctuality.h"
 #include "api/door/live/stream.h"
 

@@ -6,9 +6,10 @@
 #include "api/door/live/reroute.h"
 
 namespace slackwater::live {
-NavigateAction::NavigateAction(dds::Participant& participant, Stream& stream, Desk& desk,
-                               const RunPlace& place, const std::string& name, std::size_t vehicle)
-    : stream_(stream), desk_(desk), place_(place), vehicle_(vehicle) {
+NavigateAction::NavigateAction(dds::Participant& participant, Stream& stream,
+                               CommandDoor& command_door, const RunPlace& place,
+                               const std::string& name, std::size_t vehicle)
+    : stream_(stream), command_door_(command_door), place_(place), vehicle_(vehicle) {
   const std::string action = "/" + name + "/navigate/_action/";
   feedback_ = stream.open(action + "feedback", "slackwater_msgs/action/Navigate_FeedbackMessage",
                           state_quality);
@@ -48,31 +49,33 @@ void NavigateAction::end(Goal& goal, dds::GoalStatus status, const std::string& 
 
 void NavigateAction::take_goal(dds::Payload request, const std::string& client,
                                const dds::Answer& answer) {
-  const double now_s = desk_.steward().time_s();
+  const double now_s = command_door_.arbiter().time_s();
   const dds::Stamp now = dds::stamp_of(place_.epoch, now_s);
   const auto refuse = [&] { answer(dds::send_goal_reply(false, now)); };
   dds::GoalAsked asked;
   try {
     asked = dds::read_send_goal(request);
   } catch (const std::exception& e) {
-    desk_.refuse(client, vehicle_, e.what());
+    command_door_.refuse(client, vehicle_, e.what());
     return refuse();
   }
   {
     const std::lock_guard lock(mutex_);
     if (find(asked.id) != nullptr) {
-      desk_.refuse(client, vehicle_, "a goal of this id was sent before; give each its own");
+      command_door_.refuse(client, vehicle_,
+                           "a goal of this id was sent before; give each its own");
       return refuse();
     }
   }
   const twin::Reroute reroute = reroute_to(asked.places_m);
   if (reroute.waypoints.empty()) {
-    desk_.refuse(client, vehicle_, "found a goal without a place; give its path at least one pose");
+    command_door_.refuse(client, vehicle_,
+                         "found a goal without a place; give its path at least one pose");
     return refuse();
   }
   // Without the lock, for which a barrier waits: a long path takes its time to be looked at.
-  const Submitted submitted =
-      desk_.submit(client, vehicle_, reroute, dds::active_waypoints(reroute.waypoints, now));
+  const Submitted submitted = command_door_.submit(client, vehicle_, reroute,
+                                                   dds::active_waypoints(reroute.waypoints, now));
   if (submitted.refusal) return refuse();
   const std::lock_guard lock(mutex_);
   if (Goal* before = active()) end(*before, dds::GoalStatus::aborted, "another goal replaced it");
@@ -92,7 +95,7 @@ void NavigateAction::take_cancel(dds::Payload request, const std::string& client
   try {
     asked = dds::read_cancel_goal(request);
   } catch (const std::exception& e) {
-    desk_.refuse(client, vehicle_, e.what());
+    command_door_.refuse(client, vehicle_, e.what());
     return answer(dds::cancel_goal_reply(dds::CancelAnswer::rejected, {}));
   }
   const std::lock_guard lock(mutex_);
@@ -107,7 +110,7 @@ void NavigateAction::take_cancel(dds::Payload request, const std::string& client
   }
   if (dds::is_over(goal->is.status))
     return answer(dds::cancel_goal_reply(dds::CancelAnswer::is_over, {}));
-  if (desk_.submit(client, vehicle_, twin::HoldHere{}).refusal)
+  if (command_door_.submit(client, vehicle_, twin::HoldHere{}).refusal)
     return answer(dds::cancel_goal_reply(dds::CancelAnswer::rejected, {}));
   const dds::GoalInfo canceling = goal->is.goal;
   answer(dds::cancel_goal_reply(dds::CancelAnswer::none, {&canceling, 1}));
@@ -138,9 +141,9 @@ void NavigateAction::follow(Goal& goal, const twin::AgentState& state, const dds
   if (state.halt != twin::Halt::none) {
     end(goal, dds::GoalStatus::aborted,
         "the vehicle has stopped: " + std::string(twin::name_of(state.halt)));
-  } else if (desk_.steward().taken(vehicle_) != goal.number) {
+  } else if (command_door_.arbiter().taken(vehicle_) != goal.number) {
     end(goal, dds::GoalStatus::aborted, "another command replaced it");
-  } else if (desk_.steward().is_waiting(vehicle_)) {
+  } else if (command_door_.arbiter().is_waiting(vehicle_)) {
     // Accepted while a step was under way: what the vehicle does is still of before.
   } else if (helm.mode == twin::HelmMode::hold && helm.cause == twin::HelmCause::list_done) {
     end(goal, dds::GoalStatus::succeeded, "at the last place");

@@ -6,7 +6,7 @@
 
 #include "api/door/dds/message/navigate.h"
 #include "api/door/dds/participant.h"
-#include "api/door/live/desk.h"
+#include "api/door/live/command_door.h"
 
 namespace slackwater::live {
 
@@ -17,8 +17,8 @@ namespace slackwater::live {
 /// `speak` and `end_run` are for the thread of the run, the services for any thread.
 class NavigateAction {
  public:
-  NavigateAction(dds::Participant& participant, Stream& stream, Desk& desk, const RunPlace& place,
-                 const std::string& name, std::size_t vehicle);
+  NavigateAction(dds::Participant& participant, Stream& stream, CommandDoor& command_door,
+                 const RunPlace& place, const std::string& name, std::size_t vehicle);
 
   void speak(const twin::AgentState& state, double t_s);
   /// The run is over, and with it the goal under way.
@@ -47,7 +47,7 @@ class NavigateAction {
   void say_feedback(const Goal& goal, const twin::AgentState& state, const dds::Stamp& stamp);
 
   Stream& stream_;
-  Desk& desk_;
+  CommandDoor& command_door_;
   RunPlace place_;
   std::size_t vehicle_;
   Stream::ChannelId feedback_, status_;

@@ -24,9 +24,9 @@ const std::set<std::string>& reserved_names() {
   return names;
 }
 
-SpawnService::SpawnService(dds::Participant& participant, twin::Steward& steward,
-                           const twin::Slipway& slipway, const std::string& site)
-    : steward_(steward), slipway_(slipway), taken_(reserved_names()) {
+SpawnService::SpawnService(dds::Participant& participant, twin::CommandArbiter& arbiter,
+                           const twin::NewcomerYard& newcomer_yard, const std::string& site)
+    : arbiter_(arbiter), newcomer_yard_(newcomer_yard), taken_(reserved_names()) {
   taken_.insert(lower_case(site));
   participant.serve(
       {"/slackwater/spawn", "slackwater_msgs/srv/Spawn"},
@@ -42,14 +42,14 @@ SpawnService::SpawnService(dds::Participant& participant, twin::Steward& steward
 void SpawnService::take(dds::Payload request, const std::string& client,
                         const dds::Answer& answer) {
   const twin::Newcomer newcomer = dds::read_spawn(request);
-  const double now_s = steward_.time_s();
+  const double now_s = arbiter_.time_s();
   if (auto refusal = reserve(newcomer, answer)) {
-    (void)steward_.refuse(client, newcomer.name, *refusal, now_s);
+    (void)arbiter_.refuse(client, newcomer.name, *refusal, now_s);
     return answer(dds::done_reply(false, refusal->text));
   }
   std::optional<Refusal> refusal;
   try {
-    refusal = steward_.spawn(client, newcomer, slipway_, now_s);
+    refusal = arbiter_.spawn(client, newcomer, newcomer_yard_, now_s);
   } catch (...) {
     forget(newcomer.name);
     throw;

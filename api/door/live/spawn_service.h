@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "api/door/dds/participant.h"
-#include "twin/helm/steward.h"
+#include "twin/helm/command_arbiter.h"
 
 namespace slackwater::live {
 
@@ -17,8 +17,8 @@ namespace slackwater::live {
 class SpawnService {
  public:
   /// @param site  a token of ROS, which no vehicle can have for a name
-  SpawnService(dds::Participant& participant, twin::Steward& steward, const twin::Slipway& slipway,
-               const std::string& site);
+  SpawnService(dds::Participant& participant, twin::CommandArbiter& arbiter,
+               const twin::NewcomerYard& newcomer_yard, const std::string& site);
 
   /// A vehicle of the run has its topics and services. @param name  by which these go
   void open(const std::string& name);
@@ -39,8 +39,8 @@ class SpawnService {
                                                      const dds::Answer& answer);
   void forget(const std::string& name);
 
-  twin::Steward& steward_;
-  const twin::Slipway& slipway_;
+  twin::CommandArbiter& arbiter_;
+  const twin::NewcomerYard& newcomer_yard_;
   std::mutex mutex_;
   std::set<std::string> taken_;  ///< names in lower case
   std::vector<Waiting> waiting_;

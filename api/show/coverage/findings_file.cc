@@ -37,7 +37,7 @@ std::vector<Property> truth_of(const Finding& f) {
           {"true_severity", rounded(f.true_severity)}};
 }
 
-Row row_of(const Coverage& coverage, const CoverageMark& mark, const LocalFrame& frame,
+Row row_of(const InspectionCoverage& coverage, const CoverageMark& mark, const LocalFrame& frame,
            UtcTime epoch, bool shows_truth) {
   const Finding& f = *mark.finding;
   Row row;
@@ -68,7 +68,7 @@ Row row_of(const Coverage& coverage, const CoverageMark& mark, const LocalFrame&
 }
 
 std::vector<Row> rows_of(const TrajectoryFile& log, const FindingsChoice& choice) {
-  const std::vector<Coverage> coverages = coverage_in(log);
+  const std::vector<InspectionCoverage> coverages = coverage_in(log);
   if (coverages.empty())
     throw Error(ErrorKind::invalid_input,
                 "the run inspected nothing, so that there is no list of findings; expected a "
@@ -76,7 +76,7 @@ std::vector<Row> rows_of(const TrajectoryFile& log, const FindingsChoice& choice
   const LocalFrame frame(origin_in(log));
   std::vector<Row> rows;
   std::size_t reported = 0, missed = 0;
-  for (const Coverage& coverage : coverages)
+  for (const InspectionCoverage& coverage : coverages)
     for (const CoverageMark& mark : marks_of(coverage, choice.shows_truth, reported, missed))
       rows.push_back(row_of(coverage, mark, frame, log.epoch, choice.shows_truth));
   return rows;
@@ -84,7 +84,7 @@ std::vector<Row> rows_of(const TrajectoryFile& log, const FindingsChoice& choice
 
 /// The names of all columns, of a log without findings too.
 std::vector<std::string> columns_of(bool shows_truth) {
-  Coverage coverage;
+  InspectionCoverage coverage;
   coverage.sheet.width_m = 1;
   Finding finding;
   CoverageMark mark;

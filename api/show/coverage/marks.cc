@@ -25,7 +25,7 @@ const char* shape_of(FindingOutcome outcome, bool shows_truth) {
 
 }  // namespace
 
-std::vector<CoverageMark> marks_of(const Coverage& coverage, bool shows_truth,
+std::vector<CoverageMark> marks_of(const InspectionCoverage& coverage, bool shows_truth,
                                    std::size_t& reported, std::size_t& missed) {
   std::vector<CoverageMark> marks;
   for (const Finding& finding : coverage.findings) {

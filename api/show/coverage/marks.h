@@ -22,8 +22,9 @@ struct CoverageMark {
 
 /// The marks of one surface, of what was missed only with the truth. Labels count on from
 /// `reported` and `missed`, which grow.
-[[nodiscard]] std::vector<CoverageMark> marks_of(const Coverage& coverage, bool shows_truth,
-                                                 std::size_t& reported, std::size_t& missed);
+[[nodiscard]] std::vector<CoverageMark> marks_of(const InspectionCoverage& coverage,
+                                                 bool shows_truth, std::size_t& reported,
+                                                 std::size_t& missed);
 
 /// A mark in a picture, its label beside it, at (x, y) px.
 [[nodiscard]] std::string mark_svg(const CoverageMark& mark, double x, double y);

@@ -41,7 +41,7 @@ std::string severity_text(twin::DefectKind kind, double severity) {
 }
 
 /// Where on its sheet: "bearing 214°, depth 12.3 m", "along 12.0 m, down 3.1 m".
-std::string where_text(const Coverage& coverage, const CoverageMark& mark) {
+std::string where_text(const InspectionCoverage& coverage, const CoverageMark& mark) {
   const CoverageSheet& sheet = coverage.sheet;
   const std::string along = sheet.is_all_round
                                 ? formatted("bearing {:03.0f}°", sheet.bearing_deg(mark.along_m))
@@ -52,22 +52,22 @@ std::string where_text(const Coverage& coverage, const CoverageMark& mark) {
                                : formatted(", height {:.1f} m", -depth_m));
 }
 
-std::string asked_text(const Coverage& c) {
+std::string asked_text(const InspectionCoverage& c) {
   return formatted("{} or finer, at most {:g}° off square, {} {}", length_text(c.asked_detail_m),
                    c.asked_incidence_deg, c.asked_looks, c.asked_looks == 1 ? "look" : "looks");
 }
 
-std::vector<std::vector<CoverageMark>> all_marks(const std::vector<Coverage>& coverages,
+std::vector<std::vector<CoverageMark>> all_marks(const std::vector<InspectionCoverage>& coverages,
                                                  bool shows_truth) {
   std::vector<std::vector<CoverageMark>> marks;
   std::size_t reported = 0, missed = 0;
-  for (const Coverage& coverage : coverages)
+  for (const InspectionCoverage& coverage : coverages)
     marks.push_back(marks_of(coverage, shows_truth, reported, missed));
   return marks;
 }
 
 /// Detail against range: bins of equal width with P10, P50 and P90 of what was seen in them.
-json range_json(const Coverage& coverage) {
+json range_json(const InspectionCoverage& coverage) {
   constexpr std::size_t bins = 30;
   double least = 1e300, most = 0;
   for (const CoveragePatch& patch : coverage.patches) {
@@ -92,7 +92,7 @@ json range_json(const Coverage& coverage) {
 }
 
 /// Share covered so far (%), by the time of each patch's best look, at most 200 points.
-json time_json(const Coverage& coverage) {
+json time_json(const InspectionCoverage& coverage) {
   std::vector<std::pair<double, double>> seen;
   for (const CoveragePatch& patch : coverage.patches)
     if (patch.state == PatchState::covered) seen.emplace_back(patch.t_s, patch.area_m2);
@@ -109,7 +109,7 @@ json time_json(const Coverage& coverage) {
   return out;
 }
 
-ReportTable coverage_table(const std::vector<Coverage>& coverages) {
+ReportTable coverage_table(const std::vector<InspectionCoverage>& coverages) {
   ReportTable table;
   table.title = "Coverage";
   table.note =
@@ -118,7 +118,7 @@ ReportTable coverage_table(const std::vector<Coverage>& coverages) {
   table.columns = {"Surface", "Instrument",      "Vehicle",       "Area",
                    "Covered", "Not well enough", "Not seen",      "Asked for",
                    "Done",    "Least detail",    "Median detail", "A patch is covered at"};
-  for (const Coverage& c : coverages) {
+  for (const InspectionCoverage& c : coverages) {
     const auto shares = c.shares();
     table.rows.push_back({c.surface, c.instrument, c.vehicle, formatted("{:.1f} m2", c.area_m2),
                           percent_text(shares[0]), percent_text(shares[1]), percent_text(shares[2]),
@@ -133,7 +133,7 @@ std::string time_text(UtcTime epoch, double t_s) {
   return format_utc(epoch + Duration(static_cast<Duration::rep>(std::floor(t_s)) * 1000));
 }
 
-ReportTable reported_table(const std::vector<Coverage>& coverages, UtcTime epoch,
+ReportTable reported_table(const std::vector<InspectionCoverage>& coverages, UtcTime epoch,
                            bool shows_truth) {
   ReportTable table;
   table.title = "Findings";
@@ -171,7 +171,7 @@ ReportTable reported_table(const std::vector<Coverage>& coverages, UtcTime epoch
   return table;
 }
 
-ReportTable missed_table(const std::vector<Coverage>& coverages) {
+ReportTable missed_table(const std::vector<InspectionCoverage>& coverages) {
   ReportTable table;
   table.title = "Planted and missed";
   table.note = "Known only because the truth was asked for.";
@@ -191,14 +191,14 @@ ReportTable missed_table(const std::vector<Coverage>& coverages) {
 
 }  // namespace
 
-std::string coverage_text(const Coverage& coverage) {
+std::string coverage_text(const InspectionCoverage& coverage) {
   return coverage.instrument + " of " + coverage.vehicle +
          formatted(": {} of {:.1f} m2 covered", percent_text(coverage.shares()[0]),
                    coverage.area_m2) +
          asked_share_text(coverage) + "; covered is what was seen at " + asked_text(coverage) + ".";
 }
 
-std::string coverage_html(const std::vector<Coverage>& coverages, bool shows_truth) {
+std::string coverage_html(const std::vector<InspectionCoverage>& coverages, bool shows_truth) {
   if (coverages.empty()) return {};
   const auto marks = all_marks(coverages, shows_truth);
   std::string articles;
@@ -211,7 +211,7 @@ std::string coverage_html(const std::vector<Coverage>& coverages, bool shows_tru
   return coverage_section_html("What was seen", articles, note);
 }
 
-std::string coverage_plots_html(const std::vector<Coverage>& coverages) {
+std::string coverage_plots_html(const std::vector<InspectionCoverage>& coverages) {
   if (coverages.empty()) return {};
   return plot_html("detail-range", "Detail against distance",
                    "The smallest size that can be seen (mm), in the best look at each patch: the "
@@ -221,9 +221,9 @@ std::string coverage_plots_html(const std::vector<Coverage>& coverages) {
                    "Dashed: asked for.");
 }
 
-json coverage_json(const std::vector<Coverage>& coverages) {
+json coverage_json(const std::vector<InspectionCoverage>& coverages) {
   json all = json::array();
-  for (const Coverage& c : coverages)
+  for (const InspectionCoverage& c : coverages)
     all.push_back({{"name", c.name()},
                    {"asked_mm", number(1000 * c.asked_detail_m)},
                    {"done_at", number(100 * c.done_at)},
@@ -232,7 +232,7 @@ json coverage_json(const std::vector<Coverage>& coverages) {
   return all;
 }
 
-std::string coverage_tables_html(const std::vector<Coverage>& coverages, UtcTime epoch,
+std::string coverage_tables_html(const std::vector<InspectionCoverage>& coverages, UtcTime epoch,
                                  bool shows_truth) {
   if (coverages.empty()) return {};
   ReportTable reported = reported_table(coverages, epoch, shows_truth);

@@ -24,7 +24,8 @@ const char* patterns_html() {
          "</defs></svg>";
 }
 
-std::string legend_html(const Coverage& coverage, const std::vector<CoverageMark>& marks) {
+std::string legend_html(const InspectionCoverage& coverage,
+                        const std::vector<CoverageMark>& marks) {
   const auto shares = coverage.shares();
   std::string html = "<ul class=\"legend\">";
   const auto item = [&](const std::string& swatch, const std::string& words) {
@@ -49,12 +50,12 @@ std::string percent_text(double share) {
   return formatted("{:.0f} %", whole);
 }
 
-std::string asked_share_text(const Coverage& coverage) {
+std::string asked_share_text(const InspectionCoverage& coverage) {
   return coverage.done_at > 0 ? ", asked for " + percent_text(coverage.done_at) : std::string();
 }
 
-std::string pictures_html(const Coverage& coverage, const std::vector<CoverageMark>& marks,
-                          const std::string& sentence) {
+std::string pictures_html(const InspectionCoverage& coverage,
+                          const std::vector<CoverageMark>& marks, const std::string& sentence) {
   return "<article><h3>" + escaped_html(coverage.surface) + "</h3><p>" + escaped_html(sentence) +
          "</p>" + legend_html(coverage, marks) + "<div class=\"pair\"><figure>" +
          sheet_svg(coverage, marks) +

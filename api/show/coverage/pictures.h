@@ -11,10 +11,10 @@ namespace slackwater::api {
 [[nodiscard]] std::string percent_text(double share);
 
 /// ", asked for 90 %"; empty where nothing is.
-[[nodiscard]] std::string asked_share_text(const Coverage& coverage);
+[[nodiscard]] std::string asked_share_text(const InspectionCoverage& coverage);
 
 /// One surface: a sentence, a legend, the sheet unrolled and the surface in space.
-[[nodiscard]] std::string pictures_html(const Coverage& coverage,
+[[nodiscard]] std::string pictures_html(const InspectionCoverage& coverage,
                                         const std::vector<CoverageMark>& marks,
                                         const std::string& sentence);
 

@@ -43,7 +43,7 @@ std::optional<PatchState> most_of(const StateAreas& areas, double cell_m2) {
 
 }  // namespace
 
-CoverageRaster raster_of(const Coverage& coverage, std::size_t most_columns,
+CoverageRaster raster_of(const InspectionCoverage& coverage, std::size_t most_columns,
                          std::size_t most_rows) {
   const CoverageSheet& sheet = coverage.sheet;
   CoverageRaster raster;

@@ -31,7 +31,7 @@ struct CoverageRaster {
 
 /// About square cells, at most so many along and down. Patches that stick out over an edge of a
 /// sheet that goes all round come in again at the other. Cost: patches and the cells under them.
-[[nodiscard]] CoverageRaster raster_of(const Coverage& coverage, std::size_t most_columns,
+[[nodiscard]] CoverageRaster raster_of(const InspectionCoverage& coverage, std::size_t most_columns,
                                        std::size_t most_rows);
 
 }  // namespace slackwater::api

@@ -153,7 +153,7 @@ double sheet_stretch(const CoverageSheet& sheet) noexcept {
   return frame.y_per_m / frame.x_per_m;
 }
 
-std::optional<double> north_on_sheet_deg(const Coverage& coverage) {
+std::optional<double> north_on_sheet_deg(const InspectionCoverage& coverage) {
   double area = 0, up = 0;
   std::array<double, 4> mean{};  // along, down, east, north
   const auto values_of = [](const CoveragePatch& p) {
@@ -186,7 +186,7 @@ std::optional<double> north_on_sheet_deg(const Coverage& coverage) {
   return Angle::from_radians(std::atan2(along, -down)).degrees();
 }
 
-std::string sheet_svg(const Coverage& coverage, const std::vector<CoverageMark>& marks) {
+std::string sheet_svg(const InspectionCoverage& coverage, const std::vector<CoverageMark>& marks) {
   const CoverageSheet& sheet = coverage.sheet;
   const Frame frame(sheet);
   const auto shares = coverage.shares();

@@ -229,7 +229,7 @@ std::string panel_svg(const Panel& panel, std::vector<CoverageQuad> quads, const
 
 }  // namespace
 
-std::vector<CoverageQuad> quads_of(const Coverage& coverage, std::size_t most) {
+std::vector<CoverageQuad> quads_of(const InspectionCoverage& coverage, std::size_t most) {
   const CoverageSheet& sheet = coverage.sheet;
   const double cell_m = std::sqrt(sheet.width_m * sheet.height_m /
                                   static_cast<double>(std::max<std::size_t>(1, most)));
@@ -252,7 +252,7 @@ std::vector<CoverageQuad> quads_of(const Coverage& coverage, std::size_t most) {
   return quads;
 }
 
-std::string still_svg(const Coverage& coverage, const std::vector<CoverageMark>& marks) {
+std::string still_svg(const InspectionCoverage& coverage, const std::vector<CoverageMark>& marks) {
   const std::vector<CoverageQuad> quads = quads_of(coverage, still_quads);
   if (quads.empty()) return {};
   const Bounds bounds(quads);

@@ -18,14 +18,15 @@ struct CoverageQuad {
 };
 
 /// The patches gathered into at most about `most` quads.
-[[nodiscard]] std::vector<CoverageQuad> quads_of(const Coverage& coverage, std::size_t most);
+[[nodiscard]] std::vector<CoverageQuad> quads_of(const InspectionCoverage& coverage,
+                                                 std::size_t most);
 
 inline constexpr std::size_t still_quads = 2000;
 
 /// The surface in space, as an SVG element: seen in parallel from 25 degrees above, from the side
 /// on which most was looked at, and from the other one too where much of it lies behind. With
 /// north, a scale and the level of the sea where that is near. Quads are drawn the farthest first.
-[[nodiscard]] std::string still_svg(const Coverage& coverage,
+[[nodiscard]] std::string still_svg(const InspectionCoverage& coverage,
                                     const std::vector<CoverageMark>& marks);
 
 }  // namespace slackwater::api

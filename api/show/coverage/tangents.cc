@@ -35,7 +35,7 @@ SheetTangents tangents_of(const std::vector<const CoveragePatch*>& patches) {
   return tangents;
 }
 
-SheetPlace sheet_place(const Coverage& coverage, const Vector3<Enu>& place_m) {
+SheetPlace sheet_place(const InspectionCoverage& coverage, const Vector3<Enu>& place_m) {
   const CoveragePatch* nearest = coverage.nearest_patch(place_m);
   if (nearest == nullptr) return {};
   SheetPlace place{nearest->along_m, nearest->down_m, nearest->normal};

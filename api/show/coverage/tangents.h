@@ -31,6 +31,7 @@ struct SheetPlace {
   Vector3<Enu> normal{0, 0, 0};  ///< of the surface there
 };
 /// Of a surface with patches.
-[[nodiscard]] SheetPlace sheet_place(const Coverage& coverage, const Vector3<Enu>& place_m);
+[[nodiscard]] SheetPlace sheet_place(const InspectionCoverage& coverage,
+                                     const Vector3<Enu>& place_m);
 
 }  // namespace slackwater::api

@@ -65,8 +65,8 @@ CoverageSheet sheet_of(const json& entry) {
   return sheet;
 }
 
-Coverage pair_of(const json& entry, const TrajectoryFile& log) {
-  Coverage pair;
+InspectionCoverage pair_of(const json& entry, const TrajectoryFile& log) {
+  InspectionCoverage pair;
   const double vehicle = number_at(entry, "vehicle", 0, static_cast<double>(log.names.size()) - 1);
   pair.vehicle = log.names[static_cast<std::size_t>(vehicle)];
   pair.surface = text_at(entry, "surface");
@@ -200,11 +200,11 @@ std::string words_of(twin::DefectKind kind) {
   return words;
 }
 
-std::array<double, patch_states> Coverage::shares() const noexcept {
+std::array<double, patch_states> InspectionCoverage::shares() const noexcept {
   return {covered_m2 / area_m2, (seen_m2 - covered_m2) / area_m2, (area_m2 - seen_m2) / area_m2};
 }
 
-const CoveragePatch* Coverage::nearest_patch(const Vector3<Enu>& place_m) const noexcept {
+const CoveragePatch* InspectionCoverage::nearest_patch(const Vector3<Enu>& place_m) const noexcept {
   const CoveragePatch* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const CoveragePatch& patch : patches) {
@@ -217,12 +217,12 @@ const CoveragePatch* Coverage::nearest_patch(const Vector3<Enu>& place_m) const 
   return nearest;
 }
 
-std::vector<Coverage> coverage_in(const TrajectoryFile& log) {
+std::vector<InspectionCoverage> coverage_in(const TrajectoryFile& log) {
   const std::string text = log.attribute("inspection");
   if (text.empty()) return {};
   const json entries = json::parse(text, nullptr, false);
   if (!entries.is_array()) refuse("an attribute 'inspection' that is no JSON list", "one");
-  std::vector<Coverage> pairs;
+  std::vector<InspectionCoverage> pairs;
   for (const json& entry : entries) pairs.push_back(pair_of(entry, log));
   if (pairs.empty()) return {};
   const TrajectoryTable* patches = log.find_table("inspected_patches");

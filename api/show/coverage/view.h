@@ -81,7 +81,7 @@ struct Finding {
 [[nodiscard]] std::string words_of(twin::DefectKind kind);
 
 /// One surface under one instrument of one vehicle.
-struct Coverage {
+struct InspectionCoverage {
   std::string vehicle;
   std::string surface;  ///< "A01/monopile"
   std::string kind;     ///< of the surface
@@ -111,6 +111,6 @@ struct Coverage {
 
 /// Of a log; empty where nothing was inspected.
 /// @throws Error(invalid_input) for a log whose inspection is damaged, with what is wrong
-[[nodiscard]] std::vector<Coverage> coverage_in(const ingest::TrajectoryFile& log);
+[[nodiscard]] std::vector<InspectionCoverage> coverage_in(const ingest::TrajectoryFile& log);
 
 }  // namespace slackwater::api

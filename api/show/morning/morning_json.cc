@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/ask/morning/trust.h"
+#include "api/ask/morning/recent_skill.h"
 #include "api/ask/windows/worth.h"
 #include "api/show/morning/morning_text.h"
 #include "api/show/plan/plan_json.h"
@@ -71,7 +71,7 @@ json task_json(const Morning& morning, const TaskWindows& task) {
 
 json trust_json(const std::vector<calibration::SkillEntry>& past, WindPolicy wind) {
   json out = json::array();
-  for (const Trust& of : trust_of(past, wind)) {
+  for (const RecentSkill& of : trust_of(past, wind)) {
     const auto& best = of.verdict.best;
     out.push_back({{"variable", of.variable},
                    {"unit", of.unit},

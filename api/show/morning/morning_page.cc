@@ -7,8 +7,8 @@
 #include "api/show/morning/morning_clock.h"
 #include "api/show/morning/morning_text.h"
 #include "api/show/morning/plan_html.h"
+#include "api/show/morning/recent_skill_text.h"
 #include "api/show/morning/task_words.h"
-#include "api/show/morning/trust_text.h"
 #include "api/show/rehearse/risk_report.h"
 #include "api/show/report/time_text.h"
 #include "fields/base/html.h"
@@ -19,15 +19,15 @@ namespace {
 
 /// One line of what past forecasts were worth, by variable.
 /// @param verified  in words, where there is none
-std::string trust_text(const std::vector<Trust>& trust, const std::string& verified) {
+std::string trust_text(const std::vector<RecentSkill>& trust, const std::string& verified) {
   if (trust.empty()) return verified;
   std::vector<std::string> parts;
-  for (const Trust& of : trust) parts.push_back(text_of(of));
+  for (const RecentSkill& of : trust) parts.push_back(text_of(of));
   return "error of the first day of lead: " + joined(parts, "; ");
 }
 
 /// The newest forecast whose truth is in, held against it.
-std::string yesterday_html(const std::vector<Trust>& trust) {
+std::string yesterday_html(const std::vector<RecentSkill>& trust) {
   if (trust.empty()) return {};
   const calibration::SkillEntry& of = trust.front().verdict.forecast.of;
   ReportTable table;
@@ -36,7 +36,7 @@ std::string yesterday_html(const std::vector<Trust>& trust) {
       "Root mean square error over its first day. A simple method has the same data: the last "
       "value kept, the same hour of the day before, a tide, or a slab of water pushed by the wind.";
   table.columns = {"What", "Forecast", "Best simple method", "Its error", "Better", "Against"};
-  for (const Trust& of_variable : trust) {
+  for (const RecentSkill& of_variable : trust) {
     const calibration::Verdict& verdict = of_variable.verdict;
     const std::string unit = " " + of_variable.unit;
     std::vector<std::string> row{of_variable.variable,

@@ -33,10 +33,10 @@ CoverageSheet laid_flat(const twin::Sheet& sheet) {
 }
 
 /// A pair without a word of how well it was seen.
-Coverage asked_of(const twin::Inspection& what, std::size_t pair) {
+InspectionCoverage asked_of(const twin::Inspection& what, std::size_t pair) {
   const twin::InspectionLine& line = what.plan.lines[what.pairs[pair].line];
   const twin::Surface& surface = what.surfaces[what.pairs[pair].surface];
-  Coverage coverage;
+  InspectionCoverage coverage;
   coverage.vehicle = what.inspector;
   coverage.surface = surface.name;
   coverage.kind = twin::name_of(surface.kind);
@@ -50,9 +50,9 @@ Coverage asked_of(const twin::Inspection& what, std::size_t pair) {
   return coverage;
 }
 
-Coverage over_flights(const OverFlights<InspectionOutcome>& all, const twin::Inspection& what,
-                      std::size_t pair) {
-  Coverage coverage = asked_of(what, pair);
+InspectionCoverage over_flights(const OverFlights<InspectionOutcome>& all,
+                                const twin::Inspection& what, std::size_t pair) {
+  InspectionCoverage coverage = asked_of(what, pair);
   const auto& patches = what.surfaces[what.pairs[pair].surface].patches;
   const double flights = static_cast<double>(std::distance(all.begin(), all.end()));
   for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -75,7 +75,7 @@ Coverage over_flights(const OverFlights<InspectionOutcome>& all, const twin::Ins
   return coverage;
 }
 
-std::string sentence(const OverFlights<InspectionOutcome>& all, const Coverage& coverage,
+std::string sentence(const OverFlights<InspectionOutcome>& all, const InspectionCoverage& coverage,
                      std::size_t pair) {
   const auto share = [&](double at) {
     return percent_text(all.quantile(at, [&](const auto& o) { return o.parts[pair].share(); }));
@@ -118,9 +118,10 @@ std::optional<double> flow_at_work_m_s(const std::vector<twin::FlightSample>& sa
 
 }  // namespace
 
-std::vector<Coverage> coverage_over_flights(const StartOutcome& start, std::size_t vehicle,
-                                            const twin::Inspection* what) {
-  std::vector<Coverage> coverages;
+std::vector<InspectionCoverage> coverage_over_flights(const StartOutcome& start,
+                                                      std::size_t vehicle,
+                                                      const twin::Inspection* what) {
+  std::vector<InspectionCoverage> coverages;
   if (what == nullptr || start.flights.empty()) return coverages;
   const OverFlights all(start, vehicle, &twin::VehicleAccount::inspection);
   if (all.empty()) return coverages;

@@ -18,9 +18,9 @@ inline constexpr double sure_share = 0.9;
 /// cover it: nearly all of them, some, hardly any; `words` say so. Without marks: of findings each
 /// future has its own.
 /// @param what  the inspection that all flights share; null: none
-[[nodiscard]] std::vector<Coverage> coverage_over_flights(const StartOutcome& start,
-                                                          std::size_t vehicle,
-                                                          const twin::Inspection* what);
+[[nodiscard]] std::vector<InspectionCoverage> coverage_over_flights(const StartOutcome& start,
+                                                                    std::size_t vehicle,
+                                                                    const twin::Inspection* what);
 
 /// The pictures of all vehicles of a start. Empty where none inspects.
 [[nodiscard]] std::string rehearsed_coverage_html(const StartOutcome& start,

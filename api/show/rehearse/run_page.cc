@@ -278,7 +278,7 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
   const twin::Scenario* scenario = read ? &*read : nullptr;
   const twin::RunAccount account = account_in(log, scenario);
   const std::vector<EventLine> events = event_lines(log, account);
-  const std::vector<Coverage> coverages = coverage_in(log);
+  const std::vector<InspectionCoverage> coverages = coverage_in(log);
   const std::string seen = coverage_html(coverages, choice.shows_truth);
   HtmlPage page;
   page.title = log.attribute("title");

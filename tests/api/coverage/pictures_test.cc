@@ -12,7 +12,7 @@ namespace {
 
 using namespace api;
 
-Coverage made_up(std::size_t pair, const MadeUpInspection& how = {}) {
+InspectionCoverage made_up(std::size_t pair, const MadeUpInspection& how = {}) {
   return coverage_in(made_up_inspection(how))[pair];
 }
 
@@ -26,7 +26,7 @@ std::array<double, patch_states> shares_of(const CoverageRaster& raster) {
 
 TEST(CoverageRaster, KeepsTheSharesToACellsRow) {
   for (const std::size_t rows : {7U, 70U, 701U}) {
-    const Coverage pile = made_up(0, {.columns = 72, .rows = rows, .has_bed = false});
+    const InspectionCoverage pile = made_up(0, {.columns = 72, .rows = rows, .has_bed = false});
     const CoverageRaster raster = raster_of(pile, sheet_columns, sheet_rows);
     EXPECT_LE(raster.columns, sheet_columns);
     EXPECT_LE(raster.rows, sheet_rows);
@@ -51,7 +51,7 @@ TEST(CoverageRaster, BlocksHoldEachCellOnce) {
 }
 
 TEST(CoverageRaster, APatchOverTheSeamComesInAtTheOtherEdge) {
-  Coverage ring = made_up(0);
+  InspectionCoverage ring = made_up(0);
   ring.patches.resize(1);
   ring.patches[0].along_m = 0;
   ring.patches[0].width_m = ring.sheet.width_m / 2;
@@ -64,12 +64,12 @@ TEST(CoverageRaster, APatchOverTheSeamComesInAtTheOtherEdge) {
 }
 
 TEST(CoverageSheet, PicturesStaySmallHoweverManyPatches) {
-  const Coverage pile = made_up(0, {.columns = 360, .rows = 300, .has_bed = false});
+  const InspectionCoverage pile = made_up(0, {.columns = 360, .rows = 300, .has_bed = false});
   ASSERT_GT(pile.patches.size(), 100000U);
   EXPECT_LT(sheet_svg(pile, {}).size(), 50000U);
   EXPECT_LT(still_svg(pile, {}).size(), 400000U);
   // The worst that a sheet can be: no cell like its neighbour.
-  Coverage board = pile;
+  InspectionCoverage board = pile;
   for (std::size_t i = 0; i < board.patches.size(); ++i)
     board.patches[i].state = static_cast<PatchState>((i * 2654435761U >> 7) % 3);
   EXPECT_LT(sheet_svg(board, {}).size(), 1500000U);
@@ -77,7 +77,7 @@ TEST(CoverageSheet, PicturesStaySmallHoweverManyPatches) {
 
 TEST(CoverageSheet, NorthOfAFlatOneIsWhereItsPlacesGo) {
   EXPECT_FALSE(north_on_sheet_deg(made_up(0))) << "a pile stands";
-  Coverage bed = made_up(1);
+  InspectionCoverage bed = made_up(1);
   ASSERT_TRUE(north_on_sheet_deg(bed));
   EXPECT_NEAR(*north_on_sheet_deg(bed), 0, 0.1) << "up the page";
   for (CoveragePatch& patch : bed.patches)  // turned a quarter: the page's up is now east
@@ -86,7 +86,7 @@ TEST(CoverageSheet, NorthOfAFlatOneIsWhereItsPlacesGo) {
 }
 
 TEST(CoverageSheet, LongSurfacesAreStretchedAndSayHowMuch) {
-  Coverage cable = made_up(1);
+  InspectionCoverage cable = made_up(1);
   EXPECT_NEAR(sheet_stretch(cable.sheet), 1, 1e-9);
   cable.sheet.width_m = 500;
   cable.sheet.height_m = 1;
@@ -104,7 +104,7 @@ TEST(CoverageSheet, RoundLengthsAreOneTwoOrFive) {
 
 TEST(CoverageStill, QuadsLieOnTheSurfaceAndHoldItsArea) {
   for (const bool gathers : {true, false}) {
-    const Coverage pile = made_up(0);
+    const InspectionCoverage pile = made_up(0);
     const auto quads = quads_of(pile, gathers ? 600 : 100000);
     double area_m2 = 0;
     std::array<double, patch_states> shares{};

@@ -21,9 +21,9 @@ TEST(CoverageView, ReadsWhatALogHoldsBackFromItsFile) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "run.nc";
   ingest::write_trajectories(made_up_inspection(), file);
-  const std::vector<Coverage> pairs = coverage_in(ingest::read_trajectories(file));
+  const std::vector<InspectionCoverage> pairs = coverage_in(ingest::read_trajectories(file));
   ASSERT_EQ(pairs.size(), 2U);
-  const Coverage& pile = pairs[0];
+  const InspectionCoverage& pile = pairs[0];
   EXPECT_EQ(pile.name(), "A01/monopile, ROV camera");
   EXPECT_EQ(pile.vehicle, "rov");
   EXPECT_EQ(pile.patches.size(), 72U * 70);
@@ -63,7 +63,7 @@ TEST(CoverageView, BearingsRunClockwiseFromTheFirstOne) {
 }
 
 TEST(CoverageView, WhatWasReportedBesideTheSurfaceHasItsBearingAndDepthOnTheSheet) {
-  const Coverage pile = coverage_in(made_up_inspection())[0];
+  const InspectionCoverage pile = coverage_in(made_up_inspection())[0];
   for (double bearing_deg = 1; bearing_deg < 360; bearing_deg += 13.7) {
     const double bearing = bearing_deg / 57.29577951308232;
     // Half a metre off a pile of 3 m radius.

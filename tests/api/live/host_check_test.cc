@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "api/door/live/command_topics.h"
-#include "api/door/live/host_desk.h"
+#include "api/door/live/host_link.h"
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
 

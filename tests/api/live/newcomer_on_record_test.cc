@@ -73,7 +73,7 @@ TEST(NewcomerOnRecord, HasItsChannelsInABagOfEitherKindFromItsFirstStepOn) {
     hand.run.at_opening([&, hand](const twin::StepTime& time) {
       if (time.step != joins_before) return;
       const twin::Newcomer late{"bluerov2_heavy", "late", {3, 7, 12}, 0};
-      EXPECT_FALSE(hand.steward.spawn("somebody", late, hand.slipway, hand.steward.time_s()));
+      EXPECT_FALSE(hand.arbiter.spawn("somebody", late, hand.newcomer_yard, hand.arbiter.time_s()));
     });
     hand.run.at_barrier([&](const twin::StepTime& time) {
       EXPECT_EQ(joined->names().size(), time.step < joins_before ? 1U : 2U) << time.step;

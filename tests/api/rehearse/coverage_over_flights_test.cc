@@ -85,7 +85,7 @@ TEST(CoverageOverFlights, APatchHasTheStateOfHowManyFuturesCoverIt) {
   const auto what = board();
   const auto coverages = coverage_over_flights(ten_futures(), 1, what.get());
   ASSERT_EQ(coverages.size(), 1U);
-  const Coverage& coverage = coverages[0];
+  const InspectionCoverage& coverage = coverages[0];
   ASSERT_EQ(coverage.patches.size(), 4U);
   const PatchState expected[] = {PatchState::covered, PatchState::covered, PatchState::seen_poorly,
                                  PatchState::unseen};

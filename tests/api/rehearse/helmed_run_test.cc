@@ -40,7 +40,7 @@ vehicles:
 class Guests {
  public:
   void join(const RunInHand& hand) {
-    steward_ = &hand.steward;
+    arbiter_ = &hand.arbiter;
     hand.run.at_opening([this](const twin::StepTime& time) { act(time); });
     hand.run.at_barrier([this](const twin::StepTime&) { ++barriers; });
     EXPECT_EQ(hand.origin.latitude_deg(), 55);
@@ -50,7 +50,7 @@ class Guests {
 
  private:
   void say(const std::string& client, std::size_t vehicle, twin::CommandWhat what, double t_s) {
-    (void)steward_->submit(client, {0, vehicle, std::move(what), "", ++sequence_, t_s}, t_s);
+    (void)arbiter_->submit(client, {0, vehicle, std::move(what), "", ++sequence_, t_s}, t_s);
   }
   void act(const twin::StepTime& time) {
     const double t_s = time.start_s;
@@ -63,7 +63,7 @@ class Guests {
       say("mavlink 255", 2, twin::SetThrusters{{0.2, 0.1}}, t_s);
     if (time.step == 900) say("http 7", 1, twin::Resume{}, t_s);
   }
-  twin::Steward* steward_ = nullptr;
+  twin::CommandArbiter* arbiter_ = nullptr;
   std::uint64_t sequence_ = 0;
 };
 
@@ -145,10 +145,10 @@ TEST_F(HelmedRun, OfTenThousandCommandsTheLogMakesTheRunAgain) {
   RunChoice choice;
   std::uint64_t sequence = 0;
   choice.on_ready = [&](const RunInHand& hand) {
-    hand.run.at_opening([&, steward = &hand.steward](const twin::StepTime& time) {
+    hand.run.at_opening([&, arbiter = &hand.arbiter](const twin::StepTime& time) {
       for (int i = 0; i < 9; ++i) {
         const twin::SetVelocity what{{0.3, 0.01 * i, 0, 0.1}};
-        (void)steward->submit("dds 01.0f", {0, 0, what, "", ++sequence, time.start_s},
+        (void)arbiter->submit("dds 01.0f", {0, 0, what, "", ++sequence, time.start_s},
                               time.start_s);
       }
     });

@@ -47,10 +47,10 @@ class Hosts {
 
  private:
   void act(const twin::StepTime& time) {
-    twin::Steward& steward = hand_->steward;
-    const double t_s = steward.time_s();
+    twin::CommandArbiter& arbiter = hand_->arbiter;
+    const double t_s = arbiter.time_s();
     const auto spawn = [&](const Newcomer& newcomer) {
-      return steward.spawn("dds 01", newcomer, hand_->slipway, t_s);
+      return arbiter.spawn("dds 01", newcomer, hand_->newcomer_yard, t_s);
     };
     if (time.step == 203) {
       EXPECT_FALSE(spawn({"bluerov2_heavy", "late rov", {20, 0, 12}, 1}));
@@ -59,7 +59,7 @@ class Hosts {
     }
     if (time.step == 300) {
       const twin::Reroute away{{{{26, 0, 14}, 0.5}}};
-      EXPECT_FALSE(steward.submit("dds 02", {0, 1, away, "", 1, t_s}, t_s));
+      EXPECT_FALSE(arbiter.submit("dds 02", {0, 1, away, "", 1, t_s}, t_s));
     }
     if (time.step == 400) {
       EXPECT_FALSE(spawn({"x500", "late uav", {-20, 10, -30}, 0}));

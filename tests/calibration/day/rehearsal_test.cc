@@ -62,7 +62,7 @@ std::vector<bool> available_here() {
 }
 
 Earned earned(const SiteData& data, const ForecastPlan& plan, int threads = 1) {
-  return Rehearsals(data).earned(plan, available_here(), threads);
+  return RehearsedDays(data).earned(plan, available_here(), threads);
 }
 
 void expect_same(const Earned& a, const Earned& b) {
@@ -87,7 +87,7 @@ double weight_of(const Earned& earned, Method method) {
   return 0;
 }
 
-TEST(Rehearsals, SeeNothingLaterThanTheDay) {
+TEST(RehearsedDays, SeeNothingLaterThanTheDay) {
   for (const WindPolicy wind : {WindPolicy::forecast, WindPolicy::persist}) {
     const KnownSeriesForTests sea = sea_of(7);
     ColumnData spoilt = sea.data;
@@ -98,7 +98,7 @@ TEST(Rehearsals, SeeNothingLaterThanTheDay) {
   }
 }
 
-TEST(Rehearsals, TheDayItselfIsTheTruthOfTheLastOfThem) {
+TEST(RehearsedDays, TheDayItselfIsTheTruthOfTheLastOfThem) {
   const KnownSeriesForTests sea = sea_of(7);
   ColumnData spoilt = sea.data;
   spoil_all_after(spoilt, end_of_day - hours(2));
@@ -108,7 +108,7 @@ TEST(Rehearsals, TheDayItselfIsTheTruthOfTheLastOfThem) {
   EXPECT_GT(*other.blend.share[0].past_rmse_m_s, *made.blend.share[0].past_rmse_m_s);
 }
 
-TEST(Rehearsals, EachWeightIsAShareOfOne) {
+TEST(RehearsedDays, EachWeightIsAShareOfOne) {
   const KnownSeriesForTests sea = sea_of(8);
   const Earned made = earned(site_of({sea.data}), plan_of(day));
   double sum = 0;
@@ -122,25 +122,25 @@ TEST(Rehearsals, EachWeightIsAShareOfOne) {
   EXPECT_EQ(made.spread.pairs, made.blend.pairs);
 }
 
-TEST(Rehearsals, DoNotDependOnTheNumberOfThreads) {
+TEST(RehearsedDays, DoNotDependOnTheNumberOfThreads) {
   const KnownSeriesForTests sea = sea_of(8);
   const SiteData data = site_of({sea.data, sea.data});
   expect_same(earned(data, plan_of(day), 1), earned(data, plan_of(day), 2));
 }
 
-TEST(Rehearsals, GoBackSoManyDaysAndNoFurther) {
-  const KnownSeriesForTests sea = sea_of(Rehearsals::longest_days + 6);
+TEST(RehearsedDays, GoBackSoManyDaysAndNoFurther) {
+  const KnownSeriesForTests sea = sea_of(RehearsedDays::longest_days + 6);
   const Earned made = earned(site_of({sea.data}), plan_of(day));
-  EXPECT_EQ(made.blend.pairs, static_cast<std::size_t>(Rehearsals::longest_days));
+  EXPECT_EQ(made.blend.pairs, static_cast<std::size_t>(RehearsedDays::longest_days));
 }
 
-TEST(Rehearsals, OfAShortRecordEveryWholeDayButTheLastIsOne) {
+TEST(RehearsedDays, OfAShortRecordEveryWholeDayButTheLastIsOne) {
   // Of six whole days five have a next one; the first of them needs no history.
   const KnownSeriesForTests sea = sea_of(6);
   EXPECT_EQ(earned(site_of({sea.data}), plan_of(day)).blend.pairs, 5u);
 }
 
-TEST(Rehearsals, ADayWithAGapIsPassedOver) {
+TEST(RehearsedDays, ADayWithAGapIsPassedOver) {
   KnownSeriesForTests sea = sea_of(6);
   VectorColumn& column = sea.data.current.pieces[0].column;
   const UtcTime third_day = end_of_day - days(3);
@@ -154,7 +154,7 @@ TEST(Rehearsals, ADayWithAGapIsPassedOver) {
   EXPECT_EQ(earned(site_of({sea.data}), plan_of(day)).blend.pairs, 4u);
 }
 
-TEST(Rehearsals, WithoutAPastThePriorStands) {
+TEST(RehearsedDays, WithoutAPastThePriorStands) {
   const KnownSeriesForTests sea = sea_of(1);
   const Earned made = earned(site_of({sea.data}), plan_of(day));
   EXPECT_EQ(made.blend.pairs, 0u);
@@ -164,7 +164,7 @@ TEST(Rehearsals, WithoutAPastThePriorStands) {
   EXPECT_EQ(made.spread.scale, 1);
 }
 
-TEST(Rehearsals, WhatNeverErredEarnsTheWeight) {
+TEST(RehearsedDays, WhatNeverErredEarnsTheWeight) {
   // Every day is the day before, hour by hour, and no hour is like the next.
   const KnownSeriesForTests sea = sea_of(11, [](UtcTime time, double) {
     const auto hour = std::chrono::floor<hours>(time).time_since_epoch().count() % 24;
@@ -179,7 +179,7 @@ TEST(Rehearsals, WhatNeverErredEarnsTheWeight) {
   }
 }
 
-TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
+TEST(RehearsedDays, ADayOnceRehearsedIsRemembered) {
   const KnownSeriesForTests sea = sea_of(4);
   const SiteData data = site_of({sea.data});
   int calibrated = 0;
@@ -188,7 +188,7 @@ TEST(Rehearsals, ADayOnceRehearsedIsRemembered) {
     ++calibrated;
     return calibrate_column(arguments...);
   };
-  Rehearsals rehearsals(data, parts);
+  RehearsedDays rehearsals(data, parts);
   const std::vector<bool> available = available_here();
   const Earned first = rehearsals.earned(plan_of(day), available, 1);
   EXPECT_EQ(calibrated, 3);
@@ -211,7 +211,7 @@ std::vector<SeenWind> winds_seen(const SiteData& data, const ForecastPlan& plan,
     return seen.back().wind;
   };
   const std::vector<bool> available = available_here();
-  made = Rehearsals(data, parts).earned(plan, available, 1);
+  made = RehearsedDays(data, parts).earned(plan, available, 1);
   std::erase_if(seen, [&](const SeenWind& one) { return one.end_of_day >= plan.end_of_day(); });
   return seen;
 }
@@ -240,7 +240,7 @@ KnownSeriesForTests sea_with_runs(int days_of_runs) {
   return sea;
 }
 
-TEST(Rehearsals, ForecastAPastDayWithTheRunOfThatDay) {
+TEST(RehearsedDays, ForecastAPastDayWithTheRunOfThatDay) {
   const KnownSeriesForTests sea = sea_with_runs(9);
   Earned made;
   const std::vector<SeenWind> seen = winds_seen(site_of({sea.data}), live_plan(), made);
@@ -256,7 +256,7 @@ TEST(Rehearsals, ForecastAPastDayWithTheRunOfThatDay) {
   EXPECT_EQ(made.simulated_days, 0u);
 }
 
-TEST(Rehearsals, SimulateTheRunsThatNobodyKept) {
+TEST(RehearsedDays, SimulateTheRunsThatNobodyKept) {
   const KnownSeriesForTests sea = sea_with_runs(1);
   Earned made;
   const std::vector<SeenWind> seen = winds_seen(site_of({sea.data}), live_plan(), made);
@@ -276,7 +276,7 @@ TEST(Rehearsals, SimulateTheRunsThatNobodyKept) {
   EXPECT_GE(made.simulated_days, 7u);
 }
 
-TEST(Rehearsals, WithoutARunNowNoneIsSimulatedForThen) {
+TEST(RehearsedDays, WithoutARunNowNoneIsSimulatedForThen) {
   const KnownSeriesForTests sea = sea_with_runs(0);
   Earned made;
   const std::vector<SeenWind> seen = winds_seen(site_of({sea.data}), live_plan(), made);
@@ -288,7 +288,7 @@ TEST(Rehearsals, WithoutARunNowNoneIsSimulatedForThen) {
   EXPECT_EQ(made.simulated_days, 0u);
 }
 
-TEST(Rehearsals, ALaterDayOfLeadNeedsATruthThatEndsByThen) {
+TEST(RehearsedDays, ALaterDayOfLeadNeedsATruthThatEndsByThen) {
   const KnownSeriesForTests sea = sea_of(12);
   ForecastPlan plan = plan_of(day);
   for (int h = 25; h <= 72; ++h) plan.stamps.push_back(plan.end_of_day() + hours(h));
@@ -339,7 +339,7 @@ double past_error_of(const Earned& earned, Method method) {
   return NAN;
 }
 
-TEST(Rehearsals, StartFromTheEditionsThatStoodThen) {
+TEST(RehearsedDays, StartFromTheEditionsThatStoodThen) {
   const Horizontal wrong_by(0.5, 0);
   const KnownSeriesForTests right = revised_sea({});
   const KnownSeriesForTests revised = revised_sea(wrong_by);
@@ -353,7 +353,7 @@ TEST(Rehearsals, StartFromTheEditionsThatStoodThen) {
   EXPECT_LT(of_revised, 0.7);
 }
 
-TEST(Rehearsals, TakeTheEditionsOfNowWhereADayCameLate) {
+TEST(RehearsedDays, TakeTheEditionsOfNowWhereADayCameLate) {
   const Horizontal wrong_by(0.5, 0);
   const KnownSeriesForTests late = revised_sea(wrong_by, std::chrono::minutes(1));
   // Of each day but the last two the second edition counts now, and nothing stood there then.
@@ -362,7 +362,7 @@ TEST(Rehearsals, TakeTheEditionsOfNowWhereADayCameLate) {
   EXPECT_LT(past_error_of(made, Method::same_hour), 0.35);
 }
 
-TEST(Rehearsals, OfARecordLengthenedBackwardsSinceTakeItWhole) {
+TEST(RehearsedDays, OfARecordLengthenedBackwardsSinceTakeItWhole) {
   // Days before the first that came in by itself are read in today.
   KnownSeriesForTests lengthened = revised_sea({0.5, 0});
   lengthened.current(received(analysis_of("model", 500), end_of_day + hours(4)),
@@ -372,7 +372,7 @@ TEST(Rehearsals, OfARecordLengthenedBackwardsSinceTakeItWhole) {
             0.35);
 }
 
-TEST(Rehearsals, OfAnArchiveReadLaterSeeItsNewestEditions) {
+TEST(RehearsedDays, OfAnArchiveReadLaterSeeItsNewestEditions) {
   KnownSeriesForTests archive = revised_sea({0.5, 0});
   ForecastPlan plan = plan_seen_now();
   plan.seen_by = plan.best.seen_by = UtcTime::max();
@@ -385,7 +385,7 @@ TEST(Rehearsals, OfAnArchiveReadLaterSeeItsNewestEditions) {
   EXPECT_LT(past_error_of(made, Method::same_hour), 0.25);
 }
 
-TEST(Rehearsals, ADayThatFailsIsCountedAndTheOthersDecideAsIfItWereNotThere) {
+TEST(RehearsedDays, ADayThatFailsIsCountedAndTheOthersDecideAsIfItWereNotThere) {
   const KnownSeriesForTests sea = sea_of(8);
   const SiteData data = site_of({sea.data});
   const UtcDay bad = day - days(3);
@@ -395,36 +395,36 @@ TEST(Rehearsals, ADayThatFailsIsCountedAndTheOthersDecideAsIfItWereNotThere) {
     expects(plan.day != bad, "a broken part");
     return known_currents(column, plan);
   };
-  const Earned made = Rehearsals(data, parts).earned(plan_of(day), available, 2);
+  const Earned made = RehearsedDays(data, parts).earned(plan_of(day), available, 2);
   EXPECT_EQ(made.failed_days, 1u);
   ASSERT_TRUE(made.first_failure);
   EXPECT_NE(made.first_failure->why.find("a broken part"), std::string::npos);
-  const Earned whole = Rehearsals(data).earned(plan_of(day), available, 2);
+  const Earned whole = RehearsedDays(data).earned(plan_of(day), available, 2);
   EXPECT_EQ(made.blend.pairs, whole.blend.pairs - 1);
   EXPECT_EQ(whole.failed_days, 0u);
 }
 
-TEST(Rehearsals, DoNotAskForWaves) {
+TEST(RehearsedDays, DoNotAskForWaves) {
   const KnownSeriesForTests sea = sea_of(4);
   const SiteData data = site_of({sea.data});
   ColumnParts parts;
   parts.waves = [](auto&&...) -> HorizonSea { throw Error(ErrorKind::internal, "asked"); };
   const std::vector<bool> available = available_here();
-  EXPECT_EQ(Rehearsals(data, parts).earned(plan_of(day), available, 1).failed_days, 0u);
+  EXPECT_EQ(RehearsedDays(data, parts).earned(plan_of(day), available, 1).failed_days, 0u);
 }
 
-TEST(Rehearsals, AreTheSameWhicheverDayOfAHindcastAsksFirst) {
+TEST(RehearsedDays, AreTheSameWhicheverDayOfAHindcastAsksFirst) {
   const KnownSeriesForTests sea = sea_of(8);
   const SiteData data = site_of({sea.data});
   const std::vector<bool> available = available_here();
-  Rehearsals shared(data);
+  RehearsedDays shared(data);
   (void)shared.earned(plan_of(day), available, 1);
   const UtcDay before = day - days(2);
   expect_same(shared.earned(plan_of(before), available, 1),
-              Rehearsals(data).earned(plan_of(before), available, 1));
+              RehearsedDays(data).earned(plan_of(before), available, 1));
 }
 
-TEST(Rehearsals, TheirTruthIsThatOfTheirDayWhoeverAsks) {
+TEST(RehearsedDays, TheirTruthIsThatOfTheirDayWhoeverAsks) {
   // A station that begins later is fused with what is asked for after it began, and with nothing
   // of the days before: they were over.
   KnownSeriesForTests sea = sea_of(8);
@@ -433,17 +433,17 @@ TEST(Rehearsals, TheirTruthIsThatOfTheirDayWhoeverAsks) {
       [](UtcTime time, double depth) { return water(time, depth) + 0.2; }, 500);
   const SiteData data = site_of({sea.data});
   const std::vector<bool> available = available_here();
-  Rehearsals shared(data);
+  RehearsedDays shared(data);
   (void)shared.earned(plan_of(day), available, 1);
   const UtcDay before = day - days(3);
   expect_same(shared.earned(plan_of(before), available, 1), earned(data, plan_of(before)));
 }
 
-TEST(Rehearsals, ARehearsedDayBelongsToAllOfThePlanThatItRestsOn) {
+TEST(RehearsedDays, ARehearsedDayBelongsToAllOfThePlanThatItRestsOn) {
   const KnownSeriesForTests sea = sea_of(7);
   const SiteData data = site_of({sea.data});
   const std::vector<bool> available = available_here();
-  Rehearsals shared(data);
+  RehearsedDays shared(data);
   (void)shared.earned(plan_of(day), available, 1);
   ForecastPlan shallow = plan_of(day);
   shallow.depth_m = {2};
@@ -457,7 +457,7 @@ TEST(Rehearsals, ARehearsedDayBelongsToAllOfThePlanThatItRestsOn) {
   expect_same(shared.earned(honest, available, 1), earned(data, honest));
 }
 
-TEST(Rehearsals, UnderBestWindTheySeeNothingThatCameAfterTheIssueTime) {
+TEST(RehearsedDays, UnderBestWindTheySeeNothingThatCameAfterTheIssueTime) {
   const KnownSeriesForTests sea = sea_of(7);
   ForecastPlan plan = plan_of(day, WindPolicy::best);
   plan.best = {plan.issued, false};
@@ -466,17 +466,17 @@ TEST(Rehearsals, UnderBestWindTheySeeNothingThatCameAfterTheIssueTime) {
   expect_same(earned(site_of({spoilt}), plan), earned(site_of({sea.data}), plan));
 }
 
-TEST(Rehearsals, ARehearsedDayBelongsToItsWindPolicy) {
+TEST(RehearsedDays, ARehearsedDayBelongsToItsWindPolicy) {
   const KnownSeriesForTests sea = sea_of(7);
   const SiteData data = site_of({sea.data});
   const std::vector<bool> available = available_here();
-  Rehearsals shared(data);
+  RehearsedDays shared(data);
   for (const WindPolicy wind : {WindPolicy::best, WindPolicy::forecast, WindPolicy::persist}) {
     expect_same(shared.earned(plan_of(day, wind), available, 1), earned(data, plan_of(day, wind)));
   }
 }
 
-TEST(Rehearsals, PassOverColumnsWithoutCurrents) {
+TEST(RehearsedDays, PassOverColumnsWithoutCurrents) {
   const KnownSeriesForTests sea = sea_of(7);
   ColumnData dry = sea.data;
   dry.current = {};

@@ -54,12 +54,12 @@ struct Twin {
   RedSeries elsewhere;
 };
 
-InstrumentVerdict verdict_on(const VectorColumn& product, const VectorColumn& instrument) {
+MooredInstrumentVerdict verdict_on(const VectorColumn& product, const VectorColumn& instrument) {
   return check_instrument(product, instrument, distance_m, until);
 }
 
-void expect_rejected(const InstrumentVerdict& verdict, const std::string& because) {
-  EXPECT_EQ(verdict.use, InstrumentUse::rejected);
+void expect_rejected(const MooredInstrumentVerdict& verdict, const std::string& because) {
+  EXPECT_EQ(verdict.use, MooredInstrumentUse::rejected);
   EXPECT_NE(verdict.why.find(because), std::string::npos) << "said: " << verdict.why;
 }
 
@@ -67,8 +67,8 @@ TEST(InstrumentCheck, AnHonestInstrumentIsUsedWholeAndNothingIsSaid) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Twin twin(seed);
     const VectorColumn instrument = twin.honest();
-    const InstrumentVerdict verdict = verdict_on(twin.product(), instrument);
-    EXPECT_EQ(verdict.use, InstrumentUse::used) << verdict.why;
+    const MooredInstrumentVerdict verdict = verdict_on(twin.product(), instrument);
+    EXPECT_EQ(verdict.use, MooredInstrumentUse::used) << verdict.why;
     EXPECT_TRUE(verdict.remarks.empty()) << verdict.remarks.front();
     EXPECT_EQ(verdict.column.status, instrument.status);
     for (const double noise : verdict.errors.noise_m_s) EXPECT_NEAR(noise, 0.02, 0.002);
@@ -80,7 +80,7 @@ TEST(InstrumentCheck, ABiasNoProductExplainsIsRejectedWithItsFigure) {
   const VectorColumn biased = twin.instrument([&](double h, double z) {
     return twin.seen(h, z) + Horizontal{0.6, -0.8};
   });
-  const InstrumentVerdict verdict = verdict_on(twin.product(), biased);
+  const MooredInstrumentVerdict verdict = verdict_on(twin.product(), biased);
   expect_rejected(verdict, "it differs from the product by ");
   expect_rejected(verdict, " m/s on average over 16.0 days, where 0.6");
 }
@@ -98,7 +98,7 @@ TEST(InstrumentCheck, ABiasAsProductsHaveIsLeftToTheFusion) {
   const VectorColumn biased = twin.instrument([&](double h, double z) {
     return twin.seen(h, z) + Horizontal{0.2, 0.1};
   });
-  EXPECT_EQ(verdict_on(twin.product(), biased).use, InstrumentUse::used);
+  EXPECT_EQ(verdict_on(twin.product(), biased).use, MooredInstrumentUse::used);
 }
 
 TEST(InstrumentCheck, AWrongSignIsRejected) {
@@ -113,7 +113,7 @@ TEST(InstrumentCheck, ADeclinationOfThirtyDegreesIsRejectedWithItsAngleAndSense)
     const Horizontal turn = std::polar(1.0, -degrees * std::numbers::pi / 180);
     const VectorColumn wrong =
         twin.instrument([&](double h, double z) { return turn * twin.seen(h, z); });
-    const InstrumentVerdict verdict = verdict_on(twin.product(), wrong);
+    const MooredInstrumentVerdict verdict = verdict_on(twin.product(), wrong);
     expect_rejected(verdict, degrees > 0 ? " degrees clockwise" : " degrees anticlockwise");
     const double said = std::stod(verdict.why.substr(verdict.why.find(" by ") + 4));
     EXPECT_NEAR(said, std::abs(degrees), 5) << verdict.why;
@@ -125,7 +125,7 @@ TEST(InstrumentCheck, AClockThreeHoursOffIsSeenInTheTideWithItsSign) {
   for (const double late_h : {3.0, -3.0, 2.0}) {
     const VectorColumn wrong =
         twin.instrument([&](double h, double z) { return twin.seen(h - late_h, z); });
-    const InstrumentVerdict verdict = verdict_on(twin.product(), wrong);
+    const MooredInstrumentVerdict verdict = verdict_on(twin.product(), wrong);
     expect_rejected(verdict, late_h > 0 ? " h late against" : " h early against");
     const double said = std::stod(verdict.why.substr(verdict.why.find(" is ") + 4));
     EXPECT_NEAR(said, std::abs(late_h), 0.5) << verdict.why;
@@ -138,7 +138,7 @@ TEST(InstrumentCheck, ATideInACircleCannotTellAClockFromAFrameAndSaysBoth) {
                                               [&](double h, double) { return circle.at(h); });
   const VectorColumn late =
       made_up_column(bins, hours_in_all, 0.5, [&](double h, double) { return circle.at(h - 3); });
-  const InstrumentVerdict verdict = verdict_on(product, late);
+  const MooredInstrumentVerdict verdict = verdict_on(product, late);
   expect_rejected(verdict, "degrees");
   expect_rejected(verdict, " h late");
 }
@@ -148,8 +148,8 @@ TEST(InstrumentCheck, WhatAGoodProductMayErrInItsTideIsNoFaultOfTheInstrument) {
   const Horizontal turn = std::polar(1.0, 12 * std::numbers::pi / 180);
   const VectorColumn other =
       twin.instrument([&](double h, double z) { return 1.3 * turn * twin.seen(h - 0.7, z); });
-  const InstrumentVerdict verdict = verdict_on(twin.product(), other);
-  EXPECT_EQ(verdict.use, InstrumentUse::used) << verdict.why;
+  const MooredInstrumentVerdict verdict = verdict_on(twin.product(), other);
+  EXPECT_EQ(verdict.use, MooredInstrumentUse::used) << verdict.why;
 }
 
 TEST(InstrumentCheck, BesideAProductWithoutTideTheInstrumentIsNotBlamedForSeeingIt) {
@@ -161,8 +161,8 @@ TEST(InstrumentCheck, BesideAProductWithoutTideTheInstrumentIsNotBlamedForSeeing
   for (const double step_h : {1.0, 24.0}) {
     const VectorColumn product =
         made_up_column(product_depths, hours_in_all, step_h, drift, step_h > 1);
-    const InstrumentVerdict verdict = verdict_on(product, instrument);
-    EXPECT_EQ(verdict.use, InstrumentUse::used) << verdict.why;
+    const MooredInstrumentVerdict verdict = verdict_on(product, instrument);
+    EXPECT_EQ(verdict.use, MooredInstrumentUse::used) << verdict.why;
     EXPECT_TRUE(verdict.remarks.empty());
   }
 }
@@ -178,10 +178,10 @@ TEST(InstrumentCheck, AnInstrumentThatEndedIsNotUsedWhenLittleOfItIsRemembered) 
     }
     return verdict_on(twin.product(), instrument);
   };
-  EXPECT_EQ(ended(4).use, InstrumentUse::ended);
+  EXPECT_EQ(ended(4).use, MooredInstrumentUse::ended);
   EXPECT_EQ(ended(4).why, "it ended 4.0 days before");
-  const InstrumentVerdict lately = ended(2);
-  EXPECT_EQ(lately.use, InstrumentUse::used);
+  const MooredInstrumentVerdict lately = ended(2);
+  EXPECT_EQ(lately.use, MooredInstrumentUse::used);
   ASSERT_EQ(lately.remarks.size(), 1U);
   EXPECT_EQ(lately.remarks[0], "its last good value is 2.0 days before the end of the day");
   EXPECT_TRUE(ended(0.2).remarks.empty());
@@ -191,7 +191,7 @@ TEST(InstrumentCheck, OneThatSpeaksOfOtherDepthsIsApart) {
   Twin twin(11);
   const VectorColumn deep =
       made_up_column({40, 50}, hours_in_all, 1, [](double h, double) { return truth(h, 30); });
-  EXPECT_EQ(verdict_on(twin.product(), deep).use, InstrumentUse::apart);
+  EXPECT_EQ(verdict_on(twin.product(), deep).use, MooredInstrumentUse::apart);
 }
 
 TEST(InstrumentCheck, AStatedErrorBeyondTheNoiseLasts) {
@@ -217,8 +217,8 @@ Errors errors_at_the_end(double noise_m_s) {
   for (std::uint64_t seed = 100; seed < 115; ++seed) {
     Twin twin(seed);
     const VectorColumn product = twin.product();
-    const InstrumentVerdict verdict = verdict_on(product, twin.honest(noise_m_s));
-    EXPECT_EQ(verdict.use, InstrumentUse::used) << verdict.why;
+    const MooredInstrumentVerdict verdict = verdict_on(product, twin.honest(noise_m_s));
+    EXPECT_EQ(verdict.use, MooredInstrumentUse::used) << verdict.why;
     const FusedColumn fused = fuse(product, verdict.column, distance_m, {}, verdict.errors);
     for (std::size_t t = product.times() - 24; t < product.times(); ++t) {
       for (std::size_t k = 0; k < product.levels(); ++k) {
@@ -242,7 +242,7 @@ TEST(InstrumentCheck, ANoisyInstrumentCountsForLessAndStillHelps) {
   EXPECT_LT(loud.fused, 0.95 * loud.product);
   EXPECT_GT(loud.fused, quiet.fused);
   Twin twin(13);
-  const InstrumentVerdict verdict = verdict_on(twin.product(), twin.honest(0.3));
+  const MooredInstrumentVerdict verdict = verdict_on(twin.product(), twin.honest(0.3));
   ASSERT_EQ(verdict.remarks.size(), 1U);
   EXPECT_EQ(verdict.remarks[0].substr(0, 25), "its values scatter by 0.3") << verdict.remarks[0];
 }
@@ -323,9 +323,9 @@ TEST(InstrumentCheck, OfThreeHundredHonestInstrumentsNoneIsRejected) {
   std::size_t values = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const HonestPair pair = honest_pair(seed);
-    const InstrumentVerdict verdict = check_instrument(pair.product, pair.instrument, distance_m,
-                                                       pair.instrument.time.back().end);
-    if (verdict.use != InstrumentUse::used) {
+    const MooredInstrumentVerdict verdict = check_instrument(
+        pair.product, pair.instrument, distance_m, pair.instrument.time.back().end);
+    if (verdict.use != MooredInstrumentUse::used) {
       ++rejected;
       std::printf("seed %d: %s\n", static_cast<int>(seed), verdict.why.c_str());
     }

@@ -120,7 +120,7 @@ struct Scored {
 
 Scored score(const KnownSeriesForTests& sea, int from = first_scored, int to = last_scored) {
   const SiteData data = site_of({sea.data});
-  Rehearsals rehearsals(data);
+  RehearsedDays rehearsals(data);
   Scored scored;
   double inside = 0;
   double count = 0;

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "tests/twin/simulate/helm_for_tests.h"
-#include "twin/helm/steward.h"
+#include "twin/helm/command_arbiter.h"
 
 namespace slackwater::tests {
 namespace {
@@ -16,42 +16,43 @@ struct Served {
   twin::Scenario scenario =
       twin::parse_scenario(lone("bluerov2_heavy", "north_m: 0, east_m: 0, depth_m: 20"), "t.yaml");
   twin::ReadyRun ready = twin::set_up(scenario, surround_of(scenario));
-  twin::Slipway slipway{scenario, source_folder() / "data", ready.vehicles, ready.agents};
+  twin::NewcomerYard newcomer_yard{scenario, source_folder() / "data", ready.vehicles,
+                                   ready.agents};
   std::unique_ptr<twin::Run> run = [this] {
     twin::RunSettings settings = settings_of(helm_step_s);
     settings.most_newcomers = 3;
     return std::make_unique<twin::Run>(ready.agents, ready.states, settings);
   }();
-  twin::Steward steward{*run};
+  twin::CommandArbiter arbiter{*run};
 
   std::optional<twin::Refusal> spawn(const Newcomer& newcomer, const std::string& client = "ann") {
-    return steward.spawn(client, newcomer, slipway, steward.time_s());
+    return arbiter.spawn(client, newcomer, newcomer_yard, arbiter.time_s());
   }
   std::optional<twin::Refusal> say(const std::string& client, std::size_t vehicle,
                                    twin::CommandWhat what) {
-    return steward.submit(client, {0, vehicle, std::move(what), "", ++sequence, steward.time_s()},
-                          steward.time_s());
+    return arbiter.submit(client, {0, vehicle, std::move(what), "", ++sequence, arbiter.time_s()},
+                          arbiter.time_s());
   }
   std::atomic<std::uint64_t> sequence = 0;
 };
 
 Newcomer named(const std::string& name) { return {"bluerov2_heavy", name, {30, 0, 15}, 0}; }
 
-TEST(StewardOfNewcomers, LetsOneInWithTheNextStepAndGivesNobodyItsHelm) {
+TEST(CommandArbiterOfNewcomers, LetsOneInWithTheNextStepAndGivesNobodyItsHelm) {
   Served served;
   go_on(*served.run, 2);
   ASSERT_FALSE(served.spawn(named("late")));
-  EXPECT_EQ(served.steward.vehicle("late"), std::nullopt) << "it is on its way";
+  EXPECT_EQ(served.arbiter.vehicle("late"), std::nullopt) << "it is on its way";
   served.run->step();
-  ASSERT_EQ(served.steward.vehicle("late"), 1U);
-  EXPECT_EQ(served.steward.holder(1), "");
-  EXPECT_EQ(served.steward.standing(1).mode, twin::HelmMode::own);
+  ASSERT_EQ(served.arbiter.vehicle("late"), 1U);
+  EXPECT_EQ(served.arbiter.holder(1), "");
+  EXPECT_EQ(served.arbiter.standing(1).mode, twin::HelmMode::own);
   const twin::Command& taken = served.run->commands_taken()[0];
   EXPECT_EQ(taken.source, "ann");
   EXPECT_EQ(taken.agent, 1U);
   EXPECT_NEAR(taken.received_s, 2, 1e-9);
   // Who asks for it has it, whoever let it in.
-  ASSERT_FALSE(served.steward.ask("bob", 1, served.steward.time_s()));
+  ASSERT_FALSE(served.arbiter.ask("bob", 1, served.arbiter.time_s()));
   const auto refused = served.say("ann", 1, twin::HoldHere{});
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->reason, RefusalReason::unauthorised);
@@ -59,15 +60,15 @@ TEST(StewardOfNewcomers, LetsOneInWithTheNextStepAndGivesNobodyItsHelm) {
   go_on(*served.run, 20);
   EXPECT_NEAR(served.run->seen(1).position_m.x, 32, 0.5);
   // A client that is lost leaves it like any other.
-  ASSERT_FALSE(served.steward.ask("bob", 1, served.steward.time_s()));
+  ASSERT_FALSE(served.arbiter.ask("bob", 1, served.arbiter.time_s()));
   ASSERT_FALSE(served.say("bob", 1, twin::SetVelocity{{0.2, 0, 0, 0}}));
   served.run->step();
-  served.steward.lost("bob", served.steward.time_s());
+  served.arbiter.lost("bob", served.arbiter.time_s());
   served.run->step();
   EXPECT_EQ(served.run->helm(1).cause, twin::HelmCause::client_lost);
 }
 
-TEST(StewardOfNewcomers, RefusesWithOneClearAnswerAndLeavesTheRunAsItIs) {
+TEST(CommandArbiterOfNewcomers, RefusesWithOneClearAnswerAndLeavesTheRunAsItIs) {
   Served served, alone;
   served.run->step();
   alone.run->step();
@@ -90,7 +91,7 @@ TEST(StewardOfNewcomers, RefusesWithOneClearAnswerAndLeavesTheRunAsItIs) {
   expect_refused(named("bluerov2_heavy"), RefusalReason::bad_name, "is taken");
   expect_refused(named(""), RefusalReason::bad_name, "found ''");
   expect_refused(named("a\nb"), RefusalReason::bad_name, "found 'a?b'");
-  EXPECT_EQ(served.steward.refusals().size(), 5U) << "counted by name and reason";
+  EXPECT_EQ(served.arbiter.refusals().size(), 5U) << "counted by name and reason";
   for (int i = 0; i < 40; ++i) {
     served.run->step();
     alone.run->step();
@@ -102,7 +103,7 @@ TEST(StewardOfNewcomers, RefusesWithOneClearAnswerAndLeavesTheRunAsItIs) {
             0);
 }
 
-TEST(StewardOfNewcomers, HasRoomForAStatedNumberAndEachNameOnce) {
+TEST(CommandArbiterOfNewcomers, HasRoomForAStatedNumberAndEachNameOnce) {
   Served served;
   ASSERT_FALSE(served.spawn(named("one")));
   const auto twice = served.spawn(named("one"));
@@ -121,7 +122,7 @@ TEST(StewardOfNewcomers, HasRoomForAStatedNumberAndEachNameOnce) {
   EXPECT_EQ(served.run->agents().size(), 4U);
 }
 
-TEST(StewardOfNewcomers, LetsThemInFromManyThreadsWhileTheRunGoesOn) {
+TEST(CommandArbiterOfNewcomers, LetsThemInFromManyThreadsWhileTheRunGoesOn) {
   Served served;
   std::atomic<int> taken = 0;
   std::atomic<bool> is_over = false;

@@ -3,7 +3,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/run/command_numbers.h"
-#include "twin/run/slipway.h"
+#include "twin/run/newcomer_yard.h"
 
 namespace slackwater::twin {
 namespace {
@@ -18,7 +18,7 @@ struct Fleet {
         if (task.hold_s == 60) task.hold_s = 1;  // shorter than a file can say
     ready = set_up(scenario, tests::surround_of(scenario));
   }
-  [[nodiscard]] Slipway slipway() const {
+  [[nodiscard]] NewcomerYard newcomer_yard() const {
     return {scenario, tests::source_folder() / "data", ready.vehicles, ready.agents};
   }
   [[nodiscard]] std::unique_ptr<twin::Run> begun(std::size_t threads = 1,
@@ -33,11 +33,11 @@ struct Fleet {
   ReadyRun ready;
 };
 
-Command spawn(const Slipway& slipway, const Newcomer& newcomer, std::uint64_t step,
+Command spawn(const NewcomerYard& newcomer_yard, const Newcomer& newcomer, std::uint64_t step,
               double received_s = 0) {
   Command command;
   command.step = step;
-  command.what = Spawn{newcomer, slipway.ready(newcomer, received_s)};
+  command.what = Spawn{newcomer, newcomer_yard.ready(newcomer, received_s)};
   command.source = "dds 01";
   command.received_s = received_s;
   return command;
@@ -87,12 +87,12 @@ TEST(Newcomers, OfTheFirstStepAreTheVehiclesOfAScenarioThatHold) {
     newcomers[i].heading_rad = whole.scenario.vehicles[before + i].heading_rad;
     newcomers[i].position_m = whole.scenario.vehicles[before + i].start_m;
   }
-  const Slipway slipway = fleet.slipway();
+  const NewcomerYard newcomer_yard = fleet.newcomer_yard();
   for (const std::size_t threads : {1U, 2U})
     for (const bool is_batch : {true, false}) {
       const auto run = fleet.begun(threads, is_batch);
       const auto expected = whole.begun(threads, is_batch);
-      for (const Newcomer& newcomer : newcomers) run->enqueue(spawn(slipway, newcomer, 0));
+      for (const Newcomer& newcomer : newcomers) run->enqueue(spawn(newcomer_yard, newcomer, 0));
       RunLog got, wanted;
       tests::step_and_log(*run, 60, got);
       tests::step_and_log(*expected, 60, wanted);
@@ -105,7 +105,7 @@ TEST(Newcomers, OfTheFirstStepAreTheVehiclesOfAScenarioThatHold) {
 
 TEST(Newcomers, GoOnAsInARunThatHadThemAtThatTime) {
   const Fleet fleet(tests::mixed_fleet());
-  const Slipway slipway = fleet.slipway();
+  const NewcomerYard newcomer_yard = fleet.newcomer_yard();
   constexpr int before = 30, after = 60;
   const double then_s = before * step_s;
   RunLog alone;
@@ -119,7 +119,7 @@ TEST(Newcomers, GoOnAsInARunThatHadThemAtThatTime) {
     ReadyRun larger = fleet.ready;
     twin::Run::Checkpoint with_all = then;
     for (const Newcomer& newcomer : one_of_each()) {
-      const Command command = spawn(slipway, newcomer, 0, then_s);
+      const Command command = spawn(newcomer_yard, newcomer, 0, then_s);
       const ReadyNewcomer& ready = *std::get<Spawn>(command.what).ready;
       larger.agents.push_back(ready.agent);
       larger.states.push_back(ready.state);
@@ -143,12 +143,13 @@ TEST(Newcomers, GoOnAsInARunThatHadThemAtThatTime) {
 }
 
 /// Three that join at different steps, are driven and put elsewhere.
-std::vector<Command> busy_hour(const Slipway& slipway, std::size_t first) {
-  std::vector<Command> commands{spawn(slipway, {"bluerov2_heavy", "one", {60, 60, 12}, 1}, 10, 0.5),
-                                spawn(slipway, {"wamv16", "two", {-40, 60, 0}, 2}, 10, 0.5)};
+std::vector<Command> busy_hour(const NewcomerYard& newcomer_yard, std::size_t first) {
+  std::vector<Command> commands{
+      spawn(newcomer_yard, {"bluerov2_heavy", "one", {60, 60, 12}, 1}, 10, 0.5),
+      spawn(newcomer_yard, {"wamv16", "two", {-40, 60, 0}, 2}, 10, 0.5)};
   commands.push_back({20, first, Reroute{{{{70, 70, 15}, 0.4}}}});
   commands.push_back({25, first + 1, SetThrusters{{0.4, 0.2}}});
-  commands.push_back(spawn(slipway, {"bluerov2_heavy", "three", {3, 9, 12}, 1}, 30, 1.4));
+  commands.push_back(spawn(newcomer_yard, {"bluerov2_heavy", "three", {3, 9, 12}, 1}, 30, 1.4));
   VehicleState<double> put = std::get<Spawn>(commands[0].what).ready->state.vehicle;
   put.body.position_m.y += 3;
   commands.push_back({35, first + 2, PutVehicle{put}});
@@ -157,13 +158,13 @@ std::vector<Command> busy_hour(const Slipway& slipway, std::size_t first) {
 }
 
 /// As it comes back from a file.
-Command read_again(const Command& command, const Slipway& slipway) {
+Command read_again(const Command& command, const NewcomerYard& newcomer_yard) {
   Command again = command;
   again.what = what_of(name_of(command.what), numbers_of(command.what));
   if (auto* joins = std::get_if<Spawn>(&again.what)) {
     EXPECT_EQ(numbers_of(again.what), numbers_of(command.what));
     EXPECT_EQ(joins->newcomer.name, std::get<Spawn>(command.what).newcomer.name);
-    joins->ready = slipway.ready(joins->newcomer, command.received_s);
+    joins->ready = newcomer_yard.ready(joins->newcomer, command.received_s);
   }
   return again;
 }
@@ -172,7 +173,7 @@ TEST(Newcomers, MakeTheRunAgainFromItsRecordOnAnyThreads) {
   const Fleet fleet(tests::mixed_fleet());
   const auto run = fleet.begun();
   const std::size_t first = fleet.ready.agents.size();
-  for (const Command& command : busy_hour(fleet.slipway(), first)) run->enqueue(command);
+  for (const Command& command : busy_hour(fleet.newcomer_yard(), first)) run->enqueue(command);
   RunLog made;
   tests::step_and_log(*run, 80, made);
   ASSERT_EQ(run->commands_taken().size(), 7U);
@@ -180,7 +181,7 @@ TEST(Newcomers, MakeTheRunAgainFromItsRecordOnAnyThreads) {
   EXPECT_GT(run->states()[first].helm.way.waypoints_taken + 1, 0U);
   EXPECT_EQ(run->states()[first].helm.mode, HelmMode::waypoints);
   // Vehicles are read anew.
-  Slipway other(fleet.scenario, tests::source_folder() / "data", {}, fleet.ready.agents);
+  NewcomerYard other(fleet.scenario, tests::source_folder() / "data", {}, fleet.ready.agents);
   for (const std::size_t threads : {1U, 2U})
     for (const bool is_batch : {true, false}) {
       const auto again = fleet.begun(threads, is_batch);
@@ -195,10 +196,10 @@ TEST(Newcomers, MakeTheRunAgainFromItsRecordOnAnyThreads) {
 
 TEST(Newcomers, AreInACheckpointWhetherTheyJoinedOrAreOnTheirWay) {
   const Fleet fleet(tests::mixed_fleet());
-  const Slipway slipway = fleet.slipway();
+  const NewcomerYard newcomer_yard = fleet.newcomer_yard();
   const std::size_t first = fleet.ready.agents.size();
   const auto whole = fleet.begun();
-  for (const Command& command : busy_hour(slipway, first)) whole->enqueue(command);
+  for (const Command& command : busy_hour(newcomer_yard, first)) whole->enqueue(command);
   RunLog skipped, expected;
   for (int i = 0; i < 5; ++i) whole->step();
   const twin::Run::Checkpoint none_there = whole->checkpoint();
@@ -230,11 +231,11 @@ TEST(Newcomers, KeepTheirPlacesAndAreNobodys) {
   const Fleet fleet(tests::head(step_s) +
                     "  - {name: other, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, "
                     "depth_m: 10}, tasks: [{do: hold}]}\n");
-  const Slipway slipway = fleet.slipway();
+  const NewcomerYard newcomer_yard = fleet.newcomer_yard();
   const auto run = fleet.begun();
   for (int i = 0; i < 40; ++i) run->step();
   for (const Newcomer& newcomer : one_of_each())
-    run->enqueue(spawn(slipway, newcomer, 0, run->time_s()));
+    run->enqueue(spawn(newcomer_yard, newcomer, 0, run->time_s()));
   for (int i = 0; i < 2400; ++i) run->step();
   const auto agents = run->agents();
   for (std::size_t i = 1; i < agents.size(); ++i) {
@@ -260,7 +261,7 @@ TEST(Newcomers, AreGivenWayLikeAnybodyElse) {
                       (with_clearance ? "clearance: {craft_m: 2}\n" : ""));
     const auto run = fleet.begun();
     for (int i = 0; i < 20; ++i) run->step();
-    run->enqueue(spawn(fleet.slipway(), {"bluerov2_heavy", "late", {15, 0.1, 10}, 0}, 0, 1));
+    run->enqueue(spawn(fleet.newcomer_yard(), {"bluerov2_heavy", "late", {15, 0.1, 10}, 0}, 0, 1));
     for (int i = 0; i < 1600; ++i) run->step();
     const auto states = run->states();
     EXPECT_EQ(states[0].nearest.vehicle.whom, 1);
@@ -279,13 +280,13 @@ TEST(Newcomers, AreGivenWayLikeAnybodyElse) {
 
 TEST(Newcomers, OfAnotherTimeBeginInTheGustsOfThen) {
   const Fleet fleet(tests::mixed_fleet());
-  const Slipway slipway = fleet.slipway();
+  const NewcomerYard newcomer_yard = fleet.newcomer_yard();
   const Newcomer uav = one_of_each()[2];
-  const auto then = slipway.ready(uav, 12), again = slipway.ready(uav, 12);
+  const auto then = newcomer_yard.ready(uav, 12), again = newcomer_yard.ready(uav, 12);
   EXPECT_EQ(std::memcmp(&then->state.gust, &again->state.gust, sizeof then->state.gust), 0);
   Newcomer other = uav;
   other.name = "other";
-  const auto named = slipway.ready(other, 12);
+  const auto named = newcomer_yard.ready(other, 12);
   EXPECT_NE(std::memcmp(&then->state.gust, &named->state.gust, sizeof then->state.gust), 0)
       << "randomness comes from the name";
 }
@@ -295,7 +296,7 @@ class Slip : public testing::Test {
   [[nodiscard]] std::string refusal(const Newcomer& newcomer, ErrorKind kind,
                                     double t_s = 0) const {
     try {
-      (void)fleet_.slipway().ready(newcomer, t_s);
+      (void)fleet_.newcomer_yard().ready(newcomer, t_s);
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), kind) << e.message();
       return e.message();
@@ -350,9 +351,9 @@ TEST_F(Slip, RefusesPlacesWhereTheVehicleCannotBe) {
 }
 
 TEST_F(Slip, AVehicleDeeperThanItIsRatedForIsRefused) {
-  const Slipway slipway = fleet_.slipway();
-  const auto rated =
-      slipway.ready({"bluerov2_heavy", "late", {30, 30, 10}, 0}, 0)->agent.vehicle->rated_depth_m;
+  const NewcomerYard newcomer_yard = fleet_.newcomer_yard();
+  const auto rated = newcomer_yard.ready({"bluerov2_heavy", "late", {30, 30, 10}, 0}, 0)
+                         ->agent.vehicle->rated_depth_m;
   ASSERT_TRUE(rated.has_value());
   EXPECT_NE(refusal({"bluerov2_heavy", "late", {30, 30, *rated + 1}, 0}, ErrorKind::invalid_input)
                 .find("rated for"),
@@ -361,17 +362,17 @@ TEST_F(Slip, AVehicleDeeperThanItIsRatedForIsRefused) {
 
 TEST(Newcomers, ForWhomThereIsNoRoomAreABug) {
   const Fleet fleet(tests::mixed_fleet());
-  const Slipway slipway = fleet.slipway();
+  const NewcomerYard newcomer_yard = fleet.newcomer_yard();
   twin::Run run(fleet.ready.agents, fleet.ready.states, tests::settings_of(step_s));
   EXPECT_EQ(run.most_vehicles(), fleet.ready.agents.size());
-  EXPECT_THROW(run.enqueue(spawn(slipway, one_of_each()[0], 0)), ContractViolation);
+  EXPECT_THROW(run.enqueue(spawn(newcomer_yard, one_of_each()[0], 0)), ContractViolation);
   Command not_ready;
   not_ready.what = Spawn{one_of_each()[0], nullptr};
   const auto roomy = fleet.begun();
   EXPECT_THROW(roomy->enqueue(not_ready), ContractViolation);
   EXPECT_THROW(roomy->enqueue({0, fleet.ready.agents.size(), HoldHere{}}), ContractViolation);
   // For one that is on its way there may be commands.
-  roomy->enqueue(spawn(slipway, one_of_each()[0], 3));
+  roomy->enqueue(spawn(newcomer_yard, one_of_each()[0], 3));
   roomy->enqueue({5, fleet.ready.agents.size(), HoldHere{}});
   for (int i = 0; i < 10; ++i) roomy->step();
   EXPECT_EQ(roomy->states().back().helm.mode, HelmMode::hold);
@@ -379,12 +380,12 @@ TEST(Newcomers, ForWhomThereIsNoRoomAreABug) {
 
 TEST(Newcomers, StayWhereTheyAreInMemory) {
   const Fleet fleet(tests::mixed_fleet());
-  const Slipway slipway = fleet.slipway();
+  const NewcomerYard newcomer_yard = fleet.newcomer_yard();
   const auto run = fleet.begun();
   const Agent* const agents = run->agents().data();
   const AgentState* const states = run->states().data();
   for (int i = 0; i < 8; ++i)
-    run->enqueue(spawn(slipway,
+    run->enqueue(spawn(newcomer_yard,
                        {"bluerov2_heavy", "late" + std::to_string(i), {200.0 + 5 * i, 0, 20}, 0},
                        static_cast<std::uint64_t>(i)));
   for (int i = 0; i < 10; ++i) run->step();
@@ -397,7 +398,7 @@ TEST(RunLog, HasNoNumbersOfAVehicleBeforeItJoined) {
   const Fleet fleet(tests::mixed_fleet());
   const auto run = fleet.begun();
   const std::size_t late = fleet.ready.agents.size();
-  run->enqueue(spawn(fleet.slipway(), one_of_each()[0], 12));
+  run->enqueue(spawn(fleet.newcomer_yard(), one_of_each()[0], 12));
   RunLog log;
   tests::step_and_log(*run, 30, log);
   EXPECT_EQ(log.first_time(0), 0U);

@@ -97,12 +97,12 @@ TEST_F(RunLogOf, EnergyIsTheIntegralOfPowerAndChargeThatOfCurrent) {
 
 TEST_F(RunLogOf, ColumnsAreNamedOnceWithUnitsAndFillTheRow) {
   std::size_t sum = 0;
-  for (const LogColumn& a : log_columns()) {
+  for (const LogVariable& a : log_variables()) {
     sum += a.per;
     EXPECT_NE(std::string(a.units), "") << a.name;
     EXPECT_EQ(log.column(0, a.name).size(), a.per * log.t_s.size()) << a.name;
     int same = 0;
-    for (const LogColumn& b : log_columns()) same += std::string(a.name) == b.name ? 1 : 0;
+    for (const LogVariable& b : log_variables()) same += std::string(a.name) == b.name ? 1 : 0;
     EXPECT_EQ(same, 1) << a.name;
   }
   EXPECT_EQ(sum, log_row_size());

@@ -119,7 +119,7 @@ Bytes battery_state(const twin::Agent& agent, const twin::AgentState& state,
 Bytes imu(const twin::Agent& agent, const twin::AgentState& state, const std::string& name,
           const Stamp& stamp) {
   const twin::Shown& shown = state.navigation.instruments.shown;
-  const twin::Instruments& instruments = agent.navigation->instruments;
+  const twin::SensorSuite& instruments = agent.navigation->instruments;
   const twin::Imu& kind = *instruments.sensors.imu;
   sensor_msgs::msg::Imu message;
   message.header(header_message(stamp, base_link(name)));

@@ -36,7 +36,7 @@ void expect_axes(const Coverage& c) {
 
 }  // namespace
 
-AnswerShape shape_of(const Coverage& coverage) noexcept {
+AxisLengths shape_of(const Coverage& coverage) noexcept {
   if (coverage.domain == DomainType::trajectory) return {1, 1, 1, coverage.longitude_deg.size()};
   return {std::max<std::size_t>(1, coverage.time.size()),
           std::max<std::size_t>(1, coverage.vertical_m.size()), coverage.latitude_deg.size(),

@@ -9,7 +9,7 @@ namespace slackwater::api::edr {
 
 /// Lengths of the axes of a coverage; 1 where the axis is empty. On a trajectory x is the number of
 /// its vertices and the others are 1.
-struct AnswerShape {
+struct AxisLengths {
   std::size_t t = 1;
   std::size_t z = 1;
   std::size_t y = 1;
@@ -22,7 +22,7 @@ struct AnswerShape {
   }
 };
 
-[[nodiscard]] AnswerShape shape_of(const Coverage& coverage) noexcept;
+[[nodiscard]] AxisLengths shape_of(const Coverage& coverage) noexcept;
 
 /// A broken promise of `Answer` is a bug of the query that filled it: ContractViolation where
 /// coverages have no place, differ in domain type, have axes that their domain type does not allow

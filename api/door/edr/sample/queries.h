@@ -11,20 +11,21 @@
 namespace slackwater::api::edr {
 
 /// A query that was read and found moderate; nothing has been sampled for it yet.
-struct Plan {
+struct QueryPoints {
   Work work;
   std::function<Answer()> answer;  ///< called once
 };
 
-[[nodiscard]] Plan position_plan(Selection selection, const QueryString& query);
-[[nodiscard]] Plan radius_plan(Selection selection, const QueryString& query);
-[[nodiscard]] Plan area_plan(Selection selection, const QueryString& query);
-[[nodiscard]] Plan cube_plan(Selection selection, const QueryString& query);
-[[nodiscard]] Plan trajectory_plan(Selection selection, const QueryString& query);
-[[nodiscard]] Plan corridor_plan(Selection selection, const QueryString& query);
+[[nodiscard]] QueryPoints position_plan(Selection selection, const QueryString& query);
+[[nodiscard]] QueryPoints radius_plan(Selection selection, const QueryString& query);
+[[nodiscard]] QueryPoints area_plan(Selection selection, const QueryString& query);
+[[nodiscard]] QueryPoints cube_plan(Selection selection, const QueryString& query);
+[[nodiscard]] QueryPoints trajectory_plan(Selection selection, const QueryString& query);
+[[nodiscard]] QueryPoints corridor_plan(Selection selection, const QueryString& query);
 
 /// A location of a forecast: a site's column.
-[[nodiscard]] Plan location_plan(Selection selection, const QueryString& query, std::size_t column);
+[[nodiscard]] QueryPoints location_plan(Selection selection, const QueryString& query,
+                                        std::size_t column);
 
 /// A query type as clients know it.
 struct QueryType {
@@ -33,7 +34,7 @@ struct QueryType {
   std::string_view description;
   std::vector<std::string_view> parameters;  ///< that it takes, those it needs first
   std::size_t needed = 0;                    ///< how many of them it cannot do without
-  Plan (*plan)(Selection, const QueryString&) = nullptr;
+  QueryPoints (*plan)(Selection, const QueryString&) = nullptr;
 };
 
 /// position, radius, area, cube, trajectory, corridor.

@@ -8,7 +8,7 @@
 #include "api/door/edr/read/vertical.h"
 #include "api/door/edr/read/wkt.h"
 #include "api/door/edr/sample/queries.h"
-#include "api/door/edr/sample/shape.h"
+#include "api/door/edr/sample/asked_area.h"
 #include "fields/base/error.h"
 
 // Area, radius and cube: the forecast's own columns within a shape, or an even grid over it where a
@@ -85,8 +85,8 @@ std::optional<std::size_t> resolution(const QueryString& query, std::string_view
   return text ? parse_resolution(key, *text) : std::nullopt;
 }
 
-Plan over(Selection s, const QueryString& query, Shape shape, std::string_view parameter,
-          const std::vector<double>* levels = nullptr) {
+QueryPoints over(Selection s, const QueryString& query, AskedArea shape, std::string_view parameter,
+                 const std::vector<double>* levels = nullptr) {
   const Box box = reached(s, shape.box, parameter);
   Inside is_inside = std::move(shape.is_inside);
   const auto x_count = resolution(query, "resolution-x");
@@ -113,13 +113,13 @@ Plan over(Selection s, const QueryString& query, Shape shape, std::string_view p
 
 }  // namespace
 
-Plan area_plan(Selection s, const QueryString& query) {
+QueryPoints area_plan(Selection s, const QueryString& query) {
   Geometry shape = parse_wkt("coords", query.find("coords").value_or(""),
                              {GeometryType::polygon, GeometryType::multi_polygon});
   return over(std::move(s), query, shape_of(std::move(shape)), "coords");
 }
 
-Plan radius_plan(Selection s, const QueryString& query) {
+QueryPoints radius_plan(Selection s, const QueryString& query) {
   const Geometry centre =
       parse_wkt("coords", query.find("coords").value_or(""), {GeometryType::point});
   const double radius_m = parse_distance_m("within", query.find("within").value_or(""),
@@ -129,7 +129,7 @@ Plan radius_plan(Selection s, const QueryString& query) {
               "coords");
 }
 
-Plan cube_plan(Selection s, const QueryString& query) {
+QueryPoints cube_plan(Selection s, const QueryString& query) {
   const auto text = query.find("bbox");
   if (!text)
     throw bad_parameter("bbox", "nothing", "west,south,east,north, e.g. 2.0,53.0,2.5,53.4");

@@ -256,7 +256,7 @@ std::vector<Path> trajectories(const Geometry& lines, const std::vector<UtcTime>
 
 }  // namespace
 
-Plan trajectory_plan(Selection s, const QueryString& query) {
+QueryPoints trajectory_plan(Selection s, const QueryString& query) {
   Geometry lines = lines_of(query);
   if (lines.has_vertical && query.find("z")) {
     throw Error(
@@ -279,7 +279,7 @@ Plan trajectory_plan(Selection s, const QueryString& query) {
           }};
 }
 
-Plan corridor_plan(Selection s, const QueryString& query) {
+QueryPoints corridor_plan(Selection s, const QueryString& query) {
   const Geometry lines = lines_of(query);
   Section section = section_of(s, query);
   expect_reached(s, lines);

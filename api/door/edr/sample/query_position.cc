@@ -25,7 +25,7 @@ double bed_at(const Selection& s, double longitude_deg, double latitude_deg) {
 
 }  // namespace
 
-Plan position_plan(Selection s, const QueryString& query) {
+QueryPoints position_plan(Selection s, const QueryString& query) {
   const Geometry geometry = parse_wkt("coords", query.find("coords").value_or(""),
                                       {GeometryType::point, GeometryType::multi_point});
   std::vector<UtcTime> times = times_of(s, query);
@@ -51,7 +51,7 @@ Plan position_plan(Selection s, const QueryString& query) {
           }};
 }
 
-Plan location_plan(Selection s, const QueryString& query, std::size_t column) {
+QueryPoints location_plan(Selection s, const QueryString& query, std::size_t column) {
   const ForecastColumn& c = s.field->snapshot().columns.at(column);
   std::vector<UtcTime> times = times_of(s, query);
   std::vector<double> levels = verticals_of(s, query, c.water_depth_m);

@@ -8,7 +8,7 @@
 #include "api/door/edr/read/bbox.h"
 #include "api/door/edr/read/distance.h"
 #include "api/door/edr/read/wkt.h"
-#include "api/door/edr/sample/shape.h"
+#include "api/door/edr/sample/asked_area.h"
 #include "api/issued/in_force.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
@@ -33,11 +33,11 @@ struct Target {
   Box box;
   double longitude_deg = 0;  ///< the place by which it chooses among equals
   double latitude_deg = 0;
-  std::optional<Shape> shape;  ///< of an area; else
-  std::vector<Place> places;   ///< the points, or places along the line
+  std::optional<AskedArea> shape;  ///< of an area; else
+  std::vector<Place> places;       ///< the points, or places along the line
 };
 
-Target area_target(Shape shape) {
+Target area_target(AskedArea shape) {
   const Box& box = shape.box;
   return {box,
           0.5 * (box.west_deg + box.east_deg),
@@ -108,7 +108,7 @@ std::size_t count_reached(const Field& field, const std::vector<Place>& places) 
 }
 
 /// How much of a shape a field reaches within a box, in square degrees of latitude.
-double reached_area(const Field& field, const Shape& shape, const Box& cut) {
+double reached_area(const Field& field, const AskedArea& shape, const Box& cut) {
   if (cut.west_deg > cut.east_deg || cut.south_deg > cut.north_deg) return 0;
   std::vector<Place> places;
   for (std::size_t j = 0; j < tries_per_side; ++j) {
@@ -129,7 +129,7 @@ double reached_area(const Field& field, const Shape& shape, const Box& cut) {
 }
 
 /// How much of a shape a field reaches at all.
-double reached_area(const Field& field, const Shape& shape) {
+double reached_area(const Field& field, const AskedArea& shape) {
   const slackwater::BoundingBox& area = field.range().box;
   const double east = area.east_deg < area.west_deg ? area.east_deg + 360 : area.east_deg;
   return reached_area(field, shape,
@@ -137,7 +137,7 @@ double reached_area(const Field& field, const Shape& shape) {
 }
 
 /// How much of a shape lies among a field's columns, or about as near as they stand for.
-double covered_area(const Field& field, const Shape& shape) {
+double covered_area(const Field& field, const AskedArea& shape) {
   Box cut{1e9, 1e9, -1e9, -1e9};
   for (const ForecastColumn& column : field.snapshot().columns) {
     const double x = in_box(column.point.longitude_deg(), shape.box);
@@ -153,7 +153,7 @@ double covered_area(const Field& field, const Shape& shape) {
        std::min(cut.east_deg, shape.box.east_deg), std::min(cut.north_deg, shape.box.north_deg)});
 }
 
-std::size_t columns_within(const Field& field, const Shape& shape) {
+std::size_t columns_within(const Field& field, const AskedArea& shape) {
   const auto& columns = field.snapshot().columns;
   return static_cast<std::size_t>(
       std::count_if(columns.begin(), columns.end(), [&](const ForecastColumn& column) {

@@ -54,7 +54,7 @@ class RowWriter {
   }
 
   void rows(const Coverage& c) {
-    const AnswerShape shape = shape_of(c);
+    const AxisLengths shape = shape_of(c);
     std::size_t index = 0;
     for (std::size_t t = 0; t < shape.t; ++t) {
       for (std::size_t z = 0; z < shape.z; ++z) {

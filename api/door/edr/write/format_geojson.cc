@@ -128,7 +128,7 @@ class FeatureWriter {
       append_value(out_, all[place.x]);
       return;
     }
-    const AnswerShape shape = shape_of(place.coverage);
+    const AxisLengths shape = shape_of(place.coverage);
     if (shape.t > 1) out_ += '[';
     for (std::size_t t = 0; t < shape.t; ++t) {
       if (t > 0) out_ += ',';
@@ -169,7 +169,7 @@ constexpr std::size_t most_features = 250'000;
 void expect_few_features(const Answer& answer) {
   std::size_t features = 0;
   for (const Coverage& c : answer.coverages) {
-    const AnswerShape shape = shape_of(c);
+    const AxisLengths shape = shape_of(c);
     features += shape.x * shape.y;
   }
   if (features <= most_features) return;

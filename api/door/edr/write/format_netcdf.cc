@@ -71,7 +71,7 @@ std::string bytes_of(const std::filesystem::path& file) {
 }
 
 /// The bytes of the file. Clients are not told of the server's folders: those stand in its log.
-std::string written(const ingest::CoverageFile& file) {
+std::string written(const ingest::SampledFile& file) {
   try {
     const PrivateFolder folder;
     const std::filesystem::path path = folder.path() / "answer.nc";
@@ -93,7 +93,7 @@ std::string netcdf(const Answer& answer) {
                 "nothing of '" + answer.collection +
                     "' lies in the area asked for; a NetCDF answer holds one place at least");
   }
-  ingest::CoverageFile file = merged_coverage(answer);
+  ingest::SampledFile file = merged_coverage(answer);
   file.global_attributes = attributes_of(answer);
   file.reference_time = UtcTime(answer.provenance.day) + std::chrono::days(1);
   return written(file);

@@ -14,9 +14,9 @@
 namespace slackwater::api::edr {
 namespace {
 
-using ingest::CoverageFile;
 using ingest::CoverageLayout;
 using ingest::CoverageVariable;
+using ingest::SampledFile;
 
 /// UCUM, which answers speak, in the words of UDUNITS, which CF wants.
 std::string udunits_of(const std::string& ucum) {
@@ -44,7 +44,7 @@ class Merger {
  public:
   explicit Merger(const Answer& answer) : answer_(answer) {}
 
-  CoverageFile merge() {
+  SampledFile merge() {
     file_.is_depth = answer_.vertical != Vertical::height_up;
     for (const Parameter& parameter : answer_.parameters) {
       file_.variables.push_back({parameter.name,
@@ -170,7 +170,7 @@ class Merger {
   }
 
   void put_grid(const Coverage& part) {
-    const AnswerShape whole{time_.size(), level_.size(), y_.size(), x_.size()};
+    const AxisLengths whole{time_.size(), level_.size(), y_.size(), x_.size()};
     const auto levels = level_.places(part.vertical_m);
     const auto rows = y_.places(part.latitude_deg);
     const auto columns = x_.places(part.longitude_deg);
@@ -185,7 +185,7 @@ class Merger {
   }
 
   const Answer& answer_;
-  CoverageFile file_;
+  SampledFile file_;
   UnionAxis<UtcTime> time_;
   UnionAxis<double> level_;
   UnionAxis<double> x_;
@@ -195,7 +195,7 @@ class Merger {
 
 }  // namespace
 
-CoverageFile merged_coverage(const Answer& answer) {
+SampledFile merged_coverage(const Answer& answer) {
   expect_whole(answer);
   expects(!answer.coverages.empty(), "merged_coverage: an answer with a coverage");
   return Merger(answer).merge();

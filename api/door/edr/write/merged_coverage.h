@@ -1,6 +1,6 @@
 #pragma once
 #include "api/door/edr/sample/answer.h"
-#include "ingest/cf/coverage_writer.h"
+#include "ingest/cf/sampled_file_writer.h"
 
 namespace slackwater::api::edr {
 
@@ -10,6 +10,6 @@ namespace slackwater::api::edr {
 ///
 /// Throws Error(usage) where the union of the axes would be mostly empty: more than 16 times the
 /// points of the coverages and more than 2^20.
-[[nodiscard]] ingest::CoverageFile merged_coverage(const Answer& answer);
+[[nodiscard]] ingest::SampledFile merged_coverage(const Answer& answer);
 
 }  // namespace slackwater::api::edr

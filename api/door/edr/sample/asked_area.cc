@@ -1,0 +1,60 @@
+#include "api/door/edr/sample/asked_area.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/base/constants.h"
+#include "fields/geo/geo_point.h"
+
+namespace slackwater::api::edr {
+
+AskedArea shape_of(const Box& box) {
+  return {box, [](double, double) { return true; }, 1};
+}
+
+AskedArea shape_of(Geometry polygons) {
+  AskedArea shape;
+  shape.box = bounding_box(polygons);
+  shape.vertices = 0;
+  for (const Part& part : polygons.parts)
+    for (const Path& path : part) shape.vertices += path.size();
+  shape.is_inside = [polygons = std::move(polygons)](double x, double y) {
+    return contains(polygons, x, y);
+  };
+  return shape;
+}
+
+AskedArea circle(double longitude_deg, double latitude_deg, double radius_m) {
+  const double north_deg = radius_m / (constants::earth_radius_m * constants::degree);
+  const double cosine = std::max(0.01, std::cos(latitude_deg * constants::degree));
+  const double east_deg = std::min(180.0, north_deg / cosine);
+  const Box box{longitude_deg - east_deg, std::max(-90.0, latitude_deg - north_deg),
+                longitude_deg + east_deg, std::min(90.0, latitude_deg + north_deg)};
+  const GeoPoint from = GeoPoint::from_degrees(latitude_deg, longitude_deg);
+  return {box,
+          [from, radius_m](double x, double y) {
+            return distance_m(from, GeoPoint::from_degrees(y, x)) <= radius_m;
+          },
+          1};
+}
+
+double in_box(double longitude_deg, const Box& box) noexcept {
+  const double middle = 0.5 * (box.west_deg + box.east_deg);
+  return longitude_deg + 360.0 * std::round((middle - longitude_deg) / 360.0);
+}
+
+Box shared(const Box& asked, const Box& area) noexcept {
+  if (asked.east_deg - asked.west_deg >= 360)
+    return {area.west_deg, std::max(asked.south_deg, area.south_deg), area.east_deg,
+            std::min(asked.north_deg, area.north_deg)};
+  Box best{1, 0, 0, 0};
+  for (const double turn : {-720.0, -360.0, 0.0, 360.0, 720.0}) {
+    const Box cut{
+        std::max(asked.west_deg, area.west_deg + turn), std::max(asked.south_deg, area.south_deg),
+        std::min(asked.east_deg, area.east_deg + turn), std::min(asked.north_deg, area.north_deg)};
+    if (cut.east_deg - cut.west_deg > best.east_deg - best.west_deg) best = cut;
+  }
+  return best;
+}
+
+}  // namespace slackwater::api::edr

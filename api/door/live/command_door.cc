@@ -1,0 +1,109 @@
+#include "api/door/live/command_door.h"
+
+#include <nlohmann/json.hpp>
+
+#include "fields/base/text.h"
+
+namespace slackwater::live {
+
+CommandDoor::CommandDoor(Stream& stream, twin::CommandArbiter& arbiter, const RunPlace& place)
+    : stream_(stream), arbiter_(arbiter), place_(place) {}
+
+void CommandDoor::open(const std::string& name) {
+  const auto heard = [&](const char* what, const char* type) {
+    return stream_.open("/" + name + "/" + what, type, command_quality, Direction::heard);
+  };
+  Vehicle vehicle{};
+  vehicle.name = name;
+  vehicle.velocity = heard("cmd_vel", "geometry_msgs/msg/Twist");
+  vehicle.thrusters = heard("thrusters", "std_msgs/msg/Float64MultiArray");
+  vehicle.waypoints = heard("waypoints", "nav_msgs/msg/Path");
+  vehicle.refused = stream_.open("/" + name + "/refused", "std_msgs/msg/String", state_quality);
+  const std::lock_guard lock(mutex_);
+  vehicles_.push_back(vehicle);
+}
+
+Submitted CommandDoor::submit(const std::string& client, std::size_t vehicle,
+                              twin::CommandWhat what, const dds::Bytes& heard, double held_back_s) {
+  twin::Command command;
+  command.agent = vehicle;
+  command.source = client;
+  const bool is_velocity = std::holds_alternative<twin::SetVelocity>(what);
+  const bool is_thrusters = std::holds_alternative<twin::SetThrusters>(what);
+  command.what = std::move(what);
+  const double now_s = arbiter_.time_s();
+  command.received_s = now_s;
+  // One at a time, so that the arbiter sees a client's commands in the order of its count.
+  const std::lock_guard in_order(order_);
+  command.sequence = ++counts_[{client, vehicle}];
+  std::optional<twin::Refusal> refusal;
+  if (is_velocity || is_thrusters) refusal = stale(client, vehicle, held_back_s, now_s);
+  if (!refusal) refusal = arbiter_.submit(client, std::move(command), now_s);
+  const std::lock_guard lock(mutex_);
+  if (refusal) {
+    say_refused(client, vehicle, twin::name_of(refusal->reason), refusal->text);
+    return {refusal->text};
+  }
+  if (!heard.empty() && vehicle < vehicles_.size()) {
+    const Vehicle& channels = vehicles_[vehicle];
+    said_.push_back({is_velocity    ? channels.velocity
+                     : is_thrusters ? channels.thrusters
+                                    : channels.waypoints,
+                     heard});
+  }
+  return {{}, arbiter_.taken(vehicle)};
+}
+
+/// What a link held back is of a place and an aim that are past.
+std::optional<twin::Refusal> CommandDoor::stale(const std::string& client, std::size_t vehicle,
+                                                double held_back_s, double now_s) {
+  constexpr double oldest_s = twin::RefusalLimits{}.oldest_s;
+  if (held_back_s <= oldest_s) return std::nullopt;
+  std::string name;
+  {
+    const std::lock_guard lock(mutex_);
+    if (vehicle < vehicles_.size()) name = vehicles_[vehicle].name;
+  }
+  return arbiter_.refuse(
+      client, name,
+      {twin::RefusalReason::stale,
+       formatted(
+           "found a command that was {:.1f} s on its way, expected at most {:g} s for velocity and "
+           "thrusters; send a new one, do not queue old ones, and check the link",
+           held_back_s, oldest_s)},
+      now_s);
+}
+
+void CommandDoor::lost(const std::string& client) {
+  const std::lock_guard in_order(order_);
+  std::erase_if(counts_, [&](const auto& count) { return count.first.first == client; });
+  arbiter_.lost(client, arbiter_.time_s());
+}
+
+void CommandDoor::refuse(const std::string& client, std::size_t vehicle, const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  say_refused(client, vehicle, "unreadable", text);
+}
+
+void CommandDoor::say_refused(const std::string& client, std::size_t vehicle, const char* reason,
+                              const std::string& text) {
+  if (vehicle >= vehicles_.size() || refused_ >= most_refused) return;
+  ++refused_;
+  const nlohmann::json json{{"client", client}, {"reason", reason}, {"text", text}};
+  // What others wrote may be no UTF-8.
+  said_.push_back({vehicles_[vehicle].refused,
+                   dds::text(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))});
+}
+
+void CommandDoor::speak(double t_s) {
+  std::vector<Said> said;
+  {
+    const std::lock_guard lock(mutex_);
+    said.swap(said_);
+    refused_ = 0;
+  }
+  const dds::Stamp stamp = dds::stamp_of(place_.epoch, t_s);
+  for (const Said& one : said) stream_.publish(one.channel, stamp, one.message);
+}
+
+}  // namespace slackwater::live
