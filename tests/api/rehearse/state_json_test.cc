@@ -12,7 +12,7 @@
 #include "twin/simulate/command_numbers.h"
 #include "twin/simulate/state_members.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::state_json_test {
 namespace {
 
 using namespace api;
@@ -162,4 +162,4 @@ TEST(StateJson, WhatIsNoStateIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::state_json_test

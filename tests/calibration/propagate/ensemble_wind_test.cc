@@ -11,7 +11,7 @@
 #include "calibration/propagate/member_wind.h"
 #include "tests/calibration/propagate/outlook_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::ensemble_wind_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -309,4 +309,4 @@ TEST(EnsembleWind, ASpreadBelowWhatAnAnalysisErrsIsRaisedUntilItHoldsTheTruth) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::ensemble_wind_test

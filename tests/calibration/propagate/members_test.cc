@@ -5,7 +5,7 @@
 #include "calibration/propagate/member_wind.h"
 #include "tests/calibration/propagate/outlook_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::members_test {
 namespace {
 
 WindErrorGrowth with_wind_error() {
@@ -231,4 +231,4 @@ TEST(Members, TheCentralWindDrivenPartIsThatOfTheForecast) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::members_test

@@ -8,7 +8,7 @@
 #include "fields/current/coriolis.h"
 #include "tests/calibration/propagate/outlook_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::propagate_test {
 namespace {
 
 const std::vector<SteadyForm> all_forms{SteadyForm::finite_depth, SteadyForm::mixed_layer,
@@ -215,4 +215,4 @@ TEST(Propagate, WorksInTheEquatorialBand) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::propagate_test

@@ -5,7 +5,7 @@
 #include "tests/twin/simulate/helm_for_tests.h"
 #include "twin/helm/steward.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::spawn_test {
 namespace {
 
 using twin::Newcomer;
@@ -144,4 +144,4 @@ TEST(StewardOfNewcomers, LetsThemInFromManyThreadsWhileTheRunGoesOn) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::spawn_test

@@ -5,7 +5,7 @@
 #include "twin/simulate/command_numbers.h"
 #include "twin/simulate/slipway.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::newcomer_test {
 namespace {
 
 constexpr double step_s = 0.05;
@@ -412,4 +412,4 @@ TEST(RunLog, HasNoNumbersOfAVehicleBeforeItJoined) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::newcomer_test

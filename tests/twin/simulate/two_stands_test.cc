@@ -4,7 +4,7 @@
 #include "twin/simulate/hung_line.h"
 #include "twin/simulate/line_on_deck.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::two_stands_test {
 namespace {
 
 using twin::ConductEvent;
@@ -247,4 +247,4 @@ TEST(TwoStands, ALineThatPartedHoldsNobody) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::two_stands_test
