@@ -3,8 +3,8 @@
 JOBS ?= 2
 CTEST_PARALLEL ?= 2
 
-.PHONY: all demo test quick outputs package bench soak tsan coverage fuzz tidy format \
-  check-format packages test-packages venv clean
+.PHONY: all demo test quick outputs package bench soak tsan coverage fuzz tidy tidy-changed \
+  format check-format packages test-packages venv clean
 
 all: packages
 	cmake --preset release
@@ -13,7 +13,7 @@ all: packages
 demo: all
 	build/release/api/slackwater demo --out build/demo
 
-test: test-packages check-format venv
+test: test-packages check-format venv tidy-changed
 	cmake --preset dev
 	cmake --build --preset dev -j$(JOBS)
 	ctest --preset dev -j$(CTEST_PARALLEL)
@@ -79,10 +79,13 @@ format: test-packages
 check-format: test-packages
 	@cmake/check-format
 # The first time it looks at every source; afterwards at what has changed.
-tidy: packages
-	@cmake/install-packages cmake/debian-packages-tidy.txt
+tidy: test-packages
 	cmake --preset tidy
 	cmake/tidy build/tidy $(JOBS)
+# What the last commit changes, for two minutes.
+tidy-changed: test-packages
+	cmake --preset tidy
+	cmake/tidy build/tidy $(JOBS) 100
 
 packages:
 	@cmake/install-packages cmake/debian-packages.txt

@@ -15,7 +15,7 @@
 #include "tests/support/store_for_tests.h"
 #include "twin/environment/environment.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::bed_at_every_door_test {
 namespace {
 
 using nlohmann::json;
@@ -187,4 +187,4 @@ TEST_F(BedAtEveryDoor, DepthsThatAgreeAreNotSpokenOf) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::bed_at_every_door_test

@@ -7,7 +7,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_adapt_intensity_test {
 namespace {
 
 using nlohmann::json;
@@ -94,4 +94,4 @@ TEST_F(AdaptIntensityCommand, RefusesTooFewFuturesAndAPlaceWhereTheMissionsFiles
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_adapt_intensity_test

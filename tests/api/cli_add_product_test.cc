@@ -10,7 +10,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_add_product_test {
 namespace {
 
 using ingest::netcdf::Type;
@@ -200,4 +200,4 @@ TEST_F(AddedProduct, ADescriptorThatIsNotThereOrNotOneIsToldBeforeAnythingIsStor
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_add_product_test

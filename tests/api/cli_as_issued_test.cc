@@ -7,7 +7,7 @@
 #include "tests/support/contains.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_as_issued_test {
 namespace {
 
 using nlohmann::json;
@@ -94,4 +94,4 @@ TEST_F(AsIssuedAtEveryDoor, HindsightAndHindcastsStandBehindIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_as_issued_test

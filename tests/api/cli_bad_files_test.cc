@@ -8,7 +8,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_bad_files_test {
 namespace {
 
 using namespace std::chrono;
@@ -212,4 +212,4 @@ TEST_F(BadFile, WaveHeightInKelvinIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_bad_files_test

@@ -8,7 +8,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_bad_site_test {
 namespace {
 
 using namespace std::chrono;
@@ -82,4 +82,4 @@ TEST_F(BadSite, OutsideTheGridIsToldWithWhatTheGridCovers) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_bad_site_test

@@ -12,7 +12,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_bad_store_test {
 namespace {
 
 using namespace std::chrono;
@@ -319,4 +319,4 @@ TEST_F(DamagedStore, PruneNeverTakesAnIssuedForecastUnlessTold) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_bad_store_test

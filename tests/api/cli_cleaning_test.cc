@@ -6,7 +6,7 @@
 #include "ingest/cf/trajectory_file.h"
 #include "tests/support/farm_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_cleaning_test {
 namespace {
 
 using nlohmann::json;
@@ -121,4 +121,4 @@ TEST_F(CleaningCommand, RefusesWhatCannotBeCleanedBeforeTheFirstStep) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_cleaning_test

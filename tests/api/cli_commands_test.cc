@@ -11,7 +11,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_commands_test {
 namespace {
 
 using namespace std::chrono;
@@ -380,4 +380,4 @@ TEST_F(Commands, HindcastGivesTheNumbersOfTheForecastIssuedAtTheEndOfTheDay) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_commands_test

@@ -8,7 +8,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_damaged_file_test {
 namespace {
 
 using namespace std::chrono;
@@ -59,4 +59,4 @@ TEST(DamagedProductFiles, OneByteInsertedAnywhereIsOneErrorAndTheFilesAfterItAre
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_damaged_file_test

@@ -10,7 +10,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_degraded_test {
 namespace {
 
 using namespace std::chrono;
@@ -259,4 +259,4 @@ TEST_F(Degraded, TheDepthOfTheWaterComesFromTheSiteElseTheBathymetryElseTheDeepe
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_degraded_test

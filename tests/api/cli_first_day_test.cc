@@ -10,7 +10,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_first_day_test {
 namespace {
 
 using namespace std::chrono;
@@ -229,4 +229,4 @@ TEST_F(FirstDay, VerifyPrintsOneVerdictAndOneTableAndTheRestWhenAsked) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_first_day_test

@@ -7,7 +7,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_forecast_page_test {
 namespace {
 
 using namespace std::chrono;
@@ -55,4 +55,4 @@ TEST(ForecastHtml, IsRefusedBeforeAnythingIsStored) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_forecast_page_test

@@ -7,7 +7,7 @@
 #include "api/show/coverage/view.h"
 #include "tests/support/farm_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_inspection_test {
 namespace {
 
 using nlohmann::json;
@@ -140,4 +140,4 @@ TEST_F(InspectionCommand, RefusesWhatCannotBeInspectedBeforeTheFirstStep) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_inspection_test

@@ -10,7 +10,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_means_test {
 namespace {
 
 using namespace std::chrono;
@@ -163,4 +163,4 @@ TEST_F(Means, AreNoWaterToRehearseInUnlessTheScenarioAcceptsThem) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_means_test

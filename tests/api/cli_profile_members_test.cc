@@ -13,7 +13,7 @@
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_profile_members_test {
 namespace {
 
 using nlohmann::json;
@@ -145,4 +145,4 @@ TEST_F(ProfileOfAnEnsemble, OfOneMemberIsTheCentralForecastAlone) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_profile_members_test

@@ -9,7 +9,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_rehearse_test {
 namespace {
 
 using nlohmann::json;
@@ -337,4 +337,4 @@ TEST_F(RehearseCommand, RefusesWhatCannotBeFlownBeforeTheFirstStep) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_rehearse_test

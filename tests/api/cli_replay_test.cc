@@ -9,7 +9,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_replay_test {
 namespace {
 
 using namespace std::chrono;
@@ -213,4 +213,4 @@ TEST(Replay, HindsightIsRefusedWhereItMeansNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_replay_test

@@ -9,7 +9,7 @@
 #include "tests/api/windows_command.h"
 #include "tests/support/contains.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_report_test {
 namespace {
 
 std::string plan_of(const std::string& site, const std::string& day = "") {
@@ -335,4 +335,4 @@ TEST_F(ReportCommand, NoSiteMissionOrPlanCanNameAHook) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_report_test

@@ -18,7 +18,7 @@
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_sample_test {
 namespace {
 
 using ingest::netcdf::File;
@@ -297,4 +297,4 @@ TEST_F(Sample, WhatCannotBeAnsweredSaysWhyAndLeavesNoFile) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_sample_test

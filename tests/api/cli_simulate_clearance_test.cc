@@ -8,7 +8,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_simulate_clearance_test {
 namespace {
 
 using nlohmann::json;
@@ -168,4 +168,4 @@ TEST_F(SimulateClearance, TheScoreOfAnOlderLogIsReadOffItsRows) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_simulate_clearance_test

@@ -8,7 +8,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_simulate_fates_test {
 namespace {
 
 using nlohmann::json;
@@ -108,4 +108,4 @@ TEST_F(SimulateFates, ALogOfAnotherFormatIsNotReplayedAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_simulate_fates_test

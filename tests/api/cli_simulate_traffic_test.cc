@@ -15,7 +15,7 @@
 #include "tests/support/store_for_tests.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_simulate_traffic_test {
 namespace {
 
 using nlohmann::json;
@@ -303,4 +303,4 @@ TEST_F(SimulateTraffic, ARealLogOfSentencesPopulatesTheScene) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_simulate_traffic_test

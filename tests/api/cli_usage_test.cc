@@ -12,7 +12,7 @@
 #include "tests/support/store_for_tests.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_usage_test {
 namespace {
 
 using nlohmann::json;
@@ -217,4 +217,4 @@ TEST(Help, OfEveryCommandExitsWithZeroAndNamesItsOptions) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_usage_test

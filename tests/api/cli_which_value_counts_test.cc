@@ -9,7 +9,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_which_value_counts_test {
 namespace {
 
 using namespace std::chrono;
@@ -267,4 +267,4 @@ TEST_F(WhichValueCounts, SourcesOfAStoreThatHoldsNothingForTheSiteSayWhatItHolds
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_which_value_counts_test

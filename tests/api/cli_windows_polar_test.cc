@@ -5,7 +5,7 @@
 #include "tests/api/windows_command.h"
 #include "tests/support/made_up_forecast.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_windows_polar_test {
 namespace {
 
 /// A pile off Svalbard, and a forecast of three days from that day on.
@@ -69,4 +69,4 @@ TEST(PolarWindows, OfADayWithNightSayNothingOfIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_windows_polar_test

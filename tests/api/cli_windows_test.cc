@@ -8,7 +8,7 @@
 
 #include "tests/api/windows_command.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_windows_test {
 namespace {
 
 /// Runs of starts with a mark, as [first, last].
@@ -329,4 +329,4 @@ TEST_F(WindowsCommand, OnTheDayTheClocksGoForwardTheShiftBeginsAnHourEarlier) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_windows_test

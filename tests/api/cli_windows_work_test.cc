@@ -6,7 +6,7 @@
 
 #include "tests/api/windows_command.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_windows_work_test {
 namespace {
 
 TEST_F(WindowsCommand, SplitWorkIsDoneOverSeveralVisits) {
@@ -113,4 +113,4 @@ TEST_F(WindowsCommand, AreWhatThePlanOfADayIsMadeOf) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_windows_work_test

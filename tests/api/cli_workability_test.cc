@@ -10,7 +10,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cli_workability_test {
 namespace {
 
 using nlohmann::json;
@@ -364,4 +364,4 @@ TEST_F(WorkabilityCommand, ReadsTheAlphaVentusSeries) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cli_workability_test

@@ -13,7 +13,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::crash_test {
 namespace {
 
 using namespace std::chrono;
@@ -219,4 +219,4 @@ TEST(TwoWriters, PruningOrphansNeverTakesAFileThatIsBeingStored) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::crash_test

@@ -10,7 +10,7 @@
 #include "tests/support/program.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::demo_store_test {
 namespace {
 
 using namespace std::chrono;
@@ -129,4 +129,4 @@ TEST(DemoOut, RefusesAStoreThatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::demo_store_test

@@ -12,7 +12,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::disk_test {
 namespace {
 
 using namespace std::chrono;
@@ -178,4 +178,4 @@ TEST(ReadOnlyDisk, AnswersQueriesAndRefusesToWrite) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::disk_test

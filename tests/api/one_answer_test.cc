@@ -13,7 +13,7 @@
 #include "tests/support/program.h"
 #include "twin/environment/environment.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::one_answer_test {
 namespace {
 
 using nlohmann::json;
@@ -191,4 +191,4 @@ TEST_F(OneAnswer, ComesFromEveryDoor) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::one_answer_test

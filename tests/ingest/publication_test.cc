@@ -6,7 +6,7 @@
 #include "tests/ingest/cf/tiny_product.h"
 #include "tests/support/point_series_for_tests.h"
 
-namespace slackwater::ingest::tests {
+namespace slackwater::ingest::tests::publication_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -157,4 +157,4 @@ TEST(Publication, OfRealFiles) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::tests
+}  // namespace slackwater::ingest::tests::publication_test

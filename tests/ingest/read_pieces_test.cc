@@ -8,7 +8,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::read_pieces_test {
 namespace {
 
 using slackwater::tests::ProductCell;
@@ -167,4 +167,4 @@ TEST_F(ReadPiecesTest, AFileThatIsNotThereIsNamed) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::read_pieces_test

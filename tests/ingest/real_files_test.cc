@@ -14,7 +14,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::real_files_test {
 namespace {
 
 class RealFiles : public ::testing::Test {
@@ -297,4 +297,4 @@ TEST_F(RealFiles, ATruncatedCopyIsRefusedAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::real_files_test

@@ -9,7 +9,7 @@
 #include "fields/base/random.h"
 #include "tests/published/synthetic_profile.h"
 
-namespace slackwater::calibration::tests {
+namespace slackwater::calibration::tests::fit_profile_test {
 namespace {
 
 // So small that the priors weigh nothing.
@@ -190,4 +190,4 @@ TEST(FitProfile, RefusesWhatItCannotFitAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration::tests
+}  // namespace slackwater::calibration::tests::fit_profile_test

@@ -5,7 +5,7 @@
 #include "fields/base/error.h"
 #include "tests/published/synthetic_profile.h"
 
-namespace slackwater::calibration::tests {
+namespace slackwater::calibration::tests::held_out_test {
 namespace {
 
 std::vector<std::size_t> places(const std::vector<bool>& trains) {
@@ -56,4 +56,4 @@ TEST(HeldOut, RefusesTooFewLevelsAndLevelsOutOfOrder) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration::tests
+}  // namespace slackwater::calibration::tests::held_out_test

@@ -5,7 +5,7 @@
 #include "fields/current/coriolis.h"
 #include "fields/current/ekman_layer.h"
 
-namespace slackwater {
+namespace slackwater::mixed_layer_profile_test {
 namespace {
 
 constexpr double density = 1025.0;
@@ -111,4 +111,4 @@ TEST(MixedLayerShape, TheStepIsHalfDoneAtTheBaseAndTanhOneOfItWithinOneHalfThick
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::mixed_layer_profile_test

@@ -8,7 +8,7 @@
 #include "calibration/solve/parameter_set.h"
 #include "tests/published/synthetic_profile.h"
 
-namespace slackwater::calibration::tests {
+namespace slackwater::calibration::tests::profile_form_test {
 namespace {
 
 using Jet = ceres::Jet<double, profile_parameter_count>;
@@ -66,4 +66,4 @@ TEST(ProfileForm, ShearedInteriorTiesBothLengthsToTheDepthOfTheBase) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration::tests
+}  // namespace slackwater::calibration::tests::profile_form_test

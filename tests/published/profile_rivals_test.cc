@@ -11,7 +11,7 @@
 #include "tests/published/published_profiles.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::profile_rivals_test {
 namespace {
 
 using calibration::ProfileLevel;
@@ -127,4 +127,4 @@ TEST(PublishedProfiles, AgainstWhatJoinsTheDots) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::profile_rivals_test

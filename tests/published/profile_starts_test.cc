@@ -5,7 +5,7 @@
 #include "calibration/solve/parameter_set.h"
 #include "tests/published/synthetic_profile.h"
 
-namespace slackwater::calibration::tests {
+namespace slackwater::calibration::tests::profile_starts_test {
 namespace {
 
 /// The cost as the Ceres problem defines it, summed here term by term.
@@ -59,4 +59,4 @@ TEST(ProfileStarts, BestOneHasTheDepthOfTheBaseWithinAStepOfTheGrid) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration::tests
+}  // namespace slackwater::calibration::tests::profile_starts_test

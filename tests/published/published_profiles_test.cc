@@ -16,7 +16,7 @@
 //
 //   build/release/tests/slackwater_published_tests --gtest_filter='PublishedProfiles.*'
 
-namespace slackwater::tests {
+namespace slackwater::tests::published_profiles_test {
 namespace {
 
 using calibration::ProfileForm;
@@ -174,4 +174,4 @@ TEST(PublishedProfiles, TurnWithDepthAsTheNorthernHemisphereDoes) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::published_profiles_test

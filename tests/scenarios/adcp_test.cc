@@ -17,7 +17,7 @@
 // Moored profilers as the only source: ingested, forecast as if live, scored against what they saw
 // next, all with the program itself.
 
-namespace slackwater::tests {
+namespace slackwater::tests::adcp_test {
 namespace {
 
 using nlohmann::json;
@@ -342,4 +342,4 @@ TEST(AdcpNorthSea, HolesOfAnHourOrTwoDoNotCostTheDayAndADayOfSilenceDoes) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::adcp_test

@@ -15,7 +15,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::daily_means_test {
 namespace {
 
 using std::chrono::days;
@@ -138,4 +138,4 @@ TEST(DailyMeans, WithoutOneTheBandIsBlindAndTheHeadlineSaysSo) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::daily_means_test

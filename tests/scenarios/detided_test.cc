@@ -16,7 +16,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::detided_test {
 namespace {
 
 using std::chrono::days;
@@ -137,4 +137,4 @@ TEST(Detided, SixHourlyCurrentsWithoutTideAreBetterForecastWithoutOne) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::detided_test

@@ -11,7 +11,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::ensemble_score_test {
 namespace {
 
 std::vector<double> normals(std::size_t n, Rng& random) {
@@ -233,4 +233,4 @@ TEST(EnsembleScore, MembersAreComparedAndSortedOnesHaveLostTheirPairs) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::ensemble_score_test

@@ -12,7 +12,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::forecast_without_store_test {
 namespace {
 
 using std::chrono::days;
@@ -161,4 +161,4 @@ TEST(ForecastWithoutAStore, IsThatOfAStoreWhereEastAndNorthAreFilesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::forecast_without_store_test

@@ -24,7 +24,7 @@
 // The product's error and the difference between two places are drawn anew with every seed, with
 // other memories and shapes in depth than calibration/fuse assumes.
 
-namespace slackwater::tests {
+namespace slackwater::tests::fusion_twin_test {
 namespace {
 
 const UtcDay first_day = parse_day("2024-03-01");
@@ -388,4 +388,4 @@ TEST(FusionTwin, AStandardErrorInTheFileWeakensTheProfiler) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::fusion_twin_test

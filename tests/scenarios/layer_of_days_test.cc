@@ -12,7 +12,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::layer_of_days_test {
 namespace {
 
 /// The 0.2 K crossing of one cell of the file, searched in steps of a centimetre.
@@ -73,4 +73,4 @@ TEST(LayerOfDays, TheTemperaturesOfAnAugustAreReadWhereNoDepthIsStated) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::layer_of_days_test

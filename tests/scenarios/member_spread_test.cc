@@ -18,7 +18,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/unlike_ocean.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::member_spread_test {
 namespace {
 
 using std::chrono::days;
@@ -205,4 +205,4 @@ TEST(MemberSpread, HangsTogetherAsTheErrorsInTheStraitOfOtrantoDo) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::member_spread_test

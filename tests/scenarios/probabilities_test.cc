@@ -20,7 +20,7 @@
 // held against what came. Six days in `make test`; 210 of them with SLACKWATER_DAYS=210 (`make
 // soak`), whose figures api/docs/skill.md shows.
 
-namespace slackwater::tests {
+namespace slackwater::tests::probabilities_test {
 namespace {
 
 int days_to_run() {
@@ -164,4 +164,4 @@ TEST(Probabilities, TheBandsOfManyDaysHoldWhatTheySay) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::probabilities_test

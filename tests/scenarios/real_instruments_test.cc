@@ -15,7 +15,7 @@
 // Real profilers beside made-up products: the water has everything that made-up water lacks, and
 // none of it may be taken for a fault of the instrument. No product is held for these moorings.
 
-namespace slackwater::tests {
+namespace slackwater::tests::real_instruments_test {
 namespace {
 
 using calibration::MooredInstrumentUse;
@@ -142,4 +142,4 @@ TEST(RealInstruments, AreRejectedWithAFaultPutIntoThem) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::real_instruments_test

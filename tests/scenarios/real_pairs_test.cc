@@ -17,7 +17,7 @@
 // must be that page's, to its last digit (tolerance: half of it, plus float storage), so that our
 // skill is measured with the ruler everyone else uses.
 
-namespace slackwater::tests {
+namespace slackwater::tests::real_pairs_test {
 namespace {
 
 constexpr double half_last_digit = 0.6e-4;
@@ -285,4 +285,4 @@ TEST(RealPairs, WavesAreScoredAgainstTheBuoyOfHollandseKustNoord) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::real_pairs_test

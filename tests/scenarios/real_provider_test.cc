@@ -15,7 +15,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::real_provider_test {
 namespace {
 
 using std::chrono::days;
@@ -164,4 +164,4 @@ TEST(RealProvider, Brest) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::real_provider_test

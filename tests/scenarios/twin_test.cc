@@ -14,7 +14,7 @@
 // Day D to forecast on an ocean whose truth is known: what comes out of the files, the store, the
 // calibration and the propagation must be that truth, within the errors that are stated.
 
-namespace slackwater::tests {
+namespace slackwater::tests::twin_test {
 namespace {
 
 class SyntheticTwin : public testing::Test {
@@ -152,4 +152,4 @@ TEST_F(SyntheticTwin, TheSameSeedGivesTheSameForecast) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::twin_test

@@ -20,7 +20,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::wind_ensemble_test {
 namespace {
 
 using std::chrono::days;
@@ -132,4 +132,4 @@ TEST(WindEnsemble, ItsNumbersStandInTheIssuedFileBesideTheWindsTheyName) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::wind_ensemble_test

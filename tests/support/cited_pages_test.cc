@@ -19,7 +19,7 @@
 // names is in the tree, and so is each source (*.h, *.cc) that a comment or a page names. Each page
 // for users is reached from the index by links.
 
-namespace slackwater::tests {
+namespace slackwater::tests::cited_pages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -208,4 +208,4 @@ TEST(CitedPages, ASourceOutsideTheTreeIsSeen) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cited_pages_test

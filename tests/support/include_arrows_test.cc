@@ -13,7 +13,7 @@
 // Who may include whom: fields -> nothing of ours; ingest, calibration, twin, data -> fields; api
 // and tests -> all. Between the folders of a room no arrows lead round in a circle.
 
-namespace slackwater::tests {
+namespace slackwater::tests::include_arrows_test {
 namespace {
 
 using Arrows = std::map<std::string, std::set<std::string>>;
@@ -316,4 +316,4 @@ TEST(IncludeArrows, EachLibraryHasOneDoor) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::include_arrows_test

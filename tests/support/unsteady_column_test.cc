@@ -8,7 +8,7 @@
 #include "fields/current/coriolis.h"
 #include "tests/support/crank_nicolson_column.h"
 
-namespace slackwater {
+namespace slackwater::unsteady_column_test {
 namespace {
 
 using std::chrono::hours;
@@ -224,4 +224,4 @@ TEST(UnsteadyColumn, WithoutRotationOrALayerThatMovesThereIsNone) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::unsteady_column_test

@@ -11,7 +11,7 @@
 #include "tests/api/coverage/made_up_inspection.h"
 #include "tests/support/error_of.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::findings_file_test {
 namespace {
 
 using namespace api;
@@ -132,4 +132,4 @@ TEST(FindingsFile, AnOriginThatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::findings_file_test

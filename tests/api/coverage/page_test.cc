@@ -8,7 +8,7 @@
 #include "api/show/rehearse/run_page.h"
 #include "tests/api/coverage/made_up_inspection.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::page_test {
 namespace {
 
 using namespace api;
@@ -116,4 +116,4 @@ TEST(CoveragePage, DetailAgainstRangeHoldsItsQuantilesInOrder) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::page_test

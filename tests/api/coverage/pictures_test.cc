@@ -7,7 +7,7 @@
 #include "api/show/coverage/still.h"
 #include "tests/api/coverage/made_up_inspection.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::pictures_test {
 namespace {
 
 using namespace api;
@@ -140,4 +140,4 @@ TEST(CoverageStill, APileIsSeenFromTwoSidesABedFromOne) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::pictures_test

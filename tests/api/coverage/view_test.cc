@@ -11,7 +11,7 @@
 #include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::view_test {
 namespace {
 
 using namespace api;
@@ -120,4 +120,4 @@ TEST(CoverageView, ADamagedInspectionIsOneClearError) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::view_test

@@ -7,7 +7,7 @@
 
 // What clients send that is no such message: each reader says so and nothing else happens.
 
-namespace slackwater::dds {
+namespace slackwater::dds::broken_messages_test {
 namespace {
 
 using tests::Order;
@@ -137,4 +137,4 @@ TEST(BrokenMessages, PromisesOfManyElementsCostNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::broken_messages_test

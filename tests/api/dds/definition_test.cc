@@ -7,7 +7,7 @@
 // The fields as ROS's own .msg files have them (ros2/common_interfaces, ros2/rcl_interfaces),
 // without comments and constants.
 
-namespace slackwater::dds {
+namespace slackwater::dds::definition_test {
 namespace {
 
 const std::string line(80, '=');
@@ -156,4 +156,4 @@ TEST(DefinitionOf, EachTypeOfTheTable) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::definition_test

@@ -9,7 +9,7 @@
 #include "tests/strangers/live/services.h"
 #include "tests/support/started_program.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::end_of_run_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -99,4 +99,4 @@ TEST_F(EndOfRun, SaysOfStepsThatTheyWereNotMade) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::end_of_run_test

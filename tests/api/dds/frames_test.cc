@@ -10,7 +10,7 @@
 // NED with bodies forward, right, down (Fossen) to ENU with bodies forward, left, up (REP-103),
 // against matrices: what a quaternion of ROS means is said by ROS's formulas, not by ours.
 
-namespace slackwater::dds {
+namespace slackwater::dds::frames_test {
 namespace {
 
 constexpr double quarter = std::numbers::pi / 2;
@@ -99,4 +99,4 @@ TEST(FramesOfRos, ABodyThatLooksUpPointsUp) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::frames_test

@@ -7,7 +7,7 @@
 #include "tests/strangers/live/services.h"
 #include "tests/support/started_program.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::goals_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -44,4 +44,4 @@ TEST(Goals, AcceptedInTheMiddleOfAStepGoOn) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::goals_test

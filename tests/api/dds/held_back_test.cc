@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::held_back_test {
 namespace {
 
 TEST(HeldBack, IsWhatADelayHasAboveTheLeast) {
@@ -48,4 +48,4 @@ TEST(HeldBack, TheFirstAfterALongSilenceIsFresh) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::held_back_test

@@ -7,7 +7,7 @@
 
 // The protocol with processes that host an agent or physics, byte by byte.
 
-namespace slackwater::dds {
+namespace slackwater::dds::hosted_bytes_test {
 namespace {
 
 using tests::HandReader;
@@ -123,4 +123,4 @@ INSTANTIATE_TEST_SUITE_P(InBothOrders, AnswersOfTheHosted,
                          });
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::hosted_bytes_test

@@ -11,7 +11,7 @@
 #include "tests/api/dds/own_domain.h"
 #include "tests/support/program.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::joins_test {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -95,4 +95,4 @@ TEST_P(Joins, LeaveNothingBehind) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::joins_test

@@ -19,7 +19,7 @@
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::jumping_clock_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -239,4 +239,4 @@ TEST_F(JumpingClock, OfTheMachineMakesCommandsStaleForAMinute) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::jumping_clock_test

@@ -19,7 +19,7 @@
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::lossy_link_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -216,4 +216,4 @@ TEST(LossyLink, AVehicleThatIsCutOffFromItsClientHoldsAndGoesHome) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::lossy_link_test

@@ -8,7 +8,7 @@
 // Messages with something wrong in them, a hundred thousand; SLACKWATER_MUTATIONS of them where
 // that is set.
 
-namespace slackwater::dds {
+namespace slackwater::dds::mutations_test {
 namespace {
 
 using tests::Order;
@@ -91,4 +91,4 @@ TEST(MutatedMessages, GiveAValueOrInvalidInputAndTakeNoMemoryToSpeakOf) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::mutations_test

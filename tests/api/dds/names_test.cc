@@ -7,7 +7,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater::dds {
+namespace slackwater::dds::names_test {
 namespace {
 
 // reference: ros2/design articles/140, "Topic and Service name mapping to DDS".
@@ -80,4 +80,4 @@ TEST(RosToken, IsATokenOfRosWhateverTheName) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::names_test

@@ -11,7 +11,7 @@
 
 // What clients ask, written by hand in both orders of bytes.
 
-namespace slackwater::dds {
+namespace slackwater::dds::orders_test {
 namespace {
 
 using tests::HandReader;
@@ -231,4 +231,4 @@ TEST(AnswersToClients, ListsOfGoals) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::orders_test

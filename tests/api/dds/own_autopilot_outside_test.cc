@@ -18,7 +18,7 @@
 #include "twin/control/control_laws.h"
 #include "twin/control/guidance.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::own_autopilot_outside_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -185,4 +185,4 @@ TEST(OwnAutopilotOutside, GivesTheTrackOfTheOneAtHomeWithinTheLatencysWorth) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::own_autopilot_outside_test

@@ -11,7 +11,7 @@
 
 // Participants on this machine, over UDP and through shared memory, each in a domain of its test.
 
-namespace slackwater::dds {
+namespace slackwater::dds::participant_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -275,4 +275,4 @@ TEST(Participant, ATopicHasOneType) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::participant_test

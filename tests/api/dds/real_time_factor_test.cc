@@ -12,7 +12,7 @@
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::real_time_factor_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -82,4 +82,4 @@ TEST(RealTimeFactor, OfNoneGoesAsFastAsTheMachineCan) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::real_time_factor_test

@@ -9,7 +9,7 @@
 // Services called by Fast DDS participants with fastddsgen's own types, by both conventions of who
 // is answered.
 
-namespace slackwater::dds {
+namespace slackwater::dds::service_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -238,4 +238,4 @@ INSTANTIATE_TEST_SUITE_P(By, Services, testing::Values(Convention::plain, Conven
                          });
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::service_test

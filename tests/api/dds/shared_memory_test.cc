@@ -15,7 +15,7 @@
 #include "tests/support/comes_true.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::dds {
+namespace slackwater::dds::shared_memory_test {
 namespace {
 
 using tests::OwnDomain;
@@ -144,4 +144,4 @@ TEST(SweepSharedMemory, WithoutAFolderThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::shared_memory_test

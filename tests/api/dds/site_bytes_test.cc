@@ -8,7 +8,7 @@
 
 // What a site tells, byte by byte.
 
-namespace slackwater::dds {
+namespace slackwater::dds::site_bytes_test {
 namespace {
 
 using tests::HandReader;
@@ -176,4 +176,4 @@ TEST(StampOfMessages, IsTheTimeOfTheRun) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::site_bytes_test

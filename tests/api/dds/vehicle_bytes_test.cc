@@ -6,7 +6,7 @@
 // What vehicles tell, byte by byte. Expected numbers are worked out by hand from NED and body
 // (forward, right, down) to ENU and body (forward, left, up).
 
-namespace slackwater::dds {
+namespace slackwater::dds::vehicle_bytes_test {
 namespace {
 
 using tests::HandReader;
@@ -245,4 +245,4 @@ TEST(BytesOfVehicles, TextIsLengthWithItsEnd) {
 }
 
 }  // namespace
-}  // namespace slackwater::dds
+}  // namespace slackwater::dds::vehicle_bytes_test

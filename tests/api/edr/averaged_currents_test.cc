@@ -3,7 +3,7 @@
 
 #include "tests/api/edr/edr_service_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::averaged_currents_test {
 namespace {
 
 using std::chrono::hours;
@@ -33,4 +33,4 @@ TEST(EdrNotes, TellAForecastMadeInHindsight) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::averaged_currents_test

@@ -11,7 +11,7 @@
 #include "tests/api/edr/edr_service_for_tests.h"
 #include "tests/api/edr/made_up_store.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::concurrent_queries_test {
 namespace {
 
 constexpr std::size_t clients = 8;
@@ -89,4 +89,4 @@ TEST(ConcurrentQueries, AreEachOfOnePieceWhileForecastsAreSwapped) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::concurrent_queries_test

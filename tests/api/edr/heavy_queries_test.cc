@@ -9,7 +9,7 @@
 #include "tests/api/edr/edr_service_for_tests.h"
 #include "tests/api/edr/made_up_store.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::heavy_queries_test {
 namespace {
 
 const EdrServiceForTests& service() { return edr_service(); }
@@ -147,4 +147,4 @@ TEST(EdrHeavy, AHeadlineThatIsNotUtf8TakesNoDocumentAway) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::heavy_queries_test

@@ -6,7 +6,7 @@
 #include "tests/api/edr/edr_service_for_tests.h"
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::hostile_queries_test {
 namespace {
 
 using nlohmann::json;
@@ -186,4 +186,4 @@ TEST(EdrHostile, TooMuchAtOnceIsRefusedInAMoment) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::hostile_queries_test

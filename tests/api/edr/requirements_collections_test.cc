@@ -4,7 +4,7 @@
 
 #include "tests/api/edr/edr_service_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::requirements_collections_test {
 namespace {
 
 using nlohmann::json;
@@ -207,4 +207,4 @@ TEST(EdrCollections, EveryParameterHasATypeAnObservedPropertyAndAUnit) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::requirements_collections_test

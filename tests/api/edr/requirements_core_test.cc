@@ -5,7 +5,7 @@
 
 #include "tests/api/edr/edr_service_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::requirements_core_test {
 namespace {
 
 using nlohmann::json;
@@ -170,4 +170,4 @@ TEST(EdrFeatures, PagesFollowEachOtherUntilAllWereSeen) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::requirements_core_test

@@ -4,7 +4,7 @@
 
 #include "tests/api/edr/edr_service_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::requirements_encodings_test {
 namespace {
 
 using nlohmann::json;
@@ -144,4 +144,4 @@ TEST(EdrCoverageJson, EveryAnswerSaysWhereItComesFrom) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::requirements_encodings_test

@@ -3,7 +3,7 @@
 
 #include "tests/api/edr/edr_service_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::requirements_instances_test {
 namespace {
 
 using nlohmann::json;
@@ -99,4 +99,4 @@ TEST(EdrInstances, CachesMayKeepAnInstanceLongAndTheForecastInForceShortly) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::requirements_instances_test

@@ -4,7 +4,7 @@
 
 #include "tests/api/edr/edr_service_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::requirements_openapi_test {
 namespace {
 
 using nlohmann::json;
@@ -135,4 +135,4 @@ TEST(EdrOpenApi, ExamplesOfTheDefinitionAreAnswered) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::requirements_openapi_test

@@ -5,7 +5,7 @@
 #include "tests/api/edr/edr_service_for_tests.h"
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::requirements_parameters_test {
 namespace {
 
 using nlohmann::json;
@@ -380,4 +380,4 @@ TEST(EdrParameters, WidthIsMeasuredInItsUnits) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::requirements_parameters_test

@@ -5,7 +5,7 @@
 #include "tests/api/edr/edr_service_for_tests.h"
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::requirements_queries_test {
 namespace {
 
 using nlohmann::json;
@@ -249,4 +249,4 @@ TEST(EdrQueries, BelowTheBedIsNoNumberButASentence) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::requirements_queries_test

@@ -9,7 +9,7 @@
 #include "tests/api/edr/edr_service_for_tests.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::requirements_table_test {
 namespace {
 
 struct Row {
@@ -71,4 +71,4 @@ TEST(EdrRequirements, EveryRequirementOfADeclaredClassHasItsRow) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::requirements_table_test

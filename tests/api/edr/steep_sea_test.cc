@@ -3,7 +3,7 @@
 
 #include "tests/api/edr/edr_service_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::steep_sea_test {
 namespace {
 
 /// What the answer about waves says beside its values, with such a sea in the forecast.
@@ -33,4 +33,4 @@ TEST(EdrWaves, ASeaThatStandsIsServedWithoutOne) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::steep_sea_test

@@ -3,7 +3,7 @@
 
 #include "tests/api/edr/edr_service_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::wave_source_test {
 namespace {
 
 std::string notes_of(const std::string& collection, DataStatus source) {
@@ -31,4 +31,4 @@ TEST(EdrWaves, OfAProductAreServedWithoutOneAndCurrentsToo) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::wave_source_test

@@ -13,7 +13,7 @@
 // What a viewer sees, over the real server; the bytes as docs/spec.md of foxglove/ws-protocol has
 // them. Strangers.WatchOverFoxglove does the same with their own client.
 
-namespace slackwater::tests {
+namespace slackwater::tests::broadcast_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -304,4 +304,4 @@ TEST(FoxgloveBroadcast, ItsEndAndTheServersAreToldInEitherOrder) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::broadcast_test

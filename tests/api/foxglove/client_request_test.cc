@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace slackwater::tests {
+namespace slackwater::tests::client_request_test {
 namespace {
 
 using api::foxglove::binary_refusal;
@@ -114,4 +114,4 @@ TEST(FoxgloveClientRequest, NoMutatedTextEndsIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::client_request_test

@@ -4,7 +4,7 @@
 #include "api/door/http/entity_tag.h"
 #include "api/door/http/response_head.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::coding_test {
 namespace {
 
 using namespace slackwater::api::http;
@@ -50,4 +50,4 @@ TEST(ResponseHead, DatesAreThoseOfRfc9110) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::coding_test

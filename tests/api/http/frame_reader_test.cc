@@ -9,7 +9,7 @@
 
 // The frames of RFC 6455 §5.7, and all the ways to get one wrong.
 
-namespace slackwater::tests {
+namespace slackwater::tests::frame_reader_test {
 namespace {
 
 using api::http::close_frame;
@@ -187,4 +187,4 @@ TEST(Utf8, IsWhatRfc3629Says) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::frame_reader_test

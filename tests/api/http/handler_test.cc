@@ -12,7 +12,7 @@
 
 // Handlers that fail, dawdle or echo what they should not: the server goes on.
 
-namespace slackwater::tests {
+namespace slackwater::tests::handler_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -255,4 +255,4 @@ TEST(Handlers, RunAtOnceForManyClients) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::handler_test

@@ -12,7 +12,7 @@
 // Clients that are slow, wrong, greedy or gone: each is told why where it can be told, and nobody
 // else notices.
 
-namespace slackwater::tests {
+namespace slackwater::tests::hostile_client_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -361,4 +361,4 @@ TEST(HostileClient, AskingForAnotherProtocolGetsThisOne) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::hostile_client_test

@@ -10,7 +10,7 @@
 #include "api/door/http/health.h"
 #include "tests/api/http/served.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::metrics_test {
 namespace {
 
 using namespace slackwater::api::http;
@@ -136,4 +136,4 @@ TEST(Health, OldNewsIsAFailureForMonitorsAndNoneForBalancers) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::metrics_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace slackwater::tests {
+namespace slackwater::tests::outgoing_frames_test {
 namespace {
 
 using api::http::Frame;
@@ -82,4 +82,4 @@ TEST(OutgoingFrames, EssentialOnesAreKeptUntilNothingHelps) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::outgoing_frames_test

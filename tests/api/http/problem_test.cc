@@ -6,7 +6,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::problem_test {
 namespace {
 
 using namespace slackwater::api::http;
@@ -55,4 +55,4 @@ TEST(Problem, OursAreNotTheClientsToRead) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::problem_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace slackwater::tests {
+namespace slackwater::tests::request_reader_test {
 namespace {
 
 using namespace slackwater::api::http;
@@ -97,4 +97,4 @@ TEST(RequestReader, AsksForTheBodyOnceWhereTheSenderWaits) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::request_reader_test

@@ -7,7 +7,7 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::router_test {
 namespace {
 
 using namespace slackwater::api::http;
@@ -141,4 +141,4 @@ TEST(Router, LabelsAreThePatterns) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::router_test

@@ -12,7 +12,7 @@
 
 // The real server, spoken to over real sockets.
 
-namespace slackwater::tests {
+namespace slackwater::tests::server_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -269,4 +269,4 @@ TEST(HttpServer, SaysWhyItCannotListen) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::server_test

@@ -5,7 +5,7 @@
 #include "fields/base/error.h"
 #include "tests/api/http/served.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::trust_test {
 namespace {
 
 using namespace slackwater::api::http;
@@ -111,4 +111,4 @@ TEST(Trust, AServerThatOthersReachWantsATokenOrWritesNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::trust_test

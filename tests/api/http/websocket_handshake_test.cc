@@ -1,7 +1,7 @@
 // How a connection becomes a WebSocket, or is told why not.
 #include "tests/api/http/echo_served.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::websocket_handshake_test {
 namespace {
 
 TEST(WebSocketServer, ShakesHandsAsTheStandardHasIt) {
@@ -109,4 +109,4 @@ TEST(WebSocketServer, AnyOriginMayListenAndTheHandlerKnowsWhomToTrust) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::websocket_handshake_test

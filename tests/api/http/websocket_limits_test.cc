@@ -3,7 +3,7 @@
 
 #include "tests/api/http/echo_served.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::websocket_limits_test {
 namespace {
 
 TEST(WebSocketServer, SilentClientsArePingedAndThoseThatAreGoneAreClosed) {
@@ -153,4 +153,4 @@ TEST(WebSocketServer, StoppingSaysFarewellToAllAndEndsSoon) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::websocket_limits_test

@@ -1,7 +1,7 @@
 // What is said over WebSockets, and how they end.
 #include "tests/api/http/echo_served.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::websocket_test {
 namespace {
 
 // --- messages ---
@@ -161,4 +161,4 @@ TEST(WebSocketServer, AHandlerThatFailsEndsItsClientAlone) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::websocket_test

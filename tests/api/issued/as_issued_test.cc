@@ -5,7 +5,7 @@
 #include "api/issued/in_force.h"
 #include "tests/api/issued/issued_store.h"
 
-namespace slackwater::api {
+namespace slackwater::api::as_issued_test {
 namespace {
 
 using std::chrono::days;
@@ -133,4 +133,4 @@ TEST_F(IssuedThrice, WhatWasIssuedAfterItsLastHourHasNoForceNow) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::as_issued_test

@@ -7,7 +7,7 @@
 #include "fields/base/error.h"
 #include "tests/api/issued/issued_store.h"
 
-namespace slackwater::api {
+namespace slackwater::api::in_force_test {
 namespace {
 
 using std::chrono::days;
@@ -109,4 +109,4 @@ TEST_F(InForceOfAStore, OfFieldsThatReachAPlaceTheNearestSitesAnswers) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::in_force_test

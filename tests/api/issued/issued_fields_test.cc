@@ -10,7 +10,7 @@
 #include "fields/base/error.h"
 #include "tests/api/issued/issued_store.h"
 
-namespace slackwater::api {
+namespace slackwater::api::issued_fields_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -287,4 +287,4 @@ TEST(IssuedFields, AFolderWithoutAStoreIsRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::issued_fields_test

@@ -8,7 +8,7 @@
 #include "tests/api/edr/made_up_store.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::site_state_test {
 namespace {
 
 using namespace api;
@@ -134,4 +134,4 @@ TEST(AgeInWords, IsRoundedDownInTheLargestUnitThatLeavesTwo) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::site_state_test

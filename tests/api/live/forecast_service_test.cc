@@ -10,7 +10,7 @@
 #include "tests/api/edr/made_up_store.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::forecast_service_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -114,4 +114,4 @@ TEST(ProfileAnswer, SaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::forecast_service_test

@@ -10,7 +10,7 @@
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::full_disk_live_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -83,4 +83,4 @@ TEST(FullDiskOfALiveRun, IsSaidAndTheRunGoesOnAndItsRecordsStayReadable) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::full_disk_live_test

@@ -9,7 +9,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::host_check_test {
 namespace {
 
 /// An ROV at rest in still water, and a step of it.
@@ -151,4 +151,4 @@ TEST(HostCheck, WhatAgentsAskForIsHeardAsOnTheTopicThatHasIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::host_check_test

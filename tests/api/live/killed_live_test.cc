@@ -10,7 +10,7 @@
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::killed_live_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -60,4 +60,4 @@ TEST(KilledLiveRun, LeavesRecordsThatReadToTheLastFlush) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::killed_live_test

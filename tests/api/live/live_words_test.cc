@@ -5,7 +5,7 @@
 #include "api/door/live/reserve_advice.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::live_words_test {
 namespace {
 
 std::vector<std::string> names_of(const std::vector<std::string>& vehicles) {
@@ -63,4 +63,4 @@ TEST(ReserveAdvice, IsWhatIsLeftOverWhatItDraws) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::live_words_test

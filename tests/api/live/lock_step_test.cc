@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace slackwater::tests {
+namespace slackwater::tests::lock_step_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -61,4 +61,4 @@ TEST(LockStep, AThousandStepsWithAnotherThread) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::lock_step_test

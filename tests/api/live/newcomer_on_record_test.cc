@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::newcomer_on_record_test {
 namespace {
 
 constexpr double step_s = 0.05;
@@ -101,4 +101,4 @@ TEST(NewcomerOnRecord, HasItsChannelsInABagOfEitherKindFromItsFirstStepOn) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::newcomer_on_record_test

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::played_bag_test {
 namespace {
 
 constexpr double step_s = 0.05;
@@ -233,4 +233,4 @@ TEST(PlayedBag, AVesselBeyondThePoleEndsNoRun) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::played_bag_test

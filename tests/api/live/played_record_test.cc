@@ -6,7 +6,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::played_record_test {
 namespace {
 
 /// An ROV that holds its place for a minute unless somebody drives it, as fast as it goes.
@@ -106,4 +106,4 @@ TEST_F(PlayedRecord, CutShortIsTold) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::played_record_test

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace slackwater::tests {
+namespace slackwater::tests::punctuality_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -79,4 +79,4 @@ TEST(Punctuality, WhoKeepsARunWaitingForSecondsMakesItLate) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::punctuality_test

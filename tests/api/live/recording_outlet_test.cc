@@ -11,7 +11,7 @@
 #include "tests/support/comes_true.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::recording_outlet_test {
 namespace {
 
 const bag::Channel level{"/site/tide_level", "std_msgs/msg/Float64", "float64 data\n", {}};
@@ -138,4 +138,4 @@ TEST(RecordingOutlet, AFullDiskIsToldOnceAndWhatWasRecordedStaysReadable) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::recording_outlet_test

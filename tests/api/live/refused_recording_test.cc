@@ -9,7 +9,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::refused_recording_test {
 namespace {
 
 class RefusedRecording : public ::testing::Test {
@@ -111,4 +111,4 @@ TEST_F(RefusedRecording, OneThatTheDiskEndsIsAnErrorOfAReplayThatIsTheSame) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::refused_recording_test

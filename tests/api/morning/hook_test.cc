@@ -17,7 +17,7 @@
 #include "tests/support/store_for_tests.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::hook_test {
 namespace {
 
 using api::Hook;
@@ -177,4 +177,4 @@ TEST_F(HookTest, WhatCannotBeRunAsItStandsIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::hook_test

@@ -15,7 +15,7 @@
 #include "data/store/layout.h"
 #include "tests/support/farm_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::plan_windows_test {
 namespace {
 
 using namespace slackwater::api;
@@ -154,4 +154,4 @@ TEST_F(PlanWindows, TakeWhatFlightsAtTheSameTurbineLeave) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::plan_windows_test

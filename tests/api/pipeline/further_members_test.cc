@@ -13,7 +13,7 @@
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::api {
+namespace slackwater::api::further_members_test {
 namespace {
 
 using namespace std::chrono;
@@ -215,4 +215,4 @@ TEST(SnapshotDifference, AnyBitThatMovesIsNamed) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::further_members_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::api {
+namespace slackwater::api::ingest_counts_test {
 namespace {
 
 using ingest::DecodedGranule;
@@ -55,4 +55,4 @@ TEST(IngestCounts, AControlAloneIsNoEnsembleAndABathymetryHasNoTimes) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::ingest_counts_test

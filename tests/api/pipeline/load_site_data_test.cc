@@ -12,7 +12,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::load_site_data_test {
 namespace {
 
 using std::chrono::days;
@@ -250,4 +250,4 @@ TEST(SiteData, ASiteThatCannotBeServedIsToldWhy) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::load_site_data_test

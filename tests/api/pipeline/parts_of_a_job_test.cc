@@ -23,7 +23,7 @@
 #include "tests/support/store_for_tests.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::parts_of_a_job_test {
 namespace {
 
 using nlohmann::json;
@@ -258,4 +258,4 @@ TEST_F(FiveDays, AForecastThatCannotBeReadIsNamedAndTheOthersAreScored) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::parts_of_a_job_test

@@ -16,7 +16,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::run_apart_test {
 namespace {
 
 using std::chrono::seconds;
@@ -159,4 +159,4 @@ TEST(RunApart, MemoryBeyondTheAllowanceIsRefusedInTheChildAlone) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::run_apart_test

@@ -19,7 +19,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::verify_as_issued_test {
 namespace {
 
 using calibration::Method;
@@ -167,4 +167,4 @@ TEST_F(KnownErrors, ABaselineOfTheLaterDaysIsHeldAgainstUsOnThoseDays) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::verify_as_issued_test

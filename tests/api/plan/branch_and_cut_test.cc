@@ -8,7 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::branch_and_cut_test {
 namespace {
 
 using namespace slackwater::api;
@@ -72,4 +72,4 @@ TEST(BranchAndCut, WithoutTimeIsABug) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::branch_and_cut_test

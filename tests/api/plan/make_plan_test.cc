@@ -10,7 +10,7 @@
 #include "api/ask/plan/plan_rules.h"
 #include "tests/api/plan/plan_days.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::make_plan_test {
 namespace {
 
 using namespace slackwater::api;
@@ -196,4 +196,4 @@ TEST(MakePlan, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::make_plan_test

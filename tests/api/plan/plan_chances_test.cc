@@ -7,7 +7,7 @@
 #include "api/ask/plan/make_plan.h"
 #include "tests/api/plan/plan_days.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::plan_chances_test {
 namespace {
 
 using namespace slackwater::api;
@@ -133,4 +133,4 @@ TEST(PlanChances, ProbabilitiesThatAreTooHighAreSeen) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::plan_chances_test

@@ -11,7 +11,7 @@
 #include "fields/base/error.h"
 #include "tests/api/plan/plan_days.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::plan_change_test {
 namespace {
 
 using namespace slackwater::api;
@@ -138,4 +138,4 @@ TEST(PlanChanges, AreOfOneSiteAndDay) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::plan_change_test

@@ -7,7 +7,7 @@
 #include "api/ask/plan/make_plan.h"
 #include "tests/api/plan/plan_days.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::plan_rules_test {
 namespace {
 
 using namespace slackwater::api;
@@ -77,4 +77,4 @@ TEST(PlanRules, EveryPlanIsRightAndAnythingTakenTwiceIsSeen) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::plan_rules_test

@@ -7,7 +7,7 @@
 #include "fields/base/error.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::plan_setup_test {
 namespace {
 
 using namespace slackwater::api;
@@ -213,4 +213,4 @@ TEST_F(PlanSetup, NamesThePlaceInWindowsThatAreWrong) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::plan_setup_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace slackwater::tests {
+namespace slackwater::tests::sea_way_test {
 namespace {
 
 using namespace slackwater::api;
@@ -71,4 +71,4 @@ TEST(SeaWay, ClosesExclusionAreasOnTheDaysThatTheyAreInForce) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::sea_way_test

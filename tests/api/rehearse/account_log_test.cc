@@ -18,7 +18,7 @@
 #include "twin/mission/site_work.h"
 #include "twin/scenario/expand_mission.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::account_log_test {
 namespace {
 
 using namespace api;
@@ -174,4 +174,4 @@ TEST_F(AccountOfARun, ALogWhoseAccountIsDamagedIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::account_log_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::account_text_test {
 namespace {
 
 using namespace api;
@@ -61,4 +61,4 @@ TEST(AccountText, AlarmsAreCountedByTheirCause) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::account_text_test

@@ -10,7 +10,7 @@
 #include "twin/traffic/deviation.h"
 #include "twin/traffic/pursuit.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::ais_traffic_test {
 namespace {
 
 using namespace api;
@@ -256,4 +256,4 @@ TEST(AisReferencedTrajectory, RealTrafficRaisesTheAlarmsThatTryingAllMomentsFind
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::ais_traffic_test

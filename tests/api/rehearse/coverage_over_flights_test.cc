@@ -6,7 +6,7 @@
 
 #include "twin/agent/conduct.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::coverage_over_flights_test {
 namespace {
 
 using namespace api;
@@ -146,4 +146,4 @@ TEST(CoverageOverFlights, InTheAirItIsTheWind) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::coverage_over_flights_test

@@ -10,7 +10,7 @@
 #include "tests/api/rehearse/logged_runs.h"
 #include "twin/run/command_numbers.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::helmed_run_test {
 namespace {
 
 using namespace api;
@@ -265,4 +265,4 @@ TEST_F(HelmedRun, ARecordThatCannotBeIsRefusedWithOneSentence) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::helmed_run_test

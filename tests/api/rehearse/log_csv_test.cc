@@ -9,7 +9,7 @@
 #include "fields/base/error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::log_csv_test {
 namespace {
 
 std::string text_of(const std::filesystem::path& file) {
@@ -62,4 +62,4 @@ TEST(LogCsv, UnitsBecomeSuffixes) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::log_csv_test

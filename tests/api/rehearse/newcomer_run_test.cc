@@ -12,7 +12,7 @@
 #include "fields/base/sha256.h"
 #include "tests/api/rehearse/logged_runs.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::newcomer_run_test {
 namespace {
 
 using namespace api;
@@ -234,4 +234,4 @@ TEST_F(RunThatVehiclesJoin, ARecordWhoseVehiclesDoNotFitIsRefusedWithOneSentence
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::newcomer_run_test

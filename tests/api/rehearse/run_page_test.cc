@@ -8,7 +8,7 @@
 #include "api/show/rehearse/account_text.h"
 #include "fields/base/error.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::run_page_test {
 namespace {
 
 using namespace api;
@@ -176,4 +176,4 @@ TEST(RunPage, WithoutAScenarioOrThePlotsItStillSaysHowItCameOut) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::run_page_test

@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::score_test {
 namespace {
 
 using namespace api;
@@ -98,4 +98,4 @@ TEST(Score, ALogWithoutPlacesIsAnError) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::score_test

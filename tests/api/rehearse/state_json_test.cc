@@ -12,7 +12,7 @@
 #include "twin/run/command_numbers.h"
 #include "twin/run/state_members.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::state_json_test {
 namespace {
 
 using namespace api;
@@ -162,4 +162,4 @@ TEST(StateJson, WhatIsNoStateIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::state_json_test

@@ -12,7 +12,7 @@
 #include "tests/support/contains.h"
 #include "tests/support/made_up_forecast.h"
 
-namespace slackwater::api {
+namespace slackwater::api::forecast_page_test {
 namespace {
 
 using calibration::ForecastMaking;
@@ -241,4 +241,4 @@ TEST(ForecastPage, ShowsLocalTimeBesideUtcWhereTheSiteStatesItsZone) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::forecast_page_test

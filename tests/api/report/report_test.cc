@@ -14,7 +14,7 @@
 #include "fields/base/error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::report_test {
 namespace {
 
 using nlohmann::json;
@@ -163,4 +163,4 @@ TEST(ReportAssets, AreThoseOfTheTree) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::report_test

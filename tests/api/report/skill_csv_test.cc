@@ -9,7 +9,7 @@
 #include "api/show/report/skill_json.h"
 #include "fields/base/csv.h"
 
-namespace slackwater::api {
+namespace slackwater::api::skill_csv_test {
 namespace {
 
 using nlohmann::json;
@@ -66,4 +66,4 @@ TEST(SkillCsv, WhatAnEntryHasNotIsAnEmptyCell) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::skill_csv_test

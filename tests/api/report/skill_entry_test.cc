@@ -11,7 +11,7 @@
 #include "calibration/verify/skill_set.h"
 #include "fields/base/error.h"
 
-namespace slackwater::api {
+namespace slackwater::api::skill_entry_test {
 namespace {
 
 using calibration::Method;
@@ -203,4 +203,4 @@ TEST(ParseBands, RefusesWhatDoesNotAscend) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::skill_entry_test

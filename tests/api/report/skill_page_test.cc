@@ -7,7 +7,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater::api {
+namespace slackwater::api::skill_page_test {
 namespace {
 
 using nlohmann::json;
@@ -110,4 +110,4 @@ TEST(SkillPage, ArraysThatDoNotFitAreABug) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::skill_page_test

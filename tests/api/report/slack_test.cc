@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace slackwater::api {
+namespace slackwater::api::slack_test {
 namespace {
 
 using std::chrono::hours;
@@ -54,4 +54,4 @@ TEST(SlackWindows, MissingValuesAreNeverSlack) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::slack_test

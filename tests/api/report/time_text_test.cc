@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::api {
+namespace slackwater::api::time_text_test {
 namespace {
 
 TEST(PageClock, TellsUtcAloneWithoutAZone) {
@@ -31,4 +31,4 @@ TEST(PageClock, TellsAStretchOnceInEachClock) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::time_text_test

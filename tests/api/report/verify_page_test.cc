@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace slackwater::api {
+namespace slackwater::api::verify_page_test {
 namespace {
 
 using calibration::Method;
@@ -161,4 +161,4 @@ TEST(VerifyPage, HindcastsStandApart) {
 TEST(VerifyPage, WestIsWest) { EXPECT_EQ(page_of_bay().site, "48.8500 N 2.5500 W"); }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::verify_page_test

@@ -12,7 +12,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api {
+namespace slackwater::api::product_files_test {
 namespace {
 
 using ingest::netcdf::File;
@@ -187,4 +187,4 @@ TEST(SyntheticProducts, IngestReadsThemAsTheProductsTheyImitate) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::product_files_test

@@ -8,7 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 
-namespace slackwater::api {
+namespace slackwater::api::synthetic_ocean_test {
 namespace {
 
 using std::chrono::hours;
@@ -163,4 +163,4 @@ TEST(WeatherForecast, ErrorGrowsWithLeadAsStated) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::synthetic_ocean_test

@@ -8,7 +8,7 @@
 #include "fields/base/constants.h"
 #include "tests/support/crank_nicolson_column.h"
 
-namespace slackwater::api {
+namespace slackwater::api::wind_driven_column_test {
 namespace {
 
 constexpr Horizontal imaginary{0, 1};
@@ -115,4 +115,4 @@ TEST(BottomLayerFactor, SatisfiesMomentumFrictionAndAFreeSurface) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::wind_driven_column_test

@@ -7,7 +7,7 @@
 #include "api/ask/windows/alpha_practice.h"
 #include "tests/support/store_for_tests.h"
 
-namespace slackwater::api {
+namespace slackwater::api::verified_heights_test {
 namespace {
 
 using nlohmann::json;
@@ -61,4 +61,4 @@ TEST(VerifiedHeights, AreNoneWhereNothingWasIssued) {
 }
 
 }  // namespace
-}  // namespace slackwater::api
+}  // namespace slackwater::api::verified_heights_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::worth_test {
 namespace {
 
 const UtcTime midnight = parse_utc("2025-06-02T00:00:00Z");
@@ -76,4 +76,4 @@ TEST(Worth, BetweenStartsTheWorseOfTheTwoCounts) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::worth_test

@@ -9,7 +9,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::blend_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -294,4 +294,4 @@ TEST(Blend, ABugIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::blend_test

@@ -11,7 +11,7 @@
 #include "calibration/blend/blend.h"
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::blend_twin_test {
 namespace {
 
 using Eigen::Index;
@@ -182,4 +182,4 @@ TEST(BlendTwin, AnEquallyGoodBaselineHardlyEverReplacesTheBlend) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::blend_twin_test

@@ -11,7 +11,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::earned_spread_test {
 namespace {
 
 constexpr double z_of_80_percent = 1.2815515655446004;
@@ -262,4 +262,4 @@ TEST(EarnedSpread, ThePastIsNotInTheFuture) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::earned_spread_test

@@ -8,7 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::past_pair_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -97,4 +97,4 @@ TEST(WithoutUnusable, NoValuesAreNoEvidenceAndTheFutureIsABug) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::past_pair_test

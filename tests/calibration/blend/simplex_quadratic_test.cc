@@ -10,7 +10,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::simplex_quadratic_test {
 namespace {
 
 using Eigen::Index;
@@ -118,4 +118,4 @@ TEST(MinimiseOnSimplex, RefusesWhatIsNoConvexForm) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::simplex_quadratic_test

@@ -7,7 +7,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::weighted_mean_test {
 namespace {
 
 TEST(WeightedMean, EqualWeightsGiveTheStandardErrorOfTheTextbook) {
@@ -61,4 +61,4 @@ TEST(WeightedMean, OneTermSaysNothingOfItsError) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::weighted_mean_test

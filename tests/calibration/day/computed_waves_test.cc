@@ -6,7 +6,7 @@
 #include "fields/wave/growth.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::computed_waves_test {
 namespace {
 
 using std::chrono::days;
@@ -124,4 +124,4 @@ TEST(ComputedWaves, WithoutWindTheLastKnownSeaIsSaidToBeKept) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::computed_waves_test

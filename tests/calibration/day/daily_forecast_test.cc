@@ -10,7 +10,7 @@
 #include "fields/base/error.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::daily_forecast_test {
 namespace {
 
 using std::chrono::days;
@@ -446,4 +446,4 @@ TEST(MakeForecast, LevelsThatAreNowhereWetAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::daily_forecast_test

@@ -9,7 +9,7 @@
 #include "fields/base/error.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::day_parts_test {
 namespace {
 
 using std::chrono::days;
@@ -329,4 +329,4 @@ TEST(DayParts, AForecastOfNothingIsAnErrorAndDoesNotReplaceTheLastOne) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::day_parts_test

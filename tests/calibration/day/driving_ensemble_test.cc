@@ -13,7 +13,7 @@
 #include "fields/base/random.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::driving_ensemble_test {
 namespace {
 
 using std::chrono::days;
@@ -365,4 +365,4 @@ TEST(LooksAhead, IsARunThatWasIssuedAfterWhatIsKnown) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::driving_ensemble_test

@@ -11,7 +11,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::earned_test {
 namespace {
 
 constexpr std::size_t values = 40;
@@ -191,4 +191,4 @@ TEST(Earned, WeightsPassFromTheMiddleOfADayOfLeadToTheNext) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::earned_test

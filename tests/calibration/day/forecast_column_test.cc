@@ -9,7 +9,7 @@
 
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::forecast_column_test {
 namespace {
 
 using std::chrono::days;
@@ -235,4 +235,4 @@ TEST(ForecastColumn, StokesDriftInTheRecordIsPassedOn) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::forecast_column_test

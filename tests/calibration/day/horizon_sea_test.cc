@@ -6,7 +6,7 @@
 #include "fields/wave/growth.h"
 #include "tests/calibration/day/horizon_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::horizon_sea_test {
 namespace {
 
 using std::chrono::days;
@@ -224,4 +224,4 @@ TEST(HorizonSea, WavesOfLongAgoAreNotASeaOfNow) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::horizon_sea_test

@@ -8,7 +8,7 @@
 #include "fields/base/error.h"
 #include "tests/calibration/day/horizon_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::horizon_wind_test {
 namespace {
 
 using std::chrono::days;
@@ -259,4 +259,4 @@ TEST(HorizonWind, TurningTheWindTurnsIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::horizon_wind_test

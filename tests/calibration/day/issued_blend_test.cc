@@ -12,7 +12,7 @@
 #include "tests/support/known_series_for_tests.h"
 #include "tests/support/reference_profile.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::issued_blend_test {
 namespace {
 
 using std::chrono::days;
@@ -367,4 +367,4 @@ TEST(AvailableCandidates, NeverHoldTheOracle) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::issued_blend_test

@@ -10,7 +10,7 @@
 #include "calibration/fuse/fusion_settings.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::known_currents_test {
 namespace {
 
 using std::chrono::days;
@@ -472,4 +472,4 @@ TEST(KnownCurrents, GapsStayGaps) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::known_currents_test

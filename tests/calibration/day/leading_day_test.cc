@@ -6,7 +6,7 @@
 #include "calibration/day/daily_forecast.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::leading_day_test {
 namespace {
 
 using std::chrono::days;
@@ -119,4 +119,4 @@ TEST(LeadingDay, AStandInIsDegradedNamedAndAsWideAsTheTwoAreKnownToDiffer) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::leading_day_test

@@ -13,7 +13,7 @@
 #include "fields/current/coriolis.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::near_inertial_tide_test {
 namespace {
 
 using std::chrono::days;
@@ -168,4 +168,4 @@ TEST(NearInertialTide, NearTheEquatorEverythingIsAsItWas) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::near_inertial_tide_test

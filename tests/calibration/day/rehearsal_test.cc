@@ -11,7 +11,7 @@
 #include "fields/base/random.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::rehearsal_test {
 namespace {
 
 using std::chrono::days;
@@ -486,4 +486,4 @@ TEST(RehearsedDays, PassOverColumnsWithoutCurrents) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::rehearsal_test

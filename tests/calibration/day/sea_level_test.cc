@@ -17,7 +17,7 @@
 
 // The level of the sea beyond D: harmonic tide, surge, the provider's own.
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::sea_level_test {
 namespace {
 
 using std::chrono::days;
@@ -338,4 +338,4 @@ TEST(SeaLevel, ALevelThatFailsIsNamedAndCostsNothingElse) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::sea_level_test

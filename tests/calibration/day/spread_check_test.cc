@@ -13,7 +13,7 @@
 #include "fields/base/random.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::spread_check_test {
 namespace {
 
 using std::chrono::days;
@@ -266,4 +266,4 @@ TEST(SpreadCheck, TheForecastNamesItAndIsAsItWasWithTooFewDays) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::spread_check_test

@@ -8,7 +8,7 @@
 #include "tests/support/known_series_for_tests.h"
 #include "tests/support/unlike_ocean.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::stated_noise_test {
 namespace {
 
 using std::chrono::days;
@@ -119,4 +119,4 @@ TEST(StatedNoise, ThatTheValuesDoNotShowIsNoNoise) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::stated_noise_test

@@ -13,7 +13,7 @@
 
 // Who of a record holds the tide, and what is made of it.
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::tide_of_record_test {
 namespace {
 
 using std::chrono::days;
@@ -170,4 +170,4 @@ TEST(TideOfRecord, BaselinesThatCarryATideOnAreNoCandidatesOfADetidedRecord) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::tide_of_record_test

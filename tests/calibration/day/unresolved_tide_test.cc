@@ -8,7 +8,7 @@
 #include "calibration/day/daily_forecast.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::unresolved_tide_test {
 namespace {
 
 using std::chrono::days;
@@ -188,4 +188,4 @@ TEST(UnresolvedTide, IsLookedForUpToTheEndOfTheDayAlone) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::unresolved_tide_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::wind_ensemble_test {
 namespace {
 
 using std::chrono::days;
@@ -172,4 +172,4 @@ TEST(NewestWindEnsemble, HolesInAMemberAreNoValues) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::wind_ensemble_test

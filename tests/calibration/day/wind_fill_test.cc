@@ -10,7 +10,7 @@
 #include "fields/current/stress_series.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::wind_fill_test {
 namespace {
 
 using std::chrono::hours;
@@ -125,4 +125,4 @@ TEST(FillWind, WhateverIsMissingTheWindStaysWithinWhatBlewAndJumpsNoMore) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::wind_fill_test

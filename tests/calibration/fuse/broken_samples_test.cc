@@ -4,7 +4,7 @@
 
 #include "tests/calibration/fuse/made_up_sea.h"
 
-namespace slackwater::calibration::tests {
+namespace slackwater::calibration::tests::broken_samples_test {
 namespace {
 
 const RotaryTide m2{{0.6, 0}, {0.3, 0}};
@@ -100,4 +100,4 @@ TEST(BrokenSamples, ASeriesThatNeverChangesIsStuckIfTheProductMoves) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration::tests
+}  // namespace slackwater::calibration::tests::broken_samples_test

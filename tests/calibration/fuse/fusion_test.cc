@@ -8,7 +8,7 @@
 #include "calibration/fuse/observed_at.h"
 #include "fields/base/random.h"
 
-namespace slackwater::calibration::tests {
+namespace slackwater::calibration::tests::fusion_test {
 namespace {
 
 const UtcTime start = parse_utc("2024-03-01T00:00:00Z");
@@ -293,4 +293,4 @@ TEST(ObservedLevel, AGapWiderThanStatedIsNotBridged) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration::tests
+}  // namespace slackwater::calibration::tests::fusion_test

@@ -7,7 +7,7 @@
 #include "calibration/fuse/fusion.h"
 #include "tests/calibration/fuse/made_up_sea.h"
 
-namespace slackwater::calibration::tests {
+namespace slackwater::calibration::tests::instrument_check_test {
 namespace {
 
 constexpr int hours_in_all = 16 * 24;
@@ -345,4 +345,4 @@ TEST(InstrumentCheck, OfThreeHundredHonestInstrumentsNoneIsRejected) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration::tests
+}  // namespace slackwater::calibration::tests::instrument_check_test

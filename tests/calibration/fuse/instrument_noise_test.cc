@@ -4,7 +4,7 @@
 
 #include "tests/calibration/fuse/made_up_sea.h"
 
-namespace slackwater::calibration::tests {
+namespace slackwater::calibration::tests::instrument_noise_test {
 namespace {
 
 const RotaryTide m2{{1.0, 0}, {0, 0}};
@@ -50,4 +50,4 @@ TEST(InstrumentNoise, CannotBeToldOfRareOrFewSamples) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration::tests
+}  // namespace slackwater::calibration::tests::instrument_noise_test

@@ -5,7 +5,7 @@
 
 #include "tests/calibration/propagate/outlook_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::ekman_once_test {
 namespace {
 
 double rms(const std::vector<Horizontal>& a, const std::vector<Horizontal>& b) {
@@ -84,4 +84,4 @@ TEST(EkmanOnce, WithoutWindTheEkmanFlowOfADayIsCarriedAndNotAddedTo) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::ekman_once_test

@@ -11,7 +11,7 @@
 #include "calibration/propagate/member_wind.h"
 #include "tests/calibration/propagate/outlook_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::ensemble_wind_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -45,7 +45,7 @@ std::vector<double> variance_over_seeds(const WindDepartures& ensemble,
                                         const std::vector<UtcTime>& times,
                                         const WindErrorGrowth& law, std::uint64_t seeds) {
   const std::vector<UtcTime> samples(times.begin() + 1, times.end());
-  const EnsembleWind wind(ensemble, times, end_of_day, samples, law, issued, 1);
+  const EnsembleWind wind(ensemble, times, end_of_synthetic_day, samples, law, issued, 1);
   std::vector<double> variance(samples.size());
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const std::vector<Horizontal> drawn = departure_of(wind, 0, seed);
@@ -122,7 +122,8 @@ TEST(EnsembleWind, ThatSpreadsMoreThanAnAnalysisErrsIsCarriedAsItIs) {
   const auto times = leads(0, 48);
   const std::vector<UtcTime> samples(times.begin() + 1, times.end());
   const WindDepartures ensemble = steady_ensemble(30, times.size(), 2.0);
-  const EnsembleWind wind(ensemble, times, end_of_day, samples, forecast_wind_error(), issued, 5);
+  const EnsembleWind wind(ensemble, times, end_of_synthetic_day, samples, forecast_wind_error(),
+                          issued, 5);
   const std::vector<int> number = wind.numbers();
   ASSERT_EQ(number.size(), issued);
   for (std::size_t m = 0; m < issued; ++m) {
@@ -179,7 +180,8 @@ TEST(EnsembleWind, WhoDrivesTwiceIsNotTheSameWindTwice) {
   const auto times = leads(0, 240);
   const std::vector<UtcTime> samples(times.begin() + 1, times.end());
   const WindDepartures ensemble = steady_ensemble(11, times.size(), 2.0);
-  const EnsembleWind wind(ensemble, times, end_of_day, samples, forecast_wind_error(), issued, 5);
+  const EnsembleWind wind(ensemble, times, end_of_synthetic_day, samples, forecast_wind_error(),
+                          issued, 5);
   const std::vector<int> number = wind.numbers();
   for (std::size_t m = 0; m < issued; ++m) {
     const auto n = static_cast<std::size_t>(number[m] - 1);
@@ -202,13 +204,15 @@ TEST(EnsembleWind, IsReadBetweenTheTimesWhereTheWindsSamplesLie) {
   // Six-hourly departures that grow by 1 m/s an hour, samples at odd hours and past the end.
   std::vector<UtcTime> times;
   WindDepartures ensemble{numbers(5), {}};
-  for (int h = 0; h <= 24; h += 6) times.push_back(add_hours(end_of_day, h));
+  for (int h = 0; h <= 24; h += 6) times.push_back(add_hours(end_of_synthetic_day, h));
   for (int n = 0; n < 5; ++n) {
     for (int h = 0; h <= 24; h += 6) ensemble.departure_m_s.emplace_back(h + 2.0, 0);
   }
-  const std::vector<UtcTime> samples{add_hours(end_of_day, 1), add_hours(end_of_day, 7.5),
-                                     add_hours(end_of_day, 24), add_hours(end_of_day, 30)};
-  const EnsembleWind wind(ensemble, times, end_of_day, samples, forecast_wind_error(), 4, 1);
+  const std::vector<UtcTime> samples{
+      add_hours(end_of_synthetic_day, 1), add_hours(end_of_synthetic_day, 7.5),
+      add_hours(end_of_synthetic_day, 24), add_hours(end_of_synthetic_day, 30)};
+  const EnsembleWind wind(ensemble, times, end_of_synthetic_day, samples, forecast_wind_error(), 4,
+                          1);
   const std::vector<Horizontal> blown = departure_of(wind, 0);
   const std::vector<double> expected{3.0, 9.5, 26.0, 26.0};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -222,7 +226,7 @@ TEST(MembersOfAnEnsemble, DepartBySigmaAboutTheCentreAsTheirWindsDrive) {
   const Calibration fitted = calibrate_day(input);
   const auto times = leads(0, 36);
   const WindDepartures ensemble = steady_ensemble(24, times.size(), 3.0);
-  const Propagated p = propagate(std::span(&fitted, 1), times, input.wind, end_of_day,
+  const Propagated p = propagate(std::span(&fitted, 1), times, input.wind, end_of_synthetic_day,
                                  forecast_wind_error(), {}, 1, ensemble);
   EXPECT_EQ(p.wind_member_number, numbers(24));
   const std::size_t size = p.mean_m_s.size();
@@ -248,12 +252,14 @@ TEST(MembersOfAnEnsemble, StandOffTheCentreWhereTheirWindsDo) {
   const auto times = leads(0, 36);
   WindDepartures ensemble = steady_ensemble(24, times.size(), 0.0);
   for (Horizontal& d : ensemble.departure_m_s) d = 4.0;
-  const Propagated off = propagate(std::span(&fitted, 1), times, input.wind, end_of_day,
+  const Propagated off = propagate(std::span(&fitted, 1), times, input.wind, end_of_synthetic_day,
                                    forecast_wind_error(), {}, 1, ensemble);
-  const auto after = std::count_if(input.wind->time.begin(), input.wind->time.end(),
-                                   [](const TimeCell& cell) { return cell.start > end_of_day; });
+  const auto after =
+      std::count_if(input.wind->time.begin(), input.wind->time.end(),
+                    [](const TimeCell& cell) { return cell.start > end_of_synthetic_day; });
   const std::vector<Horizontal> stronger(static_cast<std::size_t>(after), 4.0);
-  const Propagated blown = outlook(fitted, times, departed_wind(*input.wind, end_of_day, stronger));
+  const Propagated blown =
+      outlook(fitted, times, departed_wind(*input.wind, end_of_synthetic_day, stronger));
   const std::size_t size = off.mean_m_s.size();
   Horizontal product{};
   double expected_squares = 0;
@@ -275,7 +281,7 @@ TEST(MembersOfAnEnsemble, StandOffTheCentreWhereTheirWindsDo) {
 /// How often the truth lies between the third lowest and the third highest of 24 issued winds, of
 /// an ensemble that spreads by `spread_m_s` where its forecast errs by `error_m_s`, both east.
 double share_inside(double spread_m_s, double error_m_s, int draws) {
-  const std::vector<UtcTime> times{end_of_day, add_hours(end_of_day, 12)};
+  const std::vector<UtcTime> times{end_of_synthetic_day, add_hours(end_of_synthetic_day, 12)};
   const std::vector<UtcTime> samples{times.back()};
   int inside = 0;
   for (int draw = 0; draw < draws; ++draw) {
@@ -286,8 +292,8 @@ double share_inside(double spread_m_s, double error_m_s, int draws) {
       ensemble.departure_m_s.emplace_back();
       ensemble.departure_m_s.push_back(spread_m_s * Horizontal(random.normal(), random.normal()));
     }
-    const EnsembleWind wind(ensemble, times, end_of_day, samples, forecast_wind_error(), issued,
-                            seed);
+    const EnsembleWind wind(ensemble, times, end_of_synthetic_day, samples, forecast_wind_error(),
+                            issued, seed);
     std::vector<double> winds;
     for (std::size_t m = 0; m < issued; ++m)
       winds.push_back(departure_of(wind, m, 1000 * seed + m / 2).back().real());
@@ -309,4 +315,4 @@ TEST(EnsembleWind, ASpreadBelowWhatAnAnalysisErrsIsRaisedUntilItHoldsTheTruth) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::ensemble_wind_test

@@ -5,7 +5,7 @@
 #include "fields/base/check.h"
 #include "tests/calibration/propagate/memory_textbook.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::gaussian_memory_levels_test {
 namespace {
 
 TEST(GaussianMemory, ALevelWithoutValuesIsBetweenItsNeighboursAndHeldBeyondThem) {
@@ -84,4 +84,4 @@ TEST(GaussianMemory, RefusesArraysOfAnotherSizeAndAnswersThatAreNoNumbers) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::gaussian_memory_levels_test

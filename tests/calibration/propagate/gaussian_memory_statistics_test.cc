@@ -6,7 +6,7 @@
 #include "fields/base/check.h"
 #include "tests/calibration/propagate/memory_textbook.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::gaussian_memory_statistics_test {
 namespace {
 
 TEST(GaussianMemory, BandsHoldWhatTheyPromiseOnDataOfThePrior) {
@@ -189,4 +189,4 @@ TEST(GaussianMemory, TheSameSeedDrawsTheSameMembers) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::gaussian_memory_statistics_test

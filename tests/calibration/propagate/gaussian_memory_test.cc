@@ -7,7 +7,7 @@
 #include "fields/base/check.h"
 #include "tests/calibration/propagate/memory_textbook.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::gaussian_memory_test {
 namespace {
 
 TEST(GaussianMemory, IsTheTextbooksRegressionWithGapsAndStatedErrors) {
@@ -253,4 +253,4 @@ TEST(GaussianMemory, DailyMeansKnowNothingOfAnInertialMotionOfADay) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::gaussian_memory_test

@@ -4,7 +4,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::hourly_values_test {
 namespace {
 
 const UtcTime end_of_day{std::chrono::hours(24)};
@@ -98,4 +98,4 @@ TEST(HourlyValues, RefusesArraysOfAnotherSize) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::hourly_values_test

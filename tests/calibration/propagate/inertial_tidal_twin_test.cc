@@ -16,7 +16,7 @@
 #include "fields/record/slice.h"
 #include "tests/support/crank_nicolson_column.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::inertial_tidal_twin_test {
 namespace {
 
 constexpr double rho = constants::sea_water_density_kg_m3;
@@ -208,4 +208,4 @@ TEST(InertialTidalTwin, TheEllipseOfEveryLevelIsThatOfTheColumnInBothSenses) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::inertial_tidal_twin_test

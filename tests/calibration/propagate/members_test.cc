@@ -5,7 +5,7 @@
 #include "calibration/propagate/member_wind.h"
 #include "tests/calibration/propagate/outlook_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::members_test {
 namespace {
 
 WindErrorGrowth with_wind_error() {
@@ -223,7 +223,7 @@ TEST(Members, TheCentralWindDrivenPartIsThatOfTheForecast) {
     const auto times = leads(0, 24);
     const Propagated p = outlook(fitted, times, input.wind);
     const auto driven =
-        WindDriven(fitted, times, end_of_day)
+        WindDriven(fitted, times, end_of_synthetic_day)
             .under(StressSeries(*input.wind, fitted.drag_law), steady_parameters(fitted));
     for (std::size_t i = 0; i < driven.size(); ++i)
       EXPECT_LT(std::abs(driven[i] - p.wind_driven_m_s[i]), 1e-12) << name_of(form);
@@ -231,4 +231,4 @@ TEST(Members, TheCentralWindDrivenPartIsThatOfTheForecast) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::members_test

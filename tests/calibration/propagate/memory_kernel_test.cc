@@ -6,7 +6,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::memory_kernel_test {
 namespace {
 
 constexpr double damping_per_h = 1.0 / 60;
@@ -111,4 +111,4 @@ TEST(MemoryCovariance, RefusesAMemoryWithoutNoiseDampingOrTime) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::memory_kernel_test

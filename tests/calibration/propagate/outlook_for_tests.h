@@ -6,12 +6,12 @@
 
 namespace slackwater::calibration {
 
-inline const UtcTime end_of_day = add_hours(synthetic_midnight, 24);
+inline const UtcTime end_of_synthetic_day = add_hours(synthetic_midnight, 24);
 
 /// Whole hours of lead.
 inline std::vector<UtcTime> leads(int from_h, int to_h) {
   std::vector<UtcTime> times;
-  for (int h = from_h; h <= to_h; ++h) times.push_back(add_hours(end_of_day, h));
+  for (int h = from_h; h <= to_h; ++h) times.push_back(add_hours(end_of_synthetic_day, h));
   return times;
 }
 
@@ -48,7 +48,8 @@ inline Propagated outlook(const Calibration& fitted, std::span<const UtcTime> ti
                           const std::optional<VectorColumn>& wind,
                           const WindErrorGrowth& wind_error = {}, std::uint64_t seed = 1,
                           const Spread& spread = {}) {
-  return propagate(std::span(&fitted, 1), times, wind, end_of_day, wind_error, spread, seed);
+  return propagate(std::span(&fitted, 1), times, wind, end_of_synthetic_day, wind_error, spread,
+                   seed);
 }
 
 }  // namespace slackwater::calibration

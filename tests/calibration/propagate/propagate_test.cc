@@ -8,7 +8,7 @@
 #include "fields/current/coriolis.h"
 #include "tests/calibration/propagate/outlook_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::propagate_test {
 namespace {
 
 const std::vector<SteadyForm> all_forms{SteadyForm::finite_depth, SteadyForm::mixed_layer,
@@ -20,7 +20,7 @@ TEST(Propagate, ContinuesTheDayWithoutAJumpBeyondItsSigma) {
     day.noise_m_s = 0.004;  // that of the memory's kernel
     const CalibrationInput input = unsteady_input(day);
     const Calibration fitted = calibrate_day(input);
-    const std::vector<UtcTime> times{end_of_day, add_hours(end_of_day, 0.1)};
+    const std::vector<UtcTime> times{end_of_synthetic_day, add_hours(end_of_synthetic_day, 0.1)};
     const Propagated forecast = outlook(fitted, times, input.wind);
     const std::size_t levels = day.depth_m.size();
     for (std::size_t i = 0; i < 2 * levels; ++i) {
@@ -77,9 +77,10 @@ TEST(Propagate, AWindThatTurnsAfterTheDayMakesNewInertialMotion) {
   CalibrationInput input = steady_wind_input(day);
   const Calibration fitted = calibrate_day(input);
   for (std::size_t t = 0; t < input.wind->times(); ++t) {
-    if (input.wind->time[t].start > end_of_day) input.wind->value[t] = {-8, 6};
+    if (input.wind->time[t].start > end_of_synthetic_day) input.wind->value[t] = {-8, 6};
   }
-  const std::vector<UtcTime> times{add_hours(end_of_day, 1.5), add_hours(end_of_day, 48)};
+  const std::vector<UtcTime> times{add_hours(end_of_synthetic_day, 1.5),
+                                   add_hours(end_of_synthetic_day, 48)};
   const Propagated forecast = outlook(fitted, times, input.wind);
   const LevelResponses r = level_responses(fitted.form, steady_parameters(fitted), fitted.latitude,
                                            fitted.water_depth_m, day.depth_m);
@@ -96,7 +97,7 @@ TEST(Propagate, WhereTheWindIsMissingItIsFlaggedCountedAndDoubted) {
   CalibrationInput input = steady_wind_input(day);
   const Calibration fitted = calibrate_day(input);
   for (std::size_t t = 0; t < input.wind->times(); ++t) {
-    if (input.wind->time[t].start > add_hours(end_of_day, 6))
+    if (input.wind->time[t].start > add_hours(end_of_synthetic_day, 6))
       input.wind->status[t] = SampleStatus::missing;
   }
   const auto times = leads(0, 24);  // wind to 6 h, held to 9 h, missing for the last 15
@@ -164,9 +165,9 @@ TEST(Propagate, TheForecastDoesNotDependOnTheOrderOfTheForms) {
     forms.back().misfit_sigma_m_s = 0.02;
   }
   const auto times = leads(1, 24);
-  const Propagated a = propagate(forms, times, input.wind, end_of_day, {}, {}, 1);
+  const Propagated a = propagate(forms, times, input.wind, end_of_synthetic_day, {}, {}, 1);
   std::reverse(forms.begin(), forms.end());
-  const Propagated b = propagate(forms, times, input.wind, end_of_day, {}, {}, 1);
+  const Propagated b = propagate(forms, times, input.wind, end_of_synthetic_day, {}, {}, 1);
   for (std::size_t f = 0; f < 3; ++f) {
     EXPECT_NEAR(a.form_weight[f], 1.0 / 3, 1e-12);
     EXPECT_NEAR(a.form_weight[f], b.form_weight[2 - f], 1e-12);
@@ -188,7 +189,7 @@ TEST(Propagate, OneDailyMeanIsCarriedAsAConstant) {
   const CalibrationInput input = steady_wind_input(day);
   Calibration fitted = calibrate_day(input);
   const std::size_t levels = fitted.remembered.levels();
-  fitted.remembered.time = {{synthetic_midnight, end_of_day}};
+  fitted.remembered.time = {{synthetic_midnight, end_of_synthetic_day}};
   fitted.remembered.source.resize(1);
   fitted.remembered.value.assign(levels, {0.06, -0.02});
   fitted.remembered.status.assign(levels, SampleStatus::ok);
@@ -215,4 +216,4 @@ TEST(Propagate, WorksInTheEquatorialBand) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::propagate_test

@@ -10,7 +10,7 @@
 #include "fields/base/check.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::wind_error_test {
 namespace {
 
 const UtcTime end = parse_utc("2024-03-02T00:00:00Z");
@@ -212,4 +212,4 @@ TEST(WindErrorExtra, AddsToTheLawWhereItIsGivenAndNowhereElse) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::wind_error_test

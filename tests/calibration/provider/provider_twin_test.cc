@@ -13,7 +13,7 @@
 #include "fields/base/random.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::provider_twin_test {
 namespace {
 
 using std::chrono::days;
@@ -237,4 +237,4 @@ TEST(ProviderTwin, APerfectProviderIsBelievedWithinTenDays) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::provider_twin_test

@@ -10,7 +10,7 @@
 #include "calibration/propagate/memory_kernel.h"
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::run_error_test {
 namespace {
 
 using Eigen::Index;
@@ -149,4 +149,4 @@ TEST(RunError, ALevelWithoutValuesHasTheErrorOfNothingSeen) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::run_error_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::series_at_test {
 namespace {
 
 using std::chrono::hours;
@@ -138,4 +138,4 @@ TEST(SeriesAt, SpeaksTwoMetresBeyondItsOutermostLevels) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::series_at_test

@@ -9,7 +9,7 @@
 #include "fields/current/coriolis.h"
 #include "tests/support/unsteady_column.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::column_rows_test {
 namespace {
 
 const UtcTime midnight = parse_utc("2024-03-01T00:00:00Z");
@@ -194,4 +194,4 @@ TEST(ColumnRows, TheModelIsSteadyFormPlusTransientPlusInertialMotion) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::column_rows_test

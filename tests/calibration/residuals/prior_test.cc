@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::prior_test {
 namespace {
 
 TEST(PriorResidual, CountsStandardDeviationsFromTheMean) {
@@ -22,4 +22,4 @@ TEST(PriorResidual, DerivativeAgreesWithFiniteDifferences) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::prior_test

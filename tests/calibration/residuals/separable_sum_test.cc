@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::separable_sum_test {
 namespace {
 
 TEST(SeparableSum, IsTheSumOfTheComplexProducts) {
@@ -30,4 +30,4 @@ TEST(SeparableSum, IsTheSumOfTheComplexProducts) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::separable_sum_test

@@ -10,7 +10,7 @@
 #include "fields/base/constants.h"
 #include "fields/current/astronomy.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::baseline_test {
 namespace {
 
 const UtcDay day_d = parse_day("2024-06-01");
@@ -238,4 +238,4 @@ TEST(Baseline, WithoutAnyCurrentOnDThereIsAReason) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::baseline_test

@@ -8,7 +8,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::bootstrap_test {
 namespace {
 
 /// A stationary first-order autoregression of unit variance about nought.
@@ -166,4 +166,4 @@ TEST(BootstrapRmse, IsTheSameForTheSameSeedAndEmptyForOneBlock) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::bootstrap_test

@@ -13,7 +13,7 @@
 #include "fields/base/constants.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::reference_slab_test {
 namespace {
 
 const UtcDay day_d = parse_day("2023-11-02");
@@ -192,4 +192,4 @@ TEST(ReferenceSlab, TwoValuesOnDAreTooFew) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::reference_slab_test

@@ -8,7 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::score_test {
 namespace {
 
 std::vector<Horizontal> random_vectors(std::size_t n, std::string_view stream) {
@@ -144,4 +144,4 @@ TEST(RmseOfPairs, WeighsPairsEqually) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::score_test

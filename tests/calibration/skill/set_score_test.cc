@@ -6,7 +6,7 @@
 #include "calibration/skill/score.h"
 #include "fields/base/check.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::set_score_test {
 namespace {
 
 VectorScore pair_of(double rmse, double coverage, std::size_t n = 100) {
@@ -104,4 +104,4 @@ TEST(ScoreSet, OfScalarsIsThatOfVectorsOfOneComponentInItsOwnUnit) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::set_score_test

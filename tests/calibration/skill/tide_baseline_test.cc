@@ -8,7 +8,7 @@
 #include "fields/base/random.h"
 #include "fields/current/tide.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::tide_baseline_test {
 namespace {
 
 const UtcDay day_d = parse_day("2024-06-01");
@@ -107,4 +107,4 @@ TEST(ColumnTide, NeedsFifteenDaysAtTheLevelItself) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::tide_baseline_test

@@ -8,7 +8,7 @@
 #include "calibration/skill/score.h"
 #include "fields/base/check.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::vector_tally_test {
 namespace {
 
 TEST(ScoreOfNormal, AsksTheNormalDistribution) {
@@ -96,4 +96,4 @@ TEST(VectorTally, SpreadsOfSomePairsOnlyAreNotScored) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::vector_tally_test

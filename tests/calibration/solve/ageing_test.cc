@@ -9,7 +9,7 @@
 #include "calibration/solve/parameter_set.h"
 #include "tests/calibration/solve/unsteady_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::ageing_test {
 namespace {
 
 Calibration fitted_day() {
@@ -151,4 +151,4 @@ TEST(Ageing, AChainOfFiveShortDaysKnowsTheWaterBetterThanOneOfThem) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::ageing_test

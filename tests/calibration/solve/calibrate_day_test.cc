@@ -7,7 +7,7 @@
 #include "fields/base/error.h"
 #include "tests/calibration/solve/synthetic_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::calibrate_day_test {
 namespace {
 
 bool warns_of(const Calibration& fitted, std::string_view text) {
@@ -318,4 +318,4 @@ TEST(ResidualMemory, AnAutoregressiveSeriesIsWorthItsKnownNumber) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::calibrate_day_test

@@ -5,7 +5,7 @@
 #include "calibration/solve/parameter_set.h"
 #include "tests/calibration/solve/synthetic_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::first_guess_test {
 namespace {
 
 DayProblem problem_of(const CalibrationInput& input) {
@@ -62,4 +62,4 @@ TEST(FirstGuess, StaysWithinTheBounds) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::first_guess_test

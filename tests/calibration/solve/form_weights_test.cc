@@ -6,7 +6,7 @@
 
 #include "tests/calibration/solve/unsteady_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::form_weights_test {
 namespace {
 
 /// The same day under both forms that move.
@@ -77,4 +77,4 @@ TEST(FormWeights, TheTrueFormWinsInMostDays) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::form_weights_test

@@ -9,7 +9,7 @@
 #include "calibration/solve/ageing.h"
 #include "tests/calibration/solve/unsteady_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::layer_figure_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -113,4 +113,4 @@ TEST(LayerFigure, AFigureRightWithinAFactorOfOneAndAHalfFindsTheBaseBetter) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::layer_figure_test

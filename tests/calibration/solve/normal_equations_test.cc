@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::normal_equations_test {
 namespace {
 
 constexpr int times = 9;
@@ -145,4 +145,4 @@ TEST(DayMisfit, GoingBackAndForthChangesNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::normal_equations_test

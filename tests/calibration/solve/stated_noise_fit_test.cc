@@ -5,7 +5,7 @@
 #include "fields/base/check.h"
 #include "tests/calibration/solve/synthetic_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::stated_noise_fit_test {
 namespace {
 
 /// A day of which some levels are read by a poor instrument.
@@ -66,4 +66,4 @@ TEST(StatedNoiseInTheFit, IsOneForEachValue) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::stated_noise_fit_test

@@ -3,7 +3,7 @@
 
 #include "tests/calibration/solve/synthetic_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::twin_experiment_test {
 namespace {
 
 SyntheticDay shelf_day(std::uint64_t seed) {
@@ -151,4 +151,4 @@ TEST(TwinExperiment, TurningTheDayTurnsTheInteriorAndLeavesTheShape) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::twin_experiment_test

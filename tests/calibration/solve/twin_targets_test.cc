@@ -11,7 +11,7 @@
 #include "fields/base/statistics.h"
 #include "tests/calibration/solve/synthetic_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::twin_targets_test {
 namespace {
 
 int twins() {
@@ -130,4 +130,4 @@ TEST(TwinTargets, FactorViscosityAndInteriorAreFoundWithinFivePercentAndCoveredA
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::twin_targets_test

@@ -6,7 +6,7 @@
 
 #include "tests/calibration/solve/unsteady_day.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::unsteady_twin_test {
 namespace {
 
 // 40 days of 9 or more parameters: the mean square of normalised errors has a standard error below
@@ -141,4 +141,4 @@ TEST(UnsteadyTwin, ALayerBeyondTheBoundsIsFlaggedOnThem) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::unsteady_twin_test

@@ -10,7 +10,7 @@
 #include "calibration/verify/verdict.h"
 #include "tests/support/known_error_for_tests.h"
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::like_with_like_test {
 namespace {
 
 using std::chrono::days;
@@ -180,4 +180,4 @@ TEST(SkillSets, ADayIsOnePairAndDaysOfABaselineAloneAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::like_with_like_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slackwater::calibration {
+namespace slackwater::calibration::verdict_test {
 namespace {
 
 /// The error of a method for the day of June 2024 that is given, lead 0-24 h, all depths.
@@ -237,4 +237,4 @@ TEST(Verdict, JudgesTheWidestBandAndTheFirstDayOfLeadWhateverStandsFirst) {
 }
 
 }  // namespace
-}  // namespace slackwater::calibration
+}  // namespace slackwater::calibration::verdict_test

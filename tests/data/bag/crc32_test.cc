@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace slackwater::bag::tests {
+namespace slackwater::bag::tests::crc32_test {
 namespace {
 
 std::uint32_t sum_of(std::string_view text) {
@@ -19,4 +19,4 @@ TEST(Crc32, IsThatOfTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace slackwater::bag::tests
+}  // namespace slackwater::bag::tests::crc32_test

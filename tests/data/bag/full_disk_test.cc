@@ -14,7 +14,7 @@
 #include "tests/data/bag/samples.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::bag::tests {
+namespace slackwater::bag::tests::full_disk_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -124,4 +124,4 @@ TEST_P(FullDisk, AFileThatMayNotGrowIsRefusedAlike) {
 }
 
 }  // namespace
-}  // namespace slackwater::bag::tests
+}  // namespace slackwater::bag::tests::full_disk_test

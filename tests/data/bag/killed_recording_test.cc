@@ -9,7 +9,7 @@
 #include "tests/data/bag/samples.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::bag::tests {
+namespace slackwater::bag::tests::killed_recording_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -84,4 +84,4 @@ TEST_P(KilledRecording, IsReadUpToItsLastFlush) {
 }
 
 }  // namespace
-}  // namespace slackwater::bag::tests
+}  // namespace slackwater::bag::tests::killed_recording_test

@@ -11,7 +11,7 @@
 #include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::bag::tests {
+namespace slackwater::bag::tests::mcap_bag_test {
 namespace {
 
 using slackwater::tests::error_of;
@@ -315,4 +315,4 @@ TEST_F(LyingMcap, AboutItsCompression) {
 }
 
 }  // namespace
-}  // namespace slackwater::bag::tests
+}  // namespace slackwater::bag::tests::mcap_bag_test

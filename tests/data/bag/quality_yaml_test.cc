@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::bag::tests {
+namespace slackwater::bag::tests::quality_yaml_test {
 namespace {
 
 TEST(QualityYaml, ComesBackAsItWas) {
@@ -27,4 +27,4 @@ TEST(QualityYaml, WhatMakesNoSenseIsTheDefault) {
 }
 
 }  // namespace
-}  // namespace slackwater::bag::tests
+}  // namespace slackwater::bag::tests::quality_yaml_test

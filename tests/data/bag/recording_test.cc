@@ -11,7 +11,7 @@
 #include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::bag::tests {
+namespace slackwater::bag::tests::recording_test {
 namespace {
 
 using slackwater::tests::error_of;
@@ -170,4 +170,4 @@ TEST(OpenBag, SaysWhatIsNoRecording) {
 }
 
 }  // namespace
-}  // namespace slackwater::bag::tests
+}  // namespace slackwater::bag::tests::recording_test

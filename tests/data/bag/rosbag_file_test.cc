@@ -11,7 +11,7 @@
 #include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::bag::tests {
+namespace slackwater::bag::tests::rosbag_file_test {
 namespace {
 
 using slackwater::tests::error_of;
@@ -305,4 +305,4 @@ TEST(RosbagFolder, CompressedByRosbagIsRefusedWithAdvice) {
 }
 
 }  // namespace
-}  // namespace slackwater::bag::tests
+}  // namespace slackwater::bag::tests::rosbag_file_test

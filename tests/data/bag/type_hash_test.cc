@@ -4,7 +4,7 @@
 
 #include "tests/data/bag/samples.h"
 
-namespace slackwater::bag::tests {
+namespace slackwater::bag::tests::type_hash_test {
 namespace {
 
 const std::string bar = std::string(80, '=') + "\n";
@@ -53,4 +53,4 @@ TEST(TypeHash, OfATypeThatHoldsItselfEnds) {
 }
 
 }  // namespace
-}  // namespace slackwater::bag::tests
+}  // namespace slackwater::bag::tests::type_hash_test

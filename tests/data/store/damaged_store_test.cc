@@ -10,7 +10,7 @@
 #include "tests/data/store/sample_rows.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::store::tests {
+namespace slackwater::store::tests::damaged_store_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -250,4 +250,4 @@ TEST(Migrations, BringEveryEarlierVersionUpToDateWithItsRows) {
 }
 
 }  // namespace
-}  // namespace slackwater::store::tests
+}  // namespace slackwater::store::tests::damaged_store_test

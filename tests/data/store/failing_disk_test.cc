@@ -11,7 +11,7 @@
 #include "tests/data/store/sample_rows.h"
 #include "tests/data/store/worker_process.h"
 
-namespace slackwater::store::tests {
+namespace slackwater::store::tests::failing_disk_test {
 namespace {
 
 struct Trouble {
@@ -112,4 +112,4 @@ INSTANTIATE_TEST_SUITE_P(, FailingDisk,
                          });
 
 }  // namespace
-}  // namespace slackwater::store::tests
+}  // namespace slackwater::store::tests::failing_disk_test

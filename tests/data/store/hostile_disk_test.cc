@@ -11,7 +11,7 @@
 #include "tests/data/store/worker_process.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::store::tests {
+namespace slackwater::store::tests::hostile_disk_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -134,4 +134,4 @@ TEST_F(HostileDisk, ReadOnlyAfterACrashShowsTheNewestRows) {
 }
 
 }  // namespace
-}  // namespace slackwater::store::tests
+}  // namespace slackwater::store::tests::hostile_disk_test

@@ -9,7 +9,7 @@
 #include "tests/data/store/worker_process.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::store::tests {
+namespace slackwater::store::tests::kill_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -79,4 +79,4 @@ TEST(TwoWriters, EachFinishAllTheirWorkAndNothingIsStoredTwice) {
 }
 
 }  // namespace
-}  // namespace slackwater::store::tests
+}  // namespace slackwater::store::tests::kill_test

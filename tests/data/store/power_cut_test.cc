@@ -11,7 +11,7 @@
 #include "tests/data/store/sample_rows.h"
 #include "tests/data/store/worker_process.h"
 
-namespace slackwater::store::tests {
+namespace slackwater::store::tests::power_cut_test {
 namespace {
 
 using Survival = DiskModel::Survival;
@@ -172,4 +172,4 @@ TEST(PowerCut, ContentIsSyncedThenNamedThenItsFolderSyncedThenTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace slackwater::store::tests
+}  // namespace slackwater::store::tests::power_cut_test

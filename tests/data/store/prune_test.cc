@@ -6,7 +6,7 @@
 #include "tests/data/store/sample_rows.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::store::tests {
+namespace slackwater::store::tests::prune_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -100,4 +100,4 @@ TEST_F(Prune, ADryRunCountsWhatTheRealOneRemovesAndRemovesNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::store::tests
+}  // namespace slackwater::store::tests::prune_test

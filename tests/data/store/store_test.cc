@@ -11,7 +11,7 @@
 #include "tests/data/store/sample_rows.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::store::tests {
+namespace slackwater::store::tests::store_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -363,4 +363,4 @@ TEST(StoreOpening, SweepsTheStagingFoldersOfDeadProcessesOnly) {
 }
 
 }  // namespace
-}  // namespace slackwater::store::tests
+}  // namespace slackwater::store::tests::store_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater {
+namespace slackwater::advice_test {
 namespace {
 
 TEST(WithDecimalPoint, ReadsADecimalCommaAndNothingElse) {
@@ -19,4 +19,4 @@ TEST(DidYouMean, NamesANearWordAndIsSilentAboutFarOnes) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::advice_test

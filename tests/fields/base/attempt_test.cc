@@ -7,7 +7,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater {
+namespace slackwater::attempt_test {
 namespace {
 
 TEST(Attempt, WhatIsDoneHasNoFailure) {
@@ -45,4 +45,4 @@ TEST(Attempt, MemoryThatHasRunOutStopsEverything) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::attempt_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace slackwater {
+namespace slackwater::averaging_test {
 namespace {
 
 using std::chrono::hours;
@@ -48,4 +48,4 @@ TEST(Averaging, IsSaidInPlainWords) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::averaging_test

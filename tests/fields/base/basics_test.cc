@@ -10,7 +10,7 @@
 #include "fields/base/sha256.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater {
+namespace slackwater::basics_test {
 namespace {
 
 TEST(Sha256Digest, MatchesThePublishedVectors) {
@@ -99,4 +99,4 @@ TEST(ErrorContext, StandsInFrontOfTheMessage) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::basics_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <variant>
 
-namespace slackwater {
+namespace slackwater::boxed_test {
 namespace {
 
 using Large = std::array<int, 100>;
@@ -24,4 +24,4 @@ TEST(Boxed, IsCopiedWithItsOwner) {
 TEST(Boxed, KeepsAVariantSmall) { EXPECT_LE(sizeof(std::variant<int, Boxed<Large>>), 16U); }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::boxed_test

@@ -6,7 +6,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater {
+namespace slackwater::config_test {
 namespace {
 
 std::string message_of(const auto& work) {
@@ -126,4 +126,4 @@ TEST(NearestWord, FindsTheSlipOfAFinger) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::config_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace slackwater {
+namespace slackwater::csv_test {
 namespace {
 
 using Cells = std::vector<std::string>;
@@ -37,4 +37,4 @@ TEST(Csv, NumbersReadBackAsTheSameAndWhatIsNoneIsEmpty) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::csv_test

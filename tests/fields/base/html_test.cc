@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace slackwater {
+namespace slackwater::html_test {
 namespace {
 
 TEST(EscapedHtml, NoTextBecomesATagOrEndsAnAttribute) {
@@ -29,4 +29,4 @@ TEST(EscapedHtml, WhatIsEscapedTwiceReadsAsItWasEscapedOnce) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::html_test

@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater {
+namespace slackwater::local_time_test {
 namespace {
 
 using std::chrono::hours;
@@ -68,4 +68,4 @@ TEST(LocalTime, AnUnknownZoneIsRefusedWithTheOneThatIsMeant) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::local_time_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater {
+namespace slackwater::percent_test {
 namespace {
 
 TEST(PercentCoding, RoundTripsEveryByte) {
@@ -20,4 +20,4 @@ TEST(PercentCoding, IsDecodedOnceOrRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::percent_test

@@ -9,7 +9,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::quantile_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -74,4 +74,4 @@ TEST(Quantile, OfNothingIsABugWhereTheValuesAreInOrder) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::quantile_test

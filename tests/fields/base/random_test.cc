@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace slackwater {
+namespace slackwater::random_test {
 namespace {
 
 TEST(SplitMix64, GivesTheNumbersOfItsAuthors) {
@@ -28,4 +28,4 @@ TEST(SplitMix64, OneBitOfTheStateTurnsHalfOfTheNumber) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::random_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::sha1_test {
 namespace {
 
 TEST(Sha1, IsThatOfTheStandard) {
@@ -14,4 +14,4 @@ TEST(Sha1, IsThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::sha1_test

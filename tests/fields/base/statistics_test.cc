@@ -8,7 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::statistics_test {
 namespace {
 
 TEST(Median, OfAnOddNumberIsTheOneInTheMiddleWhateverItsName) {
@@ -45,4 +45,4 @@ TEST(Median, OfNothingIsABug) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::statistics_test

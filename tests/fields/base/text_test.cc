@@ -10,7 +10,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::text_test {
 namespace {
 
 template <typename... Values>
@@ -98,4 +98,4 @@ TEST(LowerCase, TurnsTheLettersFromAToZAlone) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::text_test

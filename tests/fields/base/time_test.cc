@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater {
+namespace slackwater::time_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -58,4 +58,4 @@ TEST(DayMembership, TheDayIsClosedAndAMeanMustLieInside) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::time_test

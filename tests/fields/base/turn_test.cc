@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::turn_test {
 namespace {
 
 using constants::pi;
@@ -50,4 +50,4 @@ TEST(Turn, TheEndsOfTheRanges) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::turn_test

@@ -14,7 +14,7 @@
 #include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater {
+namespace slackwater::whole_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,4 +112,4 @@ TEST_F(WholeFile, WhatCannotTakeItsPlaceIsGone) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::whole_file_test

@@ -9,7 +9,7 @@
 
 #include "fields/base/config.h"
 
-namespace slackwater {
+namespace slackwater::yaml_value_test {
 namespace {
 
 /// Through the text of a file.
@@ -86,4 +86,4 @@ TEST(YamlValue, OfAFileIsAllThatStandsThereAndCountsAsRead) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::yaml_value_test

@@ -9,7 +9,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 
-namespace slackwater {
+namespace slackwater::astronomy_test {
 namespace {
 
 const UtcTime start = parse_utc("2023-03-05T00:00:00Z");
@@ -65,4 +65,4 @@ TEST(AstronomicalArgument, TheSolarTideFollowsTheClock) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::astronomy_test

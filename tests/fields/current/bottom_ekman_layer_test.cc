@@ -4,7 +4,7 @@
 
 #include "fields/current/coriolis.h"
 
-namespace slackwater {
+namespace slackwater::bottom_ekman_layer_test {
 namespace {
 
 double coriolis(double latitude_deg) {
@@ -60,4 +60,4 @@ TEST(BottomEkmanVelocity, SolvesTheEkmanEquation) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::bottom_ekman_layer_test

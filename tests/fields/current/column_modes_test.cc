@@ -8,7 +8,7 @@
 #include "fields/current/coriolis.h"
 #include "fields/current/mixed_layer.h"
 
-namespace slackwater {
+namespace slackwater::column_modes_test {
 namespace {
 
 constexpr double rho = constants::sea_water_density_kg_m3;
@@ -112,4 +112,4 @@ TEST(ColumnModes, SumToTheSteadyAnswerOfTheWaterColumnAndOfTheMixedLayer) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::column_modes_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater {
+namespace slackwater::coriolis_test {
 namespace {
 
 TEST(Coriolis, AgreesWithTwiceTheRotationTimesTheSineOfLatitude) {
@@ -38,4 +38,4 @@ TEST(Coriolis, TheEquatorialBandEndsAtThreeDegrees) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::coriolis_test

@@ -5,7 +5,7 @@
 #include "fields/current/coriolis.h"
 #include "fields/current/wind_stress.h"
 
-namespace slackwater {
+namespace slackwater::ekman_layer_test {
 namespace {
 
 constexpr double density = 1025.0;
@@ -138,4 +138,4 @@ TEST(SurfaceEkmanVelocity, SolvesTheEkmanEquation) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::ekman_layer_test

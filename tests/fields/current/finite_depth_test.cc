@@ -5,7 +5,7 @@
 #include "fields/current/coriolis.h"
 #include "fields/current/ekman_layer.h"
 
-namespace slackwater {
+namespace slackwater::finite_depth_test {
 namespace {
 
 constexpr double density = 1025.0;
@@ -161,4 +161,4 @@ TEST(FiniteDepth, MirrorsInTheSouthernHemisphere) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::finite_depth_test

@@ -9,7 +9,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::local_flow_test {
 namespace {
 
 constexpr Pile monopile{.diameter_m = 6.0, .drag_coefficient = 1.05};
@@ -150,4 +150,4 @@ TEST(FlowAroundPile, IsTheFreeStreamWhereNoPileStands) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::local_flow_test

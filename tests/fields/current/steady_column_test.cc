@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::steady_column_test {
 namespace {
 
 const std::vector<SteadyForm> both_forms{SteadyForm::three_layer, SteadyForm::finite_depth};
@@ -228,4 +228,4 @@ TEST(SteadyColumn, ABrokenPreconditionIsAContractViolation) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::steady_column_test

@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::stress_memory_test {
 namespace {
 
 using std::chrono::hours;
@@ -130,4 +130,4 @@ TEST(StressMemory, ItsDerivativeByLambdaAgreesWithCentralDifferences) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::stress_memory_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater {
+namespace slackwater::stress_series_test {
 namespace {
 
 const UtcTime midnight = parse_utc("2024-03-01T00:00:00Z");
@@ -80,4 +80,4 @@ TEST(StressSeries, SkipsSamplesWithoutAValue) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::stress_series_test

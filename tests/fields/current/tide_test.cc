@@ -14,7 +14,7 @@
 #include "fields/base/random.h"
 #include "fields/current/astronomy.h"
 
-namespace slackwater {
+namespace slackwater::tide_test {
 namespace {
 
 const Angle latitude = Angle::from_degrees(54.0);
@@ -391,4 +391,4 @@ TEST(RecordLength, CountsTheStepOfTheLastInstant) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::tide_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater {
+namespace slackwater::wind_stress_test {
 namespace {
 
 TEST(WindStress, FollowsThePaperLaw) {
@@ -44,4 +44,4 @@ TEST(WindStress, TheTwoLawsAgreeUpToTheFirstSaturationAndPartBeyond) {
 TEST(WindStress, CalmAirHasNoStress) { EXPECT_EQ(wind_stress_pa({0, 0}), Horizontal(0, 0)); }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::wind_stress_test

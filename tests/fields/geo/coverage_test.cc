@@ -7,7 +7,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::coverage_test {
 namespace {
 
 TEST(BoxesOverlap, WhateverTheConventionOfTheirLongitudes) {
@@ -74,4 +74,4 @@ TEST(WidenedBox, GoesRoundTheEarthAtAPole) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::coverage_test

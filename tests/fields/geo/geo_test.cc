@@ -7,7 +7,7 @@
 #include "fields/geo/geo_point.h"
 #include "fields/geo/local_frame.h"
 
-namespace slackwater {
+namespace slackwater::geo_test {
 namespace {
 
 TEST(LocalFrameEnu, ReproducesTheReferenceTable) {
@@ -78,4 +78,4 @@ TEST(PositionText, NamesTheHemispheres) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::geo_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::geoid_test {
 namespace {
 
 /// NGA, EGM96 (1998), test points of the program F477: latitude, longitude, undulation in m. The
@@ -27,4 +27,4 @@ TEST(Geoid, GoesRoundTheDateline) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::geoid_test

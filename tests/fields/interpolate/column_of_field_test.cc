@@ -8,7 +8,7 @@
 
 #include "fields/interpolate/stencil.h"
 
-namespace slackwater {
+namespace slackwater::column_of_field_test {
 namespace {
 
 using std::chrono::hours;
@@ -172,4 +172,4 @@ TEST(BilinearStencil, WeightsSumToOne) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::column_of_field_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace slackwater {
+namespace slackwater::temporal_test {
 namespace {
 
 using std::chrono::hours;
@@ -50,4 +50,4 @@ TEST(ValueAt, BridgesNarrowGapsOnly) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::temporal_test

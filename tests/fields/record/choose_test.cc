@@ -10,7 +10,7 @@
 #include "fields/base/random.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater {
+namespace slackwater::choose_test {
 namespace {
 
 using std::chrono::hours;
@@ -303,4 +303,4 @@ TEST(Choose, MissingStaysMissing) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::choose_test

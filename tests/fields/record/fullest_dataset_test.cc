@@ -8,7 +8,7 @@
 #include "fields/record/choose.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater {
+namespace slackwater::fullest_dataset_test {
 namespace {
 
 using std::chrono::hours;
@@ -106,4 +106,4 @@ TEST(FullestDataset, ModelOutputWrittenAsAPointSeriesIsAProduct) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::fullest_dataset_test

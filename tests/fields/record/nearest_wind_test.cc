@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace slackwater {
+namespace slackwater::nearest_wind_test {
 namespace {
 
 /// Wind of one hour whose east component numbers the cells: row times 10 plus column.
@@ -47,4 +47,4 @@ TEST(NearestWind, AMaskedCellIsLeftToInterpolation) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::nearest_wind_test

@@ -9,7 +9,7 @@
 #include "fields/record/choose.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater {
+namespace slackwater::one_source_test {
 namespace {
 
 using std::chrono::hours;
@@ -447,4 +447,4 @@ TEST(OneSource, PeriodsAndDirectionsAreOfTheRunWhoseHeightItIs) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::one_source_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater {
+namespace slackwater::record_at_test {
 namespace {
 
 using std::chrono::hours;
@@ -105,4 +105,4 @@ TEST(RecordAt, ScalarsAndVectorsAreChosenAlike) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::record_at_test

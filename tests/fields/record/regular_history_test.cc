@@ -6,7 +6,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater {
+namespace slackwater::regular_history_test {
 namespace {
 
 const UtcTime start = parse_utc("2002-01-01T00:00:00Z");
@@ -89,4 +89,4 @@ TEST(RegularHistory, WhatIsNotRegularIsRefusedWithTheTime) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::regular_history_test

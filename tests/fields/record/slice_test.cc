@@ -5,7 +5,7 @@
 #include "fields/record/choose.h"
 #include "tests/support/known_series_for_tests.h"
 
-namespace slackwater {
+namespace slackwater::slice_test {
 namespace {
 
 using std::chrono::hours;
@@ -48,4 +48,4 @@ TEST(Slice, NeighbouringSpansShareAnInstantAndDivideMeans) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::slice_test

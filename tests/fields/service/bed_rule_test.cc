@@ -8,7 +8,7 @@
 #include "fields/service/field.h"
 #include "tests/support/made_up_forecast.h"
 
-namespace slackwater {
+namespace slackwater::bed_rule_test {
 namespace {
 
 /// Two hours of a column whose product is wet down to `wet_m` and says U = depth + 100 hour.
@@ -163,4 +163,4 @@ TEST(BedRule, BetweenColumnsTheKnownWaterIsInterpolated) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::bed_rule_test

@@ -8,7 +8,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::column_layout_test {
 namespace {
 
 GeoPoint at(double longitude, double latitude) {
@@ -198,4 +198,4 @@ TEST(ColumnLayout, ColumnsNearlyInOnePlaceStayWithinTheGrid) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::column_layout_test

@@ -12,7 +12,7 @@
 
 // Profiles at the columns of a forecast: the vertical rule, and its members.
 
-namespace slackwater {
+namespace slackwater::field_profile_test {
 namespace {
 
 using std::chrono::hours;
@@ -154,4 +154,4 @@ TEST(SampleMember, ThatIsNotThereIsMissingNotTheCentralOne) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::field_profile_test

@@ -11,7 +11,7 @@
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/reference_profile.h"
 
-namespace slackwater {
+namespace slackwater::field_test {
 namespace {
 
 using std::chrono::hours;
@@ -375,4 +375,4 @@ TEST(Field, ASnapshotWhoseArraysDoNotFitIsABugAndNotAMemoryError) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::field_test

@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater {
+namespace slackwater::forecast_origin_test {
 namespace {
 
 TEST(ForecastOrigin, NamesAreReadAsTheyAreWritten) {
@@ -24,4 +24,4 @@ TEST(ForecastOrigin, AnotherNameIsRefusedWithWhatWasExpected) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::forecast_origin_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace slackwater {
+namespace slackwater::published_test {
 namespace {
 
 /// A value that shows whether it was seen whole and alive.
@@ -58,4 +58,4 @@ TEST(Published, TheOldValueLivesAsLongAsSomebodyHoldsItAndNoLonger) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::published_test

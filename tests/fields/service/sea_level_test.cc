@@ -10,7 +10,7 @@
 #include "fields/service/field.h"
 #include "tests/support/made_up_forecast.h"
 
-namespace slackwater {
+namespace slackwater::sea_level_test {
 namespace {
 
 using std::chrono::hours;
@@ -115,4 +115,4 @@ TEST(SeaLevel, QuantilesAreThoseOfANormal) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::sea_level_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/made_up_forecast.h"
 
-namespace slackwater {
+namespace slackwater::snapshot_test {
 namespace {
 
 TEST(WindOfMember, IsItsOwnOrTheSharedOne) {
@@ -39,4 +39,4 @@ TEST(CurrentQuantiles, LeaveATenthOfANormalOnEitherSide) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::snapshot_test

@@ -10,7 +10,7 @@
 
 #include "fields/base/constants.h"
 
-namespace slackwater {
+namespace slackwater::speed_quantiles_test {
 namespace {
 
 TEST(SpeedQuantiles, AboutStillWaterAreThoseOfRayleigh) {
@@ -54,4 +54,4 @@ TEST(SpeedQuantiles, OfAKnownSpeedAreTheSpeed) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::speed_quantiles_test

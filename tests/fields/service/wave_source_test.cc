@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slackwater {
+namespace slackwater::wave_source_test {
 namespace {
 
 using std::chrono::hours;
@@ -65,4 +65,4 @@ TEST(WaveSourceAt, BetweenTwoStampsIsTheOneFurtherFromAProduct) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::wave_source_test

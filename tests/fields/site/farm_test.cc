@@ -10,7 +10,7 @@
 #include "tests/fields/site/site_for_tests.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::farm_test {
 namespace {
 
 const std::string two_turbines =
@@ -135,4 +135,4 @@ TEST(ConstraintArea, AWayLeadsThroughWhereOneOfItsPlacesLies) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::farm_test

@@ -9,7 +9,7 @@
 #include "tests/support/contains.h"
 #include "tests/support/error_of.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::site_test {
 namespace {
 
 std::string refusal_of(const std::string& yaml) {
@@ -74,4 +74,4 @@ TEST(SiteFetch, WhatIsWrongWithItIsSaidWithFileAndLine) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::site_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::write_site_test {
 namespace {
 
 Site new_site() {
@@ -48,4 +48,4 @@ TEST(WriteSite, WhatIsWrittenIsReadAsItWasWhateverItsName) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::write_site_test

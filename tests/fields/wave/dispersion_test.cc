@@ -9,7 +9,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::dispersion_test {
 namespace {
 
 using constants::gravity_m_s2;
@@ -127,4 +127,4 @@ TEST(Wavenumber, RefusesWhatIsNoWave) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::dispersion_test

@@ -8,7 +8,7 @@
 #include "fields/base/error.h"
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::fetch_test {
 namespace {
 
 TEST(Fetch, OfOneNumberIsTheSameFromAllSides) {
@@ -81,4 +81,4 @@ TEST(Fetch, NothingIsNoFetch) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::fetch_test

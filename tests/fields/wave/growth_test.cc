@@ -10,7 +10,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::growth_test {
 namespace {
 
 constexpr double g = constants::gravity_m_s2;
@@ -238,4 +238,4 @@ TEST(PropagateSeaState, WhatIsUnknownStaysUnknown) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::growth_test

@@ -11,7 +11,7 @@
 #include "fields/wave/sea_moment.h"
 #include "tests/fields/wave/textbook_sea.h"
 
-namespace slackwater {
+namespace slackwater::height_course_test {
 namespace {
 
 using constants::pi;
@@ -174,4 +174,4 @@ TEST(HeightCourse, WhatItLeavesOutIsAsSmallAsItSays) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::height_course_test

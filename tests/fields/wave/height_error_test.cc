@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater {
+namespace slackwater::height_error_test {
 namespace {
 
 TEST(WaveHeightError, IsThePublishedTableAtItsOwnPlaces) {
@@ -24,4 +24,4 @@ TEST(WaveHeightError, OfALowSeaIsInProportionToItsHeight) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::height_error_test

@@ -5,7 +5,7 @@
 
 #include "fields/wave/spectrum.h"
 
-namespace slackwater {
+namespace slackwater::peak_period_test {
 namespace {
 
 TEST(PeakPeriod, IsRecoveredFromTheMeanPeriodsOfASea) {
@@ -36,4 +36,4 @@ TEST(PeakPeriod, HasTheRatiosOfThePage) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::peak_period_test

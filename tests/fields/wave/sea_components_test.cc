@@ -12,7 +12,7 @@
 #include "fields/wave/spreading.h"
 #include "fields/wave/variance_division.h"
 
-namespace slackwater {
+namespace slackwater::sea_components_test {
 namespace {
 
 using constants::pi;
@@ -144,4 +144,4 @@ TEST(SeaComponents, ABlockedTailIsLeftOutAndToldABlockedSeaRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::sea_components_test

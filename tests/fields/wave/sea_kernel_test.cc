@@ -9,7 +9,7 @@
 #include "fields/base/random.h"
 #include "tests/fields/wave/textbook_sea.h"
 
-namespace slackwater {
+namespace slackwater::sea_kernel_test {
 namespace {
 
 using constants::pi;
@@ -200,4 +200,4 @@ TEST(SeaKernel, DeepPlacesFeelNothingThatMatters) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::sea_kernel_test

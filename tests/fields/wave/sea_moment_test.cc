@@ -9,7 +9,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater {
+namespace slackwater::sea_moment_test {
 namespace {
 
 SeaRealisation sea_of(double height_m, double period_s, double depth_m, std::uint64_t seed,
@@ -160,4 +160,4 @@ TEST(SeaMoment, SaysWhatLiesOutside) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::sea_moment_test

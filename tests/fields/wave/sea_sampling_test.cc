@@ -11,7 +11,7 @@
 #include "fields/base/random.h"
 #include "tests/fields/wave/textbook_sea.h"
 
-namespace slackwater {
+namespace slackwater::sea_sampling_test {
 namespace {
 
 using constants::gravity_m_s2;
@@ -355,4 +355,4 @@ TEST(SeaRealisation, RefusesWavesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::sea_sampling_test

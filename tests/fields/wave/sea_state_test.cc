@@ -12,7 +12,7 @@
 #include "fields/wave/scenario_sea.h"
 #include "tests/support/contains.h"
 
-namespace slackwater {
+namespace slackwater::sea_state_test {
 namespace {
 
 using tests::contains;
@@ -155,4 +155,4 @@ TEST(WavePartition, TakesGammaByTheRuleWhereItIsNotGiven) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::sea_state_test

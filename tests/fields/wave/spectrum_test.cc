@@ -7,7 +7,7 @@
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 
-namespace slackwater {
+namespace slackwater::spectrum_test {
 namespace {
 
 using constants::pi;
@@ -106,4 +106,4 @@ TEST(JonswapSpectrum, RefusesWhatIsNoSea) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::spectrum_test

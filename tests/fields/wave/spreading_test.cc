@@ -8,7 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 
-namespace slackwater {
+namespace slackwater::spreading_test {
 namespace {
 
 using constants::pi;
@@ -78,4 +78,4 @@ TEST(Spreading, RefusesANegativeExponent) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::spreading_test

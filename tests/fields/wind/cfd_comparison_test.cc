@@ -23,7 +23,7 @@
 #include "fields/wind/farm_flow.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater {
+namespace slackwater::cfd_comparison_test {
 namespace {
 
 constexpr double d_m = 126.0;
@@ -271,4 +271,4 @@ TEST(WakesBesideCfd, PredictTheSixteen) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::cfd_comparison_test

@@ -8,7 +8,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater {
+namespace slackwater::dryden_gust_test {
 namespace {
 
 constexpr std::array<GustAxis, 3> all_axes{GustAxis::along, GustAxis::across, GustAxis::up};
@@ -119,4 +119,4 @@ TEST(DrydenFilter, RefusesStandingStill) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::dryden_gust_test

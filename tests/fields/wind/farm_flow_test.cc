@@ -10,7 +10,7 @@
 #include "fields/base/random.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater {
+namespace slackwater::farm_flow_test {
 namespace {
 
 constexpr double d_m = 126.0;
@@ -199,4 +199,4 @@ TEST(FarmFlow, RefusesTurbinesOnOnePlaceAndMapsOfAnotherSize) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::farm_flow_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater {
+namespace slackwater::gust_test {
 namespace {
 
 TEST(Gust, AcrossTheWindIsToItsLeft) {
@@ -26,4 +26,4 @@ TEST(GustFactor, IsOneInSmoothAir) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::gust_test

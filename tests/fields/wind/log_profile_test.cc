@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slackwater {
+namespace slackwater::log_profile_test {
 namespace {
 
 TEST(LogProfile, GivesThePublishedWindAtHubHeight) {
@@ -29,4 +29,4 @@ TEST(LogProfile, ComesBackFromTheBladeTip) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::log_profile_test

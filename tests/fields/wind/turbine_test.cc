@@ -8,7 +8,7 @@
 #include "fields/base/error.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater {
+namespace slackwater::turbine_test {
 namespace {
 
 Turbine nrel_5mw() {
@@ -100,4 +100,4 @@ TEST(TurbineFile, WithABrokenCurveIsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::turbine_test

@@ -9,7 +9,7 @@
 #include "fields/base/constants.h"
 #include "fields/wind/rotor_disc.h"
 
-namespace slackwater {
+namespace slackwater::wake_test {
 namespace {
 
 constexpr double d_m = 126.0;
@@ -233,4 +233,4 @@ TEST(DiscRule, AveragesAGaussianWakeOverADiscOnItsAxis) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::wake_test

@@ -8,7 +8,7 @@
 #include "fields/wind/farm_flow.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater {
+namespace slackwater::wake_turbulence_test {
 namespace {
 
 constexpr double d_m = 126.0;
@@ -81,4 +81,4 @@ TEST(FarmTurbulence, IsNoneBehindARotorThatStandsStill) {
 }
 
 }  // namespace
-}  // namespace slackwater
+}  // namespace slackwater::wake_turbulence_test

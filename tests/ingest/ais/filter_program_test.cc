@@ -8,7 +8,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::filter_program_test {
 namespace {
 
 using namespace ingest;
@@ -158,4 +158,4 @@ TEST_F(FilterProgramTest, AnExceptionOfOursEndsTheProgram) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::filter_program_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::marine_cadastre_test {
 namespace {
 
 using namespace ingest;
@@ -69,4 +69,4 @@ TEST(MarineCadastre, RowsThatAreNoneAreRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::marine_cadastre_test

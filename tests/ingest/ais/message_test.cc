@@ -4,7 +4,7 @@
 
 #include "tests/ingest/ais/nmea_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::message_test {
 namespace {
 
 using namespace ingest;
@@ -143,4 +143,4 @@ TEST(AisMessage, WhatItWritesIsReadBackWhateverItsLength) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::message_test

@@ -11,7 +11,7 @@
 #include "tests/support/contains.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::read_ais_test {
 namespace {
 
 using namespace ingest;
@@ -373,4 +373,4 @@ TEST(ReadAisTracks, TheCutKeepsWhatIsInside) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::read_ais_test

@@ -8,7 +8,7 @@
 #include "ingest/ais/read_ais.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::real_logs_test {
 namespace {
 
 using namespace ingest;
@@ -217,4 +217,4 @@ TEST(RealAisLogs, TheTableOfSmallCraftIsReadWhole) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::real_logs_test

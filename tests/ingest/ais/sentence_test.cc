@@ -6,7 +6,7 @@
 #include "tests/ingest/ais/nmea_for_tests.h"
 #include "tests/support/contains.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::sentence_test {
 namespace {
 
 using namespace ingest;
@@ -149,4 +149,4 @@ TEST(AisSentence, RandomBytesNeverEndIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::sentence_test

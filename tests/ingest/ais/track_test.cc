@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::track_test {
 namespace {
 
 using namespace ingest;
@@ -102,4 +102,4 @@ TEST(AisTrackCollector, WithoutATimeAReportTellsWhoButNotWhere) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::track_test

@@ -5,7 +5,7 @@
 
 #include "tests/ingest/cf/tiny_product.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::attribution_test {
 namespace {
 
 using tests::decode;
@@ -73,4 +73,4 @@ TEST(Attribution, AModelsNameAloneIsNoProductOfCopernicus) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::attribution_test

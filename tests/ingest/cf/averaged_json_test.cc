@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::averaged_json_test {
 namespace {
 
 using std::chrono::hours;
@@ -32,4 +32,4 @@ TEST(AveragedJson, WhatIsNoSuchObjectIsRefusedNotPassedOver) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::averaged_json_test

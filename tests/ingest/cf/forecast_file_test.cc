@@ -10,7 +10,7 @@
 #include "ingest/netcdf/file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::forecast_file_test {
 namespace {
 
 using std::chrono::hours;
@@ -102,21 +102,21 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
 }
 
 TEST(ForecastFile, ReturnsEveryBitOfASingleColumn) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   const Snapshot written = full_snapshot(1);
   write_forecast(folder / "f.nc", written);
   expect_same(written, read_forecast(folder / "f.nc"));
 }
 
 TEST(ForecastFile, ReturnsEveryBitOfSeveralColumns) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   const Snapshot written = full_snapshot(3);
   write_forecast(folder / "f.nc", written);
   expect_same(written, read_forecast(folder / "f.nc"));
 }
 
 TEST(ForecastFile, WithoutWindWavesOrCurrentsStaysWithout) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   Snapshot written = full_snapshot(1);
   written.depth_m.clear();
   ForecastColumn& column = written.columns[0];
@@ -130,7 +130,7 @@ TEST(ForecastFile, WithoutWindWavesOrCurrentsStaysWithout) {
 }
 
 TEST(ForecastFile, AColumnWithoutWindAndWavesDoesNotCostTheOthersTheirs) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   Snapshot written = full_snapshot(3);
   for (const std::size_t poor : {std::size_t{0}, std::size_t{2}}) {
     written.columns[poor].wind_m_s.clear();
@@ -148,7 +148,7 @@ TEST(ForecastFile, AColumnWithoutWindAndWavesDoesNotCostTheOthersTheirs) {
 }
 
 TEST(ForecastFile, SaysOfItsWavesWhereTheyComeFrom) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   Snapshot written = full_snapshot(1);
   ForecastColumn& column = written.columns[0];
   column.sea_source.assign(column.sea.size(), DataStatus::modelled);
@@ -160,7 +160,7 @@ TEST(ForecastFile, SaysOfItsWavesWhereTheyComeFrom) {
 }
 
 TEST(ForecastFile, HasOneVariablePerComponentWithTheStandardName) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   write_forecast(folder / "f.nc", full_snapshot(3));
   const auto file = netcdf::File::open(folder / "f.nc");
   for (const std::string name : {"eastward_sea_water_velocity", "northward_sea_water_velocity"}) {
@@ -175,7 +175,7 @@ TEST(ForecastFile, HasOneVariablePerComponentWithTheStandardName) {
 }
 
 TEST(ForecastFile, AMissingCurrentIsFillNeverZero) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   write_forecast(folder / "f.nc", full_snapshot(1));
   const auto file = netcdf::File::open(folder / "f.nc");
   const auto* east = file.find("eastward_sea_water_velocity");
@@ -184,7 +184,7 @@ TEST(ForecastFile, AMissingCurrentIsFillNeverZero) {
 }
 
 TEST(ForecastFile, AnotherFileIsRefused) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   auto writer = netcdf::Writer::create(folder / "other.nc");
   const int time = writer.dimension("time", 2);
   writer.variable("time", netcdf::Type::float64, {time});
@@ -195,4 +195,4 @@ TEST(ForecastFile, AnotherFileIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::forecast_file_test

@@ -10,7 +10,7 @@
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::forecast_level_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -18,7 +18,7 @@ constexpr double fill = 9.969209968386869e+36;
 
 /// The first column has a level but at one hour, the second none.
 Snapshot levelled(std::size_t columns) {
-  Snapshot s = tests::made_up_forecast({.columns = columns, .hours = 24, .members = 1});
+  Snapshot s = slackwater::tests::made_up_forecast({.columns = columns, .hours = 24, .members = 1});
   s.wind_policy = WindPolicy::best;
   for (std::size_t t = 0; t < s.time.size(); ++t) {
     SeaLevel& level = s.columns[0].sea_level;
@@ -31,7 +31,7 @@ Snapshot levelled(std::size_t columns) {
 
 TEST(ForecastLevel, ReturnsEveryBitAndAColumnWithoutStaysWithout) {
   for (const std::size_t columns : {1U, 2U}) {
-    const tests::TemporaryFolder folder;
+    const slackwater::tests::TemporaryFolder folder;
     const Snapshot written = levelled(columns);
     write_forecast(folder / "f.nc", written);
     const Snapshot read = read_forecast(folder / "f.nc");
@@ -53,7 +53,7 @@ TEST(ForecastLevel, ReturnsEveryBitAndAColumnWithoutStaysWithout) {
 }
 
 TEST(ForecastLevel, HasOneVariableWithTheStandardNameAndQuantilesOfANormal) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   const Snapshot written = levelled(1);
   write_forecast(folder / "f.nc", written);
   const netcdf::File in = netcdf::File::open(folder / "f.nc");
@@ -77,7 +77,7 @@ TEST(ForecastLevel, HasOneVariableWithTheStandardNameAndQuantilesOfANormal) {
 }
 
 TEST(ForecastLevel, AFileWithoutOneHasNoSuchVariablesAndIsReadAsBefore) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   Snapshot written = levelled(1);
   written.columns[0].sea_level = {};
   write_forecast(folder / "f.nc", written);
@@ -88,4 +88,4 @@ TEST(ForecastLevel, AFileWithoutOneHasNoSuchVariablesAndIsReadAsBefore) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::forecast_level_test

@@ -13,7 +13,7 @@
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::forecast_members_hostile_test {
 namespace {
 
 constexpr const char* east = "eastward_sea_water_velocity_member";
@@ -106,10 +106,11 @@ class DamagedCopy {
 
 /// How a damaged copy is refused; empty where it is read.
 /// @param is_numbered  whether a weather ensemble drives the members
-std::string refusal_of(const Damage& damage, const tests::MadeUpForecast& size = {.members = 4},
+std::string refusal_of(const Damage& damage,
+                       const slackwater::tests::MadeUpForecast& size = {.members = 4},
                        bool is_numbered = false) {
-  const tests::TemporaryFolder folder;
-  Snapshot sound = tests::made_up_forecast(size);
+  const slackwater::tests::TemporaryFolder folder;
+  Snapshot sound = slackwater::tests::made_up_forecast(size);
   if (is_numbered) {
     for (ForecastColumn& column : sound.columns)
       column.wind_member_number.assign(size.members - 1, 9);
@@ -126,7 +127,7 @@ std::string refusal_of(const Damage& damage, const tests::MadeUpForecast& size =
 }
 
 void expect_refused(const Damage& damage, const std::string& because,
-                    const tests::MadeUpForecast& size = {.members = 4}) {
+                    const slackwater::tests::MadeUpForecast& size = {.members = 4}) {
   const std::string found = refusal_of(damage, size);
   EXPECT_NE(found.find(because), std::string::npos) << "found: " << found;
 }
@@ -137,8 +138,8 @@ TEST(DamagedMembers, AreNoneInAnExactCopy) {
 }
 
 TEST(FileFromBeforeTheEnsemble, IsAForecastOfOneMember) {
-  const tests::TemporaryFolder folder;
-  const Snapshot made = tests::made_up_forecast({.columns = 2, .members = 4});
+  const slackwater::tests::TemporaryFolder folder;
+  const Snapshot made = slackwater::tests::made_up_forecast({.columns = 2, .members = 4});
   write_forecast(folder / "now.nc", made);
   Damage age;
   age.left_out = {"realization", "slackwater_seed",      east,
@@ -208,7 +209,7 @@ TEST(DamagedMembers, OfAWindThatIsNotThereAreRefused) {
 }
 
 TEST(DamagedMembers, WhoseDriversHaveNoNumbersAreRefused) {
-  const tests::MadeUpForecast size{.columns = 2, .members = 4};
+  const slackwater::tests::MadeUpForecast size{.columns = 2, .members = 4};
   EXPECT_EQ(refusal_of({}, size, true), "");
   const auto refusal_after = [&](const std::function<void(std::vector<double>&)>& change) {
     Damage damage;
@@ -256,4 +257,4 @@ TEST(DamagedMembers, ThatDeflateToNothingAreRefusedBeforeTheyFillTheMemory) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::forecast_members_hostile_test

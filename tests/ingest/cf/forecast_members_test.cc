@@ -12,11 +12,11 @@
 #include "tests/support/store_for_tests.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::forecast_members_test {
 namespace {
 
-using tests::made_up_forecast;
-using tests::TemporaryFolder;
+using slackwater::tests::made_up_forecast;
+using slackwater::tests::TemporaryFolder;
 
 Snapshot through_a_file(const Snapshot& s) {
   const TemporaryFolder folder;
@@ -68,7 +68,8 @@ TEST(ForecastMembers, AreWrittenToTheSameBytesEachTime) {
   const Snapshot s = made_up_forecast({.columns = 3});
   write_forecast(folder / "a.nc", s);
   write_forecast(folder / "b.nc", s);
-  EXPECT_EQ(tests::read_bytes(folder / "a.nc"), tests::read_bytes(folder / "b.nc"));
+  EXPECT_EQ(slackwater::tests::read_bytes(folder / "a.nc"),
+            slackwater::tests::read_bytes(folder / "b.nc"));
 }
 
 TEST(ForecastMembers, AreRoundedOnceThoughTheForecastIsLongerThanAChunk) {
@@ -221,4 +222,4 @@ TEST(ForecastMembers, WrongSizesAndMissingNumbersAreTheMakersBug) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::forecast_members_test

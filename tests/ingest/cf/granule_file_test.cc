@@ -10,7 +10,7 @@
 #include "ingest/netcdf/file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::granule_file_test {
 namespace {
 
 Granule granule_of(std::size_t times, std::size_t levels, std::size_t rows, std::size_t columns) {
@@ -154,4 +154,4 @@ TEST(GranuleFile, AForeignFileIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::granule_file_test

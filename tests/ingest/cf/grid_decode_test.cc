@@ -3,7 +3,7 @@
 #include "tests/ingest/cf/tiny_product.h"
 #include "tests/support/contains.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::grid_decode_test {
 namespace {
 
 using slackwater::tests::contains;
@@ -253,4 +253,4 @@ TEST(GriddedDecode, ABathymetryOfHeightsBecomesDepthsAndItsLandMissing) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::grid_decode_test

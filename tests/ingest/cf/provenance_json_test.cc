@@ -7,7 +7,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::provenance_json_test {
 namespace {
 
 Provenance whole() {
@@ -58,4 +58,4 @@ TEST(ProvenanceJson, RefusesWhatIsNoProvenance) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::provenance_json_test

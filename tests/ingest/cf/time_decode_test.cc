@@ -4,7 +4,7 @@
 #include "tests/ingest/cf/tiny_product.h"
 #include "tests/support/contains.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::time_decode_test {
 namespace {
 
 using netcdf::Type;
@@ -192,4 +192,4 @@ TEST(StatusOfAFile, TheOperatorWins) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::time_decode_test

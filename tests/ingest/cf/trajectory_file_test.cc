@@ -9,7 +9,7 @@
 #include "fields/base/error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::trajectory_file_test {
 namespace {
 
 TrajectoryFile two_tracks() {
@@ -33,7 +33,7 @@ std::string bytes_of(const std::filesystem::path& file) {
 }
 
 TEST(TrajectoryFile, ReadsWhatItWrote) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   const TrajectoryFile written = two_tracks();
   write_trajectories(written, folder.path() / "run.nc");
   const TrajectoryFile read = read_trajectories(folder.path() / "run.nc");
@@ -56,7 +56,7 @@ TEST(TrajectoryFile, ReadsWhatItWrote) {
 }
 
 TEST(TrajectoryFile, TheSameContentIsTheSameBytes) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   write_trajectories(two_tracks(), folder.path() / "one.nc");
   write_trajectories(two_tracks(), folder.path() / "a name of another length.nc");
   const std::string one = bytes_of(folder.path() / "one.nc");
@@ -69,7 +69,7 @@ TEST(TrajectoryFile, TheSameContentIsTheSameBytes) {
 }
 
 TEST(TrajectoryFile, RefusesOtherFiles) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   EXPECT_THROW((void)read_trajectories(folder.path() / "none.nc"), Error);
   std::ofstream(folder.path() / "text.nc") << "not a NetCDF file";
   EXPECT_THROW((void)read_trajectories(folder.path() / "text.nc"), Error);
@@ -79,4 +79,4 @@ TEST(TrajectoryFile, RefusesOtherFiles) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::trajectory_file_test

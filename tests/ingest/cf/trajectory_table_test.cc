@@ -9,7 +9,7 @@
 #include "tests/support/store_for_tests.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::trajectory_table_test {
 namespace {
 
 TrajectoryFile with_tables() {
@@ -27,7 +27,7 @@ TrajectoryFile with_tables() {
 }
 
 TEST(TrajectoryTable, IsReadAsItWasWrittenToTheBit) {
-  const tests::TemporaryFolder folder;
+  const slackwater::tests::TemporaryFolder folder;
   const TrajectoryFile written = with_tables();
   write_trajectories(written, folder.path() / "run.nc");
   const TrajectoryFile read = read_trajectories(folder.path() / "run.nc");
@@ -47,9 +47,9 @@ TEST(TrajectoryTable, IsReadAsItWasWrittenToTheBit) {
   EXPECT_EQ(read.find_table("empty"), nullptr);
   // What was read is written to the same bytes.
   write_trajectories(read, folder.path() / "again.nc");
-  EXPECT_EQ(tests::read_bytes(folder.path() / "again.nc"),
-            tests::read_bytes(folder.path() / "run.nc"));
+  EXPECT_EQ(slackwater::tests::read_bytes(folder.path() / "again.nc"),
+            slackwater::tests::read_bytes(folder.path() / "run.nc"));
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::trajectory_table_test

@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::units_test {
 namespace {
 
 TEST(UnitConversion, SpellingsOfOneUnitAreIdentities) {
@@ -44,4 +44,4 @@ TEST(UnitConversion, APureNumberIsNoAngle) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::units_test

@@ -3,7 +3,7 @@
 #include "tests/ingest/cf/tiny_product.h"
 #include "tests/support/contains.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::value_decode_test {
 namespace {
 
 using netcdf::Type;
@@ -214,4 +214,4 @@ TEST(ValueDecode, WindsOf10And100MetresAreTwoGranules) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::value_decode_test

@@ -10,7 +10,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::product_catalogue_test {
 namespace {
 
 std::filesystem::path products_folder() {
@@ -106,4 +106,4 @@ TEST(ProductCatalogueLoad, AFolderThatIsNotThereIsNotFound) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::product_catalogue_test

@@ -7,7 +7,7 @@
 #include "ingest/grib/message_file.h"
 #include "tests/ingest/grib/grib_fixture.h"
 
-namespace slackwater::ingest::tests {
+namespace slackwater::ingest::tests::grib_damage_test {
 namespace {
 
 class DamagedGrib : public GribTest {
@@ -135,4 +135,4 @@ TEST_F(DamagedGrib, SeveralFieldsInOneMessageAreSplit) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::tests
+}  // namespace slackwater::ingest::tests::grib_damage_test

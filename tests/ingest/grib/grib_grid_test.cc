@@ -2,7 +2,7 @@
 
 #include "tests/ingest/grib/grib_fixture.h"
 
-namespace slackwater::ingest::tests {
+namespace slackwater::ingest::tests::grib_grid_test {
 namespace {
 
 using GribGrid = GribTest;
@@ -132,4 +132,4 @@ TEST_F(GribGrid, AnImpossibleSizeIsRefusedBeforeMemoryIsTaken) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::tests
+}  // namespace slackwater::ingest::tests::grib_grid_test

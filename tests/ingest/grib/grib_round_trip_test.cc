@@ -1,6 +1,6 @@
 #include "tests/ingest/grib/grib_fixture.h"
 
-namespace slackwater::ingest::tests {
+namespace slackwater::ingest::tests::grib_round_trip_test {
 namespace {
 
 struct Coding {
@@ -139,4 +139,4 @@ TEST(WriteGrib, RefusesWhatGribCannotSay) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::tests
+}  // namespace slackwater::ingest::tests::grib_round_trip_test

@@ -3,7 +3,7 @@
 
 #include "tests/ingest/grib/grib_fixture.h"
 
-namespace slackwater::ingest::tests {
+namespace slackwater::ingest::tests::grib_time_test {
 namespace {
 
 using GribTime = GribTest;
@@ -131,4 +131,4 @@ TEST_F(GribTime, WindOnNamedHeightsIsReadAndPressureLevelsArePassedOver) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::tests
+}  // namespace slackwater::ingest::tests::grib_time_test

@@ -11,7 +11,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::cf_history_test {
 namespace {
 
 const Vocabulary& words() {
@@ -142,4 +142,4 @@ TEST_F(CfHistory, AGridIsNoSeries) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::cf_history_test

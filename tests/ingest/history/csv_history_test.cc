@@ -9,7 +9,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::csv_history_test {
 namespace {
 
 using tests::source_folder;
@@ -172,4 +172,4 @@ TEST(NamedColumn, NameStandardNameAndUnit) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::csv_history_test

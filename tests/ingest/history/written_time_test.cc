@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::written_time_test {
 namespace {
 
 TEST(WrittenTime, AllFormsOfOneInstant) {
@@ -38,4 +38,4 @@ TEST(WrittenTime, WhatIsNoTimeIsNone) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::written_time_test

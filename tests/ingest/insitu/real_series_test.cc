@@ -1,6 +1,6 @@
 #include "tests/ingest/insitu/series_fixture.h"
 
-namespace slackwater::ingest::tests {
+namespace slackwater::ingest::tests::real_series_test {
 namespace {
 
 // Expected figures were read with netCDF4-python from the same files.
@@ -145,4 +145,4 @@ TEST_F(RealSeries, GriddedProductsAreNotTakenForSeries) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::tests
+}  // namespace slackwater::ingest::tests::real_series_test

@@ -9,7 +9,7 @@
 // CF writes a moored profile in many ways. Whatever the layout, the water that comes out is the
 // water that went in, at its depths.
 
-namespace slackwater::ingest::tests {
+namespace slackwater::ingest::tests::series_layouts_test {
 namespace {
 
 using slackwater::tests::PointSeriesForTests;
@@ -174,4 +174,4 @@ TEST_F(SeriesLayout, AWindWithAClockOfItsOwnIsReadBesideTheCurrent) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::tests
+}  // namespace slackwater::ingest::tests::series_layouts_test

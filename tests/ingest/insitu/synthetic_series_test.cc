@@ -3,7 +3,7 @@
 
 #include "tests/ingest/insitu/series_fixture.h"
 
-namespace slackwater::ingest::tests {
+namespace slackwater::ingest::tests::synthetic_series_test {
 namespace {
 
 using netcdf::Type;
@@ -294,4 +294,4 @@ TEST_F(SyntheticSeries, BinsOfAHeavingSensorLieAtTheirMedianDepthAndSaySo) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::tests
+}  // namespace slackwater::ingest::tests::synthetic_series_test

@@ -10,7 +10,7 @@
 #include "tests/support/contains.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::ingest::netcdf {
+namespace slackwater::ingest::netcdf::file_test {
 namespace {
 
 using slackwater::tests::TemporaryFolder;
@@ -241,4 +241,4 @@ TEST(NetcdfWriter, AWriterThatIsNotClosedLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest::netcdf
+}  // namespace slackwater::ingest::netcdf::file_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::flags_test {
 namespace {
 
 constexpr std::array<double, 10> zero_to_nine{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
@@ -64,4 +64,4 @@ TEST(FlagScheme, UnnamedNumbersMeanNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::flags_test

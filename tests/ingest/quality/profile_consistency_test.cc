@@ -8,7 +8,7 @@
 
 #include "ingest/quality/gross_range.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::profile_consistency_test {
 namespace {
 
 using enum SampleStatus;
@@ -92,4 +92,4 @@ TEST(GrossRange, BoundsTheSpeedNotTheComponents) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::profile_consistency_test

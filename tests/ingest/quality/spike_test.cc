@@ -8,7 +8,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::ingest {
+namespace slackwater::ingest::spike_test {
 namespace {
 
 using constants::pi;
@@ -126,4 +126,4 @@ TEST(SpikeTest, ShortSeriesAreNotJudged) {
 }
 
 }  // namespace
-}  // namespace slackwater::ingest
+}  // namespace slackwater::ingest::spike_test

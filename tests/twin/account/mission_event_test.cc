@@ -4,7 +4,7 @@
 
 #include "twin/state/conduct_state.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::mission_event_test {
 namespace {
 
 using twin::Cause;
@@ -78,4 +78,4 @@ TEST(MissionEvents, InterventionsAreTimesAwayFromTheTask) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::mission_event_test

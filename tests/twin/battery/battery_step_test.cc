@@ -9,7 +9,7 @@
 #include "tests/support/battery_for_tests.h"
 #include "tests/support/lanes_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::battery_step_test {
 namespace {
 
 using tests::made_up_battery;
@@ -218,4 +218,4 @@ TEST(BatteryStep, RefusesAStepWithoutLength) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::battery_step_test

@@ -8,7 +8,7 @@
 #include "tests/support/temporary_folder.h"
 #include "twin/battery/battery_step.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_battery_test {
 namespace {
 
 using tests::contains;
@@ -118,4 +118,4 @@ TEST(ReadBattery, RefusesCurvesThatNoCellHas) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_battery_test

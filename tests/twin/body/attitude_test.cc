@@ -6,7 +6,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::attitude_test {
 namespace {
 
 using constants::pi;
@@ -77,4 +77,4 @@ TEST(VehicleAttitude, TheRateIsThatOfTheRotation) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::attitude_test

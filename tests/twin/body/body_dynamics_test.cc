@@ -7,7 +7,7 @@
 
 #include "tests/support/body_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::body_dynamics_test {
 namespace {
 
 using constants::gravity_m_s2;
@@ -277,4 +277,4 @@ TEST(BodyDynamics, TheLiftOfAHullTakesHalfOfTheMomentOfItsAddedMass) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::body_dynamics_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/craft_in_waves.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::craft_in_waves_test {
 namespace {
 
 using constants::pi;
@@ -173,4 +173,4 @@ TEST(WavesAtStrips, AboveTheSurfaceAreItsElevationAndNoMotionAndOutsideNothing) 
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::craft_in_waves_test

@@ -9,7 +9,7 @@
 #include "twin/body/body_dynamics.h"
 #include "twin/body/mass_matrix.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::floating_hull_test {
 namespace {
 
 using constants::gravity_m_s2;
@@ -275,4 +275,4 @@ TEST(FloatingHulls, TheWaterAtTheStripsIsFittedByTheRigidMotionItHas) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::floating_hull_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slackwater::twin {
+namespace slackwater::twin::frame_test {
 namespace {
 
 TEST(TwinFrame, NorthIsNorthAndDownIsNotUp) {
@@ -36,4 +36,4 @@ TEST(TwinFrame, TheSurfaceIsThatOfTheOtherSide) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::frame_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/body_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::spatial_test {
 namespace {
 
 using tests::random_triple;
@@ -86,4 +86,4 @@ TEST(PrincipalMoments, AscendAndDoNotDependOnTheAxes) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::spatial_test

@@ -3,7 +3,7 @@
 
 #include "tests/support/surface_craft.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::surface_craft_test {
 namespace {
 
 using constants::gravity_m_s2;
@@ -240,4 +240,4 @@ TEST(SurfaceCraft, KeepTheirCourseWhichWithoutLiftAtTheirSternTheyWouldNot) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::surface_craft_test

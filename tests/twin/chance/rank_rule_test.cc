@@ -9,7 +9,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::rank_rule_test {
 namespace {
 
 TEST(RankRule, AsksOneMoreThanTheShareOfTheMembersAlone) {
@@ -56,4 +56,4 @@ TEST(RankRule, TheTruthBearsWhatItAllowsAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::rank_rule_test

@@ -7,7 +7,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::success_interval_test {
 namespace {
 
 using twin::success_interval;
@@ -96,4 +96,4 @@ TEST(SuccessInterval, WhereOneForAFixedNumberDoesNot) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::success_interval_test

@@ -5,7 +5,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::cell_test {
 namespace {
 
 Planar random_place(Rng& rng, double within_m) {
@@ -96,4 +96,4 @@ TEST(ACell, WithMorePlanesThanItHoldsKeepsTheNearestAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::cell_test

@@ -5,7 +5,7 @@
 #include "fields/base/random.h"
 #include "tests/bench/counted_allocations.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::clear_way_test {
 namespace {
 
 Handling rov() {
@@ -440,4 +440,4 @@ TEST(KeepingClear, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::clear_way_test

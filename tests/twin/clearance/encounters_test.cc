@@ -5,7 +5,7 @@
 // Ten thousand encounters (210 under sanitizers, where each takes ten times as long): the same with
 // the rule and without it.
 
-namespace slackwater::tests {
+namespace slackwater::tests::encounters_test {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -65,4 +65,4 @@ INSTANTIATE_TEST_SUITE_P(OfAllKinds, Encounters,
                                          Meeting::all_of_it));
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::encounters_test

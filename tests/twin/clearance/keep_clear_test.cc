@@ -11,7 +11,7 @@
 #include "twin/run/set_up.h"
 #include "twin/vehicle/vehicle.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::keep_clear_test {
 namespace {
 
 Autopilot autopilot_of(const std::string& model) {
@@ -146,4 +146,4 @@ TEST(AReferenceBelowAnotherVehicle, IsHeldAboveIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::keep_clear_test

@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::nearest_pass_test {
 namespace {
 
 Triple<double> any(Rng& rng, double within_m) {
@@ -79,4 +79,4 @@ TEST(ANearestPass, IsTheFirstOfEqualOnes) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::nearest_pass_test

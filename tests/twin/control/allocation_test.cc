@@ -8,7 +8,7 @@
 #include "fields/base/random.h"
 #include "tests/twin/control/craft_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::allocation_test {
 namespace {
 
 Spatial<double> along(Axis axis, double amount) {
@@ -169,4 +169,4 @@ TEST(ThrustAllocation, RefusesRangesThatCannotStandStill) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::allocation_test

@@ -5,7 +5,7 @@
 #include "fields/base/turn.h"
 #include "tests/twin/control/closed_loop.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::auv_autopilot_test {
 namespace {
 
 using constants::pi;
@@ -124,4 +124,4 @@ TEST(AuvAutopilot, GivesFiniteAndBoundedCommandsWhateverIsMeasured) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::auv_autopilot_test

@@ -8,7 +8,7 @@
 #include "twin/control/patterns.h"
 #include "twin/control/waypoint_follower.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::guidance_test {
 namespace {
 
 using constants::pi;
@@ -149,4 +149,4 @@ TEST(BoundedPid, DoesNotWindUpAtItsBound) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::guidance_test

@@ -4,7 +4,7 @@
 #include "tests/support/contains.h"
 #include "tests/twin/control/closed_loop.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_autopilot_test {
 namespace {
 
 using tests::contains;
@@ -100,4 +100,4 @@ TEST(PlanAutopilot, TakesGainsFromPeriodsAndTheMassMatrix) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_autopilot_test

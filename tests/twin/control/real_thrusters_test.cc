@@ -4,7 +4,7 @@
 #include "twin/control/autopilot.h"
 #include "twin/step/vehicle_step.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::real_thrusters_test {
 namespace {
 
 /// A vehicle of data/vehicles as the simulator steps it: its own thrusters, battery, fins and trim,
@@ -148,4 +148,4 @@ TEST(AutopilotWithRealThrusters, HoldsAMultirotorInWindWithTwoHundredWatts) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::real_thrusters_test

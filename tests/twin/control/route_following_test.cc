@@ -7,7 +7,7 @@
 #include "twin/control/guidance.h"
 #include "twin/control/patterns.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::route_following_test {
 namespace {
 
 using constants::pi;
@@ -165,4 +165,4 @@ TEST(RouteFollowing, TakesANewRouteAtAnyStep) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::route_following_test

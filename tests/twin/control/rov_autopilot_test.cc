@@ -5,7 +5,7 @@
 #include "fields/base/turn.h"
 #include "tests/twin/control/closed_loop.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::rov_autopilot_test {
 namespace {
 
 using constants::pi;
@@ -208,4 +208,4 @@ TEST(RovAutopilot, MeasurementsThatGrowWithoutBoundDoNotWindItUp) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::rov_autopilot_test

@@ -5,7 +5,7 @@
 #include "fields/base/turn.h"
 #include "tests/twin/control/closed_loop.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::surface_autopilot_test {
 namespace {
 
 using constants::pi;
@@ -122,4 +122,4 @@ TEST(SurfaceAutopilot, GivesFiniteAndBoundedThrustWhateverIsMeasured) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::surface_autopilot_test

@@ -5,7 +5,7 @@
 #include "fields/base/turn.h"
 #include "tests/twin/control/closed_loop.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::uav_autopilot_test {
 namespace {
 
 using constants::pi;
@@ -171,4 +171,4 @@ TEST(UavAutopilot, CarriesItsWeightWhateverIsMeasured) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::uav_autopilot_test

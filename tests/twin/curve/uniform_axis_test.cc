@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace slackwater::twin {
+namespace slackwater::twin::uniform_axis_test {
 namespace {
 
 const std::vector<double> uneven{0, 0.05, 0.1, 0.3, 1};
@@ -48,4 +48,4 @@ TEST(UniformAxis, BeyondItsEndsAndForNoNumberTheTableHoldsItsEnd) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::uniform_axis_test

@@ -7,7 +7,7 @@
 #include "fields/base/check.h"
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::authority_test {
 namespace {
 
 constexpr std::string_view rov = "rov";
@@ -168,4 +168,4 @@ TEST(Authority, NoSequenceOfDoingsMakesTwoHoldersOrTakesACommandOfAnother) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::authority_test

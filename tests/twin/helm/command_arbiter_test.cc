@@ -4,7 +4,7 @@
 
 #include "tests/twin/simulate/helm_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::steward_test {
 namespace {
 
 using twin::Command;
@@ -313,4 +313,4 @@ TEST(CommandArbiter, TakesCommandsFromManyThreads) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::steward_test

@@ -4,7 +4,7 @@
 
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::refusal_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -190,4 +190,4 @@ TEST(Refusal, EachReasonHasAName) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::refusal_test

@@ -5,7 +5,7 @@
 #include "tests/twin/simulate/helm_for_tests.h"
 #include "twin/helm/command_arbiter.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::spawn_test {
 namespace {
 
 using twin::Newcomer;
@@ -145,4 +145,4 @@ TEST(CommandArbiterOfNewcomers, LetsThemInFromManyThreadsWhileTheRunGoesOn) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::spawn_test

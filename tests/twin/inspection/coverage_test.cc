@@ -6,7 +6,7 @@
 
 #include "tests/twin/inspection/inspection_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::coverage_test {
 namespace {
 
 using namespace slackwater::twin::tests;
@@ -154,4 +154,4 @@ TEST(Coverage, IsNoneOfWhatIsPassedWhenNotAtWork) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::coverage_test

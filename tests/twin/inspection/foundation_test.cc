@@ -2,7 +2,7 @@
 
 #include "tests/twin/inspection/foundation_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::foundation_test {
 namespace {
 
 TEST(FoundationForTests, HasFiftyThousandTrianglesAndIsClosed) {
@@ -13,4 +13,4 @@ TEST(FoundationForTests, HasFiftyThousandTrianglesAndIsClosed) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::foundation_test

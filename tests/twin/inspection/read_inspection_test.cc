@@ -4,7 +4,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/inspection/inspection_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_inspection_test {
 namespace {
 
 using namespace slackwater::twin::tests;
@@ -100,4 +100,4 @@ TEST(ReadyInspection, ALongLegThatPassesTheSurfaceBetweenItsEndsComesByIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_inspection_test

@@ -11,7 +11,7 @@
 #include "twin/mission/tick.h"
 #include "twin/run/state_members.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::behaviour_tree_test {
 namespace {
 
 using Tree = BehaviourTree;
@@ -385,4 +385,4 @@ TEST(Tick, AllocatesNothingAndTellsAtMostTwoChangesOfANode) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::behaviour_tree_test

@@ -12,7 +12,7 @@
 #include "twin/mission/work_pattern.h"
 #include "twin/scenario/scenario.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::intensity_test {
 namespace {
 
 using twin::Intensity;
@@ -309,4 +309,4 @@ TEST(Thinned, AMissionSaysItByRoleAndItsCallerThinsThat) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::intensity_test

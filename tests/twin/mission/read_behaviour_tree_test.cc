@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_behaviour_tree_test {
 namespace {
 
 using Tree = BehaviourTree;
@@ -217,4 +217,4 @@ TEST(ReadBehaviourTree, TreesOfTreesDoNotGrowBeyondMeasure) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_behaviour_tree_test

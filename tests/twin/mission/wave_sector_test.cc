@@ -7,7 +7,7 @@
 #include "tests/twin/mission/mission_for_tests.h"
 #include "twin/mission/limit.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::wave_sector_test {
 namespace {
 
 constexpr double degree = constants::pi / 180;
@@ -79,4 +79,4 @@ TEST(WaveSector, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::wave_sector_test

@@ -1,6 +1,6 @@
 #include "tests/twin/navigation/navigation_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::dead_reckoning_test {
 namespace {
 
 /// Instruments carried along a way by hand: no dynamics, so that only what they show counts.
@@ -173,4 +173,4 @@ TEST(DeadReckoning, AReceiverBoundsTheErrorForAsLongAsItSees) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::dead_reckoning_test

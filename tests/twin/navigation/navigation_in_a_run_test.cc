@@ -3,7 +3,7 @@
 #include "tests/twin/navigation/navigation_for_tests.h"
 #include "twin/run/sensor_log.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::navigation_in_a_run_test {
 namespace {
 
 /// One of each vehicle on its way, in current and wind; `more` in each.
@@ -221,4 +221,4 @@ TEST(SensorLog, HoldsWhatWasShownAndOnlyWhatIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::navigation_in_a_run_test

@@ -4,7 +4,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::turn_test {
 namespace {
 
 TEST(Turn, BetweenTwoAttitudesLeadsFromTheOneToTheOther) {
@@ -36,4 +36,4 @@ TEST(Turn, TheShorterWay) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::turn_test

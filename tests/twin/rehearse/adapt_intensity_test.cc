@@ -5,7 +5,7 @@
 #include "tests/support/error_of.h"
 #include "tests/twin/rehearse/pile_survey.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::adapt_intensity_test {
 namespace {
 
 using twin::ReserveFate;
@@ -180,4 +180,4 @@ TEST(ReserveFate, SaysWhatCameOfTheReserve) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::adapt_intensity_test

@@ -4,7 +4,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/rehearse/flight.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::by_the_limits_test {
 namespace {
 
 const UtcTime start = parse_utc("2025-06-02T06:00:00Z");
@@ -129,4 +129,4 @@ TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::by_the_limits_test

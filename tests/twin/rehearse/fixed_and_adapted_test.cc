@@ -13,7 +13,7 @@
 #include "fields/base/random.h"
 #include "tests/twin/rehearse/pile_survey.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::fixed_and_adapted_test {
 namespace {
 
 using twin::ReserveFate;
@@ -216,4 +216,4 @@ TEST(FixedAndAdapted, KeepTheReserveAsOftenAsTheySay) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::fixed_and_adapted_test

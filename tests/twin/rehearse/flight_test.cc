@@ -6,7 +6,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/state/milestones.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::flight_test {
 namespace {
 
 UtcTime first_start() { return parse_utc("2025-06-02T06:00:00Z"); }
@@ -126,4 +126,4 @@ TEST(Milestones, HaveTheHardestPullAndTheFirstPartingOfALine) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::flight_test

@@ -8,7 +8,7 @@
 #include "twin/rehearse/expect_fit.h"
 #include "twin/rehearse/flight.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::from_a_vessel_test {
 namespace {
 
 using Kind = twin::ConductEventKind;
@@ -116,4 +116,4 @@ TEST(FromAVessel, IsNotLaunchedFromADeckThatMovesMoreThanIsAllowed) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::from_a_vessel_test

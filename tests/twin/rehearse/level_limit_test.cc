@@ -12,7 +12,7 @@
 #include "twin/rehearse/limit_ahead.h"
 #include "twin/risk/start_chances.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::level_limit_test {
 namespace {
 
 using std::chrono::hours;
@@ -195,4 +195,4 @@ TEST(LevelLimit, ItsShareIsOneAtTheBoundWhateverTheDatum) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::level_limit_test

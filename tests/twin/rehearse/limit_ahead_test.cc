@@ -9,7 +9,7 @@
 #include "twin/rehearse/flight.h"
 #include "twin/rehearse/planned_work.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::limit_ahead_test {
 namespace {
 
 const UtcTime start = parse_utc("2025-06-02T06:00:00Z");
@@ -205,4 +205,4 @@ TEST(LimitAhead, AHeightCountsWhereTheWavesComeFromItsSectorWithAnyBowOfThePhase
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::limit_ahead_test

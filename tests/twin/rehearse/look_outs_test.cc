@@ -7,7 +7,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/rehearse/flight.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::look_outs_test {
 namespace {
 
 /// A boat that sweeps an area and a vessel that lies far off, a current of 0.3 m/s eastwards and
@@ -186,4 +186,4 @@ TEST(MammalsInAFlight, AreWatchedForNoLongerThanTheWatchIsOut) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::look_outs_test

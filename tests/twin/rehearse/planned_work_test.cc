@@ -7,7 +7,7 @@
 #include "fields/base/constants.h"
 #include "twin/rehearse/limit_ahead.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::planned_work_test {
 namespace {
 
 twin::ScenarioTask task_of(twin::Phase phase, const std::vector<twin::Triple<double>>& way_m) {
@@ -114,4 +114,4 @@ TEST(PlacesOf, TheCurrentIsLookedAtBetweenTooAndWavesOnce) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::planned_work_test

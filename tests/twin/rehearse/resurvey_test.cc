@@ -13,7 +13,7 @@
 #include "tests/twin/rehearse/pile_survey.h"
 #include "twin/scenario/read_scenario.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::resurvey_test {
 namespace {
 
 using twin::Phase;
@@ -216,4 +216,4 @@ TEST_F(ResurveyOf, WhateverItsNamesTheTextComesBackAsTheScenario) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::resurvey_test

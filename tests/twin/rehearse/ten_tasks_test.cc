@@ -5,7 +5,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/rehearse/flight.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::ten_tasks_test {
 namespace {
 
 /// Water that is the same at all times.
@@ -129,4 +129,4 @@ TEST(Flight, IsTheSameToTheBitInWhateverCompanyItIsFlown) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::ten_tasks_test

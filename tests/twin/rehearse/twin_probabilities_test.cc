@@ -14,7 +14,7 @@
 #include "twin/rehearse/by_the_limits.h"
 #include "twin/rehearse/flight.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::twin_probabilities_test {
 namespace {
 
 constexpr std::size_t flown_futures = 18;
@@ -155,4 +155,4 @@ TEST(TwinProbabilities, AreSureWhereAllFuturesAgree) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::twin_probabilities_test

@@ -4,7 +4,7 @@
 #include "twin/rehearse/flight.h"
 #include "twin/rehearse/limit_ahead.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::waves_of_flights_test {
 namespace {
 
 /// An ROV that goes some way at half a metre a second, for as long as waves are 1.5 m at most, and
@@ -112,4 +112,4 @@ TEST(WavesOfFlights, MoveTheVehicleToo) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::waves_of_flights_test

@@ -9,7 +9,7 @@
 #include "tests/support/shared_data.h"
 #include "twin/risk/height_errors.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::alpha_factor_test {
 namespace {
 
 using twin::AlphaTable;
@@ -130,4 +130,4 @@ TEST(HeightErrors, OwnForecastsTakeTheirPlaceWhereEnoughAreVerified) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::alpha_factor_test

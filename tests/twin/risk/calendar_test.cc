@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::calendar_test {
 namespace {
 
 constexpr Duration hour = std::chrono::hours(1);
@@ -70,4 +70,4 @@ TEST(Calendar, ADateComesOnceAYear) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::calendar_test

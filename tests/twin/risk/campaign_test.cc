@@ -9,7 +9,7 @@
 #include "tests/twin/risk/window_oracle.h"
 #include "twin/risk/workable_starts.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::campaign_test {
 namespace {
 
 using Marks = std::vector<std::uint8_t>;
@@ -212,4 +212,4 @@ TEST(Campaign, ASeasonCountsEveryYearOnce) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::campaign_test

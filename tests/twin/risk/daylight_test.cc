@@ -9,7 +9,7 @@
 #include "fields/base/random.h"
 #include "twin/risk/sun_position.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::daylight_test {
 namespace {
 
 using Kind = DayOfLight::Kind;
@@ -166,4 +166,4 @@ TEST(Daylight, AnotherWordIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::daylight_test

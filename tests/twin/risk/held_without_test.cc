@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::held_without_test {
 namespace {
 
 using twin::BoundSide;
@@ -83,4 +83,4 @@ TEST(HeldWithout, OfTheOnlyLimitIsEveryMember) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::held_without_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::phase_plan_test {
 namespace {
 
 using twin::Phase;
@@ -58,4 +58,4 @@ TEST(PhasePlan, IsDrawnOutInItsWork) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::phase_plan_test

@@ -6,7 +6,7 @@
 #include "fields/base/error.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::risk_register_test {
 namespace {
 
 using twin::Likelihood;
@@ -133,4 +133,4 @@ TEST(Consequences, RefuseWhatIsNoneInOneSentence) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::risk_register_test

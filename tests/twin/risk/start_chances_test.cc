@@ -9,7 +9,7 @@
 #include "fields/base/random.h"
 #include "twin/risk/start_windows.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::start_chances_test {
 namespace {
 
 using twin::Bound;
@@ -389,4 +389,4 @@ TEST(StartWindows, CountWhatTheRulesSayWithinThem) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::start_chances_test

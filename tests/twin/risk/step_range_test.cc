@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::step_range_test {
 namespace {
 
 /// Marks that change on average every `run` steps.
@@ -59,4 +59,4 @@ TEST(StepRanges, OutsideAndCommonAreThoseOfSets) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::step_range_test

@@ -6,7 +6,7 @@
 
 #include "fields/wave/height_error.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::wave_futures_test {
 namespace {
 
 const UtcTime from = parse_utc("2025-03-04T00:00:00Z");
@@ -60,4 +60,4 @@ TEST(WaveFutures, AMemberIsTheSameWhateverIsAsked) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::wave_futures_test

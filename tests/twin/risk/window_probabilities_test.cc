@@ -14,7 +14,7 @@
 #include "twin/risk/phase_plan.h"
 #include "twin/risk/start_chances.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::window_probabilities_test {
 namespace {
 
 constexpr std::size_t members = 25;  // the central one among them
@@ -167,4 +167,4 @@ TEST_F(WindowProbabilities, AreWorthMoreThanARuleAtAnyRatioOfCostToLoss) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::window_probabilities_test

@@ -10,7 +10,7 @@
 #include "twin/risk/bound.h"
 #include "twin/risk/workable_starts.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::workability_test {
 namespace {
 
 using Marks = std::vector<std::uint8_t>;
@@ -301,4 +301,4 @@ TEST(Workability, NeverIsNoWaitAtAll) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::workability_test

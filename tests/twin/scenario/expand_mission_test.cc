@@ -8,7 +8,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/mission/work_pattern.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::expand_mission_test {
 namespace {
 
 std::string mission(const std::string& task, const std::string& turbine = "A01",
@@ -364,4 +364,4 @@ TEST(ExpandMission, NamesAreTakenAsTheyAreHoweverOddTheyLook) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::expand_mission_test

@@ -12,7 +12,7 @@
 #include "twin/mission/work_pattern.h"
 #include "twin/scenario/write_conduct.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::lay_out_surface_test {
 namespace {
 
 using twin::Surface;
@@ -170,4 +170,4 @@ TEST(LayOutSurface, RefusesWhatTheSiteDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::lay_out_surface_test

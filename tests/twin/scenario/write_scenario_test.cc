@@ -8,7 +8,7 @@
 #include "tests/twin/scenario/random_scenario.h"
 #include "twin/mission/site_work.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::write_scenario_test {
 namespace {
 
 /// But for the text that it came of.
@@ -84,4 +84,4 @@ TEST(WriteScenario, AThousandMadeUpOnesComeBack) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::write_scenario_test

@@ -8,7 +8,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::structure_test {
 namespace {
 
 using constants::pi;
@@ -140,4 +140,4 @@ TEST(Ways, ThroughAStructureAreTold) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::structure_test

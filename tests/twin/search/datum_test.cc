@@ -7,7 +7,7 @@
 #include "tests/support/shared_data.h"
 #include "twin/search/drifter.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::datum_test {
 namespace {
 
 using twin::Triple;
@@ -53,4 +53,4 @@ TEST(Datum, GoesOnFromWhereItIsWithAnotherDrift) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::datum_test

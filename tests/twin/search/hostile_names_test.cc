@@ -10,7 +10,7 @@
 #include "twin/search/mammal_duty.h"
 #include "twin/search/person_search.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::hostile_names_test {
 namespace {
 
 /// Each is a name with its end made into syntax of a text in which it would stand unquoted.
@@ -84,4 +84,4 @@ TEST(Assumption, IsOneNameAndOneNumber) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::hostile_names_test

@@ -10,7 +10,7 @@
 #include "tests/support/shared_data.h"
 #include "twin/search/drifter.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::leeway_test {
 namespace {
 
 using namespace twin;
@@ -201,4 +201,4 @@ TEST(Drifter, IsTheSameOfTheSameSeedAndName) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::leeway_test

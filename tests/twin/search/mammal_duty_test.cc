@@ -4,7 +4,7 @@
 
 #include "tests/support/shared_data.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::mammal_duty_test {
 namespace {
 
 using twin::MammalDuty;
@@ -88,4 +88,4 @@ TEST(MammalDuty, SeesNothingInAStorm) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::mammal_duty_test

@@ -8,7 +8,7 @@
 #include "fields/base/constants.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::mammal_watch_test {
 namespace {
 
 using namespace twin;
@@ -164,4 +164,4 @@ TEST(NoiseGate, DoesNotCountTimeThatNobodyWatches) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::mammal_watch_test

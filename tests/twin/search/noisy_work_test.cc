@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::noisy_work_test {
 namespace {
 
 using twin::NoisyWorkState;
@@ -85,4 +85,4 @@ TEST(NoisyWork, BelievesAWatchThatIsThere) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::noisy_work_test

@@ -9,7 +9,7 @@
 #include "twin/control/patterns.h"
 #include "twin/search/datum.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::person_search_test {
 namespace {
 
 using twin::PersonSearch;
@@ -105,4 +105,4 @@ TEST(PersonSearch, ThatDriftsFindsMoreAndAFixedOneFewerTheFasterTheWater) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::person_search_test

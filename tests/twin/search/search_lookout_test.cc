@@ -8,7 +8,7 @@
 #include "fields/base/error.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::search_lookout_test {
 namespace {
 
 using twin::DetectionLaw;
@@ -189,4 +189,4 @@ TEST(SearchLookout, SaysWhatItCanLookFor) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::search_lookout_test

@@ -9,7 +9,7 @@
 #include "twin/body/attitude.h"
 #include "twin/sensor/adcp.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::doppler_sensors_test {
 namespace {
 
 using constants::pi;
@@ -237,4 +237,4 @@ TEST(CurrentProfiler, OnAMovingVesselTakesTheVesselsMotionOut) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::doppler_sensors_test

@@ -9,7 +9,7 @@
 #include "twin/sensor/camera.h"
 #include "twin/sensor/range_sonar.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::looking_sensors_test {
 namespace {
 
 using constants::pi;
@@ -175,4 +175,4 @@ TEST(Cameras, SeeNothingBeyondTheVisibilityAndSaySo) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::looking_sensors_test

@@ -13,7 +13,7 @@
 #include "twin/sensor/gnss.h"
 #include "twin/sensor/imu.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::navigation_sensors_test {
 namespace {
 
 using constants::gravity_m_s2;
@@ -187,4 +187,4 @@ TEST(MagneticCompass, DeviatesByItsFiveCoefficients) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::navigation_sensors_test

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace slackwater::twin {
+namespace slackwater::twin::noise_test {
 namespace {
 
 static_assert(std::is_trivially_copyable_v<NoiseStream> && sizeof(NoiseStream) == 16);
@@ -84,4 +84,4 @@ TEST(Resolutions, RoundToTheNearestMultiple) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::noise_test

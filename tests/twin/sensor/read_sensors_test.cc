@@ -6,7 +6,7 @@
 #include "fields/base/error.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_sensors_test {
 namespace {
 
 Sensors read(const std::string& yaml) {
@@ -109,4 +109,4 @@ TEST(ReadSensors, TheBundledVehiclesCarryWhatTheyNavigateBy) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_sensors_test

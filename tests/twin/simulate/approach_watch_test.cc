@@ -6,7 +6,7 @@
 // How near the vehicles of a run came to what was around them: against straight ways whose closest
 // approach is known, against all of all, and against what the log of a run says.
 
-namespace slackwater::twin {
+namespace slackwater::twin::approach_watch_test {
 namespace {
 
 constexpr double barrier_s = 0.1;
@@ -389,4 +389,4 @@ TEST(ApproachWatch, ChangesNothingOfARun) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::approach_watch_test

@@ -4,7 +4,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/tether/node_load.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::carried_water_test {
 namespace {
 
 constexpr double look_s = 0.3;
@@ -115,4 +115,4 @@ TEST(CarriedWater, DoesNotHoldWhereTheVehicleWillHaveNone) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::carried_water_test

@@ -1,6 +1,6 @@
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::checkpoint_test {
 namespace {
 
 TEST(Checkpoint, AnotherRunGoesOnFromItAsTheFirstWouldHave) {
@@ -46,4 +46,4 @@ TEST(Checkpoint, OfOtherVehiclesIsABug) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::checkpoint_test

@@ -4,7 +4,7 @@
 #include "twin/agent/conduct.h"
 #include "twin/surface/cleaning_outcome.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cleaning_in_a_run_test {
 namespace {
 
 using twin::CleaningOutcome;
@@ -143,4 +143,4 @@ TEST(CleaningInARun, SaysWhichVehicleCannotCleanWhatItIsTo) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cleaning_in_a_run_test

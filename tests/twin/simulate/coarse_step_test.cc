@@ -3,7 +3,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::coarse_step_test {
 namespace {
 
 /// So many ROVs on tethers side by side, in a sea of 1 m.
@@ -179,4 +179,4 @@ TEST(CoarseStep, IsForWhatSwimsUnderWater) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::coarse_step_test

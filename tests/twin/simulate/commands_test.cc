@@ -4,7 +4,7 @@
 #include "fields/base/check.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::commands_test {
 namespace {
 
 constexpr int steps = 80;
@@ -168,4 +168,4 @@ TEST(Commands, AVehicleThatGoesByItsInstrumentsIsReroutedFromWhereItTakesItselfT
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::commands_test

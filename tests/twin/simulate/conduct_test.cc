@@ -4,7 +4,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/mission/way_round.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::conduct_test {
 namespace {
 
 using twin::Cause;
@@ -454,4 +454,4 @@ TEST(WayRound, KeepsOffWhatStandsBetweenAndIsStraightElsewhere) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::conduct_test

@@ -1,7 +1,7 @@
 #include "fields/base/random.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::corners_test {
 namespace {
 
 TEST(Corners, AnAuvRoundsARightAngleWithinItsTurningCircle) {
@@ -176,4 +176,4 @@ TEST(Corners, AMultirotorOvershootsByLessThanItsBrakingDistance) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::corners_test

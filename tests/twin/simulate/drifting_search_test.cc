@@ -3,7 +3,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/agent/follow_datum.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::drifting_search_test {
 namespace {
 
 using twin::Triple;
@@ -212,4 +212,4 @@ TEST(DriftingSearch, IsRefusedToWhoSearchesForNobody) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::drifting_search_test

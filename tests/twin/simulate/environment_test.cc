@@ -9,7 +9,7 @@
 #include "fields/wave/sea_sampling.h"
 #include "twin/environment/made_up_field.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::environment_test {
 namespace {
 
 const UtcTime start = parse_utc("2025-06-02T06:00:00Z");
@@ -117,4 +117,4 @@ TEST(Environment, APileTurnsTheCurrentAside) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::environment_test

@@ -3,7 +3,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::expect_speeds_test {
 namespace {
 
 /// What is said of a vehicle that is to go that fast; `speed` is a key with its value.
@@ -57,4 +57,4 @@ TEST(ExpectSpeeds, AnAuvThatItsFinsCannotSteerIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::expect_speeds_test

@@ -5,7 +5,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::fates_test {
 namespace {
 
 void run_for(twin::Run& run, double seconds) {
@@ -174,4 +174,4 @@ TEST(Logs, TheDepthErrorOfAHoldIsThereToo) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::fates_test

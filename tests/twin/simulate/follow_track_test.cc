@@ -10,7 +10,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/traffic/deviation.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::follow_track_test {
 namespace {
 
 using namespace twin;
@@ -225,4 +225,4 @@ TEST(FollowTrack, ATrackThatJumpsDuringTheRunIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::follow_track_test

@@ -2,7 +2,7 @@
 
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::halts_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -197,4 +197,4 @@ TEST(Halts, AnEmptyBatteryIsNoHaltButNoThrustEither) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::halts_test

@@ -1,6 +1,6 @@
 #include "tests/twin/simulate/helm_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::helm_and_conduct_test {
 namespace {
 
 using twin::ConductEventKind;
@@ -131,4 +131,4 @@ TEST(HelmAndConduct, OneThatStandsAboardTakesNoCommand) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::helm_and_conduct_test

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <string>
 
-namespace slackwater::twin {
+namespace slackwater::twin::helm_rule_test {
 namespace {
 
 constexpr HelmRule rule{1, 60};
@@ -66,4 +66,4 @@ TEST(HelmRule, EachModeAndCauseHasAName) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::helm_rule_test

@@ -2,7 +2,7 @@
 #include "tests/twin/simulate/helm_for_tests.h"
 #include "twin/control/velocity_range.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::helm_same_bits_test {
 namespace {
 
 using twin::Command;
@@ -133,4 +133,4 @@ TEST(HelmSameBits, AStepWithoutCommandsAllocatesNothingUnderTheHelm) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::helm_same_bits_test

@@ -2,7 +2,7 @@
 
 #include "tests/twin/simulate/helm_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::helm_test {
 namespace {
 
 using twin::HelmCause;
@@ -176,4 +176,4 @@ TEST(Helm, GoesHomeRoundAStructure) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::helm_test

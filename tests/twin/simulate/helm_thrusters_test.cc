@@ -1,7 +1,7 @@
 #include "fields/base/check.h"
 #include "tests/twin/simulate/helm_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::helm_thrusters_test {
 namespace {
 
 using twin::HelmMode;
@@ -128,4 +128,4 @@ TEST(HelmThrusters, OfAnotherNumberOrBeyondOneAreABug) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::helm_thrusters_test

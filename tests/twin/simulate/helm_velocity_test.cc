@@ -1,7 +1,7 @@
 #include "fields/base/constants.h"
 #include "tests/twin/simulate/helm_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::helm_velocity_test {
 namespace {
 
 using twin::HelmVelocity;
@@ -156,4 +156,4 @@ TEST(HelmVelocity, KeepsClearAllTheSame) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::helm_velocity_test

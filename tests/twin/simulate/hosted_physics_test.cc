@@ -1,7 +1,7 @@
 #include "tests/twin/simulate/helm_for_tests.h"
 #include "twin/step/vehicle_step.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::hosted_physics_test {
 namespace {
 
 using twin::HostedStep;
@@ -135,4 +135,4 @@ TEST(HostedPhysics, WithoutAHostItStandsWhereItIs) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::hosted_physics_test

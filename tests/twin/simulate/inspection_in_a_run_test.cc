@@ -4,7 +4,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/inspection/inspection_outcome.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::inspection_in_a_run_test {
 namespace {
 
 /// An ROV that films the south side of a pile of 6 m on its way along it, 2.5 m off.
@@ -112,4 +112,4 @@ TEST(InspectionInARun, TwoThatCarryTheSameInstrumentDoNotDrawAlike) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::inspection_in_a_run_test

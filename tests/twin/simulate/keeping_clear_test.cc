@@ -2,7 +2,7 @@
 
 // The rule of twin/clearance in closed loop: the vehicles of data/ in current, wind and gusts.
 
-namespace slackwater::twin {
+namespace slackwater::twin::keeping_clear_test {
 namespace {
 
 std::string clearance(const std::string& distances) { return "clearance: {" + distances + "}\n"; }
@@ -185,4 +185,4 @@ INSTANTIATE_TEST_SUITE_P(OfEachVehicle, KeepingClear,
                                          Kind{"lrauv_tethys", "depth_m: 20", 200, 10, 900, 70}));
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::keeping_clear_test

@@ -6,7 +6,7 @@
 #include "twin/tether/lay_tether.h"
 #include "twin/tether/node_load.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::line_on_deck_test {
 namespace {
 
 using twin::length_of;
@@ -249,4 +249,4 @@ TEST(LineOnDeck, IsRefusedWhereItCannotHang) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::line_on_deck_test

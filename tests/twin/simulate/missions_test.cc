@@ -1,6 +1,6 @@
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::missions_test {
 namespace {
 
 /// Steps until all tasks are done or the time is over. @return the time at which each task began
@@ -138,4 +138,4 @@ TEST(Missions, ThoseOfOneThatWasReroutedStandStillUntilTheyAreResumed) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::missions_test

@@ -5,7 +5,7 @@
 #include "twin/run/command_numbers.h"
 #include "twin/run/newcomer_yard.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::newcomer_test {
 namespace {
 
 constexpr double step_s = 0.05;
@@ -413,4 +413,4 @@ TEST(RunLog, HasNoNumbersOfAVehicleBeforeItJoined) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::newcomer_test

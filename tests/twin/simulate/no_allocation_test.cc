@@ -1,7 +1,7 @@
 #include "tests/bench/counted_allocations.h"
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::no_allocation_test {
 namespace {
 
 TEST(NoAllocation, InAThousandStepsOfAFleetOnItsLegs) {
@@ -63,4 +63,4 @@ TEST(NoAllocation, InAThousandStepsOfAFleetOnItsLegs) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::no_allocation_test

@@ -4,7 +4,7 @@
 #include "twin/agent/conduct.h"
 #include "twin/rehearse/flight.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::noisy_work_in_a_run_test {
 namespace {
 
 using twin::Cause;
@@ -215,4 +215,4 @@ TEST(NoisyWorkInARun, RefusesATieToNobody) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::noisy_work_in_a_run_test

@@ -3,7 +3,7 @@
 #include "fields/base/error.h"
 #include "twin/scenario/scenario.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_scenario_test {
 namespace {
 
 const std::string whole = R"(name: along the pile
@@ -166,4 +166,4 @@ TEST(ReadScenario, NothingAtThePathIsNotFound) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_scenario_test

@@ -3,7 +3,7 @@
 
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::run_control_test {
 namespace {
 
 TEST(RunControlOfARun, PausingSteppingAndResumingKeepTheBits) {
@@ -88,4 +88,4 @@ TEST(RunControlOfARun, StopEndsBetweenStepsAndItGoesOnFromThere) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::run_control_test

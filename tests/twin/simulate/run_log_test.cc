@@ -1,6 +1,6 @@
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::run_log_test {
 namespace {
 
 /// An ROV and a multirotor that go north-east and down or up, logged at each step.
@@ -111,4 +111,4 @@ TEST_F(RunLogOf, ColumnsAreNamedOnceWithUnitsAndFillTheRow) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::run_log_test

@@ -2,7 +2,7 @@
 
 #include "tests/twin/simulate/run_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::same_bits_test {
 namespace {
 
 RunLog log_of(const ReadyRun& ready, const RunSettings& settings, int steps) {
@@ -108,4 +108,4 @@ TEST_F(SameBits, AnotherSeedIsAnotherGust) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::same_bits_test

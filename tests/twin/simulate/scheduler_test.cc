@@ -7,7 +7,7 @@
 #include <set>
 #include <thread>
 
-namespace slackwater::twin {
+namespace slackwater::twin::scheduler_test {
 namespace {
 
 Scheduler::Client nothing() {
@@ -143,4 +143,4 @@ TEST(RunControl, RealTimeKeepsPaceWithTheWall) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::scheduler_test

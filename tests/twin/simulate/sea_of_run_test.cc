@@ -5,7 +5,7 @@
 #include "tests/twin/simulate/sea_for_tests.h"
 #include "twin/agent/conduct.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::sea_of_run_test {
 namespace {
 
 /// For as long as asked, with one ROV that has a limit on the waves.
@@ -219,4 +219,4 @@ TEST(SeaOfRun, GivesTheSameBitsOnAnyThreadsInBlocksAndFromACheckpoint) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::sea_of_run_test

@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-namespace slackwater::twin {
+namespace slackwater::twin::set_up_test {
 namespace {
 
 const std::string whole = R"(name: pile
@@ -282,4 +282,4 @@ TEST(SetUp, AgentsOutliveWhatTheyWereSetUpFrom) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::set_up_test

@@ -6,7 +6,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/step/vehicle_step.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::step_kernel_test {
 namespace {
 
 /// The vehicles whose files have all that it takes to move: not a body alone.
@@ -107,4 +107,4 @@ TEST(StepKernel, WhatIsPutInALaneIsTakenOutOfIt) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::step_kernel_test

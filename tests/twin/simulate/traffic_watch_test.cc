@@ -6,7 +6,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/traffic/laid_track.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::traffic_watch_test {
 namespace {
 
 using namespace twin;
@@ -162,4 +162,4 @@ TEST(TrafficWatch, InARunTheAlarmsAreThoseOfItsBarriersHoweverItIsStepped) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::traffic_watch_test

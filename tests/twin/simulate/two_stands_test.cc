@@ -4,7 +4,7 @@
 #include "twin/agent/hung_line.h"
 #include "twin/agent/line_on_deck.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::two_stands_test {
 namespace {
 
 using twin::ConductEvent;
@@ -247,4 +247,4 @@ TEST(TwoStands, ALineThatPartedHoldsNobody) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::two_stands_test

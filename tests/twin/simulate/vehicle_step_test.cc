@@ -10,7 +10,7 @@
 #include "tests/support/vehicle_for_tests.h"
 #include "twin/step/step_dispatch.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::vehicle_step_test {
 namespace {
 
 using tests::bundled_vehicle;
@@ -288,4 +288,4 @@ TEST(VehicleStep, RefusesAStepLongerThanTheVehicleBears) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::vehicle_step_test

@@ -10,7 +10,7 @@
 #include "tests/twin/validation/flight.h"
 #include "twin/vehicle/balance.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::strangers_vehicles_test {
 namespace {
 
 using tests::Flight;
@@ -178,4 +178,4 @@ TEST(StrangersVehicles, BrokenTheyAreRefusedWithTheNumbers) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::strangers_vehicles_test

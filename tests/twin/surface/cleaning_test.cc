@@ -8,7 +8,7 @@
 #include "fields/base/random.h"
 #include "tests/twin/surface/cleaning_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cleaning_test {
 namespace {
 
 using twin::Cleaning;
@@ -247,4 +247,4 @@ TEST(Cleaning, RefusesWhatCannotBeWithOneSentence) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cleaning_test

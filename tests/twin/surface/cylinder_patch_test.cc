@@ -7,7 +7,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cylinder_patch_test {
 namespace {
 
 using twin::CylinderPatch;
@@ -55,4 +55,4 @@ TEST(CylinderPatch, FindsThePlaceOnTheFaceThatIsNearest) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cylinder_patch_test

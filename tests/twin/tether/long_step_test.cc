@@ -6,7 +6,7 @@
 
 #include "tests/twin/tether/tether_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::long_step_test {
 namespace {
 
 const Triple<double> top_m{0, 0, 1};
@@ -113,4 +113,4 @@ TEST(LongStep, ComesToRestUnderTensionInStillWater) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::long_step_test

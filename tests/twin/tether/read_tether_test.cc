@@ -5,7 +5,7 @@
 #include "fields/base/error.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_tether_test {
 namespace {
 
 std::string yaml_with(const std::string& line, const std::string& instead) {
@@ -80,4 +80,4 @@ TEST(ReadTether, TheBundledRovHasTheTetherOfItsSheet) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_tether_test

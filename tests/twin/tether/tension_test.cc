@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::tension_test {
 namespace {
 
 using Tensions = std::array<double, tether_segments>;
@@ -94,4 +94,4 @@ TEST(PullingTensions, OfASlackLineAreNothing) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::tension_test

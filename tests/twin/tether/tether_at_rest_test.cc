@@ -5,7 +5,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/tether/tether_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::tether_at_rest_test {
 namespace {
 
 using constants::gravity_m_s2;
@@ -197,4 +197,4 @@ TEST(TetherAtRest, LinesThatCannotBeLaidAreRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::tether_at_rest_test

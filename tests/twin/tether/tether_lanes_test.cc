@@ -10,7 +10,7 @@
 #include "fields/base/random.h"
 #include "tests/twin/tether/tether_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::tether_lanes_test {
 namespace {
 
 using tether_in_tests::Lanes;
@@ -78,4 +78,4 @@ TEST(TetherLanes, GiveTheBitsOfASingleLine) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::tether_lanes_test

@@ -6,7 +6,7 @@
 #include "fields/base/random.h"
 #include "tests/twin/tether/tether_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::tether_motion_test {
 namespace {
 
 using tests::fathom;
@@ -194,4 +194,4 @@ TEST(TetherMotion, PartsAboveItsBreakingLoadAndThenPullsNoMore) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::tether_motion_test

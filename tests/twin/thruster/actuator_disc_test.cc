@@ -7,7 +7,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::actuator_disc_test {
 namespace {
 
 /// 2 rho A of the T200's 76 mm in sea water.
@@ -74,4 +74,4 @@ TEST(ActuatorDisc, TheThrustAtRestIsHadBack) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::actuator_disc_test

@@ -6,7 +6,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::lag_test {
 namespace {
 
 /// T x' = command - x: x = c + (x0 - c) e^(-t/T).
@@ -48,4 +48,4 @@ TEST(Lag, RefusesTimeThatRunsBackwards) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::lag_test

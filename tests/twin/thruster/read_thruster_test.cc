@@ -4,7 +4,7 @@
 #include "tests/support/contains.h"
 #include "tests/support/thruster_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_thruster_test {
 namespace {
 
 using tests::contains;
@@ -96,4 +96,4 @@ TEST(ReadThruster, RefusesOtherUnitsAndKinds) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_thruster_test

@@ -8,7 +8,7 @@
 #include "fields/base/random.h"
 #include "tests/support/thruster_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::t200_test {
 namespace {
 
 using Around = ThrusterSurroundings<double>;
@@ -149,4 +149,4 @@ TEST(T200, ItsCommandForAThrustGivesThatThrust) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::t200_test

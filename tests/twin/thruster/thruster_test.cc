@@ -10,7 +10,7 @@
 #include "tests/support/thruster_for_tests.h"
 #include "twin/thruster/lag.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::thruster_test {
 namespace {
 
 using Around = ThrusterSurroundings<double>;
@@ -228,4 +228,4 @@ TEST(Thruster, EightLanesGiveTheBitsOfOne) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::thruster_test

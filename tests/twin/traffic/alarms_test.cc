@@ -6,7 +6,7 @@
 #include "fields/base/random.h"
 #include "twin/traffic/traffic_picture.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::alarms_test {
 namespace {
 
 using namespace twin;
@@ -113,4 +113,4 @@ TEST(TrafficPicture, HoldsWhoIsThereAndNamesWhoIsSilent) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::alarms_test

@@ -6,7 +6,7 @@
 
 #include "fields/base/random.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::closest_approach_test {
 namespace {
 
 using namespace twin;
@@ -114,4 +114,4 @@ TEST(ClosestApproach, DoesNotCareWhoseItIsNorWhereNorHowFastTheWaterCarriesBoth)
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::closest_approach_test

@@ -8,7 +8,7 @@
 #include "fields/base/constants.h"
 #include "twin/traffic/pursuit.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::deviation_test {
 namespace {
 
 using namespace twin;
@@ -244,4 +244,4 @@ TEST(Pursuit, AtRestTheBowStaysWhereItIs) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::deviation_test

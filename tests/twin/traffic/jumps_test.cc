@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests {
+namespace slackwater::tests::jumps_test {
 namespace {
 
 using namespace twin;
@@ -61,4 +61,4 @@ TEST(Jumps, TheFastestThatAisCanTellIsNone) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::jumps_test

@@ -4,7 +4,7 @@
 
 #include "fields/base/check.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::laid_track_test {
 namespace {
 
 using namespace twin;
@@ -46,4 +46,4 @@ TEST(LaidTrack, ASpeedIsNeededAndAPlace) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::laid_track_test

@@ -8,7 +8,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::track_test {
 namespace {
 
 using namespace twin;
@@ -146,4 +146,4 @@ TEST(Track, NeverStraysFarFromTheLegWhateverIsReported) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::track_test

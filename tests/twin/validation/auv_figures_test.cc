@@ -10,7 +10,7 @@
 // The Tethys LRAUV against what is published of it and what follows from that:
 // twin/docs/vehicles.md.
 
-namespace slackwater::twin {
+namespace slackwater::twin::auv_figures_test {
 namespace {
 
 using tests::Flight;
@@ -85,4 +85,4 @@ TEST(AuvFigures, HalfAMetreASecondTakesAQuarterOfTheThrust) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::auv_figures_test

@@ -8,7 +8,7 @@
 // Vehicles whose battery is empty: where the water takes them, by the closed forms of a body with
 // drag.
 
-namespace slackwater::twin {
+namespace slackwater::twin::drift_test {
 namespace {
 
 using tests::Flight;
@@ -71,4 +71,4 @@ TEST(Drift, AnRovWithoutPowerRisesAsTheClosedFormOfBothDragsSays) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::drift_test

@@ -16,7 +16,7 @@
 // holds its heading, and what it does about it where it follows the line.
 // SLACKWATER_EKMAN_LINE_CSV=FILE writes the table.
 
-namespace slackwater::twin {
+namespace slackwater::twin::ekman_line_test {
 namespace {
 
 using tests::Flight;
@@ -169,4 +169,4 @@ TEST(EkmanLine, AHeldHeadingDriftsWithTheCrossCurrentAndAFollowedLineCrabs) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::ekman_line_test

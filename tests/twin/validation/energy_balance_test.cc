@@ -5,7 +5,7 @@
 
 #include "tests/twin/validation/flight.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::energy_balance_test {
 namespace {
 
 using tests::Flight;
@@ -128,4 +128,4 @@ vehicles:
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::energy_balance_test

@@ -10,7 +10,7 @@
 // The BlueROV2 Heavy against what is published of it and what follows from that:
 // twin/docs/vehicles.md.
 
-namespace slackwater::twin {
+namespace slackwater::twin::rov_figures_test {
 namespace {
 
 using tests::Flight;
@@ -192,4 +192,4 @@ vehicles:
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::rov_figures_test

@@ -7,7 +7,7 @@
 
 #include "tests/twin/validation/flight.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::speed_through_water_test {
 namespace {
 
 using tests::Flight;
@@ -191,4 +191,4 @@ TEST(SpeedThroughTheWater, RovsAndMultirotorsGoOverGround) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::speed_through_water_test

@@ -8,7 +8,7 @@
 
 // The X500 against what is published of it and what follows from that: twin/docs/vehicles.md.
 
-namespace slackwater::twin {
+namespace slackwater::twin::uav_figures_test {
 namespace {
 
 using tests::Flight;
@@ -71,4 +71,4 @@ TEST(UavFigures, WithAnEmptyBatteryFallsAsTheClosedFormSays) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::uav_figures_test

@@ -13,7 +13,7 @@
 // air; a transit downwind +7.3 deg and +9.3 W. Orders of magnitude: their autopilot, gusts and
 // layout are not ours.
 
-namespace slackwater::twin {
+namespace slackwater::twin::wake_flight_test {
 namespace {
 
 using tests::Flight;
@@ -148,4 +148,4 @@ TEST(WakeFlight, ATransitDownwindLeansForwardAndPaysInTheWake) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::wake_flight_test

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/vehicle_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::balance_test {
 namespace {
 
 using tests::bundled_vehicle;
@@ -134,4 +134,4 @@ TEST(Balance, WhatCannotBeIsRefusedAndWhatIsOddIsToldWithTheNumbers) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::balance_test

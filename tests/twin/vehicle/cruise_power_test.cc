@@ -3,7 +3,7 @@
 #include "tests/twin/simulate/run_for_tests.h"
 #include "twin/vehicle/top_speed.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::cruise_power_test {
 namespace {
 
 /// Power over the second half of two minutes on a straight way in still water or air.
@@ -57,4 +57,4 @@ TEST(CruisePower, GrowsWithTheSpeed) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::cruise_power_test

@@ -8,7 +8,7 @@
 #include "fields/base/error.h"
 #include "tests/support/shared_data.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_body_test {
 namespace {
 
 using tests::contains;
@@ -107,4 +107,4 @@ TEST(ReadBody, TheBundledVehiclesFloatAsTheirSheetsSay) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_body_test

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/vehicle_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_vehicle_test {
 namespace {
 
 using tests::bundled_vehicle;
@@ -111,4 +111,4 @@ TEST(ReadVehicle, RefusesWhatNoVehicleIsAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_vehicle_test

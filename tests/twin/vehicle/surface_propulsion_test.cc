@@ -5,7 +5,7 @@
 #include "tests/support/surface_craft.h"
 #include "twin/vehicle/vehicle.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::surface_propulsion_test {
 namespace {
 
 constexpr double knot_m_s = 1852 / 3600.0;
@@ -115,4 +115,4 @@ TEST(SurfacePropulsion, TheCrewTransferVesselRunsAboutTwentySixKnotsAtFullPower)
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::surface_propulsion_test

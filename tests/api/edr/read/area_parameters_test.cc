@@ -5,7 +5,7 @@
 #include "api/door/edr/read/resolution.h"
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::area_parameters_test {
 namespace {
 
 using tests::contains;
@@ -95,4 +95,4 @@ TEST(Crs, Wgs84IsKnownByItsNames) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::area_parameters_test

@@ -2,7 +2,7 @@
 
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::datetime_test {
 namespace {
 
 using tests::contains;
@@ -96,4 +96,4 @@ TEST(Datetime, LongTextIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::datetime_test

@@ -9,7 +9,7 @@
 
 #include "api/door/edr/read/wkt.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::geometry_test {
 namespace {
 
 Geometry of(const std::string& wkt) { return parse_wkt("coords", wkt); }
@@ -107,4 +107,4 @@ TEST(Geometry, StarShapedPolygonsAgreeWithTheWindingNumber) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::geometry_test

@@ -4,7 +4,7 @@
 
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::parameter_names_test {
 namespace {
 
 using tests::contains;
@@ -42,4 +42,4 @@ TEST(ParameterNames, AnUnknownNameIsMetWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::parameter_names_test

@@ -2,7 +2,7 @@
 
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::query_string_test {
 namespace {
 
 using tests::contains;
@@ -63,4 +63,4 @@ TEST(QueryString, AMessageShowsNoByteThatCouldHarmATerminal) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::query_string_test

@@ -2,7 +2,7 @@
 
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::vertical_test {
 namespace {
 
 using tests::contains;
@@ -88,4 +88,4 @@ TEST(Vertical, LimitsHoldForLists) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::vertical_test

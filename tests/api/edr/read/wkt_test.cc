@@ -4,7 +4,7 @@
 
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::wkt_test {
 namespace {
 
 using tests::contains;
@@ -177,4 +177,4 @@ TEST(Wkt, TheLimitOfVerticesIsExact) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::wkt_test

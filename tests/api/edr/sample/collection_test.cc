@@ -9,7 +9,7 @@
 
 #include "tests/support/made_up_forecast.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::collection_test {
 namespace {
 
 constexpr std::size_t members = 3;
@@ -111,4 +111,4 @@ TEST(Collection, APlaceWithoutValuesIsNaNInAllAndCountedOnce) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::collection_test

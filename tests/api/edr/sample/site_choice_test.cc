@@ -8,7 +8,7 @@
 #include "tests/api/edr/edr_service_for_tests.h"
 #include "tests/support/made_up_forecast.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::site_choice_test {
 namespace {
 
 /// A site with a grid of columns from a south-western corner.
@@ -144,4 +144,4 @@ TEST(SiteChoice, ADamagedNewerForecastIsNamedInTheAnswer) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::site_choice_test

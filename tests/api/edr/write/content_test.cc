@@ -4,7 +4,7 @@
 
 #include "tests/api/edr/refusal.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::content_test {
 namespace {
 
 using tests::contains;
@@ -62,4 +62,4 @@ TEST(Content, ABrowserGetsThePage) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::content_test

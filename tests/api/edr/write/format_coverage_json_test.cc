@@ -8,7 +8,7 @@
 #include "fields/base/check.h"
 #include "tests/api/edr/made_up_answer.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::format_coverage_json_test {
 namespace {
 
 using nlohmann::json;
@@ -178,4 +178,4 @@ TEST(CoverageJson, AnAnswerThatIsNotWholeIsABug) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::format_coverage_json_test

@@ -8,7 +8,7 @@
 #include "api/door/edr/write/describe.h"
 #include "tests/api/edr/made_up_answer.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::format_csv_test {
 namespace {
 
 using tests::made_up_answer;
@@ -92,4 +92,4 @@ TEST(Body, EveryFormatHasItsMediaType) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::format_csv_test

@@ -6,7 +6,7 @@
 
 #include "tests/api/edr/made_up_answer.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::format_geojson_test {
 namespace {
 
 using nlohmann::json;
@@ -75,4 +75,4 @@ TEST(GeoJson, ParametersAndProvenanceStandBesideTheFeatures) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::format_geojson_test

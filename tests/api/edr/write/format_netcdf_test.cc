@@ -10,7 +10,7 @@
 #include "tests/api/edr/made_up_answer.h"
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::format_netcdf_test {
 namespace {
 
 using ingest::netcdf::File;
@@ -171,4 +171,4 @@ TEST(NetCdf, LeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::format_netcdf_test

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-namespace slackwater::api::edr {
+namespace slackwater::api::edr::json_text_test {
 namespace {
 
 std::string value(double v) {
@@ -121,4 +121,4 @@ TEST(JsonText, TimesAreThoseOfFormatUtc) {
 }
 
 }  // namespace
-}  // namespace slackwater::api::edr
+}  // namespace slackwater::api::edr::json_text_test

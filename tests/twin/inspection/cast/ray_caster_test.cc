@@ -14,7 +14,7 @@
 #include "tests/twin/inspection/brute_force_caster.h"
 #include "tests/twin/inspection/meshes_for_tests.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::ray_caster_test {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
@@ -229,4 +229,4 @@ TEST(RayCaster, AMeshWithAHoleInItsNumbersIsABug) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::ray_caster_test

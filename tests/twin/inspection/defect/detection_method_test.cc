@@ -8,7 +8,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/inspection/defect/defects_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::detection_method_test {
 namespace {
 
 using twin::Defect;
@@ -203,4 +203,4 @@ TEST(DetectionMethods, AreNamedByAPlanAndDoNotOverlap) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::detection_method_test

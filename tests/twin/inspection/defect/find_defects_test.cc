@@ -10,7 +10,7 @@
 #include "tests/twin/inspection/defect/defects_for_tests.h"
 #include "twin/inspection/defect/detection_score.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::find_defects_test {
 namespace {
 
 using twin::BestLook;
@@ -313,4 +313,4 @@ TEST(DetectionScores, AreAbsentWhereThereIsNothingToRate) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::find_defects_test

@@ -7,7 +7,7 @@
 #include "fields/base/error.h"
 #include "tests/twin/inspection/defect/defects_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::measure_test {
 namespace {
 
 using twin::DefectKind;
@@ -140,4 +140,4 @@ TEST(Measures, RefuseAUnitThatIsNotTheirs) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::measure_test

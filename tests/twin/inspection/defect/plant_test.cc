@@ -8,7 +8,7 @@
 #include "tests/twin/inspection/defect/defects_for_tests.h"
 #include "twin/inspection/defect/defect_plan.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::plant_test {
 namespace {
 
 using twin::Defect;
@@ -187,4 +187,4 @@ TEST(PlantedDefects, RefuseWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::plant_test

@@ -9,7 +9,7 @@
 #include "tests/twin/inspection/meshes_for_tests.h"
 #include "twin/inspection/instrument/pose.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::quality_test {
 namespace {
 
 constexpr double degree = constants::pi / 180;
@@ -230,4 +230,4 @@ TEST(StepBetweenLooks, IsHalfOfTheFootprint) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::quality_test

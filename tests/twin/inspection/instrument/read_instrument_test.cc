@@ -8,7 +8,7 @@
 #include "tests/support/shared_data.h"
 #include "twin/inspection/instrument/clarity.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::read_instrument_test {
 namespace {
 
 using tests::contains;
@@ -151,4 +151,4 @@ TEST(Transmission, IsThatOfBeerAndLambert) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::read_instrument_test

@@ -15,7 +15,7 @@
 #include "twin/inspection/instrument/footprint.h"
 #include "twin/inspection/instrument/pose.h"
 
-namespace slackwater::twin {
+namespace slackwater::twin::view_test {
 namespace {
 
 constexpr double degree = constants::pi / 180;
@@ -352,4 +352,4 @@ TEST(View, SeesNothingOfASurfaceWithoutPatches) {
 }
 
 }  // namespace
-}  // namespace slackwater::twin
+}  // namespace slackwater::twin::view_test

@@ -6,7 +6,7 @@
 
 // What holds of every surface, whatever its shape.
 
-namespace slackwater::tests {
+namespace slackwater::tests::every_surface_test {
 namespace {
 
 using twin::Surface;
@@ -135,4 +135,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EachSurface,
                          });
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::every_surface_test

@@ -12,7 +12,7 @@
 #include "twin/inspection/surface/scour_pit.h"
 #include "twin/inspection/surface/wing_section.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::make_surface_test {
 namespace {
 
 using twin::Surface;
@@ -460,4 +460,4 @@ TEST(MakeSurface, AKeyThatNobodyKnowsIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::make_surface_test

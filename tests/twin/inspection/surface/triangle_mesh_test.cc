@@ -5,7 +5,7 @@
 #include "tests/support/error_of.h"
 #include "tests/twin/inspection/surface/surface_for_tests.h"
 
-namespace slackwater::tests {
+namespace slackwater::tests::triangle_mesh_test {
 namespace {
 
 /// Corner at the origin, edges along the axes, far away.
@@ -67,4 +67,4 @@ TEST(Surface, OneWithAHoleOrInsideOutIsRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests
+}  // namespace slackwater::tests::triangle_mesh_test

@@ -1,0 +1,2 @@
+// Nothing: what the precompiled headers of the tests belong to.
+int main() {}

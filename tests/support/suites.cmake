@@ -1,0 +1,29 @@
+# Read by ctest: one test for each suite of a test program, of the suite's name. A suite is one
+# process, since most tests take less time than a program under the sanitizers takes to start.
+#
+# slackwater_suites(<program> <label>)
+function(slackwater_suites program label)
+  if(NOT EXISTS ${program})
+    add_test(${label}_NOT_BUILT ${program})
+    return()
+  endif()
+  set(listed ${program}_suites.txt)
+  if(NOT EXISTS ${listed} OR ${program} IS_NEWER_THAN ${listed})
+    execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE tests
+                    RESULT_VARIABLE result)
+    if(result)
+      message(FATAL_ERROR "${program} --gtest_list_tests: ${result}")
+    endif()
+    string(REGEX MATCHALL "(^|\n)[^ \n]+\\." suites "${tests}")
+    string(REGEX REPLACE "[.\n]" "" suites "${suites}")
+    file(WRITE ${listed} "${suites}")
+  endif()
+  file(READ ${listed} suites)
+  cmake_path(GET program PARENT_PATH folder)
+  foreach(suite ${suites})
+    add_test(${suite} ${program} --gtest_filter=${suite}.* --gtest_color=no)
+    # Skipped is a suite whose every test was.
+    set_tests_properties(${suite} PROPERTIES LABELS ${label} TIMEOUT 600 WORKING_DIRECTORY ${folder}
+      SKIP_REGULAR_EXPRESSION "  PASSED  . 0 tests.\n(.  SKIPPED . [^\n]*\n)+$")
+  endforeach()
+endfunction()
