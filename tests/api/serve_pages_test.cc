@@ -9,7 +9,7 @@
 #include <set>
 #include <thread>
 
-#include "tests/api/edr/made_up_store.h"
+#include "tests/api/door/edr/made_up_store.h"
 #include "tests/support/http_client.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

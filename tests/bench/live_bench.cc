@@ -12,11 +12,11 @@
 #include "api/door/live/live_run.h"
 #include "api/door/live/recording_outlet.h"
 #include "data/bag/bag.h"
-#include "tests/api/dds/own_domain.h"
+#include "tests/api/door/dds/own_domain.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/live_clients.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 
 namespace {
 

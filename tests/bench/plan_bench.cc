@@ -8,7 +8,7 @@
 
 #include "api/ask/plan/greedy_plan.h"
 #include "api/ask/plan/make_plan.h"
-#include "tests/api/plan/plan_days.h"
+#include "tests/api/ask/plan/plan_days.h"
 #include "tests/bench/bench_report.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // edr_formats.mjs MODULES ANSWERS STANDARDS: every answer against the JSON schemas of its format, and CoverageJSON through
-// covjson-reader, whose numbers must be those that were made up (tests/api/edr/made_up_answer.h).
+// covjson-reader, whose numbers must be those that were made up (tests/api/door/edr/made_up_answer.h).
 import { strict as assert } from "node:assert";
 import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";

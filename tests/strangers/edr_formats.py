@@ -1,5 +1,5 @@
 """NetCDF and CSV answers as strangers' tools see them: xarray and Python's csv find the numbers that were made up
-(tests/api/edr/made_up_answer.h)."""
+(tests/api/door/edr/made_up_answer.h)."""
 
 import csv
 import pathlib

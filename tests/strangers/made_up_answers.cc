@@ -9,7 +9,7 @@
 
 #include "api/door/edr/write/body.h"
 #include "fields/base/error.h"
-#include "tests/api/edr/made_up_answer.h"
+#include "tests/api/door/edr/made_up_answer.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include "api/show/coverage/findings_file.h"
 #include "api/show/rehearse/run_page.h"
-#include "tests/api/coverage/made_up_inspection.h"
+#include "tests/api/show/coverage/made_up_inspection.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // made_up_store FOLDER: a store with the made-up forecasts of tests/api/edr, for `slackwater
 // serve`.
-#include "tests/api/edr/made_up_store.h"
+#include "tests/api/door/edr/made_up_store.h"
 
 #include <cstdio>
 #include <exception>

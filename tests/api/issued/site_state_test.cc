@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/door/cli/serve_health.h"
-#include "tests/api/edr/made_up_store.h"
+#include "tests/api/door/edr/made_up_store.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests::site_state_test {

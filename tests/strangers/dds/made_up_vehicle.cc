@@ -12,8 +12,8 @@
 #include "api/door/dds/message/orders.h"
 #include "api/door/dds/message/services.h"
 #include "api/door/dds/participant.h"
-#include "tests/api/dds/site_for_tests.h"
-#include "tests/api/dds/vehicle_for_tests.h"
+#include "tests/api/door/dds/site_for_tests.h"
+#include "tests/api/door/dds/vehicle_for_tests.h"
 
 namespace slackwater::tests {
 namespace {

@@ -5,7 +5,7 @@ import queue
 import subprocess
 import threading
 
-# Of tests/api/dds/vehicle_for_tests.h and site_for_tests.h, turned to ENU and forward, left, up by hand.
+# Of tests/api/door/dds/vehicle_for_tests.h and site_for_tests.h, turned to ENU and forward, left, up by hand.
 ODOMETRY = {
     "header": {"stamp": {"sec": 1717300000, "nanosec": 250000000}, "frame_id": "map"},
     "child_frame_id": "rov/base_link",

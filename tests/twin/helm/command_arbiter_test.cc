@@ -2,7 +2,7 @@
 
 #include <thread>
 
-#include "tests/twin/simulate/helm_for_tests.h"
+#include "tests/twin/run/helm_for_tests.h"
 
 namespace slackwater::tests::steward_test {
 namespace {

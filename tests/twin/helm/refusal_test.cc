@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 
 namespace slackwater::twin::refusal_test {
 namespace {

@@ -2,7 +2,7 @@
 #include <atomic>
 #include <thread>
 
-#include "tests/twin/simulate/helm_for_tests.h"
+#include "tests/twin/run/helm_for_tests.h"
 #include "twin/helm/command_arbiter.h"
 
 namespace slackwater::tests::spawn_test {

@@ -1,5 +1,5 @@
 #pragma once
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 
 namespace slackwater::tests {
 

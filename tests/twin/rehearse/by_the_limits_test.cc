@@ -1,7 +1,7 @@
 #include "twin/rehearse/by_the_limits.h"
 
 #include "tests/twin/mission/mission_for_tests.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/rehearse/flight.h"
 
 namespace slackwater::tests::by_the_limits_test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fields/base/text.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/state/milestones.h"
 
 namespace slackwater::tests::flight_test {

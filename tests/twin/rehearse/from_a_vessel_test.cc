@@ -3,7 +3,7 @@
 #include "fields/base/error.h"
 #include "fields/site/site.h"
 #include "tests/twin/mission/mission_for_tests.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/mission/site_work.h"
 #include "twin/rehearse/expect_fit.h"
 #include "twin/rehearse/flight.h"

@@ -7,7 +7,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/agent/conduct.h"
 #include "twin/rehearse/limit_ahead.h"
 #include "twin/risk/start_chances.h"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "tests/twin/mission/mission_for_tests.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/agent/conduct.h"
 #include "twin/rehearse/by_the_limits.h"
 #include "twin/rehearse/flight.h"

@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/rehearse/flight.h"
 
 namespace slackwater::tests::look_outs_test {

@@ -2,7 +2,7 @@
 
 #include "fields/base/text.h"
 #include "tests/twin/mission/mission_for_tests.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/rehearse/flight.h"
 
 namespace slackwater::tests::ten_tasks_test {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 
 namespace slackwater::tests {
 

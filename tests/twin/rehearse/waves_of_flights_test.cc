@@ -1,5 +1,5 @@
 // Flights and limits have the same waves: those of the forecast with the error of their member.
-#include "tests/twin/simulate/sea_for_tests.h"
+#include "tests/twin/run/sea_for_tests.h"
 #include "twin/agent/conduct.h"
 #include "twin/rehearse/flight.h"
 #include "twin/rehearse/limit_ahead.h"

@@ -5,7 +5,7 @@
 #include "fields/base/error.h"
 #include "tests/support/error_of.h"
 #include "tests/twin/mission/mission_for_tests.h"
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/mission/work_pattern.h"
 
 namespace slackwater::tests::expand_mission_test {

@@ -1,6 +1,6 @@
 #include "twin/vehicle/cruise_power.h"
 
-#include "tests/twin/simulate/run_for_tests.h"
+#include "tests/twin/run/run_for_tests.h"
 #include "twin/vehicle/top_speed.h"
 
 namespace slackwater::tests::cruise_power_test {

@@ -1,0 +1,114 @@
+#include "api/door/http/trust.h"
+
+#include <gtest/gtest.h>
+
+#include "fields/base/error.h"
+#include "tests/api/door/http/served.h"
+
+namespace slackwater::tests::trust_test {
+namespace {
+
+using namespace slackwater::api::http;
+
+Arrival local_arrival() {
+  Arrival arrival;
+  arrival.peer_is_loopback = true;
+  arrival.request.host = "127.0.0.1:8080";
+  return arrival;
+}
+
+TEST(Trust, ThisMachineMayWriteUnlessAnotherSpeaksThroughIt) {
+  EXPECT_TRUE(is_trusted(std::nullopt, local_arrival()));
+  Arrival page = local_arrival();
+  page.origin = "http://127.0.0.1:8080";
+  EXPECT_TRUE(is_trusted(std::nullopt, page)) << "our own page";
+  page.origin = "https://evil.example";
+  EXPECT_FALSE(is_trusted(std::nullopt, page)) << "another site's page in a browser here";
+  page.origin = "null";
+  EXPECT_FALSE(is_trusted(std::nullopt, page)) << "a sandboxed page";
+  Arrival rebound = local_arrival();
+  rebound.request.host = "evil.example:8080";
+  rebound.origin = "http://evil.example:8080";
+  EXPECT_FALSE(is_trusted(std::nullopt, rebound)) << "a name that DNS points here";
+  Arrival proxied = local_arrival();
+  proxied.is_forwarded = true;
+  EXPECT_FALSE(is_trusted(std::nullopt, proxied));
+}
+
+TEST(Trust, AfarTheTokenDecides) {
+  Arrival far;
+  far.request.host = "ocean.example";
+  EXPECT_FALSE(is_trusted("secret", far));
+  far.authorization = "Bearer secret";
+  EXPECT_TRUE(is_trusted("secret", far));
+  far.authorization = "bearer   secret";
+  EXPECT_TRUE(is_trusted("secret", far));
+  for (const std::string wrong :
+       {"Bearer secre", "Bearer secrets", "Bearer ", "secret", "Basic secret", "Bearer SECRET"}) {
+    far.authorization = wrong;
+    EXPECT_FALSE(is_trusted("secret", far)) << wrong;
+    EXPECT_FALSE(is_trusted("", far)) << "an empty token opens nothing";
+    EXPECT_FALSE(is_trusted(std::nullopt, far)) << wrong;
+  }
+}
+
+TEST(Trust, KnowsLoopbackByName) {
+  for (const char* host : {"localhost", "localhost:8080", "127.0.0.1", "127.1.2.3:1", "[::1]:80"}) {
+    EXPECT_TRUE(is_loopback_host(host)) << host;
+  }
+  for (const char* host : {"", "localhost.evil.example", "evil.example", "[::2]:80", "10.0.0.1",
+                           "127.evil.example", "127.0.0.1.evil.example:80"}) {
+    EXPECT_FALSE(is_loopback_host(host)) << host;
+  }
+}
+
+TEST(Trust, WritingWithoutItIsRefusedReadingIsNot) {
+  ServerOptions options;
+  options.token = "secret";
+  const Served served(example_router(), options);
+  HttpClient client = served.client();
+  const std::string post = "POST /write HTTP/1.1\r\nHost: localhost\r\nContent-Length: 2\r\n";
+  const std::string foreign = "Origin: https://evil.example\r\n";
+  ASSERT_TRUE(client.send(post + foreign + "\r\nhi"));
+  const auto refused = client.receive();
+  ASSERT_TRUE(client.send(post + foreign + "Authorization: Bearer secret\r\n\r\nhi"));
+  const auto granted = client.receive();
+  ASSERT_TRUE(client.send(post + "\r\nhi"));
+  const auto local = client.receive();
+  const auto read = client.get("/short", foreign);
+  ASSERT_TRUE(refused && granted && local && read);
+  EXPECT_EQ(refused->status, 401);
+  EXPECT_EQ(refused->field("www-authenticate"), "Bearer");
+  EXPECT_EQ(granted->status, 200);
+  EXPECT_EQ(granted->body, "2");
+  EXPECT_EQ(local->status, 200);
+  EXPECT_EQ(read->status, 200);
+}
+
+TEST(Trust, AServerThatOthersReachWantsATokenOrWritesNothing) {
+  ServerOptions options;
+  options.address = "0.0.0.0";
+  try {
+    const Server open(options, example_router());
+    FAIL() << "it would let anyone write";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    EXPECT_NE(error.message().find("token"), std::string::npos);
+  }
+  options.token = "";
+  EXPECT_THROW(Server(options, example_router()), Error);
+  options.token = "secret";
+  EXPECT_NO_THROW(Server(options, example_router()));
+  options.token.reset();
+  options.read_only = true;
+  Served served(example_router(), options);
+  HttpClient client = served.client();
+  ASSERT_TRUE(client.send("POST /write HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n"));
+  const auto reply = client.receive();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->status, 405);
+  EXPECT_EQ(reply->field("allow"), "GET, HEAD, OPTIONS");
+}
+
+}  // namespace
+}  // namespace slackwater::tests::trust_test
