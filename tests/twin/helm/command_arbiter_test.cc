@@ -4,7 +4,7 @@
 
 #include "tests/twin/run/helm_for_tests.h"
 
-namespace slackwater::tests::steward_test {
+namespace slackwater::tests::command_arbiter_test {
 namespace {
 
 using twin::Command;
@@ -313,4 +313,4 @@ TEST(CommandArbiter, TakesCommandsFromManyThreads) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests::steward_test
+}  // namespace slackwater::tests::command_arbiter_test

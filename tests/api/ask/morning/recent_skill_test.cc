@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests::trust_test {
+namespace slackwater::tests::recent_skill_test {
 namespace {
 
 using namespace calibration;
@@ -70,4 +70,4 @@ TEST(RecentSkill, TheNewestDayStandsByItself) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests::trust_test
+}  // namespace slackwater::tests::recent_skill_test

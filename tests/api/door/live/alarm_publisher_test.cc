@@ -8,7 +8,7 @@
 #include "tests/api/door/dds/cdr_by_hand.h"
 #include "twin/traffic/laid_track.h"
 
-namespace slackwater::tests::alarm_voice_test {
+namespace slackwater::tests::alarm_publisher_test {
 namespace {
 
 /// Keeps what is told on each channel.
@@ -76,4 +76,4 @@ TEST(AlarmPublisher, TellsWhenAnAlarmIsRaisedAndWhenItIsOver) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests::alarm_voice_test
+}  // namespace slackwater::tests::alarm_publisher_test
