@@ -202,9 +202,9 @@ class CoverageWriter {
     out_.write_all(longitude_id_, c_.longitude_deg);
     out_.write_all(latitude_id_, c_.latitude_deg);
     if (!c_.vertical_m.empty()) out_.write_all(vertical_id_, c_.vertical_m);
-    std::vector<double> seconds;
-    for (const UtcTime time : c_.time) seconds.push_back(seconds_between(UtcTime{}, time));
-    if (!seconds.empty()) out_.write_all(time_id_, seconds);
+    std::vector<double> time_s;
+    for (const UtcTime time : c_.time) time_s.push_back(seconds_between(UtcTime{}, time));
+    if (!time_s.empty()) out_.write_all(time_id_, time_s);
     if (c_.reference_time) {
       out_.write_all(reference_id_,
                      std::vector<double>{seconds_between(UtcTime{}, *c_.reference_time)});

@@ -8,12 +8,12 @@ namespace slackwater::api {
 namespace {
 
 /// A short list: what changes the answer most.
-constexpr std::size_t most = 3;
+constexpr std::size_t most_told = 3;
 
 std::string relief_line(const TaskWindows& task, const MorningClock& clock) {
   std::vector<std::string> parts;
   for (const Relief& relief : task.reliefs) {
-    if (parts.size() == most) break;
+    if (parts.size() == most_told) break;
     const TaskLimit& limit = task.limits[relief.limit];
     parts.push_back("\"" + (limit.worker.empty() ? "" : limit.worker + ": ") + limit.text +
                     formatted("\": {:.0f} % at ", 100 * relief.probability) + clock(relief.start));
@@ -35,7 +35,7 @@ std::string no_relief_line(const TaskWindows& task) {
 std::string flown_line(const FlownAdvice& advice, const MorningClock& clock) {
   std::vector<std::string> parts;
   for (const Advice& change : advice.changes)
-    if (change.impossible.empty() && change.gain() > 0 && parts.size() < most)
+    if (change.impossible.empty() && change.gain() > 0 && parts.size() < most_told)
       parts.push_back(text_of(change));
   const std::string of_start = "The flights of " + clock(advice.start) + " with one thing changed";
   if (!parts.empty()) return of_start + ": " + joined(parts, "; ") + ".";

@@ -17,9 +17,9 @@ const char* weekday_of(UtcDay day) { return weekdays.at(std::chrono::weekday(day
 
 /// "06:30" of a time to the minute.
 std::string hours_and_minutes(UtcTime time) {
-  const auto minutes =
+  const auto whole =
       std::chrono::duration_cast<std::chrono::minutes>(time - UtcTime(day_of(time))).count();
-  return formatted("{:02}:{:02}", minutes / 60, minutes % 60);
+  return formatted("{:02}:{:02}", whole / 60, whole % 60);
 }
 
 }  // namespace
