@@ -30,14 +30,15 @@ class ReadPiecesTest : public ::testing::Test {
  protected:
   void add(const ProductForTests& product, const IngestOptions& options = {}) {
     const auto path = folder_ / ("product-" + std::to_string(files_.size()) + ".nc");
-    files_.push_back({tests::write_product(path, product), options});
+    files_.push_back({slackwater::tests::write_product(path, product), options});
   }
   [[nodiscard]] SitePieces read(
       const Site& site = site_at(WaterForTests::site_longitude_deg)) const {
-    const auto products = ProductCatalogue::load(tests::source_folder() / "data" / "products");
+    const auto products =
+        ProductCatalogue::load(slackwater::tests::source_folder() / "data" / "products");
     return read_pieces(files_, products, site, UtcTime(day), UtcTime(day) + days(1)).pieces;
   }
-  tests::TemporaryFolder folder_;
+  slackwater::tests::TemporaryFolder folder_;
   std::vector<FileToRead> files_;
 };
 
@@ -48,10 +49,10 @@ float first_value(const GriddedField& field) {
 }
 
 TEST_F(ReadPiecesTest, CurrentsWindWavesAndBedComeEachToItsPlace) {
-  add(tests::current_product(day));
-  add(tests::wind_product(day));
-  add(tests::wave_product(day));
-  add(tests::bathymetry_product());
+  add(slackwater::tests::current_product(day));
+  add(slackwater::tests::wind_product(day));
+  add(slackwater::tests::wave_product(day));
+  add(slackwater::tests::bathymetry_product());
   const SitePieces pieces = read();
   ASSERT_EQ(pieces.current.size(), 1U);
   EXPECT_EQ(pieces.current[0].east.grid.times(), 24U);
@@ -65,8 +66,8 @@ TEST_F(ReadPiecesTest, CurrentsWindWavesAndBedComeEachToItsPlace) {
 }
 
 TEST_F(ReadPiecesTest, TheLaterFileHasTheLargerNumberAndWins) {
-  add(tests::current_product(day));
-  ProductForTests later = tests::current_product(day);
+  add(slackwater::tests::current_product(day));
+  ProductForTests later = slackwater::tests::current_product(day);
   later.quantity("uo").value = [](const ProductCell&) { return 0.25; };
   add(later);
   const SiteData data = site_data_of(site_at(WaterForTests::site_longitude_deg), read());
@@ -77,7 +78,7 @@ TEST_F(ReadPiecesTest, TheLaterFileHasTheLargerNumberAndWins) {
 }
 
 TEST_F(ReadPiecesTest, ARunOfAProductIsPublishedWhenTheProductIs) {
-  ProductForTests run = tests::current_product(day);
+  ProductForTests run = slackwater::tests::current_product(day);
   run.title = "NWSHELF_ANALYSISFORECAST_PHY_004_013";
   const UtcTime reference = UtcTime(day) - std::chrono::hours(1);
   run.reference_time = reference;
@@ -99,7 +100,7 @@ TEST_F(ReadPiecesTest, ARunOfAProductIsPublishedWhenTheProductIs) {
 }
 
 TEST_F(ReadPiecesTest, AFileGivenTwiceCountsOnceUnlessItIsReadOtherwise) {
-  add(tests::current_product(day));
+  add(slackwater::tests::current_product(day));
   files_.push_back(files_.front());
   EXPECT_EQ(read().current.size(), 1U);
   files_.push_back(files_.front());
@@ -114,7 +115,7 @@ TEST_F(ReadPiecesTest, AFileGivenTwiceCountsOnceUnlessItIsReadOtherwise) {
 }
 
 TEST_F(ReadPiecesTest, EastAndNorthOfTwoFilesArePaired) {
-  ProductForTests east = tests::current_product(day);
+  ProductForTests east = slackwater::tests::current_product(day);
   ProductForTests north = east;
   std::erase_if(east.quantities, [](const auto& quantity) { return quantity.name == "vo"; });
   std::erase_if(north.quantities, [](const auto& quantity) { return quantity.name == "uo"; });
@@ -131,15 +132,15 @@ TEST_F(ReadPiecesTest, EastAndNorthOfTwoFilesArePaired) {
 }
 
 TEST_F(ReadPiecesTest, WhatIsFarOffInSpaceOrTimeIsLeftOut) {
-  add(tests::current_product(day - days(3)));
+  add(slackwater::tests::current_product(day - days(3)));
   EXPECT_TRUE(read().current.empty());
-  add(tests::current_product(day));
+  add(slackwater::tests::current_product(day));
   EXPECT_EQ(read().current.size(), 1U);
   EXPECT_TRUE(read(site_at(-30)).current.empty());
 }
 
 TEST_F(ReadPiecesTest, APieceKnowsWhenItWasPublishedAndAPairIsAsYoungAsItsLaterFile) {
-  ProductForTests east = tests::current_product(day);
+  ProductForTests east = slackwater::tests::current_product(day);
   ProductForTests north = east;
   std::erase_if(east.quantities, [](const auto& quantity) { return quantity.name == "vo"; });
   std::erase_if(north.quantities, [](const auto& quantity) { return quantity.name == "uo"; });
@@ -151,7 +152,7 @@ TEST_F(ReadPiecesTest, APieceKnowsWhenItWasPublishedAndAPairIsAsYoungAsItsLaterF
   files_[1].received = parse_utc("2025-03-11T06:30:00Z");  // so it was out by then
   EXPECT_EQ(read().current[0].origin.published, parse_utc("2025-03-11T06:30:00Z"));
   files_.clear();
-  add(tests::current_product(day));
+  add(slackwater::tests::current_product(day));
   EXPECT_EQ(read().current[0].origin.published, std::nullopt);
 }
 

@@ -7,10 +7,10 @@ namespace slackwater::ingest::grid_decode_test {
 namespace {
 
 using slackwater::tests::contains;
-using tests::decode;
-using tests::Decoded;
-using tests::refusal_of;
-using tests::TinyProduct;
+using slackwater::tests::decode;
+using slackwater::tests::Decoded;
+using slackwater::tests::refusal_of;
+using slackwater::tests::TinyProduct;
 
 constexpr const char* east = "eastward_sea_water_velocity";
 

@@ -10,10 +10,10 @@ namespace {
 using netcdf::Type;
 using netcdf::Writer;
 using slackwater::tests::contains;
-using tests::decode;
-using tests::message_of;
-using tests::refusal_of;
-using tests::TinyProduct;
+using slackwater::tests::decode;
+using slackwater::tests::message_of;
+using slackwater::tests::refusal_of;
+using slackwater::tests::TinyProduct;
 
 std::string decoded(const std::string& units, double value,
                     const std::string& calendar = "standard") {

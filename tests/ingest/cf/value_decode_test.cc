@@ -9,10 +9,10 @@ namespace {
 using netcdf::Type;
 using netcdf::Writer;
 using slackwater::tests::contains;
-using tests::decode;
-using tests::Decoded;
-using tests::refusal_of;
-using tests::TinyProduct;
+using slackwater::tests::decode;
+using slackwater::tests::Decoded;
+using slackwater::tests::refusal_of;
+using slackwater::tests::TinyProduct;
 
 constexpr const char* east = "eastward_sea_water_velocity";
 

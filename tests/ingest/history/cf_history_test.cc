@@ -16,7 +16,7 @@ namespace {
 
 const Vocabulary& words() {
   static const Vocabulary vocabulary =
-      Vocabulary::load(tests::source_folder() / "data" / "products" / "variables.yaml");
+      Vocabulary::load(slackwater::tests::source_folder() / "data" / "products" / "variables.yaml");
   return vocabulary;
 }
 
@@ -65,7 +65,7 @@ class CfHistory : public testing::Test {
     }
     return "nothing was refused";
   }
-  tests::TemporaryFolder folder_;
+  slackwater::tests::TemporaryFolder folder_;
   HistoryOptions options_;
 };
 
@@ -113,11 +113,11 @@ TEST_F(CfHistory, BadFilesAreRefused) {
 }
 
 TEST_F(CfHistory, ACurrentIsReadAtADepthBetweenItsLevels) {
-  tests::PointSeriesForTests point;
+  slackwater::tests::PointSeriesForTests point;
   point.depth_m = {5, 10, 20};
-  point.time = tests::stepping_times(parse_day("2002-01-01"), 1, 60);
+  point.time = slackwater::tests::stepping_times(parse_day("2002-01-01"), 1, 60);
   point.value = [](UtcTime, double depth_m) { return Horizontal(0.01 * depth_m, 0); };
-  const auto file = tests::write_point_series(folder_ / "current.nc", point);
+  const auto file = slackwater::tests::write_point_series(folder_ / "current.nc", point);
   const auto speed_at = [&](std::optional<double> depth_m) {
     options_.depth_m = depth_m;
     return read_history(file, {"sea_water_speed"}, options_, words()).series.at(0)->value.at(7);
@@ -130,7 +130,8 @@ TEST_F(CfHistory, ACurrentIsReadAtADepthBetweenItsLevels) {
 
 TEST_F(CfHistory, AGridIsNoSeries) {
   const UtcDay day = parse_day("2025-03-06");
-  const auto file = tests::write_product(folder_ / "grid.nc", tests::current_product(day));
+  const auto file = slackwater::tests::write_product(folder_ / "grid.nc",
+                                                     slackwater::tests::current_product(day));
   options_.depth_m = 10;
   try {
     static_cast<void>(read_history(file, {"sea_water_speed"}, options_, words()));

@@ -12,7 +12,7 @@
 namespace slackwater::ingest::csv_history_test {
 namespace {
 
-using tests::source_folder;
+using slackwater::tests::source_folder;
 
 const Vocabulary& words() {
   static const Vocabulary vocabulary =
@@ -37,7 +37,7 @@ class CsvHistory : public testing::Test {
     }
     return "nothing was refused";
   }
-  tests::TemporaryFolder folder_;
+  slackwater::tests::TemporaryFolder folder_;
   HistoryOptions options_;
 };
 

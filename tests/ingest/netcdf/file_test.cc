@@ -13,8 +13,8 @@
 namespace slackwater::ingest::netcdf::file_test {
 namespace {
 
+using slackwater::tests::contains;
 using slackwater::tests::TemporaryFolder;
-using tests::contains;
 
 std::string refusal(const std::filesystem::path& path) {
   try {
