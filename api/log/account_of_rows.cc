@@ -183,10 +183,16 @@ void read_mission_end(double ran_s, VehicleAccount& vehicle) {
 
 void read_events(const TrajectoryFile& log, RunAccount& account) {
   const TableReader mission(log, "mission"), approach(log, "approach"), clearance(log, "clearance");
+  const ingest::TrajectoryTable* missions = log.find_table("mission");
+  const bool has_values = missions != nullptr && missions->column("value") != nullptr;
+  const auto finite = [](double value) {
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  };
   mission.for_each([&](std::size_t vehicle, std::size_t row) {
     account.vehicles[vehicle].mission.push_back(
         {mission.number("time", row), mission.named("kind", row, twin::ConductEventKind::found),
-         mission.named("cause", row, twin::Cause::no_watch), mission.text("text", row)});
+         mission.named("cause", row, twin::Cause::no_watch), mission.text("text", row),
+         has_values ? finite(mission.number("value", row)) : std::nullopt});
   });
   approach.for_each([&](std::size_t vehicle, std::size_t row) {
     for (const ApproachKind& kind : approach_kinds())

@@ -76,12 +76,14 @@ TableRows befell_rows() {
 }
 
 TableRows mission_rows() {
-  return {"mission",
-          {{"vehicle", "1", "which of the trajectories, from 0", {}},
-           {"time", "s", "since the start of the run", {}}},
-          {{"kind", "what happened", {}},
-           {"cause", "why it left its task", {}},
-           {"text", "the same for people", {}}}};
+  return {
+      "mission",
+      {{"vehicle", "1", "which of the trajectories, from 0", {}},
+       {"time", "s", "since the start of the run", {}},
+       {"value", "1", "of a limit: its variable's, SI; of one found: how far, m; else none", {}}},
+      {{"kind", "what happened", {}},
+       {"cause", "why it left its task", {}},
+       {"text", "the same for people", {}}}};
 }
 
 TableRows approach_rows() {
@@ -262,7 +264,8 @@ std::vector<TrajectoryTable> account_tables(const RunAccount& account) {
       befell.add({i, event.at_s.value_or(constants::nan)},
                  {name_of(event.what), words_of(event.what)});
     for (const twin::MissionEvent& event : vehicle.mission)
-      mission.add({i, event.t_s}, {name_of(event.kind), name_of(event.cause), event.text});
+      mission.add({i, event.t_s, event.value.value_or(constants::nan)},
+                  {name_of(event.kind), name_of(event.cause), event.text});
     for (const ApproachKind& kind : approach_kinds())
       if (const std::optional<twin::Approach>& near = vehicle.closest.*kind.of)
         approach.add({i, near->distance_m, near->t_s, static_cast<double>(near->mmsi)},

@@ -48,6 +48,11 @@ std::string text_of(const ConductEvent& event, const Agent& agent) {
   return "";
 }
 
+std::optional<double> value_of(const ConductEvent& event) {
+  const bool has_one = event.cause == Cause::limit || event.kind == ConductEventKind::found;
+  return has_one && std::isfinite(event.value) ? std::optional(event.value) : std::nullopt;
+}
+
 bool is_end(const MissionEvent& event) {
   return event.kind == ConductEventKind::finished || event.kind == ConductEventKind::gave_up;
 }
@@ -106,7 +111,7 @@ std::string words_of(const Agent& agent, Cause cause, std::size_t detail) {
 std::vector<MissionEvent> mission_events_of(const Agent& agent, const ConductState& own) {
   std::vector<MissionEvent> events;
   for (const ConductEvent& event : own.events)
-    events.push_back({event.t_s, event.kind, event.cause, text_of(event, agent)});
+    events.push_back({event.t_s, event.kind, event.cause, text_of(event, agent), value_of(event)});
   return events;
 }
 

@@ -14,8 +14,9 @@ struct Agent;
 struct MissionEvent {
   double t_s = 0;  ///< since the start of the run
   ConductEventKind kind{};
-  Cause cause = Cause::none;  ///< why it left its task
-  std::string text;           ///< "holds: limit: current at most 0.5 m/s, found 0.62"
+  Cause cause = Cause::none;      ///< why it left its task
+  std::string text;               ///< "holds: limit: current at most 0.5 m/s, found 0.62"
+  std::optional<double> value{};  ///< of a limit: its variable's, then; of one found: how far, m
   friend bool operator==(const MissionEvent&, const MissionEvent&) = default;
 };
 

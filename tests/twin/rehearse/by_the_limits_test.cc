@@ -112,14 +112,14 @@ TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {
   const twin::Surround surround = water_of(slow, 14);
   const twin::Flight flight = flown(slow, surround);
   EXPECT_FALSE(flight.is_done);
-  std::vector<twin::ConductEvent> told;
-  for (const twin::ConductEvent& event : flight.vehicles[0].events)
+  std::vector<twin::MissionEvent> told;
+  for (const twin::MissionEvent& event : flight.vehicles[0].mission)
     if (event.kind != twin::ConductEventKind::phase_began) told.push_back(event);
   // It holds for the limit, and leaves before the way home is more than it has.
   ASSERT_EQ(told.size(), 4U);
   EXPECT_EQ(told[0].kind, twin::ConductEventKind::hold_began);
   EXPECT_EQ(told[0].cause, twin::Cause::limit);
-  EXPECT_NEAR(told[0].value, 0.5, 0.005);
+  EXPECT_NEAR(told[0].value.value_or(0), 0.5, 0.005);
   EXPECT_EQ(told[1].kind, twin::ConductEventKind::turned_for_home);
   EXPECT_EQ(told[1].cause, twin::Cause::reserve);
   EXPECT_EQ(told[2].kind, twin::ConductEventKind::came_home);

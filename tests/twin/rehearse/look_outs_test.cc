@@ -50,11 +50,11 @@ TEST(SearchInAFlight, FindsWhomItSweepsOver) {
   EXPECT_GT(*flight.found_s, 0);
   EXPECT_LT(*flight.found_s, 300);
   int told = 0;
-  for (const twin::ConductEvent& event : flight.vehicles[0].events) {
+  for (const twin::MissionEvent& event : flight.vehicles[0].mission) {
     if (event.kind != twin::ConductEventKind::found) continue;
     ++told;
     EXPECT_EQ(event.t_s, *flight.found_s);
-    EXPECT_GT(event.value, 0);
+    EXPECT_GT(event.value.value_or(0), 0);
   }
   EXPECT_EQ(told, 1);
 }

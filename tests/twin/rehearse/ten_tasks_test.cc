@@ -104,7 +104,7 @@ TEST_P(TenTasks, AreNotBegunBeyondThem) {
     EXPECT_LT(vehicle.work_share(), 0.7) << vehicle.name;
     // It waits for half an hour, then it is home.
     EXPECT_GT(vehicle.held_s, 1700) << vehicle.name;
-    EXPECT_EQ(vehicle.events.back().kind, twin::ConductEventKind::finished) << vehicle.name;
+    EXPECT_EQ(vehicle.mission.back().kind, twin::ConductEventKind::finished) << vehicle.name;
   }
 }
 

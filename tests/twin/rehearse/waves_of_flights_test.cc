@@ -29,14 +29,14 @@ TEST(WavesOfFlights, ASeaThatRisesPastTheLimitHoldsTheWorkAndSendsItHome) {
   const twin::FlightCase flown{sea_start(), 0};
   const twin::Flight flight = twin::fly(mission, surround, {&flown, 1}, {}).front();
   EXPECT_FALSE(flight.is_done);
-  std::vector<twin::ConductEvent> told;
-  for (const twin::ConductEvent& event : flight.vehicles[0].events)
+  std::vector<twin::MissionEvent> told;
+  for (const twin::MissionEvent& event : flight.vehicles[0].mission)
     if (event.kind != twin::ConductEventKind::phase_began) told.push_back(event);
   ASSERT_GE(told.size(), 3U);
   EXPECT_EQ(told[0].kind, twin::ConductEventKind::hold_began);
   EXPECT_EQ(told[0].cause, twin::Cause::limit);
   EXPECT_NEAR(told[0].t_s, 360, 3);
-  EXPECT_NEAR(told[0].value, 1.5, 0.005);
+  EXPECT_NEAR(told[0].value.value_or(0), 1.5, 0.005);
   EXPECT_EQ(told[1].kind, twin::ConductEventKind::turned_for_home);
   EXPECT_NEAR(told[1].t_s, 360 + 1800, 10);
   EXPECT_EQ(told[2].kind, twin::ConductEventKind::came_home);
