@@ -8,8 +8,8 @@
 namespace slackwater::ingest::attribution_test {
 namespace {
 
-using slackwater::tests::decode;
-using slackwater::tests::TinyProduct;
+using slackwater::ingest::tests::decode;
+using slackwater::ingest::tests::TinyProduct;
 
 /// Wind at 10 m as weather models' files hold it, with both components.
 TinyProduct wind(const std::map<std::string, std::string>& says) {

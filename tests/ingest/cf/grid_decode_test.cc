@@ -7,10 +7,10 @@ namespace slackwater::ingest::grid_decode_test {
 namespace {
 
 using slackwater::tests::contains;
-using slackwater::tests::decode;
-using slackwater::tests::Decoded;
-using slackwater::tests::refusal_of;
-using slackwater::tests::TinyProduct;
+using slackwater::ingest::tests::decode;
+using slackwater::ingest::tests::Decoded;
+using slackwater::ingest::tests::refusal_of;
+using slackwater::ingest::tests::TinyProduct;
 
 constexpr const char* east = "eastward_sea_water_velocity";
 

@@ -10,10 +10,10 @@ namespace {
 using netcdf::Type;
 using netcdf::Writer;
 using slackwater::tests::contains;
-using slackwater::tests::decode;
-using slackwater::tests::message_of;
-using slackwater::tests::refusal_of;
-using slackwater::tests::TinyProduct;
+using slackwater::ingest::tests::decode;
+using slackwater::ingest::tests::message_of;
+using slackwater::ingest::tests::refusal_of;
+using slackwater::ingest::tests::TinyProduct;
 
 std::string decoded(const std::string& units, double value,
                     const std::string& calendar = "standard") {

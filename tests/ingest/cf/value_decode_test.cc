@@ -9,10 +9,10 @@ namespace {
 using netcdf::Type;
 using netcdf::Writer;
 using slackwater::tests::contains;
-using slackwater::tests::decode;
-using slackwater::tests::Decoded;
-using slackwater::tests::refusal_of;
-using slackwater::tests::TinyProduct;
+using slackwater::ingest::tests::decode;
+using slackwater::ingest::tests::Decoded;
+using slackwater::ingest::tests::refusal_of;
+using slackwater::ingest::tests::TinyProduct;
 
 constexpr const char* east = "eastward_sea_water_velocity";
 

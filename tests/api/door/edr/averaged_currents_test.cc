@@ -20,7 +20,7 @@ TEST(EdrNotes, TellTheCurrentsThatAreMeansAndLeaveTheWavesAlone) {
   Snapshot snapshot = lone_forecast(5, 3);
   EXPECT_EQ(notes_of(snapshot, "currents").find("means"), std::string::npos);
   snapshot.averaged = AveragedCurrents{hours(24), false, std::nullopt, ""};
-  EXPECT_NE(notes_of(snapshot, "currents").find("daily means: the tide is not in them"),
+  EXPECT_NE(notes_of(snapshot, "currents").find("daily means: they do not hold the tide"),
             std::string::npos);
   EXPECT_EQ(notes_of(snapshot, "waves").find("means"), std::string::npos);
 }
