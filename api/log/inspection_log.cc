@@ -328,6 +328,7 @@ void count_findings(const ingest::TrajectoryFile& log, const std::vector<LoggedP
 
 void read_inspections(const ingest::TrajectoryFile& log, twin::RunAccount& account) {
   std::vector<LoggedPart> parts = parts_in(log, account.vehicles.size());
+  if (parts.empty()) return;
   const bool has_scores = log.find_table("inspected") != nullptr;
   if (has_scores) read_surfaces(log, parts);
   read_covered(log, parts);
