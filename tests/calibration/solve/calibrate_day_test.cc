@@ -187,7 +187,7 @@ TEST(JudgeDetermination, AWeakCombinationOfStrongParametersIsNamedInWords) {
   EXPECT_FALSE(parameters[0].weakly_determined || parameters[1].weakly_determined);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(
-      warnings[0].starts_with("bottom_friction and stress_factor can only be told together"))
+      warnings[0].starts_with("bottom_friction and stress_factor cannot be told apart"))
       << warnings[0];
 }
 

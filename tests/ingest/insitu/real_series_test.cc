@@ -38,7 +38,7 @@ TEST_F(RealSeries, ASpanishBuoyGivesItsCurrentWindAndWaves) {
                        "sea_surface_wave_significant_height"),
                   SampleStatus::ok),
             668U);
-  EXPECT_NE(all_of(ingested.warnings).find("strays up to 707 m"), std::string::npos)
+  EXPECT_NE(all_of(ingested.warnings).find("moves up to 707 m"), std::string::npos)
       << all_of(ingested.warnings);
 }
 
