@@ -252,7 +252,7 @@ TEST(MakeForecast, WindThatIsMostlyPersistedIsATroubleUnlessItWasAskedFor) {
   ForecastOptions options = at_five();
   const Snapshot best = make_forecast(site_of({sea.data}), options).snapshot;
   EXPECT_TRUE(best.degraded);
-  EXPECT_TRUE(says(best, "the last known wind is used for 21 of 25 hours")) << best.headline;
+  EXPECT_TRUE(says(best, "he last known wind is used for 21 of 25 hours")) << best.headline;
   options.wind = WindPolicy::persist;
   EXPECT_FALSE(make_forecast(site_of({sea.data}), options).snapshot.degraded);
 }
