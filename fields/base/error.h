@@ -8,7 +8,8 @@
 
 namespace slackwater {
 
-/// What kind of trouble an `Error` is; each kind has one exit code (api/door/cli) and one HTTP status
+/// What kind of trouble an `Error` is; each kind has one exit code (api/door/cli) and one HTTP
+/// status
 /// (api/door/http).
 enum class ErrorKind {
   internal,       ///< ours to mend

@@ -11,7 +11,8 @@ namespace slackwater::twin {
 /// The rows that a log holds of one vehicle, whoever keeps them.
 struct VehicleRows {
   std::span<const double> t_s;  ///< ascending
-  /// The numbers of a quantity of `log_variables`, all times one after the other; empty: the log has
+  /// The numbers of a quantity of `log_variables`, all times one after the other; empty: the log
+  /// has
   /// none.
   std::function<std::span<const double>(std::string_view)> column;
 };

@@ -14,7 +14,8 @@ struct Newcomer {
   double heading_rad = 0;
 };
 
-/// One that has been made ready (`NewcomerYard`): the run has but to put it beside its other vehicles.
+/// One that has been made ready (`NewcomerYard`): the run has but to put it beside its other
+/// vehicles.
 struct ReadyNewcomer {
   Agent agent;
   AgentState state;

@@ -84,7 +84,8 @@ struct LiveRun::Parts {
                                        settings.when_host_fails, settings.on_trouble);
   }
 
-  /// Publishers, command door and doors of the vehicles that have none yet: all at the start, then those that
+  /// Publishers, command door and doors of the vehicles that have none yet: all at the start, then
+  /// those that
   /// join the run.
   void open_for_all() {
     const auto agents = run.agents();

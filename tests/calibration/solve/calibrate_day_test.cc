@@ -186,8 +186,7 @@ TEST(JudgeDetermination, AWeakCombinationOfStrongParametersIsNamedInWords) {
   const std::vector<std::string> warnings = judge_determination({0, 0}, covariance, parameters);
   EXPECT_FALSE(parameters[0].weakly_determined || parameters[1].weakly_determined);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(
-      warnings[0].starts_with("bottom_friction and stress_factor cannot be told apart"))
+  EXPECT_TRUE(warnings[0].starts_with("bottom_friction and stress_factor cannot be told apart"))
       << warnings[0];
 }
 

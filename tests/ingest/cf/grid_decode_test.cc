@@ -6,11 +6,11 @@
 namespace slackwater::ingest::grid_decode_test {
 namespace {
 
-using slackwater::tests::contains;
 using slackwater::ingest::tests::decode;
 using slackwater::ingest::tests::Decoded;
 using slackwater::ingest::tests::refusal_of;
 using slackwater::ingest::tests::TinyProduct;
+using slackwater::tests::contains;
 
 constexpr const char* east = "eastward_sea_water_velocity";
 

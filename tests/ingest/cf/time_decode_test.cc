@@ -9,11 +9,11 @@ namespace {
 
 using netcdf::Type;
 using netcdf::Writer;
-using slackwater::tests::contains;
 using slackwater::ingest::tests::decode;
 using slackwater::ingest::tests::message_of;
 using slackwater::ingest::tests::refusal_of;
 using slackwater::ingest::tests::TinyProduct;
+using slackwater::tests::contains;
 
 std::string decoded(const std::string& units, double value,
                     const std::string& calendar = "standard") {

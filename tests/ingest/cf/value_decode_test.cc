@@ -8,11 +8,11 @@ namespace {
 
 using netcdf::Type;
 using netcdf::Writer;
-using slackwater::tests::contains;
 using slackwater::ingest::tests::decode;
 using slackwater::ingest::tests::Decoded;
 using slackwater::ingest::tests::refusal_of;
 using slackwater::ingest::tests::TinyProduct;
+using slackwater::tests::contains;
 
 constexpr const char* east = "eastward_sea_water_velocity";
 

@@ -7,8 +7,8 @@
 #include "api/door/edr/read/resolution.h"
 #include "api/door/edr/read/vertical.h"
 #include "api/door/edr/read/wkt.h"
-#include "api/door/edr/sample/queries.h"
 #include "api/door/edr/sample/asked_area.h"
+#include "api/door/edr/sample/queries.h"
 #include "fields/base/error.h"
 
 // Area, radius and cube: the forecast's own columns within a shape, or an even grid over it where a

@@ -21,7 +21,8 @@ namespace fdds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
 /// A Fast DDS participant as others would write it: with fastddsgen's own types, nothing of
-/// api/door/dds. Over UDP on this machine, or as the library has it where nobody says anything: so are
+/// api/door/dds. Over UDP on this machine, or as the library has it where nobody says anything: so
+/// are
 /// nodes of ROS 2 by rmw_fastrtps.
 class GeneratedParticipant {
  public:
