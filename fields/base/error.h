@@ -9,8 +9,7 @@
 namespace slackwater {
 
 /// What kind of trouble an `Error` is; each kind has one exit code (api/door/cli) and one HTTP
-/// status
-/// (api/door/http).
+/// status (api/door/http).
 enum class ErrorKind {
   internal,       ///< ours to mend
   usage,          ///< the command line makes no sense
