@@ -8,6 +8,7 @@
 #include "api/log/inspection_log.h"
 #include "api/log/table_reader.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -27,7 +28,8 @@ void read_fate(const TrajectoryFile& log, RunAccount& account) {
   const ingest::TrajectoryTable* fate = log.find_table("fate");
   const TableReader table(log, "fate");
   if (fate == nullptr || fate->rows() != log.names.size())
-    table.refuse("has not a row for each vehicle");
+    table.refuse(formatted("has {} rows, expected one for each of {} vehicles",
+                           fate == nullptr ? 0 : fate->rows(), log.names.size()));
   for (std::size_t i = 0; i < account.vehicles.size(); ++i) {
     VehicleAccount& vehicle = account.vehicles[i];
     for (const AccountColumn& column : account_columns())

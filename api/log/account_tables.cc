@@ -215,7 +215,7 @@ std::span<const AccountColumn> account_columns() {
                    [](const A& a) { return or_none(!a.makeup.floats, a.track.rms_depth_error_m); }),
       told_by_rows("largest_depth_error", "m", "the largest of them",
                    [](const A& a) {
-                     return or_none(!a.makeup.floats, twin::size_of(a.track.depth_error_m));
+                     return or_none(!a.makeup.floats, twin::magnitude_of(a.track.depth_error_m));
                    }),
       kept<&A::largest_roll_rad>("largest_roll", "rad", "of its size, over all steps"),
       kept<&A::largest_pitch_rad>("largest_pitch", "rad", "of its size, over all steps"),

@@ -13,7 +13,7 @@ TableReader::TableReader(const ingest::TrajectoryFile& log, const char* table)
 
 void TableReader::refuse(const std::string& why) const {
   throw Error(ErrorKind::invalid_input,
-              "the table " + name_ + " of the log " + why + "; make the log again");
+              "the table " + name_ + " of the log " + why + "; the log is damaged, make it again");
 }
 
 void TableReader::refuse_word(const char* column, const std::string& found) const {
@@ -28,20 +28,22 @@ void TableReader::for_each(
   for (std::size_t row = 0; row < table_->rows(); ++row) {
     const std::size_t vehicle = whole("vehicle", row);
     if (vehicle >= vehicles_)
-      refuse(formatted("is about vehicle {}, and there are {}", vehicle, vehicles_));
+      refuse(formatted("is about vehicle {}, expected one of 0 to {}", vehicle, vehicles_ - 1));
     read(vehicle, row);
   }
 }
 
 double TableReader::number(const char* column, std::size_t row) const {
   const std::vector<double>* values = table_->column(column);
-  if (values == nullptr || row >= values->size()) refuse(std::string("has no ") + column);
+  if (values == nullptr || row >= values->size())
+    refuse(std::string("has no column ") + column + " of numbers");
   return (*values)[row];
 }
 
 const std::string& TableReader::text(const char* column, std::size_t row) const {
   const std::vector<std::string>* texts = table_->text(column);
-  if (texts == nullptr || row >= texts->size()) refuse(std::string("has no ") + column);
+  if (texts == nullptr || row >= texts->size())
+    refuse(std::string("has no column ") + column + " of texts");
   return (*texts)[row];
 }
 

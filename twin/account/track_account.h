@@ -24,7 +24,7 @@ struct Extreme {
 };
 
 /// 0 where there is none.
-[[nodiscard]] inline double size_of(const std::optional<Extreme>& extreme) noexcept {
+[[nodiscard]] inline double magnitude_of(const std::optional<Extreme>& extreme) noexcept {
   return extreme ? std::abs(extreme->value) : 0;
 }
 

@@ -79,7 +79,7 @@ struct VehicleAccount {
   std::optional<CleaningOutcome> cleaning;      ///< of one that cleans
   std::optional<InspectionOutcome> inspection;  ///< of one that inspects
 
-  // At the times of the log; of a run without one as they are made.
+  // At the times of its log; as they are by default where no log is kept (`rehearse`).
   TrackAccount track;    ///< until it halted
   TrackAccount at_work;  ///< until its mission ended
 

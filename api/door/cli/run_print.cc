@@ -36,7 +36,7 @@ void print_summary(const ScenarioResult& result, const std::filesystem::path& ou
     const std::string charge =
         v.makeup.has_battery ? formatted("{:.1f} %", 100 * v.in_all.charge) : "-";
     const std::string tasks = formatted("{} of {}", v.tasks_done, v.tasks);
-    const double deepest_m = size_of(track.depth_error_m);
+    const double deepest_m = magnitude_of(track.depth_error_m);
     const std::string depth =
         v.makeup.floats ? "-" : formatted("{:.2f}, {:.2f}", track.rms_depth_error_m, deepest_m);
     const std::string tilt = formatted("{:.0f}/{:.0f} deg", v.largest_roll_rad / constants::degree,

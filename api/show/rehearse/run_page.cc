@@ -203,7 +203,7 @@ std::string fate_html(const twin::RunAccount& account) {
                           v.makeup.burns_fuel ? cell(v.in_all.fuel_kg) : "-",
                           cell(v.track.rms_across_m),
                           v.makeup.floats ? "-" : cell(v.track.rms_depth_error_m),
-                          v.makeup.floats ? "-" : cell(size_of(v.track.depth_error_m)),
+                          v.makeup.floats ? "-" : cell(magnitude_of(v.track.depth_error_m)),
                           cell(v.largest_roll_rad / constants::degree),
                           cell(v.largest_pitch_rad / constants::degree)});
   }

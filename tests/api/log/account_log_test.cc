@@ -165,11 +165,12 @@ TEST_F(AccountOfARun, ALogWhoseAccountIsDamagedIsRefused) {
     return error_of([&] { return account_in(other, nullptr); });
   };
   EXPECT_EQ(refused([](auto&) {}), "no error");
-  EXPECT_NE(refused([](auto& t) { t.columns.erase(t.columns.begin() + 8); }).find("has no halted"),
-            std::string::npos);
+  EXPECT_NE(
+      refused([](auto& t) { t.columns.erase(t.columns.begin() + 8); }).find("no column halted"),
+      std::string::npos);
   EXPECT_NE(refused([](auto& t) { t.texts[1].values[0] = "vanished"; }).find("'vanished' as halt"),
             std::string::npos);
-  EXPECT_NE(refused([](auto& t) { t.name = "luck"; }).find("a row for each vehicle"),
+  EXPECT_NE(refused([](auto& t) { t.name = "luck"; }).find("0 rows, expected one for each of 3"),
             std::string::npos);
 }
 

@@ -134,14 +134,16 @@ TEST(AccountLog, TablesThatDoNotFitAreRefused) {
     return std::string();
   };
   EXPECT_EQ(refused([](auto&) {}), "");
-  EXPECT_NE(refused([](auto& t) { t.columns[0].values[0] = 2; }).find("vehicle 2, and there are 2"),
+  EXPECT_NE(refused([](auto& t) {
+              t.columns[0].values[0] = 2;
+            }).find("vehicle 2, expected one of 0 to 1"),
             std::string::npos);
   EXPECT_NE(refused([](auto& t) { t.columns[0].values[0] = -1; }).find("expected a count"),
             std::string::npos);
   EXPECT_NE(
       refused([](auto& t) { t.texts[0].values[0] = "flew_away"; }).find("'flew_away' as kind"),
       std::string::npos);
-  EXPECT_NE(refused([](auto& t) { t.texts.pop_back(); }).find("has no text"), std::string::npos);
+  EXPECT_NE(refused([](auto& t) { t.texts.pop_back(); }).find("no column text"), std::string::npos);
 }
 
 TEST(RunPage, HoldsThePlanTheStructuresTheTetherAndTheEvents) {
