@@ -22,8 +22,8 @@ function(slackwater_suites program label)
   cmake_path(GET program PARENT_PATH folder)
   foreach(suite ${suites})
     add_test(${suite} ${program} --gtest_filter=${suite}.* --gtest_color=no)
-    # Skipped is a suite whose every test was.
-    set_tests_properties(${suite} PROPERTIES LABELS ${label} TIMEOUT 600 WORKING_DIRECTORY ${folder}
+    # Skipped is a suite whose every test was. Half an hour: long runs have many days in one suite.
+    set_tests_properties(${suite} PROPERTIES LABELS ${label} TIMEOUT 1800 WORKING_DIRECTORY ${folder}
       SKIP_REGULAR_EXPRESSION "  PASSED  . 0 tests.\n(.  SKIPPED . [^\n]*\n)+$")
   endforeach()
 endfunction()
