@@ -23,7 +23,8 @@ function(slackwater_suites program label)
   foreach(suite ${suites})
     add_test(${suite} ${program} --gtest_filter=${suite}.* --gtest_color=no)
     # Skipped is a suite whose every test was. Half an hour: long runs have many days in one suite.
-    set_tests_properties(${suite} PROPERTIES LABELS ${label} TIMEOUT 1800 WORKING_DIRECTORY ${folder}
+    set_tests_properties(${suite} PROPERTIES LABELS ${label} TIMEOUT 1800
+      WORKING_DIRECTORY ${folder}
       SKIP_REGULAR_EXPRESSION "  PASSED  . 0 tests.\n(.  SKIPPED . [^\n]*\n)+$")
   endforeach()
 endfunction()
