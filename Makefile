@@ -44,7 +44,7 @@ soak: test-packages venv
 	cmake --build --preset release -j$(JOBS)
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
-	  -R 'Probabilities|MemberSpread|TwinTargets|RealPairs|PublishedProfiles'
+	  -R 'Probabilities|MemberSpread|TwinTargets|BlendTwin|RealPairs|PublishedProfiles'
 	ctest --preset release -V -R 'Encounters'
 	SLACKWATER_TASK_DAYS=4000 SLACKWATER_TWIN_DAYS=300 ctest --preset release -V \
 	  -R 'WindowProbabilities|TwinProbabilities'

@@ -4,12 +4,12 @@
 #include <signal.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 #include <thread>
 
+#include "tests/support/asked_number.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 
@@ -23,11 +23,6 @@ constexpr UtcDay first_day = sys_days{2025y / March / 1};
 /// A store lives for this many kills; then a fresh one, so that a soak does not measure a growing
 /// store.
 constexpr int kills_per_store = 20;
-
-int number_from(const char* variable, int otherwise) {
-  const char* text = std::getenv(variable);
-  return text != nullptr ? std::atoi(text) : otherwise;
-}
 
 /// What one round does: three files of a day, then the forecast made from them, as two processes.
 struct Round {
@@ -90,8 +85,8 @@ bool run_and_kill(const StoreForTests& store, const std::vector<std::string>& co
 }
 
 TEST(Kill, AtAnyInstantLeavesASoundStoreThatForgetsNothing) {
-  const int kills = number_from("SLACKWATER_KILLS", 20);
-  const auto seed = static_cast<unsigned>(number_from("SLACKWATER_SEED", 20250301));
+  const int kills = asked_number("SLACKWATER_KILLS", 20);
+  const auto seed = static_cast<unsigned>(asked_number("SLACKWATER_SEED", 20250301));
   std::mt19937_64 random(seed);
   std::unique_ptr<StoreForTests> store;
   Promises promises;

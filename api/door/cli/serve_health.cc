@@ -12,7 +12,7 @@ bool is_late(const SiteState& site) {
   return site.condition == SiteCondition::stale || site.condition == SiteCondition::unreadable;
 }
 
-std::string details_of(const std::vector<SiteState>& sites, const Freshness& freshness) {
+nlohmann::ordered_json details_of(const std::vector<SiteState>& sites, const Freshness& freshness) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const SiteState& site : sites) {
     list.push_back({{"site", site.site_id},
@@ -24,9 +24,7 @@ std::string details_of(const std::vector<SiteState>& sites, const Freshness& fre
                     {"degraded", site.forecast.row.degraded},
                     {"in_words", in_words(site, freshness)}});
   }
-  const nlohmann::ordered_json details{{"stale_after_s", seconds(freshness.stale_after)},
-                                       {"sites", list}};
-  return details.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return {{"stale_after_s", seconds(freshness.stale_after)}, {"sites", std::move(list)}};
 }
 
 }  // namespace

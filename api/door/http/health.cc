@@ -1,7 +1,5 @@
 #include "api/door/http/health.h"
 
-#include <nlohmann/json.hpp>
-
 namespace slackwater::api::http {
 
 Handler health_handler(std::string version, std::shared_ptr<const Metrics> metrics,
@@ -12,7 +10,7 @@ Handler health_handler(std::string version, std::shared_ptr<const Metrics> metri
     nlohmann::ordered_json document{
         {"status", found.status}, {"uptime_s", metrics->uptime().count()}, {"version", version}};
     for (const auto& [name, value] : found.facts) document[name] = value;
-    document.update(nlohmann::ordered_json::parse(found.details));
+    document.update(found.details);
     const bool is_well = found.can_serve && (found.is_current || asker == Asker::balancer);
     Response response;
     response.status = is_well ? 200 : 503;

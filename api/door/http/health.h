@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,8 +22,8 @@ struct HealthFacts {
   bool is_current = true;
   /// Name and value, e.g. {"disk_free", "12 GB"}.
   std::vector<std::pair<std::string, std::string>> facts;
-  /// A JSON object, whose members the document has as well.
-  std::string details = "{}";
+  /// An object, whose members the document has as well.
+  nlohmann::ordered_json details = nlohmann::ordered_json::object();
 };
 
 /// Who asks, by what it does with the status code.

@@ -10,6 +10,7 @@
 
 #include "calibration/blend/blend.h"
 #include "fields/base/random.h"
+#include "tests/support/asked_number.h"
 
 namespace slackwater::calibration::blend_twin_test {
 namespace {
@@ -115,19 +116,20 @@ const std::vector<Twin> twins{
     {"nearly identical", {0.06, 0.06, 0.06, 0.06, 0.06, 0.06, 0.06}, 0.98},
 };
 
+/// 12 seeds; `make soak` looks at 500.
 TEST(BlendTwin, OutOfSampleIsNotWorseThanTheBestCandidateByMoreThanTwoPercent) {
-  constexpr std::uint64_t seeds = 40;
+  const int seeds = slackwater::tests::asked_number("SLACKWATER_TWINS", 12);
   for (const Twin& twin : twins) {
     double mean = 0;
     int worse = 0;
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-      const double ratio = ratio_to_best(twin, seed);
+    for (int seed = 0; seed < seeds; ++seed) {
+      const double ratio = ratio_to_best(twin, static_cast<std::uint64_t>(seed));
       mean += ratio / static_cast<double>(seeds);
       if (ratio > 1.02) ++worse;
     }
     std::printf("%-28s blend / best candidate in hindsight %.4f, worse by 2 %% in %d of %d\n",
-                twin.name.c_str(), mean, worse, static_cast<int>(seeds));
-    EXPECT_LE(worse, 2) << twin.name;  // 5 % of 40
+                twin.name.c_str(), mean, worse, seeds);
+    EXPECT_LE(worse, 1 + seeds / 20) << twin.name;  // 5 %, and one by chance
     EXPECT_LE(mean, 1.01) << twin.name;
   }
 }

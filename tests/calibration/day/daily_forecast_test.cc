@@ -187,7 +187,7 @@ TEST(MakeForecast, FallsBackOnTheLastGoodDayAndSaysSo) {
   EXPECT_EQ(snapshot.day, day - days(1));
   EXPECT_TRUE(snapshot.degraded);
   EXPECT_TRUE(says(snapshot, "2024-06-11 are missing or incomplete")) << snapshot.headline;
-  EXPECT_TRUE(says(snapshot, "the last good day 2024-06-10 is used")) << snapshot.headline;
+  EXPECT_TRUE(says(snapshot, "the last good day, 2024-06-10, is used")) << snapshot.headline;
   EXPECT_EQ(snapshot.time.front(), midnight) << "lead counts from the end of the day used";
   EXPECT_EQ(snapshot.time.back(), end_of_day + days(1)) << "and reaches as far as was asked";
 }

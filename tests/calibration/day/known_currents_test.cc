@@ -223,7 +223,7 @@ TEST(KnownCurrents, AnInstrumentThatLiesIsLeftOutNamedAndATrouble) {
   const auto notes = known_currents(sea.data, plan_of("model")).remarks.notes;
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(notes[0].find("station Buoy at 2.1 km is not used: it differs from the product by 1.00 "
-                          "m/s on average over 4.0 days, where "),
+                          "m/s on average over 4.0 days; expected at most "),
             0U)
       << notes[0];
   const auto troubles = known_currents(sea.data, plan_of("model")).remarks.troubles;

@@ -82,7 +82,7 @@ TEST(InstrumentCheck, ABiasNoProductExplainsIsRejectedWithItsFigure) {
   });
   const MooredInstrumentVerdict verdict = verdict_on(twin.product(), biased);
   expect_rejected(verdict, "it differs from the product by ");
-  expect_rejected(verdict, " m/s on average over 16.0 days, where 0.6");
+  expect_rejected(verdict, " m/s on average over 16.0 days; expected at most 0.6");
 }
 
 TEST(InstrumentCheck, ABiasThatBeganYesterdayIsSeenThoughTheRecordIsLong) {
@@ -115,7 +115,7 @@ TEST(InstrumentCheck, ADeclinationOfThirtyDegreesIsRejectedWithItsAngleAndSense)
         twin.instrument([&](double h, double z) { return turn * twin.seen(h, z); });
     const MooredInstrumentVerdict verdict = verdict_on(twin.product(), wrong);
     expect_rejected(verdict, degrees > 0 ? " degrees clockwise" : " degrees anticlockwise");
-    const double said = std::stod(verdict.why.substr(verdict.why.find(" by ") + 4));
+    const double said = std::stod(verdict.why.substr(verdict.why.find(" turned ") + 8));
     EXPECT_NEAR(said, std::abs(degrees), 5) << verdict.why;
   }
 }
@@ -126,7 +126,7 @@ TEST(InstrumentCheck, AClockThreeHoursOffIsSeenInTheTideWithItsSign) {
     const VectorColumn wrong =
         twin.instrument([&](double h, double z) { return twin.seen(h - late_h, z); });
     const MooredInstrumentVerdict verdict = verdict_on(twin.product(), wrong);
-    expect_rejected(verdict, late_h > 0 ? " h late against" : " h early against");
+    expect_rejected(verdict, late_h > 0 ? " h late compared" : " h early compared");
     const double said = std::stod(verdict.why.substr(verdict.why.find(" is ") + 4));
     EXPECT_NEAR(said, std::abs(late_h), 0.5) << verdict.why;
   }

@@ -6,18 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "fields/base/statistics.h"
 #include "tests/calibration/solve/synthetic_day.h"
+#include "tests/support/asked_number.h"
 
 namespace slackwater::calibration::twin_targets_test {
 namespace {
 
-int twins() {
-  const char* wanted = std::getenv("SLACKWATER_TWINS");
-  return wanted != nullptr ? std::max(20, std::atoi(wanted)) : 100;
-}
+int twins() { return std::max(20, slackwater::tests::asked_number("SLACKWATER_TWINS", 100)); }
 
 /// Counts between which a binomial number lies with at least 99 %: half a percent outside either
 /// end.

@@ -1,28 +1,24 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <set>
 
 #include "fields/base/random.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/data/store/worker_process.h"
+#include "tests/support/asked_number.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::store::tests::kill_test {
 namespace {
 
+using slackwater::tests::asked_number;
 using slackwater::tests::TemporaryFolder;
-
-int environment_number(const char* name, int otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::atoi(text);
-}
 
 /// SLACKWATER_KILLS and SLACKWATER_SEED widen the search.
 TEST(StoreUnderKills, StaysSoundAndKeepsAllThatWasReportedDone) {
-  const int kills = environment_number("SLACKWATER_KILLS", 20);
-  const auto seed = static_cast<std::uint64_t>(environment_number("SLACKWATER_SEED", 1));
+  const int kills = asked_number("SLACKWATER_KILLS", 20);
+  const auto seed = static_cast<std::uint64_t>(asked_number("SLACKWATER_SEED", 1));
   SCOPED_TRACE("seed " + std::to_string(seed));
   const TemporaryFolder folder;
   Rng rng(seed, "kills");

@@ -106,7 +106,7 @@ TEST(Health, SaysTheWordAndWhatTheRootKnows) {
   auto metrics = std::make_shared<Metrics>(std::vector<std::string>{});
   HealthFacts facts;
   facts.facts = {{"newest_forecast", "2025-03-10T00:00:00Z"}};
-  facts.details = R"({"sites": [{"site": "a"}]})";
+  facts.details["sites"].push_back({{"site", "a"}});
   const Response good = completed(health_handler("1.2.3", metrics, [&] { return facts; })({}));
   EXPECT_EQ(good.status, 200);
   const auto document = nlohmann::json::parse(good.body);

@@ -2,10 +2,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
-
 #include "fields/base/random.h"
 #include "tests/api/door/live/live_records.h"
+#include "tests/support/asked_number.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
@@ -32,8 +31,7 @@ void expect_one_run(std::vector<LiveMessage> a, std::vector<LiveMessage> b) {
 
 TEST(KilledLiveRun, LeavesRecordsThatReadToTheLastFlush) {
   // A twentieth of those of a soak: each takes some seconds.
-  const char* soak = std::getenv("SLACKWATER_KILLS");
-  const int kills = soak != nullptr ? std::max(2, std::atoi(soak) / 20) : 2;
+  const int kills = std::max(2, asked_number("SLACKWATER_KILLS", 0) / 20);
   constexpr std::uint64_t seed = 1;
   Rng rng(seed, "kills of a live run");
   for (int kill = 0; kill < kills; ++kill) {
