@@ -44,10 +44,10 @@ soak: test-packages venv
 	cmake --build --preset release -j$(JOBS)
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
-	  -R 'Probabilities|MemberSpread|TwinTargets|BlendTwin|RealPairs|PublishedProfiles'
-	ctest --preset release -V -R 'Encounters'
+	  -R 'Probabilities|MemberSpread|TwinTargets|BlendTwin|FitProfile|RealPairs|PublishedProfiles'
+	ctest --preset release -V -R 'Encounters|FusionTwin'
 	SLACKWATER_TASK_DAYS=4000 SLACKWATER_TWIN_DAYS=300 ctest --preset release -V \
-	  -R 'WindowProbabilities|TwinProbabilities'
+	  -R 'WindowProbabilities|TwinProbabilities|PlanChances'
 	SLACKWATER_LIVE_SECONDS=600 build/release/tests/bench/slackwater_live_bench
 	SLACKWATER_PLANNED_MISSIONS=200 ctest --preset release -V -R 'FixedAndAdapted'
 	SLACKWATER_MUTATIONS=1000000 ctest --preset release -V -R 'MutatedMessages'

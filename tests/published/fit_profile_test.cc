@@ -8,6 +8,7 @@
 #include "fields/base/error.h"
 #include "fields/base/random.h"
 #include "tests/published/synthetic_profile.h"
+#include "tests/support/asked_number.h"
 
 namespace slackwater::calibration::tests::fit_profile_test {
 namespace {
@@ -105,7 +106,7 @@ TEST(FitProfile, TheOrderOfLevelsDoesNotMatter) {
 }
 
 TEST(FitProfile, NinetyFivePercentIntervalsCoverTheTruthOfNoisyTwins) {
-  constexpr int twins = 200;
+  const int twins = slackwater::tests::asked_number("SLACKWATER_TWINS", 60);
   constexpr double noise_m_s = 0.01;
   for (const ProfileForm form : profile_forms) {
     const ProfileEstimate truth = plain_truth(form);
@@ -126,7 +127,7 @@ TEST(FitProfile, NinetyFivePercentIntervalsCoverTheTruthOfNoisyTwins) {
     const double share = covered / (twins * static_cast<double>(profile_parameter_count));
     std::printf("%s: 95 %% intervals cover %.1f %%\n", std::string(name_of(form)).c_str(),
                 100 * share);
-    // Parameters of one twin are not independent: three standard errors of 200 draws, and a fit
+    // Parameters of one twin are not independent: three standard errors of the draws, and a fit
     // that is not linear.
     EXPECT_GT(share, 0.90);
     EXPECT_LT(share, 0.995);
