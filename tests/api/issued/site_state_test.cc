@@ -101,7 +101,7 @@ TEST_F(SiteStates, OneStaleSiteMakesTheServiceStaleAndTheAgesAreGauges) {
   EXPECT_EQ(stale.status, "stale");
   EXPECT_TRUE(stale.can_serve) << "an old forecast that says so is better than none";
   EXPECT_FALSE(stale.is_current);
-  const json sites = json::parse(stale.details).at("sites");
+  const nlohmann::ordered_json& sites = stale.details.at("sites");
   ASSERT_EQ(sites.size(), 3U);
   EXPECT_EQ(sites[1].at("site"), "farm");
   EXPECT_EQ(sites[1].at("age_s"), 91800);
