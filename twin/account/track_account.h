@@ -12,8 +12,7 @@ namespace slackwater::twin {
 struct VehicleRows {
   std::span<const double> t_s;  ///< ascending
   /// The numbers of a quantity of `log_variables`, all times one after the other; empty: the log
-  /// has
-  /// none.
+  /// has none.
   std::function<std::span<const double>(std::string_view)> column;
 };
 

@@ -85,8 +85,7 @@ struct LiveRun::Parts {
   }
 
   /// Publishers, command door and doors of the vehicles that have none yet: all at the start, then
-  /// those that
-  /// join the run.
+  /// those that join the run.
   void open_for_all() {
     const auto agents = run.agents();
     const auto states = run.states();

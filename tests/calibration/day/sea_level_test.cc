@@ -33,8 +33,8 @@ struct Line {
   double lag_rad;
 };
 /// As in the bay of Saint-Brieuc (api/made_up/synthetic/tide.cc), with the K2 and P1 that a real
-/// sea has
-/// beside S2 and K1: a little off the equilibrium ratio that a month of record infers them by.
+/// sea has beside S2 and K1: a little off the equilibrium ratio that a month of record infers them
+/// by.
 const std::vector<Line> saint_brieuc{{"M2", 3.60, 2.97}, {"S2", 1.33, 3.80}, {"N2", 0.71, 2.65},
                                      {"K1", 0.09, 1.71}, {"O1", 0.07, 6.20}, {"M4", 0.17, 4.89},
                                      {"K2", 0.38, 3.78}, {"P1", 0.031, 1.68}};

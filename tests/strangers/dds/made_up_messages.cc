@@ -1,6 +1,5 @@
 // made_up_messages FOLDER: writes every structure of api/door/dds/idl, filled with counted values,
-// as
-// api/door/dds has it on the wire: FOLDER/package.kind.Name.FIRST.
+// as api/door/dds has it on the wire: FOLDER/package.kind.Name.FIRST.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -6,8 +6,7 @@ namespace slackwater::dds {
 
 /// The fields of a type as ROS writes them ("ros2msg"), then those of the types that it holds, each
 /// behind a line of 80 = and "MSG: package/Name". Made from api/door/dds/idl, which says what the
-/// types
-/// are.
+/// types are.
 /// @param ros_type  "nav_msgs/msg/Odometry"
 /// @throws ContractViolation for a type that is not there
 [[nodiscard]] std::string definition_of(std::string_view ros_type);

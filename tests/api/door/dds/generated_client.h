@@ -22,8 +22,7 @@ namespace rtps = eprosima::fastrtps::rtps;
 
 /// A Fast DDS participant as others would write it: with fastddsgen's own types, nothing of
 /// api/door/dds. Over UDP on this machine, or as the library has it where nobody says anything: so
-/// are
-/// nodes of ROS 2 by rmw_fastrtps.
+/// are nodes of ROS 2 by rmw_fastrtps.
 class GeneratedParticipant {
  public:
   GeneratedParticipant(int domain, bool is_loopback) {
