@@ -28,7 +28,7 @@ void TableReader::for_each(
   for (std::size_t row = 0; row < table_->rows(); ++row) {
     const std::size_t vehicle = whole("vehicle", row);
     if (vehicle >= vehicles_)
-      refuse(formatted("is about vehicle {}, expected one of 0 to {}", vehicle, vehicles_ - 1));
+      refuse(formatted("is about vehicle {}, expected a number below {}", vehicle, vehicles_));
     read(vehicle, row);
   }
 }

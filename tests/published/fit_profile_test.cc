@@ -127,7 +127,7 @@ TEST(FitProfile, NinetyFivePercentIntervalsCoverTheTruthOfNoisyTwins) {
     const double share = covered / (twins * static_cast<double>(profile_parameter_count));
     std::printf("%s: 95 %% intervals cover %.1f %%\n", std::string(name_of(form)).c_str(),
                 100 * share);
-    // Parameters of one twin are not independent: three standard errors of the draws, and a fit
+    // Parameters of one twin are not independent: three standard errors of 200 draws, and a fit
     // that is not linear.
     EXPECT_GT(share, 0.90);
     EXPECT_LT(share, 0.995);

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "api/pipeline/load_site_data.h"
@@ -13,6 +12,7 @@
 #include "fields/record/choose.h"
 #include "tests/scenarios/member_tally.h"
 #include "tests/scenarios/real_pairs.h"
+#include "tests/support/asked_number.h"
 #include "tests/support/known_series_for_tests.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
@@ -67,10 +67,7 @@ MemberTally forecasts_of(std::uint64_t seed, int count) {
   return tally;
 }
 
-int days_to_run() {
-  const char* asked = std::getenv("SLACKWATER_DAYS");
-  return asked == nullptr ? 30 : std::max(12, std::atoi(asked));
-}
+int days_to_run() { return std::max(12, asked_number("SLACKWATER_DAYS", 30)); }
 
 /// Oceans of thirty days each; the last may be shorter.
 MemberTally unlike_oceans(int count) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <tuple>
@@ -14,6 +13,7 @@
 #include "api/pipeline/verify.h"
 #include "calibration/verify/skill_set.h"
 #include "fields/base/text.h"
+#include "tests/support/asked_number.h"
 #include "tests/support/temporary_folder.h"
 
 // Are the bands true? On the synthetic ocean the daily job runs day after day, and its spread is
@@ -23,10 +23,7 @@
 namespace slackwater::tests::probabilities_test {
 namespace {
 
-int days_to_run() {
-  const char* asked = std::getenv("SLACKWATER_DAYS");
-  return asked == nullptr ? 6 : std::max(3, std::atoi(asked));
-}
+int days_to_run() { return std::max(3, asked_number("SLACKWATER_DAYS", 6)); }
 
 /// A forecast's and a rival's squared errors over the pairs of one day of lead and one band.
 struct Against {

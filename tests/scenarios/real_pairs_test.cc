@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "api/pipeline/daily_job.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
 #include "calibration/verify/skill_set.h"
+#include "tests/support/asked_number.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
@@ -193,10 +193,7 @@ TEST(RealPairs, ElbaReproducesTheBaselinesPage) {
 }
 
 /// How many winds are drawn for a set whose runs nobody kept; a published figure takes fifty.
-int winds_to_draw() {
-  const char* const asked = std::getenv("SLACKWATER_WINDS");
-  return asked == nullptr ? 2 : std::max(1, std::atoi(asked));
-}
+int winds_to_draw() { return asked_number("SLACKWATER_WINDS", 2); }
 
 /// The error under the wind as it might have been forecast, over the draws.
 double simulated_error(store::Store& store, const Site& site, const char* from, const char* to,

@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <thread>
 
 #include "fields/base/random.h"
+#include "tests/support/asked_number.h"
 #include "tests/twin/rehearse/pile_survey.h"
 
 namespace slackwater::tests::fixed_and_adapted_test {
@@ -169,9 +169,7 @@ void print(const char* name, const std::vector<Compared>& all, Came Compared::*p
 }
 
 TEST(FixedAndAdapted, KeepTheReserveAsOftenAsTheySay) {
-  const char* asked = std::getenv("SLACKWATER_PLANNED_MISSIONS");
-  const std::size_t missions = asked == nullptr ? 6 : std::strtoull(asked, nullptr, 10);
-  ASSERT_GE(missions, 1U);
+  const auto missions = static_cast<std::size_t>(asked_number("SLACKWATER_PLANNED_MISSIONS", 6));
   std::vector<Compared> all;
   for (std::size_t i = 0; i < missions; ++i) all.push_back(compared(i, missions < many ? 9 : 19));
   std::size_t fixed = 0, adapted = 0, only_fixed = 0, only_adapted = 0, same = 0;

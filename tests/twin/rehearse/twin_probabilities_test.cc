@@ -3,8 +3,8 @@
 // soak` flies three hundred. (A rehearsal stops when it knows enough: its interval is built for
 // that, see success_interval_test.cc.)
 #include <array>
-#include <cstdlib>
 
+#include "tests/support/asked_number.h"
 #include "tests/support/shared_data.h"
 #include "tests/twin/mission/mission_for_tests.h"
 #include "tests/twin/rehearse/eye_task.h"
@@ -101,8 +101,7 @@ std::vector<Day> days_of(std::size_t wanted, std::size_t cases) {
 }
 
 TEST(TwinProbabilities, ComeTrueAsOftenAsTheySayWithABetterScoreThanARule) {
-  const char* asked = std::getenv("SLACKWATER_TWIN_DAYS");
-  const std::size_t wanted = asked == nullptr ? 0 : std::strtoull(asked, nullptr, 10);
+  const auto wanted = static_cast<std::size_t>(asked_number("SLACKWATER_TWIN_DAYS", 0));
   if (wanted < 300) GTEST_SKIP() << "SLACKWATER_TWIN_DAYS=300 flies them (make soak)";
   const std::vector<Day> days = days_of(wanted, cases_a_day);
   EXPECT_GE(expect_true_as_said(days), 6U);

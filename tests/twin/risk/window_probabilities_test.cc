@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "fields/base/random.h"
+#include "tests/support/asked_number.h"
 #include "tests/twin/risk/said_and_came.h"
 #include "twin/chance/success_interval.h"
 #include "twin/risk/phase_plan.h"
@@ -111,8 +111,7 @@ Day day_of(Rng& random) {
 }
 
 std::size_t wanted_days() {
-  const char* asked = std::getenv("SLACKWATER_TASK_DAYS");
-  return asked == nullptr ? 2000 : std::strtoull(asked, nullptr, 10);
+  return static_cast<std::size_t>(asked_number("SLACKWATER_TASK_DAYS", 2000));
 }
 
 class WindowProbabilities : public testing::Test {

@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "api/door/dds/participant.h"
 #include "tests/api/door/dds/cdr_by_hand.h"
 #include "tests/api/door/dds/inbox.h"
 #include "tests/api/door/dds/own_domain.h"
+#include "tests/support/asked_number.h"
 #include "tests/support/program.h"
 
 namespace slackwater::tests::joins_test {
@@ -38,8 +38,7 @@ INSTANTIATE_TEST_SUITE_P(Over, Joins, testing::Bool(), [](const auto& is_udp_onl
 });
 
 TEST_P(Joins, LeaveNothingBehind) {
-  const char* soak = std::getenv("SLACKWATER_JOINS");
-  const int joins = soak != nullptr ? std::atoi(soak) : 50;
+  const int joins = asked_number("SLACKWATER_JOINS", 50);
   const int first_ones = std::max(25, joins / 20);  // until all pools have their size
   constexpr int of_a_process = 25;
   const OwnDomain domain;

@@ -1,9 +1,9 @@
-#include <cstdlib>
 
 #include "fields/base/error.h"
 #include "fields/base/random.h"
 #include "tests/api/door/dds/readers_for_tests.h"
 #include "tests/bench/counted_allocations.h"
+#include "tests/support/asked_number.h"
 
 // Messages with something wrong in them, a hundred thousand; SLACKWATER_MUTATIONS of them where
 // that is set.
@@ -55,8 +55,7 @@ void change(Rng& random, const std::vector<Bytes>& others, Bytes& bytes) {
 }
 
 TEST(MutatedMessages, GiveAValueOrInvalidInputAndTakeNoMemoryToSpeakOf) {
-  const char* asked = std::getenv("SLACKWATER_MUTATIONS");
-  const long wanted = asked != nullptr ? std::atol(asked) : 100'000;
+  const int wanted = slackwater::tests::asked_number("SLACKWATER_MUTATIONS", 100'000);
   const std::vector<ReaderCase> readers = tests::reader_cases();
   std::vector<Bytes> whole;
   for (const ReaderCase& reader : readers)
@@ -65,7 +64,7 @@ TEST(MutatedMessages, GiveAValueOrInvalidInputAndTakeNoMemoryToSpeakOf) {
   constexpr std::uint64_t seed = 6;
   Rng random(seed, "tests/dds/mutations");
   long taken = 0, refused = 0;
-  for (long i = 0; i < wanted; ++i) {
+  for (int i = 0; i < wanted; ++i) {
     const std::size_t which = index(random, readers.size());
     Bytes bytes = whole[2 * which + index(random, 2)];
     for (std::size_t n = 1 + index(random, 3); n > 0; --n) change(random, whole, bytes);

@@ -136,7 +136,7 @@ TEST(AccountLog, TablesThatDoNotFitAreRefused) {
   EXPECT_EQ(refused([](auto&) {}), "");
   EXPECT_NE(refused([](auto& t) {
               t.columns[0].values[0] = 2;
-            }).find("vehicle 2, expected one of 0 to 1"),
+            }).find("vehicle 2, expected a number below 2"),
             std::string::npos);
   EXPECT_NE(refused([](auto& t) { t.columns[0].values[0] = -1; }).find("expected a count"),
             std::string::npos);
