@@ -48,6 +48,7 @@ soak: test-packages venv
 	ctest --preset release -V -R 'Encounters|FusionTwin'
 	SLACKWATER_TASK_DAYS=4000 SLACKWATER_TWIN_DAYS=300 ctest --preset release -V \
 	  -R 'WindowProbabilities|TwinProbabilities|PlanChances'
+	SLACKWATER_OCEANS=6 SLACKWATER_MORNINGS=45 ctest --preset release -V -R 'MorningChances'
 	SLACKWATER_LIVE_SECONDS=600 build/release/tests/bench/slackwater_live_bench
 	SLACKWATER_PLANNED_MISSIONS=200 ctest --preset release -V -R 'FixedAndAdapted'
 	SLACKWATER_MUTATIONS=1000000 ctest --preset release -V -R 'MutatedMessages'
@@ -59,7 +60,6 @@ soak: test-packages venv
 	$(MAKE) fuzz
 
 fuzz: test-packages
-	cmake/install-packages cmake/debian-packages-fuzz.txt
 	cmake --preset fuzz
 	cmake --build --preset fuzz -j$(JOBS)
 	tests/fuzz/run build/fuzz

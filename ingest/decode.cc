@@ -8,6 +8,7 @@
 #include "ingest/insitu/series.h"
 #include "ingest/netcdf/file.h"
 #include "ingest/publication.h"
+#include "ingest/text/foreign_file.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -33,6 +34,7 @@ Ingested decode_file(const std::filesystem::path& file, const ProductCatalogue& 
     if (std::filesystem::is_regular_file(file) && is_grib(file)) {
       return decode_grib(file, products, options, staging_folder, progress);
     }
+    if (const auto foreign = foreign_file_or_text(file)) refuse(foreign->refusal("NetCDF or GRIB"));
     return decode_netcdf(file, products, options, staging_folder, progress);
   } catch (Error& error) {
     // The wrappers of the libraries name the file themselves.

@@ -9,6 +9,7 @@
 #include "ingest/decoded/staged_files.h"
 #include "ingest/gridded_plan.h"
 #include "ingest/provenance.h"
+#include "ingest/zeros_for_land.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -98,6 +99,7 @@ void write_variable(GranuleWriter& writer, std::size_t index, PlannedVariable& v
         variable.stokes->read(period.first + t, times, j, rows, stokes, ignored);
         for (std::size_t i = 0; i < values.size(); ++i) values[i] -= stokes[i];
       }
+      take_zeros_out(values, variable.no_values, grid, j, rows, outcome.counts);
       writer.put(index, t, times, j, rows, values);
       work.done(values.size());
     }
@@ -145,16 +147,29 @@ void judge(const std::vector<Outcome>& outcomes, const Vocabulary& vocabulary,
       warnings.push_back(what + " and are taken as missing");
     }
     some |= outcome.counts.values > 0;
+    if (outcome.counts.outside > 0)
+      warnings.push_back(lost_by_limits(outcome.source_name, outcome.counts));
     if (outcome.counts.values == 0)
       empty += (empty.empty() ? "'" : ", '") + outcome.source_name + "'";
   }
+  const bool by_limits = std::any_of(outcomes.begin(), outcomes.end(), [](const Outcome& outcome) {
+    return outcome.counts.outside > 0;
+  });
   if (!some) {
     throw Error(ErrorKind::invalid_input,
-                "all values of " + empty + " are missing (fill)" +
+                "all values of " + empty +
+                    (by_limits ? " are missing (fill, or outside the valid range that the file "
+                                 "states)"
+                               : " are missing (fill)") +
                     (options.cut ? " inside the cut; expected water there; choose another box"
                                  : "; expected at least one value; fetch the file again"));
   }
   if (!empty.empty()) warnings.push_back("all values of " + empty + " are missing (fill)");
+}
+
+std::string dataset_of(const Granule& common, const PlannedGroup& group) {
+  if (!group.is_ensemble_mean) return common.dataset_id;
+  return (common.dataset_id.empty() ? "" : common.dataset_id + " ") + ensemble_mean_dataset;
 }
 
 void drop_repeats(std::vector<std::string>& warnings) {
@@ -196,6 +211,14 @@ Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& produc
   Work work(all_values, progress);
   std::vector<Outcome> outcomes;
   for (PlannedGroup& group : groups) {
+    mark_zeros_for_land(group, ingested.warnings);
+    if (group.is_ensemble_mean) {
+      ingested.warnings.push_back(
+          "'" + group.variables.front().description.source_name +
+          "' is the mean over the members of an ensemble, smoother than any of them; kept apart "
+          "as dataset " +
+          dataset_of(common, group));
+    }
     std::vector<Outcome> of_group;
     for (const PlannedVariable& variable : group.variables) {
       of_group.push_back(
@@ -204,6 +227,7 @@ Ingested decode_gridded(const netcdf::File& file, const ProductCatalogue& produc
     for (const Period& period : periods_of(group.grid, stated, options)) {
       ingested.granules.push_back(
           write_granule(group, period, common, staging_folder, of_group, work));
+      ingested.granules.back().granule.dataset_id = dataset_of(common, group);
     }
     outcomes.insert(outcomes.end(), of_group.begin(), of_group.end());
   }

@@ -1,10 +1,12 @@
 #include "ingest/gridded_plan.h"
 
 #include <algorithm>
+#include <set>
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/cf/axes.h"
+#include "ingest/cf/cell_methods.h"
 #include "ingest/cf/settle.h"
 #include "ingest/cf/time_cells.h"
 #include "ingest/cf/units.h"
@@ -50,15 +52,52 @@ struct Located {
                   product.id + "' knows; leave the file out");
 }
 
+/// The quantity of a variable, also under a modifier of its standard name ("eastward_wind
+/// standard_error"), so that it can be named.
+const Quantity* quantity_meant(const netcdf::Variable& variable, const ProductCatalogue& products,
+                               const Product& product) {
+  if (const Quantity* quantity = products.quantity_of(variable, product)) return quantity;
+  const std::string name = product.attribute(variable, "standard_name").value_or("");
+  const std::size_t blank = name.find(' ');
+  return blank == std::string::npos ? nullptr
+                                    : products.vocabulary().by_standard_name(name.substr(0, blank));
+}
+
 std::vector<Candidate> wanted(const netcdf::File& file, const ProductCatalogue& products,
-                              const Product& product) {
+                              const Product& product, std::vector<std::string>& warnings) {
   std::vector<Candidate> candidates;
+  std::string left_out;
+  std::size_t left = 0;
   for (const netcdf::Variable& variable : file.variables()) {
     if (!variable.has_numbers() || variable.dimensions.empty()) continue;
     // A coordinate variable is no data, whatever its name.
     if (variable.dimensions.size() == 1 && variable.dimensions[0] == variable.name) continue;
-    if (const Quantity* quantity = products.quantity_of(variable, product))
+    const Quantity* quantity = quantity_meant(variable, products, product);
+    if (quantity == nullptr) continue;
+    // What a descriptor names by this very short name, it vouches for.
+    const auto statistic = product.variables.contains(variable.name)
+                               ? std::nullopt
+                               : statistic_in(variable, *quantity);
+    if (!statistic) {
       candidates.push_back({&variable, quantity});
+    } else {
+      ++left;
+      left_out += (left_out.empty() ? "'" : ", '") + variable.name + "' (" +
+                  quantity->standard_name + "): " + *statistic;
+    }
+  }
+  if (candidates.empty() && left > 0) {
+    throw Error(ErrorKind::invalid_input,
+                "found statistics of the quantity, not the quantity itself: " + left_out +
+                    "; expected instants or means, of one run or over the members of an ensemble: "
+                    "fetch those instead");
+  }
+  if (left > 0) {
+    warnings.push_back("left out " + std::to_string(left) +
+                       (left == 1 ? " variable that is a statistic"
+                                  : " variables that are "
+                                    "statistics") +
+                       ", not the quantity itself: " + left_out);
   }
   if (candidates.empty()) refuse_nothing_wanted(file, product);
   return candidates;
@@ -147,11 +186,47 @@ Packing packing_of(const Located& located, const Product& product,
   return packing;
 }
 
+/// Raw values of a few times and levels in the middle of the cut.
+std::vector<double> some_raw(const netcdf::File& file, const Located& located) {
+  constexpr std::size_t most_levels = 8;
+  constexpr std::size_t most_cells = 64;  // along one axis
+  const BoundVariable& bound = located.bound;
+  const netcdf::Variable& variable = *bound.variable;
+  std::vector<std::size_t> start(variable.shape.size(), 0);
+  std::vector<std::size_t> count(variable.shape.size(), 1);
+  const auto middle = [&](const BoundAxis& axis, const AxisOrder& order, std::size_t most) {
+    if (!axis.dimension || order.source.empty()) return;
+    const auto [low, high] = std::minmax_element(order.source.begin(), order.source.end());
+    const std::size_t n = *high - *low + 1;
+    count[*axis.dimension] = std::min(n, most);
+    start[*axis.dimension] = *low + (n - count[*axis.dimension]) / 2;
+  };
+  middle(bound.latitude, located.rows, most_cells);
+  middle(bound.longitude, located.columns, most_cells);
+  if (bound.vertical.dimension && !located.levels.order.source.empty())
+    count[*bound.vertical.dimension] =
+        std::min(variable.shape[*bound.vertical.dimension], most_levels);
+  std::size_t size = 1;
+  for (const std::size_t n : count) size *= n;
+  std::vector<double> all;
+  std::vector<double> piece(size);
+  const std::size_t times = bound.time.dimension ? variable.shape[*bound.time.dimension] : 1;
+  for (const std::size_t t : std::set<std::size_t>{0, times / 2, times - 1}) {
+    if (bound.time.dimension) start[*bound.time.dimension] = t;
+    file.read(variable, start, count, std::span<double>(piece));
+    all.insert(all.end(), piece.begin(), piece.end());
+  }
+  return all;
+}
+
 std::unique_ptr<GriddedSource> source_of(const netcdf::File& file, const Located& located,
                                          const Product& product,
                                          std::vector<std::string>& warnings) {
+  Packing packing = packing_of(located, product, warnings);
+  if (packing.has_two_readings())
+    packing.settle_limits(some_raw(file, located), located.bound.variable->name, warnings);
   return std::make_unique<GriddedSource>(file, located.bound, located.levels.order, located.rows,
-                                         located.columns, packing_of(located, product, warnings));
+                                         located.columns, packing);
 }
 
 /// The Stokes drift to take off a current that holds it, where the file has it at the same places
@@ -179,7 +254,7 @@ bool holds_stokes(const netcdf::Variable& variable, const Product& product) {
 std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCatalogue& products,
                                        const Product& product, const IngestOptions& options,
                                        std::vector<std::string>& warnings) {
-  std::vector<Candidate> candidates = wanted(file, products, product);
+  std::vector<Candidate> candidates = wanted(file, products, product, warnings);
   refuse_terrain_following(file);
   std::stable_sort(
       candidates.begin(), candidates.end(),
@@ -193,9 +268,12 @@ std::vector<PlannedGroup> plan_gridded(const netcdf::File& file, const ProductCa
   for (const Located& located : all) {
     const netcdf::Variable& variable = *located.bound.variable;
     const Quantity& quantity = *located.bound.quantity;
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const PlannedGroup& g) { return g.grid == located.grid; });
-    if (group == groups.end()) group = groups.insert(groups.end(), PlannedGroup{located.grid, {}});
+    const bool of_members = is_mean_of_members(variable);
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const PlannedGroup& g) {
+      return g.grid == located.grid && g.is_ensemble_mean == of_members;
+    });
+    if (group == groups.end())
+      group = groups.insert(groups.end(), PlannedGroup{located.grid, of_members, {}});
     const auto twin = std::find_if(group->variables.begin(), group->variables.end(),
                                    [&](const PlannedVariable& v) {
                                      return v.description.standard_name == quantity.standard_name;

@@ -1,9 +1,11 @@
 #include "api/pipeline/downloads.h"
-#include "fields/base/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+
+#include "api/pipeline/gfs_download.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
@@ -47,47 +49,64 @@ std::string subset_line(const Download& d, const Site& site, UtcTime from, UtcTi
   }
   if (d.kind != DownloadKind::bathymetry)
     line += " -t " + compact_time(from) + " -T " + compact_time(to);
+  // By the dataset's name it is known later what the stamps mean (ingest/cf/dataset_period.h).
   line += " --coordinates-selection-method outside -o downloads -f " + site.id + "_" +
-          std::string(name_of_kind(d.kind)) + ".nc";
+          std::string(name_of_kind(d.kind)) + "_" + d.dataset_id + ".nc";
   return line;
 }
+
+/// The dataset of a kind to fetch for a site, or null.
+const Download* best_of(const std::vector<Download>& all, DownloadKind kind, const Site& site) {
+  // With tide and depth before finer without: a forecast without the tide is no forecast on a
+  // shelf.
+  const auto rank = [](const Download& d) {
+    return std::tuple(!d.has_tide, d.priority, !d.has_depth);
+  };
+  const Download* best = nullptr;
+  for (const Download& d : all) {
+    if (d.kind != kind || !d.covers(site.point)) continue;
+    if (best == nullptr || rank(d) < rank(*best)) best = &d;
+  }
+  return best;
+}
+
+/// What the archives of forecasts hold: the product user manuals say two years, rolling.
+constexpr std::chrono::days forecast_archive{730};
 
 }  // namespace
 
 std::vector<std::string> download_lines(const ingest::ProductCatalogue& products, const Site& site,
-                                        UtcDay day, Duration horizon) {
-  using std::chrono::days;
+                                        const WantedTimes& wanted) {
+  const UtcTime past_from = UtcTime(wanted.day) - wanted.history;
+  const UtcTime day_end = UtcTime(wanted.day) + std::chrono::days(1);
   std::vector<std::string> lines;
+  const UtcDay kept_from = day_of(wanted.issued) - forecast_archive;
+  if (past_from < UtcTime(kept_from))
+    lines.push_back("# before " + format_day(kept_from) +
+                    ": these archives hold about two years; older days are in the multi-year "
+                    "products of the catalogue (MULTIYEAR)");
   const std::vector<Download> all = products.downloads();
   for (const DownloadKind kind : {DownloadKind::current, DownloadKind::level, DownloadKind::wave,
                                   DownloadKind::bathymetry, DownloadKind::wind}) {
-    const auto fits = [&](const Download& d) {
-      return d.kind == kind && d.domain.contains(site.point);
-    };
-    // With tide and depth before finer without: a forecast without the tide is no forecast on a
-    // shelf.
-    const auto better = [](const Download& a, const Download& b) {
-      return std::tuple(!a.has_tide, a.priority, !a.has_depth) <
-             std::tuple(!b.has_tide, b.priority, !b.has_depth);
-    };
-    std::vector<Download> fitting;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(fitting), fits);
-    if (fitting.empty()) {
-      lines.push_back("# " + std::string(name_of_kind(kind)) +
-                      ": no Copernicus Marine dataset covers the site");
+    const std::string name(name_of_kind(kind));
+    const Download* best = best_of(all, kind, site);
+    if (best == nullptr) {
+      lines.push_back("# " + name + ": no Copernicus Marine dataset covers the site");
       continue;
     }
-    const Download& best = *std::min_element(fitting.begin(), fitting.end(), better);
-    const UtcTime from = UtcTime(day) - days(3);
-    const UtcTime to =
-        best.horizon_h > 0 ? UtcTime(day) + days(1) + horizon : UtcTime(day) + days(1);
-    lines.push_back("# " + std::string(name_of_kind(kind)) + ": " + best.product_id);
-    lines.push_back(subset_line(best, site, from, to));
+    UtcTime from = past_from;
+    std::string comment = "# " + name + ": " + best->product_id;
+    if (best->since && from < UtcTime(*best->since) && *best->since <= wanted.day) {
+      from = UtcTime(*best->since);
+      comment +=
+          " from " + format_day(*best->since) + " (days before are of another model, or not kept)";
+    }
+    lines.push_back(std::move(comment));
+    lines.push_back(
+        subset_line(*best, site, from, best->horizon_h > 0 ? day_end + wanted.horizon : day_end));
   }
-  lines.emplace_back(
-      "# wind forecast: none in Copernicus Marine; fetch 10u and 10v as GRIB from a weather model "
-      "(ECMWF "
-      "open data, ICON, GFS) and ingest it beside these files");
+  const auto wind = gfs_wind_lines(site, wanted.issued, day_end + wanted.horizon);
+  lines.insert(lines.end(), wind.begin(), wind.end());
   return lines;
 }
 

@@ -41,20 +41,6 @@ ForecastMaking::Mixture mixture_of(const json& blend) {
   return mixture;
 }
 
-std::optional<ForecastMaking::HighestWave> highest_wave_of(const json& waves) {
-  const json computed = waves.is_object() ? waves.value("computed", json()) : json();
-  if (!computed.is_object()) return std::nullopt;
-  const auto number = [&](const char* key) {
-    const json value = computed.value(key, json());
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
-  };
-  const auto highest = number("highest_m");
-  const auto half = number("highest_half_fetch_m");
-  const auto twice = number("highest_twice_fetch_m");
-  if (!highest || !half || !twice) return std::nullopt;
-  return ForecastMaking::HighestWave{*highest, *half, *twice};
-}
-
 std::optional<ForecastMaking> making_in(const json& summary) {
   if (!summary.is_object() || !summary.contains("columns") || summary["columns"].empty())
     return std::nullopt;
@@ -69,7 +55,6 @@ std::optional<ForecastMaking> making_in(const json& summary) {
   for (const json& use : column.value("sources", json::array()))
     making.sources.push_back(use.at("text").get<std::string>());
   making.notes = column.value("notes", std::vector<std::string>());
-  making.highest_wave = highest_wave_of(summary.value("waves", json()));
   return making;
 }
 

@@ -50,7 +50,9 @@ std::string column_difference(const ForecastColumn& issued, const ForecastColumn
   if (!all_same(issued.current_sigma_m_s, made.current_sigma_m_s)) return "spread of the current";
   if (!all_same(issued.wind_m_s, made.wind_m_s) || issued.wind_source != made.wind_source)
     return "wind";
-  if (!all_same(issued.sea, made.sea) || issued.sea_source != made.sea_source) return "waves";
+  if (!all_same(issued.sea, made.sea) || issued.sea_source != made.sea_source ||
+      (!issued.height_spread.empty() && !all_same(issued.height_spread, made.height_spread)))
+    return "waves";
   if (!all_same(issued.sea_level.level_m, made.sea_level.level_m) ||
       !all_same(issued.sea_level.sigma_m, made.sea_level.sigma_m) ||
       issued.sea_level.source != made.sea_level.source)

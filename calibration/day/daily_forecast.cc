@@ -6,6 +6,7 @@
 #include "calibration/day/day_choice.h"
 #include "calibration/day/issued_blend.h"
 #include "calibration/day/issued_snapshot.h"
+#include "calibration/day/past_plan.h"
 #include "calibration/day/troubles.h"
 #include "calibration/day/unresolved_tide.h"
 #include "calibration/day/widen.h"
@@ -110,6 +111,26 @@ void blend_columns(const SiteData& data, const ForecastOptions& options, const D
   });
 }
 
+/// Takes out of the wave heights what those of past days were off, at every column what was seen at
+/// the first that knows its waves.
+void correct_heights(const SiteData& data, const ForecastOptions& options, DailyForecast& result) {
+  const auto first = std::find_if(
+      data.columns.begin(), data.columns.end(),
+      [](const ColumnData& column) { return !column.significant_height.pieces.empty(); });
+  if (first == data.columns.end()) return;
+  attempt_part(Part::wave_errors, result.failures, [&] {
+    const EarnedHeights earned = options.parts.heights(
+        *first, data.site, with_past_runs(result.plan, data, options.parts.of_column),
+        options.parts.of_column, options.threads);
+    for (ColumnForecast& made : result.columns) {
+      if (made.column.sea.empty()) continue;
+      std::string note = note_on(earned, made.column);
+      if (!note.empty()) made.notes.push_back(std::move(note));
+      apply(earned, made.column);
+    }
+  });
+}
+
 /// Of the waves that no product gave, at the first column that has any.
 std::optional<ComputedWaves> waves_of(const SiteData& data, const ForecastOptions& options,
                                       const DailyForecast& result) {
@@ -128,6 +149,7 @@ DailyForecast make_forecast(const SiteData& data, const ForecastOptions& options
   const DayChoice choice = choose_day(data, options, result.failures);
   result.plan = plan_of(data, options, choice);
   forecast_columns(data, options, result);
+  correct_heights(data, options, result);
   blend_columns(data, options, choice, result);
   const std::optional<AveragedCurrents> averaged = widen_means(data, options, choice, result);
   widen_stand_in(data, options, choice, result);

@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+#include "calibration/day/earned_heights.h"
 #include "calibration/day/forecast_column.h"
 #include "calibration/day/issued_blend.h"
 #include "calibration/day/leading_day.h"
@@ -18,6 +19,7 @@ struct DayParts {
   std::function<decltype(leading_day)> day = leading_day;
   ColumnParts of_column;
   std::function<decltype(forecast_column)> column = forecast_column;
+  std::function<decltype(earned_heights)> heights = earned_heights;
   std::function<Earned(RehearsedDays&, const ForecastPlan&, const std::vector<bool>&, int)>
       rehearsal = &RehearsedDays::earned;
   std::function<decltype(issue_blend)> blend = issue_blend;

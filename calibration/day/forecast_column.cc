@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "calibration/day/driving_ensemble.h"
+#include "calibration/day/earned_heights.h"
+#include "calibration/day/horizon_wind_error.h"
 #include "calibration/day/methods.h"
 #include "calibration/day/sources.h"
-#include "fields/record/choose.h"
 #include "fields/record/slice.h"
 
 namespace slackwater::calibration {
@@ -21,39 +22,6 @@ SampleStatus level_status(const VectorColumn& column, std::size_t k) {
     worst = status;
   }
   return worst;
-}
-
-/// How wrong the wind after D may be, by where it comes from.
-WindErrorGrowth wind_error_of(const VectorRecord& record, const HorizonWind& wind,
-                              const ForecastPlan& plan) {
-  const auto count = [&](DataStatus status) {
-    return std::count(wind.source.begin(), wind.source.end(), status);
-  };
-  if (plan.wind == WindPolicy::persist ||
-      2 * count(DataStatus::persisted) > static_cast<std::ptrdiff_t>(wind.source.size())) {
-    // A run issued by then reaches beyond D: the climate is that of the record, which ends with D.
-    const VectorColumn known =
-        slice(choose(record, plan.knowledge(), {}).column, UtcTime::min(), plan.end_of_day());
-    std::vector<UtcTime> times;
-    for (const TimeCell& cell : known.time) times.push_back(cell.centre());
-    const std::size_t levels = known.levels();
-    std::vector<Horizontal> values;
-    for (std::size_t t = 0; t < times.size(); ++t) values.push_back(known.value[t * levels]);
-    return persisted_wind_error(climate_sigma_m_s(times, values));
-  }
-  return count(DataStatus::forecast) > 0 ? forecast_wind_error() : analysed_wind_error();
-}
-
-/// The same, with what gaps and heights add.
-WindErrorGrowth whole_wind_error_of(const VectorRecord& record, const HorizonWind& wind,
-                                    const ForecastPlan& plan) {
-  WindErrorGrowth growth = wind_error_of(record, wind, plan);
-  const bool any = std::any_of(wind.extra_sigma_m_s.begin(), wind.extra_sigma_m_s.end(),
-                               [](double sigma) { return sigma > 0; });
-  if (!any) return growth;
-  growth.extra_at = plan.stamps;
-  growth.extra_sigma_m_s = wind.extra_sigma_m_s;
-  return growth;
 }
 
 /// The current at the plan's stamps and levels: the propagated day and its tide.
@@ -121,6 +89,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
     result.calibration_problem = "no currents of " + format_day(plan.day) + " at this column";
     return;
   }
+  result.fitted_to_a_forecast = is_of_a_forecast(known, day);
   for (const Origin* origin : known.origin) {
     result.contains_stokes = result.contains_stokes || origin->contains_stokes;
   }
@@ -144,7 +113,7 @@ void forecast_current(const ColumnData& data, const ForecastPlan& plan, const Co
     const WindDepartures ensemble = departures_of(wind, plan.stamps);
     const Propagated propagated = parts.propagation(
         fitted.forms, plan.stamps, wind.series, plan.end_of_day(),
-        whole_wind_error_of(data.wind, wind, plan), plan.spread, plan.seed, ensemble);
+        horizon_wind_error(data.wind, wind, plan), plan.spread, plan.seed, ensemble);
     ForecastColumn carried = result.column;
     set_current(carried, propagated, tide, known.column, day.levels(), plan);
     result.best_form = fitted.best();
@@ -187,8 +156,9 @@ ColumnForecast forecast_column(const ColumnData& data, const Site& site, const F
   });
   result.column.wind_m_s = wind.wind_m_s;
   result.column.wind_source = wind.source;
-  result.column.sea = std::move(waves.sea);
-  result.column.sea_source = std::move(waves.source);
+  result.column.sea = waves.sea;
+  result.column.sea_source = waves.source;
+  result.column.height_spread = spread_beforehand(waves, wind, data, site, plan);
   result.hindsight = wind.hindsight || waves.hindsight;
   result.simulated_wind = wind.simulated;
   result.waves_of_wind_alone = !result.column.sea.empty() && waves.origins.empty();

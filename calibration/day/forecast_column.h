@@ -44,6 +44,7 @@ struct ColumnForecast {
   /// The weather ensemble whose winds the members have (`ForecastColumn::wind_member_number`).
   std::optional<WindEnsembleRun> wind_ensemble;
   bool contains_stokes = false;
+  bool fitted_to_a_forecast = false;  ///< the currents of D are of a provider's run, not analysed
   bool hindsight = false;       ///< wind or waves were used that were not known when it was issued
   bool simulated_wind = false;  ///< HorizonWind::simulated
   std::vector<SourceUse> sources;     ///< who speaks for what, when and why, from D on

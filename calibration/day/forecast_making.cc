@@ -44,10 +44,6 @@ ForecastMaking making_of(const DailyForecast& forecast) {
   if (forecast.earned) making.mixture = mixture_of(*forecast.earned);
   for (const SourceUse& use : column.sources) making.sources.push_back(text_of(use));
   making.notes = column.notes;
-  if (const auto& waves = forecast.computed_waves;
-      waves && waves->highest_half_fetch_m && waves->highest_twice_fetch_m)
-    making.highest_wave = {waves->highest_m, *waves->highest_half_fetch_m,
-                           *waves->highest_twice_fetch_m};
   return making;
 }
 

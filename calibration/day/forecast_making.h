@@ -39,19 +39,11 @@ struct ForecastMaking {
     std::size_t simulated_days = 0;  ///< rehearsed with a run of the wind that was simulated
     friend bool operator==(const Mixture&, const Mixture&) = default;
   };
-  /// The highest of the waves that were computed from the wind over an assumed fetch.
-  struct HighestWave {
-    double as_assumed_m = 0;
-    double half_fetch_m = 0;
-    double twice_fetch_m = 0;
-    friend bool operator==(const HighestWave&, const HighestWave&) = default;
-  };
   std::optional<Fit> fit;
-  std::string no_fit;                       ///< why there is none
-  std::optional<Mixture> mixture;           ///< absent: no current is forecast
-  std::vector<std::string> sources;         ///< whose values count, in words
-  std::vector<std::string> notes;           ///< in words
-  std::optional<HighestWave> highest_wave;  ///< absent: the fetch is given, or a product's waves
+  std::string no_fit;                ///< why there is none
+  std::optional<Mixture> mixture;    ///< absent: no current is forecast
+  std::vector<std::string> sources;  ///< whose values count, in words
+  std::vector<std::string> notes;    ///< in words
   friend bool operator==(const ForecastMaking&, const ForecastMaking&) = default;
 };
 

@@ -46,6 +46,9 @@ struct HorizonSea {
   std::vector<Stretch> stretches;      ///< who speaks when, of stored waves
   std::vector<const Origin*> origins;  ///< of stored waves; empty: the wind alone
   bool hindsight = false;  ///< stored waves were used that were not known; the wind says so itself
+  /// When the sea was last known that the first stamps were carried on from; nothing where they are
+  /// stored, or the wind alone raised them.
+  std::optional<UtcTime> carried_from{};
 };
 [[nodiscard]] HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy policy,
                                      UtcTime end_of_day, std::span<const UtcTime> stamps,

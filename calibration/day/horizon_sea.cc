@@ -164,6 +164,7 @@ HorizonSea horizon_sea(const ColumnData& column, const Site& site, WindPolicy po
       known = {stamps[t - 1], result.sea.back()};
     } else if (const auto then = last_known(height, stamps[0])) {
       if (const auto sea = stored_at(*then)) known = {*then, *sea};
+      result.carried_from = *then;
       result.origins.push_back(height.origin[nearest_index(height.column, stamps[0])]);
     }
     const std::vector<SeaState> grown = grow_sea(known, stamps.subspan(0, end), t, wind, setting);

@@ -209,4 +209,15 @@ std::optional<TrustedCurrents> trusted_currents(const ColumnData& column, UtcDay
   }
 }
 
+bool is_of_a_forecast(const Chosen<Horizontal>& record, const VectorColumn& part) {
+  std::size_t all = 0, of_runs = 0;
+  for (std::size_t t = 0; t < std::min(record.column.times(), record.origin.size()); ++t) {
+    const UtcTime time = record.column.time[t].centre();
+    if (time < part.time.front().centre() || time > part.time.back().centre()) continue;
+    ++all;
+    of_runs += record.origin[t]->status == DataStatus::forecast ? 1U : 0U;
+  }
+  return 2 * of_runs > all;
+}
+
 }  // namespace slackwater::calibration

@@ -41,4 +41,8 @@ struct TrustedCurrents {
                                                               UtcTime issued,
                                                               UtcTime seen_by = UtcTime::max());
 
+/// Whether the record took most of a part of it from a provider's run: nothing to fit without a
+/// word, and no truth of a forecast.
+[[nodiscard]] bool is_of_a_forecast(const Chosen<Horizontal>& record, const VectorColumn& part);
+
 }  // namespace slackwater::calibration

@@ -11,10 +11,12 @@ struct PartWords {
   std::string_view loss;     ///< what the reader is without; follows "failed,"
 };
 
-constexpr std::array<PartWords, 14> words_of_parts{{
+constexpr std::array<PartWords, 15> words_of_parts{{
     {"day", "the choice of the day", "no current is forecast"},
     {"wind", "the wind", "the wind and the wind-driven current are left out"},
     {"waves", "the waves", "none are forecast"},
+    {"wave_errors", "the comparison of past wave forecasts with what came",
+     "heights and their band are not corrected by it"},
     {"record", "the record of currents", "no current is forecast"},
     {"mixed_layer", "the product's mixed layer", "it is not used"},
     {"tide", "the tide", "it is left out of the current"},

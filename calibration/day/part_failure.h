@@ -15,6 +15,7 @@ enum class Part {
   day,              ///< which day of currents is used
   wind,             ///< of the horizon
   waves,            ///< of the horizon
+  wave_errors,      ///< of past days, which correct the heights and their band
   record,           ///< the known currents, fused where an instrument is near
   mixed_layer,      ///< what the product says of it
   tide,             ///< fitted on the record

@@ -6,7 +6,7 @@
 #include "calibration/day/known_currents.h"
 #include "calibration/day/leading_day.h"
 #include "calibration/day/methods.h"
-#include "calibration/day/simulated_run.h"
+#include "calibration/day/past_plan.h"
 #include "fields/base/parallel.h"
 #include "fields/record/slice.h"
 
@@ -14,56 +14,6 @@ namespace slackwater::calibration {
 namespace {
 
 using std::chrono::days;
-using std::chrono::hours;
-
-/// The plan moved to another day, issued as late after it, and knowing no more; editions of values
-/// are those of now (see `with_editions_of_then`).
-ForecastPlan moved_to(const ForecastPlan& plan, UtcDay day) {
-  ForecastPlan moved = plan;
-  moved.day = day;
-  const Duration later = plan.issued - plan.end_of_day();
-  moved.issued = moved.end_of_day() + later;
-  if (plan.best.issued) moved.best.issued = moved.issued;
-  if (plan.best.known_by != UtcTime::max())
-    moved.best.known_by = moved.end_of_day() + (plan.best.known_by - plan.end_of_day());
-  return moved;
-}
-
-/// Days of lead that are rehearsed.
-int lead_days_of(const ForecastPlan& plan) {
-  if (plan.stamps.empty()) return 1;
-  const double reach_h = hours_between(plan.end_of_day(), plan.stamps.back());
-  return std::clamp(static_cast<int>(std::ceil(reach_h / 24.0 - 1e-9)), 1,
-                    RehearsedDays::longest_lead_days);
-}
-
-/// The plan of a past day as it would have been run then, without members: they are not looked at,
-/// and sigma is the same.
-ForecastPlan plan_of(const ForecastPlan& plan, UtcDay day) {
-  ForecastPlan past = moved_to(plan, day);
-  past.spread.members = 0;
-  past.stamps.clear();
-  for (int h = 0; h <= 24 * lead_days_of(plan) + 1; ++h)
-    past.stamps.push_back(past.end_of_day() + hours(h));
-  return past;
-}
-
-/// The plan with runs of the wind to be simulated for past days, where one is known for the days to
-/// come. What was analysed later stands for them under hindsight, and nothing where wind persists.
-ForecastPlan with_past_runs(const ForecastPlan& plan, const SiteData& data,
-                            const ColumnParts& parts) {
-  ForecastPlan with = plan;
-  if (plan.best.hindsight || plan.wind == WindPolicy::persist || data.columns.empty()) return with;
-  // Where the wind fails, it does so for the forecast itself, which says so.
-  static_cast<void>(attempt([&] {
-    const HorizonWind now =
-        parts.wind(data.columns.front().wind, plan.wind, plan.end_of_day(), plan.stamps, plan.best);
-    if (!reaches_beyond(now, plan.stamps, plan.end_of_day())) return;
-    with.best.simulated_seed = plan.seed;
-    with.best.analysed_until = plan.issued;
-  }));
-  return with;
-}
 
 /// The plan of a past day with the editions of its currents that stood in the store when it would
 /// have been issued. Those of now stand for them where the day was not whole in the store by then:
@@ -116,7 +66,7 @@ Chosen<Horizontal> days_after(const ColumnData& column, const ForecastPlan& plan
     VectorColumn next = slice(known.column, from, from + days(1));
     if (!next.time.empty() && next.time.front().end <= from)
       next = slice(next, from + Duration(1), from + days(1));
-    if (next.time.empty()) continue;
+    if (next.time.empty() || is_of_a_forecast(known, next)) continue;
     std::vector<double> noise(next.value.size());
     if (!known.noise_m_s.empty()) {  // the record's last values are those of the day
       std::copy(known.noise_m_s.end() - static_cast<std::ptrdiff_t>(noise.size()),
@@ -143,7 +93,7 @@ RehearsedDays::RehearsedDays(const SiteData& data, ColumnParts parts)
 
 RehearsedDay RehearsedDays::rehearse(const ForecastPlan& plan, UtcDay day) const {
   RehearsedDay result;
-  const ForecastPlan past = with_editions_of_then(plan_of(plan, day), data_);
+  const ForecastPlan past = with_editions_of_then(past_plan(plan, day), data_);
   result.lead.resize(static_cast<std::size_t>(lead_days_of(plan)));
   if (!holds_day(data_, past.dataset, day, {past.issued, past.seen_by, {}})) return result;
   for (const std::size_t i : columns_to_rehearse(data_, most_columns)) {
@@ -171,7 +121,7 @@ RehearsedDay RehearsedDays::rehearse(const ForecastPlan& plan, UtcDay day) const
 }
 
 std::shared_ptr<const RehearsedDay> RehearsedDays::day(const ForecastPlan& plan, UtcDay day) {
-  const ForecastPlan past = plan_of(plan, day);
+  const ForecastPlan past = past_plan(plan, day);
   const Key key{day,
                 past.wind,
                 past.dataset,

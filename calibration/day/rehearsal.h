@@ -32,7 +32,6 @@ class RehearsedDays {
                               int threads);
 
   static constexpr int longest_days = 21;
-  static constexpr int longest_lead_days = 3;
   static constexpr std::size_t most_columns = 4;
 
  private:

@@ -52,7 +52,7 @@ std::map<UtcTime, std::vector<Horizontal>> said_by(const WindEnsemble& ensemble)
   return said;
 }
 
-void hold_against(const VectorColumn& truth, const WindEnsemble& ensemble, DaysOfLead& days) {
+void hold_against(const VectorColumn& truth, const WindEnsemble& ensemble, DaysOfLead& leads) {
   for (const auto& [time, members] : said_by(ensemble)) {
     if (time <= ensemble.run.reference_time || members.size() < fewest_wind_members) continue;
     const auto wind = value_at(truth, time, between_truths);
@@ -63,25 +63,25 @@ void hold_against(const VectorColumn& truth, const WindEnsemble& ensemble, DaysO
     for (const Horizontal member : members) squares += 0.5 * std::norm(member - mean);
     const Duration lead = time - ensemble.run.reference_time;
     const auto day = static_cast<std::size_t>((lead - Duration(1)) / hours(24));
-    if (days.size() <= day) days.resize(day + 1);
-    DaySums& sums = days[day][day_of(time - Duration(1))];  // midnight is the end of a day
+    if (leads.size() <= day) leads.resize(day + 1);
+    DaySums& sums = leads[day][day_of(time - Duration(1))];  // midnight is the end of a day
     sums.error += 0.5 * std::norm(mean - *wind);
     sums.spread += (count + 1) / count * squares / (count - 1);
     sums.pairs += 1;
   }
 }
 
-CheckedLead judged(const std::map<UtcDay, DaySums>& days) {
+CheckedLead judged(const std::map<UtcDay, DaySums>& by_day) {
   CheckedLead lead;
   std::vector<BlockSum> ratio;
   double error = 0;
   double spread = 0;
-  for (const auto& [day, sums] : days) {
+  for (const auto& [day, sums] : by_day) {
     ratio.push_back({sums.error / sums.pairs, sums.spread / sums.pairs});
     error += ratio.back().sum;
     spread += ratio.back().weight;
   }
-  lead.days = days.size();
+  lead.days = by_day.size();
   if (lead.days == 0) return lead;
   lead.rms_error_m_s = std::sqrt(error / static_cast<double>(lead.days));
   lead.rms_spread_m_s = std::sqrt(spread / static_cast<double>(lead.days));

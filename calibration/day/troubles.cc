@@ -58,6 +58,15 @@ void judge_columns(const std::vector<ColumnForecast>& columns, std::vector<std::
   }
 }
 
+/// Day D that nobody has analysed yet.
+void judge_fit(const std::vector<ColumnForecast>& columns, const ForecastPlan& plan,
+               std::vector<std::string>& troubles) {
+  if (std::any_of(columns.begin(), columns.end(),
+                  [](const ColumnForecast& column) { return column.fitted_to_a_forecast; }))
+    troubles.push_back("the currents of " + format_day(plan.day) +
+                       " are of a provider's forecast, not analysed: its errors are not known");
+}
+
 /// Whether the wind beyond D is there.
 void judge_wind(const ColumnForecast& made, const ForecastPlan& plan,
                 std::vector<std::string>& troubles) {
@@ -146,6 +155,7 @@ std::vector<std::string> troubles_of(const SiteData& data, const DayChoice& choi
   judge_day(choice, is_choice_failed, troubles);
   judge_named_product(data, troubles);
   if (choice.usable) judge_columns(made.columns, troubles);
+  judge_fit(made.columns, made.plan, troubles);
   judge_instruments(made.columns, troubles);
   if (averaged) troubles.push_back(sentence_of(*averaged));
   if (made.stand_in) troubles.push_back(text_of(*made.stand_in));

@@ -41,12 +41,27 @@ struct SeenError {
   std::vector<Horizontal> error;  ///< moments x levels; NaN where not known
 };
 
+/// Whether the record took its value at a cell from the run itself: it says nothing of its error.
+bool is_of_run(const Chosen<Horizontal>& known, const ProviderRun& run, const TimeCell& cell) {
+  const std::vector<TimeCell>& time = known.column.time;
+  const auto after =
+      std::lower_bound(time.begin(), time.end(), cell.centre(),
+                       [](const TimeCell& one, UtcTime when) { return one.end < when; });
+  if (after == time.end()) return false;
+  const auto i = static_cast<std::size_t>(after - time.begin());
+  const Origin* origin = i < known.origin.size() ? known.origin[i] : nullptr;
+  return origin != nullptr && origin->status == DataStatus::forecast &&
+         origin->dataset == run.origin->dataset &&
+         origin->reference_time == run.origin->reference_time;
+}
+
 void add_error_of(const ProviderRun& run, std::size_t index, const Chosen<Horizontal>& known,
                   const TideBetween& between, UtcTime end_of_day, SeenError& seen) {
   const std::vector<double> depths = depths_of(known);
   std::vector<TimeCell> cells;
   for (const TimeCell& cell : run.column.time) {
-    if (cell.end <= end_of_day && cell.centre() > end_of_day - runs_looked_back)
+    if (cell.end <= end_of_day && cell.centre() > end_of_day - runs_looked_back &&
+        !is_of_run(known, run, cell))
       cells.push_back(cell);
   }
   // The newest of them counts always.

@@ -23,7 +23,8 @@ struct ProviderForecast {
 ///
 /// Error on the last three days, level by level: the record less the run over the run's own cells;
 /// where the runs lack the tide that the record has, it is taken from the record first, and added
-/// to the forecast (series_at.h). Four runs at most, twelve values of each (run_error.h).
+/// to the forecast (series_at.h). Four runs at most, twelve values of each (run_error.h). A run is
+/// never held against itself: where the record is of a run, that run has no error there.
 ///
 /// @param runs        at the column, as known
 /// @param known       the record up to the end of D, on the levels asked for

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::calibration {
 namespace {
@@ -20,7 +21,7 @@ void check(const CalibrationInput& input) {
           "a column holds times x levels values and statuses");
   if (!(input.water_depth_m > 0) || !std::isfinite(input.water_depth_m)) {
     throw Error(ErrorKind::invalid_input,
-                "the water depth is " + std::to_string(input.water_depth_m) +
+                "the water depth is " + formatted("{:.1f}", input.water_depth_m) +
                     " m; a positive depth was expected; give water_depth_m of the site");
   }
   expects(input.noise_m_s.empty() || input.noise_m_s.size() == current.value.size(),
@@ -112,9 +113,10 @@ Observations pair_observations(const CalibrationInput& input) {
   }
   weigh_by_noise(input, found);
   if (deepest_m > found.water_depth_m) {
-    found.warnings.push_back("currents reach down to " + std::to_string(deepest_m) +
+    found.warnings.push_back("currents reach down to " + formatted("{:.1f}", deepest_m) +
                              " m, below the given water depth of " +
-                             std::to_string(found.water_depth_m) + " m: the deeper figure is used");
+                             formatted("{:.1f}", found.water_depth_m) +
+                             " m: the deeper figure is used");
     found.water_depth_m = deepest_m;
   }
   return found;

@@ -12,8 +12,6 @@
 namespace slackwater::calibration {
 namespace {
 
-constexpr double same_place_m = 50.0;
-
 /// Columns are tallied in this many groups, added up in order: a sum in floating point must not
 /// depend on which thread was first.
 constexpr std::size_t groups = 16;
@@ -118,11 +116,8 @@ void merge(std::optional<ForecastTrace>& all, std::optional<ForecastTrace>&& mor
 
 void score_column(const Scored& scored, std::size_t index, Sum& sum) {
   const ForecastColumn& issued = scored.snapshot.columns[index];
-  const auto& columns = scored.data.columns;
-  const auto column = std::find_if(columns.begin(), columns.end(), [&](const ColumnData& c) {
-    return c.point == issued.point || distance_m(c.point, issued.point) < same_place_m;
-  });
-  if (column == columns.end()) return;
+  const ColumnData* column = scored.data.column_at(issued.point);
+  if (column == nullptr) return;
   const Chosen<Horizontal> truth = truth_of(
       *column, scored.plan.stands_in_for.empty() ? scored.plan.dataset : scored.plan.stands_in_for,
       scored.plan.end_of_day(), std::min(scored.snapshot.time.back(), scored.options.truth_until));

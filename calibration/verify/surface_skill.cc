@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "calibration/day/surface_truth.h"
 #include "calibration/verify/current_skill.h"
 #include "fields/base/averaging.h"
 #include "fields/interpolate/temporal.h"
@@ -28,44 +29,21 @@ SurfacePair pair_at(Horizontal made, Horizontal ours, Horizontal truth, UtcTime 
           static_cast<std::size_t>(time.time_since_epoch() / hours(1))};
 }
 
-/// A moored instrument where there is one, else the analysed product; never a forecast.
+/// Persistence: the last value that was known when the forecast was issued, of the day before it at
+/// most. It knows what the forecast knew, hours after D among it.
 template <typename T>
-Chosen<T> surface_truth(const Record<T>& record, const Knowledge& knowledge = {}) {
-  Record<T> known;
-  for (const auto& piece : record.pieces) {
-    if (piece.origin->status != DataStatus::forecast) known.pieces.push_back(piece);
-  }
-  Choice series;
-  series.only_series = true;
-  Chosen<T> chosen = choose(known, knowledge, series);
-  if (!chosen.empty()) return chosen;
-  Choice grids;
-  grids.only_grids = true;
-  return choose(known, knowledge, grids);
-}
-
-/// Persistence: the last value of D that was known when the forecast was issued.
-template <typename T>
-std::optional<T> last_of_day(const Record<T>& record, UtcTime end, UtcTime seen_by) {
+std::optional<T> last_known(const Record<T>& record, UtcTime issued, UtcTime seen_by) {
   Knowledge knowledge;
-  knowledge.values_until = end;
+  knowledge.values_until = issued;
   knowledge.seen_by = seen_by;
   const Chosen<T> known = surface_truth(record, knowledge);
   for (std::size_t t = known.column.times(); t-- > 0;) {
     const UtcTime time = known.column.time[t].centre();
-    if (time > end || !known.column.has(t)) continue;
-    if (time <= end - hours(24)) return std::nullopt;
+    if (time > issued || !known.column.has(t)) continue;
+    if (time <= issued - hours(24)) return std::nullopt;
     return known.column.value[t];
   }
   return std::nullopt;
-}
-
-/// Whether a forecast's value at a time is the later analysis itself.
-bool is_its_own_truth(const Snapshot& snapshot, const std::vector<DataStatus>& source, UtcTime time,
-                      const Origin& truth) {
-  if (truth.is_point_series) return false;
-  const auto place = place_in(snapshot.time, time);
-  return place && place->low < source.size() && source[place->low] == DataStatus::analysis;
 }
 
 /// An archive was read later than its forecasts were issued: nothing of it is hidden.
@@ -130,18 +108,20 @@ void score_wind(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   const ForecastColumn& column = snapshot.columns.front();
   if (column.wind_m_s.empty()) return;
   const Chosen<Horizontal> truth = surface_truth(data.wind);
-  const auto last = last_of_day(data.wind, end, seen_by(snapshot, options));
+  const UtcTime issued = std::max(end, snapshot.issued);
+  const auto last = last_known(data.wind, issued, seen_by(snapshot, options));
   PairsByMethod methods;
   for (std::size_t t = 0; t < truth.column.times(); ++t) {
     if (!truth.column.has(t) || truth.column.time[t].end > options.truth_until) continue;
     const UtcTime time = truth.column.time[t].centre();
     const Horizontal value = truth.column.value[t];
     if (time <= end) continue;
-    if (is_its_own_truth(snapshot, column.wind_source, time, *truth.origin[t])) continue;
+    if (is_its_own_truth(snapshot.time, column.wind_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, column.wind_m_s, 1, 0, TimeCell::instant(time));
     if (!forecast) continue;
     methods[Method::forecast].push_back(pair_at(*forecast, *forecast, value, time, end));
-    if (last) methods[Method::persistence].push_back(pair_at(*last, *forecast, value, time, end));
+    if (last && time > issued)
+      methods[Method::persistence].push_back(pair_at(*last, *forecast, value, time, end));
   }
   if (methods.empty()) return;
   blank.variable = wind_variable;
@@ -157,18 +137,20 @@ void score_waves(const ColumnData& data, const Snapshot& snapshot, UtcTime end,
   const Chosen<double> truth = surface_truth(data.significant_height);
   std::vector<Horizontal> height;
   for (const SeaState& sea : column.sea) height.emplace_back(sea.significant_height_m, 0);
-  const auto last = last_of_day(data.significant_height, end, seen_by(snapshot, options));
+  const UtcTime issued = std::max(end, snapshot.issued);
+  const auto last = last_known(data.significant_height, issued, seen_by(snapshot, options));
   PairsByMethod methods;
   for (std::size_t t = 0; t < truth.column.times(); ++t) {
     if (!truth.column.has(t) || truth.column.time[t].end > options.truth_until) continue;
     const UtcTime time = truth.column.time[t].centre();
     const double value = truth.column.value[t];
     if (time <= end) continue;
-    if (is_its_own_truth(snapshot, column.sea_source, time, *truth.origin[t])) continue;
+    if (is_its_own_truth(snapshot.time, column.sea_source, time, *truth.origin[t])) continue;
     const auto forecast = mean_over(snapshot.time, height, 1, 0, TimeCell::instant(time));
     if (!forecast || std::isnan(forecast->real())) continue;
     methods[Method::forecast].push_back(pair_at(*forecast, *forecast, value, time, end));
-    if (last) methods[Method::persistence].push_back(pair_at(*last, *forecast, value, time, end));
+    if (last && time > issued)
+      methods[Method::persistence].push_back(pair_at(*last, *forecast, value, time, end));
   }
   if (methods.empty()) return;
   blank.variable = wave_variable;

@@ -21,14 +21,12 @@ constexpr int sequence_offset = 144;
 
 std::optional<int> id_of(std::string_view name) {
   static const std::map<std::string_view, int> ids{
-      {"int8", 2},   {"uint8", 3}, {"int16", 4},  {"uint16", 5},   {"int32", 6},
-      {"uint32", 7}, {"int64", 8}, {"uint64", 9}, {"float32", 10}, {"float64", 11},
-      {"bool", 15},  {"byte", 16}, {"string", 17}};
+      {"int8", 2},   {"uint8", 3}, {"int16", 4},   {"uint16", 5},   {"int32", 6},
+      {"uint32", 7}, {"int64", 8}, {"uint64", 9},  {"float32", 10}, {"float64", 11},
+      {"bool", 15},  {"byte", 16}, {"string", 17}, {"char", 3}};  // a char of ROS is an uint8
   const auto found = ids.find(name);
   return found == ids.end() ? std::nullopt : std::optional(found->second);
 }
-
-bool is_followed_by_all(std::string_view name) { return name != "char" && name != "wstring"; }
 
 struct Field {
   std::string name;
@@ -76,7 +74,7 @@ std::optional<Field> field_of(std::string_view type, std::string_view name,
       field.capacity = *capacity;
     }
   }
-  if (!is_followed_by_all(type.substr(0, type.find('<')))) return std::nullopt;
+  if (type.substr(0, type.find('<')) == "wstring") return std::nullopt;
   if (type.starts_with("string<=")) {
     const auto capacity = number_in(type.substr(8));
     if (!capacity) return std::nullopt;
@@ -170,22 +168,59 @@ bool gather(const Types& types, const std::string& name, std::set<std::string>& 
   return true;
 }
 
+std::optional<std::string> hash_of(const Types& types, const std::string& name) {
+  std::set<std::string> held;
+  if (!gather(types, name, held)) return std::nullopt;
+  std::string json = R"({"type_description": )" + json_of(name, types.at(name)) +
+                     R"(, "referenced_type_descriptions": [)";
+  const char* comma = "";
+  for (const std::string& nested : held) {
+    json += comma + json_of(nested, types.at(nested));
+    comma = ", ";
+  }
+  return "RIHS01_" + sha256_of_text(json + "]}");
+}
+
+Field nested_field(const char* name, const std::string& type) {
+  return {name, nested_type, 0, 0, type};
+}
+/// None or one of it.
+Field optional_field(const char* name, const std::string& type) {
+  return {name, bounded_sequence_offset + nested_type, 1, 0, type};
+}
+
 }  // namespace
 
 std::optional<std::string> type_hash(std::string_view type, std::string_view definition) {
   if (type.find("/msg/") == std::string_view::npos) return std::nullopt;
   const auto types = types_of(type, definition);
-  const std::string name(type);
-  std::set<std::string> held;
-  if (!types || !gather(*types, name, held)) return std::nullopt;
-  std::string json = R"({"type_description": )" + json_of(name, types->at(name)) +
-                     R"(, "referenced_type_descriptions": [)";
-  const char* comma = "";
-  for (const std::string& nested : held) {
-    json += comma + json_of(nested, types->at(nested));
-    comma = ", ";
-  }
-  return "RIHS01_" + sha256_of_text(json + "]}");
+  return types ? hash_of(*types, std::string(type)) : std::nullopt;
+}
+
+std::optional<std::string> service_type_hash(std::string_view type,
+                                             std::string_view request_definition,
+                                             std::string_view response_definition) {
+  if (type.find("/srv/") == std::string_view::npos) return std::nullopt;
+  const std::string name(type), request = name + "_Request", response = name + "_Response",
+                                event = name + "_Event";
+  const std::string time = "builtin_interfaces/msg/Time",
+                    info = "service_msgs/msg/ServiceEventInfo";
+  auto types = types_of(request, request_definition);
+  const auto of_response = types_of(response, response_definition);
+  if (!types || !of_response) return std::nullopt;
+  types->insert(of_response->begin(), of_response->end());
+  // What introspection tells of a call (REP-2012).
+  (*types)[time] = {{"sec", 6, 0, 0, {}}, {"nanosec", 7, 0, 0, {}}};
+  (*types)[info] = {{"event_type", 3, 0, 0, {}},
+                    nested_field("stamp", time),
+                    {"client_gid", array_offset + 3, 16, 0, {}},
+                    {"sequence_number", 8, 0, 0, {}}};
+  (*types)[event] = {nested_field("info", info), optional_field("request", request),
+                     optional_field("response", response)};
+  (*types)[name] = {nested_field("request_message", request),
+                    nested_field("response_message", response),
+                    nested_field("event_message", event)};
+  return hash_of(*types, name);
 }
 
 }  // namespace slackwater::bag

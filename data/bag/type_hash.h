@@ -12,10 +12,17 @@ namespace slackwater::bag {
 /// @param definition  "ros2msg": the fields of the type, then of each type that it holds after a
 ///                    line of 80 '=' and "MSG: package/Name"
 /// @return nothing where the definition cannot be followed: a type that it does not define, one of
-///         `char` and `wstring`, on which readers differ, or a part of a service or action, which
+///         `wstring`, on which readers differ, or a part of a service or action, which
 ///         "MSG: package/Name" takes for a message
 /// Source: ROS REP-2016; rosidl, rosidl_generator_type_description.
 [[nodiscard]] std::optional<std::string> type_hash(std::string_view type,
                                                    std::string_view definition);
+
+/// The same of a service: of its request, its response and the event that tells of a call.
+/// @param type  "std_srvs/srv/Trigger"
+/// Source: as above; the layout of the event, rosidl_parser (`Service`).
+[[nodiscard]] std::optional<std::string> service_type_hash(std::string_view type,
+                                                           std::string_view request_definition,
+                                                           std::string_view response_definition);
 
 }  // namespace slackwater::bag

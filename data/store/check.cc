@@ -52,6 +52,7 @@ void check_catalogue(Database& database, CheckReport& report) {
   report.sources = count(database, "source");
   report.granules = count(database, "granule");
   report.forecasts = count(database, "forecast");
+  report.decisions = count(database, "decision");
 }
 
 /// What names this content, and how it can be had again; nothing if no row names it any more.
@@ -60,11 +61,14 @@ std::optional<std::string> repair_advice(Database& database, const std::string& 
       "SELECT id, site_id, day FROM forecast WHERE content_sha256 = ? ORDER BY id LIMIT 1");
   forecast.bind(1, sha256);
   if (forecast.step()) {
+    Statement decided = database.prepare("SELECT 1 FROM decision WHERE forecast_id = ? LIMIT 1");
+    const bool is_decided_on = decided.bind(1, forecast.integer(0)).step();
     return "it is forecast " + std::to_string(forecast.integer(0)) + " of site " +
            forecast.text(1) + " as issued with day " + forecast.text(2) +
-           ", which cannot be made again; restore the file from a copy, or remove the forecast "
-           "with "
-           "`slackwater store prune --forecasts --older-than TIME`";
+           ", which cannot be made again; restore the file from a copy" +
+           (is_decided_on ? ": it cannot be removed, as decisions were made on it"
+                          : ", or remove the forecast with "
+                            "`slackwater store prune --forecasts --older-than TIME`");
   }
   Statement source = database.prepare(
       "SELECT s.name, s.sha256, s.cut_key FROM granule g JOIN source s ON s.id = g.source_id "

@@ -19,6 +19,7 @@ struct CheckReport {
   std::size_t sources = 0;
   std::size_t granules = 0;
   std::size_t forecasts = 0;
+  std::size_t decisions = 0;
   std::size_t content_files = 0;    ///< that rows name
   std::uint64_t content_bytes = 0;  ///< of these
 };

@@ -4,6 +4,7 @@
 
 #include "data/store/content_files.h"
 #include "data/store/database.h"
+#include "data/store/decision_table.h"
 #include "data/store/forecast_table.h"
 #include "data/store/granule_table.h"
 #include "data/store/layout.h"
@@ -193,6 +194,19 @@ std::vector<FiledForecast> Store::commit_forecasts(std::span<const NewForecast> 
 std::vector<ForecastRow> Store::find_forecasts(const ForecastQuery& query) {
   const Transaction transaction(state_->database, Transaction::Kind::read);
   return select_forecasts(state_->database, query);
+}
+
+std::int64_t Store::record_decision(const DecisionRow& row) {
+  state_->expect_writable();
+  Transaction transaction(state_->database, Transaction::Kind::write);
+  const std::int64_t id = insert_decision(state_->database, row);
+  transaction.commit();
+  return id;
+}
+
+std::vector<DecisionRow> Store::find_decisions(const DecisionQuery& query) {
+  const Transaction transaction(state_->database, Transaction::Kind::read);
+  return select_decisions(state_->database, query);
 }
 
 PruneReport Store::prune(const PruneOptions& options) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "data/store/check.h"
+#include "data/store/decision.h"
 #include "data/store/prune.h"
 #include "data/store/rows.h"
 
@@ -21,7 +22,7 @@ enum class OpenMode {
 /// What Slackwater knows, at rest: a catalogue (SQLite) and immutable content files named by their
 /// sha256.
 ///
-///   STORE/catalogue.sqlite          rows: sources, granules, forecasts as issued
+///   STORE/catalogue.sqlite          rows: sources, granules, forecasts as issued, decisions
 ///   STORE/files/ab/abcdef….nc       content; never changed, only added and pruned
 ///   STORE/staging/<pid>-<random>/   files being written, one folder per process, swept once that
 ///                                   process is gone
@@ -80,6 +81,12 @@ class Store {
   /// In order of (day, issued, id).
   [[nodiscard]] std::vector<ForecastRow> find_forecasts(const ForecastQuery& query);
   [[nodiscard]] std::vector<ForecastRow> list_forecasts() { return find_forecasts({}); }
+
+  /// Adds a decision; none is ever changed or removed. @return its id
+  /// Throws Error(not_found) where its forecast is not in the store.
+  std::int64_t record_decision(const DecisionRow& row);
+  /// In order of (start, id).
+  [[nodiscard]] std::vector<DecisionRow> find_decisions(const DecisionQuery& query);
 
   /// See `check_store`, which also looks at a store that cannot be opened.
   [[nodiscard]] CheckReport check(bool deep) { return check_store(folder(), deep); }

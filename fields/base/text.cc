@@ -4,6 +4,14 @@
 
 namespace slackwater {
 
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  char& first = text.front();
+  if (first >= 'a' && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
+  if (std::string_view(".!?").find(text.back()) == std::string_view::npos) text += '.';
+  return text;
+}
+
 std::string_view trimmed(std::string_view text, std::string_view blank) {
   const std::size_t from = text.find_first_not_of(blank);
   if (from == std::string_view::npos) return {};

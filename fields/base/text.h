@@ -24,6 +24,11 @@ template <typename... Values>
   return fmt::vformat(format, fmt::make_format_args(values...));
 }
 
+/// "1 granule", "3 granules".
+[[nodiscard]] inline std::string counted(std::size_t n, const std::string& one) {
+  return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+}
+
 /// The texts one after the other, with the separator between them: "a, b, c". Empty texts at the
 /// beginning get none.
 template <typename Texts>
@@ -35,6 +40,9 @@ template <typename Texts>
   }
   return all;
 }
+
+/// As a sentence: begun with a capital letter, with a full stop where it has no end.
+[[nodiscard]] std::string sentence(std::string text);
 
 /// Without what is blank at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view blank = " \t\r");

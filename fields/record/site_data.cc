@@ -110,6 +110,14 @@ bool SiteData::has_currents() const {
                      [](const ColumnData& c) { return !c.current.pieces.empty(); });
 }
 
+const ColumnData* SiteData::column_at(const GeoPoint& point) const noexcept {
+  constexpr double same_place_m = 50;
+  const auto found = std::find_if(columns.begin(), columns.end(), [&](const ColumnData& one) {
+    return one.point == point || distance_m(one.point, point) < same_place_m;
+  });
+  return found == columns.end() ? nullptr : &*found;
+}
+
 bool SiteData::is_empty() const {
   return std::all_of(columns.begin(), columns.end(), [](const ColumnData& c) {
     return c.current.pieces.empty() && c.wind.pieces.empty() && c.significant_height.pieces.empty();

@@ -59,6 +59,8 @@ struct SiteData {
   std::string damage;
 
   [[nodiscard]] bool has_currents() const;
+  /// The column at a place, within 50 m; null where none is.
+  [[nodiscard]] const ColumnData* column_at(const GeoPoint& point) const noexcept;
   /// Whether there are neither currents nor wind nor waves at any column.
   [[nodiscard]] bool is_empty() const;
 };

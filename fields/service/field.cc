@@ -32,7 +32,8 @@ void expect_whole(const Snapshot& snapshot) {
                 column.current_status.size() == (has_current ? values : 0) &&
                 column.current_sigma_m_s.size() == (has_current ? values : 0),
             "a column has a current, a sigma and a status for each time and level, or none");
-    expects(is(column.wind_m_s.size(), times) && is(column.sea.size(), times),
+    expects(is(column.wind_m_s.size(), times) && is(column.sea.size(), times) &&
+                is(column.height_spread.size(), column.sea.size()),
             "a column has wind and waves for each time, or none");
     const SeaLevel& level = column.sea_level;
     expects(is(level.level_m.size(), times) && level.sigma_m.size() == level.level_m.size(),

@@ -15,6 +15,9 @@ constexpr double product_wind_m = 10.0;
 /// Weight of a sea without waves in the mean direction: none beside any other, all where all are
 /// calm.
 constexpr double calm_m2 = 1e-12;
+/// Of a sea that is missing what nobody knows is NaN; the height may be known without the period or
+/// the direction.
+constexpr SeaState unknown_sea{constants::nan, constants::nan, constants::nan};
 
 Horizontal between(std::span<const Horizontal> values, TimePlace time) noexcept {
   if (!(time.upper > 0)) return values[time.low];
@@ -31,14 +34,17 @@ class MeanSea {
     const double energy = s.significant_height_m * s.significant_height_m + calm_m2;
     from_ += weight * energy * std::polar(1.0, constants::degree * s.from_direction_deg);
   }
-  /// Missing where any of them had no number.
+  /// Missing where any of them had no number; what is known of the sea is in it nevertheless.
   [[nodiscard]] SeaSample sample() const noexcept {
-    if (!std::isfinite(sum_.significant_height_m + sum_.peak_period_s + from_.real())) return {};
-    SeaSample sample{sum_, SampleStatus::ok};
+    const bool is_known =
+        std::isfinite(sum_.significant_height_m + sum_.peak_period_s + from_.real());
+    SeaSample sample{sum_, is_known ? SampleStatus::ok : SampleStatus::missing};
     // Calm water has no period: beside a sea it must not make that sea's look short and steep.
     if (without_period_ > 0 && without_period_ < 1)
       sample.sea.peak_period_s = sum_.peak_period_s / (1 - without_period_);
-    sample.sea.from_direction_deg = compass_deg(std::arg(from_) / constants::degree);
+    sample.sea.from_direction_deg = std::isfinite(from_.real())
+                                        ? compass_deg(std::arg(from_) / constants::degree)
+                                        : constants::nan;
     return sample;
   }
 
@@ -81,7 +87,7 @@ SeaSample Field::sea_at(const Place& place) const noexcept {
   MeanSea mean;
   for (std::uint32_t c = 0; c < here.stencil.count; ++c) {
     const std::vector<SeaState>& sea = snapshot_->columns[here.stencil.column[c]].sea;
-    if (sea.empty()) return {};
+    if (sea.empty()) return {unknown_sea, SampleStatus::missing};
     const double weight = here.stencil.weight[c];
     mean.add(weight * (1 - time->upper), sea[time->low]);
     if (time->upper > 0) mean.add(weight * time->upper, sea[time->low + 1]);

@@ -1,5 +1,6 @@
 #include "fields/service/snapshot.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "fields/base/constants.h"
@@ -15,6 +16,16 @@ std::span<const Horizontal> member_block(const std::vector<Horizontal>& members,
 }
 
 }  // namespace
+
+bool has_currents(const ForecastColumn& column) noexcept {
+  return std::any_of(column.current_status.begin(), column.current_status.end(),
+                     [](SampleStatus status) { return has_value(status); });
+}
+
+bool has_waves(const Snapshot& forecast) noexcept {
+  return std::any_of(forecast.columns.begin(), forecast.columns.end(),
+                     [](const ForecastColumn& column) { return !column.sea.empty(); });
+}
 
 std::span<const Horizontal> current_of_member(const ForecastColumn& column,
                                               std::size_t member) noexcept {

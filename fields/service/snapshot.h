@@ -45,7 +45,10 @@ struct ForecastColumn {
   std::vector<int> wind_member_number;
   std::vector<SeaState> sea;           ///< empty if the forecast has no waves
   std::vector<DataStatus> sea_source;  ///< per time
-  SeaLevel sea_level;                  ///< empty if the forecast has none
+  /// Standard deviation of the error of ln(Hs + 0.3 m) per time (fields/wave/height_error.h); empty
+  /// without waves, and of forecasts from before they said so (`height_spread_of`).
+  std::vector<double> height_spread;
+  SeaLevel sea_level;  ///< empty if the forecast has none
 };
 
 /// One forecast as issued: everything needed to answer "what is the water doing here, then".
@@ -78,6 +81,10 @@ struct Snapshot {
   Provenance provenance;
 };
 
+/// Whether a column has a current at any time and depth.
+[[nodiscard]] bool has_currents(const ForecastColumn& column) noexcept;
+/// Whether any column has waves.
+[[nodiscard]] bool has_waves(const Snapshot& forecast) noexcept;
 /// The current of a member over time x depth, a view; empty where the column does not hold it.
 [[nodiscard]] std::span<const Horizontal> current_of_member(const ForecastColumn& column,
                                                             std::size_t member) noexcept;

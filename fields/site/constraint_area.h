@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "fields/base/frame.h"
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
+#include "fields/geo/polygon.h"
 
 namespace slackwater {
 
@@ -44,11 +44,5 @@ class Config;
 ///
 /// @throws Error(invalid_input) for fewer than three corners and sides that cross
 [[nodiscard]] std::vector<ConstraintArea> read_areas(const Config& site);
-
-/// Whether a place lies in a polygon of the plane, its edge counted in or out. Odd crossings.
-[[nodiscard]] bool is_inside(const std::vector<Horizontal>& corners, Horizontal place);
-/// Whether a straight way touches it: begins, ends or passes there.
-[[nodiscard]] bool leads_through(const std::vector<Horizontal>& corners, Horizontal from,
-                                 Horizontal to);
 
 }  // namespace slackwater

@@ -60,6 +60,21 @@ std::optional<Fetch> read_fetch(const Config& config) {
   }
 }
 
+/// `access: {vessel: crew_transfer_vessel, passage: 75min}`
+std::optional<SiteAccess> read_access(const Config& config) {
+  const auto access = config.optional_child("access");
+  if (!access) return std::nullopt;
+  SiteAccess found{access->text("vessel"), {}};
+  try {
+    found.passage = parse_duration(access->text("passage"));
+  } catch (const Error& problem) {
+    access->refuse("passage", problem.message());
+  }
+  if (found.passage < Duration::zero() || found.passage > std::chrono::hours(24))
+    access->refuse("passage", "expected 0min to 24h, from port to the farm");
+  return found;
+}
+
 std::string read_text(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
@@ -132,6 +147,8 @@ Site parse_site(std::string_view yaml, std::string_view name) {
   site.current_product = config.optional_text("currents");
   site.time_zone = read_time_zone(config);
   site.tasks = config.texts("tasks");
+  site.shift = config.optional_text("shift").value_or("");
+  site.access = read_access(config);
   site.turbines = read_turbines(config);
   site.cables = read_cables(config, site.turbines);
   site.areas = read_areas(config);

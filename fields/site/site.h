@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fields/base/local_time.h"
+#include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
 #include "fields/site/constraint_area.h"
 #include "fields/site/farm.h"
@@ -16,6 +17,12 @@ namespace slackwater {
 struct ColumnBlock {
   BoundingBox box;
   int every = 1;
+};
+
+/// How people and vehicles get to the turbines.
+struct SiteAccess {
+  std::string vessel;  ///< id of a sheet of `data/vessels`, or its file
+  Duration passage{};  ///< from port to the farm, and home again the same
 };
 
 /// An offshore site as `data/sites/*.yaml` describes it (fields/docs/conventions.md).
@@ -34,7 +41,9 @@ struct Site {
   std::vector<CableRoute> cables;
   std::vector<ConstraintArea> areas;
   std::vector<std::string> tasks;
-  std::vector<GeoPoint> columns;  ///< extra columns; empty: the site's own point alone
+  std::string shift;  ///< "06:00-18:00" of its clocks, in which work is done; empty: at any hour
+  std::optional<SiteAccess> access;  ///< absent: nobody says, and nothing of it is judged
+  std::vector<GeoPoint> columns;     ///< extra columns; empty: the site's own point alone
   std::optional<ColumnBlock> column_block;
   std::string yaml;  ///< the text it was read from, kept with every result
 

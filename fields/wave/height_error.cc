@@ -40,4 +40,27 @@ double wave_height_sigma_m(double height_m, double lead_h) noexcept {
   return std::min(1.0, std::max(0.0, height_m) / heights_m.front()) * sigma_m;
 }
 
+namespace height_error {
+
+double of_sigma(double height_m, double sigma_m) noexcept {
+  const double variation = sigma_m / (height_m + shift_m);
+  return std::sqrt(std::log1p(variation * variation));
+}
+
+double of_product(double height_m, double lead_h) noexcept {
+  if (std::isnan(height_m)) return height_m;
+  const double at_m = std::max(height_m, shift_m);
+  return of_sigma(at_m, wave_height_sigma_m(at_m, lead_h));
+}
+
+double of_kept(double lead_h) noexcept {
+  return 0.48 * std::sqrt(-std::expm1(-std::max(0.0, lead_h) / 26));
+}
+
+double of_computed(double wind_sigma_m_s, bool without_swell) noexcept {
+  return std::hypot(per_wind * wind_sigma_m_s, without_swell ? 0.30 : 0.20);
+}
+
+}  // namespace height_error
+
 }  // namespace slackwater

@@ -60,7 +60,7 @@ class Matcher {
 }  // namespace
 
 FilterProgram gpsdecode_program() {
-  return {{"gpsdecode", "-j", "-s", "-v"}, "apt install gpsd-clients"};
+  return {{"gpsdecode", "-j", "-s", "-v", "-u"}, "apt install gpsd-clients"};
 }
 
 std::size_t decode_messages(const FilterProgram& decoder, const NextMessage& next,

@@ -10,7 +10,9 @@
 namespace slackwater::ingest {
 
 /// gpsd's decoder of AIS: `gpsdecode -j -s` with `-v`, which repeats each sentence before what it
-/// says. It drops times, so each answer is matched to its message by the sentence that it repeats.
+/// says, and `-u`, which leaves numbers as they are coded: scaled, it prints the places of type 27
+/// to 0.1 degree alone (gpsd 3.22). It drops times, so each answer is matched to its message by the
+/// sentence that it repeats.
 [[nodiscard]] FilterProgram gpsdecode_program();
 
 /// The next message, or nothing at the end.

@@ -1,17 +1,10 @@
 #include "ingest/ais/lines.h"
 
-#include "fields/base/error.h"
+#include <algorithm>
 
 namespace slackwater::ingest {
-namespace {
-constexpr std::size_t block_bytes = 65536;
-}
 
-Lines::Lines(const std::filesystem::path& file) : stream_(file, std::ios::binary) {
-  if (!stream_ || std::filesystem::is_directory(file)) {
-    throw Error(ErrorKind::not_found, "cannot read " + file.string() + "; expected a file");
-  }
-}
+Lines::Lines(const std::filesystem::path& file) : bytes_(file) {}
 
 std::optional<TextLine> Lines::next() {
   line_.clear();
@@ -19,9 +12,7 @@ std::optional<TextLine> Lines::next() {
   bool has_any = false;
   while (true) {
     if (at_ == block_.size()) {
-      block_.resize(block_bytes);
-      stream_.read(block_.data(), static_cast<std::streamsize>(block_bytes));
-      block_.resize(static_cast<std::size_t>(stream_.gcount()));
+      bytes_.next(block_);
       at_ = 0;
       if (block_.empty()) break;
     }

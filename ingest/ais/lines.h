@@ -1,10 +1,11 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "ingest/text/byte_source.h"
 
 namespace slackwater::ingest {
 
@@ -15,19 +16,20 @@ struct TextLine {
   bool is_too_long = false;  ///< longer than the limit: `text` holds its beginning
 };
 
-/// Reads a text file line by line in constant memory, whatever the bytes are.
+/// Reads a text file, packed by Zstandard or not, line by line in constant memory, whatever the
+/// bytes are.
 class Lines {
  public:
   /// Longest line kept: a tag block (80 characters) and a sentence (82) by NMEA 0183, and room for
   /// loggers.
   static constexpr std::size_t most_characters = 1024;
 
-  /// @throws Error(not_found) where the file cannot be opened
+  /// @throws as `ByteSource`
   explicit Lines(const std::filesystem::path& file);
   [[nodiscard]] std::optional<TextLine> next();
 
  private:
-  std::ifstream stream_;
+  ByteSource bytes_;
   std::string block_;
   std::size_t at_ = 0;
   std::string line_;

@@ -85,6 +85,17 @@ std::optional<AisMessage> MessageAssembler::take(std::string_view line, bool is_
     malformed("longer than any sentence");
     return std::nullopt;
   }
+  if (line.find('!') == line.rfind('!')) return take_one(line);
+  std::optional<AisMessage> found;
+  for (const std::string& part : split_sentences(line)) {
+    std::optional<AisMessage> message = take_one(part);
+    if (message && found) malformed("several messages in one line, expected one");
+    if (message && !found) found = std::move(message);
+  }
+  return found;
+}
+
+std::optional<AisMessage> MessageAssembler::take_one(std::string_view line) {
   const AisLine read = parse_ais_line(line);
   if (std::holds_alternative<OtherLine>(read)) return std::nullopt;
   if (const auto* stamp = std::get_if<PghpStamp>(&read)) {
@@ -105,7 +116,13 @@ std::optional<AisMessage> MessageAssembler::take(std::string_view line, bool is_
     counts_.mismatched_stamps += is_of_another ? 1U : 0U;
     if (!time && !is_of_another) time = stamp->time;
   }
-  if (!time) time = sentence.logged_time;
+  if (!time && sentence.logged_time) {
+    if (sentence.logged_time_states_zone || assume_utc_) {
+      time = sentence.logged_time;
+    } else {
+      ++counts_.zoneless_times;
+    }
+  }
   if (sentence.total == 1) {
     return AisMessage{sentence.payload, sentence.fill_bits, sentence.is_own_ship, time};
   }

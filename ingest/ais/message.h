@@ -32,6 +32,7 @@ struct AisLineCounts {
   std::size_t malformed = 0;          ///< lines that would be AIS
   std::size_t lost_fragments = 0;     ///< of messages that were never whole
   std::size_t mismatched_stamps = 0;  ///< of a sentence that is not there
+  std::size_t zoneless_times = 0;     ///< that a log states without a zone: not taken
   std::string first_malformed;        ///< "line 12: a sentence with a wrong checksum"
   bool operator==(const AisLineCounts&) const = default;
 };
@@ -45,7 +46,11 @@ class MessageAssembler {
   static constexpr std::size_t most_open = 64;
   static constexpr std::size_t reach = 200;
 
-  /// @return the message that this line completes
+  /// @param assume_utc  times that a log states without a zone are UTC
+  explicit MessageAssembler(bool assume_utc = false) : assume_utc_(assume_utc) {}
+
+  /// @return the message that this line completes; of two in one line the first, the other is
+  ///         malformed
   [[nodiscard]] std::optional<AisMessage> take(std::string_view line, bool is_too_long = false);
   /// What is still open is lost.
   void finish();
@@ -58,11 +63,13 @@ class MessageAssembler {
     std::size_t since = 0;  ///< sentence count
     AisMessage message;
   };
+  [[nodiscard]] std::optional<AisMessage> take_one(std::string_view line);
   void malformed(const std::string& reason);
   void lose(const std::deque<Open>::iterator& open);
   [[nodiscard]] std::optional<AisMessage> take_fragment(const AisSentence& sentence,
                                                         std::optional<UtcTime> time);
 
+  bool assume_utc_;
   AisLineCounts counts_;
   std::optional<PghpStamp> stamp_;
   std::deque<Open> open_;

@@ -15,25 +15,31 @@ namespace slackwater::ingest {
 /// How a log of AIS was read.
 struct AisReading {
   AisLineCounts lines;
-  std::size_t messages = 0;     ///< whole ones, of any type; rows of a table
-  std::size_t other_types = 0;  ///< that we do not use: 6 to 17, 20 to 23, 25 and above
-  std::size_t undecodable = 0;  ///< of our types, but their bits make no report
-  std::size_t untimed = 0;      ///< reports without a time: they tell who, not where
+  std::size_t messages = 0;                      ///< whole ones, of any type; rows of a table
+  std::size_t other_types = 0;                   ///< that we do not use
+  std::array<std::size_t, 64> others_of_type{};  ///< the same by message type; rows of a table: 0
+  std::size_t undecodable = 0;                   ///< of our types, but their bits make no report
+  std::size_t untimed = 0;  ///< reports without a time: they tell who, not where
   std::array<std::size_t, 28> reports_of_type{};  ///< by message type
   /// What an operator should read of this.
   [[nodiscard]] std::vector<std::string> warnings() const;
+  /// What was passed over because of its type: "3 messages ... type 8 (binary broadcast) 1, ...";
+  /// empty: nothing.
+  [[nodiscard]] std::string passed_over() const;
 };
 
 /// Reads a log of AIS in constant memory: NMEA 0183 sentences (VDM, VDO) with the times of `$PGHP`
-/// lines or tag blocks, decoded by `decoder`, or a table as MarineCadastre.gov publishes it.
+/// lines, tag blocks or a receiver's clock around them, decoded by `decoder`, or a table as
+/// MarineCadastre.gov or the Danish Maritime Authority publishes it; packed by Zstandard or not.
 /// Reports come in the order of the log.
 ///
+/// @param assume_utc  times that a log states without a zone are UTC; else they are not taken
 /// Any bytes are taken: what is no AIS is counted. @throws Error(not_found) for a file that cannot
 /// be opened, Error(invalid_input) for one without any AIS, Error(unavailable) where gpsdecode is
 /// missing or dies
 AisReading read_ais(const std::filesystem::path& file,
                     const std::function<void(const AisReport&)>& on_report,
-                    const FilterProgram& decoder = gpsdecode_program());
+                    const FilterProgram& decoder = gpsdecode_program(), bool assume_utc = false);
 
 /// What to keep of a log.
 struct AisTrackOptions {
@@ -41,6 +47,7 @@ struct AisTrackOptions {
   std::optional<UtcTime> from;
   std::optional<UtcTime> to;  ///< inclusive
   std::optional<std::uint32_t> mmsi;
+  bool assume_utc = false;  ///< times that a log states without a zone are UTC
   /// A bound on memory: 72 MB and as much again while they grow. A vessel weighs as much as five.
   std::size_t most_positions = 1'000'000;
 };

@@ -1,5 +1,6 @@
 #include "ingest/ais/report.h"
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -37,6 +38,7 @@ std::optional<AisClass> speaker_of(int type) noexcept {
     case 2:
     case 3:
     case 5:
+    case 27:
       return AisClass::a;
     case 4:
       return AisClass::base_station;
@@ -44,9 +46,32 @@ std::optional<AisClass> speaker_of(int type) noexcept {
     case 19:
     case 24:
       return AisClass::b;
+    case 9:
+      return AisClass::aircraft;
     default:
       return std::nullopt;
   }
+}
+
+/// What one step of a coded number is worth (ITU-R M.1371-5 annex 8, tables 47, 55, 66 and 78).
+struct Steps {
+  double degree = 1.0 / 600000.0;
+  double knot = 0.1;
+  double course_degree = 0.1;
+};
+
+Steps steps_of(int type, bool is_scaled) noexcept {
+  if (is_scaled) return {1, 1, 1};
+  if (type == 9) return {1.0 / 600000.0, 1, 0.1};
+  if (type == 27) return {1.0 / 600.0, 1, 1};
+  return {};
+}
+
+/// In whole knots, which reach further and end earlier than the tenths of other types.
+std::optional<double> whole_knots_m_s(int type, double speed_kn) noexcept {
+  const double least_unknown = type == 9 ? 1022 : 63;
+  if (!(speed_kn >= 0) || !(speed_kn < least_unknown)) return std::nullopt;
+  return speed_kn * metres_per_second_of_knot;
 }
 
 /// Distances from the antenna to the four sides (ITU-R M.1371 figure 41). Bow and port zero with
@@ -85,8 +110,46 @@ std::string_view name_of(AisClass speaker) noexcept {
       return "B";
     case AisClass::base_station:
       return "base station";
+    case AisClass::aircraft:
+      return "SAR aircraft";
   }
   return "";
+}
+
+bool is_ais_type_of_ours(int type) noexcept { return speaker_of(type).has_value(); }
+
+std::string_view name_of_ais_type(int type) noexcept {
+  // ITU-R M.1371-5, annex 8, table 46.
+  constexpr std::array<std::string_view, 28> names{"",
+                                                   "position",
+                                                   "position",
+                                                   "position",
+                                                   "base station",
+                                                   "ship and voyage",
+                                                   "addressed binary",
+                                                   "binary acknowledge",
+                                                   "binary broadcast",
+                                                   "SAR aircraft position",
+                                                   "UTC inquiry",
+                                                   "UTC response",
+                                                   "addressed safety text",
+                                                   "safety acknowledge",
+                                                   "safety broadcast",
+                                                   "interrogation",
+                                                   "assignment",
+                                                   "GNSS corrections",
+                                                   "position of class B",
+                                                   "extended position of class B",
+                                                   "data link management",
+                                                   "aid to navigation",
+                                                   "channel management",
+                                                   "group assignment",
+                                                   "particulars",
+                                                   "single-slot binary",
+                                                   "multiple-slot binary",
+                                                   "long-range position"};
+  if (type < 0 || static_cast<std::size_t>(type) >= names.size()) return "";
+  return names[static_cast<std::size_t>(type)];
 }
 
 std::optional<std::string> clean_ais_text(std::string_view text) {
@@ -132,11 +195,15 @@ std::optional<AisReport> report_from_json(std::string_view json) {
   report.speaker = *speaker;
   const auto latitude = number_of(object, "lat");
   const auto longitude = number_of(object, "lon");
-  if (latitude && longitude) report.position = ais_position(*latitude, *longitude);
+  const auto scaled = object.find("scaled");
+  const Steps step = steps_of(*type, scaled == object.end() || *scaled != Json(false));
+  if (latitude && longitude)
+    report.position = ais_position(*latitude * step.degree, *longitude * step.degree);
   if (const auto speed = number_of(object, "speed"))
-    report.speed_over_ground_m_s = ais_speed_m_s(*speed);
+    report.speed_over_ground_m_s = *type == 9 || *type == 27 ? whole_knots_m_s(*type, *speed)
+                                                             : ais_speed_m_s(*speed * step.knot);
   if (const auto course = number_of(object, "course"))
-    report.course_over_ground = ais_angle(*course);
+    report.course_over_ground = ais_angle(*course * step.course_degree);
   if (const auto heading = number_of(object, "heading")) report.heading = ais_angle(*heading);
   report.utc_second = whole_of(object, "second", 0, 59);
   report.identity = identity_of(object);

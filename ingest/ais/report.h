@@ -12,11 +12,19 @@ namespace slackwater::ingest {
 
 /// Who speaks, by the message types of ITU-R M.1371.
 enum class AisClass : std::uint8_t {
-  a,             ///< types 1, 2, 3, 5: ships that must carry AIS
+  a,             ///< types 1, 2, 3, 5, 27: ships that must carry AIS
   b,             ///< types 18, 19, 24: small craft
   base_station,  ///< type 4: on land, its clock and place
+  aircraft,      ///< type 9: of search and rescue, in the air
 };
-[[nodiscard]] std::string_view name_of(AisClass speaker) noexcept;  ///< "A", "B", "base station"
+/// "A", "B", "base station", "SAR aircraft".
+[[nodiscard]] std::string_view name_of(AisClass speaker) noexcept;
+
+/// The message types that we read: 1 to 5, 9, 18, 19, 24 and 27.
+[[nodiscard]] bool is_ais_type_of_ours(int type) noexcept;
+/// What a message type of ITU-R M.1371 is, "aid to navigation"; empty for one that it does not
+/// have.
+[[nodiscard]] std::string_view name_of_ais_type(int type) noexcept;
 
 /// What a vessel says of itself; what it does not say, or says is not available, is absent.
 struct AisIdentity {
@@ -34,15 +42,16 @@ struct AisIdentity {
 
 /// One decoded message, in SI units, its values checked against ITU-R M.1371: latitude 91,
 /// longitude 181, speed 102.3 kn (and "102.2 kn or more"), course 360 and heading 511 mean "not
-/// available" and are absent here.
+/// available" and are absent here. So do 1023 kn (and 1022 or more) of an aircraft and 63 kn of
+/// type 27.
 struct AisReport {
   std::uint32_t mmsi = 0;  ///< 1 to 999999999
-  int type = 0;            ///< 1 to 5, 18, 19 or 24
+  int type = 0;            ///< one of ours
   AisClass speaker = AisClass::a;
   bool is_own_ship = false;  ///< VDO: of the receiver itself
   std::optional<UtcTime>
       time;  ///< when it was received, by the log; AIS itself tells the second alone
-  std::optional<GeoPoint> position;
+  std::optional<GeoPoint> position;  ///< of type 27 rounded to a tenth of a minute, 185 m
   std::optional<double> speed_over_ground_m_s;
   std::optional<Angle> course_over_ground;  ///< where it goes to, clockwise from true north
   std::optional<Angle> heading;
@@ -52,7 +61,7 @@ struct AisReport {
 
 inline constexpr double metres_per_second_of_knot = 1852.0 / 3600.0;
 
-/// A report from an object of `gpsdecode -j`. Takes any text.
+/// A report from an object of `gpsdecode -j`, scaled or not (`"scaled":false`). Takes any text.
 /// @return nothing where it is no JSON object of one of our types with an MMSI
 [[nodiscard]] std::optional<AisReport> report_from_json(std::string_view json);
 

@@ -3,12 +3,10 @@
 #include <array>
 #include <charconv>
 
+#include "ingest/ais/logged_time.h"
+
 namespace slackwater::ingest {
 namespace {
-
-/// Times outside are of a clock that was never set.
-constexpr UtcTime earliest = UtcDay(std::chrono::year(1990) / 1 / 1);
-constexpr UtcTime latest = UtcDay(std::chrono::year(2100) / 1 / 1);
 
 /// A whole number that is the whole text.
 std::optional<std::int64_t> number_in(std::string_view text, int base = 10) {
@@ -44,17 +42,12 @@ std::optional<Checked> checked(std::string_view text) {
   return result;
 }
 
-std::optional<UtcTime> believable(UtcTime time) {
-  if (time < earliest || time >= latest) return std::nullopt;
-  return time;
-}
-
 /// Seconds since 1970, or milliseconds where they are too many for seconds (NMEA 0183 4.0 allows
 /// both).
 std::optional<UtcTime> unix_time(std::string_view text) {
   const auto value = number_in(text);
   if (!value || *value > 4'102'444'800'000) return std::nullopt;
-  return believable(
+  return believable_time(
       UtcTime(*value >= 100'000'000'000 ? Duration(*value) : Duration(*value * 1000)));
 }
 
@@ -89,6 +82,18 @@ bool is_armoured(std::string_view payload) noexcept {
   return !payload.empty();
 }
 
+/// Where `!AIVDM,` or `!AIVDO,` of any talker begins, from `from` on.
+std::size_t sentence_at(std::string_view line, std::size_t from) noexcept {
+  for (std::size_t at = line.find('!', from); at != std::string_view::npos;
+       at = line.find('!', at + 1)) {
+    const std::string_view formatter = line.substr(at, 7);
+    if (formatter.ends_with("VDO,") || formatter.ends_with("VDM,")) {
+      if (formatter.size() == 7) return at;
+    }
+  }
+  return std::string_view::npos;
+}
+
 AisLine parse_stamp(std::string_view line) {
   const auto body = checked(line.substr(1));
   if (!body || !body->is_right) return MalformedLine{"a $PGHP line with a wrong checksum"};
@@ -106,8 +111,8 @@ AisLine parse_stamp(std::string_view line) {
     return MalformedLine{"a $PGHP line with a time that does not exist"};
   }
   const auto time =
-      believable(UtcDay(date) + std::chrono::hours(part[3]) + std::chrono::minutes(part[4]) +
-                 std::chrono::seconds(part[5]) + Duration(part[6]));
+      believable_time(UtcDay(date) + std::chrono::hours(part[3]) + std::chrono::minutes(part[4]) +
+                      std::chrono::seconds(part[5]) + Duration(part[6]));
   if (!time) return MalformedLine{"a $PGHP line of a clock that was not set"};
   return PghpStamp{*time, static_cast<int>(number_in(field[13], 16).value_or(0) & 0xff)};
 }
@@ -120,13 +125,35 @@ int nmea_checksum(std::string_view text) noexcept {
   return sum;
 }
 
+std::vector<std::string> split_sentences(std::string_view line) {
+  std::vector<std::string> parts;
+  const std::size_t first = sentence_at(line, 0);
+  for (std::size_t at = first; at != std::string_view::npos;) {
+    const std::size_t next = sentence_at(line, at + 1);
+    parts.push_back(
+        std::string(line.substr(0, first)) +
+        std::string(line.substr(at, next == std::string_view::npos ? next : next - at)));
+    at = next;
+  }
+  if (parts.size() < 2) return {std::string(line)};
+  return parts;
+}
+
 AisLine parse_ais_line(std::string_view line) {
   if (line.starts_with("$PGHP,")) return parse_stamp(line);
-  const TagBlock tag = take_tag_blocks(line);
-  if (line.empty() || line.front() != '!') return OtherLine{};
-  const std::string_view formatter = line.substr(0, 7);
-  const bool is_own_ship = formatter.ends_with("VDO,");
-  if (formatter.size() < 7 || !(is_own_ship || formatter.ends_with("VDM,"))) return OtherLine{};
+  TagBlock tag = take_tag_blocks(line);
+  const std::size_t at = sentence_at(line, 0);
+  if (at == std::string_view::npos || line.front() == '#') return OtherLine{};
+  if (sentence_at(line, at + 1) != std::string_view::npos)
+    return MalformedLine{"several sentences in one line, expected one"};
+  std::string_view before = line.substr(0, at);
+  line.remove_prefix(at);
+  if (const std::size_t slash = before.find('\\'); slash != std::string_view::npos) {
+    std::string_view blocks = before.substr(slash);
+    tag = take_tag_blocks(blocks);
+    before = before.substr(0, slash);
+  }
+  const bool is_own_ship = line.substr(0, 7).ends_with("VDO,");
   const auto body = checked(line.substr(1));
   if (!body) return MalformedLine{"a sentence without a checksum"};
   if (!body->is_right) return MalformedLine{"a sentence with a wrong checksum"};
@@ -154,6 +181,14 @@ AisLine parse_ais_line(std::string_view line) {
   sentence.time = tag.time;
   for (std::string_view suffix = body->rest; !suffix.empty();) {
     sentence.logged_time = unix_time(take_field(suffix, ','));
+  }
+  if (!sentence.logged_time) {
+    auto logged = logged_time_in(before);
+    if (!logged) logged = logged_time_in(body->rest);
+    if (logged) {
+      sentence.logged_time = logged->clock;
+      sentence.logged_time_states_zone = logged->states_zone;
+    }
   }
   // The group of a tag block names its message; else the talker, the sequence number and the
   // channel do.

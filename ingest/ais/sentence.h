@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "fields/base/time.h"
 
@@ -26,7 +27,8 @@ struct AisSentence {
   int checksum = 0;
   bool is_own_ship = false;            ///< VDO
   std::optional<UtcTime> time;         ///< of the tag block (`c:`)
-  std::optional<UtcTime> logged_time;  ///< that a logger hung behind: `...*0F,1276256770`
+  std::optional<UtcTime> logged_time;  ///< that a logger put before or behind (logged_time.h)
+  bool logged_time_states_zone = true;
 };
 
 /// `$PGHP,1,2010,6,11,11,46,11,390,...,2B*5B`: when the message that follows was received, by the
@@ -46,8 +48,14 @@ struct MalformedLine {
 
 using AisLine = std::variant<AisSentence, PghpStamp, OtherLine, MalformedLine>;
 
-/// Reads one line; takes any bytes. A tag block or stamp that is not sound is as if absent.
+/// Reads one line; takes any bytes. A tag block or stamp that is not sound is as if absent. What a
+/// receiver wrote around the sentence (its clock, signal powers) is passed over but for a time. A
+/// line of several sentences is malformed: `split_sentences` takes them apart.
 [[nodiscard]] AisLine parse_ais_line(std::string_view line);
+
+/// The sentences of a line that holds several, as the JSON of receivers does, each with what stands
+/// before the first; a line of one or none as it is.
+[[nodiscard]] std::vector<std::string> split_sentences(std::string_view line);
 
 /// The exclusive or of all characters, as NMEA 0183 has it.
 [[nodiscard]] int nmea_checksum(std::string_view text) noexcept;

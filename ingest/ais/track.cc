@@ -51,19 +51,24 @@ void AisTrackCollector::add(const AisReport& report) {
   renew(track.identity, report.identity);
   if (!has_position) return;
   ++positions_;
-  track.positions.push_back({time_of_position(*report.time, report.utc_second), *report.position,
-                             report.speed_over_ground_m_s, report.course_over_ground,
-                             report.heading});
+  auto& positions = report.type == 27 ? coarse_[report.mmsi] : track.positions;
+  positions.push_back({time_of_position(*report.time, report.utc_second), *report.position,
+                       report.speed_over_ground_m_s, report.course_over_ground, report.heading});
 }
 
 std::vector<AisTrack> AisTrackCollector::take() && {
   std::vector<AisTrack> result;
   result.reserve(tracks_.size());
   for (auto& [mmsi, track] : tracks_) {
+    if (track.positions.empty()) {
+      if (const auto coarse = coarse_.find(mmsi); coarse != coarse_.end())
+        track.positions = std::move(coarse->second);
+    }
     settle(track.positions);
     result.push_back(std::move(track));
   }
   tracks_.clear();
+  coarse_.clear();
   positions_ = 0;
   return result;
 }

@@ -33,10 +33,12 @@ struct AisPosition {
 /// All that a log says of one vessel.
 struct AisTrack {
   std::uint32_t mmsi = 0;
-  AisClass speaker = AisClass::a;      ///< by its positions, else by what it says of itself
-  AisIdentity identity;                ///< the newest of each particular
-  std::size_t reports = 0;             ///< messages of all types
-  std::vector<AisPosition> positions;  ///< times strictly ascending; may be empty
+  AisClass speaker = AisClass::a;  ///< by its positions, else by what it says of itself
+  AisIdentity identity;            ///< the newest of each particular
+  std::size_t reports = 0;         ///< messages of all types
+  /// Times strictly ascending; may be empty. Those of type 27, to a tenth of a minute, count only
+  /// where the vessel tells none that are finer: between finer ones they would make it jump.
+  std::vector<AisPosition> positions;
 };
 
 /// Sorts reports to vessels.
@@ -52,6 +54,7 @@ class AisTrackCollector {
 
  private:
   std::map<std::uint32_t, AisTrack> tracks_;
+  std::map<std::uint32_t, std::vector<AisPosition>> coarse_;  ///< of type 27
   std::size_t positions_ = 0;
 };
 

@@ -89,6 +89,21 @@ const netcdf::Variable* coordinate_of(const netcdf::File& file, const netcdf::Va
   return found;
 }
 
+/// Whether a coordinate of two dimensions runs along one of time.
+bool follows_time(const netcdf::File& file, const netcdf::Variable& coordinate) {
+  if (coordinate.dimensions.size() != 2) return false;
+  return std::any_of(
+      file.variables().begin(), file.variables().end(), [&](const netcdf::Variable& time) {
+        return contains_ignoring_case(time.text("units").value_or(""), " since ") &&
+               std::any_of(time.dimensions.begin(), time.dimensions.end(),
+                           [&](const std::string& dimension) {
+                             return std::find(coordinate.dimensions.begin(),
+                                              coordinate.dimensions.end(),
+                                              dimension) != coordinate.dimensions.end();
+                           });
+      });
+}
+
 void refuse_other_grids(const netcdf::File& file, const netcdf::Variable& data) {
   for (const std::string& name : words_of(data.text("coordinates").value_or(""))) {
     const netcdf::Variable* coordinate = file.find(name);
@@ -101,6 +116,10 @@ void refuse_other_grids(const netcdf::File& file, const netcdf::Variable& data) 
     };
     if (is_one_of(standard_name, {"latitude", "longitude"}) || horizontal(by_name) ||
         horizontal(by_units)) {
+      if (follows_time(file, *coordinate))
+        refuse(data, "has a place for each time (" + name +
+                         " runs along time): a track or scattered observations, no grid; expected "
+                         "a grid, or a series of one place with one latitude and longitude");
       refuse(data, "lies on a curvilinear grid (" + name + " has " +
                        std::to_string(coordinate->dimensions.size()) +
                        " dimensions); expected one-dimensional latitude and longitude; regrid it "

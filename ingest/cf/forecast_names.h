@@ -13,6 +13,7 @@ inline constexpr const char* wave_height = "sea_surface_wave_significant_height"
 inline constexpr const char* wave_period =
     "sea_surface_wave_period_at_variance_spectral_density_maximum";
 inline constexpr const char* wave_direction = "sea_surface_wave_from_direction";
+inline constexpr const char* wave_height_spread = "sea_surface_wave_significant_height_spread";
 inline constexpr const char* sea_level = "sea_surface_height_above_geoid";
 inline constexpr const char* sea_level_sigma = "sea_surface_height_standard_deviation";
 inline constexpr const char* sea_level_source = "sea_surface_height_source";

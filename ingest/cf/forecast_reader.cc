@@ -186,11 +186,28 @@ class ForecastReader {
     }
   }
 
+  /// Of one column; empty where the file was written before forecasts said so.
+  std::vector<double> spread_of(const std::vector<double>& height,
+                                const std::vector<double>& spread, std::size_t c) const {
+    std::vector<double> found;
+    std::size_t missing = 0;
+    for (std::size_t i = c; i < spread.size(); i += columns_) {
+      if (spread[i] < 0) refuse("a wave height whose spread is negative");
+      missing += std::isnan(spread[i]) && !std::isnan(height[i]) ? 1U : 0U;
+      found.push_back(spread[i]);
+    }
+    const bool has_any = std::any_of(found.begin(), found.end(), [](double s) { return s >= 0; });
+    if (!has_any) return {};
+    if (missing > 0) refuse("a wave height without its spread");
+    return found;
+  }
+
   void read_sea(Snapshot& s) const {
     const auto height = data(forecast_names::wave_height, s.time.size());
     const auto period = data(forecast_names::wave_period, s.time.size());
     const auto direction = data(forecast_names::wave_direction, s.time.size());
     const auto source = data("wave_source", s.time.size());
+    const auto spread = data(forecast_names::wave_height_spread, s.time.size());
     if (height.empty() || period.empty() || direction.empty() || source.empty()) return;
     for (std::size_t c = 0; c < columns_; ++c) {
       bool any = false;
@@ -200,6 +217,7 @@ class ForecastReader {
         s.columns[c].sea.push_back({height[i], period[i], direction[i]});
       }
       s.columns[c].sea_source = sources(source, c);
+      s.columns[c].height_spread = spread_of(height, spread, c);
     }
   }
 

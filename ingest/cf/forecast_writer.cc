@@ -9,6 +9,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/service/wave_source.h"
+#include "fields/wave/height_error.h"
 #include "ingest/cf/averaged_json.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/cf/forecast_members.h"
@@ -244,9 +245,25 @@ class ForecastWriter {
                forecast_names::wave_direction,
                "direction that waves come from, clockwise from true north", "degree", false),
         define_source("wave_source", "where the sea state comes from")};
-    const std::string sources = wave_sources_text(s_);
-    if (sources.empty()) return;
-    for (const int id : sea_ids_) out_.attribute(id, "comment", sources);
+    if (const std::string sources = wave_sources_text(s_); !sources.empty())
+      for (const int id : sea_ids_) out_.attribute(id, "comment", sources);
+    define_height_spread();
+  }
+
+  void define_height_spread() {
+    if (std::all_of(s_.columns.begin(), s_.columns.end(),
+                    [](const ForecastColumn& c) { return c.height_spread.empty(); }))
+      return;
+    const std::string name = forecast_names::wave_height;
+    spread_ids_ = {define(forecast_names::wave_height_spread, Type::float64, surface_dims(), "",
+                          "standard deviation of the error of ln(significant wave height + 0.3 m)",
+                          "1", false)};
+    for (const char* const quantile : {"_p10", "_p90"})
+      spread_ids_.push_back(
+          define(name + quantile, Type::float64, surface_dims(), "",
+                 "significant wave height, " + std::string(quantile).substr(2) + " % quantile", "m",
+                 false));
+    out_.attribute(sea_ids_.front(), "ancillary_variables", forecast_names::wave_height_spread);
   }
 
   void define_sea_level() {
@@ -408,6 +425,18 @@ class ForecastWriter {
     put(sea_ids_[3], 1, [](const ForecastColumn& c, std::size_t o) {
       return o < c.sea_source.size() ? static_cast<double>(c.sea_source[o]) : 0.0;
     });
+    if (spread_ids_.empty()) return;
+    const auto spread = [](const ForecastColumn& c, std::size_t o) {
+      return o < c.height_spread.size() ? c.height_spread[o] : nan;
+    };
+    const auto height = [&](double z) {
+      return [&at, &spread, z](const ForecastColumn& c, std::size_t o) {
+        return height_error::height_at(at(c, o).significant_height_m, spread(c, o), z);
+      };
+    };
+    put(spread_ids_[0], 1, spread);
+    put(spread_ids_[1], 1, height(-constants::normal_p90));
+    put(spread_ids_[2], 1, height(constants::normal_p90));
   }
 
   void write_sea_level() {
@@ -438,7 +467,7 @@ class ForecastWriter {
   int time_id_ = 0, depth_id_ = 0, latitude_id_ = 0, longitude_id_ = 0, station_id_ = 0,
       reference_id_ = 0, period_id_ = 0, bed_id_ = 0, east_id_ = 0, north_id_ = 0, sigma_id_ = 0,
       status_id_ = 0;
-  std::vector<int> quantile_ids_, wind_ids_, sea_ids_, level_ids_;
+  std::vector<int> quantile_ids_, wind_ids_, sea_ids_, spread_ids_, level_ids_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -82,12 +83,101 @@ std::size_t count_missing(const T* values, std::size_t n) noexcept {
   return count;
 }
 
-struct Bounds {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
+/// The limits as written, and whether their type says that they are unpacked.
+struct WrittenLimits {
+  std::optional<double> low, high;
+  bool are_unpacked = false;
 };
 
+WrittenLimits limits_of(const netcdf::Variable& variable) {
+  WrittenLimits limits;
+  const auto take = [&](const netcdf::Attribute& attribute, std::optional<double> low,
+                        std::optional<double> high) {
+    if (low) limits.low = low;
+    if (high) limits.high = high;
+    limits.are_unpacked = attribute.type != variable.type && !is_integer(attribute.type);
+  };
+  if (const netcdf::Attribute* attribute = variable.find("valid_range")) {
+    const auto* values = std::get_if<std::vector<double>>(&attribute->value);
+    if (values != nullptr && values->size() == 2) take(*attribute, (*values)[0], (*values)[1]);
+  }
+  if (const netcdf::Attribute* attribute = variable.find("valid_min"))
+    take(*attribute, attribute->number(), std::nullopt);
+  if (const netcdf::Attribute* attribute = variable.find("valid_max"))
+    take(*attribute, std::nullopt, attribute->number());
+  return limits;
+}
+
 }  // namespace
+
+std::string lost_by_limits(const std::string& variable, const DecodeCounts& counts) {
+  const std::size_t known = counts.values + counts.gross + counts.outside;
+  return formatted(
+      "'{}': {} of {} values ({:.1f} %) lie outside the valid range that the file states and are "
+      "taken as missing; if they are sound, take valid_min, valid_max, valid_range out of the file",
+      variable, counts.outside, known,
+      100.0 * static_cast<double>(counts.outside) /
+          static_cast<double>(std::max<std::size_t>(known, 1)));
+}
+
+void Packing::read_limits(const netcdf::Variable& variable, std::vector<std::string>& warnings) {
+  const WrittenLimits written = limits_of(variable);
+  if (!written.low && !written.high) return;
+  const bool packed = scale_ != 1.0 || offset_ != 0.0;
+  const double rounding = is_integer(variable.type) ? 0.5 : 0.0;  // of the packed numbers
+  const auto read = [&](bool unpacked) {
+    const auto raw = [&](double value) {
+      if (unpacked) return (value - offset_) / scale_;
+      return value < 0.0 ? value + unsigned_turn_ : value;
+    };
+    Limits limits;
+    if (written.low) limits.low = raw(*written.low);
+    if (written.high) limits.high = raw(*written.high);
+    if (unpacked && scale_ < 0) {
+      limits = {written.high ? limits.high : Limits{}.low,
+                written.low ? limits.low : Limits{}.high};
+    }
+    if (unpacked) limits = {limits.low - rounding, limits.high + rounding};
+    return limits;
+  };
+  const bool unpacked = packed && written.are_unpacked;
+  limits_ = read(unpacked);
+  if (!(limits_.low <= limits_.high)) {
+    warnings.push_back("variable '" + variable.name +
+                       "': its valid range is empty or not a number and is ignored");
+    limits_ = {};
+    return;
+  }
+  if (!packed) return;
+  const Limits other = read(!unpacked);
+  if (other.low <= other.high) other_ = other;
+  other_is_packed_ = unpacked;
+}
+
+void Packing::settle_limits(std::span<const double> raw, const std::string& variable,
+                            std::vector<std::string>& warnings) {
+  if (!other_) return;
+  std::size_t known = 0;
+  std::size_t lost = 0;
+  std::size_t lost_by_other = 0;
+  for (double value : raw) {
+    if (value < 0) value += unsigned_turn_;
+    if (std::isnan(value) || std::find(missing_.begin(), missing_.end(), value) != missing_.end())
+      continue;
+    ++known;
+    lost += value < limits_.low || value > limits_.high ? 1 : 0;
+    lost_by_other += value < other_->low || value > other_->high ? 1 : 0;
+  }
+  // A range that a product keeps to drops next to nothing.
+  if (2 * lost <= known || 10 * lost_by_other > known) return;
+  warnings.push_back("'" + variable + "': read as " +
+                     (other_is_packed_ ? "unpacked values" : "packed numbers") +
+                     " its valid range would drop " + std::to_string(lost) + " of " +
+                     std::to_string(known) + " values; it is read as " +
+                     (other_is_packed_ ? "packed numbers" : "values in the unit of the variable"));
+  limits_ = *other_;
+  other_.reset();
+}
 
 Packing Packing::of(const netcdf::Variable& variable, std::vector<std::string>& warnings) {
   Packing packing;
@@ -118,34 +208,7 @@ Packing Packing::of(const netcdf::Variable& variable, std::vector<std::string>& 
     }
   }
 
-  const bool packed = is_integer(variable.type) && (scale || offset);
-  const auto raw_limit = [&](const netcdf::Attribute& attribute, double value) {
-    if (packed && !is_integer(attribute.type)) return (value - packing.offset_) / packing.scale_;
-    return as_raw(value);
-  };
-  Bounds bounds;
-  if (const netcdf::Attribute* attribute = variable.find("valid_range")) {
-    const auto* values = std::get_if<std::vector<double>>(&attribute->value);
-    if (values != nullptr && values->size() == 2) {
-      bounds = {raw_limit(*attribute, (*values)[0]), raw_limit(*attribute, (*values)[1])};
-    }
-  }
-  if (const netcdf::Attribute* attribute = variable.find("valid_min");
-      attribute != nullptr && attribute->number()) {
-    bounds.low = raw_limit(*attribute, *attribute->number());
-  }
-  if (const netcdf::Attribute* attribute = variable.find("valid_max");
-      attribute != nullptr && attribute->number()) {
-    bounds.high = raw_limit(*attribute, *attribute->number());
-  }
-  if (packed && packing.scale_ < 0 && bounds.low > bounds.high) std::swap(bounds.low, bounds.high);
-  if (bounds.low <= bounds.high) {
-    packing.low_ = bounds.low;
-    packing.high_ = bounds.high;
-  } else {
-    warnings.push_back("variable '" + variable.name +
-                       "': its valid range is empty or not a number and is ignored");
-  }
+  packing.read_limits(variable, warnings);
   return packing;
 }
 
@@ -175,8 +238,8 @@ void Packing::decode_as(std::span<const Raw> raw, std::span<float> out,
     return static_cast<Raw>(std::clamp(limit, -largest, largest));
   };
   // Limits and missing values in the type of the data: 1e20f must meet 1e20f, not 1e20.
-  const Raw low = limited(low_);
-  const Raw high = limited(high_);
+  const Raw low = limited(limits_.low);
+  const Raw high = limited(limits_.high);
   const auto mark = [&](double value) {
     return std::isnan(value) ? static_cast<Raw>(value) : limited(value);
   };
@@ -187,7 +250,9 @@ void Packing::decode_as(std::span<const Raw> raw, std::span<float> out,
   const bool identity = scale_ == 1.0 && offset_ == 0.0;
   const double gross_low = only_positive_ ? std::max(gross_.low, smallest_depth) : gross_.low;
   const double gross_high = gross_.high;
+  const bool has_limits = std::isfinite(limits_.low) || std::isfinite(limits_.high);
   std::size_t missing = 0;
+  std::size_t outside = 0;
   std::size_t gross = 0;
   // One condition a pass over a stretch that stays in the nearest cache: each loop becomes vector
   // code.
@@ -201,8 +266,10 @@ void Packing::decode_as(std::span<const Raw> raw, std::span<float> out,
     keep_unless_equal(clean, n, m0);
     keep_unless_equal(clean, n, m1);
     keep_unless_equal(clean, n, m2);
+    const std::size_t fill = has_limits ? count_missing(clean, n) : 0;
     keep_inside(clean, n, low, high);
     const std::size_t absent = count_missing(clean, n);
+    if (has_limits) outside += absent - fill;
     missing += absent;
     if (absent == n) {
       std::fill_n(to, n, std::numeric_limits<float>::quiet_NaN());
@@ -227,6 +294,7 @@ void Packing::decode_as(std::span<const Raw> raw, std::span<float> out,
   }
   counts.values += raw.size() - missing - gross;
   counts.missing += missing;
+  counts.outside += outside;
   counts.gross += gross;
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
+#include "fields/geo/coverage.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -27,26 +29,51 @@ SettledAttributes read_settled(const Config& config) {
           config.optional_text("standard_name"), config.optional_text("positive")};
 }
 
+MeanLabel mean_label(const Config& config) {
+  const std::string label = config.text("label");
+  if (label == "centre") return MeanLabel::centre;
+  if (label == "start") return MeanLabel::start;
+  if (label == "end") return MeanLabel::end;
+  if (label == "utc_day") return MeanLabel::utc_day;
+  if (label == "utc_step") return MeanLabel::utc_step;
+  if (label == "utc_month") return MeanLabel::utc_month;
+  config.refuse("label", "found '" + label +
+                             "'; expected centre, start, end, utc_step, utc_day or utc_month");
+}
+
+/// A number of whole days or hours; "month" is what lies between the stamps of two months.
+Duration read_spacing(const Config& config) {
+  const std::string text = config.text("spacing");
+  const Duration spacing = text == "month" ? shortest_month : parse_duration(text);
+  if (spacing <= Duration::zero())
+    config.refuse("spacing", "expected the time between two stamps, longer than nothing");
+  return spacing;
+}
+
 MeanRule read_mean(const Config& config) {
+  constexpr Duration day = std::chrono::hours(24);
   MeanRule rule;
-  rule.attribute = config.text("attribute");
-  rule.contains = config.text("contains");
+  rule.label = mean_label(config);
+  if (config.has("spacing")) {
+    rule.spacing = read_spacing(config);
+    if (config.has("attribute"))
+      config.refuse("spacing", "either what an attribute says, or how far apart the stamps are");
+  } else {
+    rule.attribute = config.text("attribute");
+    rule.contains = config.text("contains");
+  }
+  rule.variables = config.texts("variables");
+  if (rule.label == MeanLabel::utc_month) {
+    if (config.has("step")) config.refuse("step", "a month has no fixed length; leave it out");
+    return rule;
+  }
   rule.step = parse_duration(config.text("step"));
   if (rule.step <= Duration::zero())
     config.refuse("step", "a mean needs an interval longer than nothing");
-  const std::string label = config.text("label");
-  if (label == "centre") {
-    rule.label = MeanLabel::centre;
-  } else if (label == "start") {
-    rule.label = MeanLabel::start;
-  } else if (label == "end") {
-    rule.label = MeanLabel::end;
-  } else if (label == "utc_day") {
-    rule.label = MeanLabel::utc_day;
-    if (rule.step != std::chrono::hours(24)) config.refuse("step", "label utc_day needs step 24h");
-  } else {
-    config.refuse("label", "found '" + label + "'; expected centre, start, end or utc_day");
-  }
+  if (rule.label == MeanLabel::utc_day && rule.step != day)
+    config.refuse("step", "label utc_day needs step 24h");
+  if (rule.label == MeanLabel::utc_step && day % rule.step != Duration::zero())
+    config.refuse("step", "label utc_step needs a step that divides a day");
   return rule;
 }
 
@@ -60,7 +87,30 @@ DownloadKind kind_of(const Config& config) {
   config.refuse("kind", "found '" + kind + "'; expected current, wave, wind, bathymetry or level");
 }
 
-Download read_download(const Config& config, const std::string& product_id) {
+std::vector<Water> water_of(const Config& config, const std::vector<Water>& waters,
+                            const BoundingBox& domain) {
+  std::vector<Water> water;
+  for (const std::string& name : config.texts("water")) {
+    const auto named = std::find_if(waters.begin(), waters.end(),
+                                    [&](const Water& one) { return one.name == name; });
+    if (named == waters.end()) {
+      std::vector<std::string> known;
+      for (const Water& one : waters) known.push_back(one.name);
+      config.refuse("water", "found '" + name + "'; expected a name of `waters`" +
+                                 (known.empty() ? ", and the product lists none"
+                                                : ": " + joined(known, ", ")));
+    }
+    if (!overlaps(named->box(), domain))
+      config.refuse("water", "'" + name +
+                                 "' lies outside the domain; its corners are longitude, then "
+                                 "latitude");
+    water.push_back(*named);
+  }
+  return water;
+}
+
+Download read_download(const Config& config, const std::string& product_id,
+                       const std::vector<Water>& waters) {
   Download download;
   download.product_id = product_id;
   download.dataset_id = config.text("dataset");
@@ -71,11 +121,19 @@ Download read_download(const Config& config, const std::string& product_id) {
   const std::vector<double> box = config.numbers("domain", {-360.0, 360.0});
   if (box.size() != 4) config.refuse("domain", "expected [west, south, east, north] in degrees");
   download.domain = BoundingBox::from_degrees(box[0], box[1], box[2], box[3]);
+  download.water = water_of(config, waters, download.domain);
   download.has_depth = config.optional_flag("depth").value_or(false);
   download.has_tide = config.optional_flag("tide").value_or(false);
   download.priority = config.optional_integer("priority", 0, 1000).value_or(100);
   download.horizon_h = config.optional_number("horizon_h", {0.0, 1000.0}).value_or(0.0);
   download.part = config.optional_text("part");
+  if (const auto since = config.optional_text("since")) {
+    try {
+      download.since = parse_day(*since);
+    } catch (const Error& problem) {
+      config.refuse("since", problem.message());
+    }
+  }
   return download;
 }
 
@@ -88,6 +146,12 @@ const std::optional<std::string>& settled(const SettledAttributes& entry, std::s
 }
 
 }  // namespace
+
+bool Download::covers(const GeoPoint& place) const {
+  return domain.contains(place) &&
+         (water.empty() || std::any_of(water.begin(), water.end(),
+                                       [&](const Water& one) { return one.contains(place); }));
+}
 
 Product Product::load(const std::filesystem::path& file) {
   const Config config = Config::load(file);
@@ -116,8 +180,9 @@ Product Product::load(const std::filesystem::path& file) {
     for (const std::string& name : variables->keys())
       product.variables[name] = variables->text(name);
   }
+  const std::vector<Water> waters = read_waters(config);
   for (const Config& entry : config.children("downloads")) {
-    product.downloads.push_back(read_download(entry, product.id));
+    product.downloads.push_back(read_download(entry, product.id, waters));
   }
   config.expect_all_read();
   return product;

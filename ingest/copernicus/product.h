@@ -8,6 +8,7 @@
 #include "fields/base/config.h"
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
+#include "ingest/copernicus/water.h"
 #include "ingest/netcdf/file.h"
 
 namespace slackwater::ingest {
@@ -36,16 +37,25 @@ enum class MeanLabel {
   centre,
   start,
   end,
-  utc_day,  ///< anywhere in the UTC day it covers: 00:00 and 12:00 are both met
+  utc_day,    ///< anywhere in the UTC day it covers: 00:00 and 12:00 are both met
+  utc_step,   ///< at the start or in the middle of its step, steps counted from 00:00 UTC
+  utc_month,  ///< anywhere in the calendar month it covers
 };
 
-/// "Files whose global attribute says this hold means over `step`."
+/// "Files whose global attribute says this hold means over `step`", or, of a product that has no
+/// instants so far apart: "files whose stamps are `spacing` apart do".
 struct MeanRule {
-  std::string attribute;
+  std::string attribute;  ///< empty: the spacing decides
   std::string contains;
-  Duration step{};
+  Duration step{};  ///< of a month: nothing
   MeanLabel label = MeanLabel::centre;
+  Duration spacing{};                  ///< between stamps, where there is no attribute
+  std::vector<std::string> variables;  ///< of these short names alone; empty: of all
 };
+
+/// Between the stamps of two months.
+inline constexpr Duration shortest_month = std::chrono::hours(28 * 24);
+inline constexpr Duration longest_month = std::chrono::hours(31 * 24);
 
 /// What a dataset is downloaded for.
 enum class DownloadKind { current, wave, wind, bathymetry, level };
@@ -57,11 +67,16 @@ struct Download {
   DownloadKind kind = DownloadKind::current;
   std::vector<std::string> variables;
   BoundingBox domain;               ///< the dataset's, inside which a site must lie
+  std::vector<Water> water;         ///< and in one of these; empty: the domain has no other sea
   bool has_depth = false;           ///< take -z/-Z
   bool has_tide = false;            ///< the current contains the tide
   int priority = 100;               ///< smaller first
   double horizon_h = 0;             ///< how far it forecasts past the day of issue; 0: past only
   std::optional<std::string> part;  ///< --dataset-part, e.g. bathy
+  std::optional<UtcDay> since;      ///< days before are of another model, or no longer kept
+
+  /// Whether it has water about a place of the sea, as far as the descriptor knows.
+  [[nodiscard]] bool covers(const GeoPoint& place) const;
 };
 
 /// The descriptor of one product or family: data, not code.

@@ -13,6 +13,10 @@ namespace slackwater::ingest {
 class ProductCatalogue;  // ingest/copernicus/product_catalogue.h: the descriptors of data/products
 struct Product;          // ingest/copernicus/product.h: one of them
 
+/// The dataset of a granule that holds the mean over an ensemble's members: it is never taken for
+/// the control or for a member.
+inline constexpr const char* ensemble_mean_dataset = "ensemble_mean";
+
 /// What the operator said about a file; what the file says itself yields to it.
 struct IngestOptions {
   std::optional<BoundingBox> cut;  ///< keep only cells inside, and one cell around

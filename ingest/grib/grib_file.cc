@@ -1,10 +1,7 @@
 #include "ingest/grib/grib_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
@@ -34,6 +31,7 @@ struct GranuleKey {
   std::optional<int> member;
   std::size_t grid = 0;
   bool mean = false;
+  bool of_members = false;  ///< the mean over an ensemble's members
   bool at_height = false;
   std::string centre;
   auto operator<=>(const GranuleKey&) const = default;
@@ -51,7 +49,8 @@ std::string describe(const FieldEntry& entry) {
          (entry.height_m ? " at " + std::to_string(std::lround(*entry.height_m)) + " m"
                          : std::string()) +
          " of " + format_utc(entry.cell.end) + " (run " + format_utc(entry.run) +
-         (entry.member ? ", member " + std::to_string(*entry.member) : std::string()) + ")";
+         (entry.member ? ", member " + std::to_string(*entry.member) : std::string()) +
+         (entry.is_ensemble_mean ? ", mean of the members" : "") + ")";
 }
 
 template <typename T>
@@ -100,6 +99,7 @@ Plan plan_granule(const GranuleKey& key, const std::vector<const FieldEntry*>& e
   granule.grid.vertical = key.at_height ? VerticalKind::height_m : VerticalKind::none;
   granule.ensemble_member = key.member;
   granule.product_id = "NWP_" + key.centre;
+  if (key.of_members) granule.dataset_id = ensemble_mean_dataset;
   granule.attribution =
       key.centre == "ecmf"
           ? "Contains data of the European Centre for Medium-Range Weather Forecasts (ECMWF)"
@@ -210,6 +210,7 @@ std::vector<Plan> plan_granules(const Inventory& inventory, const IngestOptions&
     key.member = entry.member;
     key.grid = entry.grid;
     key.mean = entry.cell.is_mean();
+    key.of_members = entry.is_ensemble_mean;
     key.at_height = entry.height_m.has_value();
     key.centre = entry.centre;
     groups[key].push_back(&entry);
@@ -298,12 +299,7 @@ void write_granule(MessageFile& file, const Plan& plan, const RegularGrid& grid,
 
 }  // namespace
 
-bool is_grib(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::array<char, 4> magic{};
-  stream.read(magic.data(), magic.size());
-  return stream.gcount() == 4 && std::memcmp(magic.data(), "GRIB", 4) == 0;
-}
+bool is_grib(const std::filesystem::path& file) { return grib::begins_as_grib(file); }
 
 Ingested decode_grib(const std::filesystem::path& path, const ProductCatalogue&,
                      const IngestOptions& options, const std::filesystem::path& staging_folder,

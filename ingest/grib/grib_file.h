@@ -5,7 +5,8 @@
 
 namespace slackwater::ingest {
 
-/// Whether a file begins as GRIB does. False where it cannot be read.
+/// Whether a file begins as GRIB does, also behind the heading of a bulletin. False where it cannot
+/// be read.
 [[nodiscard]] bool is_grib(const std::filesystem::path& file);
 
 /// Decodes numerical weather prediction, GRIB 1 and 2, into canonical granules: wind at heights
@@ -20,6 +21,9 @@ namespace slackwater::ingest {
 ///   included. Runs of step 0 alone are analyses and share one granule (reanalysis files hold one
 ///   "run" per hour).
 ///   `--as` and `--issued` win.
+/// - The mean over the members of an ensemble is a granule of its own, of dataset `ensemble_mean`.
+/// Every other statistic (ingest/grib/statistic.h) is left out and named, or refused where nothing
+/// else is there.
 /// - Heights above the ground are heights above mean sea level: the difference at sea is the tide.
 /// - Wind components relative to the grid are east and north here, since only regular grids that
 /// are not rotated are

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "fields/base/error.h"
+#include "ingest/decoded/ingested.h"
+#include "ingest/grib/statistic.h"
 
 namespace slackwater::ingest::grib {
 namespace {
@@ -58,6 +60,12 @@ std::string list_of(const std::map<std::string, std::size_t>& counts) {
   return text;
 }
 
+/// The quantity of a field as an operator says it: "10v", or "v" where the library has no name.
+std::string quantity_name(const Message& message, const Parameter& parameter) {
+  const std::string name = message.text_if_any("shortName").value_or("unknown");
+  return name == "unknown" ? std::string(parameter.short_name) : name;
+}
+
 }  // namespace
 
 std::optional<TimeCell> valid_time_of(Message& message, const Parameter& parameter) {
@@ -84,6 +92,9 @@ Inventory take_inventory(MessageFile& file, const std::optional<BoundingBox>& cu
                          const std::function<void(std::uint64_t)>& on_bytes) {
   Inventory inventory;
   std::map<std::string, std::size_t> passed_over;
+  std::map<std::string, std::size_t> statistics;
+  std::size_t statistic_fields = 0;
+  std::size_t means_of_members = 0;
   std::size_t gusts_over_intervals = 0;
   std::vector<std::byte> bytes;
   while (const auto found = file.next(bytes)) {
@@ -92,8 +103,16 @@ Inventory take_inventory(MessageFile& file, const std::optional<BoundingBox>& cu
       Message message(std::move(field_bytes), name_of(position));
       const auto identified = identify(message);
       std::optional<TimeCell> cell;
-      if (identified) cell = valid_time_of(message, *identified->parameter);
-      if (!cell) {
+      Statistic statistic;
+      if (identified) {
+        statistic =
+            statistic_of(message, identified->parameter->standard_name == "wind_speed_of_gust");
+        if (statistic.refused.empty()) cell = valid_time_of(message, *identified->parameter);
+      }
+      if (!statistic.refused.empty()) {
+        ++statistics[quantity_name(message, *identified->parameter) + ": " + statistic.refused];
+        ++statistic_fields;
+      } else if (!cell) {
         const std::string name = message.text_if_any("shortName").value_or("unknown");
         const std::string level = message.text_if_any("typeOfLevel").value_or("unknown");
         ++passed_over[identified ? name + " " + message.text_if_any("stepType").value_or("")
@@ -105,7 +124,10 @@ Inventory take_inventory(MessageFile& file, const std::optional<BoundingBox>& cu
         entry.height_m = identified->height_m;
         entry.run = reference_time_of(message);
         entry.cell = *cell;
-        entry.member = member_of(message);
+        entry.is_ensemble_mean = statistic.is_ensemble_mean;
+        if (!entry.is_ensemble_mean)
+          entry.member = statistic.member ? statistic.member : member_of(message);
+        means_of_members += entry.is_ensemble_mean ? 1 : 0;
         entry.centre = message.text_if_any("centre").value_or("unknown centre");
         const RegularGrid grid = regular_grid_of(message, cut);
         const auto known = std::find(inventory.grids.begin(), inventory.grids.end(), grid);
@@ -121,13 +143,37 @@ Inventory take_inventory(MessageFile& file, const std::optional<BoundingBox>& cu
     }
     if (on_bytes) on_bytes(file.offset());
   }
+  if (inventory.fields.empty() && !statistics.empty()) {
+    throw Error(
+        ErrorKind::invalid_input,
+        "found statistics of the quantity, not the quantity itself: " + list_of(statistics) +
+            "; expected the control, members or the mean of an ensemble, as instants or "
+            "averages over time: download those instead");
+  }
   if (inventory.fields.empty()) {
     throw Error(ErrorKind::invalid_input,
                 "found " + (passed_over.empty() ? "no field" : list_of(passed_over)) +
                     "; expected wind or waves near the surface (" + known_parameters() +
                     "): download those parameters");
   }
+  if (file.frame_bytes() > 0) {
+    inventory.warnings.push_back("passed over " + std::to_string(file.frame_bytes()) +
+                                 " bytes of bulletin headings around the messages");
+  }
   if (!passed_over.empty()) inventory.warnings.push_back("passed over " + list_of(passed_over));
+  if (!statistics.empty()) {
+    inventory.warnings.push_back(
+        "left out " + std::to_string(statistic_fields) +
+        (statistic_fields == 1 ? " field that is a statistic" : " fields that are statistics") +
+        ", not the quantity itself: " + list_of(statistics));
+  }
+  if (means_of_members > 0) {
+    inventory.warnings.push_back(
+        std::to_string(means_of_members) +
+        (means_of_members == 1 ? " field is the mean" : " fields are means") +
+        " over the members of an ensemble, smoother than any of them; kept apart as dataset " +
+        std::string(ensemble_mean_dataset));
+  }
   if (gusts_over_intervals > 0) {
     inventory.warnings.push_back(
         std::to_string(gusts_over_intervals) +

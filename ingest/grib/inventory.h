@@ -21,8 +21,9 @@ struct FieldEntry {
   UtcTime run{};              ///< reference time
   TimeCell cell;              ///< valid time
   std::optional<int> member;  ///< perturbation number of an ensemble
-  std::size_t grid = 0;       ///< index into Inventory::grids
-  std::string centre;         ///< e.g. "ecmf"
+  bool is_ensemble_mean = false;
+  std::size_t grid = 0;  ///< index into Inventory::grids
+  std::string centre;    ///< e.g. "ecmf"
 };
 
 /// What a file holds of what we keep, after one walk through its headers.
@@ -33,8 +34,9 @@ struct Inventory {
 };
 
 /// Walks the file once. `on_bytes` hears the offset that was reached.
+/// Statistics of a quantity (`statistic_of`) are left out, counted by name in a warning.
 /// Throws Error(invalid_input) for a damaged file, a grid that is not regular, or a file without
-/// wanted fields.
+/// wanted fields, which it names.
 [[nodiscard]] Inventory take_inventory(MessageFile& file, const std::optional<BoundingBox>& cut,
                                        const std::function<void(std::uint64_t)>& on_bytes);
 

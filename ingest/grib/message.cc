@@ -118,6 +118,16 @@ std::optional<std::string> Message::text_if_any(const char* key) const {
   return std::string(buffer);
 }
 
+std::vector<long> Message::integers_if_any(const char* key) const {
+  constexpr std::size_t most = 256;  // a count in one byte
+  std::size_t count = 0;
+  if (codes_get_size(handle_, key, &count) != GRIB_SUCCESS || count == 0 || count > most) return {};
+  std::vector<long> found(count);
+  if (codes_get_long_array(handle_, key, found.data(), &count) != GRIB_SUCCESS) return {};
+  found.resize(count);
+  return found;
+}
+
 std::vector<double> Message::values(std::size_t expected) {
   check(codes_set_double(handle_, "missingValue", masked), name_, "marking masked points");
   std::size_t count = 0;

@@ -32,6 +32,8 @@ class Message {
   /// Nothing where the message does not have the key, or has it "missing".
   [[nodiscard]] std::optional<long> integer_if_any(const char* key) const;
   [[nodiscard]] std::optional<std::string> text_if_any(const char* key) const;
+  /// All values of a key that may repeat; empty where the message does not have it.
+  [[nodiscard]] std::vector<long> integers_if_any(const char* key) const;
   /// The `expected` values in the order of the message; NaN where the bitmap masks them. Refuses
   /// another count.
   [[nodiscard]] std::vector<double> values(std::size_t expected);

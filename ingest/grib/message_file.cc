@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string_view>
 
 #include "fields/base/error.h"
 
@@ -23,7 +24,66 @@ bool begins_with(std::span<const std::byte> bytes, const char* four) {
   return bytes.size() >= 4 && std::memcmp(bytes.data(), four, 4) == 0;
 }
 
+/// What stands in front of a message at most: headings of bulletins are shorter than 100 bytes.
+constexpr std::size_t longest_frame = 4096;
+
+bool is_message_head(std::span<const std::byte> bytes) {
+  return bytes.size() >= 8 && begins_with(bytes, "GRIB") &&
+         (bytes[7] == std::byte{1} || bytes[7] == std::byte{2});
+}
+
+/// Headings and ends of bulletins are capital letters, digits and signs of transmission.
+bool may_frame(std::byte byte) {
+  const auto c = std::to_integer<unsigned char>(byte);
+  constexpr std::string_view signs = "\x01\x03\r\n *+-./:=#_";
+  return c == 0 || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+         signs.find(static_cast<char>(c)) != std::string_view::npos;
+}
+
+std::string shown(std::span<const std::byte> bytes) {
+  std::string text;
+  for (const std::byte byte : bytes.first(std::min<std::size_t>(bytes.size(), 24))) {
+    const auto c = std::to_integer<unsigned char>(byte);
+    text += c >= 32 && c < 127 ? static_cast<char>(c) : '.';
+  }
+  return text;
+}
+
+/// How many bytes stand before the message, or to the end of the file; nothing where they are no
+/// frame: the end of a message among them, "7777", is what is left of one whose head is damaged.
+std::optional<std::size_t> frame_length(std::span<const std::byte> bytes, bool is_all) {
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    if (begins_with(bytes.subspan(at), "GRIB") || begins_with(bytes.subspan(at), "7777")) {
+      if (is_message_head(bytes.subspan(at))) return at;
+      return std::nullopt;
+    }
+    if (!may_frame(bytes[at])) return std::nullopt;
+  }
+  // A message that is cut off after its first letters is no heading.
+  for (const std::string_view cut : {"G", "GR", "GRI"}) {
+    if (bytes.size() >= cut.size() &&
+        std::memcmp(bytes.last(cut.size()).data(), cut.data(), cut.size()) == 0)
+      return std::nullopt;
+  }
+  return is_all ? std::optional(bytes.size()) : std::nullopt;
+}
+
 }  // namespace
+
+bool begins_as_grib(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<std::byte> bytes(longest_frame + 8);
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (begins_with(bytes, "GRIB")) return true;
+  if (begins_with(bytes, "\x89HDF") ||
+      (bytes.size() > 3 && std::memcmp(bytes.data(), "CDF", 3) == 0))
+    return false;
+  for (std::size_t at = 0; at + 8 <= bytes.size(); ++at) {
+    if (is_message_head(std::span(bytes).subspan(at))) return true;
+  }
+  return false;
+}
 
 std::string name_of(const FieldPosition& position) {
   return (position.field == 0 ? std::string()
@@ -54,18 +114,30 @@ void MessageFile::read_bytes(std::uint64_t offset, std::span<std::byte> into) {
   }
 }
 
-std::optional<FieldPosition> MessageFile::next(std::vector<std::byte>& bytes) {
-  std::array<std::byte, 4096> block{};
-  while (offset_ < size_) {  // zero padding
-    const auto piece = std::span(block).first(static_cast<std::size_t>(
-        std::min<std::uint64_t>(messages_ == 0 ? 1 : block.size(), size_ - offset_)));
+void MessageFile::pass_over_frame() {
+  std::array<std::byte, longest_frame + 8> block{};
+  while (offset_ < size_) {
+    const auto piece = std::span(block).first(
+        static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), size_ - offset_)));
     read_bytes(offset_, piece);
-    const auto* const end = piece.data() + piece.size();
-    const auto* const used = std::find_if(static_cast<const std::byte*>(piece.data()), end,
-                                          [](std::byte b) { return b != std::byte{0}; });
-    offset_ += static_cast<std::uint64_t>(used - piece.data());
-    if (used != end) break;
+    if (begins_with(piece, "GRIB")) return;
+    const auto zeros = static_cast<std::size_t>(
+        std::find_if(piece.begin(), piece.end(), [](std::byte b) { return b != std::byte{0}; }) -
+        piece.begin());
+    if (zeros > 0) {  // padding, of any length
+      offset_ += zeros;
+      continue;
+    }
+    const auto frame = frame_length(piece, piece.size() == size_ - offset_);
+    if (!frame || *frame == 0) return;
+    offset_ += *frame;
+    frame_bytes_ += *frame;
+    return;
   }
+}
+
+std::optional<FieldPosition> MessageFile::next(std::vector<std::byte>& bytes) {
+  pass_over_frame();
   if (offset_ >= size_) return std::nullopt;
 
   const std::string where =
@@ -80,8 +152,10 @@ std::optional<FieldPosition> MessageFile::next(std::vector<std::byte>& bytes) {
     if (cut)
       refuse(where + " is cut off after " + std::to_string(left) +
              " bytes; download the file again");
-    refuse(std::to_string(left) + " bytes from byte " + std::to_string(offset_) +
-           " on are no GRIB message (expected \"GRIB\"" +
+    std::vector<std::byte> there(static_cast<std::size_t>(std::min<std::uint64_t>(24, left)));
+    read_bytes(offset_, there);
+    refuse(std::to_string(left) + " bytes from byte " + std::to_string(offset_) + " on ('" +
+           shown(there) + "') are no GRIB message (expected \"GRIB\"" +
            (messages_ == 0
                 ? std::string(")")
                 : " or the end of the file after message " + std::to_string(messages_) + ")") +

@@ -23,9 +23,10 @@ struct FieldPosition {
 /// A GRIB file (editions 1 and 2) walked message by message; holds one message in memory at a time.
 ///
 /// The walk trusts nothing: each message must begin with "GRIB", end with "7777" where its length
-/// says, and touch the next; zero bytes between messages (blocked archives) are passed over.
-/// Anything else is an Error that names the byte: a truncated download, or text appended behind the
-/// last message.
+/// says, and touch the next but for a frame: zero bytes (blocked archives) and the headings under
+/// which bulletins travel (WMO Manual on the GTS, part II: "SOH CR CR LF 123 CR CR LF HUXA99 EGRR
+/// 080000", "ETX"; NCEP's "****0000696252****"). Anything else is an Error that names the byte and
+/// shows what is there: a truncated download, or a server's page behind the last message.
 class MessageFile {
  public:
   /// Throws Error(not_found) if absent, Error(invalid_input) if empty.
@@ -37,16 +38,25 @@ class MessageFile {
   [[nodiscard]] Message read(const FieldPosition& position);
   [[nodiscard]] std::uint64_t size() const noexcept { return size_; }
   [[nodiscard]] std::uint64_t offset() const noexcept { return offset_; }
+  /// Bytes of headings passed over up to here, zeros not counted.
+  [[nodiscard]] std::uint64_t frame_bytes() const noexcept { return frame_bytes_; }
 
  private:
+  void pass_over_frame();
   void read_bytes(std::uint64_t offset, std::span<std::byte> into);
 
   std::filesystem::path path_;
   std::ifstream stream_;
   std::uint64_t size_ = 0;
   std::uint64_t offset_ = 0;
+  std::uint64_t frame_bytes_ = 0;
   std::size_t messages_ = 0;
 };
+
+/// Whether a file begins with a GRIB message, be it behind headings or other bytes (at most 4 KiB
+/// of them): "GRIB", then edition 1 or 2. NetCDF and HDF5 files never do. False where it cannot be
+/// read.
+[[nodiscard]] bool begins_as_grib(const std::filesystem::path& file);
 
 /// "message 7 at byte 1200", and "field 2 of message 7 at byte 1200" within a message of several
 /// fields.

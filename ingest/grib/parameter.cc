@@ -33,6 +33,13 @@ constexpr std::array parameters{
         140232, "mwp",
         "sea_surface_wave_mean_period_from_variance_spectral_density_inverse_frequency_moment", "s",
         no_height},
+    // NCEP's waves (GFS): "primary" is what WAVEWATCH III calls the peak, its fields FP and DP
+    // (ww3_grib of NOAA-EMC/WW3), though the table of WMO says "mean" of the period.
+    Parameter{260233, "dirpw",
+              "sea_surface_wave_from_direction_at_variance_spectral_density_maximum", "degree",
+              no_height},
+    Parameter{260234, "perpw", "sea_surface_wave_period_at_variance_spectral_density_maximum", "s",
+              no_height},
 };
 
 /// WMO code table 4.2, discipline 0 (meteorological), category 2 (momentum): how every centre codes

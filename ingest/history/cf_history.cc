@@ -7,11 +7,14 @@
 #include "fields/base/advice.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/base/statistics.h"
 #include "fields/base/text.h"
 #include "ingest/cf/units.h"
-#include "ingest/history/beyond_belief.h"
+#include "ingest/history/read_wanted.h"
+#include "ingest/history/sentinels.h"
 #include "ingest/insitu/series_times.h"
 #include "ingest/insitu/series_values.h"
+#include "ingest/insitu/vertical_coordinate.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -43,20 +46,13 @@ class CfHistory {
     HistoryOfFile answer;
     for (const netcdf::Variable& variable : file_.variables())
       answer.columns.push_back(variable.name);
-    for (const Offer& offer : offers_) answer.offered.push_back(offer.standard_name);
-    for (const NamedColumn& named : options_.columns) answer.offered.push_back(named.column);
-    for (const std::string& name : wanted) {
-      const auto making = making_of(name, offers_, vocabulary_);
-      if (!making) {
-        answer.series.emplace_back();
-        continue;
-      }
-      HistorySeries series = read_one(making->first, answer.warnings);
-      if (making->second) make_speed(series, *making->second, answer.warnings);
-      const std::string told = reject_beyond_belief(series, vocabulary_);
-      if (!told.empty()) answer.warnings.push_back(told);
-      answer.series.push_back(std::move(series));
-    }
+    answer.offered = names_offered(offers_, options_);
+    const auto read_making = [&](const Making& making, std::vector<std::string>& warnings) {
+      HistorySeries series = read_one(making.first, warnings);
+      if (making.second) make_speed(series, *making.second, warnings);
+      return series;
+    };
+    read_wanted(wanted, offers_, vocabulary_, read_making, answer);
     return answer;
   }
 
@@ -116,7 +112,8 @@ class CfHistory {
     const SeriesDimensions dimensions = dimensions_of(variable, axes.time_dimension, "");
     const SeriesValues read =
         read_series(file_, variable, dimensions, 0, unit_of(offer, variable), warnings);
-    const std::vector<double> weight = level_weights(variable, dimensions, read.levels);
+    const std::vector<double> weight =
+        level_weights(variable, dimensions, read.levels, axes.time_dimension);
     const SeriesTimes times = series_times_of(file_, axes, warnings);
     HistorySeries series;
     series.name = offer.name;
@@ -137,6 +134,11 @@ class CfHistory {
       series.time.push_back(times.cells[t].start);
       series.value.push_back(value);
     }
+    const auto tell = [&](const std::vector<std::string>& all) {
+      warnings.insert(warnings.end(), all.begin(), all.end());
+    };
+    tell(take_as_missing(series, options_.missing, "--missing"));
+    tell(reject_sentinels(series));
     if (flagged > 0)
       warnings.push_back(formatted("{} values of '{}' are flagged bad; they count as missing",
                                    flagged, offer.name));
@@ -164,40 +166,80 @@ class CfHistory {
   void expect_one_place(const netcdf::Variable& variable, const std::string& time) const {
     for (std::size_t d = 0; d < variable.dimensions.size(); ++d) {
       const std::string& name = variable.dimensions[d];
-      if (name == time || variable.shape[d] == 1 || has_metres(name)) continue;
+      if (name == time || variable.shape[d] == 1 || metres_of(name, time)) continue;
+      const std::string cut = is_horizontal(name) ? "cdo remapnn,lon=…/lat=…, or ncks -d"
+                                                  : "ncks -d " + name + ",0 IN OUT";
       refuse(
           formatted("variable '{}': found {} places along '{}', expected a series of one place; "
-                    "cut it to one (cdo remapnn,lon=…/lat=…, or ncks -d), or `slackwater "
-                    "ingest` it and say --site",
-                    variable.name, variable.shape[d], name));
+                    "cut it to one ({}), or `slackwater ingest` it and say --site",
+                    variable.name, variable.shape[d], name, cut));
     }
   }
 
-  /// Whether a dimension counts levels: its coordinate is in metres.
-  [[nodiscard]] bool has_metres(const std::string& dimension) const {
-    const netcdf::Variable* levels = file_.find(dimension);
-    if (levels == nullptr || levels->dimensions != std::vector<std::string>{dimension})
-      return false;
-    try {
-      static_cast<void>(unit_conversion(levels->text("units").value_or(""), "m", dimension));
-      return true;
-    } catch (const Error&) {
-      return false;
+  /// Whether a dimension is one of latitude or longitude.
+  [[nodiscard]] bool is_horizontal(const std::string& dimension) const {
+    const netcdf::Variable* found = file_.find(dimension);
+    const std::string units = lower_case(found == nullptr ? "" : found->text("units").value_or(""));
+    return units.starts_with("degree") &&
+           (units.find("east") != std::string::npos || units.find("north") != std::string::npos);
+  }
+
+  /// The variable that gives the levels of a dimension: its own, or a depth beside each value.
+  [[nodiscard]] const netcdf::Variable* levels_along(const std::string& dimension,
+                                                     const std::string& time) const {
+    if (const netcdf::Variable* own = file_.find(dimension);
+        own != nullptr && own->dimensions == std::vector<std::string>{dimension})
+      return own;
+    for (const netcdf::Variable& variable : file_.variables()) {
+      const auto& along = variable.dimensions;
+      const bool over_both = along.size() == 2 &&
+                             std::find(along.begin(), along.end(), dimension) != along.end() &&
+                             std::find(along.begin(), along.end(), time) != along.end();
+      const bool over_levels = along == std::vector<std::string>{dimension};
+      if ((over_both || over_levels) && is_depth_coordinate(variable)) return &variable;
     }
+    return nullptr;
+  }
+
+  /// Metres of the levels along a dimension, positive, in the order of the file; where they change
+  /// in time their medians. Nothing where a dimension counts no levels.
+  [[nodiscard]] std::optional<std::vector<double>> metres_of(const std::string& dimension,
+                                                             const std::string& time) const {
+    const netcdf::Variable* levels = levels_along(dimension, time);
+    if (levels == nullptr) return std::nullopt;
+    UnitConversion unit;
+    try {
+      unit = unit_conversion(levels->text("units").value_or(""), "m", dimension);
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+    std::vector<double> values = file_.read_all(*levels);
+    for (double& level : values) level = std::abs(unit.scale * level + unit.offset);
+    if (levels->dimensions.size() == 1) return values;
+    const bool level_last = levels->dimensions[1] == dimension;
+    const std::size_t count = levels->shape[level_last ? 1 : 0];
+    const std::size_t times = levels->shape[level_last ? 0 : 1];
+    std::vector<double> medians;
+    for (std::size_t k = 0; k < count; ++k) {
+      std::vector<double> here;
+      for (std::size_t t = 0; t < times; ++t) {
+        const double value = values[level_last ? t * count + k : k * times + t];
+        if (value <= 12000) here.push_back(value);  // else missing: no sea is deeper
+      }
+      medians.push_back(here.empty() ? nan : upper_median(std::move(here)));
+    }
+    return medians;
   }
 
   /// How much each level counts at the depth that was asked for.
   [[nodiscard]] std::vector<double> level_weights(const netcdf::Variable& variable,
                                                   const SeriesDimensions& dimensions,
-                                                  std::size_t levels) const {
+                                                  std::size_t levels,
+                                                  const std::string& time) const {
     std::vector<double> weight(levels, 0);
     if (levels == 1) return {1.0};
     const std::string& name = variable.dimensions[*dimensions.level];
-    const netcdf::Variable& coordinate = *file_.find(name);
-    const UnitConversion unit =
-        unit_conversion(coordinate.text("units").value_or(""), "m", "axis '" + name + "'");
-    std::vector<double> metres = file_.read_all(coordinate);
-    for (double& level : metres) level = std::abs(unit.scale * level + unit.offset);
+    const std::vector<double> metres = metres_of(name, time).value();
     if (!options_.depth_m)
       refuse(
           formatted("variable '{}': found {} levels along '{}', from {:g} to {:g} m; say which "

@@ -8,6 +8,7 @@
 #include "ingest/grib/grib_file.h"
 #include "ingest/history/cf_history.h"
 #include "ingest/history/csv_history.h"
+#include "ingest/text/foreign_file.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -36,6 +37,8 @@ HistoryOfFile read_history(const std::filesystem::path& file,
       throw Error(ErrorKind::invalid_input,
                   "found GRIB, expected a CSV table or a NetCDF series of one place; `slackwater "
                   "ingest` reads GRIB, then say --site");
+    if (const auto foreign = foreign_file(file))
+      refuse(foreign->refusal("a table or a NetCDF series of one place"));
     return is_netcdf(file) ? read_cf_history(file, wanted, options, vocabulary)
                            : read_csv_history(file, wanted, options, vocabulary);
   } catch (Error& error) {

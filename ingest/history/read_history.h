@@ -16,6 +16,7 @@ struct HistoryOptions {
   std::string time_column;          ///< empty: `time`, `datetime`, ... or the file's time axis
   bool assume_utc = false;          ///< times of a table that state no zone are UTC
   std::optional<double> depth_m{};  ///< of a file with levels: at this depth or height
+  std::vector<double> missing{};    ///< numbers that stand for "not measured"
 };
 
 /// A file's answer.
@@ -27,11 +28,14 @@ struct HistoryOfFile {
   std::vector<std::string> warnings;  ///< to be read behind the file's name
 };
 
-/// Reads wanted quantities of the past of one place from a CSV table (csv_history.h) or a NetCDF
-/// file (cf_history.h), told apart by content. Memory grows with what is wanted alone.
+/// Reads wanted quantities of the past of one place from a CSV table or a text file of NDBC
+/// (csv_history.h), a table of observations (observation_table.h) or a NetCDF file (cf_history.h),
+/// told apart by content. Memory grows with what is wanted alone.
 ///
-/// Values beyond belief (`Quantity::gross`) are missing, and told; where they are more than a tenth
-/// the unit is wrong, which is an error.
+/// Numbers that stand for "not measured" are missing, and told with their share: those of a known
+/// producer (ndbc.h), of the user (`missing`), and what looks like one (sentinels.h). Then values
+/// beyond belief (`Quantity::gross`) are missing, and told; where they are more than a tenth the
+/// unit is wrong, which is an error.
 ///
 /// @param wanted  standard names or names of columns (`making_of`)
 /// @throws Error(not_found) for a file that is not there; Error(invalid_input) that names the file,

@@ -190,7 +190,11 @@ bool is_point_series(const netcdf::File& file) {
   if (is_gridded(file)) return false;
   if (says_series(file)) return true;
   const auto axes = station_axes_of(file);
-  return axes && axes->latitude->size() == 1;
+  if (!axes) return false;
+  const std::vector<std::string>& places = axes->latitude->dimensions;
+  const bool over_time =
+      std::find(places.begin(), places.end(), axes->time_dimension) != places.end();
+  return axes->latitude->size() == 1 || over_time;
 }
 
 Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& products,
@@ -224,11 +228,18 @@ Ingested decode_point_series(const netcdf::File& file, const ProductCatalogue& p
     SeriesDecoder decoder(file, products, product, options, staging_folder, ingested);
     bool any_wanted = false;
     for (const StationAxes& axes : every_axis) {
-      const std::vector<Wanted> wanted = wanted_in(file, axes, products, product);
+      std::vector<std::string> left_out;
+      const std::vector<Wanted> wanted = wanted_in(file, axes, products, product, left_out);
+      for (const std::string& statistic : left_out)
+        ingested.warnings.push_back("left out as a statistic, not the quantity itself: " +
+                                    statistic);
       if (wanted.empty()) continue;
       any_wanted = true;
       decoder.decode(axes, wanted);
     }
+    if (!any_wanted && !ingested.warnings.empty())
+      refuse("no series but these was found: " + ingested.warnings.back() +
+             "; expected instants or means: fetch those instead");
     if (!any_wanted) refuse_without_wanted(file);
     if (ingested.granules.empty()) {
       if (decoder.stations_outside() > 0)

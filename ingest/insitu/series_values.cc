@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/cf/packing.h"
 #include "ingest/cf/units.h"
 #include "ingest/quality/flags.h"
+#include "ingest/quality/sentinel.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -16,8 +19,11 @@ namespace {
 constexpr std::size_t most_values = std::size_t{8} << 20U;
 
 bool is_flag_variable(const netcdf::Variable& variable) {
-  if (variable.find("flag_values") != nullptr && variable.find("flag_meanings") != nullptr &&
-      !variable.find("scale_factor")) {
+  const bool has_words =
+      variable.find("flag_meanings") != nullptr || variable.find("flags_meanings") != nullptr;
+  const bool has_values =
+      variable.find("flag_values") != nullptr || variable.find("flags_values") != nullptr;
+  if (has_values && has_words && !variable.find("scale_factor")) {
     const std::string name = lower_case(variable.name);
     return name.ends_with("_qc") || name.ends_with("quality_control") || name.ends_with("flag") ||
            contains_ignoring_case(variable.text("standard_name").value_or(""), "flag") ||
@@ -38,8 +44,12 @@ std::optional<FlagScheme> scheme_of(const netcdf::Variable& flags) {
   for (const char* attribute : {"conventions", "quality_control_conventions", "References"}) {
     conventions += flags.text(attribute).value_or("") + " ";
   }
-  return FlagScheme::from_attributes(numbers_of(flags, "flag_values"),
-                                     flags.text("flag_meanings").value_or(""), conventions);
+  // The Copernicus Marine toolbox (2.5) writes `flags_values` and `flags_meanings`.
+  std::vector<double> values = numbers_of(flags, "flag_values");
+  if (values.empty()) values = numbers_of(flags, "flags_values");
+  const std::string meanings =
+      flags.text("flag_meanings").value_or(flags.text("flags_meanings").value_or(""));
+  return FlagScheme::from_attributes(values, meanings, conventions);
 }
 
 /// Values of a variable in (time, level) order at one station, raw.
@@ -79,6 +89,19 @@ void apply_flags(const netcdf::File& file, const SeriesDimensions& dimensions, s
       read_time_by_level(file, *flags, dimensions, station, series.times, series.levels);
   for (std::size_t i = 0; i < raw.size(); ++i) {
     if (std::abs(raw[i]) < 1e9) series.status[i] = scheme->status_of(std::lround(raw[i]));
+  }
+}
+
+/// Numbers of the file's own that stand for nothing, though no attribute says so.
+void leave_out_sentinels(std::vector<double> raw, const std::string& unit, SeriesValues& series,
+                         std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (std::isnan(series.values[i])) raw[i] = constants::nan;
+  }
+  for (const FoundSentinel& found : take_sentinels(raw))
+    warnings.push_back(found.words(series.source_name, unit));
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (std::isnan(raw[i])) series.values[i] = std::numeric_limits<float>::quiet_NaN();
   }
 }
 
@@ -154,9 +177,13 @@ SeriesValues read_series(const netcdf::File& file, const netcdf::Variable& varia
     packing.convert(unit_conversion(*found_unit, unit, "variable '" + variable.name + "'"));
     const std::vector<double> raw =
         read_time_by_level(file, variable, dimensions, station, series.times, series.levels);
+    packing.settle_limits(raw, variable.name, warnings);
     series.values.resize(raw.size());
     DecodeCounts counts;
     packing.decode(std::span<const double>(raw), series.values, counts);
+    if (counts.outside > 0) warnings.push_back(lost_by_limits(variable.name, counts));
+    if (!variable.find("scale_factor") && !variable.find("add_offset"))
+      leave_out_sentinels(raw, *found_unit, series, warnings);
 
     series.status.assign(raw.size(), SampleStatus::not_checked);
     apply_flags(file, dimensions, station, series, warnings);

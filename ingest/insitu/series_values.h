@@ -45,9 +45,10 @@ struct SeriesDimensions {
                                              std::string_view station_dimension);
 
 /// Reads a variable at one station with the status that its quality flags give: values that are
-/// there without a flag are not_checked; without a value, missing; what the provider calls bad,
-/// suspect. `unit` is the canonical one. The quality flags are the variable among
-/// `ancillary_variables` that is one, else NAME_QC, NAME_quality_control, NAME_qc.
+/// there without a flag are not_checked; without a value, missing, and so is what looks like a
+/// number for "not measured" (ingest/quality/sentinel.h); what the provider calls bad, suspect.
+/// `unit` is the canonical one. The quality flags are the variable among `ancillary_variables` that
+/// is one, else NAME_QC, NAME_quality_control, NAME_qc.
 [[nodiscard]] SeriesValues read_series(const netcdf::File& file, const netcdf::Variable& variable,
                                        const SeriesDimensions& dimensions, std::size_t station,
                                        const std::string& unit, std::vector<std::string>& warnings);

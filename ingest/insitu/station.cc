@@ -112,6 +112,12 @@ std::vector<GeoPoint> positions_of(const netcdf::File& file, const StationAxes& 
 
 }  // namespace
 
+bool is_place_of_each_value(const netcdf::Variable& coordinate, std::string_view time_dimension) {
+  return coordinate.dimensions.size() == 2 && !time_dimension.empty() &&
+         std::find(coordinate.dimensions.begin(), coordinate.dimensions.end(), time_dimension) !=
+             coordinate.dimensions.end();
+}
+
 std::optional<double> global_number(const netcdf::File& file, std::string_view name) {
   for (const netcdf::Attribute& attribute : file.attributes()) {
     if (attribute.name != name) continue;
@@ -136,8 +142,11 @@ std::optional<StationAxes> station_axes_of(const netcdf::File& file) {
   if (axes.time == nullptr || axes.latitude == nullptr || axes.longitude == nullptr)
     return std::nullopt;
   if (axes.latitude->size() != axes.longitude->size()) return std::nullopt;
-  if (axes.latitude->dimensions.size() > 1) return std::nullopt;
   axes.time_dimension = dimension_of_time(*axes.time);
+  if (is_place_of_each_value(*axes.latitude, axes.time_dimension) &&
+      axes.latitude->dimensions == axes.longitude->dimensions)
+    return axes;
+  if (axes.latitude->dimensions.size() > 1) return std::nullopt;
 
   if (!axes.latitude->dimensions.empty() &&
       axes.latitude->dimensions == axes.longitude->dimensions &&

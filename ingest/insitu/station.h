@@ -19,6 +19,11 @@ struct StationAxes {
   std::size_t stations = 1;
 };
 
+/// Whether a latitude or longitude stands beside each value, over time and one other dimension, as
+/// the Copernicus Marine toolbox writes it (`latitude(time, depth_level)`).
+[[nodiscard]] bool is_place_of_each_value(const netcdf::Variable& coordinate,
+                                          std::string_view time_dimension);
+
 /// Finds time and position: by standard name, name or units; scalar `x` and `y` without attributes
 /// count where the `coordinates` of a variable name them. Nothing where the file has no such
 /// coordinates, or where time or position is not that of a point series (fields over latitude and

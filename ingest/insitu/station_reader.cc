@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
+#include "ingest/cf/cell_methods.h"
 #include "ingest/insitu/standard_error.h"
 #include "ingest/insitu/vector_pair.h"
 #include "ingest/quality/spike.h"
@@ -194,7 +195,8 @@ class StationReader {
 }  // namespace
 
 std::vector<Wanted> wanted_in(const netcdf::File& file, const StationAxes& axes,
-                              const ProductCatalogue& products, const Product& product) {
+                              const ProductCatalogue& products, const Product& product,
+                              std::vector<std::string>& left_out) {
   std::vector<Wanted> wanted;
   for (const netcdf::Variable& variable : file.variables()) {
     if (variable.type == netcdf::Type::character || variable.type == netcdf::Type::string) continue;
@@ -219,6 +221,14 @@ std::vector<Wanted> wanted_in(const netcdf::File& file, const StationAxes& axes,
       wanted.push_back({&variable, quantity->standard_name, quantity});
     }
   }
+  std::erase_if(wanted, [&](const Wanted& found) {
+    if (product.variables.contains(found.variable->name)) return false;
+    const auto statistic =
+        statistic_in(*found.variable, found.quantity == nullptr ? Quantity{} : *found.quantity);
+    if (!statistic) return false;
+    left_out.push_back("'" + found.variable->name + "': " + *statistic);
+    return true;
+  });
   return wanted;
 }
 

@@ -17,10 +17,11 @@ struct Wanted {
 };
 
 /// The variables over time that hold a quantity of the vocabulary, or the speed or direction of a
-/// vector.
+/// vector. What is a statistic of it (`statistic_in`) goes to `left_out`, by name and reason.
 [[nodiscard]] std::vector<Wanted> wanted_in(const netcdf::File& file, const StationAxes& axes,
                                             const ProductCatalogue& products,
-                                            const Product& product);
+                                            const Product& product,
+                                            std::vector<std::string>& left_out);
 
 /// Reads what is wanted at one station, makes vectors of speeds and directions and finds the levels
 /// of each.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests::cli_ais_test {
@@ -63,6 +64,26 @@ TEST_F(AisCommand, ListsTheVesselsAsALineEachWithTroubleApart) {
                 "1 lines are malformed (the first is line 5: a sentence with a wrong checksum)"),
             std::string::npos)
       << result.err;
+}
+
+/// Logs of other receivers, types that are rarely seen, and tables of authorities.
+TEST_F(AisCommand, LogsAndTablesOfOthersAreReadWithTheirTimes) {
+  SLACKWATER_NEEDS_SHARED(shared);
+  for (const char* name : {"ais_prefixes/iso_prefix.nmea", "ais_prefixes/epoch_prefix.nmea",
+                           "ais_prefixes/ais_catcher.nmea", "silent_nothing/type27_whole.nmea",
+                           "silent_nothing/type9_sar.nmea", "usual_downloads/csv2.csv",
+                           "usual_downloads/csv2.csv.zst", "usual_downloads/dma.csv"}) {
+    SCOPED_TRACE(name);
+    const auto file = shared / "data" / "cases" / name;
+    ASSERT_TRUE(std::filesystem::exists(file));
+    const ProgramResult result = run_program({"ais", file.string(), "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json read = json::parse(result.out).at("files").at(0);
+    EXPECT_GE(read.at("messages"), 5);
+    ASSERT_EQ(read.at("vessels").size(), 1U);
+    EXPECT_EQ(read.at("vessels")[0].at("positions"), read.at("messages"));
+    EXPECT_FALSE(read.at("vessels")[0].at("first").is_null());
+  }
 }
 
 TEST_F(AisCommand, ABoxKeepsWhoIsInside) {

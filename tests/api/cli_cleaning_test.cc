@@ -109,7 +109,7 @@ TEST_F(CleaningCommand, AFlightThatLeavesTooMuchIsNotDone) {
   const json start = json::parse(run.out).at("starts")[0];
   EXPECT_EQ(start.at("done"), 0);
   EXPECT_EQ(start.at("stopped_by")[0].at("cause"),
-            "cleaner: less than 90 % of the surface is clean");
+            "less than 90 % of the surface is clean (cleaner)");
 }
 
 TEST_F(CleaningCommand, RefusesWhatCannotBeCleanedBeforeTheFirstStep) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -301,10 +303,14 @@ TEST_F(Commands, PrintDownloadsGivesExactSubsetLinesAndTouchesNothing) {
                         "( -z 0 -Z \\d+)?( -t " + stamp + " -T " + stamp +
                         ")?( --coordinates-selection-method outside)? -o \\S+ -f \\S+\\.nc");
   std::string commands;
+  std::size_t loops = 0;
   for (const json& line : document["lines"]) {
     const auto text = line.get<std::string>();
     if (text.rfind("#", 0) == 0) continue;
-    EXPECT_TRUE(std::regex_match(text, form)) << text;
+    if (contains(text, "nomads.ncep.noaa.gov"))
+      ++loops;  // of the wind forecast: tests/api/pipeline/downloads_test.cc
+    else
+      EXPECT_TRUE(std::regex_match(text, form)) << text;
     commands += text + "\n";
   }
   EXPECT_TRUE(contains(commands, "-i cmems_mod_nws_phy-cur_anfc_1.5km-3D_PT1H-i -v uo -v vo -x "))
@@ -321,6 +327,41 @@ TEST_F(Commands, PrintDownloadsGivesExactSubsetLinesAndTouchesNothing) {
       << commands;
   EXPECT_TRUE(contains(commands, "T00:00:00 -T 2025-03-12T00:00:00"))
       << "to the end of the horizon: " << commands;
+  EXPECT_EQ(loops, 1U) << commands;
+  EXPECT_TRUE(contains(commands, "gfs.t00z.pgrb2.0p25.f$h")) << "of 9 March, 05:00: " << commands;
+
+  const json longer = forecast({"--print-downloads", "--day", "2025-03-08", "--history", "60d"});
+  EXPECT_TRUE(contains(longer.dump(), " -t 2025-01-07T00:00:00 -T 2025-03-12T00:00:00"));
+  EXPECT_EQ(longer["lines"].size(), document["lines"].size());
+}
+
+/// The loop of the wind forecast as a shell runs it, with a curl that notes what it is asked for:
+/// the steps in order in one file, and a failed step fails the line.
+TEST_F(Commands, TheLineOfTheWindForecastIsOneThatAShellRuns) {
+  const json document = forecast({"--print-downloads", "--day", "2025-03-08", "--horizon", "3h"});
+  const auto loop = document["lines"].back().get<std::string>();
+  const auto ran_with = [&](const std::string& curl) {
+    const std::filesystem::path folder = store_.file("shell");
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "bin");
+    for (const auto& [name, text] :
+         {std::pair<std::string, std::string>{"curl", curl}, {"sleep", "exit 0\n"}}) {
+      std::ofstream(folder / "bin" / name) << "#!/bin/sh\n" << text;
+      std::filesystem::permissions(folder / "bin" / name, std::filesystem::perms::owner_all);
+    }
+    std::ofstream(folder / "line.sh") << loop << "\n";
+    const int code =
+        std::system(("cd '" + folder.string() + "' && PATH=\"$PWD/bin:$PATH\" sh line.sh").c_str());
+    std::ifstream file(folder / "downloads" / "test_site_wind_forecast.grib2");
+    return std::pair(code == 0, std::string(std::istreambuf_iterator<char>(file), {}));
+  };
+  // The last argument is the address; its last digits before the variables the step.
+  const std::string notes =
+      "for last; do :; done; step=${last#*0p25.f}; printf '%s ' "
+      "\"${step%%&*}\"\n";
+  EXPECT_EQ(ran_with(notes), std::pair(true, std::string("000 003 ")));
+  EXPECT_EQ(ran_with(notes + "[ \"${step%%&*}\" = 000 ]\n"),
+            std::pair(false, std::string("000 003 ")));
 }
 
 TEST_F(Commands, TheSameInputsAtTheSameTimeAreTheSameForecastAndOthersGetTheirOwn) {

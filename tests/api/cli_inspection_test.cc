@@ -126,7 +126,7 @@ TEST_F(InspectionCommand, AFlightThatCoversTooLittleIsNotDone) {
   const json start = json::parse(run.out).at("starts")[0];
   EXPECT_EQ(start.at("done"), 0);
   EXPECT_EQ(start.at("stopped_by")[0].at("cause"),
-            "eye: less than 90 % covered by the Camera of a small ROV");
+            "less than 90 % covered by the Camera of a small ROV (eye)");
 }
 
 TEST_F(InspectionCommand, RefusesWhatCannotBeInspectedBeforeTheFirstStep) {

@@ -69,7 +69,7 @@ TEST_F(PlanCommand, PlansTheExampleAndProvesIt) {
   EXPECT_EQ(found.at("day"), "2025-06-02");
   EXPECT_EQ(found.at("proven"), true);
   EXPECT_EQ(found.at("gap"), 0);
-  EXPECT_EQ(found.at("least_probability"), nullptr);
+  EXPECT_EQ(found.at("least_probability"), 0.5) << "what is planned is at least marginal";
   EXPECT_EQ(found.at("jobs").size() + found.at("left").size(), 7U);
   double value = 0;
   for (const json& job : found.at("jobs")) {
@@ -83,13 +83,15 @@ TEST_F(PlanCommand, PlansTheExampleAndProvesIt) {
   for (const json& left : found.at("left")) EXPECT_NE(left.at("why"), "");
   EXPECT_EQ(found.at("vessels").size(), 2U);
   EXPECT_FALSE(found.contains("changes"));
+  EXPECT_EQ(answer({plan_, "--windows", windows_, "--chance", "0"}).at("least_probability"),
+            nullptr);
 }
 
 TEST_F(PlanCommand, SaysWhoDoesWhatWhenAndWhatIsLeft) {
   const ProgramResult result = run({plan_, "--windows", windows_});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   for (const char* word : {"no plan is worth more", "cp_anode@A01", "rov1", "blue", "Saint-Malo",
-                           "charge", "left:", "biofouling@F01"})
+                           "charge", "left:", "biofouling@F01", "70 %, marginal", "h at sea"})
     EXPECT_NE(result.out.find(word), std::string::npos) << word << "\n" << result.out;
 }
 

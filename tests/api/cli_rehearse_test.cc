@@ -126,7 +126,7 @@ TEST_F(RehearseCommand, SaysWhatWouldChangeTheAnswerAndHowBadItIs) {
   const json& risk = out.at("starts")[0].at("risks")[0];
   EXPECT_EQ(risk.at("cause"), "energy");
   EXPECT_EQ(risk.at("befell"), 2);
-  EXPECT_EQ(risk.at("level"), "high");
+  EXPECT_EQ(risk.at("level_at_worst"), "high");
   EXPECT_EQ(risk.at("consequence").at("asset"), 4);
   const json& advice = out.at("advice");
   ASSERT_GE(advice.size(), 4U);

@@ -82,7 +82,7 @@ TEST_F(ReportCommand, SaysWhatWouldChangeTheAnswer) {
   EXPECT_TRUE(contains(help.at("limits")[0].at("without"), "current at most 0.02 m/s"));
   EXPECT_EQ(help.at("limits")[0].at("worker"), "eye");
   // All of the 25 futures hold the other limit.
-  EXPECT_NEAR(help.at("limits")[0].at("probability").get<double>(), 26.0 / 27, 1e-9);
+  EXPECT_NEAR(help.at("limits")[0].at("probability").get<double>(), 25.5 / 26, 1e-9);
   EXPECT_TRUE(help.at("flown").is_null());
   EXPECT_TRUE(contains(read_bytes(page), "What would help: the best start without the limit"));
 
@@ -264,6 +264,23 @@ TEST_F(ReportCommand, AnEarlierReplayOfTheDayIsNotTold) {
   EXPECT_TRUE(contains(earlier.err, "is in force")) << earlier.err;
 }
 
+TEST_F(ReportCommand, TheNoonIssueHasANoonPageBesideTheMornings) {
+  write_other_site("noon.yaml", "noon");
+  const auto page_of = [&](const char* issued) {
+    const ProgramResult made =
+        made_->run({"forecast", "--site", path("noon.yaml"), "--at", issued, "--json"});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    return std::filesystem::path(json::parse(made.out).at("morning").at("page"));
+  };
+  const auto morning = page_of("2025-03-04T05:30:00Z");
+  const std::string decided_by = read_bytes(morning);
+  const auto noon = page_of("2025-03-04T12:30:00Z");
+  EXPECT_EQ(morning.filename(), "2025-03-05.html");
+  EXPECT_EQ(noon.filename(), "2025-03-05_1230.html");
+  EXPECT_EQ(read_bytes(morning), decided_by) << "what people decided by stays";
+  EXPECT_TRUE(contains(read_bytes(noon), "from Tue 4 Mar 12:30")) << "with the hours that are left";
+}
+
 TEST_F(ReportCommand, AForecastTooShortForTheMorningStandsAndSaysSo) {
   write_other_site("tasked.yaml", "short");
   const ProgramResult made = made_->run({"forecast", "--site", path("tasked.yaml"), "--at",
@@ -297,6 +314,20 @@ TEST_F(ReportCommand, OneTaskThatCannotBeWorkedOutLeavesTheDailyJobTheOthers) {
   EXPECT_FALSE(morning.at("no_plan").is_null());
   EXPECT_TRUE(
       contains(read_bytes(morning.at("page").get<std::string>()), "It could not be worked out"));
+}
+
+/// As in the daily job: who asks by hand is not left without the others.
+TEST_F(ReportCommand, LeavesOutATaskThatCannotBeWorkedOutWithItsReason) {
+  write("peek.yaml", peek(loose));
+  const ProgramResult made = report({"--task", path("peek.yaml"), "--task", "mooring_tendon",
+                                     "--html", path("mixed.html"), "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const json out = json::parse(made.out);
+  EXPECT_EQ(out.at("tasks").size(), 1U);
+  ASSERT_EQ(out.at("left_out").size(), 1U);
+  EXPECT_EQ(out.at("left_out")[0].at("task"), "mooring_tendon");
+  EXPECT_NE(out.at("left_out")[0].at("why"), "");
+  EXPECT_TRUE(contains(read_bytes(path("mixed.html")), "It could not be worked out"));
 }
 
 TEST_F(ReportCommand, TheHookHearsToWhyThereIsNoReport) {

@@ -38,7 +38,7 @@ class PolarFarm {
 
 std::size_t open_starts(const json& task) {
   std::size_t open = 0;
-  for (const json& start : task.at("starts")) open += start.at("members_held") == 3 ? 1 : 0;
+  for (const json& start : task.at("starts")) open += start.at("futures_held") == 3 ? 1 : 0;
   return open;
 }
 

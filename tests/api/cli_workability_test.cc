@@ -84,6 +84,24 @@ TEST_F(WorkabilityCommand, AnswersTheWorkedExampleWithTheKeysOfTheSchema) {
   EXPECT_EQ(found.at("gaps"), (json{{"count", 0}, {"longest_h", 0.0}, {"longest_from", nullptr}}));
 }
 
+TEST_F(WorkabilityCommand, WhatIsSaidToBeMissingIsNeverWorkable) {
+  const std::string file = store_.write("example.csv", example);
+  const Arguments asked{file, "--limit", height + "<=1.5", "--duration", "3h", "--missing", "1.2"};
+  const json found = answer(asked);
+  EXPECT_EQ(found.at("missing_steps"), 3);
+  EXPECT_DOUBLE_EQ(found.at("accessibility").get<double>(), 4.0 / 9);
+  const ProgramResult told = run(asked);
+  EXPECT_NE(told.err.find("3 of 9 values (33.3 %)"), std::string::npos) << told.err;
+  // A buoy's number for "not measured", which nobody named: it is no gale, and no calm either.
+  std::string buoy = example;
+  for (std::size_t at; (at = buoy.find(",1.2\n")) != std::string::npos;)
+    buoy.replace(at, 5, ",9999\n");
+  const std::string with_code = store_.write("buoy.csv", buoy);
+  const json coded = answer({with_code, "--limit", height + "<=1.5", "--duration", "3h"});
+  EXPECT_EQ(coded.at("missing_steps"), 3);
+  EXPECT_EQ(coded.at("accessibility"), found.at("accessibility"));
+}
+
 TEST_F(WorkabilityCommand, TellsATiredPersonTheAnswerFirst) {
   const std::string file = store_.write("example.csv", example);
   const ProgramResult result = run({file, "--limit", height + "<=1.5", "--duration", "3h"});
@@ -100,6 +118,21 @@ TEST_F(WorkabilityCommand, TellsATiredPersonTheAnswerFirst) {
           "A task of 3 h could never be done: there was no time at which all limits held.", 0),
       0U)
       << never.out;
+}
+
+/// A quarter of a day, workable at its beginning alone: nobody knows how long the rest would wait.
+TEST_F(WorkabilityCommand, ARecordThatEndsBeforeTheNextStartSaysSo) {
+  const std::string csv =
+      store_.write("short.csv", "time," + height +
+                                    "\n2002-01-01T00:00Z,1\n2002-01-01T01:00Z,1\n"
+                                    "2002-01-01T02:00Z,2\n2002-01-01T03:00Z,2\n"
+                                    "2002-01-01T04:00Z,2\n2002-01-01T05:00Z,2\n");
+  const ProgramResult result = run({csv, "--limit", height + "<=1.5", "--duration", "1h"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.find("There is no wait"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("For 67 % of the time the record ends before the next start comes"),
+            std::string::npos)
+      << result.out;
 }
 
 TEST_F(WorkabilityCommand, UnitsAreConvertedWithoutMovingWhatEqualsTheLimit) {

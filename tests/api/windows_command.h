@@ -18,8 +18,10 @@ inline std::string peek(const std::string& limits, const std::string& more = "")
          limits + "]\n" + eyes_work_yaml;
 }
 
-inline constexpr const char* loose = "{significant_wave_height_m: 19}, {current_speed_m_s: 9}";
-inline constexpr const char* never = "{significant_wave_height_m: 19}, {current_speed_m_s: 0.02}";
+/// Of the current alone: nobody forecast the wind of these days, nor the waves that it raises.
+inline constexpr const char* loose = "{current_speed_m_s: 9}";
+inline constexpr const char* never = "{current_speed_m_s: 0.02}";
+inline constexpr const char* loose_waves = "{significant_wave_height_m: 19}";
 
 using nlohmann::json;
 using Arguments = std::vector<std::string>;

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "ingest/ais/marine_cadastre.h"
 #include "ingest/ais/message.h"
 #include "ingest/ais/report.h"
+#include "ingest/ais/table.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {
@@ -67,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view log = fuzz::text_of(data, size);
   fuzz::accepts([&] {
     MessageAssembler assembler;
-    const MarineCadastreReader table(log.substr(0, log.find('\n')));
+    const AisTable table(log.substr(0, log.find('\n')));
     for (std::string_view rest = log; !rest.empty();) {
       const std::size_t end = rest.find('\n');
       const std::string_view line = rest.substr(0, end);

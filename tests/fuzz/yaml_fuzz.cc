@@ -75,7 +75,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::accepts([&] {
     const auto product = ingest::Product::load(file);
     for (const auto& rule : product.means)
-      fuzz::claim(rule.step > Duration::zero(), "a mean over nothing");
+      fuzz::claim(rule.step > Duration::zero() || rule.label == ingest::MeanLabel::utc_month,
+                  "a mean over nothing");
   });
   fuzz::accepts([&] { static_cast<void>(ingest::Vocabulary::load(file)); });
   return 0;

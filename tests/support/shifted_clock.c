@@ -22,19 +22,20 @@
 
 static const volatile int64_t* shift_s;
 
-// By system calls of its own: those of a sanitizer may not be ready yet.
+// By system calls of its own: those of a sanitizer may not be ready yet. Its arguments are long: an
+// int has 32 bits that nobody set, which clang leaves so, and the last one is where in the file.
 __attribute__((constructor)) static void find_shift(void) {
   const char* path = getenv("SLACKWATER_SHIFTED_CLOCK");
   if (path == NULL) return;
-  const long file = syscall(SYS_openat, AT_FDCWD, path, O_RDONLY | O_CLOEXEC);
+  const long file = syscall(SYS_openat, (long)AT_FDCWD, path, (long)(O_RDONLY | O_CLOEXEC));
   if (file < 0) return;
-  const long at = syscall(SYS_mmap, 0, sizeof *shift_s, PROT_READ, MAP_SHARED, file, 0);
+  const long at = syscall(SYS_mmap, 0L, sizeof *shift_s, (long)PROT_READ, (long)MAP_SHARED, file, 0L);
   syscall(SYS_close, file);
   if (at != -1) shift_s = (const volatile int64_t*)at;
 }
 
 int clock_gettime(clockid_t clock, struct timespec* now) {
-  const int failed = (int)syscall(SYS_clock_gettime, clock, now);
+  const int failed = (int)syscall(SYS_clock_gettime, (long)clock, now);
   if (failed == 0 && shift_s != NULL && (clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE))
     now->tv_sec += *shift_s;
   return failed;

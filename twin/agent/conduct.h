@@ -87,5 +87,10 @@ struct WayHome {
 /// or what is assumed; no number where nobody knows it.
 [[nodiscard]] double value_of(const Limit& limit, const Agent& agent, double t_s,
                               const AgentState& state);
+/// The bound of a limit for it now: of a table that of the sea there, with the bow that it has.
+[[nodiscard]] double bound_of(const Limit& limit, const Agent& agent, double t_s,
+                              const AgentState& state);
+[[nodiscard]] HeightBound height_bound_of(const HeightTable& table, const Agent& agent, double t_s,
+                                          const AgentState& state);
 
 }  // namespace slackwater::twin

@@ -40,13 +40,16 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
   switch (limit.variable) {
     case LimitVariable::significant_wave_height:
     case LimitVariable::wave_peak_period: {
-      const SeaSample sea = agent.water->sea(at_m, t_s);
-      if (!has_value(sea.status)) return constants::nan;
-      if (limit.waves &&
-          !limit.waves->holds(sea.sea, euler_angles(state.vehicle.body.attitude).yaw_rad))
+      const SeaSample sample = agent.water->sea(at_m, t_s);
+      // Of a sea that is missing what is known counts: a height without its period is a height.
+      if (!has_value(sample.status) && sample.status != SampleStatus::missing)
+        return constants::nan;
+      const SeaState& sea = sample.sea;
+      if (limit.waves && !std::isnan(sea.significant_height_m) &&
+          !limit.waves->holds(sea, euler_angles(state.vehicle.body.attitude).yaw_rad))
         return 0;
-      return limit.variable == LimitVariable::wave_peak_period ? sea.sea.peak_period_s
-                                                               : sea.sea.significant_height_m;
+      return limit.variable == LimitVariable::wave_peak_period ? sea.peak_period_s
+                                                               : sea.significant_height_m;
     }
     case LimitVariable::wind_speed_10m:
       return wind_m_s(agent, at_m, -10, t_s);
@@ -77,6 +80,16 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
       return assumed(*agent.conduct, limit.variable);
   }
   return constants::nan;
+}
+
+HeightBound height_bound_of(const HeightTable& table, const Agent& agent, double t_s,
+                            const AgentState& state) {
+  return table.limit_at(agent.water->sea(state.vehicle.body.position_m, t_s).sea,
+                        euler_angles(state.vehicle.body.attitude).yaw_rad);
+}
+
+double bound_of(const Limit& limit, const Agent& agent, double t_s, const AgentState& state) {
+  return limit.table ? height_bound_of(*limit.table, agent, t_s, state).at_most_m : limit.bound;
 }
 
 }  // namespace slackwater::twin

@@ -122,10 +122,11 @@ class Looker {
       if (!limits[i].phases.has(own_.phase)) continue;
       const double value = value_of(limits[i], agent_, t_s_, state_);
       if (std::isnan(value) && limits[i].may_be_missing) continue;
-      const double share = limits[i].share(value);
+      const double bound = bound_of(limits[i], agent_, t_s_, state_);
+      const double share = limits[i].share(value, bound);
       if (own_.doing == Doing::task && !state_.helm.is_helmed() && share > own_.most_share)
         own_.most_share = share;
-      if (limits[i].holds(value)) continue;
+      if (limits[i].holds(value, bound)) continue;
       own_.exceeded_s[i] = t_s_;
       if (worst > 0 && !(share > worst)) continue;
       worst = share;

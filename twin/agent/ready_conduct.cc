@@ -29,12 +29,17 @@ void expect_faults(const Conduct& plan, const Agent& agent) {
   }
 }
 
-/// Where its work leads, with the speed on the way to each place.
+/// Where its work leads, with the speed on the way to each place; of work that only stays, where it
+/// was brought before.
 std::vector<Waypoint> way_of_work(const Agent& agent) {
   std::vector<Waypoint> way;
+  std::optional<Waypoint> last;
   for (const ScenarioTask& task : agent.mission.tasks) {
+    std::vector<Waypoint> places = task.waypoints;
+    if (places.empty() && last) places.push_back(*last);
+    if (!places.empty()) last = places.back();
     if (task.phase != Phase::work) continue;
-    for (Waypoint at : task.waypoints) {
+    for (Waypoint at : places) {
       if (!(at.speed_m_s > 0)) at.speed_m_s = agent.mission.guidance.speed_m_s;
       way.push_back(at);
     }

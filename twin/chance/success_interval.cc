@@ -37,11 +37,9 @@ SuccessInterval success_interval(std::size_t successes, std::size_t trials, doub
   return {edge(0), edge(1)};
 }
 
-double next_success(std::size_t successes, std::size_t trials, Beforehand held) {
+double next_success(std::size_t successes, std::size_t trials) {
   expects(successes <= trials, "no more successes than trials");
-  expects(held.trials_each > 0, "something was held likely beforehand");
-  return (static_cast<double>(successes) + held.trials_each) /
-         (static_cast<double>(trials) + 2 * held.trials_each);
+  return (static_cast<double>(successes) + 0.5) / (static_cast<double>(trials) + 1);
 }
 
 }  // namespace slackwater::twin

@@ -29,26 +29,14 @@ struct SuccessInterval {
 [[nodiscard]] SuccessInterval success_interval(std::size_t successes, std::size_t trials,
                                                double level = 0.95);
 
-/// What was held likely before the first trial, as so many successes and as many failures.
-struct Beforehand {
-  double trials_each = 1;
-};
-/// All p alike (Laplace). For members whose limits hold or not: their chances, of several variables
-/// over hours, are spread over all of it (tests/twin/risk/window_probabilities_test.cc).
-inline constexpr Beforehand any_chance{1};
-/// Those near 0 and 1 likelier (Jeffreys). For flights: most starts are done in nearly all futures,
-/// or in hardly any (tests/twin/rehearse/twin_probabilities_test.cc).
-inline constexpr Beforehand mostly_sure{0.5};
-
 /// The probability of one more success after so many,
 ///
-///   (s + a) / (n + 2 a),   a = `trials_each`
+///   (s + 1/2) / (n + 1)
 ///
-/// Of a forecast's members it is the probability that what comes is a success too, if that is drawn
-/// as they are. Their share says too much at both ends: where it is 0.96 in 25 members, 0.93 come
-/// true. What was held likely beforehand matters as much there: of limits `mostly_sure` says 0.952
-/// where 0.934 come true, of flights `any_chance` 0.937 where 0.979 do.
-/// Source: rules of succession, Laplace (1814) and Jeffreys (1946), Proc. R. Soc. A 186, 453.
-[[nodiscard]] double next_success(std::size_t successes, std::size_t trials, Beforehand held);
+/// Of futures it is the probability that what comes is a success too, if that is drawn as they are.
+/// Their share says too much at both ends.
+/// Source: Jeffreys (1946), Proc. R. Soc. A 186, 453: probabilities near 0 and 1 are likelier
+/// beforehand. Most starts are done in nearly all futures, or in hardly any.
+[[nodiscard]] double next_success(std::size_t successes, std::size_t trials);
 
 }  // namespace slackwater::twin

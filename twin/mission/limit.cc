@@ -51,6 +51,7 @@ constexpr std::array words{
 
 std::string keys() {
   std::vector<std::string> all;
+  all.reserve(words.size());
   for (const LimitWord& word : words) all.emplace_back(word.key);
   return joined(all, ", ");
 }
@@ -79,11 +80,39 @@ PhaseSet read_phases(const Config& config) {
   return phases;
 }
 
+/// The heading beside a table whose bounds go by the angle off the bow.
+std::optional<double> read_heading(const Config& config, const HeightTable& table) {
+  const auto heading = config.optional_number("heading_deg", {-360, 360});
+  if (!heading) return std::nullopt;
+  if (table.off_bow_rad.empty())
+    config.refuse("heading_deg",
+                  "found beside a table without rows by from_bow_deg; it changes nothing, leave it "
+                  "out");
+  return *heading * constants::degree;
+}
+
+/// A table in the place of the bound on a height of waves.
+std::optional<Limit> read_limit_by_sea(const Config& config) {
+  const LimitWord& word = word_of(Variable::significant_wave_height);
+  if (!config.is_mapping(word.key)) return std::nullopt;
+  for (const char* const key : {"from_bow_deg", "peak_period_between_s"})
+    if (config.has(key))
+      config.refuse(key, std::string("found beside a table of ") + word.key +
+                             ", which says by itself what counts; leave one of them out");
+  Limit limit;
+  limit.variable = word.variable;
+  limit.table = read_height_table(config.child(word.key), word.range);
+  limit.table->heading_rad = read_heading(config, *limit.table);
+  limit.bound = limit.table->least_m();
+  return limit;
+}
+
 Limit read_limit(const Config& config) {
-  std::optional<Limit> limit;
+  std::optional<Limit> limit = read_limit_by_sea(config);
   for (const LimitWord& word : words) {
     for (const bool is_least : {false, true}) {
       const std::string key = (is_least ? "least_" : "") + std::string(word.key);
+      if (limit && limit->table && limit->variable == word.variable && !is_least) continue;
       const auto bound = config.optional_number(key, word.range);
       if (!bound) continue;
       if (limit)
@@ -99,7 +128,7 @@ Limit read_limit(const Config& config) {
     config.refuse("limits", "found an entry without a variable, expected one of " + keys() +
                                 ", or least_ before one");
   limit->down_m = read_down(config);
-  limit->waves = read_wave_sector(config);
+  if (!limit->table) limit->waves = read_wave_sector(config);
   if (limit->waves && (limit->variable != Variable::significant_wave_height || limit->is_least))
     config.refuse(limit->waves->off_bow_rad ? "from_bow_deg" : "peak_period_between_s",
                   "says which waves an upper bound on their height is of; found beside another "
@@ -139,6 +168,10 @@ std::string text_of(const Limit& limit) {
   const LimitWord& word = word_of(limit.variable);
   std::string text = formatted("{} at {} {:g} {}", word.meaning, limit.is_least ? "least" : "most",
                                limit.bound, word.unit);
+  if (limit.table)
+    text = formatted("{} at most {:g} to {:g} {} ", word.meaning, limit.bound,
+                     limit.table->greatest_m(), word.unit) +
+           text_of(*limit.table);
   if (limit.down_m && *limit.down_m < 0)
     text += formatted(" at a height of {:g} m", -*limit.down_m);
   if (limit.down_m && *limit.down_m >= 0) text += formatted(" at a depth of {:g} m", *limit.down_m);
@@ -155,7 +188,9 @@ std::vector<Limit> read_limits(const Config& config) {
       if (a.variable != b.variable || a.is_least == b.is_least || a.down_m != b.down_m ||
           (a.phases.bits & b.phases.bits) == 0)
         continue;
-      const double most = a.is_least ? b.bound : a.bound, least = a.is_least ? a.bound : b.bound;
+      const Limit& upper = a.is_least ? b : a;
+      const double most = upper.table ? upper.table->greatest_m() : upper.bound;
+      const double least = a.is_least ? a.bound : b.bound;
       if (least > most)
         config.refuse("limits", formatted("{} has to be at least {:g} and at most {:g} {} at the "
                                           "same time, which is impossible; correct one of them",

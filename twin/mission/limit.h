@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fields/base/config.h"
+#include "twin/mission/height_table.h"
 #include "twin/mission/phase.h"
 #include "twin/mission/wave_sector.h"
 
@@ -46,11 +47,14 @@ struct LimitWord {
 struct Limit {
   LimitVariable variable{};
   bool is_least = false;  ///< the value has to be at least the bound, not at most
-  double bound = 0;       ///< SI, but mm/h of rain and degrees Celsius
+  /// SI, but mm/h of rain and degrees Celsius. Of a table the least: who knows nothing of the sea
+  /// lets no more pass than that.
+  double bound = 0;
   /// Where it counts, NED; absent: where the vehicle is.
   std::optional<double> down_m;
   /// Of a height of waves: which of them it is of; absent: all. Others are no waves to it.
   std::optional<WaveSector> waves;
+  std::optional<HeightTable> table;  ///< of a height of waves: bounds that go by the sea
   PhaseSet phases;
   bool may_be_missing = false;  ///< not checked where nobody knows the variable
   std::string source;
@@ -58,18 +62,25 @@ struct Limit {
   bool operator==(const Limit&) const = default;
 
   /// False for what is no number.
-  [[nodiscard]] bool holds(double value) const noexcept {
-    return is_least ? value >= bound : value <= bound;
+  [[nodiscard]] bool holds(double value) const noexcept { return holds(value, bound); }
+  /// @param in_force  the bound then: of a table that of the sea (`bound_of`)
+  [[nodiscard]] bool holds(double value, double in_force) const noexcept {
+    return is_least ? value >= in_force : value <= in_force;
   }
   /// How much of the limit a value takes up: above 1 it is exceeded.
   /// A level's zero is no end of it: there each metre beyond the bound makes it e times as much.
-  [[nodiscard]] double share(double value) const noexcept {
+  [[nodiscard]] double share(double value) const noexcept { return share(value, bound); }
+  [[nodiscard]] double share(double value, double in_force) const noexcept {
     if (variable == LimitVariable::sea_surface_height)
-      return std::exp(is_least ? bound - value : value - bound);
-    return is_least ? bound / value : value / bound;
+      return std::exp(is_least ? in_force - value : value - in_force);
+    return is_least ? in_force / value : value / in_force;
+  }
+  /// Whether it goes by the vehicle's own heading.
+  [[nodiscard]] bool goes_by_heading() const noexcept {
+    return (waves && waves->goes_by_heading()) || (table && table->goes_by_heading());
   }
 };
-/// "significant wave height at most 1.5 m".
+/// "significant wave height at most 1.5 m"; of a table "... at most 0.8 to 1.5 m by peak period".
 [[nodiscard]] std::string text_of(const Limit& limit);
 
 /// `limits` of YAML, a list of
@@ -78,6 +89,10 @@ struct Limit {
 ///     {least_visibility_m: 500, if_missing: not_checked}
 ///     {wind_speed_m_s: 8, at_height_m: 90}       {current_speed_m_s: 0.5, at_depth_m: 20}
 ///     {significant_wave_height_m: 1.1, from_bow_deg: [45, 135], peak_period_between_s: [7, 30]}
+///     {significant_wave_height_m: {peak_period_s: [4, 8], at_most: [1.5, 1.1]}}
+///
+/// A mapping in the place of the height is a table (`read_height_table`), with `heading_deg` beside
+/// it where the bow is not the vehicle's own.
 ///
 /// @throws Error(invalid_input) for two variables in one, or none, and for bounds that cannot be
 [[nodiscard]] std::vector<Limit> read_limits(const Config& config);

@@ -26,10 +26,11 @@ std::optional<Range> read_range(const Config& config, const char* key, Range ran
 }  // namespace
 
 bool WaveSector::holds(const SeaState& sea, double own_rad) const noexcept {
-  if (peak_period_s && !is_in(*peak_period_s, sea.peak_period_s)) return false;
+  if (peak_period_s && !std::isnan(sea.peak_period_s) && !is_in(*peak_period_s, sea.peak_period_s))
+    return false;
   if (!off_bow_rad) return true;
   const double from_rad = sea.from_direction_deg * degree - heading_rad.value_or(own_rad);
-  return is_in(*off_bow_rad, std::abs(short_way_rad(from_rad)));
+  return std::isnan(from_rad) || is_in(*off_bow_rad, std::abs(short_way_rad(from_rad)));
 }
 
 std::optional<WaveSector> read_wave_sector(const Config& config) {

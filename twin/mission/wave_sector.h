@@ -16,6 +16,7 @@ struct WaveSector {
   std::optional<double> heading_rad;  ///< of the hull, from true north; absent: the vehicle's own
   bool operator==(const WaveSector&) const = default;
 
+  /// Also where nobody knows the period, or the direction: then the waves may be of it.
   /// @param heading_rad  the vehicle's
   [[nodiscard]] bool holds(const SeaState& sea, double heading_rad) const noexcept;
   /// Whether it goes by the vehicle's own heading.

@@ -45,15 +45,17 @@ LimitsSay by_the_limits(const Scenario& mission, const Surround& surround, UtcTi
         const auto bows = bows_of(limit, *reach);
         AgentState there = ready.states[i];
         for (double t_s = 0; t_s <= mission.duration_s; t_s += look_every_s) {
-          const auto [value, place_m] = worst_at(limit, agent, places_m, bows, t_s, there);
+          const WorstValue worst = worst_at(limit, agent, places_m, bows, t_s, there);
+          const double value = worst.value, bound = worst.bound_of(limit);
           if (std::isnan(value)) continue;
-          const double share = limit.share(value);
-          if (!limit.holds(value)) say.allows = false;
+          const double share = limit.share(value, bound);
+          if (!limit.holds(value, bound)) say.allows = false;
           if (!(share > say.share)) continue;
           say.share = share;
-          say.binding = agent.name + ": " + text_of(limit) +
+          say.binding = text_of(limit) + " (" + agent.name + ")" +
                         formatted(", forecast {:.3g} {}", value, word_of(limit.variable).unit) +
-                        (places_m.size() > 1 ? height_text(place_m.z) : "");
+                        (places_m.size() > 1 ? height_text(worst.place_m.z) : "") +
+                        (limit.table ? ", the limit " + text_of(*limit.table, *worst.by_sea) : "");
         }
       }
     }

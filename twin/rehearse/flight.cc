@@ -222,7 +222,7 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
       if (!has_work && !is_lost(states[i])) continue;
       flight.ended_s = std::max(flight.ended_s, outcome.ended_s);
       if (has_work && outcome.is_done) continue;
-      if (flight.is_done) flight.stopped_by = outcome.name + ": " + outcome.stopped_by;
+      if (flight.is_done) flight.stopped_by = outcome.stopped_by + " (" + outcome.name + ")";
       flight.is_done = false;
     }
     note_search(flight);

@@ -31,10 +31,16 @@ namespace slackwater::twin {
 struct WorstValue {
   double value = 0;  ///< NaN: nobody knows, where it comes to
   Triple<double> place_m;
+  std::optional<HeightBound> by_sea{};  ///< of a table: the bound then
+  /// The bound of the limit then.
+  [[nodiscard]] double bound_of(const Limit& limit) const noexcept {
+    return by_sea ? by_sea->at_most_m : limit.bound;
+  }
 };
 /// The worst of it at some places, with any of some bows; with none, whatever the bow: then waves
 /// come from wherever they are worst. What is known to break the limit breaks it whatever is
-/// unknown elsewhere; else what is unknown anywhere is.
+/// unknown elsewhere; else what is unknown anywhere is. Of a table the worst is what takes up most
+/// of its bound.
 [[nodiscard]] WorstValue worst_at(const Limit& limit, const Agent& agent,
                                   const std::vector<Triple<double>>& places_m,
                                   const std::vector<Course>& bows, double t_s, AgentState& there);
@@ -46,8 +52,14 @@ struct LimitAhead {
   Phase phase = Phase::work;
   std::vector<Triple<double>> places_m;
   std::vector<Course> bows;
-  /// By member; one where all members have the same.
+  /// By member, of wave heights that have an error by future (`WaveFutures`); one where all have
+  /// the same. Of a limit with a table each value is a share of the bound then, 1 at most.
   std::vector<std::vector<double>> members;
+  /// Of such a limit, by step: the bound at the end of it that is worse in the central forecast.
+  /// Period and direction are the same in all futures: a forecast has one of each.
+  std::vector<HeightBound> by_sea;
+  /// What the values are held against.
+  [[nodiscard]] double bound_of(const Limit& of) const noexcept { return of.table ? 1 : of.bound; }
 };
 
 /// Reads the limits of a vehicle, each at the places of each of its phases (`places_of`), in every
@@ -55,8 +67,17 @@ struct LimitAhead {
 /// between its stamps a forecast is linear, so that speeds and heights are nowhere worse in
 /// between. Limits that only a run can show are left out.
 /// @param ready    set up at the first time of the clock, in any member
+/// @param members  of the forecast, whose waters are looked at
 /// @param waves    futures of the waves; null: all members have those of the forecast
 [[nodiscard]] std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
+                                                   const StepClock& clock, std::size_t members,
+                                                   const WaveFutures* waves);
+
+/// The same of limits that are nobody's of the run (those of the vessel that brings it): at the
+/// surface where an agent stands, with no bow that is known, whatever their phases.
+/// @param limits  none that only a run can show
+[[nodiscard]] std::vector<LimitAhead> limits_ahead(const ReadyRun& ready, std::size_t agent,
+                                                   const std::vector<Limit>& limits,
                                                    const StepClock& clock, std::size_t members,
                                                    const WaveFutures* waves);
 

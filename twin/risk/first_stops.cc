@@ -32,7 +32,7 @@ void note_next_stop(const WatchedLimit& watched, std::span<const double> values,
 void add_stops(const StartQuestion& question, const WatchedLimit& watched,
                const std::vector<std::uint32_t>& next, FirstStops& first) {
   for (std::size_t s = 0; s < question.starts.count; ++s) {
-    const std::size_t from = question.starts.step_of(s);
+    const std::size_t from = question.starts.step_of(s) - watched.before;
     for (const StepRange& when : watched.when) {
       const std::uint32_t stop = next[from + when.begin];
       if (stop >= from + when.end) continue;

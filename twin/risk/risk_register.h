@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "twin/chance/success_interval.h"
@@ -12,8 +13,6 @@ namespace slackwater::twin {
 /// How likely, in classes: below 1 %, 5 %, 20 %, 50 %, and more. A convention of this program.
 enum class Likelihood : std::uint8_t { rare, unlikely, possible, likely, expected };
 [[nodiscard]] Likelihood likelihood_of(double probability) noexcept;
-/// "rare (below 1 %)".
-[[nodiscard]] std::string_view text_of(Likelihood likelihood) noexcept;
 
 /// Likelihood (1 to 5) times the worst consequence (1 to 5): below 6 low, below 15 medium, else
 /// high. A convention of this program.
@@ -28,15 +27,21 @@ struct RiskEntry {
   std::size_t befell = 0;
   SuccessInterval probability;             ///< of the cause; holds however many flights there were
   std::optional<Consequence> consequence;  ///< absent: the task says none
-  RiskLevel level = RiskLevel::low;        ///< by the share that it befell
-  RiskLevel at_worst = RiskLevel::low;     ///< by the upper bound of its probability
+  RiskLevel at_least = RiskLevel::low;     ///< by the lower bound of its probability
+  RiskLevel at_worst = RiskLevel::low;     ///< by the upper bound
 
   [[nodiscard]] double share() const noexcept {
     return flights > 0 ? static_cast<double>(befell) / static_cast<double>(flights) : 0;
   }
 };
 
-/// All risks, the gravest first: by level, then by how bad it would be at worst, then by share.
+/// The class that the bounds of its probability allow: "possible (5 to 20 %)"; where they are in
+/// two, from one to the other: "rare to likely". What never befell in few flights is no class.
+[[nodiscard]] std::string likelihood_text(const RiskEntry& entry);
+/// The level that they allow: "medium", "low to high".
+[[nodiscard]] std::string level_text(const RiskEntry& entry);
+
+/// All risks, the gravest first: by the level at least, then at worst, then by share.
 /// A cause whose consequence nobody states is taken to be of the middle class.
 /// @param flights       what befell each
 /// @param consequences  of the tasks of the mission, the worse of two counts

@@ -58,9 +58,11 @@ std::vector<Nearness> nearness_of(const StartQuestion& question) {
   std::vector<Nearness> all;
   for (const WatchedLimit& watched : question.watched) {
     if (watched.is_gate) continue;
-    all.push_back({peaks_after(watched.members.front(), watched.when, question.starts,
-                               is_upper(watched.bound)),
-                   &watched});
+    StartSteps starts = question.starts;
+    starts.first -= watched.before;
+    all.push_back(
+        {peaks_after(watched.members.front(), watched.when, starts, is_upper(watched.bound)),
+         &watched});
   }
   return all;
 }
@@ -127,6 +129,8 @@ void expect_question(const StartQuestion& question) {
             "visits end within the grid, and too little time is a limit of its own");
   for (const WatchedLimit& watched : question.watched) {
     expects(watched.limit < question.limits, "a watched limit is one of the task's");
+    expects(watched.before <= question.starts.first && (watched.before == 0 || !question.split),
+            "the grid holds what comes before a start, of work that is done in one go");
     expects(watched.members.size() == 1 || watched.members.size() == question.members,
             "a series for each member, or one for all");
     expects(watched.alpha.empty() ||
@@ -136,7 +140,8 @@ void expect_question(const StartQuestion& question) {
       expects(values.size() == question.steps, "a value for each step");
     for (const StepRange& when : watched.when)
       expects(question.starts.count == 0 ||
-                  question.starts.step_of(question.starts.count - 1) + when.end <= question.steps,
+                  question.starts.step_of(question.starts.count - 1) + when.end <=
+                      question.steps + watched.before,
               "the grid holds all that a start asks for");
   }
 }

@@ -16,8 +16,9 @@ struct WatchedLimit {
   std::size_t limit = 0;  ///< which of the task's limits; several places may be watched for one
   Bound bound;
   bool may_be_missing = false;  ///< a value that nobody knows is let pass; else it is none
-  bool is_gate = false;  ///< how near it is says nothing: daylight, a shift, a level of the sea
-  StepRanges when;       ///< steps after that of the start at which it counts
+  bool is_gate = false;    ///< how near it is says nothing: daylight, a shift, a level of the sea
+  StepRanges when;         ///< steps after that of the start at which it counts
+  std::size_t before = 0;  ///< steps before the start from which `when` counts instead
   /// Values by member, member 0 the central one; a single one: the same in all. A value is that of
   /// the whole step, the worst of it.
   std::vector<std::span<const double>> members;
@@ -74,7 +75,8 @@ struct StartChance {
 ///
 /// Split work is kept from a start if a visit can begin then, and the visits from then on come to
 /// all of it in time; every limit counts at every step of a visit, whatever phases it names, and
-/// `when` says for how long after the start it is asked how near a limit is.
+/// `when` says for how long after the start it is asked how near a limit is. None is watched from
+/// before the start.
 ///
 /// @throws ContractViolation for series that are shorter than the grid, and starts from which a
 ///         limit counts beyond it

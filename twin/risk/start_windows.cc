@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "fields/base/check.h"
-#include "twin/chance/success_interval.h"
 
 namespace slackwater::twin {
 
 std::vector<StartWindow> windows_of(std::span<const StartChance> chances,
-                                    std::span<const std::uint8_t> marks, std::size_t members) {
-  expects(members > 0 && marks.size() == chances.size(), "a mark for each start, and a member");
+                                    std::span<const double> probability,
+                                    std::span<const std::uint8_t> marks) {
+  expects(probability.size() == chances.size() && marks.size() == chances.size(),
+          "a probability and a mark for each start");
   std::vector<StartWindow> windows;
   for (const StepRange& run : runs_of(marks)) {
     StartWindow window;
@@ -17,11 +18,10 @@ std::vector<StartWindow> windows_of(std::span<const StartChance> chances,
     window.last = run.end - 1;
     window.least = 1;
     for (std::size_t s = run.begin; s < run.end; ++s) {
-      const double probability = next_success(chances[s].held, members, any_chance);
-      window.least = std::min(window.least, probability);
-      window.mean += probability / static_cast<double>(run.steps());
-      if (probability > window.most) {
-        window.most = probability;
+      window.least = std::min(window.least, probability[s]);
+      window.mean += probability[s] / static_cast<double>(run.steps());
+      if (probability[s] > window.most) {
+        window.most = probability[s];
         window.best = s;
       }
       window.by_threshold += chances[s].by_threshold ? 1 : 0;

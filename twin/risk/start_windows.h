@@ -13,7 +13,7 @@ namespace slackwater::twin {
 struct StartWindow {
   std::size_t first = 0;  ///< of the starts
   std::size_t last = 0;   ///< the latest one
-  double least = 0;       ///< probability that all limits hold (`next_success` of the members)
+  double least = 0;       ///< probability that all limits hold
   double mean = 0;
   double most = 0;
   std::size_t best = 0;          ///< the first of the starts that have it
@@ -23,10 +23,10 @@ struct StartWindow {
 };
 
 /// The maximal runs of starts whose mark is 1.
-/// @param marks    one a start  @param members  more than 0
+/// @param probability  that all limits hold, and @param marks  one a start
 [[nodiscard]] std::vector<StartWindow> windows_of(std::span<const StartChance> chances,
-                                                  std::span<const std::uint8_t> marks,
-                                                  std::size_t members);
+                                                  std::span<const double> probability,
+                                                  std::span<const std::uint8_t> marks);
 
 /// What a coordinator does about a day.
 enum class Verdict { go, marginal, no_go };

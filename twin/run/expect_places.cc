@@ -19,7 +19,7 @@ bool leads_through(const ScenarioStructure& s, const Triple<double>& from_m,
 }  // namespace
 
 void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const Agent& agent,
-                   double t_s) {
+                   double t_s, bool is_without_currents) {
   const bool flies = agent.vehicle->kind == VehicleKind::uav;
   const bool floats = agent.vehicle->body.hull.strips > 0;
   const auto on_water = [&](const Triple<double>& at_m) {
@@ -33,7 +33,8 @@ void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const
     const SampleStatus status =
         flies ? agent.water->wind(at_m, t_s).status
               : agent.water->current(on_water(at_m), agent.vehicle->body.height_m, t_s).status;
-    if (!has_value(status)) {
+    const bool is_there = is_without_currents && status == SampleStatus::missing;
+    if (!has_value(status) && !is_there) {
       refuse(named + " is " + std::string(name_of(status)) + " (" +
              agent.water->environment().field->range().text() +
              "); move it into the water of the forecast");

@@ -7,10 +7,16 @@ namespace {
 
 std::shared_ptr<const Inspection> readied(const Scenario& scenario, const ScenarioVehicle& entry,
                                           const std::filesystem::path& data_folder) {
+  // Of work that only stays, where it was brought before.
   std::vector<Waypoint> way;
-  for (const ScenarioTask& task : entry.tasks)
+  Waypoint at;
+  at.position_m = entry.start_m;
+  for (const ScenarioTask& task : entry.tasks) {
+    if (task.phase == Phase::work && task.waypoints.empty()) way.push_back(at);
     if (task.phase == Phase::work)
       way.insert(way.end(), task.waypoints.begin(), task.waypoints.end());
+    if (!task.waypoints.empty()) at = task.waypoints.back();
+  }
   return ready_inspection(entry.name, *entry.conduct->inspection, way, data_folder,
                           scenario.rays_per_look);
 }

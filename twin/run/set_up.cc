@@ -211,6 +211,9 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     refuse("member: found " + std::to_string(scenario.member) + ", the forecast has 0 to " +
            std::to_string(field.snapshot().members - 1));
   }
+  const std::vector<ForecastColumn>& columns = field.snapshot().columns;
+  const bool is_without_currents =
+      surround.is_only_asked && std::none_of(columns.begin(), columns.end(), has_currents);
   ReadyRun ready;
   expect_instants(scenario, field.snapshot(), ready.warnings);
   ready.start = start_of(scenario, field);
@@ -225,9 +228,8 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     environment.stated_sea =
         SeaState{sea.significant_height_m(), sea.peak_period_s(), sea.from_direction_deg()};
   } else if (scenario.waves.have_height_errors) {
-    const ValidRange& range = field.range();
-    environment.waves = std::make_shared<const WaveFutures>(
-        field.snapshot().seed, field.snapshot().members, range.from, range.to);
+    environment.waves =
+        std::make_shared<const WaveFutures>(field.snapshot(), field.snapshot().members);
   }
   environment.sea = sea_of_run(scenario, environment, ready.warnings);
   environment.farm = wakes_of(scenario, surround, ready.origin, ready.start);
@@ -261,7 +263,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     if (entry.conduct && entry.conduct->inspection)
       with_context("vehicle " + entry.name,
                    [&] { agent.inspection = inspection_of(scenario, entry, surround); });
-    expect_places(scenario, entry, agent, 0);
+    expect_places(scenario, entry, agent, 0, is_without_currents);
     add_gusts(scenario, entry, 0, agent);
     // Whose deck its limits may be about.
     if (entry.carrier) agent.carrier = carrier_of(scenario, entry);

@@ -23,7 +23,9 @@ struct Surround {
   std::shared_ptr<const Turbine> turbine;  ///< of all of them
   std::filesystem::path data_folder;       ///< vehicles/, thrusters/, batteries/
   std::vector<TrafficVessel> vessels;      ///< of the logs of AIS, on the plane of the origin
-  VehicleShelf vehicles;        ///< read already, for many runs of a scenario; others are read
+  VehicleShelf vehicles;  ///< read already, for many runs of a scenario; others are read
+  /// Nothing will be run: a place needs no current where the forecast has none at all.
+  bool is_only_asked = false;
   InspectionShelf inspections;  ///< made ready already, for many runs; others are made ready
 };
 

@@ -16,10 +16,35 @@ YamlValue sector_value(const Range& range) {
   return YamlValue::numbers({degrees_for(range.low), degrees_for(range.high)});
 }
 
+YamlValue table_value(const HeightTable& table) {
+  YamlValue value;
+  const std::size_t periods = table.peak_period_s.size();
+  if (periods > 0) value.put("peak_period_s", YamlValue::numbers(table.peak_period_s));
+  const auto bounds = [&](std::size_t row) -> YamlValue {
+    if (periods == 0) return table.at_most_m[row];
+    const auto first = table.at_most_m.begin() + static_cast<std::ptrdiff_t>(row * periods);
+    return YamlValue::numbers({first, first + static_cast<std::ptrdiff_t>(periods)});
+  };
+  if (table.off_bow_rad.empty()) {
+    value.put("at_most", bounds(0));
+    return value;
+  }
+  std::vector<YamlValue> rows;
+  for (std::size_t row = 0; row < table.off_bow_rad.size(); ++row) {
+    rows.emplace_back();
+    rows.back().put("from_bow_deg", degrees_for(table.off_bow_rad[row]));
+    rows.back().put("at_most", bounds(row));
+  }
+  value.put("rows", std::move(rows));
+  return value;
+}
+
 YamlValue limit_value(const Limit& limit) {
   YamlValue value;
   value.put((limit.is_least ? "least_" : "") + std::string(word_of(limit.variable).key),
-            limit.bound);
+            limit.table ? table_value(*limit.table) : YamlValue(limit.bound));
+  if (limit.table && limit.table->heading_rad)
+    value.put("heading_deg", degrees_for(*limit.table->heading_rad));
   if (limit.down_m && *limit.down_m < 0) value.put("at_height_m", -*limit.down_m);
   if (limit.down_m && *limit.down_m >= 0) value.put("at_depth_m", *limit.down_m);
   if (limit.waves) {

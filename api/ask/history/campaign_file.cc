@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "api/ask/history/sea_limit.h"
 #include "fields/base/config.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -49,9 +50,12 @@ std::optional<twin::DayHours> read_hours(const Config& config, std::string_view 
 }
 
 std::vector<SeriesLimit> read_limits(const Config& config) {
+  const std::filesystem::path folder = std::filesystem::path(config.name()).parent_path();
   std::vector<SeriesLimit> limits;
   for (const std::string& text : config.texts("limits"))
-    limits.push_back(read(config, "limits", text, parse_series_limit));
+    limits.push_back(read(config, "limits", text, [&](const std::string& limit) {
+      return read_series_limit(limit, folder);
+    }));
   return limits;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/ask/history/sea_limit.h"
 #include "api/pipeline/read_history_apart.h"
 #include "api/pipeline/store_history.h"
 #include "api/program/paths.h"
@@ -22,6 +23,18 @@ std::vector<std::string> wanted_by(const std::vector<SeriesLimit>& limits) {
       wanted.push_back(limit.variable);
   }
   return wanted;
+}
+
+/// And what tables go by, if it is there.
+std::vector<std::string> wanted_if_there(const std::vector<SeriesLimit>& limits,
+                                         const std::vector<std::string>& wanted) {
+  std::vector<std::string> more;
+  for (const SeriesLimit& limit : limits)
+    for (const std::string& name : sea_variables_of(limit))
+      if (std::find(wanted.begin(), wanted.end(), name) == wanted.end() &&
+          std::find(more.begin(), more.end(), name) == more.end())
+        more.push_back(name);
+  return more;
 }
 
 /// Values of a series in the unit of another.
@@ -102,14 +115,18 @@ class Gathered {
     }
   }
 
-  /// @throws Error(not_found) for a variable that nobody has
-  std::vector<HistorySeries> series() {
-    std::vector<HistorySeries> all;
+  /// @param needed  so many of the wanted variables from the first on; of the others those that
+  ///                there are
+  /// @param history  gets them and their names
+  /// @throws Error(not_found) for a needed variable that nobody has
+  void series_into(std::size_t needed, History& history) {
+    history.wanted.clear();
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      if (parts_[i].empty() && i >= needed) continue;
       if (parts_[i].empty()) throw not_there(wanted_[i]);
-      all.push_back(joined_in_time(std::move(parts_[i])));
+      history.wanted.push_back(wanted_[i]);
+      history.series.push_back(joined_in_time(std::move(parts_[i])));
     }
-    return all;
   }
 
   [[nodiscard]] const std::string& sources() const { return sources_; }
@@ -158,9 +175,12 @@ History load_history(const HistorySource& source, const std::vector<SeriesLimit>
                      const ingest::Vocabulary& vocabulary) {
   History history;
   history.wanted = wanted_by(limits);
+  const std::size_t needed = history.wanted.size();
+  const std::vector<std::string> more = wanted_if_there(limits, history.wanted);
+  history.wanted.insert(history.wanted.end(), more.begin(), more.end());
   history.place = source.place;
   Gathered gathered = gather(source, history, vocabulary);
-  history.series = gathered.series();
+  gathered.series_into(needed, history);
   history.source = gathered.sources();
   history.notes = gathered.notes();
   for (HistorySeries& series : history.series) cut(series, source.from, source.to);
@@ -171,6 +191,9 @@ History load_history(const HistorySource& source, const std::vector<SeriesLimit>
     series.time = {};
     series.value = {};
   }
+  for (const SeriesLimit& limit : limits)
+    if (const std::string unknown = unknown_sea_of(limit, history); !unknown.empty())
+      history.notes.push_back(unknown);
   return history;
 }
 
@@ -185,8 +208,11 @@ LimitedHistory limited(const History& history, const std::vector<SeriesLimit>& l
     const auto found = std::find(history.wanted.begin(), history.wanted.end(), limit.variable);
     expects(found != history.wanted.end(), "the history was loaded for this limit");
     const auto s = static_cast<std::size_t>(found - history.wanted.begin());
-    const std::vector<double>& values = history.regular.values[s];
-    const twin::Bound bound = bound_on(limit, history.series[s], vocabulary);
+    const std::vector<double> shares =
+        limit.table ? shares_of(limit, history) : std::vector<double>();
+    const std::vector<double>& values = limit.table ? shares : history.regular.values[s];
+    const twin::Bound bound = limit.table ? twin::Bound{twin::BoundSide::at_most, 1}
+                                          : bound_on(limit, history.series[s], vocabulary);
     twin::StepMarks& marks = holds.emplace_back(steps, 1);
     twin::keep_within(bound, values, marks);
     twin::keep_within(bound, values, accessible);

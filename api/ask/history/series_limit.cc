@@ -94,10 +94,11 @@ std::vector<std::string> expect_possible(const std::vector<SeriesLimit>& limits,
   for (const SeriesLimit& limit : limits) {
     const ingest::Quantity* known = vocabulary.by_standard_name(limit.variable);
     twin::Bound bound = limit.bound;
+    if (limit.table) bound.value = limit.table->greatest_m();
     if (known != nullptr) {
       if (!limit.unit.empty())
         bound.value = converted(conversion(limit, limit.unit, known->unit, known->standard_name),
-                                limit.bound.value);
+                                bound.value);
       const Range& range = known->gross;
       const double easiest = is_upper(bound.side) ? range.low : range.high;
       const double hardest = is_upper(bound.side) ? range.high : range.low;

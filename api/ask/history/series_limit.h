@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fields/record/history_series.h"
 #include "ingest/copernicus/vocabulary.h"
+#include "twin/mission/height_table.h"
 #include "twin/risk/bound.h"
 
 namespace slackwater::api {
@@ -14,6 +16,8 @@ struct SeriesLimit {
   std::string variable;  ///< a CF standard name, or a column's
   twin::Bound bound;     ///< in the unit
   std::string unit;      ///< empty: the canonical one of the variable, else that of the series
+  /// Of a height of waves: bounds that go by the sea (sea_limit.h); `bound` is the least of them.
+  std::optional<twin::HeightTable> table{};
   bool operator==(const SeriesLimit&) const = default;
 };
 

@@ -20,7 +20,50 @@ void expect_of_the_day(const PlanFile& file, const Morning& morning) {
                                               "; change its day, or leave it out");
 }
 
+/// From the next start of the grid until midnight. Why there are none is noted beside the next day.
+std::optional<WindowsAnswer> hours_left_today(const MorningQuestion& asked, WindowsAnswer& next_day,
+                                              const std::filesystem::path& store_folder) {
+  const WindowsQuestion& question = asked.windows;
+  if (question.from || question.to) return std::nullopt;
+  const Snapshot& forecast = next_day.water.surround.field->snapshot();
+  const UtcTime midnight(day_of(forecast.issued));
+  const UtcTime now = std::max(forecast.issued, asked.now.value_or(forecast.issued));
+  if (day_of(now) != day_of(forecast.issued)) return std::nullopt;
+  WindowsQuestion today = question;
+  today.from = midnight +
+               question.every * ((now - midnight + question.every - Duration(1)) / question.every);
+  today.to = midnight + std::chrono::days(1);
+  if (*today.from >= *today.to || *today.to != next_day.from) return std::nullopt;
+  today.water = next_day.water;
+  today.past = next_day.past;
+  std::optional<WindowsAnswer> answer;
+  if (const auto failure = attempt([&] { answer = windows_of(today, store_folder); }))
+    next_day.notes.push_back("the hours left today could not be worked out: " + failure->why);
+  return answer;
+}
+
+void add_decisions(Morning& morning, const std::filesystem::path& store_folder) {
+  const UtcTime issued = morning.windows.water.surround.field->snapshot().issued;
+  const UtcTime from(day_of(morning.today ? morning.today->from : morning.windows.from));
+  const auto failure = attempt([&] {
+    morning.decisions = morning_decisions(morning.question.windows, morning.windows, from,
+                                          morning.question.now.value_or(issued), store_folder);
+  });
+  if (failure)
+    morning.windows.notes.push_back("the decisions of this site could not be read: " +
+                                    failure->why);
+}
+
 }  // namespace
+
+Morning today_of(const Morning& morning) {
+  Morning today;
+  today.question = morning.question;
+  today.question.windows.from = morning.today->from;
+  today.question.windows.to = morning.today->to;
+  today.windows = *morning.today;
+  return today;
+}
 
 void plan_anew(Morning& morning, const std::filesystem::path& store_folder) {
   if (!morning.plan_file) return;
@@ -31,11 +74,16 @@ void plan_anew(Morning& morning, const std::filesystem::path& store_folder) {
     question.from = UtcTime(day_of(morning.windows.from));
     question.to = *question.from + std::chrono::days(1);
     question.water.reset();
-    if (file.site.id == morning.windows.site_id) question.water = morning.windows.water;
+    question.past.reset();
+    question.shift.reset();  // the hours of its crews and vessels are the plan's own
+    if (file.site.id == morning.windows.site_id) {
+      question.water = morning.windows.water;
+      question.past = morning.windows.past;
+    }
     const DayChances windows =
         windows_for_plan(file, question, store_folder, morning.windows.tasks);
     MorningPlan made;
-    made.problem = problem_of(file, windows, 0);
+    made.problem = problem_of(file, windows, morning.question.windows.rule.marginal);
     made.answer.name = file.name;
     made.answer.site = file.site.id;
     made.answer.time_limit_s = morning.question.plan_limit_s;
@@ -48,7 +96,7 @@ void plan_anew(Morning& morning, const std::filesystem::path& store_folder) {
 Morning morning_of(const MorningQuestion& question, const std::filesystem::path& store_folder) {
   Morning morning;
   morning.question = question;
-  morning.question.windows.may_leave_out = question.is_unattended;
+  morning.question.windows.may_leave_out = true;
   const auto read_plan = [&] {  // what is misspelt is said before anything is worked out
     if (!question.plan.empty()) morning.plan_file = load_plan_file(question.plan, store_folder);
   };
@@ -57,6 +105,8 @@ Morning morning_of(const MorningQuestion& question, const std::filesystem::path&
   else if (const auto failure = attempt(read_plan))
     morning.no_plan = failure->why;
   morning.windows = windows_of(morning.question.windows, store_folder);
+  morning.today = hours_left_today(morning.question, morning.windows, store_folder);
+  add_decisions(morning, store_folder);
   plan_anew(morning, store_folder);
   return morning;
 }

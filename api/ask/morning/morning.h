@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "api/ask/morning/morning_decisions.h"
 #include "api/ask/plan/plan_answer.h"
 #include "api/ask/plan/plan_file.h"
 #include "api/ask/windows/fly_windows.h"
@@ -17,6 +18,8 @@ struct MorningQuestion {
   WindowsQuestion windows;
   std::filesystem::path plan;  ///< PLAN.yaml; empty: no plan is made
   double plan_limit_s = 20;    ///< of the search
+  /// When it is asked: hours that have passed are not told. Absent: at the issue of the forecast.
+  std::optional<UtcTime> now;
   /// Nobody sits before it: a plan that cannot be read and a task that cannot be worked out are
   /// told beside the rest.
   bool is_unattended = false;
@@ -31,18 +34,26 @@ struct MorningPlan {
 /// What a coordinator decides from, before how it is shown.
 struct Morning {
   MorningQuestion question;
-  WindowsAnswer windows;
+  WindowsAnswer windows;  ///< of the first full day after the issue, or of the hours asked for
+  /// Of the hours that are left of the day of the issue; nothing on another day, where other hours
+  /// were asked for, and where no task can be begun in them.
+  std::optional<WindowsAnswer> today;
   std::optional<PlanFile> plan_file;
   std::optional<MorningPlan> plan;
   std::string no_plan;  ///< why one that was asked for could not be made; else empty
+  std::optional<MorningDecisions> decisions;  ///< where the store holds any
 };
 
-/// The windows of a site's tasks and its plan. A plan that cannot be made is told, and takes
-/// nothing from the windows.
+/// The windows of a site's tasks, its plan, and what was decided. A plan that cannot be made and
+/// decisions that cannot be read are told, and take nothing from the windows.
 /// @throws as `windows_of`; Error(not_found), Error(invalid_input) for a plan's file that cannot be
 ///         read, unless it is unattended
 [[nodiscard]] Morning morning_of(const MorningQuestion& question,
                                  const std::filesystem::path& store_folder);
+
+/// The same morning as if it had been asked about the hours of today alone, without a plan.
+/// @pre `morning.today`
+[[nodiscard]] Morning today_of(const Morning& morning);
 
 /// The plan made again with what flights leave of the starts.
 void plan_anew(Morning& morning, const std::filesystem::path& store_folder);

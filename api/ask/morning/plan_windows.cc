@@ -28,7 +28,7 @@ void weigh(const std::vector<TaskWindows>& flown, const TaskWindows& task,
     if (one.id != task.id || one.turbines != task.turbines) continue;
     for (std::size_t i = 0; i < chances.starts.size(); ++i)
       if (const auto left = flights_leave(one, chances.starts[i].time))
-        chances.starts[i].probability = std::min(as_told(task.starts[i].probability), *left);
+        chances.starts[i].probability = std::min(chances.starts[i].probability, *left);
   }
 }
 
@@ -54,7 +54,7 @@ DayChances windows_for_plan(const PlanFile& plan, WindowsQuestion question,
     question.to = *plan.day + std::chrono::days(1);
   }
   question.every = std::chrono::minutes(plan.grid_min);
-  question.may_leave_out = false;
+  question.may_leave_out = question.may_leave_all_out = true;
   DayChances all;
   all.name = "the forecast in force";
   for (const auto& [turbine, tasks] : tasks_by_turbine(plan)) {
@@ -67,7 +67,11 @@ DayChances windows_for_plan(const PlanFile& plan, WindowsQuestion question,
       all.tasks.push_back(chances_of(task));
       weigh(flown, task, all.tasks.back());
     }
+    for (const TaskLeftOut& one : answer.left_out) {
+      all.tasks.push_back({one.task, turbine, Duration(0), {}, one.why});
+    }
     question.water = std::move(answer.water);
+    question.past = std::move(answer.past);
   }
   return all;
 }

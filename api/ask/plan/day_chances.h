@@ -21,6 +21,7 @@ struct DayChances {
     std::optional<std::string> turbine;  ///< absent: all of them
     Duration contingency{0};
     std::vector<Start> starts;  ///< by time, each once
+    std::string impossible;     ///< why it could not be worked out; then there are no starts
     friend bool operator==(const Task&, const Task&) = default;
   };
   std::string name;  ///< where they come from, for messages

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "api/program/named_sheet.h"
 #include "api/program/paths.h"
 #include "fields/base/advice.h"
 #include "fields/base/config.h"
@@ -182,10 +183,7 @@ std::vector<std::vector<std::string>> vehicles_of_task(const Config& config,
                                                        const std::string& task) {
   const std::filesystem::path file = data_folder() / "tasks" / (task + ".yaml");
   if (task.find('/') != std::string::npos || !std::filesystem::exists(file)) {
-    std::vector<std::string> known;
-    for (const auto& entry : std::filesystem::directory_iterator(data_folder() / "tasks"))
-      if (entry.path().extension() == ".yaml") known.push_back(entry.path().stem().string());
-    std::sort(known.begin(), known.end());
+    const std::vector<std::string> known = known_sheets("tasks");
     config.refuse("task", "found " + task + did_you_mean(task, known) + ", expected one of " +
                               joined(known, ", ") +
                               "; for a task of your own say which vehicles it takes, as vehicles: "
@@ -259,6 +257,7 @@ void read_work(const Config& plan, PlanFile& out) {
     work.skills = config.texts("skills");
     work.duration = read_duration(config, "duration", std::chrono::minutes(1), 31 * a_day);
     work.contingency = read_duration(config, "contingency", Duration(0), 31 * a_day);
+    work.drop_off = read_duration(config, "drop_off", std::chrono::minutes(1), a_day);
     work.energy_wh = config.optional_number("energy_wh", {0, 1e7});
     if (const auto light = config.optional_text("daylight"))
       work.light = read(config, "daylight", *light, twin::parse_light);

@@ -31,7 +31,7 @@ namespace slackwater::api {
 ///     tasks:
 ///       - {task: cp_anode, turbines: [A01, A02], priority: 3, skills: [rov]}
 ///       - {task: scour_survey, turbines: [B01], vehicles: [rov or auv], duration: 90min,
-///          contingency: 30min, energy_wh: 150, daylight: civil}
+///          contingency: 30min, drop_off: 15min, energy_wh: 150, daylight: civil}
 ///
 /// Hours are of the site's clocks. What a task takes is that of data/tasks where `vehicles` does
 /// not say; how long it takes and how likely it is done, the windows say.
@@ -61,6 +61,7 @@ struct PlanFile {
     std::vector<std::string> skills;
     std::optional<Duration> duration;  ///< in place of that of the windows
     std::optional<Duration> contingency;
+    std::optional<Duration> drop_off;  ///< absent: the vessel stays
     std::optional<double> energy_wh;
     std::optional<twin::Light> light;  ///< it begins and ends in it
   };

@@ -58,6 +58,20 @@ class ModelBuilder {
     return {column, start.slot, problem_.slot_from(end)};
   }
 
+  /// When it takes its vessel, until she could be elsewhere; what touches is one.
+  std::vector<Taking> stays(std::size_t column, Minute way) const {
+    std::vector<Taking> all;
+    for (const VesselStay& stay : stays_of(problem_, job_of(column), start_of(column))) {
+      const std::size_t from = problem_.slot_from(stay.from),
+                        to = problem_.slot_from(stay.to + way);
+      if (!all.empty() && from <= all.back().to)
+        all.back().to = std::max(all.back().to, to);
+      else
+        all.push_back({column, from, to});
+    }
+    return all;
+  }
+
   /// The vehicles that will do for each need of a job on a vessel; nothing where one is missing.
   std::vector<std::vector<std::size_t>> fitting(std::size_t job, std::size_t vessel) const {
     std::vector<std::vector<std::size_t>> fit;
@@ -243,7 +257,8 @@ class ModelBuilder {
     const std::vector<std::size_t>& columns = of_place_.at({v, place});
     std::map<std::size_t, std::vector<Taking>> by_job;
     for (const std::size_t column : columns)
-      by_job[model_.options[column].job].push_back(taking(column, column, way));
+      for (const Taking& stay : stays(column, way))
+        by_job[model_.options[column].job].push_back(stay);
     if (by_job.size() == 1) return by_job.begin()->second;
     std::size_t first = problem_.slots;
     std::size_t last = 0;
@@ -315,7 +330,10 @@ class ModelBuilder {
   bool takes_longer(std::size_t v, std::size_t place, Minute way, Minute shortest) const {
     const std::vector<std::size_t>& columns = of_place_.at({v, place});
     return std::any_of(columns.begin(), columns.end(), [&](std::size_t column) {
-      return taking(column, column, way).to != taking(column, column, shortest).to;
+      const std::vector<Taking> longer = stays(column, way), shorter = stays(column, shortest);
+      return longer.size() != shorter.size() ||
+             !std::equal(longer.begin(), longer.end(), shorter.begin(),
+                         [](const Taking& a, const Taking& b) { return a.to == b.to; });
     });
   }
 

@@ -21,6 +21,7 @@ void expect_sound(const PlanProblem& problem, const PlanJob& job) {
   expects(job.place < problem.places.size(), "a job is at a place");
   expects(job.priority > 0 && std::isfinite(job.priority), "a job is worth something");
   expects(job.contingency_min >= 0, "a contingency is no less than 0");
+  expects(job.drop_off_min >= 0, "putting off takes no less than 0");
   std::size_t next = 0;
   for (const JobStart& start : job.starts) {
     expects(start.slot >= next && start.slot < problem.slots, "starts go by slot, each once");

@@ -80,8 +80,11 @@ struct PlanJob {
   std::vector<std::vector<std::string>> vehicles;
   std::vector<std::string> skills;  ///< that its crew has to have
   Minute contingency_min = 0;       ///< more that there has to be until the end of the hours
-  std::vector<JobStart> starts;     ///< by slot, each slot once; others are none
-  std::string without_starts;       ///< why there are none, or so few, in words; may be empty
+  /// How long the vessel lies there when she puts the crew off and when she takes it back; in
+  /// between she may go elsewhere. 0: she stays for all of it.
+  Minute drop_off_min = 0;
+  std::vector<JobStart> starts;  ///< by slot, each slot once; others are none
+  std::string without_starts;    ///< why there are none, or so few, in words; may be empty
 };
 
 /// A day's work and what there is to do it with. Indices are into these lists.

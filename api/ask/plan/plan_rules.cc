@@ -27,6 +27,18 @@ bool shift_holds(const PlanProblem& problem, std::size_t crew, const Assignment&
                      problem.jobs[assignment.job], start_of(problem, assignment));
 }
 
+/// Whether a vessel can lie at two places for two jobs, with the ways between.
+bool can_be_at_both(const PlanProblem& problem, const PlanVessel& vessel, const Assignment& a,
+                    const Assignment& b) {
+  const PlanJob &job_a = problem.jobs[a.job], &job_b = problem.jobs[b.job];
+  const Minute there = vessel.way_min[job_a.place][job_b.place];
+  const Minute back = vessel.way_min[job_b.place][job_a.place];
+  for (const VesselStay& at_a : stays_of(problem, job_a, start_of(problem, a)))
+    for (const VesselStay& at_b : stays_of(problem, job_b, start_of(problem, b)))
+      if (at_b.from < at_a.to + there && at_a.from < at_b.to + back) return false;
+  return true;
+}
+
 /// The packs of one battery, slot by slot.
 struct PackCount {
   std::vector<int> taken;
@@ -107,6 +119,14 @@ std::optional<Breach> breach_of(const PlanProblem& problem, const Assignment& as
   return std::nullopt;
 }
 
+std::vector<VesselStay> stays_of(const PlanProblem& problem, const PlanJob& job,
+                                 const JobStart& start) {
+  const Minute begin = problem.minute_of(start.slot), end = begin + start.hold_min;
+  const Minute back = (end - job.drop_off_min) / problem.slot_min * problem.slot_min;
+  if (job.drop_off_min == 0 || back <= begin + job.drop_off_min) return {{begin, end}};
+  return {{begin, begin + job.drop_off_min}, {back, end}};
+}
+
 std::optional<Breach> breach_between(const PlanProblem& problem,
                                      const std::vector<std::size_t>& kits, const Assignment& a,
                                      const Assignment& b) {
@@ -126,8 +146,7 @@ std::optional<Breach> breach_between(const PlanProblem& problem,
   if (a.vessel == b.vessel) {
     const PlanVessel& vessel = problem.vessels[a.vessel];
     const std::size_t place_a = problem.jobs[a.job].place, place_b = problem.jobs[b.job].place;
-    if (place_a != place_b &&
-        !apart(vessel.way_min[place_a][place_b], vessel.way_min[place_b][place_a]))
+    if (place_a != place_b && !can_be_at_both(problem, vessel, a, b))
       return Breach{Rule::vessel_twice, a.vessel};
     if (!shift_holds(problem, a.crew, b)) return Breach{Rule::crew_hours, a.crew};
     if (!shift_holds(problem, b.crew, a)) return Breach{Rule::crew_hours, b.crew};

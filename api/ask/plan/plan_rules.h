@@ -47,6 +47,14 @@ struct Breach {
 [[nodiscard]] std::optional<Breach> breach_of_packs(const PlanProblem& problem,
                                                     std::span<const Assignment> assignments,
                                                     std::span<const Charge> charges);
+/// When the vessel of a job has to be at its place: all the time, or to put its crew off and to
+/// take it back. For that she is there from the last slot on that leaves her the time.
+struct VesselStay {
+  Minute from = 0;
+  Minute to = 0;
+};
+[[nodiscard]] std::vector<VesselStay> stays_of(const PlanProblem& problem, const PlanJob& job,
+                                               const JobStart& start);
 /// All of these.
 [[nodiscard]] std::optional<Breach> breach_in(const PlanProblem& problem,
                                               std::span<const Assignment> assignments,

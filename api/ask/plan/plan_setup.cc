@@ -139,8 +139,10 @@ PlanJob job_of(const PlanFile& plan, const PlanFile::Work& work, std::size_t tur
   if (task == nullptr)
     refuse(windows.name + ": found no starts of " + work.task + " at " + at.id +
            ", which the plan asks for; make the windows of this task too");
+  if (!task->impossible.empty()) job.without_starts = "no chances: " + task->impossible;
   const Duration contingency = work.contingency.value_or(task->contingency);
   job.contingency_min = minutes_up(contingency);
+  job.drop_off_min = minutes_up(work.drop_off.value_or(Duration(0)));
   // Five minutes tell the light; two days hold the longest work that is not refused.
   const Closed closed(plan, at.point, work.light, {problem.begin, std::chrono::minutes(5), 576});
   for (std::size_t slot = 0; slot < problem.slots; ++slot) {

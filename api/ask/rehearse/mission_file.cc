@@ -1,39 +1,23 @@
 #include "api/ask/rehearse/mission_file.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "api/ask/run/heard_traffic.h"
+#include "api/program/named_sheet.h"
 #include "api/program/paths.h"
-#include "fields/base/advice.h"
 #include "fields/base/config.h"
 #include "fields/base/error.h"
-#include "fields/base/text.h"
 #include "fields/geo/local_frame.h"
 #include "fields/site/site.h"
 #include "twin/mission/site_work.h"
 
 namespace slackwater::api {
+
 Config load_task(const std::string& id, const std::filesystem::path& folder) {
-  const std::filesystem::path named = data_folder() / "tasks" / (id + ".yaml");
-  if (id.find('/') == std::string::npos && std::filesystem::exists(named))
-    return Config::load(named);
-  const std::filesystem::path file = id;
-  const std::filesystem::path beside = file.is_absolute() ? file : folder / file;
-  if (std::filesystem::exists(beside)) return Config::load(beside);
-  const std::vector<std::string> known = known_tasks();
-  throw Error(ErrorKind::not_found, "tasks: found " + id + ", expected one of " +
-                                        joined(known, ", ") + ", or the path of a file" +
-                                        did_you_mean(id, known));
+  return load_sheet("tasks", "tasks", id, folder);
 }
 
-std::vector<std::string> known_tasks() {
-  std::vector<std::string> ids;
-  for (const auto& entry : std::filesystem::directory_iterator(data_folder() / "tasks"))
-    if (entry.path().extension() == ".yaml") ids.push_back(entry.path().stem().string());
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
+std::vector<std::string> known_tasks() { return known_sheets("tasks"); }
 
 LoadedMission lay_out_mission(const Config& mission, const std::filesystem::path& folder,
                               const std::filesystem::path& store_folder,

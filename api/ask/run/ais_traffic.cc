@@ -60,7 +60,9 @@ std::vector<twin::TrafficVessel> traffic_on_site(std::span<const ingest::AisTrac
                                                  double reach_m) {
   std::vector<twin::TrafficVessel> traffic;
   for (const ingest::AisTrack& track : tracks) {
-    if (track.speaker == ingest::AisClass::base_station) continue;
+    const bool is_on_the_water = track.speaker != ingest::AisClass::base_station &&
+                                 track.speaker != ingest::AisClass::aircraft;
+    if (!is_on_the_water) continue;
     ingest::AisTrack near = track;
     std::erase_if(near.positions, [&](const ingest::AisPosition& position) {
       return distance_m(position.point, site.origin()) > reach_m;

@@ -77,8 +77,15 @@ Heard hear(const std::filesystem::path& file, const AisLog& log, const Wanted& w
     if (!contents.vessels.contains(mmsi))
       refuse(file.string() + ": holds no vessel " + std::to_string(mmsi) + "; it holds " +
              contents.some());
-  if (!contents.first)
-    refuse(file.string() + ": holds no position with a time; expected $PGHP lines or tag blocks");
+  if (!contents.first) {
+    std::string why;
+    for (const std::string& warning : reading.warnings()) why += "; " + warning;
+    if (const std::string passed = reading.passed_over(); !passed.empty()) why += "; " + passed;
+    refuse(file.string() +
+           ": holds no position with a time; expected a time in front of each line, $PGHP lines or "
+           "tag blocks" +
+           why);
+  }
   if (*contents.last < wanted.from || *contents.first > wanted.to)
     refuse(file.string() + ": holds positions from " + format_utc(*contents.first) + " to " +
            format_utc(*contents.last) + ", and the run asks for " + format_utc(wanted.from) +

@@ -14,20 +14,27 @@ namespace slackwater::api {
 /// How the margins of practice are had: from tables, or for waves from the errors of forecasts.
 class AlphaPractice {
  public:
-  /// The tables of some files; none: the one of data/alpha.
+  /// The tables of some files. Of wave heights, where none of them is, that of data/alpha. No
+  /// source that could be read has factors for wind, so that there are none but a user's.
   /// @throws Error(not_found), Error(invalid_input), also for two of one variable
   [[nodiscard]] static AlphaPractice of_tables(const std::vector<std::filesystem::path>& files);
-  /// Worked out from the errors of forecast wave heights (`alpha_by_errors`).
-  [[nodiscard]] static AlphaPractice of_errors(twin::HeightErrors errors);
+  /// Of wave heights worked out from the errors of their forecasts (`alpha_by_errors`), of others
+  /// the tables of some files.
+  /// @throws as `of_tables`, also for a table of wave heights
+  [[nodiscard]] static AlphaPractice of_errors(
+      twin::HeightErrors errors, const std::vector<std::filesystem::path>& files = {});
 
   /// Nothing where practice has no factor for limits of this kind.
-  [[nodiscard]] std::optional<twin::AlphaFactor> at(const twin::Limit& limit,
+  /// @param bound  of the limit then: of one with a table that of the sea
+  [[nodiscard]] std::optional<twin::AlphaFactor> at(const twin::Limit& limit, double bound,
                                                     double period_h) const;
-  /// "DNV-OS-H101 (2011), table 4-1, base case".
+  /// "DNV-OS-H101 (2011), table 4-1, base case"; of several, each with what it is for.
   [[nodiscard]] std::string name() const;
   [[nodiscard]] std::string source() const;
 
  private:
+  void add(const std::filesystem::path& file);
+  [[nodiscard]] bool has(twin::LimitVariable variable) const;
   std::vector<twin::AlphaTable> tables_;
   std::optional<twin::HeightErrors> errors_;
 };

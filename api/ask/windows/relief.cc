@@ -29,8 +29,7 @@ std::vector<Relief> reliefs_of(const Outlook& outlook, const TaskWindows& task) 
     Relief relief{limit, {}, 0};
     for (std::size_t s = 0; s < task.starts.size(); ++s) {
       if (!task.starts[s].forbidden.empty()) continue;
-      const double probability =
-          twin::next_success(held[s], outlook.question.members, twin::any_chance);
+      const double probability = task.calibration(twin::next_success(held[s], task.futures));
       if (probability > relief.probability) relief = {limit, task.starts[s].start, probability};
     }
     if (relief.probability >= best + least_relief) reliefs.push_back(relief);

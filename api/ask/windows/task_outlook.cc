@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "api/ask/windows/vessel_access.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/rehearse/planned_work.h"
@@ -58,9 +59,17 @@ std::size_t steps_in(double seconds, Duration step) {
       std::ceil(seconds / std::chrono::duration<double>(step).count() - 1e-6));
 }
 
+/// How long before a start the vessel leaves port, and after its end she is home: whole steps. The
+/// visits of split work have it in them.
+std::size_t way_steps(const SharedOutlook& shared, const TaskWindows& out, Duration step) {
+  if (shared.vessel == nullptr || out.is_split) return 0;
+  return steps_in(std::chrono::duration<double>(shared.vessel->way()).count(), step);
+}
+
 /// How the work of a task may be divided: what of a visit is getting there and back, with the
 /// contingency, and what is left of it.
-twin::SplitWork split_of(const TaskSheet& sheet, Duration step, TaskWindows& out) {
+twin::SplitWork split_of(const SharedOutlook& shared, const TaskSheet& sheet, Duration step,
+                         TaskWindows& out) {
   double work_s = 0, lost_s = 0;
   for (const WorkerPlan& worker : out.workers) {
     double own_s = 0;
@@ -69,6 +78,8 @@ twin::SplitWork split_of(const TaskSheet& sheet, Duration step, TaskWindows& out
     work_s = std::max(work_s, own_s);
     lost_s = std::max(lost_s, worker.plan.duration_s() - own_s + out.contingency_s);
   }
+  if (shared.vessel != nullptr)
+    lost_s += 2 * std::chrono::duration<double>(shared.vessel->way()).count();
   twin::SplitWork split;
   split.work = std::max<std::size_t>(1, steps_in(work_s, step));
   split.visits.lost = steps_in(lost_s, step);
@@ -118,13 +129,16 @@ void plan_work(const WindowsQuestion& question, const TaskSheet& sheet, const Ou
 void lay_grid(const WindowsQuestion& question, const SharedOutlook& shared, const TaskSheet& sheet,
               Outlook& outlook, TaskWindows& out) {
   const Duration step = step_of(question.every);
+  const double step_s = std::chrono::duration<double>(step).count();
   double held_s = out.planned_s + out.contingency_s;
   UtcTime end = shared.water->surround.field->range().to;
   std::string takes =
       "takes " + hours_text(held_s) + " with " + hours_text(out.contingency_s) + " of contingency";
   std::string ends = "the forecast";
+  const std::size_t way = way_steps(shared, out, step);
+  if (way > 0) takes += ", and " + hours_text(static_cast<double>(way) * step_s) + " home";
   if (out.is_split) {
-    outlook.question.split = split_of(sheet, step, out);
+    outlook.question.split = split_of(shared, sheet, step, out);
     held_s = out.least_visit_s;
     end = shared.to;
     takes = "takes " + hours_text(held_s) + " a visit";
@@ -135,23 +149,46 @@ void lay_grid(const WindowsQuestion& question, const SharedOutlook& shared, cons
                 takes +
                     ", which is longer than the day; ask for the hours of several days with "
                     "--from and --to, or for less with --contingency");
-  const std::size_t needed = std::max<std::size_t>(steps_in(held_s, step), 1);
-  std::size_t fitting = 0, asked = 0;
+  const std::size_t needed = std::max<std::size_t>(steps_in(held_s, step), 1) + way;
+  const UtcTime earliest =
+      shared.water->surround.field->range().from + step * static_cast<Duration::rep>(way);
+  std::size_t fitting = 0, too_early = 0, asked = 0;
+  UtcTime first = shared.from;
   for (UtcTime start = shared.from; start < shared.to; start += question.every) {
+    if (start < earliest) {
+      ++too_early;
+      first = start + question.every;
+      continue;
+    }
     ++asked;
     if (start + step * static_cast<Duration::rep>(needed) <= end) ++fitting;
   }
+  if (asked == 0 && too_early > 0)
+    throw Error(ErrorKind::invalid_input,
+                "found starts from " + format_utc(shared.from) +
+                    " on, and the vessel leaves port " +
+                    hours_text(static_cast<double>(way) * step_s) +
+                    " before a start; the forecast begins at " +
+                    format_utc(shared.water->surround.field->range().from) +
+                    ": ask for starts from " + format_utc(earliest) + " on with --from and --to");
   if (fitting == 0)
     throw Error(ErrorKind::invalid_input,
-                takes + "; begun at " + format_utc(shared.from) + " it ends after " + ends + " (" +
-                    format_utc(end) +
+                takes + "; begun at " + format_utc(std::max(shared.from, earliest)) +
+                    " it ends after " + ends + " (" + format_utc(end) +
                     "); move --from or --to, or take a forecast with a longer --horizon");
-  outlook.starts = {0, static_cast<std::size_t>(question.every / step), fitting};
-  outlook.clock = {shared.from, step, outlook.starts.step_of(fitting - 1) + needed};
+  outlook.starts = {way, static_cast<std::size_t>(question.every / step), fitting};
+  outlook.clock = {first - step * static_cast<Duration::rep>(way), step,
+                   outlook.starts.step_of(fitting - 1) + needed};
   if (outlook.question.split) {
     outlook.clock.steps = static_cast<std::size_t>((shared.to - shared.from) / step);
     outlook.question.split->by_step = outlook.clock.steps;
   }
+  if (too_early > 0)
+    out.notes.push_back(
+        formatted("{} starts before {} are left out: the vessel leaves port {} before a start, and "
+                  "the forecast begins at {}",
+                  too_early, format_utc(first), hours_text(static_cast<double>(way) * step_s),
+                  format_utc(shared.water->surround.field->range().from)));
   if (fitting < asked)
     out.notes.push_back(
         formatted("{} starts after {} are left out: they end after {}", asked - fitting,

@@ -7,8 +7,12 @@
 
 #include "api/ask/rehearse/unchecked.h"
 #include "api/ask/rehearse/zones.h"
+#include "api/ask/windows/limits_of_task.h"
+#include "api/ask/windows/past_outlook.h"
 #include "api/ask/windows/relief.h"
 #include "api/ask/windows/task_outlook.h"
+#include "api/ask/windows/unforecast.h"
+#include "api/ask/windows/vessel_access.h"
 #include "api/ask/windows/worth.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -19,150 +23,85 @@
 namespace slackwater::api {
 namespace {
 
-bool is_unknown(const std::vector<double>& values) {
-  return std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
+/// Of what infinitely many futures would say. Many waves beside few waters are no more than these.
+twin::SuccessInterval interval_of(std::size_t held, const TaskWindows& task) {
+  const double share = static_cast<double>(held) / static_cast<double>(task.futures);
+  return twin::success_interval(
+      static_cast<std::size_t>(std::lround(share * static_cast<double>(task.independent))),
+      task.independent);
 }
 
-/// Factors by start, each period rounded up to the hour; empty where practice has none for such
-/// limits.
-std::vector<double> factors_of(const WindowsQuestion& question, const SharedOutlook& shared,
-                               const Outlook& outlook, const twin::Limit& limit,
-                               const TaskWindows& task, std::string& why) {
+/// What nobody forecast of any start, told once.
+void note_unforecast(TaskWindows& out) {
+  std::set<std::string> told;
+  for (const TaskStart& start : out.starts)
+    if (!start.unforecast.empty() && told.insert(start.unforecast).second)
+      out.notes.push_back("from " + format_utc(start.start) +
+                          " on nobody forecast what it rests on: " + start.unforecast +
+                          "; no such start is a go");
+}
+
+/// Whether it begins and ends within the working hours of one day.
+bool is_by_day(UtcTime from, UtcTime to, const std::optional<TimeZone>& zone) {
+  const auto local = [&](UtcTime time) { return zone ? time + zone->offset_at(time) : time; };
+  const UtcTime midnight(day_of(local(from)));
+  return local(from) - midnight >= std::chrono::hours(6) &&
+         local(to) - midnight <= std::chrono::hours(18);
+}
+
+/// Why nobody can be there by then; empty: they can.
+std::string left_too_early(const WindowsQuestion& question, const SharedOutlook& shared,
+                           const TaskWindows& task, UtcTime start) {
+  if (shared.vessel == nullptr || task.is_split || question.is_over) return {};
+  const UtcTime leaves = start - shared.vessel->way();
   const UtcTime issued = shared.water->surround.field->snapshot().issued;
-  std::vector<double> factors;
-  std::map<double, twin::AlphaFactor> known;
-  for (std::size_t s = 0; s < outlook.starts.count; ++s) {
-    const UtcTime start = outlook.clock.time_of(outlook.starts.step_of(s));
-    const double waits_h =
-        question.period_from_start ? 0 : std::max(0.0, hours_between(issued, start));
-    const UtcTime visits_from = question.period_from_start ? shared.from : issued;
-    const double period_h = std::ceil(
-        (task.is_split ? hours_between(visits_from, shared.to) : waits_h + task.planned_s / 3600) -
-        1e-9);
-    if (!known.contains(period_h)) {
-      const auto factor = question.practice.at(limit, period_h);
-      if (!factor) return {};
-      known[period_h] = *factor;
-    }
-    const twin::AlphaFactor& factor = known[period_h];
-    if (!factor.value && why.empty()) why = factor.why;
-    factors.push_back(factor.value.value_or(std::nan("")));
+  if (leaves >= issued) return {};
+  return "the vessel would have left port at " + format_utc(leaves) +
+         ", before the forecast was issued";
+}
+
+/// Of a limit with a table the bound at the step at which it binds: of the places at which it is
+/// watched then, the one where the central forecast takes up most.
+std::optional<twin::HeightBound> bound_then(const Outlook& outlook, std::size_t start,
+                                            const twin::BindingLimit& binding) {
+  std::optional<twin::HeightBound> found;
+  double most = -1;
+  for (std::size_t i = 0; i < outlook.ahead.size(); ++i) {
+    const twin::WatchedLimit& watched = outlook.question.watched[i];
+    const std::size_t after = binding.step - (outlook.starts.step_of(start) - watched.before);
+    const std::vector<twin::HeightBound>& by_sea = outlook.ahead[i].by_sea;
+    if (watched.limit != binding.limit || binding.step >= by_sea.size()) continue;
+    const bool counts =
+        outlook.question.split ||
+        std::any_of(watched.when.begin(), watched.when.end(), [&](const twin::StepRange& when) {
+          return when.begin <= after && after < when.end;
+        });
+    const double share = watched.members.front()[binding.step];
+    if (!counts || !(share > most || !found)) continue;
+    most = share;
+    found = by_sea[binding.step];
   }
-  return factors;
-}
-
-/// The limits of every worker, at the steps of the phases that they name.
-void watch_limits(const WindowsQuestion& question, const SharedOutlook& shared, Outlook& outlook,
-                  TaskWindows& out) {
-  const double step_s = std::chrono::duration<double>(outlook.clock.step).count();
-  std::set<std::string> not_checked;
-  for (std::size_t a = 0; a < outlook.ready.agents.size(); ++a) {
-    const twin::Agent& agent = outlook.ready.agents[a];
-    if (!agent.conduct) continue;
-    const std::size_t before = out.limits.size();
-    for (const twin::Limit& limit : agent.conduct->plan.limits) {
-      out.limits.push_back({agent.name, twin::text_of(limit), limit});
-      if (twin::only_a_run_shows(limit.variable))
-        not_checked.insert(agent.name + ": " + twin::text_of(limit) + " (only a run shows it)");
-    }
-    for (twin::LimitAhead& ahead :
-         twin::limits_ahead(outlook.ready, a, outlook.clock, shared.members, shared.waves)) {
-      const twin::Limit& limit = agent.conduct->plan.limits[ahead.limit];
-      twin::PhaseSet phase;
-      phase.bits = 0;
-      phase.add(ahead.phase);
-      twin::WatchedLimit watched;
-      watched.limit = before + ahead.limit;
-      watched.bound = {limit.is_least ? twin::BoundSide::at_least : twin::BoundSide::at_most,
-                       limit.bound};
-      watched.may_be_missing = limit.may_be_missing;
-      // Half of a level that counts from mean sea level is no half of anything.
-      watched.is_gate = limit.variable == twin::LimitVariable::sea_surface_height;
-      watched.when = twin::steps_of(out.workers[a].plan, phase, out.contingency_s, step_s);
-      if (watched.when.empty()) continue;
-      if (out.is_split) watched.when = whole_stay(outlook, out);
-      watched.alpha = factors_of(question, shared, outlook, limit, out, out.no_alpha);
-      if (limit.may_be_missing &&
-          std::any_of(ahead.members.begin(), ahead.members.end(), is_unknown))
-        not_checked.insert(agent.name + ": " + twin::text_of(limit));
-      outlook.ahead.push_back(std::move(ahead));
-      outlook.question.watched.push_back(std::move(watched));
-    }
-  }
-  for (std::size_t i = 0; i < outlook.ahead.size(); ++i)
-    for (const std::vector<double>& values : outlook.ahead[i].members)
-      outlook.question.watched[i].members.emplace_back(values);
-  out.not_checked.assign(not_checked.begin(), not_checked.end());
-}
-
-/// Hours that are open to the whole of a task, or shut.
-void add_gate(const std::string& text, const twin::StepRanges& open, Outlook& outlook,
-              TaskWindows& out) {
-  std::vector<double> values(outlook.clock.steps, 0);
-  for (const twin::StepRange& range : open)
-    std::fill(values.begin() + static_cast<std::ptrdiff_t>(range.begin),
-              values.begin() + static_cast<std::ptrdiff_t>(range.end), 1);
-  outlook.gates.push_back(std::move(values));
-  twin::WatchedLimit watched;
-  watched.limit = out.limits.size();
-  watched.bound = {twin::BoundSide::at_least, 1};
-  watched.is_gate = true;
-  watched.when = whole_stay(outlook, out);
-  // The values move with the vector that holds them, their place does not.
-  watched.members.emplace_back(outlook.gates.back());
-  outlook.question.watched.push_back(std::move(watched));
-  out.limits.push_back({{}, text, {}});
-}
-
-/// Polar days and nights are told.
-void note_light(const SharedOutlook& shared, const WindowsQuestion& question, twin::Light light,
-                TaskWindows& out) {
-  const auto day = twin::light_of(shared.site->point, day_of(shared.from), light, question.zone);
-  if (day.kind == twin::DayOfLight::Kind::comes_and_goes) return;
-  out.notes.push_back("daylight (" + std::string(twin::name_of(light)) + ") at " +
-                      formatted("{:.1f}", shared.site->point.latitude_deg()) +
-                      " degrees north on " + format_day(day_of(shared.from)) + ": " +
-                      twin::text_of(day, question.zone));
-}
-
-void add_gates(const WindowsQuestion& question, const SharedOutlook& shared, const TaskSheet& sheet,
-               Outlook& outlook, TaskWindows& out) {
-  std::set<twin::Light> lights;
-  if (question.light) lights.insert(*question.light);
-  if (sheet.daylight) lights.insert(*sheet.daylight);
-  outlook.gates.reserve(lights.size() + 1);
-  for (const twin::Light light : lights) {
-    add_gate("daylight (" + std::string(twin::name_of(light)) + ")",
-             twin::light_steps(outlook.clock, shared.site->point, light), outlook, out);
-    note_light(shared, question, light, out);
-  }
-  if (question.shift)
-    add_gate("shift " + twin::text_of(*question.shift) + " " +
-                 (question.zone ? question.zone->name() : "UTC"),
-             twin::steps_at(outlook.clock, *question.shift, question.zone), outlook, out);
-}
-
-/// What stops a start of split work from which there is too little time left.
-void add_too_little_time(const SharedOutlook& shared, Outlook& outlook, TaskWindows& out) {
-  if (!outlook.question.split) return;
-  outlook.question.split->limit = out.limits.size();
-  out.limits.push_back({{}, "hours enough for the work by " + format_utc(shared.to), {}});
+  return found;
 }
 
 /// The chances in order, zones laid over them.
-void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& out) {
-  outlook.question.steps = outlook.clock.steps;
-  outlook.question.limits = out.limits.size();
-  outlook.question.starts = outlook.starts;
+void add_starts(const WindowsQuestion& question, const SharedOutlook& shared, Outlook& outlook,
+                TaskWindows& out) {
+  const Snapshot& forecast = shared.water->surround.field->snapshot();
   const std::vector<twin::StartChance> chances = twin::start_chances(outlook.question);
   std::map<std::size_t, twin::SuccessInterval> intervals;
   outlook.mission.scenario.duration_s =
       out.is_split ? out.least_visit_s : out.planned_s + out.contingency_s;
+  const Duration stay = std::chrono::round<Duration>(
+      std::chrono::duration<double>(outlook.mission.scenario.duration_s));
+  const Duration way = shared.vessel == nullptr ? Duration::zero() : shared.vessel->way();
   for (std::size_t s = 0; s < chances.size(); ++s) {
     TaskStart start;
     start.start = outlook.clock.time_of(outlook.starts.step_of(s));
     start.chance = chances[s];
     start.forbidden = zone_in_the_way(outlook.mission, start.start);
+    if (start.forbidden.empty())
+      start.forbidden = left_too_early(question, shared, out, start.start);
     if (!start.forbidden.empty()) {
       start.chance.by_threshold = false;
       if (start.chance.by_alpha) start.chance.by_alpha = false;
@@ -172,36 +111,46 @@ void add_starts(const WindowsQuestion& question, Outlook& outlook, TaskWindows& 
       start.interval = {0, 0};
     } else {
       const std::size_t held = start.chance.held;
-      if (!intervals.contains(held))
-        intervals[held] = twin::success_interval(held, outlook.question.members);
+      if (!intervals.contains(held)) {
+        const twin::SuccessInterval said = interval_of(held, out);
+        intervals[held] = {out.calibration(said.low), out.calibration(said.high)};
+      }
       start.interval = intervals[held];
-      start.probability = twin::next_success(held, outlook.question.members, twin::any_chance);
-      start.worth = start.probability;
+      start.by_futures = twin::next_success(held, out.futures);
+      start.probability = out.calibration(start.by_futures);
+      start.unforecast = unforecast(forecast, out, start.start - way, start.start + stay + way);
+      if (!start.unforecast.empty()) start.most_worth = most_worth_unforecast(question.rule);
+      start.worth = std::min(start.probability, start.most_worth);
     }
-    if (start.chance.binding) start.binds_at = outlook.clock.time_of(start.chance.binding->step);
+    start.is_by_day = is_by_day(start.start, start.start + stay, question.zone);
+    if (start.chance.binding) {
+      start.binds_at = outlook.clock.time_of(start.chance.binding->step);
+      start.bound_then = bound_then(outlook, s, *start.chance.binding);
+    }
     out.starts.push_back(std::move(start));
   }
   const auto windows = [&](auto is_open) {
     std::vector<std::uint8_t> marks;
+    std::vector<double> probability;
     std::vector<twin::StartChance> all;
     for (const TaskStart& start : out.starts) {
-      marks.push_back(is_open(start.chance) ? 1 : 0);
+      marks.push_back(is_open(start) ? 1 : 0);
+      probability.push_back(start.probability);
       all.push_back(start.chance);
     }
-    return twin::windows_of(all, marks, outlook.question.members);
+    return twin::windows_of(all, probability, marks);
   };
-  out.windows = windows([&](const auto& chance) {
-    return twin::next_success(chance.held, outlook.question.members, twin::any_chance) >=
-           question.rule.marginal;
-  });
-  out.by_threshold = windows([](const auto& chance) { return chance.by_threshold; });
+  out.windows =
+      windows([&](const auto& start) { return start.probability >= question.rule.marginal; });
+  out.by_threshold = windows([](const auto& start) { return start.chance.by_threshold; });
   const bool has_practice = std::any_of(out.starts.begin(), out.starts.end(), [](const auto& one) {
     return one.chance.by_alpha.has_value();
   });
   if (has_practice)
-    out.by_alpha = windows([](const auto& chance) { return chance.by_alpha.value_or(false); });
+    out.by_alpha = windows([](const auto& start) { return start.chance.by_alpha.value_or(false); });
   else if (out.no_alpha.empty())
     out.no_alpha = "the table has no factor for any limit of this task";
+  note_unforecast(out);
   const TaskStart* best = best_of(out);
   out.verdict = twin::verdict_of(best == nullptr ? 0 : best->worth, question.rule);
 }
@@ -213,6 +162,7 @@ TaskWindows task_windows(const WindowsQuestion& question, const SharedOutlook& s
   return with_context("task " + task, [&] {
     TaskWindows out;
     out.id = task;
+    out.rule = question.rule;
     const TaskSheet sheet = read_task_sheet(load_task(task, std::filesystem::current_path()),
                                             twin::work_site_of(*shared.site));
     out.name = sheet.name;
@@ -221,16 +171,16 @@ TaskWindows task_windows(const WindowsQuestion& question, const SharedOutlook& s
     out.turbines = outlook.mission.expanded.turbines;
     twin::Scenario scenario = outlook.mission.scenario;
     scenario.start = shared.from;
-    outlook.ready = twin::set_up(scenario, shared.water->surround);
+    twin::Surround surround = shared.water->surround;
+    surround.is_only_asked = true;
+    outlook.ready = twin::set_up(scenario, surround);
     twin::expect_fit(outlook.mission.expanded, outlook.ready);
-    outlook.question.members = shared.members;
     plan_work(question, sheet, outlook, out);
     lay_grid(question, shared, sheet, outlook, out);
-    watch_limits(question, shared, outlook, out);
-    add_gates(question, shared, sheet, outlook, out);
-    add_too_little_time(shared, outlook, out);
+    look_back(question, shared, sheet, outlook, out);
+    watch(question, shared, sheet, outlook, out);
     out.assumed = unchecked_of(outlook.mission.scenario).assumed;
-    add_starts(question, outlook, out);
+    add_starts(question, shared, outlook, out);
     if (out.verdict != twin::Verdict::go) out.reliefs = reliefs_of(outlook, out);
     return out;
   });

@@ -15,6 +15,8 @@ struct SharedOutlook {
   UtcTime to;
   bool is_one_day = false;  ///< nobody asked for other hours
   std::filesystem::path store_folder;
+  const VesselAccess* vessel = nullptr;  ///< that brings the tasks; null: none is judged
+  const PastOutlooks* past = nullptr;    ///< mornings that the chances are calibrated on
 };
 
 /// The windows of one task. Thread-safe.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "api/ask/windows/task_windows.h"
+#include "api/ask/windows/past_outlook.h"
+#include "api/ask/windows/vessel_access.h"
 #include "api/program/paths.h"
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
@@ -85,7 +86,8 @@ void work_out(const WindowsQuestion& question, const SharedOutlook& shared,
     else
       made.push_back(std::move(answer.tasks[i]));
   }
-  if (made.empty()) throw Error(failures.front()->kind, failures.front()->why);
+  if (made.empty() && !question.may_leave_all_out)
+    throw Error(failures.front()->kind, failures.front()->why);
   answer.tasks = std::move(made);
 }
 
@@ -109,8 +111,8 @@ WindowsAnswer windows_of(const WindowsQuestion& question,
                                       joined(known_tasks(), ", ") + ", or the path of a file");
   expect_once("task", tasks);
   expect_once("turbine", question.turbines);
-  // What is misspelt is said before anything is read.
-  if (!question.may_leave_out)
+  // What is misspelt is said before anything is read; of a site's own list it is left out.
+  if (!question.may_leave_out || !question.tasks.empty())
     for (const std::string& task : tasks) (void)load_task(task, std::filesystem::current_path());
   WindowsAnswer answer;
   answer.site_id = site.id;
@@ -125,12 +127,18 @@ WindowsAnswer windows_of(const WindowsQuestion& question,
   shared.is_one_day = choose_span(question, field, shared);
   answer.from = shared.from;
   answer.to = shared.to;
-  const twin::WaveFutures waves(field.snapshot().seed, shared.members, field.range().from,
-                                field.range().to);
-  if (!question.waves_as_forecast && shared.members > 1) shared.waves = &waves;
+  std::optional<twin::WaveFutures> waves;
+  if (!question.waves_as_forecast && has_waves(field.snapshot()))
+    shared.waves = &waves.emplace(field.snapshot(), twin::WaveFutures::many);
+  if (auto vessel = vessel_access(site, std::filesystem::current_path()))
+    answer.vessel = std::make_shared<const VesselAccess>(std::move(*vessel));
+  shared.vessel = answer.vessel.get();
+  answer.past = past_outlooks(question, site, field.snapshot(), store_folder);
+  shared.past = answer.past.get();
   if (shared.members == 1)
     answer.notes.emplace_back(
-        "the forecast has only the central future: no start can have a probability above 0.67");
+        "the forecast has one future of wind and current: limits on these are held against it "
+        "alone");
   if (field.snapshot().hindsight)
     answer.notes.emplace_back(
         "the forecast was made in hindsight: it was not available at its issue time");

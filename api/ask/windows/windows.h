@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,13 +11,18 @@
 #include "fields/base/local_time.h"
 #include "twin/chance/success_interval.h"
 #include "twin/risk/calendar.h"
+#include "twin/risk/chance_calibration.h"
 #include "twin/risk/daylight.h"
+#include "twin/risk/past_verdicts.h"
 #include "twin/risk/phase_plan.h"
 #include "twin/risk/risk_register.h"
 #include "twin/risk/start_chances.h"
 #include "twin/risk/start_windows.h"
 
 namespace slackwater::api {
+
+struct PastOutlooks;
+struct VesselAccess;
 
 /// Which windows are asked for.
 struct WindowsQuestion {
@@ -25,14 +31,17 @@ struct WindowsQuestion {
   std::filesystem::path forecast;  ///< a forecast's file instead; empty: of the store
   /// The water of that forecast where it is at hand; else it is read.
   std::optional<ScenarioWater> water;
-  std::vector<std::string> tasks;     ///< empty: those of the site
-  std::vector<std::string> turbines;  ///< empty: the first that the task can be done at
-  std::optional<UtcTime> from;        ///< of the starts; absent: the first full UTC day
-  std::optional<UtcTime> to;          ///< not itself a start
+  std::shared_ptr<const PastOutlooks> past;  ///< the mornings before it, where they are at hand
+  std::vector<std::string> tasks;            ///< empty: those of the site
+  std::vector<std::string> turbines;         ///< empty: the first that the task can be done at
+  std::optional<UtcTime> from;               ///< of the starts; absent: the first full UTC day
+  std::optional<UtcTime> to;                 ///< not itself a start
   Duration every = std::chrono::minutes(30);
   std::optional<Duration> contingency;  ///< absent: that of the task's sheet
   std::size_t members = 0;              ///< 0: as issued
   bool waves_as_forecast = false;       ///< in all members; else each has an error of its own
+  bool chances_as_futures_say = false;  ///< past mornings change nothing of them
+  bool is_over = false;  ///< it is asked about what came: when a vessel could leave is no question
   std::vector<twin::Assumption> assumed;
   std::optional<twin::Light> light;  ///< beside what the sheets say
   std::optional<twin::DayHours> shift;
@@ -40,7 +49,8 @@ struct WindowsQuestion {
   AlphaPractice practice;
   bool period_from_start = false;  ///< TPOP from the start, not from the issue
   twin::VerdictRule rule;
-  bool may_leave_out = false;  ///< a task that cannot be worked out is told beside the others
+  bool may_leave_out = false;      ///< a task that cannot be worked out is told beside the others
+  bool may_leave_all_out = false;  ///< even where there are no others
   int threads = 1;
 };
 
@@ -62,15 +72,22 @@ struct TaskLimit {
   std::string text;
   std::optional<twin::Limit> limit;  ///< absent: hours that are open, or enough of them
 };
+/// "current at most 0.5 m/s (surveyor)".
+[[nodiscard]] std::string text_of(const TaskLimit& limit);
 
 struct TaskStart {
   UtcTime start;
   twin::StartChance chance;
-  double probability = 0;  ///< that all limits hold to the way home (`next_success`)
+  double by_futures = 0;   ///< that all limits hold to the way home, as they say (`next_success`)
+  double probability = 0;  ///< the same with what past mornings make of it
   double worth = 0;        ///< to whoever decides: that, or what flights leave of it (worth.h)
-  twin::SuccessInterval interval;   ///< 95 %, of what infinitely many members would say
-  std::optional<UtcTime> binds_at;  ///< of the binding limit
-  std::string forbidden;            ///< why it may not be begun at all, whatever comes
+  twin::SuccessInterval interval;               ///< 95 %, of what infinitely many futures would say
+  std::optional<UtcTime> binds_at;              ///< of the binding limit
+  std::optional<twin::HeightBound> bound_then;  ///< of it, where it has a table
+  std::string forbidden;                        ///< why it may not be begun at all, whatever comes
+  std::string unforecast;  ///< what nobody forecast of it (unforecast.h); empty: nothing
+  double most_worth = 1;   ///< whatever the probability
+  bool is_by_day = true;   ///< from 06:00 to 18:00 of people's clock, to its end
   std::optional<TwinChance> twin;
   std::string flights_stopped_by;  ///< what took from its worth; empty: nothing did
 };
@@ -100,7 +117,7 @@ struct TaskWindows {
   std::string name;
   std::vector<std::string> turbines;
   std::vector<WorkerPlan> workers;
-  double planned_s = 0;      ///< from the start to the way home
+  double planned_s = 0;      ///< from the start to the way home of who works
   double contingency_s = 0;  ///< beyond it
   bool is_split = false;     ///< over several visits, each of this and more
   double least_visit_s = 0;
@@ -108,6 +125,12 @@ struct TaskWindows {
   std::vector<std::string> not_checked;
   std::vector<std::string> assumed;
   std::vector<std::string> notes;
+  /// In which the limits are held against the forecast: its members, or many more of its waves.
+  std::size_t futures = 1;
+  std::size_t independent = 1;          ///< as many as these tell of what infinitely many would say
+  twin::ChanceCalibration calibration;  ///< what past mornings make of what the futures say
+  twin::PastVerdicts past;              ///< what came of them
+  twin::VerdictRule rule;               ///< of the question
   std::vector<TaskStart> starts;
   std::vector<twin::StartWindow> windows;                  ///< whose probability is worth a thought
   std::vector<twin::StartWindow> by_threshold;             ///< where the central forecast allows
@@ -129,6 +152,8 @@ struct WindowsAnswer {
   std::string site_id;
   std::string site_name;
   ScenarioWater water;
+  std::shared_ptr<const VesselAccess> vessel;  ///< whose ways and transfers are in every chance
+  std::shared_ptr<const PastOutlooks> past;    ///< mornings that the chances are calibrated on
   UtcTime from;
   UtcTime to;
   std::vector<TaskWindows> tasks;

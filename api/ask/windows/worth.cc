@@ -22,12 +22,12 @@ double as_flown(const TaskStart& start) {
 
 double worth_as_flown(double probability, std::size_t done, std::size_t flights) {
   if (twin::success_interval(done, flights).high >= probability) return probability;
-  return std::min(probability, twin::next_success(done, flights, twin::mostly_sure));
+  return std::min(probability, twin::next_success(done, flights));
 }
 
 void weigh_by_flights(TaskWindows& task, Duration near) {
   for (TaskStart& start : task.starts) {
-    start.worth = start.probability;
+    start.worth = std::min(start.probability, start.most_worth);
     start.flights_stopped_by.clear();
     // Those that were flown about it; a start that was flown itself has no others.
     const TaskStart* before = is_flown(start) ? &start : nullptr;
@@ -79,9 +79,21 @@ std::optional<double> flights_leave(const TaskWindows& task, UtcTime time) {
 
 const TaskStart* best_of(const TaskWindows& task) {
   const TaskStart* best = nullptr;
-  for (const TaskStart& start : task.starts)
+  const TaskStart* by_day = nullptr;
+  for (const TaskStart& start : task.starts) {
     if (best == nullptr || start.worth > best->worth) best = &start;
-  return best;
+    if (start.is_by_day && start.forbidden.empty() &&
+        (by_day == nullptr || start.worth > by_day->worth))
+      by_day = &start;
+  }
+  const auto verdict = [&](const TaskStart& start) {
+    return twin::verdict_of(start.worth, task.rule);
+  };
+  constexpr double least_gain = 0.1;
+  const bool will_do = by_day != nullptr && verdict(*best) != twin::Verdict::no_go &&
+                       verdict(*by_day) == verdict(*best) &&
+                       by_day->worth >= best->worth - least_gain;
+  return will_do ? by_day : best;
 }
 
 const TaskStart* best_flown(const TaskWindows& task) {

@@ -102,11 +102,17 @@ json reading_json(const std::string& file, const ingest::AisReading& reading) {
       by_type[std::to_string(type)] = reading.reports_of_type[type];
     }
   }
+  json others = json::object();
+  for (std::size_t type = 0; type < reading.others_of_type.size(); ++type) {
+    if (reading.others_of_type[type] > 0)
+      others[std::to_string(type)] = reading.others_of_type[type];
+  }
   return {{"file", file},
           {"lines", reading.lines.lines},
           {"messages", reading.messages},
           {"reports_by_type", by_type},
           {"other_types", reading.other_types},
+          {"other_by_type", others},
           {"warnings", reading.warnings()}};
 }
 
@@ -153,11 +159,15 @@ void run_ais(const std::vector<std::string>& files, const ingest::AisTrackOption
       }
     }
     if (!context.json) {
-      std::printf("%s: %zu vessels in %zu messages of %zu lines\n", file.c_str(),
-                  read.tracks.size(), read.reading.messages, read.reading.lines.lines);
+      std::printf("%s: %s in %s of %s\n", file.c_str(),
+                  counted(read.tracks.size(), "vessel").c_str(),
+                  counted(read.reading.messages, "message").c_str(),
+                  counted(read.reading.lines.lines, "line").c_str());
       for (const std::string& warning : read.reading.warnings()) {
         std::fprintf(stderr, "slackwater: %s: %s\n", file.c_str(), warning.c_str());
       }
+      if (const std::string passed = read.reading.passed_over(); !passed.empty())
+        std::fprintf(stderr, "slackwater: %s: %s\n", file.c_str(), passed.c_str());
     }
     out["files"].push_back(std::move(of_file));
   }
@@ -176,19 +186,23 @@ void add_ais(CLI::App& app, Context& context) {
     std::string from;
     std::string to;
     std::uint32_t mmsi = 0;
+    bool assume_utc = false;
     std::filesystem::path csv;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("ais", "The vessels in logs of AIS");
   command
-      ->add_option("file", arguments->files,
-                   "NMEA 0183 with $PGHP lines or tag blocks, or MarineCadastre CSV")
+      ->add_option(
+          "file", arguments->files,
+          "NMEA 0183 with times, or CSV of MarineCadastre or the Danish Maritime Authority")
       ->required();
   command->add_option("--bbox", arguments->box, "W,S,E,N: positions inside")
       ->delimiter(',')
       ->expected(4);
   command->add_option("--from", arguments->from, "positions from this time on");
   command->add_option("--to", arguments->to, "and up to this time");
+  command->add_flag("--assume-utc", arguments->assume_utc,
+                    "times that a log states without a zone are UTC");
   command->add_option("--mmsi", arguments->mmsi, "one vessel");
   command->add_option("--csv", arguments->csv, "the list as FILE.csv, a row a vessel");
   command->callback([arguments, &context] {
@@ -206,6 +220,7 @@ void add_ais(CLI::App& app, Context& context) {
                   "found --from " + arguments->from + " after --to " + arguments->to);
     }
     if (arguments->mmsi != 0) options.mmsi = arguments->mmsi;
+    options.assume_utc = arguments->assume_utc;
     run_ais(arguments->files, options, arguments->csv, context);
   });
 }

@@ -152,6 +152,8 @@ int run_command_line(int argc, const char* const* argv) {
   add_workability(app, context);
   add_plan(app, context);
   add_report(app, context);
+  add_decide(app, context);
+  add_decisions(app, context);
   add_ais(app, context);
   add_serve(app, context);
   add_demo(app, context);

@@ -77,5 +77,7 @@ void add_windows(CLI::App& app, Context& context);
 void add_workability(CLI::App& app, Context& context);
 void add_plan(CLI::App& app, Context& context);
 void add_report(CLI::App& app, Context& context);
+void add_decide(CLI::App& app, Context& context);
+void add_decisions(CLI::App& app, Context& context);
 
 }  // namespace slackwater::api

@@ -14,9 +14,13 @@
 #include "api/show/morning/verdict_json.h"
 #include "api/show/morning/verified_text.h"
 #include "api/show/report/forecast_page.h"
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
+#include "fields/service/speed_quantiles.h"
 #include "fields/service/wave_source.h"
+#include "fields/wave/height_error.h"
+#include "fields/wave/height_spread.h"
 #include "ingest/cf/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 
@@ -37,8 +41,17 @@ struct ForecastArguments {
   std::optional<double> html_depth_m;
   std::optional<double> slack_below_m_s;
   bool print_downloads = false;
+  std::string history;
   MorningAsked morning;
 };
+
+/// The least is what the tide needs, the most what the archives of forecasts hold.
+Duration history_from(const std::string& text) {
+  const Duration history = option_value("--history", text, parse_duration);
+  if (history < days(3) || history > days(730))
+    throw Error(ErrorKind::usage, "found --history " + text + ", expected 3d to 730d");
+  return history;
+}
 
 void print_calibration(const calibration::ColumnForecast& column) {
   if (column.calibration() == nullptr) {
@@ -111,35 +124,42 @@ void print_waves(const calibration::DailyForecast& forecast, WindPolicy wind) {
 void print_days(const Snapshot& snapshot, const std::optional<TimeZone>& zone) {
   const ForecastColumn& column = snapshot.columns.front();
   const std::size_t levels = snapshot.depth_m.size();
+  const std::vector<double> spread = height_spread_of(snapshot, column);
   if (zone) std::printf("%-22s ", zone->name().c_str());
-  std::printf("%-22s %14s %14s %10s %8s %8s  %s\n", "UTC", "surface m/s", "to deg", "wind m/s",
-              "Hs m", "Tp s", "waves");
+  std::printf("%-22s %24s %7s %9s %23s %6s  %s\n", "UTC", "surface m/s (p10 to p90)", "to deg",
+              "wind m/s", "Hs m (p10 to p90)", "Tp s", "waves");
   for (std::size_t t = 0; t < snapshot.time.size(); t += 3) {
     if (zone) std::printf("%-22s ", zone->text(snapshot.time[t]).c_str());
     std::printf("%-22s", format_utc(snapshot.time[t]).c_str());
     if (levels > 0 && has_value(column.current_status[t * levels])) {
       const Horizontal u = column.current_m_s[t * levels];
-      std::printf(" %6.2f +/- %.2f %13.0f", std::abs(u), column.current_sigma_m_s[t * levels],
+      const SpeedQuantiles speed =
+          speed_quantiles(std::abs(u), column.current_sigma_m_s[t * levels]);
+      std::printf(" %8.2f (%.2f to %.2f) %7.0f", speed.p50_m_s, speed.p10_m_s, speed.p90_m_s,
                   to_direction_deg(u));
     } else {
-      std::printf(" %14s %14s", "-", "-");
+      std::printf(" %23s %7s", "-", "-");
     }
     if (t < column.wind_m_s.size()) {
-      std::printf(" %10.1f", std::abs(column.wind_m_s[t]));
+      std::printf(" %9.1f", std::abs(column.wind_m_s[t]));
     } else {
-      std::printf(" %10s", "-");
+      std::printf(" %9s", "-");
     }
     if (t < column.sea.size() && !std::isnan(column.sea[t].significant_height_m)) {
       const SeaState& sea = column.sea[t];
-      std::printf(" %8.2f", sea.significant_height_m);
+      const auto height_m = [&](double z) {
+        return height_error::height_at(sea.significant_height_m, spread[t], z);
+      };
+      std::printf(" %7.2f (%.2f to %.2f)", sea.significant_height_m,
+                  height_m(-constants::normal_p90), height_m(constants::normal_p90));
       if (sea.peak_period_s > 0) {
-        std::printf(" %8.1f", sea.peak_period_s);
+        std::printf(" %6.1f", sea.peak_period_s);
       } else {
-        std::printf(" %8s", "-");  // calm water, or a height without a period
+        std::printf(" %6s", "-");  // calm water, or a height without a period
       }
       std::printf("  %s\n", std::string(wave_source_words(column.sea_source[t])).c_str());
     } else {
-      std::printf(" %8s %8s\n", "-", "-");
+      std::printf(" %22s %6s\n", "-", "-");
     }
   }
 }
@@ -202,6 +222,23 @@ void print_issue(const Site& site, const Issue& issue,
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }
 
+void print_downloads(const ForecastArguments& arguments, const Context& context, const Site& site,
+                     const calibration::ForecastOptions& options) {
+  const auto products =
+      ingest::ProductCatalogue::load(data_folder() / "products", own_product_folders());
+  WantedTimes wanted{options.day.value_or(day_of(options.issued) - days(1)), options.issued,
+                     options.horizon};
+  if (!arguments.history.empty()) wanted.history = history_from(arguments.history);
+  const auto lines = download_lines(products, site, wanted);
+  if (context.json) {
+    std::printf(
+        "%s\n",
+        json{{"site", site.id}, {"day", format_day(wanted.day)}, {"lines", lines}}.dump(2).c_str());
+    return;
+  }
+  for (const std::string& line : lines) std::printf("%s\n", line.c_str());
+}
+
 void run_forecast(const ForecastArguments& arguments, const Context& context) {
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   calibration::ForecastOptions options;
@@ -216,20 +253,12 @@ void run_forecast(const ForecastArguments& arguments, const Context& context) {
                                       "never use later data; leave one of the two out");
   }
   if (!arguments.day.empty()) options.day = option_value("--day", arguments.day, parse_day);
-  if (arguments.print_downloads) {
-    const auto products =
-        ingest::ProductCatalogue::load(data_folder() / "products", own_product_folders());
-    const UtcDay day = options.day.value_or(day_of(options.issued) - days(1));
-    const auto lines = download_lines(products, site, day, options.horizon);
-    if (context.json) {
-      std::printf(
-          "%s\n",
-          json{{"site", site.id}, {"day", format_day(day)}, {"lines", lines}}.dump(2).c_str());
-    } else {
-      for (const std::string& line : lines) std::printf("%s\n", line.c_str());
-    }
-    return;
+  if (!arguments.history.empty() && !arguments.print_downloads) {
+    throw Error(ErrorKind::usage,
+                "found --history without --print-downloads; it says how long a past to fetch, and "
+                "a forecast uses all that is stored: add --print-downloads, or leave it out");
   }
+  if (arguments.print_downloads) return print_downloads(arguments, context, site, options);
   // A job for a past day without --at is issued when that day ends at the earliest.
   if (options.day && UtcTime(*options.day) + days(1) > options.issued) {
     throw Error(ErrorKind::usage, "day D " + arguments.day + " has not ended at " +
@@ -310,7 +339,10 @@ void add_forecast(CLI::App& app, Context& context) {
                       "issue time, e.g. 2025-03-10T05:00:00Z (default: the clock)");
   command->add_flag(
       "--print-downloads", arguments->print_downloads,
-      "print the copernicusmarine lines that fetch what this forecast wants, and stop");
+      "print the lines that fetch what this forecast wants (copernicusmarine, curl), and stop");
+  command->add_option("--history", arguments->history,
+                      "with --print-downloads: how long before day D to fetch, e.g. 60d (default "
+                      "3d)");
   command->callback([arguments, &context] { run_forecast(*arguments, context); });
 }
 

@@ -28,9 +28,17 @@ std::optional<FlyWindows> flights_of(const MorningAsked& asked) {
   return flights_wanted(arguments);
 }
 
-MadeMorning make(const Site& site, const Issue& issue, const MorningAsked& asked,
-                 const Context& context) {
+/// A later issue of the day has a page of its own, beside what people decided by in the morning.
+std::string page_mark(const Snapshot& forecast) {
+  const std::string stamp = format_utc(forecast.issued);
+  return "_" + stamp.substr(11, 2) + stamp.substr(14, 2);
+}
+
+/// @param is_the_mornings  the forecast is the one of its day that counts as issued
+MadeMorning make(const Site& site, const Issue& issue, bool is_the_mornings,
+                 const MorningAsked& asked, const Context& context) {
   MakeMorning how;
+  if (!is_the_mornings) how.page_mark = page_mark(issue.job.forecast.snapshot);
   how.question.windows = plain_question(site, asked.site);
   how.question.windows.day = issue.job.forecast.snapshot.day;
   how.question.windows.water =
@@ -79,11 +87,15 @@ MorningDone morning_of_forecast(store::Store& store, const Site& site, const Iss
   const auto note = [&](const std::string& text) {
     if (!text.empty()) done.notes += text + "\n";
   };
-  const InForce found = forecast_in_force(store, {site.id, day, {}});
-  for (const std::string& damage : found.passed_over)
-    log_event(LogLevel::warning, "forecast passed over", {{"problem", damage}});
-  const std::int64_t in_force = found.row.id;
-  if (in_force != issue.filed.id) {
+  const auto in_force_of = [&](std::optional<UtcDay> of_day) {
+    const InForce found = forecast_in_force(store, {site.id, of_day, {}});
+    for (const std::string& damage : found.passed_over)
+      log_event(LogLevel::warning, "forecast passed over", {{"problem", damage}});
+    return found.row.id;
+  };
+  const std::int64_t in_force = in_force_of(day);
+  const bool is_the_mornings = in_force == issue.filed.id;
+  if (!is_the_mornings && in_force_of(std::nullopt) != issue.filed.id) {
     note(
         formatted("no morning report: forecast {} of the same day is in force; for its report run "
                   "`slackwater report --site {} --day {}`",
@@ -91,7 +103,7 @@ MorningDone morning_of_forecast(store::Store& store, const Site& site, const Iss
     return done;
   }
   const auto failure = attempt([&] {
-    const MadeMorning made = make(site, issue, asked, context);
+    const MadeMorning made = make(site, issue, is_the_mornings, asked, context);
     done.json = morning_json(made.morning, made.known.past.entries, verified_text(made.known.past));
     done.json["page"] = made.html.string();
     done.text = morning_text(made.morning) + "The page: " + made.html.string() + "\n";

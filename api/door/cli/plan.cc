@@ -24,7 +24,7 @@ struct PlanArguments {
   std::filesystem::path windows;
   std::filesystem::path since;
   std::vector<std::string> assume;
-  double chance = 0;
+  double chance = twin::VerdictRule{}.marginal;
   std::string time_limit = "60";
 };
 
@@ -97,8 +97,10 @@ void add_plan(CLI::App& app, Context& context) {
   command->add_option("--assume", arguments->assume,
                       "what no forecast serves, e.g. visibility_m=5000; without --windows");
   command
-      ->add_option("--chance", arguments->chance,
-                   "take no start of a smaller probability, e.g. 0.8 (default: any, weighed by it)")
+      ->add_option(
+          "--chance", arguments->chance,
+          "take no start of a smaller probability (default 0.5: at least marginal; 0: any, weighed "
+          "by it)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--time-limit", arguments->time_limit,
                       "of the search, seconds or e.g. 2min (default 60)");

@@ -8,6 +8,7 @@
 
 #include "api/door/cli/command.h"
 #include "api/pipeline/snapshot_json.h"
+#include "fields/service/speed_quantiles.h"
 #include "fields/service/wave_source.h"
 
 namespace slackwater::api {
@@ -205,8 +206,9 @@ void print_profile_table(const ProfileAnswer& a) {
     std::printf("%s\n", snapshot.headline.c_str());
   }
   for (const std::string& note : a.notes) std::printf("note: %s\n", note.c_str());
-  std::printf("%8s %9s %9s %24s %24s\n", "depth m", "speed m/s", "to deg", "east m/s (p10 to p90)",
-              "north m/s (p10 to p90)");
+  // Near slack the speed of the mean is below what is likely: both are named.
+  std::printf("%8s %9s %9s %24s %24s %27s\n", "depth m", "speed m/s", "to deg",
+              "east m/s (p10 to p90)", "north m/s (p10 to p90)", "likely speed (p10 to p90)");
   for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
     const CurrentSample& s = a.samples[i];
     if (!has_value(s.status)) {
@@ -214,20 +216,25 @@ void print_profile_table(const ProfileAnswer& a) {
       continue;
     }
     const CurrentQuantiles q = quantiles_of(a.central[i]);
-    std::printf("%8.1f %9.3f %9.0f  %+7.3f (%+.3f to %+.3f) %+7.3f (%+.3f to %+.3f)%s\n",
-                a.depth_m[i], std::abs(s.velocity_m_s), to_direction_deg(s.velocity_m_s),
-                s.velocity_m_s.real(), q.p10_m_s.real(), q.p90_m_s.real(), s.velocity_m_s.imag(),
-                q.p10_m_s.imag(), q.p90_m_s.imag(), mark_of(s.status));
+    const SpeedQuantiles likely =
+        speed_quantiles(std::abs(a.central[i].velocity_m_s), a.central[i].sigma_m_s);
+    std::printf(
+        "%8.1f %9.3f %9.0f  %+7.3f (%+.3f to %+.3f) %+7.3f (%+.3f to %+.3f)"
+        "   %7.3f (%.3f to %.3f)%s\n",
+        a.depth_m[i], std::abs(s.velocity_m_s), to_direction_deg(s.velocity_m_s),
+        s.velocity_m_s.real(), q.p10_m_s.real(), q.p90_m_s.real(), s.velocity_m_s.imag(),
+        q.p10_m_s.imag(), q.p90_m_s.imag(), likely.p50_m_s, likely.p10_m_s, likely.p90_m_s,
+        mark_of(s.status));
   }
   if (const auto waves = waves_of(a)) {
-    std::printf("Waves: %.2f m, %.1f s, from %.0f deg (%s)\n", waves->sea.significant_height_m,
-                waves->sea.peak_period_s, waves->sea.from_direction_deg,
-                std::string(waves->source).c_str());
+    std::printf("Waves: Hs %.2f m, Tp %.1f s, from %.0f deg (%s)\n",
+                waves->sea.significant_height_m, waves->sea.peak_period_s,
+                waves->sea.from_direction_deg, std::string(waves->source).c_str());
   }
   if (const auto level = sea_level_of(a)) {
     const SeaLevelQuantiles q = quantiles_of(*level);
-    std::printf("Level of the sea: %+.2f m above mean sea level (%+.2f to %+.2f)\n", level->level_m,
-                q.p10_m, q.p90_m);
+    std::printf("Level of the sea: %+.2f m above mean sea level (p10 to p90: %+.2f to %+.2f)\n",
+                level->level_m, q.p10_m, q.p90_m);
   }
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }

@@ -49,6 +49,8 @@ void run_report(const ReportArguments& arguments, const Context& context) {
         "the report of all tasks, so this page needs its own file: add --html FILE.html");
   MakeMorning how;
   how.question.windows = windows_question(arguments.windows, context);
+  // Who names a day asks as on its morning.
+  if (!how.question.windows.day) how.question.now = context.now();
   how.question.plan = plan_of(arguments, site, context);
   how.question.plan_limit_s = arguments.plan_limit_s;
   how.fly = flights_wanted(arguments.windows);

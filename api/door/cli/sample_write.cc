@@ -18,7 +18,7 @@ namespace {
 using ingest::PointSamplesWriter;
 using nlohmann::json;
 
-std::string joined(const std::vector<std::string>& lines) {
+std::string in_lines(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
   return text;
@@ -26,7 +26,7 @@ std::string joined(const std::vector<std::string>& lines) {
 
 ingest::PointSamplesHead head_of(const Samples& s) {
   const Snapshot& f = s.field->snapshot();
-  const std::string credit = joined(f.attributions);
+  const std::string credit = in_lines(f.attributions);
   return {s.grid.points,
           s.grid.time,
           s.grid.depth_m,

@@ -38,6 +38,7 @@ void run_check(const Context& context, bool quick) {
                                 {"sources", report.sources},
                                 {"granules", report.granules},
                                 {"forecasts", report.forecasts},
+                                {"decisions", report.decisions},
                                 {"content_files", report.content_files},
                                 {"content_bytes", report.content_bytes}})
                             .c_str());
@@ -47,10 +48,10 @@ void run_check(const Context& context, bool quick) {
       std::printf("%s %s\n    %s\n", finding.harmful ? "PROBLEM:" : "note:", finding.found.c_str(),
                   finding.advice.c_str());
     }
-    std::printf("%s: %zu sources, %zu granules, %zu forecasts, %.1f MB in %zu files\n",
-                report.sound ? "sound" : "NOT SOUND", report.sources, report.granules,
-                report.forecasts, static_cast<double>(report.content_bytes) / 1e6,
-                report.content_files);
+    std::printf(
+        "%s: %zu sources, %zu granules, %zu forecasts, %zu decisions, %.1f MB in %zu files\n",
+        report.sound ? "sound" : "NOT SOUND", report.sources, report.granules, report.forecasts,
+        report.decisions, static_cast<double>(report.content_bytes) / 1e6, report.content_files);
   }
   if (!report.sound)
     throw Error(ErrorKind::invalid_input, "the store is not sound; follow the advice above");
@@ -187,12 +188,19 @@ void run_prune(const Context& context, const PruneArguments& arguments) {
                                 {"forecasts", report.forecasts},
                                 {"content_files", report.content_files},
                                 {"bytes", report.bytes},
-                                {"staging_folders", report.staging_folders}})
+                                {"staging_folders", report.staging_folders},
+                                {"kept_sources", report.kept_sources},
+                                {"kept_forecasts", report.kept_forecasts}})
                             .c_str());
   } else {
     std::printf("%s %zu sources, %zu forecasts, %zu files (%.1f MB)\n",
                 options.dry_run ? "would remove" : "removed", report.sources, report.forecasts,
                 report.content_files, static_cast<double>(report.bytes) / 1e6);
+    if (report.kept_sources + report.kept_forecasts > 0)
+      std::printf(
+          "kept %zu sources and %zu forecasts of that age, which decisions rest on or which "
+          "show what came of them (`slackwater decisions`)\n",
+          report.kept_sources, report.kept_forecasts);
   }
 }
 
@@ -213,7 +221,9 @@ void add_store(CLI::App& app, Context& context) {
   list->callback([listed, &context] { run_list(context, *listed); });
   auto arguments = std::make_shared<PruneArguments>();
   CLI::App* prune = command->add_subcommand(
-      "prune", "Remove old product files; never an issued forecast without --forecasts");
+      "prune",
+      "Remove old product files; never an issued forecast without --forecasts, nor what decisions "
+      "rest on");
   prune->add_option("--older-than", arguments->older_than,
                     "remove what was ingested before this day, e.g. 2025-01-01");
   prune->add_flag("--forecasts", arguments->forecasts, "issued forecasts too");

@@ -21,16 +21,16 @@ Duration positive(std::string_view option, const std::string& text) {
 
 AlphaPractice practice_of(const std::vector<std::string>& named, const Site& site,
                           const Context& context, int threads) {
-  if (named.size() == 1 && named.front() == "errors")
-    return AlphaPractice::of_errors(twin::with_verified(
-        published_height_errors(), verified_heights(site, context.store_folder, threads)));
   std::vector<std::filesystem::path> files;
-  for (const std::string& name : named) {
-    if (name == "errors")
-      throw Error(ErrorKind::usage, "--alpha: found errors beside a file; give one of them");
-    files.emplace_back(name);
-  }
-  return AlphaPractice::of_tables(files);
+  for (const std::string& name : named)
+    if (name != "errors") files.emplace_back(name);
+  if (files.size() == named.size()) return AlphaPractice::of_tables(files);
+  if (files.size() + 1 < named.size())
+    throw Error(ErrorKind::usage, "--alpha: found errors twice; name it once");
+  return AlphaPractice::of_errors(
+      twin::with_verified(published_height_errors(),
+                          verified_heights(site, context.store_folder, threads)),
+      files);
 }
 
 }  // namespace
@@ -61,13 +61,16 @@ void add_windows_options(CLI::App& command, WindowsArguments& arguments) {
                      "what no forecast serves, e.g. visibility_m=5000");
   command.add_option("--light", arguments.light,
                      "sun_up, civil or nautical: the task is done in that light");
-  command.add_option("--shift", arguments.shift, "06:00-18:00: the task is done in these hours");
+  command.add_option(
+      "--shift", arguments.shift,
+      "06:00-18:00: the task is done in these hours (default: the site's, else all; 0-24 is all)");
   command.add_option(
       "--timezone,--zone", arguments.zone,
       "of the shift and the table, e.g. Europe/Paris (default: the site's, else UTC)");
   command.add_option("--alpha", arguments.alpha,
-                     "FILE.yaml of factors, as often as wanted, or: errors, worked out from those "
-                     "of the site's wave forecasts (default: DNV-OS-H101 table 4-1)");
+                     "FILE.yaml of factors for one variable, as often as wanted; errors: those of "
+                     "wave heights, worked out from the site's wave forecasts (default of wave "
+                     "heights: DNV-OS-H101 table 4-1)");
   command
       .add_option("--alpha-from", arguments.period_from,
                   "issue or start: from when the planned period of alpha counts (default issue)")
@@ -86,6 +89,17 @@ void add_windows_options(CLI::App& command, WindowsArguments& arguments) {
   command.add_option("--threads", arguments.threads, "1 to 64 (default: one a core)")
       ->check(CLI::Range(1, 64));
 }
+
+namespace {
+
+/// The hours in which a site works, where nobody says others.
+std::optional<twin::DayHours> shift_of(const Site& site) {
+  if (site.shift.empty()) return std::nullopt;
+  return with_context("site " + site.id + ", shift",
+                      [&] { return twin::parse_day_hours(site.shift); });
+}
+
+}  // namespace
 
 WindowsQuestion windows_question(const WindowsArguments& arguments, const Context& context) {
   WindowsQuestion question;
@@ -112,6 +126,7 @@ WindowsQuestion windows_question(const WindowsArguments& arguments, const Contex
                                  [](const std::string& name) { return TimeZone::named(name); });
   const Site site = find_site(arguments.site, site_folders(context.store_folder));
   if (arguments.zone.empty()) question.zone = site.time_zone;
+  if (arguments.shift.empty()) question.shift = shift_of(site);
   question.period_from_start = arguments.period_from == "start";
   if (arguments.marginal > arguments.go)
     throw Error(ErrorKind::usage, "found --marginal above --go, expected at most as much");
@@ -133,6 +148,7 @@ WindowsQuestion plain_question(const Site& site, const std::string& named) {
   WindowsQuestion question;
   question.site = named;
   question.zone = site.time_zone;
+  question.shift = shift_of(site);
   question.practice = AlphaPractice::of_tables({});
   question.threads = cores();
   return question;

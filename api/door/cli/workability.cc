@@ -5,6 +5,7 @@
 
 #include "api/ask/history/campaign_file.h"
 #include "api/ask/history/history.h"
+#include "api/ask/history/sea_limit.h"
 #include "api/door/cli/command.h"
 #include "api/program/paths.h"
 #include "api/show/history/campaign_answer.h"
@@ -27,6 +28,7 @@ struct WorkabilityArguments {
   std::string time_column;
   bool assume_utc = false;
   std::optional<double> depth_m;
+  std::vector<double> missing;
   std::string daylight;
   std::optional<double> latitude;
   std::optional<double> longitude;
@@ -50,6 +52,9 @@ HistorySource source_of(const WorkabilityArguments& arguments, const Context& co
   source.options.time_column = arguments.time_column;
   source.options.assume_utc = arguments.assume_utc;
   source.options.depth_m = arguments.depth_m;
+  source.options.missing = arguments.missing;
+  if (!source.options.missing.empty() && !source.site.empty())
+    refuse("found --missing beside --site; what is stored has its missing values already");
   if (arguments.latitude.has_value() != arguments.longitude.has_value())
     refuse("found one of --lat and --lon, expected both or neither");
   if (arguments.latitude)
@@ -70,7 +75,9 @@ WorkabilityQuestion question_of(const WorkabilityArguments& arguments) {
         "found no --limit; expected one or more, e.g. --limit "
         "'sea_surface_wave_significant_height<=1.5', or --campaign FILE.yaml");
   for (const std::string& text : arguments.limits)
-    question.limits.push_back(option_value("--limit", text, parse_series_limit));
+    question.limits.push_back(is_limit_file(text)
+                                  ? read_series_limit(text, std::filesystem::current_path())
+                                  : option_value("--limit", text, parse_series_limit));
   if (arguments.duration.empty()) refuse("found no --duration; expected e.g. --duration 12h");
   question.duration = option_value("--duration", arguments.duration, parse_duration);
   if (question.duration <= Duration(0))
@@ -153,8 +160,10 @@ void add_workability(CLI::App& app, Context& context) {
   command->add_option("--site", arguments->site,
                       "instead of files: what the store holds at a site, analysed and observed");
   command
-      ->add_option("--limit", arguments->limits,
-                   "'NAME<=VALUE UNIT', as often as wanted; NAME a CF standard name or a column")
+      ->add_option(
+          "--limit", arguments->limits,
+          "'NAME<=VALUE UNIT', as often as wanted; NAME a CF standard name or a column; or "
+          "FILE.yaml, bounds on wave heights by period and heading")
       ->allow_extra_args(false);
   command->add_option("--duration", arguments->duration, "that the task takes, e.g. 12h or 90min");
   command->add_option("--contingency", arguments->contingency,
@@ -177,6 +186,10 @@ void add_workability(CLI::App& app, Context& context) {
   command->add_flag("--assume-utc", arguments->assume_utc, "times without a zone are UTC");
   command->add_option("--depth", arguments->depth_m, "metres below the surface, of currents")
       ->check(CLI::Range(0.0, 12000.0));
+  command
+      ->add_option("--missing", arguments->missing,
+                   "a number that stands for 'not measured', e.g. 99; as often as wanted")
+      ->allow_extra_args(false);
   command->add_option("--from", arguments->from, "first day, e.g. 2002-01-01");
   command->add_option("--to", arguments->to, "last day");
   command->callback([arguments, &context] { run_workability(*arguments, context); });

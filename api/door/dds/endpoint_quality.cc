@@ -27,7 +27,11 @@ void keep_last(std::int32_t depth, Qos& qos) {
 }
 
 template <typename Qos>
-void be_of(const bag::Quality& quality, Qos& qos) {
+void be_of(const bag::Quality& quality, const std::string& type_hash, Qos& qos) {
+  if (!type_hash.empty()) {
+    const std::string told = "typehash=" + type_hash + ";";  // rmw_dds_common, qos.cpp
+    qos.user_data().assign(told.begin(), told.end());
+  }
   qos.reliability().kind =
       quality.is_reliable ? fdds::RELIABLE_RELIABILITY_QOS : fdds::BEST_EFFORT_RELIABILITY_QOS;
   qos.durability().kind = quality.is_transient_local ? fdds::TRANSIENT_LOCAL_DURABILITY_QOS
@@ -72,9 +76,9 @@ fdds::DomainParticipantQos participant_qos(const DomainSettings& settings) {
   return qos;
 }
 
-fdds::DataWriterQos writer_qos(const bag::Quality& quality) {
+fdds::DataWriterQos writer_qos(const bag::Quality& quality, const std::string& type_hash) {
   fdds::DataWriterQos qos;
-  be_of(quality, qos);
+  be_of(quality, type_hash, qos);
   keep_last(quality.depth, qos);
   qos.publish_mode().kind = fdds::SYNCHRONOUS_PUBLISH_MODE;
   // What got lost is asked for again after a twentieth of a second, not after three. Of itself the
@@ -85,9 +89,9 @@ fdds::DataWriterQos writer_qos(const bag::Quality& quality) {
   return qos;
 }
 
-fdds::DataReaderQos reader_qos(const bag::Quality& quality) {
+fdds::DataReaderQos reader_qos(const bag::Quality& quality, const std::string& type_hash) {
   fdds::DataReaderQos qos;
-  be_of(quality, qos);
+  be_of(quality, type_hash, qos);
   keep_last(std::max(quality.depth, most_out_of_order), qos);
   qos.resource_limits().allocated_samples = quality.depth;  // the others when they are needed
   return qos;

@@ -16,8 +16,11 @@ void expect_domain(int domain);
 
 [[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos participant_qos(
     const DomainSettings& settings);
-[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const bag::Quality& quality);
-[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const bag::Quality& quality);
+/// @param type_hash  told to the others, as nodes of ROS 2 do since Iron; empty: nothing is told
+[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const bag::Quality& quality,
+                                                               const std::string& type_hash);
+[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const bag::Quality& quality,
+                                                               const std::string& type_hash);
 
 /// "reliability", "durability", ...
 [[nodiscard]] std::string name_of_policy(eprosima::fastdds::dds::QosPolicyId_t policy);

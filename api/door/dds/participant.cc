@@ -8,10 +8,12 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 #include <mutex>
+#include <optional>
 
 #include "api/door/dds/endpoint_quality.h"
 #include "api/door/dds/endpoints.h"
 #include "api/door/dds/library_faults.h"
+#include "api/door/dds/message/definition.h"
 #include "api/door/dds/message/graph.h"
 #include "api/door/dds/message/names.h"
 #include "api/door/dds/shared_memory.h"
@@ -38,7 +40,8 @@ struct Participant::State {
   explicit State(DomainSettings given) : settings(std::move(given)) {
     excuse_library_faults();
     expect_domain(settings.domain);
-    if (!settings.is_udp_only) sweep_shared_memory();
+    std::optional<StartInSharedMemory> start;
+    if (!settings.is_udp_only) start.emplace();
     auto* factory = fdds::DomainParticipantFactory::get_instance();
     // Without a mask the participant would take what its readers are there for.
     participant =
@@ -86,19 +89,23 @@ struct Participant::State {
     return list.emplace_back(std::forward<Parts>(parts)...);
   }
 
-  Writer& write(const std::string& name, const std::string& type, const bag::Quality& quality) {
+  /// @param ros_type  of the message, or of the service that it is a part of
+  Writer& write(const std::string& name, const std::string& type, const std::string& ros_type,
+                const bag::Quality& quality) {
     fdds::Topic* const of = topic(name, type);
     Writer& writer = added(writers, name, guard);
     writer.is_transient_local = quality.is_transient_local;
-    writer.writer = publisher->create_datawriter(of, writer_qos(quality), &writer);
+    writer.writer =
+        publisher->create_datawriter(of, writer_qos(quality, type_hash_of(ros_type)), &writer);
     expects(writer.writer != nullptr, "a writer of a topic");
     return writer;
   }
-  void read(const std::string& name, const std::string& type, const bag::Quality& quality,
-            Reader::OnBytes on_bytes) {
+  void read(const std::string& name, const std::string& type, const std::string& ros_type,
+            const bag::Quality& quality, Reader::OnBytes on_bytes) {
     fdds::Topic* const of = topic(name, type);
     Reader& reader = added(readers, name, guard, std::move(on_bytes));
-    reader.reader = subscriber->create_datareader(of, reader_qos(quality), &reader);
+    reader.reader =
+        subscriber->create_datareader(of, reader_qos(quality, type_hash_of(ros_type)), &reader);
     expects(reader.reader != nullptr, "a reader of a topic");
   }
 
@@ -139,16 +146,17 @@ struct Participant::State {
 
 Participant::Participant(DomainSettings settings)
     : state_(std::make_unique<State>(std::move(settings))) {
+  const std::string graph_type = "rmw_dds_common/msg/ParticipantEntitiesInfo";
   const bag::Quality latched{true, true, 1};
-  state_->graph = &state_->write("ros_discovery_info",
-                                 dds_type("rmw_dds_common/msg/ParticipantEntitiesInfo"), latched);
+  state_->graph = &state_->write("ros_discovery_info", dds_type(graph_type), graph_type, latched);
 }
 
 Participant::~Participant() = default;
 
 Participant::WriterId Participant::publish_on(const bag::Channel& channel) {
   const std::lock_guard one_at_a_time(state_->making);
-  Writer& writer = state_->write(dds_topic(channel.topic), dds_type(channel.type), channel.quality);
+  Writer& writer = state_->write(dds_topic(channel.topic), dds_type(channel.type), channel.type,
+                                 channel.quality);
   const std::lock_guard lock(state_->mutex);
   state_->by_id.push_back(&writer);
   return state_->by_id.size() - 1;
@@ -177,7 +185,7 @@ void Participant::subscribe(const bag::Channel& channel, OnMessage on_message) {
 
 void Participant::subscribe_timed(const bag::Channel& channel, OnTimedMessage on_message) {
   const std::lock_guard one_at_a_time(state_->making);
-  state_->read(dds_topic(channel.topic), dds_type(channel.type), channel.quality,
+  state_->read(dds_topic(channel.topic), dds_type(channel.type), channel.type, channel.quality,
                [on_message = std::move(on_message)](Payload message, const Sender& sender) {
                  on_message(message, sender.client, sender.held_back_s);
                });
@@ -186,8 +194,9 @@ void Participant::subscribe_timed(const bag::Channel& channel, OnTimedMessage on
 void Participant::serve(const Service& service, OnRequest on_request) {
   const std::lock_guard one_at_a_time(state_->making);
   const bag::Quality quality;
-  Writer& writer = state_->write(reply_topic(service.name), reply_type(service.type), quality);
-  state_->read(request_topic(service.name), request_type(service.type), quality,
+  Writer& writer =
+      state_->write(reply_topic(service.name), reply_type(service.type), service.type, quality);
+  state_->read(request_topic(service.name), request_type(service.type), service.type, quality,
                [&writer, life = state_->life, on_request = std::move(on_request)](
                    Payload request, const Sender& sender) {
                  const Answer answer = [&writer, life, to = sender.request](Bytes reply) {

@@ -3,8 +3,32 @@
 #include <algorithm>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::live {
+namespace {
+
+/// What a bag without a command of ours holds: commands in another type or of another name first.
+std::string found_instead(const std::vector<bag::Channel>& channels) {
+  std::vector<std::string> commands;
+  std::vector<std::string> others;
+  for (const bag::Channel& channel : channels) {
+    const bool is_command = std::any_of(
+        command_topics().begin(), command_topics().end(),
+        [&](const auto& topic) { return channel.topic.ends_with("/" + std::string(topic.name)); });
+    (is_command ? commands : others).push_back(channel.topic + " as " + channel.type);
+  }
+  if (!commands.empty())
+    return "; found " + joined(commands, ", ") + ": rename the vehicle or convert the type";
+  constexpr std::size_t enough = 5;
+  const std::size_t more = others.size() > enough ? others.size() - enough : 0;
+  others.resize(others.size() - more);
+  if (others.empty()) return "; found no topic";
+  return "; found " + joined(others, ", ") +
+         (more > 0 ? " and " + std::to_string(more) + " more" : "");
+}
+
+}  // namespace
 
 BagCommands::BagCommands(const std::filesystem::path& bag, const std::vector<std::string>& names,
                          CommandDoor& command_door,
@@ -28,7 +52,8 @@ BagCommands::BagCommands(const std::filesystem::path& bag, const std::vector<std
                 bag.string() +
                     ": holds no cmd_vel, thrusters or waypoints of a vehicle of this "
                     "run; expected topics like /" +
-                    names.front() + "/cmd_vel");
+                    names.front() + "/cmd_vel as geometry_msgs/msg/Twist" +
+                    found_instead(bag_->channels()));
   }
   due_ = next();
   for (const std::string& warning : bag_->warnings()) tell(warning);

@@ -1,5 +1,8 @@
 #include "api/door/morning/make_morning.h"
 
+#include <algorithm>
+#include <chrono>
+
 #include "api/pipeline/filed_making.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/show/morning/morning_page.h"
@@ -81,9 +84,10 @@ MadeMorning make_morning(const MakeMorning& how, const Site& site,
   MadeMorning made;
   made.morning = morning_of(how.question, store_folder);
   made.known = how.known ? *how.known : known_of(made.morning, site, store_folder);
-  made.html = !how.html.empty() ? how.html
-                                : reports_folder(store_folder, site.id) /
-                                      (format_day(day_of(made.morning.windows.from)) + ".html");
+  made.html = !how.html.empty()
+                  ? how.html
+                  : reports_folder(store_folder, site.id) /
+                        (format_day(day_of(made.morning.windows.from)) + how.page_mark + ".html");
   write(made, site, how.generated);
   if (!how.fly) return made;
   if (how.on_first_page) how.on_first_page(made);
@@ -91,6 +95,18 @@ MadeMorning make_morning(const MakeMorning& how, const Site& site,
   const auto failure = attempt([&] {
     FlyWindows fly = *how.fly;
     fly.with_advice = true;
+    if (flown.today) {  // half of the time at most, and first
+      const auto begun = std::chrono::steady_clock::now();
+      FlyWindows half = fly;
+      half.most_wall_s /= 2;
+      if (const auto grounded = attempt([&] {
+            fly_windows(today_of(flown).question.windows, half, store_folder, *flown.today,
+                        how.on_progress);
+          }))
+        flown.windows.notes.push_back("nothing was flown for today: " + grounded->why);
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+      fly.most_wall_s = std::max(0.5 * fly.most_wall_s, fly.most_wall_s - took.count());
+    }
     fly_windows(flown.question.windows, fly, store_folder, flown.windows, how.on_progress);
     plan_anew(flown, store_folder);
   });

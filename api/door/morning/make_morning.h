@@ -28,6 +28,7 @@ struct MakeMorning {
   MorningQuestion question;
   std::optional<FlyWindows> fly;
   std::filesystem::path html;          ///< empty: STORE/reports/SITE/DAY.html
+  std::string page_mark;               ///< behind the day in that name
   std::string generated;               ///< when and by what
   std::optional<KnownForecast> known;  ///< absent: looked up in the store
   /// Called when the first page stands, before anything is flown.

@@ -18,6 +18,11 @@
 namespace slackwater::api {
 namespace {
 
+/// By day, out of Saint-Malo: 24 nautical miles at 20 knots.
+constexpr const char* operation_yaml =
+    "shift: 06:00-18:00\n"
+    "access: {vessel: crew_transfer_vessel, passage: 75min}\n";
+
 using std::chrono::days;
 using std::chrono::hours;
 
@@ -134,7 +139,7 @@ DemoResult run_demo(const DemoOptions& options,
   store::Store store =
       store::Store::open(options.folder / "store", store::OpenMode::create_or_write);
   const std::filesystem::path site_file =
-      write_site_yaml(ocean, options.folder / "store" / "sites");
+      write_site_yaml(ocean, options.folder / "store" / "sites", operation_yaml);
   result.site = find_site(site_file.string(), {});
   static_cast<void>(ingest_file(store, products, write_bathymetry(ocean, files), {},
                                 UtcTime(settings.first_day), {}));

@@ -12,10 +12,6 @@
 namespace slackwater::api {
 namespace {
 
-std::string counted(std::size_t n, const std::string& one) {
-  return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
-}
-
 bool is_demos(const store::ForecastRow& row) {
   return row.site_id == demo_site_id && row.origin == ForecastOrigin::forecast &&
          row.issued == demo_issue_time(row.day);

@@ -65,7 +65,9 @@ std::filesystem::path write_wind_forecast(const SyntheticOcean& ocean, UtcTime i
 
 /// FOLDER/synthetic.yaml: the site with its name, place and water depth, a made-up farm of two
 /// turbines and the tasks that are done there.
+/// @param more  lines of YAML beside these
 std::filesystem::path write_site_yaml(const SyntheticOcean& ocean,
-                                      const std::filesystem::path& folder);
+                                      const std::filesystem::path& folder,
+                                      const std::string& more = {});
 
 }  // namespace slackwater::api

@@ -38,7 +38,8 @@ std::string farm_yaml(const GeoPoint& site) {
 }  // namespace
 
 std::filesystem::path write_site_yaml(const SyntheticOcean& ocean,
-                                      const std::filesystem::path& folder) {
+                                      const std::filesystem::path& folder,
+                                      const std::string& more) {
   std::filesystem::create_directories(folder);
   auto path = folder / "synthetic.yaml";
   const GeoPoint site = ocean.settings().site;
@@ -48,7 +49,7 @@ std::filesystem::path write_site_yaml(const SyntheticOcean& ocean,
       << "latitude_deg: " << site.latitude_deg() << "\n"
       << "longitude_deg: " << site.longitude_deg() << "\n"
       << "water_depth_m: " << ocean.settings().site_depth_m << "\n"
-      << farm_yaml(site);
+      << farm_yaml(site) << more;
   out.close();
   if (!out) {
     throw Error(ErrorKind::unavailable,

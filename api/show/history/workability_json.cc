@@ -69,7 +69,7 @@ json workability_json(const History& history, const WorkabilityQuestion& questio
          {"standard_name", history.series[s].standard_name},
          {"series", history.series[s].name},
          {"at", std::string(twin::sign_of(limit.bound.side))},
-         {"value", limit.bound.value},
+         {"value", limit.table ? json(nullptr) : json(limit.bound.value)},
          {"unit", unit_of(limit, history.series[s], vocabulary)},
          {"holds", share_of(answer.limited.shares[l].holds, clock.steps)},
          {"stops_alone", share_of(answer.limited.shares[l].stops_alone, clock.steps)}});

@@ -40,6 +40,14 @@ std::string need_text(const WorkabilityQuestion& question) {
   return text;
 }
 
+/// What a record that ends before the next start leaves open.
+std::string censored_text(const twin::WaitingTime& wait) {
+  return formatted(
+      "For {:.0f} % of the time the record ends before the next start comes. These waits are left "
+      "out: waits are at least as long as is said.\n",
+      100 * share_of(wait.censored, wait.censored + wait.counted));
+}
+
 /// The answer in a sentence or two.
 std::string verdict_text(const WorkabilityQuestion& question, const WindowStatistics& all) {
   const std::string need = need_text(question);
@@ -53,12 +61,14 @@ std::string verdict_text(const WorkabilityQuestion& question, const WindowStatis
   const twin::WaitingTime& wait = all.waiting;
   const std::string could =
       need + " could start " + percent_text(all.workability()) + " % of the time.\n";
-  if (wait.mean_h == 0) return could + "There is no wait for a start.\n";
+  if (wait.counted == 0 || wait.mean_h == 0)
+    return could + (wait.censored == 0 ? "There is no wait for a start.\n" : censored_text(wait));
   return could + "The wait for a start is " + about(wait.mean_h) +
          " on average: half of the time " +
          (wait.p50_h > 0 ? "at most " + about(wait.p50_h) : "0 h") + ", 8 times in 10 " +
          (wait.p80_h > 0 ? "at most " + about(wait.p80_h) : "0 h") + ", 9 in 10 " +
-         (wait.p90_h > 0 ? "at most " + about(wait.p90_h) : "0 h") + ".\n";
+         (wait.p90_h > 0 ? "at most " + about(wait.p90_h) : "0 h") + ".\n" +
+         (wait.censored == 0 ? std::string() : censored_text(wait));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "api/show/morning/morning_clock.h"
 #include "api/show/morning/task_words.h"
 #include "api/show/report/time_text.h"
+#include "api/show/windows/windows_answer.h"
 #include "fields/base/html.h"
 #include "fields/base/text.h"
 #include "twin/risk/daylight.h"
@@ -68,9 +69,16 @@ std::string columns(const Morning& morning, const TaskWindows& task, const Acros
     if (!start.forbidden.empty()) continue;
     html += box(kind_of(start.worth, morning.question.windows.rule), across.percent(start.start),
                 width, 100 * start.probability);
-    if (start.twin)
-      html += formatted("<b class=\"flown\" style=\"left:{:.2f}%;bottom:{:.0f}%\"></b>",
-                        across.percent(start.start) + width / 2, 100 * start.twin->probability);
+    if (start.twin) {
+      // One flight is no chance of 0 or 100 %: how little it says is drawn as long as it is.
+      const twin::SuccessInterval& interval = start.twin->interval;
+      const double left = across.percent(start.start) + width / 2;
+      html +=
+          formatted("<i class=\"open\" style=\"left:{:.2f}%;bottom:{:.0f}%;height:{:.0f}%\"></i>",
+                    left, 100 * interval.low, 100 * (interval.high - interval.low)) +
+          formatted("<b class=\"flown\" style=\"left:{:.2f}%;bottom:{:.0f}%\"></b>", left,
+                    100 * start.twin->probability);
+    }
   }
   return html;
 }
@@ -87,16 +95,18 @@ std::string picture_text(const Morning& morning, const TaskWindows& task) {
 }
 
 std::string row(const Morning& morning, const TaskWindows& task, const Across& across,
-                const std::string& behind) {
-  const std::string verdict(twin::name_of(task.verdict));
+                const std::string& behind, std::size_t most_words) {
+  const std::string_view verdict = twin::name_of(task.verdict);
   std::string html = "<li><h3>" + escaped_html(task.name) + "</h3><p class=\"verdict " +
-                     (verdict == "no-go" ? "nogo" : verdict) + "\">" + verdict +
-                     "</p><p class=\"where\">" + escaped_html(where_and_how_long(task)) + "</p>";
+                     std::string(verdict == "no-go" ? "nogo" : verdict) + "\">" +
+                     escaped_html(verdict_and_unchecked(task)) + "</p><p class=\"where\">" +
+                     escaped_html(where_and_how_long(task)) + "</p>";
   html += "<div class=\"track\" role=\"img\" aria-label=\"Chance by start: " +
           escaped_html(picture_text(morning, task)) + "\">" + behind +
           columns(morning, task, across) + "</div><div class=\"words\">";
-  for (const std::string& line : task_words(morning, task))
-    html += "<p>" + escaped_html(line) + "</p>";
+  const std::vector<std::string> lines = task_words(morning, task);
+  for (std::size_t i = 0; i < std::min(most_words, lines.size()); ++i)
+    html += "<p>" + escaped_html(lines[i]) + "</p>";
   return html + "</div></li>\n";
 }
 
@@ -124,23 +134,35 @@ std::string hours(const Morning& morning, const Across& across) {
   return html + "</div>";
 }
 
-}  // namespace
-
-std::string gantt_html(const Morning& morning) {
+/// Section and rows; the section is left open.
+std::string picture(const Morning& morning, const std::string& id, std::size_t most_words) {
   const Across across(morning);
   const std::string behind = nights(morning, across);
-  std::string html = "<section id=\"gantt\"><h2>When each task can begin " +
+  std::string html = "<section id=\"" + id + "\" class=\"gantt\"><h2>When each task can begin " +
                      escaped_html(MorningClock(morning).span()) + "</h2><div class=\"scale\">" +
                      hours(morning, across) + "</div><ol>\n";
-  for (const TaskWindows* task : by_verdict(morning)) html += row(morning, *task, across, behind);
+  for (const TaskWindows* task : by_verdict(morning))
+    html += row(morning, *task, across, behind, most_words);
   for (const TaskLeftOut& one : morning.windows.left_out)
     html +=
         "<li><h3>" + escaped_html(one.task) +
         "</h3><p class=\"verdict nogo\">unknown</p><div class=\"words\"><p>It could not be worked "
         "out: " +
         escaped_html(one.why) + "</p></div></li>\n";
-  html += "</ol><p class=\"note\">" + escaped_html(rules_text(morning)) + "</p></section>\n";
-  return html;
+  return html + "</ol>";
+}
+
+}  // namespace
+
+std::string gantt_html(const Morning& morning) {
+  return picture(morning, "gantt", std::string::npos) + "<p class=\"note\">" +
+         escaped_html(rules_text(morning)) + "</p></section>\n";
+}
+
+std::string gantt_today_html(const Morning& morning) {
+  constexpr std::size_t few_words = 2;
+  if (!morning.today) return {};
+  return picture(today_of(morning), "gantt-today", few_words) + "</section>\n";
 }
 
 }  // namespace slackwater::api

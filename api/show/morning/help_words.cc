@@ -14,8 +14,7 @@ std::string relief_line(const TaskWindows& task, const MorningClock& clock) {
   std::vector<std::string> parts;
   for (const Relief& relief : task.reliefs) {
     if (parts.size() == most_told) break;
-    const TaskLimit& limit = task.limits[relief.limit];
-    parts.push_back("\"" + (limit.worker.empty() ? "" : limit.worker + ": ") + limit.text +
+    parts.push_back("\"" + text_of(task.limits[relief.limit]) +
                     formatted("\": {:.0f} % at ", 100 * relief.probability) + clock(relief.start));
   }
   if (parts.empty()) return {};

@@ -17,6 +17,10 @@ class MorningClock {
   [[nodiscard]] std::string operator()(UtcTime time) const {
     return is_one_day_ ? clock_.clock(time) : clock_.stamp(time);
   }
+  /// The same in UTC alone.
+  [[nodiscard]] std::string utc(UtcTime time) const {
+    return is_one_day_ ? PageClock().clock(time) : PageClock().stamp(time);
+  }
   /// "06:30–09:30"; one start by itself "06:30".
   [[nodiscard]] std::string operator()(UtcTime first, UtcTime last) const {
     if (first == last) return (*this)(first);

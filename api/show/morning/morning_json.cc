@@ -4,9 +4,11 @@
 
 #include "api/ask/morning/recent_skill.h"
 #include "api/ask/windows/worth.h"
+#include "api/show/decisions/decisions_json.h"
 #include "api/show/morning/morning_text.h"
 #include "api/show/plan/plan_json.h"
 #include "api/show/rehearse/advice_report.h"
+#include "api/show/windows/past_words.h"
 #include "api/show/windows/windows_answer.h"
 #include "fields/base/text.h"
 
@@ -17,14 +19,14 @@ using nlohmann::json;
 
 std::string utc(UtcTime time) { return format_utc(time); }
 
-json best_json(const Morning& morning, const TaskWindows& task) {
+json best_json(const TaskWindows& task) {
   const TaskStart* best = best_of(task);
   if (best == nullptr) return nullptr;
   json out{{"start", utc(best->start)},
            {"probability", best->probability},
            {"worth", best->worth},
            {"interval_95", {best->interval.low, best->interval.high}},
-           {"stopped_by", stopping_text(task, *best, futures_of(morning), utc)},
+           {"stopped_by", stopping_text(task, *best, utc)},
            {"flown", nullptr}};
   if (best->twin)
     out["flown"] = {{"probability", best->twin->probability},
@@ -62,7 +64,8 @@ json task_json(const Morning& morning, const TaskWindows& task) {
           {"name", task.name},
           {"turbines", task.turbines},
           {"verdict", twin::name_of(task.verdict)},
-          {"best", best_json(morning, task)},
+          {"best", best_json(task)},
+          {"past", past_json(task)},
           {"windows", windows},
           {"would_help", help_json(task)},
           {"not_checked", task.not_checked},
@@ -82,6 +85,30 @@ json trust_json(const std::vector<calibration::SkillEntry>& past, WindPolicy win
                    {"rival_rmse", best ? json(best->rmse) : json(nullptr)}});
   }
   return out;
+}
+
+json today_json(const Morning& morning) {
+  if (!morning.today) return nullptr;
+  const Morning today = today_of(morning);
+  json tasks = json::array();
+  for (const TaskWindows& task : today.windows.tasks) tasks.push_back(task_json(today, task));
+  return {{"from", utc(today.windows.from)},
+          {"to", utc(today.windows.to)},
+          {"verdict", twin::name_of(today.windows.verdict)},
+          {"headline", headline_of(today)},
+          {"tasks", tasks},
+          {"left_out", left_out_json(today.windows.left_out)}};
+}
+
+/// Of the days that the morning speaks of, and the record; null where there are none.
+json decisions_of_morning(const Morning& morning) {
+  if (!morning.decisions) return nullptr;
+  json of_the_day = json::array();
+  for (const auto& [task, decisions] : morning.decisions->by_task)
+    for (const DecisionAnswer& one : decisions) of_the_day.push_back(decision_json(one));
+  return {{"of_the_day", of_the_day},
+          {"record_days", record_goes_back.count()},
+          {"record", record_json(morning.decisions->record)}};
 }
 
 }  // namespace
@@ -109,6 +136,8 @@ json morning_json(const Morning& morning, const std::vector<calibration::SkillEn
            {"headline", headline_of(morning)},
            {"tasks", tasks},
            {"left_out", left_out_json(windows.left_out)},
+           {"today", today_json(morning)},
+           {"decisions", decisions_of_morning(morning)},
            {"plan", nullptr},
            {"no_plan", morning.no_plan.empty() ? json(nullptr) : json(morning.no_plan)},
            {"trust", trust_json(past, forecast.wind_policy.value_or(WindPolicy::best))},

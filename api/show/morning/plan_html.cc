@@ -37,8 +37,8 @@ std::string jobs_html(const MorningPlan& made, const PlanClock& clock) {
     for (const std::size_t k : one.vehicles) vehicles.push_back(problem.vehicles[k].id);
     table.rows.push_back(
         {clock(begin_of(problem, one), end_of(problem, one)), problem.jobs[one.job].id,
-         formatted("{:.0f} %", 100 * start_of(problem, one).probability),
-         problem.vessels[one.vessel].id, problem.crews[one.crew].id, joined(vehicles, ", ")});
+         chance_and_verdict(start_of(problem, one).probability), problem.vessels[one.vessel].id,
+         problem.crews[one.crew].id, joined(vehicles, ", ")});
   }
   return table_html(table);
 }

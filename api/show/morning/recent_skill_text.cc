@@ -17,6 +17,8 @@ std::string text_of(const RecentSkill& trust) {
                             formatted(", {:.2f} ", best.rmse) + trust.unit + ")";
   const bool looks_alike = formatted("{:.2f}", rmse) == formatted("{:.2f}", best.rmse);
   if (looks_alike) return ours + ", within noise of" + rival;
+  if (best.pairs < calibration::fewest_for_interval)
+    return ours + ", beside" + rival + ": too few to say which is better";
   switch (verdict.outcome) {
     case calibration::Outcome::ahead:
       return ours + formatted(", {:.0f} % less than", 100 * (1 - best.forecast_rmse / best.rmse)) +

@@ -1,10 +1,12 @@
 #include "api/show/morning/task_words.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "api/ask/windows/worth.h"
 #include "api/show/morning/help_words.h"
 #include "api/show/morning/morning_clock.h"
+#include "api/show/windows/past_words.h"
 #include "api/show/windows/windows_answer.h"
 #include "fields/base/quantile.h"
 #include "fields/base/text.h"
@@ -53,14 +55,15 @@ std::string best_line(const Morning& morning, const TaskWindows& task, const Mor
   const bool is_likely = best->worth >= morning.question.windows.rule.marginal;
   std::string text = is_likely ? "Best " : "No start has a good chance; the best is ";
   text += clock(best->start) + ": " + percent(best->probability) +
-          formatted(" ({:.0f} to {:.0f})", 100 * best->interval.low, 100 * best->interval.high);
+          formatted(" (95 % interval {:.0f} to {:.0f})", 100 * best->interval.low,
+                    100 * best->interval.high);
   if (best->worth < best->probability) text += ", " + percent(best->worth) + " as flown";
   const bool is_exceeded = best->chance.binding && best->chance.binding->is_exceeded;
   return text +
          (!is_likely    ? ". What stops it: "
           : is_exceeded ? ". Main risk: "
                         : ". Nearest to its limit: ") +
-         stopping_text(task, *best, futures_of(morning), clock) + ".";
+         stopping_text(task, *best, clock) + ".";
 }
 
 /// Of the starts that were flown the best.
@@ -75,22 +78,31 @@ std::string flown_line(const TaskWindows& task, const MorningClock& clock) {
   const TwinChance& twin = *best->twin;
   std::string text = formatted("Flown {} times at {} starts; best ", flights, flown) +
                      clock(best->start) +
-                     formatted(", {} of {} done ({:.0f} to {:.0f} %)",
+                     formatted(", {} of {} done (95 % interval {:.0f} to {:.0f} %)",
                                std::lround(twin.probability * static_cast<double>(twin.flights)),
                                twin.flights, 100 * twin.interval.low, 100 * twin.interval.high);
   const auto low = quantile_of(twin.duration_s, 0.1), middle = quantile_of(twin.duration_s, 0.5),
              high = quantile_of(twin.duration_s, 0.9);
   if (low && middle && high)
-    text += formatted(", {:.0f} min ({:.0f} to {:.0f})", *middle / 60, *low / 60, *high / 60);
+    text +=
+        formatted(", {:.0f} min (8 in 10: {:.0f} to {:.0f})", *middle / 60, *low / 60, *high / 60);
   const auto energy = quantile_of(twin.energy_wh, 0.9);
   if (energy && *energy > 0) text += formatted(", 9 of 10 within {:.0f} Wh", *energy);
-  if (!twin.stopped_by.empty()) text += "; stopped by " + twin.stopped_by;
-  return text + ".";
+  if (!twin.stopped_by.empty()) text += "; stopped: " + twin.stopped_by;
+  text += ".";
+  // Of half of the planned time and less a reader must know which of the two was asked about.
+  if (middle && *middle < 0.5 * task.planned_s)
+    text += formatted(
+        " The flown mission is shorter than the {:.1f} h that the sheet plans: the chance above is "
+        "for all of these, the flights are of the mission alone.",
+        task.planned_s / 3600);
+  return text;
 }
 
 std::string rule_line(const TaskWindows& task, const MorningClock& clock) {
   const auto starts = [&](const std::vector<twin::StartWindow>& windows) {
     std::vector<std::string> parts;
+    parts.reserve(windows.size());
     for (const twin::StartWindow& window : windows) parts.push_back(run_text(task, window, clock));
     return parts.empty() ? std::string("no start") : joined(parts, ", ");
   };
@@ -127,6 +139,7 @@ std::vector<std::string> task_words(const Morning& morning, const TaskWindows& t
     lines.push_back(std::move(flown));
   for (std::string& line : help_words(morning, task)) lines.push_back(std::move(line));
   lines.push_back(rule_line(task, clock));
+  if (std::string past = past_text(task); !past.empty()) lines.push_back(std::move(past));
   if (!task.not_checked.empty())
     lines.push_back("Not checked: " + joined(task.not_checked, "; ") + ".");
   for (const std::string& value : task.assumed)
@@ -140,15 +153,22 @@ std::string rules_text(const Morning& morning) {
   bool is_flown = false;
   for (const TaskWindows& task : morning.windows.tasks)
     is_flown = is_flown || best_flown(task) != nullptr;
+  const bool has_past =
+      std::any_of(morning.windows.tasks.begin(), morning.windows.tasks.end(),
+                  [](const TaskWindows& task) { return task.calibration.starts > 0; });
+  std::string access = sentence(access_text(morning.windows));
+  if (!access.empty()) access += " ";
   return formatted(
-             "Height: the chance that all limits hold from a start to the way home, as {} futures "
-             "of the forecast say. Full: {:.0f} % or more, go; hatched: {:.0f} % or more, "
+             "Height: the chance that all limits hold from a start to the way home, as the "
+             "futures of the forecast say{}. Full: {:.0f} % or more, go; "
+             "hatched: {:.0f} % or more, "
              "marginal; pale: less. ",
-             futures_of(morning), 100 * question.rule.go, 100 * question.rule.marginal) +
-         (is_flown ? "Rings: the share of flights that were done. Where that is clearly lower, it "
-                     "replaces the chance. "
+             has_past ? ", corrected by past mornings" : "", 100 * question.rule.go,
+             100 * question.rule.marginal) +
+         (is_flown ? "Rings: the share of flights that were done, on a line as long as its 95 % "
+                     "interval. Where it is clearly lower, it replaces the chance. "
                    : "") +
-         "Grey behind: the sun is down. Practice: " + question.practice.name() + ". " +
+         access + "Grey behind: the sun is down. Practice: " + question.practice.name() + ". " +
          MorningClock(morning).note();
 }
 

@@ -36,6 +36,7 @@ json job_json(const PlanProblem& problem, const Assignment& one) {
           {"start", utc(problem, begin_of(problem, one))},
           {"end", utc(problem, end_of(problem, one))},
           {"contingency_h", job.contingency_min / 60.0},
+          {"drop_off_min", job.drop_off_min == 0 ? json(nullptr) : json(job.drop_off_min)},
           {"probability", start_of(problem, one).probability},
           {"vessel", problem.vessels[one.vessel].id},
           {"crew", problem.crews[one.crew].id},

@@ -6,6 +6,7 @@
 #include "api/ask/plan/left_jobs.h"
 #include "api/ask/plan/plan_rules.h"
 #include "fields/base/text.h"
+#include "twin/risk/start_windows.h"
 
 namespace slackwater::api {
 namespace {
@@ -26,9 +27,9 @@ std::string table_text(const PlanProblem& problem, const Plan& plan) {
   for (const Assignment& one : plan.assignments)
     rows.push_back({clock_text(problem, begin_of(problem, one)) + "-" +
                         clock_text(problem, end_of(problem, one)),
-                    chance_text(start_of(problem, one).probability), problem.jobs[one.job].id,
-                    problem.vessels[one.vessel].id, problem.crews[one.crew].id,
-                    joined(names_of(problem, one.vehicles), ", ")});
+                    chance_and_verdict(start_of(problem, one).probability),
+                    problem.jobs[one.job].id, problem.vessels[one.vessel].id,
+                    problem.crews[one.crew].id, joined(names_of(problem, one.vehicles), ", ")});
   std::array<Width, 6> widths;
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) widths[i].hold(row[i]);
@@ -50,7 +51,8 @@ std::string ways_text(const PlanProblem& problem, const Plan& plan, std::size_t 
     text += (i == 0 ? "" : "; ") + problem.places[ways[i].from] + " " +
             clock_text(problem, ways[i].leaves) + " to " + problem.places[ways[i].to] + " " +
             clock_text(problem, ways[i].arrives);
-  return text + "\n";
+  return text +
+         formatted("; {:.1f} h at sea\n", (ways.back().arrives - ways.front().leaves) / 60.0);
 }
 
 std::string charges_text(const PlanProblem& problem, const Plan& plan) {
@@ -70,6 +72,12 @@ std::string charges_text(const PlanProblem& problem, const Plan& plan) {
 }
 
 }  // namespace
+
+std::string chance_and_verdict(double probability) {
+  const twin::Verdict verdict = twin::verdict_of(probability, {});
+  if (verdict == twin::Verdict::go) return chance_text(probability);
+  return chance_text(probability) + ", " + std::string(twin::name_of(verdict));
+}
 
 std::string worth_text(const PlanProblem& problem, const Plan& plan) {
   double all = 0;

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using twin::InspectionOutcome;
 
-std::string counted(std::size_t count, const char* what) {
+std::string with_count(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what;
 }
 
@@ -54,9 +54,9 @@ std::string inspection_text(const InspectionOutcome& outcome) {
              formatted(" {:.0f} %", 100 * part.share());
   text += parts;
   if (outcome.score.all.planted + outcome.score.all.false_alarms > 0)
-    text += "; " + counted(outcome.score.all.found, "found") + ", " +
-            counted(outcome.score.missed(), "missed") + ", " +
-            counted(outcome.score.all.false_alarms, "false alarms");
+    text += "; " + with_count(outcome.score.all.found, "found") + ", " +
+            with_count(outcome.score.missed(), "missed") + ", " +
+            with_count(outcome.score.all.false_alarms, "false alarms");
   return text;
 }
 

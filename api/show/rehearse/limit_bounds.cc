@@ -23,7 +23,8 @@ nlohmann::json limit_bounds_json(const twin::ScenarioVehicle& vehicle) {
       default:
         break;
     }
-    if (name == nullptr || limit.is_least) continue;
+    // A bound that goes by the sea is no line across a chart.
+    if (name == nullptr || limit.is_least || limit.table) continue;
     if (!bounds.contains(name) || bounds[name].get<double>() > limit.bound)
       bounds[name] = limit.bound;
   }

@@ -19,12 +19,6 @@ std::string harm_text(const RiskEntry& risk) {
   return formatted("{} {} of 5", name_of(harm.worst()), harm.worst_grade());
 }
 
-std::string level_text(const RiskEntry& risk) {
-  std::string text(name_of(risk.level));
-  if (risk.at_worst != risk.level) text += ", " + std::string(name_of(risk.at_worst)) + " at worst";
-  return text;
-}
-
 std::string share_text(const RiskEntry& risk) {
   return formatted("{} of {} ({:.0f} to {:.0f} %)", risk.befell, risk.flights,
                    100 * risk.probability.low, 100 * risk.probability.high);
@@ -50,9 +44,9 @@ json risks_json(const std::vector<RiskEntry>& risks) {
                    {"befell", risk.befell},
                    {"probability", number(risk.share())},
                    {"interval_95", {number(risk.probability.low), number(risk.probability.high)}},
-                   {"likelihood", text_of(twin::likelihood_of(risk.share()))},
+                   {"likelihood", likelihood_text(risk)},
                    {"consequence", risk.consequence ? consequence_json(*risk.consequence) : json()},
-                   {"level", name_of(risk.level)},
+                   {"level_at_least", name_of(risk.at_least)},
                    {"level_at_worst", name_of(risk.at_worst)}});
   return out;
 }
@@ -68,9 +62,8 @@ std::vector<std::string> risk_texts(const std::vector<RiskEntry>& risks) {
 }
 
 std::vector<std::string> risk_cells(const RiskEntry& risk) {
-  return {std::string(meaning_of(risk.cause)), share_text(risk),
-          std::string(text_of(twin::likelihood_of(risk.share()))), harm_text(risk),
-          level_text(risk)};
+  return {std::string(meaning_of(risk.cause)), share_text(risk), likelihood_text(risk),
+          harm_text(risk), level_text(risk)};
 }
 
 std::string risk_table_html(const std::string& title, const std::vector<RiskEntry>& risks) {
@@ -81,8 +74,8 @@ std::string risk_table_html(const std::string& title, const std::vector<RiskEntr
       "How often in the futures flown, with bounds that hold at 95 %; how bad it would be, from 1 "
       "(slight) to 5 (grave), as the task says it: estimates, unless replaced by your own "
       "register. "
-      "Likelihood class times the worst class: below 6 low, below 15 medium, else high; at worst: "
-      "by the upper bound.";
+      "Likelihood class times the worst class: below 6 low, below 15 medium, else high. Where the "
+      "flights leave more than one class open, the first and the last of them.";
   table.columns = {"Cause", "Befell", "Likelihood", "Worst harm", "Risk"};
   for (const RiskEntry& risk : risks) table.rows.push_back(risk_cells(risk));
   return table_html(table);

@@ -11,7 +11,7 @@ namespace slackwater::api {
 [[nodiscard]] nlohmann::json risks_json(const std::vector<twin::RiskEntry>& risks);
 
 /// For people, the gravest first: "the tether parts or is fouled: 2 of 24 (1 to 24 %), asset 4 of
-/// 5: medium, high at worst". What befell no flight is left out.
+/// 5: medium to high". What befell no flight is left out.
 [[nodiscard]] std::vector<std::string> risk_texts(const std::vector<twin::RiskEntry>& risks);
 
 /// What a table of risks says in its columns "Cause", "Befell", "Likelihood", "Worst harm", "Risk".

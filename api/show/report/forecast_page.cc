@@ -52,7 +52,19 @@ std::string moment(const Span& span, UtcTime time) {
   return span.to - span.from <= days(1) ? span.clock.clock(time) : span.clock.stamp(time);
 }
 
+/// ", nearly sure 10:20–10:40", ", never nearly sure".
+std::string sure_text(const SlackWindow& window, const Span& span) {
+  if (!window.sure_from || *window.sure_to <= span.from || *window.sure_from >= span.to)
+    return ", never nearly sure";
+  const UtcTime from = std::max(*window.sure_from, span.from);
+  const UtcTime to = std::min(*window.sure_to, span.to);
+  return ", nearly sure " + (span.to - span.from == days(1)
+                                 ? span.clock.clocks(from, to)
+                                 : moment(span, from) + "–" + moment(span, to));
+}
+
 std::string slack_text(const ReportSpeed& speed, const ReportSpeedAtDepth& at, const Span& span) {
+  if (!speed.no_tide.empty()) return speed.no_tide;
   std::string text;
   const bool is_day = span.to - span.from == days(1);
   for (const SlackWindow& window : at.slack) {
@@ -60,9 +72,11 @@ std::string slack_text(const ReportSpeed& speed, const ReportSpeedAtDepth& at, c
     const UtcTime from = std::max(window.from, span.from);
     const UtcTime to = std::min(window.to, span.to);
     if (from == span.from && to == span.to)
-      return formatted("the likely speed is below {:g} m/s throughout", speed.slack_below_m_s);
-    text += (text.empty() ? "" : ", ") +
-            (is_day ? span.clock.clocks(from, to) : moment(span, from) + "–" + moment(span, to));
+      return formatted("the likely speed is below {:g} m/s throughout", speed.slack_below_m_s) +
+             sure_text(window, span);
+    text += (text.empty() ? "" : "; ") +
+            (is_day ? span.clock.clocks(from, to) : moment(span, from) + "–" + moment(span, to)) +
+            sure_text(window, span);
   }
   if (text.empty())
     return formatted("none: the likely speed never falls below {:g} m/s", speed.slack_below_m_s);
@@ -112,7 +126,7 @@ void answer_highest(const std::string& label, const char* unit, const ReportLine
   }
   std::string text = formatted("up to {:.1f} {}", line.values[*highest], unit);
   if (!line.low.empty())
-    text += formatted(" ({:.1f} to {:.1f})", line.low[*highest], line.high[*highest]);
+    text += formatted(" (8 in 10: {:.1f} to {:.1f})", line.low[*highest], line.high[*highest]);
   page.answer.emplace_back(label, text + " at " + moment(span, time[*highest]));
 }
 
@@ -161,8 +175,11 @@ ReportTable numbers_table(const ReportInput& page, const SurfaceSeries& surface,
   if (!surface.level.values.empty()) table.columns.emplace_back("Level of the sea, m");
   const auto with_band = [](const ReportLine& line, std::size_t t) {
     if (std::isnan(line.values[t])) return std::string("no value");
-    std::string text = formatted("{:.1f}", line.values[t]);
-    if (!line.low.empty()) text += formatted(" ({:.1f} to {:.1f})", line.low[t], line.high[t]);
+    // No "-0.0": adding 0 takes its sign.
+    const auto tenths = [](double value) { return std::round(10 * value) / 10 + 0.0; };
+    std::string text = formatted("{:.1f}", tenths(line.values[t]));
+    if (!line.low.empty())
+      text += formatted(" ({:.1f} to {:.1f})", tenths(line.low[t]), tenths(line.high[t]));
     return text;
   };
   for (std::size_t t = 0; t < page.series_time.size(); t += 3) {
@@ -189,12 +206,14 @@ ReportTable streams_table(const ReportSpeed& speed, const PageClock& clock) {
   const ReportSpeedAtDepth& at = speed.depths[speed.first];
   ReportTable table;
   table.title = "When the stream is strongest at " + at.label;
-  table.note = "After each speed: 10 to 90 %. The tide turns between these times. " + clock.note();
+  table.note =
+      "After each speed: 10 to 90 %. Between these times the current is weaker. " + clock.note();
   table.columns = {"UTC", "Speed", "Flowing to"};
   for (const StrongestStream& stream : strongest_streams(speed, at)) {
     table.rows.push_back({clock.stamp(speed.time[stream.index]), speed_text(at, stream.index),
                           formatted("{:03.0f}°", at.towards_deg[stream.index])});
   }
+  if (table.rows.empty()) table.rows.push_back({"the current hardly changes", "", ""});
   return table;
 }
 
@@ -310,15 +329,6 @@ void fold_making(const ForecastMaking& making, ReportInput& page) {
   fold_lines("Notes", "note", making.notes, page);
 }
 
-/// From the highest computed wave, and what half and twice the fetch make of it.
-FetchDoubt fetch_doubt_of(const std::optional<ForecastMaking>& making) {
-  if (!making || !making->highest_wave) return {};
-  const ForecastMaking::HighestWave& wave = *making->highest_wave;
-  if (!(wave.as_assumed_m > 0)) return {};
-  return {std::min(wave.half_fetch_m / wave.as_assumed_m, 1.0),
-          std::max(wave.twice_fetch_m / wave.as_assumed_m, 1.0)};
-}
-
 std::string wind_policy_text(WindPolicy wind) {
   switch (wind) {
     case WindPolicy::best:
@@ -356,7 +366,10 @@ ReportInput forecast_page(const ForecastPage& what) {
   const ForecastColumn& column = s.columns.front();
   ReportInput page;
   page.title = "Forecast for " + s.site_name;
-  page.site = position_text(column.point) + formatted(", {:.0f} m of water", column.water_depth_m);
+  page.site = position_text(column.point) +
+              formatted(", {:.0f} m of water; forecast issued ", column.water_depth_m) +
+              format_utc(s.issued).substr(0, 10) + " " + format_utc(s.issued).substr(11, 5) +
+              " UTC";
   if (s.columns.size() > 1) page.site += formatted("; the first of {} columns", s.columns.size());
   page.headline = s.headline;
   page.degraded = s.degraded;
@@ -370,7 +383,7 @@ ReportInput forecast_page(const ForecastPage& what) {
   std::string when;
   const Span span = answered_span(s, what.about, clock, when);
   const Field field(what.forecast);
-  if (has_currents(s)) {
+  if (has_currents(column)) {
     page.speed = speed_of(field, page_depth_m(s, what.depth_m), what.slack_below_m_s, clock);
     page.profile = profile_of(field, what.truth);
     page.answer_title = "At " + page.speed->depths[page.speed->first].label + " " + when;
@@ -379,14 +392,15 @@ ReportInput forecast_page(const ForecastPage& what) {
     page.answer_title = "The answer " + when;
     page.answer.emplace_back("Current", "not in this forecast: see the sentence above");
   }
-  const SurfaceSeries surface = surface_series(s, what.truth, fetch_doubt_of(what.making));
+  const SurfaceSeries surface = surface_series(s, what.truth);
   page.series_time = s.time;
   page.series = surface.panels;
   page.series_note = surface.note;
   answer_highest("Wind at 10 m", "m/s", surface.wind, s.time, span, page);
   answer_highest("Waves (Hs)", "m", surface.waves, s.time, span, page);
   if (!what.verified.empty()) page.answer.emplace_back("How good it was", what.verified);
-  if (page.speed) page.tables.push_back(streams_table(*page.speed, clock));
+  if (page.speed && page.speed->no_tide.empty())
+    page.tables.push_back(streams_table(*page.speed, clock));
   page.tables.push_back(numbers_table(page, surface, clock));
   page.skill = skill_of(what.skill, s.wind_policy.value_or(WindPolicy::best));
   page.skill_note = what.skill_note;

@@ -9,6 +9,7 @@
 #include "fields/base/turn.h"
 #include "fields/service/speed_quantiles.h"
 #include "fields/wave/height_error.h"
+#include "fields/wave/height_spread.h"
 
 namespace slackwater::api {
 namespace {
@@ -59,24 +60,38 @@ bool has_waves_of(const ForecastColumn& column, DataStatus source) {
          column.sea_source.end();
 }
 
-ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column, const FetchDoubt& doubt) {
+ReportSeries wave_panel(const Snapshot& s, const ForecastColumn& column) {
   ReportSeries panel{"Significant wave height", "height (m)", {}, {}};
   ReportLine line{"forecast", {}, {}, {}, false};
+  const std::vector<double> spread = height_spread_of(s, column);
   for (std::size_t t = 0; t < s.time.size(); ++t) {
     const double height_m = column.sea[t].significant_height_m;
     line.values.push_back(height_m);
     panel.towards_deg.push_back(compass_deg(column.sea[t].from_direction_deg + 180));
-    const double reach_m = constants::normal_p90 *
-                           wave_height_sigma_m(height_m, hours_between(s.time.front(), s.time[t]));
-    const bool is_computed = column.sea_source[t] == DataStatus::modelled;
-    const double below_m = is_computed ? (1 - doubt.half) * height_m : 0;
-    const double above_m = is_computed ? (doubt.twice - 1) * height_m : 0;
-    line.low.push_back(
-        std::isnan(height_m) ? nan : std::max(0.0, height_m - std::hypot(reach_m, below_m)));
-    line.high.push_back(std::isnan(height_m) ? nan : height_m + std::hypot(reach_m, above_m));
+    line.low.push_back(height_error::height_at(height_m, spread[t], -constants::normal_p90));
+    line.high.push_back(height_error::height_at(height_m, spread[t], constants::normal_p90));
   }
   panel.lines = {std::move(line)};
   return panel;
+}
+
+/// What the band of the waves is.
+std::string wave_note(const ForecastColumn& column) {
+  std::string note =
+      column.height_spread.empty()
+          ? " The waves' band is the usual error of forecast wave heights (a published North Sea "
+            "record), not this day's own."
+          : " The waves' band is how far such heights were off: a published record, and the past "
+            "days of this site as far as they are known.";
+  if (has_waves_of(column, DataStatus::modelled))
+    note +=
+        " Where no wave product is stored, the waves are computed from the wind: the band holds "
+        "the error of that wind.";
+  if (has_waves_of(column, DataStatus::persisted))
+    note +=
+        " Where there is no wind either, the last known waves are kept: the band is how far a sea "
+        "changes in that time.";
+  return note;
 }
 
 /// "product forecast, then harmonic tide": in the order of the hours.
@@ -105,8 +120,7 @@ ReportSeries level_panel(const SeaLevel& level) {
 
 }  // namespace
 
-SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth,
-                             const FetchDoubt& doubt) {
+SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth) {
   SurfaceSeries result;
   const ForecastColumn& column = forecast.columns.front();
   result.note = "Lines: central forecast; bands: 10 to 90 %.";
@@ -122,22 +136,9 @@ SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& trut
     result.note += " This forecast has no wind.";
   }
   if (column.sea.size() == forecast.time.size()) {
-    ReportSeries panel = wave_panel(forecast, column, doubt);
+    ReportSeries panel = wave_panel(forecast, column);
     result.waves = panel.lines.front();
-    result.note +=
-        " The waves' band is the usual error of forecast wave heights (a published North Sea "
-        "record), not this day's own.";
-    if (has_waves_of(column, DataStatus::modelled)) {
-      result.note +=
-          " Where no wave product is stored, the waves are computed from the wind, without swell";
-      result.note += doubt.twice > 1
-                         ? ", with an assumed fetch: the band covers half and twice this fetch."
-                         : ".";
-    }
-    if (has_waves_of(column, DataStatus::persisted))
-      result.note +=
-          " Where there is no wind either, the last known waves are used: they are less certain "
-          "than the band shows.";
+    result.note += wave_note(column);
     if (truth.significant_height_m)
       panel.lines.push_back(truth_line(forecast.time, truth.significant_height_m));
     result.panels.push_back(std::move(panel));

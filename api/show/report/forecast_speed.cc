@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fields/base/averaging.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "fields/service/speed_quantiles.h"
@@ -32,13 +33,21 @@ std::string duration_text(Duration duration) {
                     : formatted("{} h {:02} min", whole / 60, whole % 60);
 }
 
-ReportTable slack_table(const ReportSpeedAtDepth& at, double below_m_s, const PageClock& clock) {
+ReportTable slack_table(const ReportSpeed& speed, const ReportSpeedAtDepth& at,
+                        const PageClock& clock) {
   ReportTable table;
-  table.title = "Slack at " + at.label + formatted(": likely speed below {:g} m/s", below_m_s);
+  table.title =
+      "Slack at " + at.label + formatted(": likely speed below {:g} m/s", speed.slack_below_m_s);
+  if (!speed.no_tide.empty()) {
+    table.columns = {"Slack"};
+    table.rows.push_back({speed.no_tide});
+    return table;
+  }
   table.note =
-      "Likely: the speed is as often lower as higher. Surely: it stays below in 9 of 10 cases. " +
+      "Likely: the speed is as often lower as higher. Nearly sure: it stays below all that time "
+      "in 9 of 10 futures of the forecast. " +
       clock.note();
-  table.columns = {"From", "To", "Lasts", "Surely from", "to"};
+  table.columns = {"From", "To", "Lasts", "Nearly sure from", "to"};
   for (const SlackWindow& window : at.slack) {
     const bool is_cut = window.is_cut_before || window.is_cut_after;
     table.rows.push_back({(window.is_cut_before ? "before " : "") + clock.stamp(window.from),
@@ -53,12 +62,30 @@ ReportTable slack_table(const ReportSpeedAtDepth& at, double below_m_s, const Pa
   return table;
 }
 
-}  // namespace
-
-bool has_currents(const Snapshot& forecast) {
-  const std::vector<SampleStatus>& status = forecast.columns.front().current_status;
-  return std::any_of(status.begin(), status.end(), [](SampleStatus s) { return has_value(s); });
+/// The speed in each future, by depth; none where the forecast has no members.
+std::vector<std::vector<std::vector<double>>> futures_of(const Field& field,
+                                                         const std::vector<UtcTime>& time,
+                                                         const std::vector<double>& depths) {
+  const Snapshot& s = field.snapshot();
+  const ForecastColumn& column = s.columns.front();
+  std::vector<std::vector<std::vector<double>>> futures(depths.size());
+  if (column.member_m_s.empty()) return futures;
+  std::vector<CurrentSample> samples(time.size() * depths.size());
+  for (std::size_t m = 0; m < s.members; ++m) {
+    field.sample_profiles(column.point.longitude_deg(), column.point.latitude_deg(), time, depths,
+                          samples, m);
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+      std::vector<double>& speeds = futures[k].emplace_back();
+      for (std::size_t t = 0; t < time.size(); ++t) {
+        const CurrentSample& sample = samples[t * depths.size() + k];
+        speeds.push_back(has_value(sample.status) ? std::abs(sample.velocity_m_s) : nan);
+      }
+    }
+  }
+  return futures;
 }
+
+}  // namespace
 
 ReportSpeed speed_of(const Field& field, double depth_m, double slack_below_m_s,
                      const PageClock& clock) {
@@ -67,11 +94,15 @@ ReportSpeed speed_of(const Field& field, double depth_m, double slack_below_m_s,
   const std::vector<double> depths = offered_depths(column.water_depth_m, depth_m);
   ReportSpeed speed;
   speed.slack_below_m_s = slack_below_m_s;
+  if (s.averaged)
+    speed.no_tide = "not known: the currents are " + averaging_text(s.averaged->averaging) +
+                    ", which leave out the tide";
   for (UtcTime time = s.time.front(); time <= s.time.back(); time += minutes(10))
     speed.time.push_back(time);
   std::vector<CurrentSample> samples(speed.time.size() * depths.size());
   field.sample_profiles(column.point.longitude_deg(), column.point.latitude_deg(), speed.time,
                         depths, samples);
+  const auto futures = futures_of(field, speed.time, depths);
   for (std::size_t k = 0; k < depths.size(); ++k) {
     ReportSpeedAtDepth at;
     at.label = depths[k] == 0 ? "the surface" : formatted("{:g} m", depths[k]);
@@ -86,8 +117,9 @@ ReportSpeed speed_of(const Field& field, double depth_m, double slack_below_m_s,
       at.high_m_s.push_back(found.p90_m_s);
       at.towards_deg.push_back(there ? to_direction_deg(sample.velocity_m_s) : nan);
     }
-    at.slack = slack_windows(speed.time, at.likely_m_s, at.high_m_s, slack_below_m_s);
-    at.slack_table = slack_table(at, slack_below_m_s, clock);
+    if (speed.no_tide.empty())
+      at.slack = slack_windows(speed.time, at.likely_m_s, futures[k], slack_below_m_s);
+    at.slack_table = slack_table(speed, at, clock);
     if (depths[k] == depth_m) speed.first = k;
     speed.depths.push_back(std::move(at));
   }
@@ -96,27 +128,33 @@ ReportSpeed speed_of(const Field& field, double depth_m, double slack_below_m_s,
 
 std::vector<StrongestStream> strongest_streams(const ReportSpeed& speed,
                                                const ReportSpeedAtDepth& at) {
+  /// A current that falls by less within three hours has no tide worth a time.
+  constexpr double least_fall = 0.1;
   std::vector<StrongestStream> found;
+  if (!speed.no_tide.empty()) return found;
   for (std::size_t i = 0; i < speed.time.size(); ++i) {
     const bool sees_both_sides = speed.time[i] - speed.time.front() >= hours(3) &&
                                  speed.time.back() - speed.time[i] >= hours(3);
     if (!sees_both_sides || std::isnan(at.likely_m_s[i])) continue;
     bool is_largest = true;
+    double least_m_s = at.likely_m_s[i];
     for (std::size_t j = 0; j < speed.time.size() && is_largest; ++j) {
       const auto away = speed.time[j] - speed.time[i];
       if (away < -hours(3) || away > hours(3) || j == i) continue;
       // Of equals the first counts.
       is_largest =
           j < i ? at.likely_m_s[j] < at.likely_m_s[i] : !(at.likely_m_s[j] > at.likely_m_s[i]);
+      least_m_s = std::fmin(least_m_s, at.likely_m_s[j]);
     }
-    if (is_largest) found.push_back({i});
+    const bool falls = at.likely_m_s[i] - least_m_s >= least_fall * at.likely_m_s[i];
+    if (is_largest && falls) found.push_back({i});
   }
   return found;
 }
 
 std::string speed_text(const ReportSpeedAtDepth& at, std::size_t index) {
-  return formatted("{:.2f} m/s ({:.2f} to {:.2f})", at.likely_m_s[index], at.low_m_s[index],
-                   at.high_m_s[index]);
+  return formatted("{:.2f} m/s (8 in 10: {:.2f} to {:.2f})", at.likely_m_s[index],
+                   at.low_m_s[index], at.high_m_s[index]);
 }
 
 }  // namespace slackwater::api

@@ -8,16 +8,13 @@
 
 namespace slackwater::api {
 
-/// Whether a forecast has any current at its first column.
-[[nodiscard]] bool has_currents(const Snapshot& forecast);
-
 /// The speed at the depths that a page offers, every ten minutes, at the forecast's first column.
 /// @param depth_m  shown first, in the water
 [[nodiscard]] ReportSpeed speed_of(const Field& field, double depth_m, double slack_below_m_s,
                                    const PageClock& clock);
 
 /// A time at which the stream is strongest: its likely speed is the largest of the three hours on
-/// either side.
+/// either side, and it falls by a tenth of it then. None where the tide is averaged away.
 struct StrongestStream {
   std::size_t index = 0;  ///< of ReportSpeed::time
 };

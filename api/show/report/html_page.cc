@@ -1,11 +1,13 @@
 #include "api/show/report/html_page.h"
 
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 
 #include "api/show/report/assets.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "fields/base/whole_file.h"
 
 namespace slackwater::api {
@@ -35,6 +37,27 @@ std::string scripts_html(const HtmlPage& page, std::string_view plotting_library
   out += report_common_script();
   out += page.script;
   return out + "</script>\n";
+}
+
+/// A text as a string of CSS, whatever is in it: all that is no letter or digit is escaped.
+std::string css_string(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || std::isalnum(byte) != 0)
+      out += c;
+    else
+      out += formatted("\\{:x} ", static_cast<unsigned>(byte));
+  }
+  return out + "\"";
+}
+
+/// On paper each page says what it belongs to, and which of how many it is.
+std::string printed_edges(const HtmlPage& page) {
+  return "@page { @top-left { content: " + css_string(page.title) +
+         "; font: 9px sans-serif; } @top-right { content: " + css_string(page.site) +
+         "; font: 9px sans-serif; } @bottom-right { content: counter(page) \" of \" "
+         "counter(pages); font: 9px sans-serif; } }\n";
 }
 
 }  // namespace
@@ -75,6 +98,7 @@ std::string page_html(const HtmlPage& page, std::string_view plotting_library) {
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
       escaped_html(page.title) + "</title>\n<style>\n";
   out += report_style();
+  out += printed_edges(page);
   out += "</style></head><body>\n" + header_html(page) + "<main>\n";
   if (has_plots) {
     out += page.plots_html;

@@ -69,6 +69,8 @@ struct ReportSpeed {
   std::vector<ReportSpeedAtDepth> depths;  ///< at least one
   std::size_t first = 0;                   ///< of `depths`: shown until another is chosen
   double slack_below_m_s = 0.5;
+  /// Why nothing is said of slack and of the tide; empty: something is.
+  std::string no_tide;
 };
 
 /// Everything the page shows. Plain data: the page computes nothing but the depth mean of the

@@ -42,14 +42,39 @@ std::vector<Stretch> stretches_below(const std::vector<UtcTime>& time,
   return found;
 }
 
+/// The longest part of a window throughout which nine of ten futures stay below.
+void find_sure(const std::vector<UtcTime>& time,
+               const std::vector<std::vector<double>>& futures_m_s, double below_m_s,
+               SlackWindow& window) {
+  constexpr std::size_t fewest = 10;
+  if (futures_m_s.size() < fewest) return;
+  for (std::size_t first = 0; first < time.size() && time[first] <= window.to; ++first) {
+    if (time[first] < window.from) continue;
+    std::vector<bool> stays(futures_m_s.size(), true);
+    for (std::size_t i = first; i < time.size() && time[i] <= window.to; ++i) {
+      std::size_t below = 0;
+      for (std::size_t f = 0; f < futures_m_s.size(); ++f) {
+        stays[f] = stays[f] && futures_m_s[f][i] < below_m_s;
+        below += stays[f] ? 1U : 0U;
+      }
+      if (10 * below < 9 * futures_m_s.size()) break;
+      if (window.sure_from && time[i] - time[first] <= *window.sure_to - *window.sure_from)
+        continue;
+      window.sure_from = time[first];
+      window.sure_to = time[i];
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<SlackWindow> slack_windows(const std::vector<UtcTime>& time,
                                        const std::vector<double>& likely_m_s,
-                                       const std::vector<double>& high_m_s, double below_m_s) {
-  expects(likely_m_s.size() == time.size() && high_m_s.size() == time.size(),
-          "a speed and its upper edge for every time");
-  const std::vector<Stretch> sure = stretches_below(time, high_m_s, below_m_s);
+                                       const std::vector<std::vector<double>>& futures_m_s,
+                                       double below_m_s) {
+  expects(likely_m_s.size() == time.size(), "a speed for every time");
+  for (const std::vector<double>& future : futures_m_s)
+    expects(future.size() == time.size(), "a speed of every future for every time");
   std::vector<SlackWindow> windows;
   for (const Stretch& likely : stretches_below(time, likely_m_s, below_m_s)) {
     SlackWindow window{.from = likely.from,
@@ -58,12 +83,7 @@ std::vector<SlackWindow> slack_windows(const std::vector<UtcTime>& time,
                        .is_cut_after = likely.is_cut_after,
                        .sure_from = {},
                        .sure_to = {}};
-    for (const Stretch& part : sure) {
-      if (part.from < likely.from || part.to > likely.to) continue;
-      if (window.sure_from && part.to - part.from <= *window.sure_to - *window.sure_from) continue;
-      window.sure_from = part.from;
-      window.sure_to = part.to;
-    }
+    find_sure(time, futures_m_s, below_m_s, window);
     windows.push_back(window);
   }
   return windows;

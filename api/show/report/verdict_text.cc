@@ -72,17 +72,24 @@ std::string verdict_text(const calibration::Verdict& verdict) {
                      calibration::lead_text(verdict.forecast.of.lead) + ", " + pairs_text(verdict) +
                      ": forecast " + error_text(verdict);
   if (s.rmse_interval)
-    text += formatted(" [{:.3f}, {:.3f}]", s.rmse_interval->low, s.rmse_interval->high);
+    text +=
+        formatted(" (95 % interval {:.3f} to {:.3f})", s.rmse_interval->low, s.rmse_interval->high);
   if (verdict.best) text += ", " + baseline_text(verdict);
   if (s.vector && s.vector->coverage_80)
     text += formatted("; {:.0f} % of the truth inside the 80 % band", 100 * *s.vector->coverage_80);
   if (s.vector && s.vector->coverage_interval)
-    text += formatted(" [{:.0f}, {:.0f}]", 100 * s.vector->coverage_interval->low,
+    text += formatted(" (95 % interval {:.0f} to {:.0f} %)", 100 * s.vector->coverage_interval->low,
                       100 * s.vector->coverage_interval->high);
   return text + ".";
 }
 
 std::string outcome_text(const calibration::Verdict& verdict) {
+  if (verdict.best && verdict.best->pairs < calibration::fewest_for_interval &&
+      (verdict.outcome == calibration::Outcome::ahead ||
+       verdict.outcome == calibration::Outcome::beaten))
+    return std::string(verdict.outcome == calibration::Outcome::ahead ? "The forecast was nearer"
+                                                                      : "The baseline was nearer") +
+           ", on too few days to say which is better.";
   switch (verdict.outcome) {
     case calibration::Outcome::alone:
       return {};

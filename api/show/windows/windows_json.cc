@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "api/ask/windows/as_told.h"
+#include "api/ask/windows/vessel_access.h"
 #include "api/show/rehearse/rehearsal_json.h"
 #include "api/show/rehearse/risk_report.h"
+#include "api/show/windows/past_words.h"
 #include "api/show/windows/windows_answer.h"
+#include "fields/base/constants.h"
 
 namespace slackwater::api {
 namespace {
@@ -17,11 +21,41 @@ json number(double value) {
   return as_told(value);
 }
 
+constexpr double degree = constants::degree;
+
+json table_json(const twin::Limit& limit) {
+  if (!limit.table) return nullptr;
+  const twin::HeightTable& table = *limit.table;
+  json angles = json::array(), rows = json::array();
+  for (const double rad : table.off_bow_rad) angles.push_back(number(rad / degree));
+  const std::size_t periods = std::max<std::size_t>(1, table.peak_period_s.size());
+  for (std::size_t i = 0; i < table.at_most_m.size(); ++i) {
+    if (i % periods == 0) rows.push_back(json::array());
+    rows.back().push_back(number(table.at_most_m[i]));
+  }
+  return {{"peak_period_s", table.peak_period_s},
+          {"from_bow_deg", angles},
+          {"heading_deg", table.heading_rad ? number(*table.heading_rad / degree) : json(nullptr)},
+          {"at_most", rows}};
+}
+
+/// Of a limit with a table what it was at the binding step.
+json bound_then_json(const TaskWindows& task, const TaskStart& start) {
+  if (!start.bound_then) return nullptr;
+  const twin::HeightBound& bound = *start.bound_then;
+  return {{"at_most", number(bound.at_most_m)},
+          {"unit", "m"},
+          {"peak_period_s", bound.peak_period_s ? number(*bound.peak_period_s) : json(nullptr)},
+          {"from_bow_deg", bound.off_bow_rad ? number(*bound.off_bow_rad / degree) : json(nullptr)},
+          {"text", bound_then_text(task, start)}};
+}
+
 json limit_json(const TaskLimit& of) {
   json out{{"worker", of.worker.empty() ? json(nullptr) : json(of.worker)},
            {"limit", of.text},
            {"variable", nullptr},
            {"bound", nullptr},
+           {"table", nullptr},
            {"unit", ""},
            {"phases", json::array()},
            {"source", ""},
@@ -29,7 +63,9 @@ json limit_json(const TaskLimit& of) {
   if (!of.limit) return out;
   const twin::LimitWord& word = twin::word_of(of.limit->variable);
   out["variable"] = word.key;
-  out["bound"] = number(of.limit->bound);
+  // One number is not what counts where there is a table.
+  if (!of.limit->table) out["bound"] = number(of.limit->bound);
+  out["table"] = table_json(*of.limit);
   out["unit"] = word.unit;
   for (std::size_t p = 0; p < twin::phase_count; ++p)
     if (const auto phase = static_cast<twin::Phase>(p); of.limit->phases.has(phase))
@@ -47,9 +83,10 @@ json binding_json(const TaskWindows& task, const TaskStart& start) {
           {"worker", limit.worker.empty() ? json(nullptr) : json(limit.worker)},
           {"limit", limit.text},
           {"exceeded", binding.is_exceeded},
-          {"members", binding.members},
+          {"futures", binding.members},
           {"time", format_utc(*start.binds_at)},
-          {"share", number(binding.share)}};
+          {"share", number(binding.share)},
+          {"bound_then", bound_then_json(task, start)}};
 }
 
 json twin_json(const std::optional<TwinChance>& twin) {
@@ -63,16 +100,18 @@ json twin_json(const std::optional<TwinChance>& twin) {
           {"risks", risks_json(twin->risks)}};
 }
 
-json start_json(const TaskWindows& task, const TaskStart& start, std::size_t members) {
+json start_json(const TaskWindows& task, const TaskStart& start) {
   return {{"start", format_utc(start.start)},
           {"probability", number(start.probability)},
+          {"probability_by_futures", number(start.by_futures)},
           {"worth", number(start.worth)},
           {"interval_95", {number(start.interval.low), number(start.interval.high)}},
-          {"members_held", start.chance.held},
-          {"members", members},
+          {"futures_held", start.chance.held},
+          {"futures", task.futures},
           {"threshold", start.chance.by_threshold},
           {"alpha", start.chance.by_alpha ? json(*start.chance.by_alpha) : json(nullptr)},
           {"forbidden", start.forbidden.empty() ? json(nullptr) : json(start.forbidden)},
+          {"unforecast", start.unforecast.empty() ? json(nullptr) : json(start.unforecast)},
           {"binding", binding_json(task, start)},
           {"twin", twin_json(start.twin)}};
 }
@@ -108,11 +147,11 @@ json phases_json(const TaskWindows& task) {
   return list;
 }
 
-json task_json(const TaskWindows& task, std::size_t members) {
+json task_json(const TaskWindows& task) {
   json limits = json::array();
   for (const TaskLimit& limit : task.limits) limits.push_back(limit_json(limit));
   json starts = json::array();
-  for (const TaskStart& start : task.starts) starts.push_back(start_json(task, start, members));
+  for (const TaskStart& start : task.starts) starts.push_back(start_json(task, start));
   json out{{"task", task.id},
            {"name", task.name},
            {"turbines", task.turbines},
@@ -130,6 +169,7 @@ json task_json(const TaskWindows& task, std::size_t members) {
            {"windows_by_threshold", windows_json(task, task.by_threshold)},
            {"windows_by_alpha", task.by_alpha ? windows_json(task, *task.by_alpha) : json(nullptr)},
            {"no_alpha", task.no_alpha.empty() ? json(nullptr) : json(task.no_alpha)},
+           {"past", past_json(task)},
            {"starts", starts}};
   // As the plan of a day reads it.
   if (task.turbines.size() == 1) out["turbine"] = task.turbines.front();
@@ -144,11 +184,22 @@ json left_out_json(const std::vector<TaskLeftOut>& left_out) {
   return list;
 }
 
+namespace {
+
+json access_json(const WindowsAnswer& answer) {
+  if (answer.vessel == nullptr) return nullptr;
+  return {{"vessel", answer.vessel->name},
+          {"passage_min", number(60 * hours_of(answer.vessel->passage))},
+          {"transfer_min", number(60 * hours_of(answer.vessel->transfer))}};
+}
+
+}  // namespace
+
 json windows_json(const WindowsQuestion& question, const WindowsAnswer& answer) {
   const Snapshot& forecast = answer.water.surround.field->snapshot();
   const std::size_t members = question.members > 0 ? question.members : forecast.members;
   json tasks = json::array();
-  for (const TaskWindows& task : answer.tasks) tasks.push_back(task_json(task, members));
+  for (const TaskWindows& task : answer.tasks) tasks.push_back(task_json(task));
   return {
       {"site", answer.site_id},
       {"site_name", answer.site_name},
@@ -166,8 +217,9 @@ json windows_json(const WindowsQuestion& question, const WindowsAnswer& answer) 
       {"timezone", question.zone ? json(question.zone->name()) : json(nullptr)},
       {"members", members},
       {"members_issued", answer.water.members_issued},
-      {"waves", question.waves_as_forecast || members == 1 ? "as forecast in all members"
-                                                           : "with the published error"},
+      {"waves", question.waves_as_forecast ? "as forecast in all futures"
+                                           : "with the error of the forecast's heights"},
+      {"access", access_json(answer)},
       {"rules",
        {{"go", number(question.rule.go)},
         {"marginal", number(question.rule.marginal)},

@@ -142,13 +142,16 @@ tests::PointSeriesForTests series_at(double east_km, double north_km,
 }
 
 TEST(SiteData, ASeriesSpeaksAsFarInEveryDirection) {
-  for (const auto& [east_km, north_km] : std::vector<std::pair<double, double>>{
-           {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}}) {
-    SCOPED_TRACE(std::to_string(east_km) + " " + std::to_string(north_km));
+  struct Direction {
+    double east = 0, north = 0;
+  };
+  for (const Direction to :
+       std::vector<Direction>{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}}) {
+    SCOPED_TRACE(std::to_string(to.east) + " " + std::to_string(to.north));
     const auto winds = [&](double away_km) {
       SmallStore store;
       store.with(tests::current_product(day))
-          .with(series_at(away_km * east_km, away_km * north_km));
+          .with(series_at(away_km * to.east, away_km * to.north));
       return store.load(in_the_water).columns.at(0).wind.pieces.size();
     };
     EXPECT_EQ(winds(45), 1u) << "a mast, 50 km";
@@ -156,7 +159,7 @@ TEST(SiteData, ASeriesSpeaksAsFarInEveryDirection) {
     const auto currents = [&](double away_km) {
       SmallStore store;
       store.with(tests::current_product(day))
-          .with(series_at(away_km * east_km, away_km * north_km, {5}));
+          .with(series_at(away_km * to.east, away_km * to.north, {5}));
       return store.load(in_the_water).columns.at(0).current.pieces.size();
     };
     EXPECT_EQ(currents(9), 2u) << "a current meter, 10 km, beside the product";

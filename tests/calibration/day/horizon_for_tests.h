@@ -6,8 +6,8 @@
 
 namespace slackwater::tests {
 
-inline const UtcDay day = parse_day("2024-06-11");
-inline const UtcTime end_of_day = UtcTime(day) + std::chrono::days(1);
+inline constexpr UtcDay day = std::chrono::year(2024) / 6 / 11;
+inline constexpr UtcTime end_of_day = UtcTime(day) + std::chrono::days(1);
 
 inline std::vector<UtcTime> stamps_to(int last_h, int first_h = 0) {
   std::vector<UtcTime> stamps;

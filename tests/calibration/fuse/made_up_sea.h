@@ -9,7 +9,7 @@
 
 namespace slackwater::calibration::tests {
 
-inline const UtcTime sea_start = parse_utc("2024-03-01T00:00:00Z");
+inline constexpr UtcTime sea_start = UtcDay(std::chrono::year(2024) / 3 / 1);
 
 /// (hour, depth in m) -> east + i north.
 using FlowOfHours = std::function<Horizontal(double, double)>;

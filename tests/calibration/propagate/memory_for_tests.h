@@ -7,7 +7,7 @@
 
 namespace slackwater::calibration {
 
-inline const UtcTime end_of_day{std::chrono::hours(24)};
+inline constexpr UtcTime end_of_day{std::chrono::hours(24)};
 inline constexpr double damping_per_h = 1.0 / 48;
 inline constexpr double coriolis_rad_h = 0.39;
 inline const Horizontal i_unit{0, 1};

@@ -6,7 +6,7 @@
 
 namespace slackwater::calibration {
 
-inline const UtcTime end_of_synthetic_day = add_hours(synthetic_midnight, 24);
+inline constexpr UtcTime end_of_synthetic_day = synthetic_midnight + std::chrono::hours(24);
 
 /// Whole hours of lead.
 inline std::vector<UtcTime> leads(int from_h, int to_h) {

@@ -33,11 +33,14 @@ const std::vector<Horizontal>& mesoscale() {
   static const std::vector<Horizontal> series = [] {
     Rng random(7, "tests/provider_twin/mesoscale");
     const double keep = std::exp(-1.0 / 72);
-    std::vector<Horizontal> values{0.15 * std::sqrt(0.5) *
-                                   Horizontal(random.normal(), random.normal())};
+    // One draw after the other: arguments of a call are worked out in any order.
+    const auto draw = [&random] {
+      const double north = random.normal();
+      return Horizontal(random.normal(), north);
+    };
+    std::vector<Horizontal> values{0.15 * std::sqrt(0.5) * draw()};
     while (values.size() < 24 * (record_days + 5)) {
-      const Horizontal fresh(random.normal(), random.normal());
-      values.push_back(keep * values.back() + 0.15 * std::sqrt(0.5 * (1 - keep * keep)) * fresh);
+      values.push_back(keep * values.back() + 0.15 * std::sqrt(0.5 * (1 - keep * keep)) * draw());
     }
     return values;
   }();
@@ -234,6 +237,30 @@ TEST(ProviderTwin, APerfectProviderIsBelievedWithinTenDays) {
   print("perfect, three days", at_once.issued);
   print("  ours alone", alone.issued);
   EXPECT_LT(at_once.issued.all(), 0.3 * alone.issued.all());
+}
+
+/// Nothing but one run is stored: it is day D, the provider's forecast of the days after it, and
+/// all that past days could be held against. It says nothing of its own errors.
+TEST(ProviderRun, IsNeverHeldAgainstItself) {
+  const UtcTime issued(first_day + days(4));
+  KnownSeriesForTests sea;
+  sea.current(forecast_of("model", issued), means(issued, issued + hours(120)), depth_m,
+              [](UtcTime time, double depth) { return water(time, depth); });
+  ForecastOptions options;
+  options.day = first_day + days(5);
+  options.issued = UtcTime(first_day) + days(6) + hours(5);
+  options.horizon = hours(48);
+  const DailyForecast made = make_forecast(site_of({sea.data}), options);
+  EXPECT_TRUE(made.snapshot.degraded);
+  EXPECT_NE(made.snapshot.headline.find("of a provider's forecast, not analysed"),
+            std::string::npos)
+      << made.snapshot.headline;
+  const ForecastColumn& column = made.snapshot.columns.front();
+  double narrowest_m_s = 1;
+  for (std::size_t t = 12; t < made.snapshot.time.size(); ++t)
+    for (std::size_t k = 0; k < depth_m.size(); ++k)
+      narrowest_m_s = std::min(narrowest_m_s, column.current_sigma_m_s[t * depth_m.size() + k]);
+  EXPECT_GT(narrowest_m_s, 0.025) << "runs are off by more than that after half a day";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct SyntheticDay {
   std::uint64_t seed = 1;
 };
 
-inline const UtcTime synthetic_midnight = parse_utc("2024-03-01T00:00:00Z");
+inline constexpr UtcTime synthetic_midnight = UtcDay(std::chrono::year(2024) / 3 / 1);
 
 inline VectorColumn synthetic_wind(const SyntheticDay& day) {
   VectorColumn wind;

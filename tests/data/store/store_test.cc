@@ -1,13 +1,13 @@
 #include "data/store/store.h"
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "fields/base/error.h"
+#include "tests/data/store/run_sql.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,19 +19,6 @@ using slackwater::tests::TemporaryFolder;
 std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// Runs SQL past the Store; SQLite's complaint, or "".
-std::string run_sql(const std::filesystem::path& store, const std::string& sql) {
-  sqlite3* connection = nullptr;
-  EXPECT_EQ(sqlite3_open((store / "catalogue.sqlite").c_str(), &connection), SQLITE_OK);
-  char* message = nullptr;
-  sqlite3_exec(connection, ("PRAGMA foreign_keys = ON; " + sql).c_str(), nullptr, nullptr,
-               &message);
-  const std::string said = message == nullptr ? "" : message;
-  sqlite3_free(message);
-  sqlite3_close(connection);
-  return said;
 }
 
 ErrorKind kind_of_opening(const std::filesystem::path& folder, OpenMode mode,

@@ -97,5 +97,14 @@ TEST(LowerCase, TurnsTheLettersFromAToZAlone) {
   EXPECT_FALSE(contains_ignoring_case("fla", "flag"));
 }
 
+TEST(Text, ASentenceHasACapitalAndOneFullStop) {
+  EXPECT_EQ(sentence("the waves reach 2.1 m"), "The waves reach 2.1 m.");
+  EXPECT_EQ(sentence("The tide is not in them."), "The tide is not in them.");
+  EXPECT_EQ(sentence("is it?"), "Is it?");
+  EXPECT_EQ(sentence("2 starts are left out"), "2 starts are left out.");
+  EXPECT_EQ(sentence("élan"), "élan.");
+  EXPECT_EQ(sentence(""), "");
+}
+
 }  // namespace
 }  // namespace slackwater::text_test

@@ -204,7 +204,12 @@ TEST(Field, SeasWithoutANumberAreMissing) {
   std::array<SeaSample, 1> sea;
   field.sample_sea(places, sea);
   EXPECT_EQ(sea[0].status, SampleStatus::missing);
-  EXPECT_EQ(sea[0].sea.significant_height_m, 0);
+  EXPECT_NEAR(sea[0].sea.significant_height_m, 1.15, 1e-12) << "a height is known nevertheless";
+  EXPECT_TRUE(std::isnan(sea[0].sea.peak_period_s));
+  s.columns.front().sea.clear();
+  field_of(s).sample_sea(std::array{place(1, 52, 10, 3)}, sea);
+  EXPECT_EQ(sea[0].status, SampleStatus::missing);
+  EXPECT_TRUE(std::isnan(sea[0].sea.significant_height_m)) << "never a silent zero";
   std::array<WindSample, 1> wind;
   field.sample_wind(places, wind);
   EXPECT_EQ(wind[0].status, SampleStatus::missing);

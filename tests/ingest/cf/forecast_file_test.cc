@@ -59,6 +59,7 @@ Snapshot full_snapshot(std::size_t columns) {
       column.sea.push_back(
           {random.uniform(), t == 3 ? std::numeric_limits<double>::quiet_NaN() : 8.0, 240.0});
       column.sea_source.push_back(DataStatus::modelled);
+      column.height_spread.push_back(0.1 + 0.01 * static_cast<double>(t + c));
     }
   }
   return s;
@@ -93,6 +94,7 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
     EXPECT_EQ(a.columns[c].wind_m_s, b.columns[c].wind_m_s);
     EXPECT_EQ(a.columns[c].wind_source, b.columns[c].wind_source);
     EXPECT_EQ(a.columns[c].sea_source, b.columns[c].sea_source);
+    EXPECT_EQ(a.columns[c].height_spread, b.columns[c].height_spread);
     for (std::size_t t = 0; t < a.columns[c].sea.size(); ++t) {
       EXPECT_EQ(a.columns[c].sea[t].significant_height_m, b.columns[c].sea[t].significant_height_m);
       EXPECT_EQ(std::isnan(a.columns[c].sea[t].peak_period_s),
@@ -138,6 +140,7 @@ TEST(ForecastFile, AColumnWithoutWindAndWavesDoesNotCostTheOthersTheirs) {
     written.columns[poor].wind_member_m_s.clear();
     written.columns[poor].sea.clear();
     written.columns[poor].sea_source.clear();
+    written.columns[poor].height_spread.clear();
   }
   write_forecast(folder / "f.nc", written);
   const Snapshot read = read_forecast(folder / "f.nc");
@@ -157,6 +160,26 @@ TEST(ForecastFile, SaysOfItsWavesWhereTheyComeFrom) {
   const netcdf::Variable* height = file.find("sea_surface_wave_significant_height");
   ASSERT_NE(height, nullptr);
   EXPECT_EQ(height->text("comment"), "computed from the wind");
+}
+
+TEST(ForecastFile, HasTheBandOfItsWaveHeightsOrNoneWhereItSaysNone) {
+  const slackwater::tests::TemporaryFolder folder;
+  Snapshot written = full_snapshot(1);
+  write_forecast(folder / "f.nc", written);
+  const auto file = netcdf::File::open(folder / "f.nc");
+  const auto of = [&](const char* name) {
+    return file.read_all(*file.find(std::string("sea_surface_wave_significant_height") + name));
+  };
+  const std::vector<double> low = of("_p10"), high = of("_p90");
+  for (std::size_t t = 0; t < low.size(); ++t) {
+    const double height_m = written.columns[0].sea[t].significant_height_m;
+    const double spread = 1.2815515655446004 * written.columns[0].height_spread[t];
+    EXPECT_NEAR(high[t], (height_m + 0.3) * std::exp(spread) - 0.3, 1e-12);
+    EXPECT_NEAR(low[t], std::max(0.0, (height_m + 0.3) * std::exp(-spread) - 0.3), 1e-12);
+  }
+  written.columns[0].height_spread.clear();
+  write_forecast(folder / "before.nc", written);
+  EXPECT_TRUE(read_forecast(folder / "before.nc").columns[0].height_spread.empty());
 }
 
 TEST(ForecastFile, HasOneVariablePerComponentWithTheStandardName) {

@@ -6,6 +6,7 @@
 
 #include "ingest/grib/message_file.h"
 #include "tests/ingest/grib/grib_fixture.h"
+#include "tests/support/shared_data.h"
 
 namespace slackwater::ingest::tests::grib_damage_test {
 namespace {
@@ -50,6 +51,53 @@ TEST_F(DamagedGrib, BytesBehindTheLastMessageAreRefusedButZeroPaddingIsNot) {
   write_contents(bytes);
   const std::string why = refusal();
   EXPECT_NE(why.find("22 bytes from byte " + std::to_string(end)), std::string::npos) << why;
+}
+
+TEST_F(DamagedGrib, HeadingsOfBulletinsAroundTheMessagesArePassedOver) {
+  const std::vector<char> whole = contents();
+  const auto message = [&](std::size_t n) {
+    const auto half = static_cast<std::ptrdiff_t>(whole.size() / 2);
+    return std::string(whole.begin() + (n == 0 ? 0 : half),
+                       n == 0 ? whole.begin() + half : whole.end());
+  };
+  const auto write = [&](const std::string& text) {
+    write_contents(std::vector<char>(text.begin(), text.end()));
+  };
+  const std::string gts = "\x01\r\r\n123\r\r\nHUXA99 EGRR 080000\r\r\n";
+  const std::string ncep = "****0000696252****\nYKAZ88 KWBN 060448\r\r\n";
+  for (const std::string& heading : {gts, ncep}) {
+    write(heading + message(0) + "\r\r\n\x03" + heading + message(1) + "\r\r\n\x03");
+    EXPECT_TRUE(is_grib(file));
+    const Ingested ingested = decode();
+    ASSERT_EQ(ingested.granules.size(), 1U);
+    EXPECT_EQ(ingested.granules[0].granule.variables.size(), 2U);
+    EXPECT_NE(ingested.warnings.at(0).find("bulletin headings"), std::string::npos);
+  }
+  write(message(0) + "HTTP/1.1 200 ok" + message(1));
+  EXPECT_NE(refusal().find("('HTTP/1.1 200 ok"), std::string::npos) << refusal();
+  write("error: " + message(0) + message(1));
+  EXPECT_TRUE(is_grib(file)) << "so that the GRIB reader names the bytes";
+  EXPECT_NE(refusal().find("from byte 0 on ('error: "), std::string::npos) << refusal();
+  // A message whose head is damaged is no heading: it would be lost in silence.
+  std::string damaged = message(1);
+  damaged.replace(0, 4, "XXXX");
+  write(gts + message(0) + damaged);
+  EXPECT_NE(refusal(), "nothing was refused");
+  write(gts + message(0) + "\r\r\nGRI");
+  EXPECT_NE(refusal(), "nothing was refused");
+}
+
+TEST_F(DamagedGrib, TheCaseFilesBehindHeadingsAreReadAndBytesBehindAreNamed) {
+  SLACKWATER_NEEDS_SHARED(shared);
+  const std::filesystem::path cases = shared / "data" / "cases" / "wmo_headers";
+  if (!std::filesystem::is_directory(cases)) GTEST_SKIP() << "no case files in " << cases;
+  for (const char* name : {"gts.grib2", "wmo.grib2"}) {
+    file = cases / name;
+    EXPECT_TRUE(is_grib(file));
+    EXPECT_FALSE(decode().granules.empty()) << name;
+  }
+  file = cases / "trailing.grib2";
+  EXPECT_NE(refusal().find("('<!-- proxy -->.')"), std::string::npos) << refusal();
 }
 
 TEST_F(DamagedGrib, AFieldThatIsThereTwiceIsRefused) {

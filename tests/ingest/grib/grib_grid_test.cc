@@ -67,6 +67,38 @@ TEST_F(GribGrid, AllSixteenScanningModesGiveTheSameField) {
   }
 }
 
+/// What the filter of NOMADS sends (a cut of 2026-07-29 as published: rows from south to north,
+/// simple packing), one file a step and the files one after the other, as
+/// `forecast --print-downloads` has them.
+TEST_F(GribGrid, TheStepsOfAGfsRunCutByNomadsAreOneForecast) {
+  std::vector<char> steps;
+  for (const int step_h : {0, 3, 6}) {
+    write_bent(2, [&](grib::Message& message) {
+      message.set("centre", std::string("kwbc"));
+      message.set("stepRange", std::to_string(step_h));
+      scan(message, false, true, false, false);
+    });
+    const std::vector<char> one = contents();
+    steps.insert(steps.end(), one.begin(), one.end());
+  }
+  write_contents(steps);
+  const Ingested ingested = decode();
+  ASSERT_EQ(ingested.granules.size(), 1U);
+  const Granule& granule = ingested.granules[0].granule;
+  EXPECT_EQ(granule.product_id, "NWP_kwbc");
+  EXPECT_EQ(granule.status, DataStatus::forecast);
+  EXPECT_EQ(granule.reference_time, run);
+  EXPECT_EQ(granule.grid.levels_m, std::vector<double>{10.0});
+  EXPECT_EQ(granule.grid.latitude_deg, axis(50, 1, 3));
+  ASSERT_EQ(granule.grid.times(), 3U);
+  for (std::size_t t = 0; t < 3; ++t)
+    EXPECT_EQ(granule.grid.time[t],
+              TimeCell::instant(run + std::chrono::hours(3 * static_cast<int>(t))));
+  for (const char* name : {"eastward_wind", "northward_wind"})
+    EXPECT_NEAR(read(ingested.granules[0], name).values[0], (100 * 50.0 - 1.0) / 200.0, 1e-5)
+        << name;
+}
+
 TEST_F(GribGrid, AColumnThatRepeatsGreenwichIsDropped) {
   write_grib(file,
              std::array{wind_field("10u", run, 3, axis(0, 10, 3), axis(0, 10, 36)),

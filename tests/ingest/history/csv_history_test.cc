@@ -102,12 +102,12 @@ TEST_F(CsvHistory, ValuesBeyondBeliefAreMissingAndTold) {
   std::string text = "time,wind_speed\n";
   for (int hour = 0; hour < 24; ++hour)
     text += "2002-01-01T" + std::string(hour < 10 ? "0" : "") + std::to_string(hour) + ":00Z," +
-            (hour == 3 ? "-999" : "7") + "\n";
+            (hour == 3 ? "-500" : "7") + "\n";
   const HistoryOfFile found = read(text, {"wind_speed"});
   EXPECT_TRUE(std::isnan(found.series[0]->value[3]));
   ASSERT_EQ(found.warnings.size(), 1U);
   EXPECT_SAYS(found.warnings[0], "1 of 24 values");
-  EXPECT_SAYS(found.warnings[0], "-999 at 2002-01-01T03:00:00Z");
+  EXPECT_SAYS(found.warnings[0], "-500 at 2002-01-01T03:00:00Z");
   EXPECT_SAYS(refusal("time,wind_speed\n2002-01-01T00:00Z,1e3\n2002-01-01T01:00Z,2e3\n"),
               "correct the unit");
 }

@@ -72,7 +72,7 @@ TEST(AStoppingClaim, ShrinksWithinItselfAsTheVehicleStops) {
         at(rng.uniform(-9, 9), rng.uniform(-9, 9), {rng.uniform(-5, 5), rng.uniform(-5, 5)});
     const Claim first = claim_of(h, own);
     const Planar ahead = unit_of(own.velocity_m_s, {});
-    for (double t_s = 0; size_of(own.velocity_m_s) > 0; t_s += 0.01) {
+    while (size_of(own.velocity_m_s) > 0) {  // a hundredth of a second at a time
       const double speed = size_of(own.velocity_m_s);
       const double slower = std::max(speed - 0.01 * h.deceleration_m_s2, 0.0);
       own.position_m = own.position_m + (0.005 * (speed + slower)) * ahead;

@@ -123,8 +123,7 @@ TEST(SeaOfRun, ALimitLooksAtTheHeightThatWindowsHasForThatMemberToTheBit) {
   constexpr std::size_t members = 5;
   const twin::Scenario scenario = with_forecast_waves(one_rov("2h"), true);
   const twin::Surround surround = in_forecast_sea(scenario, doubling, members);
-  const ValidRange& range = surround.field->range();
-  const twin::WaveFutures futures(surround.field->snapshot().seed, members, range.from, range.to);
+  const twin::WaveFutures futures(surround.field->snapshot(), members);
   double most_from_central_m = 0;
   for (std::size_t m = 0; m < members; ++m) {
     twin::Scenario flown = scenario;

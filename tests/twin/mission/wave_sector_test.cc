@@ -60,6 +60,17 @@ TEST(WaveSector, PeriodsCountByThemselvesAndBesideTheSector) {
   EXPECT_FALSE(both.holds({1, 10, 40}, 0));
 }
 
+/// Waves of which nobody knows the period or the direction may be those of the limit.
+TEST(WaveSector, WhatNobodyKnowsIsOfIt) {
+  const double unknown = std::nan("");
+  const twin::WaveSector both = sector_of("from_bow_deg: [0, 30], peak_period_between_s: [9, 30]");
+  EXPECT_TRUE(both.holds({1, unknown, 20}, 0));
+  EXPECT_TRUE(both.holds({1, 10, unknown}, 0));
+  EXPECT_TRUE(both.holds({1, unknown, unknown}, 0));
+  EXPECT_FALSE(both.holds({1, unknown, 40}, 0));
+  EXPECT_FALSE(both.holds({1, 8, unknown}, 0));
+}
+
 TEST(WaveSector, IsToldWithItsLimit) {
   EXPECT_EQ(text_of(limits_of("{significant_wave_height_m: 1.2, from_bow_deg: [45, 135], "
                               "heading_deg: 210, peak_period_between_s: [7, 30]}")

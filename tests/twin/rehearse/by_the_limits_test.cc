@@ -57,7 +57,7 @@ TEST(ByTheLimits, AllowWhatTheBatteryRefuses) {
   EXPECT_TRUE(twin::by_the_limits(mission, surround, start, {}).allows);
   const twin::Flight flight = flown(mission, surround);
   EXPECT_FALSE(flight.is_done);
-  EXPECT_EQ(flight.stopped_by, "surveyor: energy for the way home");
+  EXPECT_EQ(flight.stopped_by, "energy for the way home (surveyor)");
   // Home with what it was to keep.
   EXPECT_GT(flight.vehicles[0].on_mission.charge, 0.2);
   EXPECT_LT(flight.vehicles[0].work_share(), 1);
@@ -123,7 +123,7 @@ TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {
   EXPECT_EQ(told[1].kind, twin::ConductEventKind::turned_for_home);
   EXPECT_EQ(told[1].cause, twin::Cause::reserve);
   EXPECT_EQ(told[2].kind, twin::ConductEventKind::came_home);
-  EXPECT_EQ(flight.stopped_by, "surveyor: energy for the way home");
+  EXPECT_EQ(flight.stopped_by, "energy for the way home (surveyor)");
   // The current has grown on its way: that is what the reserve is for.
   EXPECT_GT(flight.vehicles[0].on_mission.charge, 0.1);
 }

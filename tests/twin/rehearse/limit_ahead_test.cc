@@ -142,7 +142,15 @@ TEST(LimitAhead, WavesOfMembersErrAsForecastsDo) {
       "270}]}\n");
   const twin::Surround surround = water_of(mission);
   const twin::ReadyRun ready = ready_of(mission, surround, 0);
-  const twin::WaveFutures waves(3, members, start, start + std::chrono::hours(6));
+  Snapshot forecast;
+  forecast.seed = 3;
+  forecast.members = members;
+  forecast.columns.resize(1);
+  for (int h = 0; h <= 6; ++h) {
+    forecast.time.push_back(start + std::chrono::hours(h));
+    forecast.columns[0].sea.push_back({1.4, 6, 270});
+  }
+  const twin::WaveFutures waves(forecast, members);
   for (const twin::LimitAhead& ahead :
        twin::limits_ahead(ready, 0, clock_of_four_hours, members, &waves)) {
     const twin::Limit& limit = ready.agents[0].conduct->plan.limits[ahead.limit];

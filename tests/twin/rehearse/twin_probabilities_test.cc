@@ -68,7 +68,7 @@ Case case_of(twin::Scenario mission, const twin::Surround& surround, UtcTime sta
   for (std::size_t f = 0; f < flown_futures; ++f) done += flights[f].is_done ? 1 : 0;
   const twin::LimitsSay say = twin::by_the_limits(mission, surround, start, {});
   // Practice has no factor for currents: a margin like that of its waves stands for one.
-  return {twin::next_success(done, flown_futures, twin::mostly_sure), say.allows, say.share <= 0.7,
+  return {twin::next_success(done, flown_futures), say.allows, say.share <= 0.7,
           flights.back().is_done};
 }
 

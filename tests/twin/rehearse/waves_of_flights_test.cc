@@ -52,8 +52,7 @@ TEST(WavesOfFlights, AreStoppedInTheMembersInWhichTheLimitsAheadBreak) {
   const std::vector<SeaState> hourly{{1.3, 6, 250}, {1.4, 6, 250}};
   const twin::Scenario mission = on_a_line(30, "10min", true);
   const twin::Surround surround = in_forecast_sea(mission, hourly, members);
-  const ValidRange& range = surround.field->range();
-  const twin::WaveFutures futures(surround.field->snapshot().seed, members, range.from, range.to);
+  const twin::WaveFutures futures(surround.field->snapshot(), members);
   twin::Scenario central = mission;
   central.start = sea_start();
   const twin::ReadyRun ready = twin::set_up(central, surround);

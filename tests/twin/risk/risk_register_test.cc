@@ -84,20 +84,34 @@ TEST(RiskRegister, PutsTheGravestFirstAndTakesTheWorseOfTwoTasks) {
     harms.push_back(other);
   const auto risks = twin::risk_register(befell, harms);
   EXPECT_EQ(risks.front().cause, RiskCause::collision);
-  EXPECT_EQ(risks.front().level, RiskLevel::high);  // 20 %, likely, and people 5
+  EXPECT_EQ(risks.front().at_worst, RiskLevel::high);  // 20 %, likely, and people 5
   EXPECT_EQ(risks.front().consequence->worst(), twin::Harmed::people);
   EXPECT_EQ(risks.front().consequence->grade[2], 3);
   EXPECT_EQ(risks[1].cause, RiskCause::work);
-  EXPECT_EQ(risks[1].level, RiskLevel::medium);
+  EXPECT_EQ(risks[1].at_least, RiskLevel::medium);
 }
 
 TEST(RiskRegister, OfFewFlightsSaysWhatItCouldBeAtWorst) {
   const auto few = twin::risk_register(flights(3, RiskCause::tether, 0),
                                        read("risks: [{cause: tether, people: 1, environment: 2, "
                                             "asset: 4, schedule: 4, cost: 4}]"));
-  EXPECT_EQ(of(few, RiskCause::tether).level, RiskLevel::low);
+  EXPECT_EQ(of(few, RiskCause::tether).at_least, RiskLevel::low);
   EXPECT_EQ(of(few, RiskCause::tether).at_worst, RiskLevel::high);
   EXPECT_EQ(few.front().cause, RiskCause::tether);
+}
+
+/// A flight that nothing befell does not make a cause rare.
+TEST(RiskRegister, NamesNoClassThatTheFlightsDoNotShow) {
+  const auto unseen = [](std::size_t all) {
+    return of(twin::risk_register(flights(all, RiskCause::work, 0), {}), RiskCause::tether);
+  };
+  EXPECT_EQ(twin::likelihood_text(unseen(1)), "rare to expected");
+  EXPECT_EQ(twin::level_text(unseen(1)), "low to high");
+  EXPECT_EQ(twin::likelihood_text(unseen(24)), "rare to likely") << "23 % at most";
+  EXPECT_EQ(twin::likelihood_text(unseen(2000)), "rare (below 1 %)");
+  EXPECT_EQ(twin::level_text(unseen(2000)), "low");
+  const auto often = twin::risk_register(flights(2000, RiskCause::tether, 1500), {});
+  EXPECT_EQ(twin::likelihood_text(of(often, RiskCause::tether)), "expected (50 % and more)");
 }
 
 TEST(Consequences, OfEachTaskThatComesWithTheProgramCoverItsCauses) {

@@ -47,7 +47,7 @@ TEST(StartChances, OfTheReferenceAreItsThreeWorkableStarts) {
   std::vector<std::uint8_t> marks;
   for (const StartChance& chance : chances) marks.push_back(chance.by_threshold ? 1 : 0);
   EXPECT_EQ(marks, (std::vector<std::uint8_t>{1, 0, 0, 0, 1, 1, 0}));
-  const auto windows = twin::windows_of(chances, marks, 1);
+  const auto windows = twin::windows_of(chances, std::vector<double>(marks.size(), 1), marks);
   ASSERT_EQ(windows.size(), 2U);
   EXPECT_EQ(windows[0].first, 0U);
   EXPECT_EQ(windows[0].last, 0U);
@@ -106,6 +106,31 @@ TEST(StartChances, ALimitOfALaterPhaseBindsWhenThatPhaseRuns) {
   EXPECT_FALSE(chances[2].by_threshold);
   EXPECT_EQ(chances[2].binding->step, 4U);
   EXPECT_TRUE(chances[3].by_threshold);
+}
+
+TEST(StartChances, WhatComesBeforeAStartIsCountedBackFromIt) {
+  Rng random(3, "before a start");
+  constexpr std::size_t steps = 60, before = 4, starts = 40, members = 5;
+  for (int round = 0; round < 50; ++round) {
+    std::vector<std::vector<double>> values(members, std::vector<double>(steps));
+    for (auto& member : values)
+      for (double& value : member) value = random.uniform();
+    WatchedLimit watched = at_most(0.8, values.front(), {{0, 2}, {5, 6}});
+    watched.before = before;
+    watched.members.assign(values.begin(), values.end());
+    StartQuestion question = question_of({watched}, starts, members);
+    question.starts = {before, 1, starts};
+    const auto chances = twin::start_chances(question);
+    for (std::size_t s = 0; s < starts; ++s) {
+      // Step `before + s` is that of the start; four before it are s, the next but four s + 1.
+      std::size_t held = 0;
+      for (const auto& member : values)
+        held += member[s] <= 0.8 && member[s + 1] <= 0.8 && member[s + 5] <= 0.8 ? 1 : 0;
+      EXPECT_EQ(chances[s].held, held);
+      const double highest = std::max({values[0][s], values[0][s + 1], values[0][s + 5]});
+      EXPECT_DOUBLE_EQ(chances[s].binding->share, highest / 0.8);
+    }
+  }
 }
 
 TEST(StartChances, AGateShutsAndIsNeverTheNearest) {
@@ -370,15 +395,15 @@ TEST(StartChances, OfSplitWorkAreThoseOfVisitsMadeOneByOne) {
 
 TEST(StartWindows, CountWhatTheRulesSayWithinThem) {
   std::vector<StartChance> chances(5);
-  const std::size_t held[] = {2, 8, 10, 6, 9};
-  for (std::size_t s = 0; s < 5; ++s) chances[s].held = held[s];
+  const std::vector<double> probability{0.2, 0.8, 0.95, 0.6, 0.9};
   chances[1].by_threshold = chances[2].by_threshold = true;
   chances[2].by_alpha = true;
-  const auto windows = twin::windows_of(chances, std::vector<std::uint8_t>{0, 1, 1, 0, 1}, 10);
+  const auto windows =
+      twin::windows_of(chances, probability, std::vector<std::uint8_t>{0, 1, 1, 0, 1});
   ASSERT_EQ(windows.size(), 2U);
-  EXPECT_DOUBLE_EQ(windows[0].least, 9.0 / 12);
-  EXPECT_DOUBLE_EQ(windows[0].mean, 10.0 / 12);
-  EXPECT_DOUBLE_EQ(windows[0].most, 11.0 / 12);
+  EXPECT_DOUBLE_EQ(windows[0].least, 0.8);
+  EXPECT_DOUBLE_EQ(windows[0].mean, 0.875);
+  EXPECT_DOUBLE_EQ(windows[0].most, 0.95);
   EXPECT_EQ(windows[0].best, 2U);
   EXPECT_EQ(windows[0].by_threshold, 2U);
   EXPECT_EQ(windows[0].by_alpha, 1U);

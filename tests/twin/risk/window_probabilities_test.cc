@@ -104,8 +104,8 @@ Day day_of(Rng& random) {
   Day day;
   for (std::size_t i = 0; i < cases_a_day && !near.empty(); ++i) {
     const std::size_t s = i == 0 ? random.bits() % starts : near[random.bits() % near.size()];
-    day.push_back({twin::next_success(said[s].held, members, twin::any_chance),
-                   said[s].by_threshold, said[s].by_alpha.value_or(false), came[s].by_threshold});
+    day.push_back({twin::next_success(said[s].held, members), said[s].by_threshold,
+                   said[s].by_alpha.value_or(false), came[s].by_threshold});
   }
   return day;
 }

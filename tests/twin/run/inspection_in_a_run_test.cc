@@ -1,5 +1,6 @@
 // Vehicles that inspect in a run: what the water does to it, the same bits however they are
 // stepped, and what differs between two that carry the same.
+#include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "tests/twin/run/run_for_tests.h"
 #include "twin/inspection/inspection_outcome.h"
@@ -60,6 +61,35 @@ TEST(InspectionInARun, CoversTheBandThatItPasses) {
   EXPECT_LT(share, high);
   EXPECT_GT(out.looks, 5U);
   EXPECT_GT(out.parts[0].seen_m2, out.parts[0].covered_m2);
+}
+
+/// As a resurvey of one place is laid out: brought there, it stays, and goes home.
+TEST(InspectionInARun, OfWorkThatOnlyStaysSomewhereIsOfThatPlace) {
+  std::string yaml = water_of(0) + rov_that_films();
+  const std::string tasks = "tasks: [{do: route, phase: work, ";
+  const std::size_t at = yaml.find(tasks);
+  ASSERT_NE(at, std::string::npos);
+  yaml.replace(at, tasks.size(), "tasks: [{do: route, phase: transit, ");
+  const std::string end = "}]}]}\n";
+  ASSERT_TRUE(yaml.ends_with(end));
+  const auto brought = [&](const std::string& then) {
+    return yaml.substr(0, yaml.size() - end.size()) + "}]}, " + then + "]}\n";
+  };
+  const auto run = run_of(brought("{do: hold, phase: work, duration_s: 20}"));
+  while (run->time_s() < 300 && !run->all_ended()) run->step();
+  const twin::InspectionOutcome out = outcome_of(*run);
+  EXPECT_GE(out.looks, 1U) << "it looks from where it was brought";
+  EXPECT_GT(out.parts[0].seen_m2, 1);
+  // Too far off, it is told how far that is.
+  std::string far = brought("{do: hold, phase: work, duration_s: 20}");
+  far.replace(far.find("north_m: -5.5, east_m: 5"), 24, "north_m: -45, east_m: 5");
+  try {
+    (void)run_of(far);
+    ADD_FAILURE() << "42 m off, nothing can be seen";
+  } catch (const Error& refused) {
+    EXPECT_EQ(refused.message().find("inf m"), std::string::npos) << refused.message();
+    EXPECT_NE(refused.message().find("m off pile"), std::string::npos) << refused.message();
+  }
 }
 
 TEST(InspectionInARun, IsTheSameToTheBitHoweverItIsSteppedAndTakenUp) {

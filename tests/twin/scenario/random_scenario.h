@@ -173,7 +173,7 @@ class RandomScenario : private RandomSurface {
     if (chance(0.6)) v.conduct = conduct();
     if (v.conduct && chance(0.5)) v.carrier = {name(), on_board()};
     if (chance(0.5)) {
-      v.tether.emplace();
+      v.tether = twin::ScenarioVehicle::TetherStart{};
       if (!v.carrier) v.tether->top_m = place();
       v.tether->length_m = number(0.1, 10000);
     }
@@ -184,6 +184,20 @@ class RandomScenario : private RandomSurface {
     return v;
   }
 
+  twin::HeightTable height_table(Range range) {
+    twin::HeightTable table;
+    const bool has_periods = chance(0.7);
+    if (has_periods) table.peak_period_s = {number(1, 10), number(11, 20), number(21, 30)};
+    if (!has_periods || chance(0.5)) {
+      table.off_bow_rad = {angle(0, 60), angle(61, 120), angle(121, 180)};
+      if (chance(0.5)) table.heading_rad = angle();
+    }
+    for (std::size_t i = std::max<std::size_t>(1, table.peak_period_s.size()) *
+                         std::max<std::size_t>(1, table.off_bow_rad.size());
+         i > 0; --i)
+      table.at_most_m.push_back(number(range.low, range.high));
+    return table;
+  }
   twin::Limit limit(twin::LimitVariable variable) {
     const twin::LimitWord& word = twin::word_of(variable);
     twin::Limit limit;
@@ -201,6 +215,11 @@ class RandomScenario : private RandomSurface {
       if (!limit.waves->off_bow_rad || chance(0.5))
         limit.waves->peak_period_s = Range{number(1, 10), number(11, 30)};
     }
+    if (variable == twin::LimitVariable::significant_wave_height && !limit.is_least &&
+        !limit.waves) {
+      limit.table = height_table(word.range);
+      limit.bound = limit.table->least_m();
+    }
     if (chance(0.5)) limit.phases.bits = static_cast<std::uint8_t>(count(1, 31));
     limit.may_be_missing = chance(0.5);
     if (chance(0.5)) limit.source = name();
@@ -209,8 +228,8 @@ class RandomScenario : private RandomSurface {
   }
   twin::BehaviourTree behaviour(int levels) {
     using Tree = twin::BehaviourTree;
-    const auto& [actions, conditions] = twin::conduct_leaves();
-    const auto condition = [&] { return count(0, conditions.size() - 1); };
+    const auto& leaves = twin::conduct_leaves();
+    const auto condition = [&] { return count(0, leaves.conditions.size() - 1); };
     const std::size_t kind = levels > 0 ? count(0, 9) : count(0, 1);
     std::vector<Tree> children;
     if (kind > 1)
@@ -218,12 +237,12 @@ class RandomScenario : private RandomSurface {
     const auto made = [&]() -> Tree {
       switch (kind) {
         case 0: {
-          const std::size_t action = count(0, actions.size() - 1);
-          return Tree::action(action, actions[action]);
+          const std::size_t action = count(0, leaves.actions.size() - 1);
+          return Tree::action(action, leaves.actions[action]);
         }
         case 1: {
           const std::size_t which = condition();
-          return Tree::condition(which, conditions[which]);
+          return Tree::condition(which, leaves.conditions[which]);
         }
         case 2:
           return Tree::sequence(children);

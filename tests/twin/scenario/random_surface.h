@@ -136,7 +136,7 @@ class RandomSurface : protected RandomValues {
     bed.radius_m = number(2, 4);
     bed.outer_m = maybe(chance(0.5), number(15, 30));
     if (chance(0.5)) return bed;
-    twin::BedSizes::Scour& scour = bed.scour.emplace();
+    twin::BedSizes::Scour& scour = *(bed.scour = twin::BedSizes::Scour{});
     scour.depth_m = number(0, 2);
     if (chance(0.5))
       scour.width_m = number(1, 5);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/door/dds/message/idl_text.h"
+#include "data/bag/type_hash.h"
 #include "fields/base/check.h"
 
 namespace slackwater::dds {
@@ -131,6 +132,13 @@ const std::map<std::string, Struct>& structs() {
   return all;
 }
 
+/// "std_msgs/msg/Header" -> "std_msgs::msg::Header".
+std::string idl_name(std::string_view ros_type) {
+  std::string name(ros_type);
+  for (std::size_t i = 0; (i = name.find('/')) != std::string::npos;) name.replace(i, 1, "::");
+  return name;
+}
+
 /// "std_msgs::msg::Header" -> "std_msgs/Header".
 std::string short_name(const std::string& idl_type) {
   return idl_type.substr(0, idl_type.find("::")) + "/" + idl_type.substr(idl_type.rfind("::") + 2);
@@ -171,10 +179,16 @@ void collect(const Struct& type, std::vector<std::string>& held, std::set<std::s
 
 }  // namespace
 
+std::string type_hash_of(std::string_view ros_type) {
+  const std::string type(ros_type), request = type + "_Request", response = type + "_Response";
+  const auto is_there = [](const std::string& name) { return structs().contains(idl_name(name)); };
+  if (is_there(type)) return bag::type_hash(type, definition_of(type)).value_or("");
+  if (!is_there(request) || !is_there(response)) return {};
+  return bag::service_type_hash(type, definition_of(request), definition_of(response)).value_or("");
+}
+
 std::string definition_of(std::string_view ros_type) {
-  std::string idl_type(ros_type);
-  for (std::size_t i; (i = idl_type.find('/')) != std::string::npos;) idl_type.replace(i, 1, "::");
-  const auto found = structs().find(idl_type);
+  const auto found = structs().find(idl_name(ros_type));
   expects(found != structs().end(), "a type of api/door/dds/idl");
   std::string text = fields_of(found->second);
   std::vector<std::string> held;

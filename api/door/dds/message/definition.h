@@ -11,4 +11,8 @@ namespace slackwater::dds {
 /// @throws ContractViolation for a type that is not there
 [[nodiscard]] std::string definition_of(std::string_view ros_type);
 
+/// "RIHS01_…", by which ROS 2 knows the type since Iron (data/bag/type_hash.h): of a message, or
+/// of a service as a whole, "std_srvs/srv/Trigger". Empty of a type that is not there.
+[[nodiscard]] std::string type_hash_of(std::string_view ros_type);
+
 }  // namespace slackwater::dds

@@ -214,7 +214,9 @@
       option.title.push({text: panel.title, left: 66, top: top - 46, textStyle: {color: t.ink, fontSize: 14}});
       option.grid.push({left: narrow() ? 52 : 70, right: narrow() ? 10 : 20, top, height: panelHeight});
       option.xAxis.push(timeAxis(t, time, {gridIndex: j}));
-      option.yAxis.push(valueAxis(t, panel.axis, {gridIndex: j, min: 0, nameGap: narrow() ? 34 : 46}));
+      // From 0 up, but for what goes below it: the level of the sea.
+      const lowest = Math.min(0, ...panel.lines.flatMap((line) => [...line.values, ...line.low]).filter((v) => v !== null));
+      option.yAxis.push(valueAxis(t, panel.axis, {gridIndex: j, min: Math.floor(lowest), nameGap: narrow() ? 34 : 46}));
       const on = {xAxisIndex: j, yAxisIndex: j};
       panel.lines.forEach((line, l) => {
         const color = line.truth ? t.truth : l === 0 ? t.first : palette[l % palette.length];

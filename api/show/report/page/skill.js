@@ -93,8 +93,8 @@
     return {
       animation: false,
       title: {text: `${p.drawn[j]} m below mean sea level`, left: 'center', textStyle: {color: t.ink, fontSize: 14}},
-      legend: {top: 26, left: 'center', data: ['forecast', 'truth'], textStyle: {color: t.ink}, itemWidth: 26},
-      grid: {left: 62, right: 32, top: 56, bottom: 48},
+      legend: {top: 34, left: 'center', data: ['forecast', 'truth'], textStyle: {color: t.ink}, itemWidth: 26},
+      grid: {left: 62, right: 32, top: 66, bottom: 48},
       tooltip: {trigger: 'item', formatter: (item) => `${item.seriesName}, valid ${stamp(item.value[2])}<br>east ${item.value[0].toFixed(3)}, north ${item.value[1].toFixed(3)} m/s<br><b>${Math.hypot(item.value[0], item.value[1]).toFixed(3)} m/s to ${bearingText(item.value[0], item.value[1])}</b>`},
       xAxis: axis('east (m/s)'), yAxis: {...axis('north (m/s)'), nameGap: 42},
       series: [series('truth', truth, t.truth, true), series('forecast', forecast, t.first, false)],

@@ -7,13 +7,17 @@
 
 #include <array>
 #include <cstring>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "api/ask/plan/plan_setup.h"
 #include "api/door/cli/windows_file.h"
 #include "api/show/windows/windows_answer.h"
 #include "data/store/layout.h"
+#include "tests/support/contains.h"
 #include "tests/support/farm_for_tests.h"
+#include "tests/support/shared_data.h"
 
 namespace slackwater::tests::plan_windows_test {
 namespace {
@@ -130,9 +134,34 @@ TEST_F(PlanWindows, NeedNoStoreWhereTheWaterIsAtHand) {
   WindowsQuestion asked = question();
   asked.site = made_->path("farm.yaml");
   asked.tasks = {"scour_survey"};
-  asked.water = windows_of(asked, made_->store()).water;
+  const WindowsAnswer known = windows_of(asked, made_->store());
+  asked.water = known.water;
+  asked.past = known.past;
   EXPECT_EQ(opens_for(asked, "T1, T2"), 0U);
   EXPECT_EQ(tasks(asked, "T1, T2"), tasks(question(), "T1, T2"));
+}
+
+/// One job that cannot be worked out, a limit on what nobody forecasts, takes nothing from others.
+TEST_F(PlanWindows, LeaveOutAJobThatCannotBeWorkedOut) {
+  std::ifstream in(source_folder() / "data/tasks/scour_survey.yaml");
+  std::string sheet{std::istreambuf_iterator<char>(in), {}};
+  sheet.insert(sheet.find("- {significant_wave_height_m"),
+               "- {least_visibility_m: 500, source: ours, status: estimate}\n        ");
+  const std::string foggy = made_->write("foggy.yaml", sheet);
+  PlanFile file = plan("T1");
+  file.work.push_back(file.work.front());
+  file.work.back().task = foggy;
+  const DayChances chances = windows_for_plan(file, question(), made_->store());
+  ASSERT_EQ(chances.tasks.size(), 2U);
+  const bool is_first = chances.tasks.front().task == "scour_survey";
+  const DayChances::Task& possible = chances.tasks[is_first ? 0 : 1];
+  const DayChances::Task& impossible = chances.tasks[is_first ? 1 : 0];
+  EXPECT_EQ(possible, tasks(question(), "T1").front());
+  EXPECT_TRUE(impossible.starts.empty());
+  EXPECT_TRUE(contains(impossible.impossible, "visibility")) << impossible.impossible;
+  const PlanProblem problem = problem_of(file, chances, 0.5);
+  EXPECT_TRUE(problem.jobs.front().without_starts.empty());
+  EXPECT_TRUE(contains(problem.jobs.back().without_starts, "visibility"));
 }
 
 /// A start that flights took from is worth no more to the plan than they leave of it.
@@ -151,6 +180,30 @@ TEST_F(PlanWindows, TakeWhatFlightsAtTheSameTurbineLeave) {
   EXPECT_EQ(weighed[0].starts[3].probability, 0.01);
   EXPECT_EQ(weighed[0].starts[5], plain[0].starts[5]);
   EXPECT_EQ(weighed[1], plain[1]) << "another turbine";
+}
+
+/// Nobody forecast the wind of these days, nor the waves that it raises: flights that took nothing
+/// from their chances make no go of them.
+TEST_F(PlanWindows, FlightsMakeNoGoOfWhatNobodyForecast) {
+  WindowsQuestion asked = question();
+  asked.rule = {0.04, 0.02};  // the day has no good start: a go as soon as that
+  const WindowsQuestion of_plan = asked;
+  asked.site = made_->path("farm.yaml");
+  asked.tasks = {"scour_survey"};
+  asked.turbines = {"T1"};
+  asked.every = std::chrono::hours(1);
+  WindowsAnswer flown = windows_of(asked, made_->store());
+  std::size_t capped = 0;
+  for (TaskStart& start : flown.tasks[0].starts) {
+    EXPECT_FALSE(start.unforecast.empty());
+    capped += start.worth < start.probability ? 1U : 0U;
+  }
+  ASSERT_GT(capped, 0U);
+  // What flights took is next to nothing.
+  for (TaskStart& start : flown.tasks[0].starts) start.worth = start.probability - 1e-6;
+  const DayChances chances = windows_for_plan(plan("T1"), of_plan, made_->store(), flown.tasks);
+  for (const DayChances::Start& start : chances.tasks[0].starts)
+    EXPECT_LT(start.probability, 0.04) << format_utc(start.time);
 }
 
 }  // namespace

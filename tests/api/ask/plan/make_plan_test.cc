@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "api/ask/plan/greedy_plan.h"
+#include "api/ask/plan/plan_answer.h"
 #include "api/ask/plan/plan_rules.h"
 #include "tests/api/ask/plan/plan_days.h"
 
@@ -135,6 +136,33 @@ TEST(MakePlan, WorksSideBySideAtOnePlaceWithTwoCrewsAboard) {
   EXPECT_EQ(make_plan(day, 60).assignments.size(), 2U);
   day.jobs[1].place = 1;
   EXPECT_EQ(make_plan(day, 60).assignments.size(), 1U) << "the vessel is at one place";
+}
+
+TEST(MakePlan, PutsOneCrewOffAndGoesToAnotherTurbineMeanwhile) {
+  PlanProblem day = plain_day();
+  day.vessels[0].crews = 2;
+  day.crews.push_back({"other", {}, {0, 1440}, {}});
+  // Three hours at each of two turbines, 20 minutes apart, begun half an hour after each other.
+  day.jobs = {plain_job("first", 0, {{32, 0.9, 180, 0}}),
+              plain_job("second", 1, {{35, 0.9, 180, 0}})};
+  EXPECT_EQ(make_plan(day, 60).assignments.size(), 1U) << "she stays";
+  day.jobs[0].drop_off_min = day.jobs[1].drop_off_min = 15;
+  const Plan plan = make_plan(day, 60);
+  EXPECT_EQ(plan.assignments.size(), 2U);
+  EXPECT_EQ(what_is_wrong(day, plan.assignments, plan.charges), "");
+  const auto ways = ways_of_vessel(day, plan.assignments, 0);
+  // 08:00 off at A01, 08:45 off at A02, 10:45 back at A01, 11:30 back at A02.
+  ASSERT_EQ(ways.size(), 3U);
+  EXPECT_EQ(ways[0].leaves, 8 * 60 + 15);
+  EXPECT_EQ(ways[0].to, 1U);
+  EXPECT_EQ(ways[1].leaves, 9 * 60);
+  EXPECT_EQ(ways[1].to, 0U);
+  EXPECT_EQ(ways[2].leaves, 11 * 60);
+  EXPECT_EQ(ways[2].arrives, 11 * 60 + 20);
+  day.jobs[1].drop_off_min = 0;
+  EXPECT_EQ(make_plan(day, 60).assignments.size(), 1U) << "one of them keeps her until 11:45";
+  day.jobs[0].starts.front().hold_min = 285;
+  EXPECT_EQ(make_plan(day, 60).assignments.size(), 2U) << "she is back at A01 in time";
 }
 
 TEST(MakePlan, ChargesBetweenTwoDivesWhereThereIsTime) {

@@ -117,6 +117,31 @@ TEST(PlanChanges, SayWhoTookOverAndWhatMakesRoomForWhat) {
   EXPECT_EQ(found[2].why, "at 08:00 (90 %): it was not asked for before");
 }
 
+TEST(PlanChanges, OfTwoThatChangePlacesAreNotEachOthersReason) {
+  const auto swapped = [](double first_now, double second_now) {
+    PlanProblem day = two_jobs();
+    day.jobs[0].starts = {{32, 0.9, 60, 0}, {48, 0.89, 60, 0}};
+    day.jobs[1].starts = {{32, 0.8, 60, 0}, {48, 0.8, 60, 0}};
+    const EarlierPlan before = printed(day);
+    day.jobs[0].starts[1].probability = first_now;
+    day.jobs[1].starts[0].probability = second_now;
+    return changes(before, day);
+  };
+  // The second is better where the first was: that is a reason, and the first makes way.
+  auto found = swapped(0.89, 0.99);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].why,
+            "from 08:00 to 12:00 (89 %): changes places with cp_anode@A02: the day as a whole is "
+            "worth as much or more");
+  EXPECT_EQ(found[1].why,
+            "from 12:00 to 08:00 (99 %): changes places with cp_anode@A01: its chance is better "
+            "now: 99 % against 80 %");
+  for (const PlanChange& change : swapped(0.97, 0.8)) {
+    EXPECT_EQ(change.why.find("makes room"), std::string::npos) << change.why;
+    EXPECT_NE(change.why.find("changes places with cp_anode@A0"), std::string::npos) << change.why;
+  }
+}
+
 TEST(PlanChanges, AreOfOneSiteAndDay) {
   const auto refused = [](EarlierPlan before) {
     const PlanProblem day = two_jobs();

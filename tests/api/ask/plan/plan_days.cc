@@ -114,7 +114,14 @@ std::string what_is_wrong_with_times(const PlanProblem& problem,
     const PlanCrew& crew = problem.crews[one.crew];
     if (crew.vessel && *crew.vessel != one.vessel) return crew.id + " are elsewhere";
     of_crew[one.crew].push_back({from, to, job.place});
-    of_vessel[one.vessel].push_back({from, to, job.place});
+    Minute fetch = 0;  // the last slot at which she can still come for them
+    while (fetch + problem.slot_min <= to - job.drop_off_min) fetch += problem.slot_min;
+    if (job.drop_off_min == 0 || fetch <= from + job.drop_off_min) {
+      of_vessel[one.vessel].push_back({from, to, job.place});
+    } else {
+      of_vessel[one.vessel].push_back({from, from + job.drop_off_min, job.place});
+      of_vessel[one.vessel].push_back({fetch, to, job.place});
+    }
     vessels_of_crew[one.crew].insert(one.vessel);
     crews_of_vessel[one.vessel].insert(one.crew);
     Minute out = from, home = to + job.contingency_min;
@@ -344,6 +351,7 @@ PlanProblem small_random_day(Rng& random) {
       job.vehicles = {{"rov"}, {"rov", "uav"}};
     if (random.uniform() < 0.5) job.skills = {skills[pick(random, 0, 1)]};
     if (random.uniform() < 0.5) job.contingency_min = static_cast<Minute>(random.uniform(0, 60));
+    if (random.uniform() < 0.4) job.drop_off_min = static_cast<Minute>(random.uniform(5, 50));
     for (std::size_t slot = 0; slot < day.slots; ++slot) {
       if (random.uniform() < 0.3) continue;
       const double chance = random.uniform() < 0.1 ? 0 : random.uniform();

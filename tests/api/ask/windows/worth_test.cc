@@ -49,6 +49,22 @@ TEST(Worth, AStartThatWasNotFlownIsWorthNoMoreThanItsNeighbours) {
   EXPECT_EQ(api::best_of(task), &task.starts[3]) << "the first of equals";
 }
 
+// Of equal verdicts a start by day is better than one at midnight; a go at night is better than a
+// day that is none.
+TEST(Worth, TheBestStartIsByDayWhereTheVerdictIsTheSame) {
+  api::TaskWindows task;
+  task.starts = {start_of(0, 0.97), start_of(30, 0.93), start_of(60, 0.91), start_of(90, 0.6)};
+  for (const std::size_t night : {0U, 3U}) task.starts[night].is_by_day = false;
+  EXPECT_EQ(api::best_of(task), &task.starts[1]);
+  task.starts[1].worth = task.starts[2].worth = 0.89;
+  EXPECT_EQ(api::best_of(task), &task.starts[0]);
+  task.starts[0].worth = 0.4;
+  EXPECT_EQ(api::best_of(task), &task.starts[1]);
+  task.starts[3].worth = 0.85;
+  task.starts[1].worth = task.starts[2].worth = 0.7;
+  EXPECT_EQ(api::best_of(task), &task.starts[3]) << "too much is given up";
+}
+
 TEST(Worth, RunsAreMaximalAndKnowTheirRange) {
   api::TaskWindows task;
   task.starts = {start_of(0, 0.95), start_of(30, 0.6), start_of(60, 0.7), start_of(90, 0.2),

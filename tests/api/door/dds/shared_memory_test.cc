@@ -8,6 +8,7 @@
 #include <csignal>
 
 #include <fstream>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -36,6 +37,16 @@ Files there(const Files& files) {
   for (const std::string& file : files)
     if (std::filesystem::exists(shared_memory / file)) found.insert(file);
   return found;
+}
+
+/// Makes files look as if they had lain there for an hour.
+void let_lie(const std::filesystem::path& folder, const Files& files) {
+  for (const std::string& file : files) {
+    std::error_code swept_since;
+    std::filesystem::last_write_time(
+        folder / file, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1),
+        swept_since);
+  }
 }
 
 /// A participant in a process of its own, which has joined.
@@ -105,8 +116,10 @@ TEST(SweepSharedMemory, TakesWhatTheKilledLeftAndNothingOfTheLiving) {
   const Files of_killed = without(killed.files(), of_living);
   ASSERT_FALSE(of_living.empty() || of_killed.empty());
   killed.kill();
+  let_lie(shared_memory, of_living);
   // Another test may be sweeping too: what counts is what is left.
   const auto are_swept = [](const Files& files) {
+    let_lie(shared_memory, files);
     return tests::comes_true([&] {
       (void)sweep_shared_memory(shared_memory);
       return there(files).empty();
@@ -118,6 +131,12 @@ TEST(SweepSharedMemory, TakesWhatTheKilledLeftAndNothingOfTheLiving) {
   EXPECT_TRUE(are_swept(of_living));
 }
 
+Files files_of(const std::filesystem::path& folder) {
+  Files files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    files.insert(entry.path().filename());
+  return files;
+}
 void touch(const std::filesystem::path& file) { std::ofstream(file) << "x"; }
 
 TEST(SweepSharedMemory, TouchesNothingElse) {
@@ -128,15 +147,34 @@ TEST(SweepSharedMemory, TouchesNothingElse) {
         "fastrtps_port7410", "fastrtps_port7410_el", "fastrtps_port7410_sl", "held", "held_el",
         "fastrtps_alone", "fastrtps_live", "fastrtps_live_el", "sem.other"})
     touch(path / name);
+  let_lie(path, files_of(path));
   const int held = ::open((path / "fastrtps_live_el").c_str(), O_RDONLY);
   ASSERT_EQ(::flock(held, LOCK_EX), 0);
   EXPECT_EQ(sweep_shared_memory(path), 6U);
-  Files left;
-  for (const auto& entry : std::filesystem::directory_iterator(path))
-    left.insert(entry.path().filename());
-  EXPECT_EQ(left, (Files{"held", "held_el", "fastrtps_alone", "fastrtps_live", "fastrtps_live_el",
-                         "sem.other"}));
+  EXPECT_EQ(files_of(path), (Files{"held", "held_el", "fastrtps_alone", "fastrtps_live",
+                                   "fastrtps_live_el", "sem.other"}));
   ::close(held);
+}
+
+TEST(SweepSharedMemory, LeavesWhatHasBeenMadeAndIsNotLockedYet) {
+  const tests::TemporaryFolder folder;
+  const Files made = {"fastrtps_port7410", "fastrtps_port7410_el"};
+  for (const std::string& name : made) touch(folder.path() / name);
+  EXPECT_EQ(sweep_shared_memory(folder.path()), 0U);
+  EXPECT_EQ(files_of(folder.path()), made);
+}
+
+TEST(SweepSharedMemory, WaitsForTheNextStartWhileSomebodyStarts) {
+  const tests::TemporaryFolder folder;
+  const Files left = {"fastrtps_port7410", "fastrtps_port7410_el"};
+  auto start = std::make_optional<StartInSharedMemory>(folder.path());
+  for (const std::string& name : left) touch(folder.path() / name);
+  let_lie(folder.path(), left);
+  { const StartInSharedMemory at_the_same_time(folder.path()); }
+  EXPECT_EQ(files_of(folder.path()), left) << "the first may be about to lock them";
+  start.reset();
+  { const StartInSharedMemory later(folder.path()); }
+  EXPECT_EQ(files_of(folder.path()), Files());
 }
 
 TEST(SweepSharedMemory, WithoutAFolderThereIsNothing) {

@@ -58,40 +58,60 @@ TEST(ForecastPage, HasABandAroundEveryLineThatTheCaptionSpeaksOf) {
   }
 }
 
+TEST(ForecastPage, SaysNothingOfSlackAndTideWhereTheyAreAveragedAway) {
+  Snapshot s = made_up();
+  s.averaged = AveragedCurrents{std::chrono::hours(24), false, 0.3, ""};
+  const ReportInput page = forecast_page(page_of(s));
+  std::string slack;
+  for (const auto& [label, text] : page.answer) {
+    if (label == "Slack") slack = text;
+    EXPECT_NE(label, "Tidal stream strongest");
+  }
+  EXPECT_TRUE(contains(slack, "not known: the currents are daily means")) << slack;
+  for (const ReportSpeedAtDepth& at : page.speed->depths) EXPECT_TRUE(at.slack.empty());
+  for (const ReportTable& table : page.tables)
+    EXPECT_FALSE(contains(table.title, "stream is strongest")) << table.title;
+}
+
+TEST(ForecastPage, ACurrentThatDoesNotChangeHasNoTide) {
+  Snapshot s = made_up();
+  ForecastColumn& column = s.columns.front();
+  for (std::size_t i = 0; i < column.current_m_s.size(); ++i) {
+    column.current_m_s[i] = {0.6, 0.1};
+    column.current_sigma_m_s[i] = 0.05;
+  }
+  for (const auto& [label, text] : forecast_page(page_of(s)).answer)
+    EXPECT_NE(label, "Tidal stream strongest") << text;
+}
+
 TEST(ForecastPage, WindWithoutAnEnsembleHasNoBandAndSaysSo) {
   const ReportInput page = forecast_page(page_of(tests::made_up_forecast({.members = 1})));
   EXPECT_TRUE(page.series.front().lines.front().low.empty());
   EXPECT_TRUE(contains(page.series_note, "The wind has no band"));
 }
 
-TEST(ForecastPage, WavesComputedFromTheWindSaySoAndTakeInTheDoubtAboutTheirFetch) {
+TEST(ForecastPage, TheBandOfTheWavesIsTheForecastsOwnAndSaysWhereTheyAreFrom) {
   Snapshot s = made_up();  // its waves are modelled
-  ForecastMaking over_a_fetch;
-  over_a_fetch.highest_wave = {2.0, 1.6, 2.3};
-  const auto made = [&](const ForecastMaking& making) {
-    ForecastPage page = page_of(s);
-    page.making = making;
-    return forecast_page(page);
+  const auto page_with = [&](double spread, DataStatus source) {
+    ForecastColumn& column = s.columns.front();
+    column.height_spread.assign(spread > 0 ? column.sea.size() : 0, spread);
+    for (DataStatus& of : column.sea_source) of = source;
+    return forecast_page(page_of(s));
   };
-  const ReportInput given = made({});
-  const ReportInput assumed = made(over_a_fetch);
-  EXPECT_TRUE(contains(given.series_note, "computed from the wind"));
-  EXPECT_FALSE(contains(given.series_note, "assumed"));
-  EXPECT_TRUE(contains(assumed.series_note, "the band covers half and twice this fetch"));
-  const ReportLine& narrow = given.series[1].lines.front();
-  const ReportLine& wide = assumed.series[1].lines.front();
-  for (std::size_t t = 0; t < narrow.values.size(); ++t) {
-    const double height_m = narrow.values[t];
-    EXPECT_EQ(wide.values[t], height_m) << "the line stays";
-    const double up = std::hypot(narrow.high[t] - height_m, 0.15 * height_m);
-    EXPECT_NEAR(wide.high[t], height_m + up, 1e-12);
-    const double down = std::hypot(narrow.high[t] - height_m, 0.2 * height_m);
-    EXPECT_NEAR(wide.low[t], std::max(0.0, height_m - down), 1e-12);
+  const ReportInput computed = page_with(0.5, DataStatus::modelled);
+  EXPECT_TRUE(contains(computed.series_note, "computed from the wind")) << computed.series_note;
+  const ReportLine& wide = computed.series[1].lines.front();
+  for (std::size_t t = 0; t < wide.values.size(); ++t) {
+    EXPECT_NEAR(wide.high[t], (wide.values[t] + 0.3) * std::exp(0.5 * 1.2815515655) - 0.3, 1e-9);
+    EXPECT_LT(wide.low[t], wide.values[t]);
   }
-  for (DataStatus& source : s.columns.front().sea_source) source = DataStatus::forecast;
-  const ReportInput product = made(over_a_fetch);
+  EXPECT_TRUE(
+      contains(page_with(0.5, DataStatus::persisted).series_note, "the last known waves are kept"));
+  const ReportInput product = page_with(0.2, DataStatus::forecast);
   EXPECT_FALSE(contains(product.series_note, "computed from the wind"));
-  EXPECT_EQ(product.series[1].lines.front().high, narrow.high) << "a product's own waves";
+  EXPECT_LT(product.series[1].lines.front().high.front(), wide.high.front());
+  EXPECT_TRUE(contains(page_with(0, DataStatus::forecast).series_note, "a published North Sea"))
+      << "forecasts from before they said so";
 }
 
 TEST(ForecastPage, ShowsTheLevelOfTheSeaWithItsBandWhereTheForecastHasOne) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "api/show/report/verdict_text.h"
+
 namespace slackwater::api::verify_page_test {
 namespace {
 
@@ -104,7 +106,21 @@ TEST(VerifyPage, TheMisfitIsDrawnDownToTheBedAndNoFarther) {
 TEST(VerifyPage, TheFirstSentenceSaysHowItComparesWithItsBestBaseline) {
   const std::string headline = page_of_bay().headline;
   EXPECT_NE(headline.find("best baseline same-hour"), std::string::npos) << headline;
-  EXPECT_NE(headline.find("THE FORECAST DOES NOT BEAT IT."), std::string::npos) << headline;
+  EXPECT_NE(headline.find("The baseline was nearer, on too few days to say which is better."),
+            std::string::npos)
+      << headline;
+}
+
+TEST(VerifyPage, WhoIsBetterIsSaidFromFivePairsOn) {
+  calibration::Verdict verdict;
+  verdict.best = calibration::BestBaseline{calibration::Method::persistence, 5, 0.1, 0.2};
+  verdict.outcome = calibration::Outcome::beaten;
+  EXPECT_EQ(outcome_text(verdict), "THE FORECAST DOES NOT BEAT IT.");
+  verdict.outcome = calibration::Outcome::ahead;
+  EXPECT_EQ(outcome_text(verdict), "The forecast is better.");
+  verdict.best->pairs = 4;
+  EXPECT_EQ(outcome_text(verdict),
+            "The forecast was nearer, on too few days to say which is better.");
 }
 
 TEST(VerifyPage, SaysOursBesideEachRowAndThatPairsAreFew) {

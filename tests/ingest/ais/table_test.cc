@@ -1,8 +1,8 @@
-#include "ingest/ais/marine_cadastre.h"
+#include "ingest/ais/table.h"
 
 #include <gtest/gtest.h>
 
-namespace slackwater::tests::marine_cadastre_test {
+namespace slackwater::tests::table_test {
 namespace {
 
 using namespace ingest;
@@ -11,16 +11,16 @@ const std::string header =
     R"("MMSI","BaseDateTime","LAT","LON","SOG","COG","Heading","VesselName",)"
     R"("IMO","CallSign","VesselType","Status","Length","Width","Draft","Cargo","TransceiverClass")";
 
-TEST(MarineCadastre, TheHeaderIsKnownByItsNames) {
-  EXPECT_TRUE(MarineCadastreReader::is_header(header));
-  EXPECT_TRUE(MarineCadastreReader::is_header("LON,LAT,MMSI,BaseDateTime"));
-  EXPECT_FALSE(MarineCadastreReader::is_header("MMSI,LAT,LON"));
-  EXPECT_FALSE(MarineCadastreReader::is_header("!AIVDM,1,1,,B,177KQJ5000G?tO`K>RA1wUbN0TKH,0*5C"));
-  EXPECT_FALSE(MarineCadastreReader::is_header(""));
+TEST(AisTable, TheHeaderIsKnownByItsNames) {
+  EXPECT_TRUE(AisTable::is_header(header));
+  EXPECT_TRUE(AisTable::is_header("LON,LAT,MMSI,BaseDateTime"));
+  EXPECT_FALSE(AisTable::is_header("MMSI,LAT,LON"));
+  EXPECT_FALSE(AisTable::is_header("!AIVDM,1,1,,B,177KQJ5000G?tO`K>RA1wUbN0TKH,0*5C"));
+  EXPECT_FALSE(AisTable::is_header(""));
 }
 
-TEST(MarineCadastre, ARowIsAReportInSiUnits) {
-  const MarineCadastreReader reader(header);
+TEST(AisTable, ARowIsAReportInSiUnits) {
+  const AisTable reader(header);
   const auto report = reader.report_of(
       R"(338125067,"2022-01-03T00:00:09",37.86818,-122.43749,18.2,123.4,511,"RUM ""LASS"", II",)"
       R"("IMO9134270","WDA1",37,NA,13,4,NA,NA,"B")");
@@ -41,8 +41,8 @@ TEST(MarineCadastre, ARowIsAReportInSiUnits) {
   EXPECT_FALSE(report->utc_second);
 }
 
-TEST(MarineCadastre, AbsentAndImpossibleValuesAreAbsent) {
-  const MarineCadastreReader reader("MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,Length");
+TEST(AisTable, AbsentAndImpossibleValuesAreAbsent) {
+  const AisTable reader("MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,Length");
   const auto report = reader.report_of("338125067,2022-01-03 00:00:09,91,181,102.3,360,511,NA");
   ASSERT_TRUE(report);
   EXPECT_EQ(report->time, parse_utc("2022-01-03T00:00:09Z"));
@@ -57,8 +57,8 @@ TEST(MarineCadastre, AbsentAndImpossibleValuesAreAbsent) {
   EXPECT_FALSE(odd->identity.length_m);
 }
 
-TEST(MarineCadastre, RowsThatAreNoneAreRefused) {
-  const MarineCadastreReader reader("MMSI,BaseDateTime,LAT,LON");
+TEST(AisTable, RowsThatAreNoneAreRefused) {
+  const AisTable reader("MMSI,BaseDateTime,LAT,LON");
   for (const char* row :
        {"", "338125067", "x,2022-01-03T00:00:09,1,2", "0,2022-01-03T00:00:09,1,2",
         "1000000000,2022-01-03T00:00:09,1,2", "338125067,yesterday,1,2",
@@ -69,4 +69,4 @@ TEST(MarineCadastre, RowsThatAreNoneAreRefused) {
 }
 
 }  // namespace
-}  // namespace slackwater::tests::marine_cadastre_test
+}  // namespace slackwater::tests::table_test

@@ -1,0 +1,191 @@
+#include "calibration/day/earned_heights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/day/horizon_wind_error.h"
+#include "calibration/day/past_plan.h"
+#include "calibration/day/surface_truth.h"
+#include "fields/base/constants.h"
+#include "fields/base/parallel.h"
+#include "fields/base/text.h"
+#include "fields/wave/growth.h"
+#include "fields/wave/height_error.h"
+
+namespace slackwater::calibration {
+namespace {
+
+constexpr int days_back = 21;
+constexpr double pairs_a_day = 2;
+constexpr double pairs_beforehand = 8;
+/// Lower ones are told apart by instruments' noise alone.
+constexpr double lowest_m = 0.1;
+
+/// Half and twice an assumed fetch are what eight of ten hold.
+double fetch_spread(double wind_m_s, const Fetch& fetch, double from_deg, double depth_m) {
+  const double fetch_m = fetch.at_m(from_deg);
+  const auto logarithm = [&](double times) {
+    return std::log(fetch_limited_sea(wind_m_s, times * fetch_m, depth_m).significant_height_m +
+                    height_error::shift_m);
+  };
+  return (logarithm(2) - logarithm(0.5)) / (2 * constants::normal_p90);
+}
+
+struct HeightPair {
+  double error = 0;  ///< of ln(Hs + 0.3 m), forecast minus truth
+  double spread = 1;
+};
+using PairsOfDay = std::array<std::vector<HeightPair>, height_sources>;
+
+PairsOfDay pairs_of(const ColumnData& column, const Site& site, const ForecastPlan& past,
+                    const Chosen<double>& truth, const ColumnParts& parts) {
+  PairsOfDay pairs;
+  const HorizonWind wind =
+      parts.wind(column.wind, past.wind, past.end_of_day(), past.stamps, past.best);
+  const HorizonSea made =
+      parts.waves(column, site, past.wind, past.end_of_day(), past.stamps, wind, past.best);
+  if (made.sea.empty()) return pairs;
+  const std::vector<double> spread = spread_beforehand(made, wind, column, site, past);
+  for (std::size_t t = 0; t < truth.column.times(); ++t) {
+    const UtcTime time = truth.column.time[t].centre();
+    const double height_m = truth.column.value[t];
+    if (!truth.column.has(t) || !(height_m >= lowest_m) || time <= past.end_of_day()) continue;
+    if (is_its_own_truth(past.stamps, made.source, time, *truth.origin[t])) continue;
+    const auto place = place_in(past.stamps, time);
+    if (!place) continue;
+    const std::size_t near = place->upper > 0.5 ? place->low + 1 : place->low;
+    const double forecast_m = made.sea[near].significant_height_m;
+    if (std::isnan(forecast_m) || made.source[near] == DataStatus::observation) continue;
+    pairs[static_cast<std::size_t>(height_source_of(made.source[near]))].push_back(
+        {std::log((forecast_m + height_error::shift_m) / (height_m + height_error::shift_m)),
+         spread[near]});
+  }
+  return pairs;
+}
+
+EarnedHeight earned_from(std::span<const PairsOfDay> past, std::size_t source) {
+  EarnedHeight earned;
+  double bias = 0;
+  const auto mean_of = [&](const std::vector<HeightPair>& pairs, auto value) {
+    double sum = 0;
+    for (const HeightPair& pair : pairs) sum += value(pair);
+    return sum / static_cast<double>(pairs.size());
+  };
+  for (const PairsOfDay& day : past) {
+    if (day[source].empty()) continue;
+    ++earned.days;
+    earned.hours += day[source].size();
+    bias += pairs_a_day * mean_of(day[source], [](const HeightPair& pair) { return pair.error; });
+  }
+  const double all = pairs_a_day * static_cast<double>(earned.days) + pairs_beforehand;
+  earned.bias = bias / all;
+  double squares = pairs_beforehand;
+  for (const PairsOfDay& day : past) {
+    if (day[source].empty()) continue;
+    squares += pairs_a_day * mean_of(day[source], [&](const HeightPair& pair) {
+                 const double off = (pair.error - earned.bias) / pair.spread;
+                 return off * off;
+               });
+  }
+  earned.factor = std::sqrt(squares / all);
+  return earned;
+}
+
+}  // namespace
+
+HeightSource height_source_of(DataStatus source) noexcept {
+  if (source == DataStatus::persisted) return HeightSource::kept;
+  return source == DataStatus::modelled ? HeightSource::computed : HeightSource::product;
+}
+
+std::vector<double> spread_beforehand(const HorizonSea& sea, const HorizonWind& wind,
+                                      const ColumnData& column, const Site& site,
+                                      const ForecastPlan& plan) {
+  const std::vector<UtcTime>& stamps = plan.stamps;
+  std::vector<double> wind_sigma_m_s;
+  if (!wind.wind_m_s.empty())
+    wind_sigma_m_s =
+        departure_sigma_m_s(stamps, plan.end_of_day(), horizon_wind_error(column.wind, wind, plan));
+  const double depth_m = std::max(1.0, column.water_depth.depth_m);
+  std::vector<double> spread;
+  const bool without_swell = sea.origins.empty();
+  UtcTime known = sea.carried_from.value_or(stamps.front());
+  for (std::size_t t = 0; t < sea.sea.size(); ++t) {
+    const double height_m = sea.sea[t].significant_height_m;
+    if (std::isnan(height_m)) {
+      spread.push_back(constants::nan);
+      continue;
+    }
+    const double of_product =
+        height_error::of_product(height_m, hours_between(stamps.front(), stamps[t]));
+    switch (height_source_of(sea.source[t])) {
+      case HeightSource::product:
+        known = stamps[t];
+        spread.push_back(of_product);
+        break;
+      case HeightSource::computed: {
+        double computed = height_error::of_computed(wind_sigma_m_s[t], without_swell);
+        if (!site.fetch)
+          computed =
+              std::hypot(computed, fetch_spread(std::abs(wind.wind_m_s[t]), assumed_fetch(),
+                                                from_direction_deg(wind.wind_m_s[t]), depth_m));
+        spread.push_back(std::max(of_product, computed));
+        break;
+      }
+      case HeightSource::kept:
+        spread.push_back(height_error::of_kept(hours_between(known, stamps[t])));
+        break;
+    }
+  }
+  return spread;
+}
+
+EarnedHeights earned_heights(const ColumnData& column, const Site& site, const ForecastPlan& plan,
+                             const ColumnParts& parts, int threads) {
+  Knowledge knowledge = plan.knowledge();
+  const Chosen<double> truth = surface_truth(column.significant_height, knowledge);
+  EarnedHeights earned;
+  if (truth.empty()) return earned;
+  std::vector<PairsOfDay> days(days_back);
+  for_all(days.size(), threads, [&](std::size_t i) {
+    const UtcDay day = plan.day - std::chrono::days(static_cast<int>(i) + 1);
+    days[i] = pairs_of(column, site, past_plan(plan, day), truth, parts);
+  });
+  for (std::size_t source = 0; source < height_sources; ++source)
+    earned.of_source[source] = earned_from(days, source);
+  return earned;
+}
+
+void apply(const EarnedHeights& earned, ForecastColumn& column) {
+  for (std::size_t t = 0; t < column.sea.size(); ++t) {
+    const EarnedHeight& of =
+        earned.of_source[static_cast<std::size_t>(height_source_of(column.sea_source[t]))];
+    double& height_m = column.sea[t].significant_height_m;
+    height_m = height_error::height_at(height_m, 1, -of.bias);
+    column.height_spread[t] *= of.factor;
+  }
+}
+
+std::string note_on(const EarnedHeights& earned, const ForecastColumn& column) {
+  constexpr std::array<const char*, height_sources> whose{"of the wave product",
+                                                          "computed from the wind", "kept"};
+  constexpr double worth_a_word = 0.03;
+  std::string text;
+  for (std::size_t source = 0; source < height_sources; ++source) {
+    const EarnedHeight& of = earned.of_source[source];
+    const bool is_used =
+        std::any_of(column.sea_source.begin(), column.sea_source.end(), [&](DataStatus status) {
+          return static_cast<std::size_t>(height_source_of(status)) == source;
+        });
+    if (!is_used || std::abs(of.bias) < worth_a_word) continue;
+    text += (text.empty() ? "" : "; ") +
+            formatted(
+                "the wave heights {} are {} by {:.0f} %: on {} past days they were that much "
+                "too {}",
+                whose[source], of.bias > 0 ? "lowered" : "raised",
+                100 * std::abs(std::expm1(-of.bias)), of.days, of.bias > 0 ? "high" : "low");
+  }
+  return text;
+}
+
+}  // namespace slackwater::calibration

@@ -1,0 +1,91 @@
+#include "ingest/text/byte_source.h"
+
+#include <zstd.h>
+
+#include <fstream>
+#include <optional>
+#include <utility>
+
+#include "fields/base/error.h"
+#include "ingest/text/packed.h"
+
+namespace slackwater::ingest {
+namespace {
+
+constexpr std::size_t block_bytes = 65536;
+
+struct FreeStream {
+  void operator()(ZSTD_DStream* stream) const { ZSTD_freeDStream(stream); }
+};
+
+}  // namespace
+
+struct ByteSource::State {
+  std::ifstream file;
+  std::unique_ptr<ZSTD_DStream, FreeStream> unpacker{};  ///< null: the file is not packed
+  std::string packed{};
+  std::size_t at = 0;         ///< of `packed`
+  bool frame_is_open = true;  ///< the frame that is unpacked has not ended
+
+  /// Up to a block of the file's own bytes.
+  void read(std::string& block) {
+    block.resize(block_bytes);
+    file.read(block.data(), static_cast<std::streamsize>(block_bytes));
+    block.resize(static_cast<std::size_t>(file.gcount()));
+  }
+
+  void unpack(std::string& block) {
+    block.resize(block_bytes);
+    ZSTD_outBuffer out{block.data(), block.size(), 0};
+    while (out.pos == 0) {
+      if (at == packed.size()) {
+        read(packed);
+        at = 0;
+      }
+      const bool at_end = packed.empty();
+      if (at_end && !frame_is_open) break;
+      // At the end too: what was unpacked and found no room in the last block.
+      ZSTD_inBuffer in{packed.data(), packed.size(), at};
+      const std::size_t left = ZSTD_decompressStream(unpacker.get(), &out, &in);
+      if (ZSTD_isError(left) != 0)
+        refuse(std::string("the Zstandard file is damaged (") + ZSTD_getErrorName(left) +
+               "); download it again");
+      if (at_end && out.pos == 0)
+        refuse("the Zstandard file ends early, it is not whole; download it again");
+      at = in.pos;
+      frame_is_open = left != 0;
+    }
+    block.resize(out.pos);
+  }
+};
+
+ByteSource::ByteSource(const std::filesystem::path& file)
+    : state_(std::make_unique<State>(State{std::ifstream(file, std::ios::binary)})) {
+  if (!state_->file || std::filesystem::is_directory(file)) {
+    throw Error(ErrorKind::not_found, "cannot read " + file.string() + "; expected a file");
+  }
+  std::string first(6, '\0');
+  state_->file.read(first.data(), static_cast<std::streamsize>(first.size()));
+  first.resize(static_cast<std::size_t>(state_->file.gcount()));
+  state_->file.clear();
+  state_->file.seekg(0);
+  if (is_zstd(first)) {
+    state_->unpacker.reset(ZSTD_createDStream());
+    if (!state_->unpacker) throw Error(ErrorKind::unavailable, "found no memory to unpack with");
+  } else if (const auto packing = packing_of(first)) {
+    refuse("found " + std::string(packing->name) + ", expected the text in it; unpack it with `" +
+           std::string(packing->unpack) + "`");
+  }
+}
+
+ByteSource::~ByteSource() = default;
+
+void ByteSource::next(std::string& block) {
+  if (state_->unpacker) {
+    state_->unpack(block);
+  } else {
+    state_->read(block);
+  }
+}
+
+}  // namespace slackwater::ingest
