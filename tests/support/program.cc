@@ -22,8 +22,8 @@ pid_t spawn(const std::filesystem::path& path, const std::vector<std::string>& a
   if (child < 0) throw std::runtime_error("cannot fork");
   if (child > 0) return child;
   for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
-  const int out_descriptor = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  const int err_descriptor = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int out_descriptor = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
+  const int err_descriptor = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(out_descriptor, STDOUT_FILENO);
@@ -73,7 +73,7 @@ pid_t start_other_program(const std::filesystem::path& program,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& out,
                           const std::map<std::string, std::string>& environment) {
-  return spawn(program, arguments, environment, out.string(), "/dev/null");
+  return spawn(program, arguments, environment, out.string(), out.string());
 }
 
 int wait_for_program(pid_t program) {

@@ -26,7 +26,7 @@ struct ProgramResult {
                                   const std::filesystem::path& out = "/dev/null",
                                   const std::filesystem::path& err = "/dev/null");
 
-/// The same of another program.
+/// The same of another program, whose standard error goes where its output goes.
 [[nodiscard]] pid_t start_other_program(const std::filesystem::path& program,
                                         const std::vector<std::string>& arguments,
                                         const std::filesystem::path& out = "/dev/null",

@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "api/door/dds/participant.h"
 #include "tests/api/door/dds/cdr_by_hand.h"
@@ -10,6 +11,7 @@
 #include "tests/api/door/dds/own_domain.h"
 #include "tests/support/asked_number.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests::joins_test {
 namespace {
@@ -41,6 +43,7 @@ TEST_P(Joins, LeaveNothingBehind) {
   const int joins = asked_number("SLACKWATER_JOINS", 50);
   const int first_ones = std::max(25, joins / 20);  // until all pools have their size
   constexpr int of_a_process = 25;
+  const TemporaryFolder folder;
   const OwnDomain domain;
   dds::DomainSettings settings;
   settings.domain = domain.number();
@@ -66,8 +69,9 @@ TEST_P(Joins, LeaveNothingBehind) {
       const int exit_code = wait_for_program(
           start_other_program(SLACKWATER_VISITING_READERS,
                               {std::to_string(domain.number()), std::to_string(of_a_process),
-                               GetParam() ? "udp" : "shared-memory"}));
-      EXPECT_EQ(exit_code, 0) << "one heard nothing";
+                               GetParam() ? "udp" : "shared-memory"},
+                              folder / "said"));
+      EXPECT_EQ(exit_code, 0) << std::ifstream(folder / "said").rdbuf();
     }
     const int nodes = 2 * processes;
     // An announcement that comes behind the farewell makes one leave twice.
