@@ -130,6 +130,7 @@ Origin origin_of(const Loaded& loaded) {
   origin.dataset = dataset_of(granule);
   origin.ensemble_member = granule.ensemble_member.value_or(0);
   origin.product_id = granule.product_id;
+  origin.is_of_named_product = !is_nobodys(granule.product_id);
   origin.attribution = granule.attribution;
   origin.sources = {loaded.entry.source_sha256};
   origin.received = loaded.entry.received;
@@ -247,6 +248,15 @@ std::vector<std::vector<ScalarPiece>> scalar_pieces(const FindGranules& find,
   return pieces;
 }
 
+/// Whether a dataset of `wanted` is none of those found.
+bool lacks_any_of(const std::vector<ScalarPiece>& found, const std::vector<ScalarPiece>& wanted) {
+  return std::any_of(wanted.begin(), wanted.end(), [&](const ScalarPiece& one) {
+    return std::none_of(found.begin(), found.end(), [&](const ScalarPiece& piece) {
+      return piece.origin.dataset == one.origin.dataset;
+    });
+  });
+}
+
 }  // namespace
 
 bool comes_near(bool is_point_series, const BoundingBox& bounds,
@@ -279,7 +289,7 @@ SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to, const FindGranu
   pieces.significant_height = std::move(waves[0]);
   pieces.peak_period = std::move(waves[1]);
   pieces.wave_direction = std::move(waves[2]);
-  if (pieces.peak_period.empty()) {
+  if (lacks_any_of(pieces.peak_period, pieces.significant_height)) {
     auto means = scalar_pieces(
         find,
         {"sea_surface_wave_mean_period_from_variance_spectral_density_inverse_frequency_moment",

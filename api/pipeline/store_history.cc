@@ -98,7 +98,11 @@ class StoreHistory {
     series.unit = vocabulary_.by_standard_name(name)->unit;
     series.is_single_precision = true;
     if (const ScalarRecord* record = scalar(name)) {
-      const auto level = level_of(choose(*record, {}, {}).column, {1.0});
+      // Period and direction are those of the run whose height it is.
+      const Chosen<double> height = choose(column_.significant_height, {}, {});
+      Choice choice;
+      if (!height.empty()) choice.like = &height.stretches;
+      const auto level = level_of(choose(*record, {}, choice).column, {1.0});
       series.time = level.time;
       for (const auto& value : level.value) series.value.push_back(value.value_or(missing));
     } else {

@@ -10,18 +10,22 @@
 namespace slackwater::calibration {
 
 /// A moored instrument where there is one, else the analysed product; never a forecast.
+/// @param like  Choice::like
 template <typename T>
-[[nodiscard]] Chosen<T> surface_truth(const Record<T>& record, const Knowledge& knowledge = {}) {
+[[nodiscard]] Chosen<T> surface_truth(const Record<T>& record, const Knowledge& knowledge = {},
+                                      const std::vector<Stretch>* like = nullptr) {
   Record<T> known;
   for (const auto& piece : record.pieces) {
     if (piece.origin->status != DataStatus::forecast) known.pieces.push_back(piece);
   }
   Choice series;
   series.only_series = true;
+  series.like = like;
   Chosen<T> chosen = choose(known, knowledge, series);
   if (!chosen.empty()) return chosen;
   Choice grids;
   grids.only_grids = true;
+  grids.like = like;
   return choose(known, knowledge, grids);
 }
 

@@ -14,27 +14,61 @@ namespace {
 
 constexpr Duration widest_gap = std::chrono::hours(3);
 
-/// A quantity as it came: a moored instrument speaks where it has a value, else the analysed
-/// product.
 template <typename T>
-class Came {
+Record<T> grids_of(const Record<T>& record) {
+  Record<T> gridded;
+  for (const auto& piece : record.pieces)
+    if (!piece.origin->is_point_series) gridded.pieces.push_back(piece);
+  return gridded;
+}
+
+/// Wind as it came: a moored instrument speaks where it has a value, else the analysed product.
+class WindThatCame {
  public:
-  Came(const Record<T>& record, const Knowledge& known)
-      : nearest_(surface_truth(record, known)), grids_(of_grids(record, known)) {}
-  [[nodiscard]] std::optional<T> at(UtcTime time) const {
+  WindThatCame(const VectorRecord& record, const Knowledge& known)
+      : nearest_(surface_truth(record, known)), grids_(surface_truth(grids_of(record), known)) {}
+  [[nodiscard]] std::optional<Horizontal> at(UtcTime time) const {
     const auto value = value_at(nearest_.column, time, widest_gap);
     return value ? value : value_at(grids_.column, time, widest_gap);
   }
 
  private:
-  static Chosen<T> of_grids(const Record<T>& record, const Knowledge& known) {
-    Record<T> gridded;
-    for (const auto& piece : record.pieces)
-      if (!piece.origin->is_point_series) gridded.pieces.push_back(piece);
-    return surface_truth(gridded, known);
+  Chosen<Horizontal> nearest_;
+  Chosen<Horizontal> grids_;
+};
+
+/// Waves as one voice has them: period and direction are of the run whose height it is.
+class WavesAsAnalysed {
+ public:
+  WavesAsAnalysed(const ScalarRecord& height, const ScalarRecord& period,
+                  const ScalarRecord& direction, const Knowledge& known)
+      : height_(surface_truth(height, known)),
+        period_(surface_truth(period, known, &height_.stretches)),
+        direction_(surface_truth(direction, known, &height_.stretches)) {}
+
+  /// The sea at a time, NaN for what nobody says; nothing without a height.
+  [[nodiscard]] std::optional<SeaState> at(UtcTime time) const {
+    const auto height_m = value_at(height_.column, time, widest_gap);
+    if (!height_m) return std::nullopt;
+    return SeaState{*height_m, value_at(period_.column, time, widest_gap).value_or(constants::nan),
+                    from_direction_deg_at(time)};
   }
-  Chosen<T> nearest_;
-  Chosen<T> grids_;
+
+ private:
+  /// Directions are not averaged: the later one speaks.
+  [[nodiscard]] double from_direction_deg_at(UtcTime time) const {
+    const ScalarColumn& column = direction_.column;
+    for (std::size_t t = 0; t < column.times(); ++t) {
+      const UtcTime centre = column.time[t].centre();
+      if (centre < time || centre - time > widest_gap) continue;
+      return column.has(t) ? column.value[t] : constants::nan;
+    }
+    return constants::nan;
+  }
+
+  Chosen<double> height_;
+  Chosen<double> period_;
+  Chosen<double> direction_;
 };
 
 /// The currents of one dataset as analysed, at the stamps and depths of the forecast.
@@ -69,7 +103,7 @@ std::size_t set_currents(const VectorColumn& came, const Snapshot& forecast,
 std::size_t set_wind(const ColumnData& data, const Snapshot& forecast, const Knowledge& known,
                      ForecastColumn& column) {
   if (column.wind_m_s.empty()) return forecast.time.size();
-  const Came<Horizontal> came(data.wind, known);
+  const WindThatCame came(data.wind, known);
   for (std::size_t t = 0; t < forecast.time.size(); ++t) {
     const auto value = came.at(forecast.time[t]);
     if (!value) return t;
@@ -81,26 +115,20 @@ std::size_t set_wind(const ColumnData& data, const Snapshot& forecast, const Kno
 
 std::size_t set_waves(const ColumnData& data, const Snapshot& forecast, const Knowledge& known,
                       ForecastColumn& column) {
-  const Came<double> height(data.significant_height, known);
-  const Came<double> period(data.peak_period, known);
-  const Chosen<double> direction = surface_truth(data.wave_direction, known);
+  const WavesAsAnalysed nearest(data.significant_height, data.peak_period, data.wave_direction,
+                                known);
+  const WavesAsAnalysed grids(grids_of(data.significant_height), grids_of(data.peak_period),
+                              grids_of(data.wave_direction), known);
   for (std::size_t t = 0; t < column.sea.size(); ++t) {
     SeaState& sea = column.sea[t];
     if (std::isnan(sea.significant_height_m)) continue;
-    const UtcTime time = forecast.time[t];
-    const auto height_m = height.at(time);
-    if (!height_m) return t;
-    sea.significant_height_m = *height_m;
-    sea.peak_period_s = period.at(time).value_or(sea.peak_period_s);
-    // Directions are not averaged: the later one speaks.
-    const auto later = std::find_if(
-        direction.column.time.begin(), direction.column.time.end(), [&](const TimeCell& cell) {
-          return cell.centre() >= time && cell.centre() - time <= widest_gap;
-        });
-    if (later != direction.column.time.end()) {
-      const auto d = static_cast<std::size_t>(later - direction.column.time.begin());
-      if (direction.column.has(d)) sea.from_direction_deg = direction.column.value[d];
-    }
+    auto came = nearest.at(forecast.time[t]);
+    if (!came) came = grids.at(forecast.time[t]);
+    if (!came) return t;
+    sea.significant_height_m = came->significant_height_m;
+    // What nobody analysed stays as it was forecast.
+    if (!std::isnan(came->peak_period_s)) sea.peak_period_s = came->peak_period_s;
+    if (!std::isnan(came->from_direction_deg)) sea.from_direction_deg = came->from_direction_deg;
     column.sea_source[t] = DataStatus::analysis;
   }
   return forecast.time.size();

@@ -1,6 +1,7 @@
 #include "fields/record/choose.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fields/record/cadence.h"
 #include "fields/record/join.h"
@@ -9,12 +10,18 @@
 namespace slackwater {
 namespace {
 
-/// Whether a run of another quantity is this one: of the same product, and as old.
-bool is_like(const Origin& one, const Origin& other) {
+/// How near a run of another quantity is to this one: 0 of the same dataset, 1 of the same product
+/// and grid, where datasets hold a quantity each, 2 of another.
+int unlikeness(const Origin& one, const Origin& other, bool are_means) {
   const RunName a = run_name_of(one);
   const RunName b = run_name_of(other);
-  return one.product_id == other.product_id && one.station == other.station &&
-         a.is_forecast == b.is_forecast && a.reference_time == b.reference_time;
+  if (a == b && (are_means || one.ensemble_member == other.ensemble_member)) return 0;
+  const bool is_as_old = a.is_forecast == b.is_forecast && a.reference_time == b.reference_time;
+  const bool is_of_product =
+      one.is_of_named_product && one.product_id == other.product_id && one.station == other.station;
+  const bool is_as_fine =
+      std::abs(one.rank.spacing_deg - other.rank.spacing_deg) <= 0.01 * other.rank.spacing_deg;
+  return is_as_old && is_of_product && is_as_fine && a.dataset != b.dataset ? 1 : 2;
 }
 
 /// The values of a run that lie in time that nobody has taken, in parts that hang together.
@@ -53,21 +60,27 @@ std::vector<Part<T>> shared_out(const std::vector<const ProductRun<T>*>& runs) {
 
 /// The same runs as in another series, each for its time there.
 template <typename T>
-std::vector<Part<T>> shared_out_like(const std::vector<ProductRun<T>>& runs,
+std::vector<Part<T>> shared_out_like(const std::vector<const ProductRun<T>*>& runs,
                                      const std::vector<Stretch>& like) {
   std::vector<Part<T>> parts;
   for (const Stretch& stretch : like) {
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      if (!is_like(runs[r].origin(), *stretch.origin)) continue;
-      Part<T> part{&runs[r], r, 0, 0};
-      for (std::size_t i = 0; i < runs[r].values.size(); ++i) {
-        const UtcTime centre = runs[r].values[i].cell.centre();
-        if (centre < stretch.from || centre > stretch.to) continue;
-        if (part.count++ == 0) part.first = i;
-      }
-      if (part.count > 0) parts.push_back(part);
-      break;
+    const auto unlike = [&](const ProductRun<T>* run) {
+      const bool is_mean = run->members > 0;
+      if (is_mean != (stretch.members > 0)) return 2;
+      return unlikeness(run->origin(), *stretch.origin, is_mean);
+    };
+    const auto nearest =
+        std::min_element(runs.begin(), runs.end(),
+                         [&](const auto* a, const auto* b) { return unlike(a) < unlike(b); });
+    if (nearest == runs.end() || unlike(*nearest) > 1) continue;
+    const ProductRun<T>& run = **nearest;
+    Part<T> part{&run, static_cast<std::size_t>(nearest - runs.begin()), 0, 0};
+    for (std::size_t i = 0; i < run.values.size(); ++i) {
+      const UtcTime centre = run.values[i].cell.centre();
+      if (centre < stretch.from || centre > stretch.to) continue;
+      if (part.count++ == 0) part.first = i;
     }
+    if (part.count > 0) parts.push_back(part);
   }
   return parts;
 }
@@ -175,7 +188,7 @@ Chosen<T> choose_from(const Record<T>& record, const Knowledge& knowledge, const
   const std::vector<ProductRun<T>> runs = runs_of(record, knowledge, choice);
   const std::vector<const ProductRun<T>*> order = in_order(runs);
   std::vector<Part<T>> parts =
-      choice.like != nullptr ? shared_out_like(runs, *choice.like) : shared_out(order);
+      choice.like != nullptr ? shared_out_like(order, *choice.like) : shared_out(order);
   Chosen<T> chosen;
   if (parts.empty()) return chosen;
   std::sort(parts.begin(), parts.end(),

@@ -25,6 +25,7 @@ struct Origin {
   Duration published_after{0};
   std::string dataset;  ///< product/dataset/levels: pieces of one dataset may be joined
   std::string product_id;
+  bool is_of_named_product = true;  ///< else strangers share its `product_id`
   std::string attribution;
   std::vector<std::string> sources;  ///< sha256 of the product files
   /// When the last of those files came in; nothing where nobody wrote it down.

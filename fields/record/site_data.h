@@ -24,7 +24,7 @@ struct ColumnData {
   ScalarRecord mixed_layer_depth;  ///< `mlotst`, m
   ScalarRecord temperature;        ///< `thetao`, K; read where no mixed-layer depth is stored
   ScalarRecord significant_height;
-  ScalarRecord peak_period;      ///< converted where none is stored (wave_period.h)
+  ScalarRecord peak_period;      ///< converted where a dataset has none (wave_period.h)
   std::string wave_period_note;  ///< what an operator should know of it; empty: nothing
   ScalarRecord wave_direction;
   ScalarRecord sea_level;  ///< `zos`, m above the geoid
@@ -39,7 +39,7 @@ struct SitePieces {
   std::vector<ScalarPiece> temperature;
   std::vector<ScalarPiece> significant_height;
   std::vector<ScalarPiece> peak_period;
-  std::vector<ScalarPiece> energy_period;         ///< read where no peak period is stored
+  std::vector<ScalarPiece> energy_period;         ///< read where a dataset has no peak period
   std::vector<ScalarPiece> zero_crossing_period;  ///< the same
   std::vector<ScalarPiece> wave_direction;
   std::vector<ScalarPiece> sea_level;

@@ -1,5 +1,8 @@
 #include "fields/record/wave_period.h"
 
+#include <iterator>
+#include <set>
+
 #include "fields/base/text.h"
 #include "fields/wave/peak_period.h"
 
@@ -16,11 +19,17 @@ ScalarRecord converted(ScalarRecord record, double (*to_peak_period)(double)) {
   return record;
 }
 
+std::set<std::string> datasets_of(const ScalarRecord& record) {
+  std::set<std::string> datasets;
+  for (const auto& piece : record.pieces) datasets.insert(piece.origin->dataset);
+  return datasets;
+}
+
 }  // namespace
 
 WavePeriod wave_period_at(const SitePieces& pieces, const GeoPoint& point, bool has_heights) {
   WavePeriod found{record_at(pieces.peak_period, point), {}};
-  if (!found.peak_period.pieces.empty() || !has_heights) return found;
+  if (!has_heights) return found;
   struct Other {
     const std::vector<ScalarPiece>& pieces;
     const char* name;
@@ -31,14 +40,21 @@ WavePeriod wave_period_at(const SitePieces& pieces, const GeoPoint& point, bool 
         Other{pieces.zero_crossing_period, "zero-crossing period (VTM02)",
               peak_period_of_zero_crossing_period_s}}) {
     ScalarRecord record = record_at(other.pieces, point);
+    const std::set<std::string> given = datasets_of(found.peak_period);
+    std::erase_if(record.pieces, [&](const auto& p) { return given.contains(p.origin->dataset); });
     if (record.pieces.empty()) continue;
-    found.peak_period = converted(std::move(record), other.to_peak_period);
-    found.note = "no peak period of the waves is stored: it is computed as " +
-                 formatted("{:.2f}", other.to_peak_period(1)) + " times the " + other.name +
-                 ", as in a JONSWAP sea of gamma 3.3";
-    return found;
+    found.note += found.note.empty() ? "" : "; ";
+    found.note += given.empty() ? "no peak period of the waves is stored"
+                                : "no peak period of " + record.pieces.front().origin->product_id +
+                                      " is stored";
+    found.note += ": it is computed as " + formatted("{:.2f}", other.to_peak_period(1)) +
+                  " times the " + other.name + ", as in a JONSWAP sea of gamma 3.3";
+    record = converted(std::move(record), other.to_peak_period);
+    std::move(record.pieces.begin(), record.pieces.end(),
+              std::back_inserter(found.peak_period.pieces));
   }
-  found.note = "no period of the waves is stored: their heights are served without one";
+  if (found.peak_period.pieces.empty())
+    found.note = "no period of the waves is stored: their heights are served without one";
   return found;
 }
 

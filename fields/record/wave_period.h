@@ -11,8 +11,8 @@ struct WavePeriod {
   std::string note;  ///< empty: as given
 };
 
-/// The stored peak period; where none is stored at the point that of the energy period (VTM10),
-/// else of the zero-crossing period (VTM02, VTZA), by the relation of fields/wave/peak_period.h.
+/// The stored peak periods; of a dataset that has none that of its energy period (VTM10), else of
+/// its zero-crossing period (VTM02, VTZA), by the relation of fields/wave/peak_period.h.
 /// With wave heights and no period at all the note says that.
 [[nodiscard]] WavePeriod wave_period_at(const SitePieces& pieces, const GeoPoint& point,
                                         bool has_heights);

@@ -6,6 +6,7 @@
 
 #include "api/pipeline/ingest_files.h"
 #include "fields/base/error.h"
+#include "fields/record/choose.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "tests/support/point_series_for_tests.h"
 #include "tests/support/product_files_for_tests.h"
@@ -229,6 +230,30 @@ TEST(SiteData, ThePeaksOwnPeriodWinsOverAConvertedOne) {
   const SiteData data = store.load(in_the_water);
   EXPECT_EQ(data.columns.at(0).peak_period.pieces.size(), 1u);
   EXPECT_EQ(data.columns.at(0).wave_period_note, "");
+}
+
+TEST(SiteData, OfTwoWaveProductsEachHasThePeriodOfItsOwnFile) {
+  // The regional one, whose height speaks, has an energy period alone; the global one a peak's.
+  const std::string energy =
+      "sea_surface_wave_mean_period_from_variance_spectral_density_inverse_frequency_moment";
+  SmallStore store;
+  auto global = tests::wave_product(day);
+  global.title = "GLOBAL_ANALYSISFORECAST_WAV_001_027";
+  global.quantity("VTPK").value = [](const tests::ProductCell&) { return 11.0; };
+  store.with(tests::current_product(day)).with(waves_with("VTM10", energy)).with(global);
+  const SiteData data = store.load(in_the_water);
+  const ColumnData& column = data.columns.at(0);
+  const Chosen<double> height = choose(column.significant_height, {}, {});
+  Choice like;
+  like.like = &height.stretches;
+  const Chosen<double> period = choose(column.peak_period, {}, like);
+  ASSERT_EQ(height.origin.front()->product_id, "NWSHELF_ANALYSISFORECAST_WAV_004_014");
+  ASSERT_EQ(period.column.times(), height.column.times());
+  for (const double value : period.column.value) EXPECT_NEAR(value, 6 * 1.107, 0.02);
+  EXPECT_NE(column.wave_period_note.find(
+                "no peak period of NWSHELF_ANALYSISFORECAST_WAV_004_014 is stored: it is computed"),
+            std::string::npos)
+      << column.wave_period_note;
 }
 
 TEST(SiteData, ColumnsOnLandAreLeftOutAndCounted) {

@@ -123,6 +123,25 @@ TEST(WhatCame, IsALineAcrossThreeHoursAndEndsAtAWiderHole) {
     EXPECT_LT(std::abs(came->columns.front().wind_m_s[t] - wind_at(came->time[t])), 1e-9);
 }
 
+// A finer product that knows heights alone has no period; that of another is not lent to it.
+TEST(WhatCame, HasPeriodsAndDirectionsOfTheRunWhoseHeightCame) {
+  tests::KnownSeriesForTests known = sea(end_of_day + hours(48));
+  Origin finer = tests::analysis_of("finer");
+  finer.rank.is_regional = true;
+  known.waves(
+      finer, tests::instants(end_of_day - hours(24), end_of_day + hours(48)),
+      [](UtcTime) { return 2.5; }, [](UtcTime) { return std::nan(""); },
+      [](UtcTime) { return 310.0; });
+  const SiteData data = tests::site_of({known.data});
+  const auto came = what_came(data, forecast(), "model", UtcTime::max());
+  ASSERT_NE(came, nullptr);
+  for (const SeaState& sea : came->columns.front().sea) {
+    EXPECT_EQ(sea.significant_height_m, 2.5);
+    EXPECT_EQ(sea.peak_period_s, 15) << "as it was forecast";
+    EXPECT_EQ(sea.from_direction_deg, 310);
+  }
+}
+
 // A provider's run is no truth, whoever made the forecast.
 TEST(WhatCame, IsNoForecast) {
   tests::KnownSeriesForTests known;
