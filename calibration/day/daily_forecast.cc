@@ -122,11 +122,13 @@ void correct_heights(const SiteData& data, const ForecastOptions& options, Daily
     const EarnedHeights earned = options.parts.heights(
         *first, data.site, with_past_runs(result.plan, data, options.parts.of_column),
         options.parts.of_column, options.threads);
-    for (ColumnForecast& made : result.columns) {
+    for (std::size_t i = 0; i < result.columns.size(); ++i) {
+      ColumnForecast& made = result.columns[i];
       if (made.column.sea.empty()) continue;
-      std::string note = note_on(earned, made.column);
+      const double usual_m = usual_height_m(data.columns[i], result.plan);
+      std::string note = note_on(earned, usual_m, made.column);
       if (!note.empty()) made.notes.push_back(std::move(note));
-      apply(earned, made.column);
+      apply(earned, result.plan, usual_m, made.column);
     }
   });
 }
