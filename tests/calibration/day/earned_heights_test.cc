@@ -165,8 +165,8 @@ TEST(EarnedHeights, AProductsOwnErrorsAreFoundAndItsBandHolds) {
     }
     const double shrunk = 2 * days_seen / (2 * days_seen + 8);
     EXPECT_NEAR(bias, shrunk * erring.bias, 0.03);
-    // Errors that know nothing of the sea, which is spread by 0.35: of those of 0.30 a part shows in
-    // the forecast's distance from the usual, and is taken out.
+    // Errors that know nothing of the sea, which is spread by 0.35: a part of those of 0.30 shows
+    // in the forecast's distance from the usual, and is taken out.
     EXPECT_NEAR(factor_error, erring.sigma < 0.1 ? 0.35 : std::log(0.35 / std::hypot(0.35, 0.30)),
                 0.25)
         << "shrunk to the published";
