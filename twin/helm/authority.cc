@@ -9,7 +9,7 @@ namespace {
 constexpr double soon_s = 1e-6;  // what rounding leaves of a number of steps
 
 std::string held_by(std::string_view name, const std::string& holder) {
-  return formatted("{} is held by {}; only one client can command a vehicle", name, holder);
+  return formatted("{} is held by {}; one client at a time commands it", name, holder);
 }
 
 }  // namespace

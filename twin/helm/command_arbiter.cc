@@ -107,7 +107,10 @@ std::optional<Refusal> CommandArbiter::spawn(std::string_view client, const Newc
   std::optional<Refusal> refusal;
   {
     const std::lock_guard lock(mutex_);
-    refusal = look_at_name(newcomer.name);
+    if (auto against = run_authority_.refusal(client, other_at_helm(client), now_s))
+      refusal = Refusal{RefusalReason::unauthorised, std::move(*against)};
+    else
+      refusal = look_at_name(newcomer.name);
   }
   if (!refusal) {
     try {
@@ -120,6 +123,9 @@ std::optional<Refusal> CommandArbiter::spawn(std::string_view client, const Newc
   }
   const std::lock_guard lock(mutex_);
   if (!refusal) refusal = look_at_name(newcomer.name);  // another thread was faster
+  if (!refusal)
+    if (auto against = run_authority_.claim(client, other_at_helm(client), now_s))
+      refusal = Refusal{RefusalReason::unauthorised, std::move(*against)};
   if (refusal) return count(client, newcomer.name, std::move(*refusal), now_s);
   coming_.push_back(newcomer.name);
   run_.enqueue(std::move(command));
@@ -170,8 +176,40 @@ std::optional<Refusal> CommandArbiter::allow_take_over(std::string_view client, 
   });
 }
 
+std::optional<Refusal> CommandArbiter::ask_for_run(std::string_view client, double now_s) {
+  return with_run(client, now_s, [&] { return run_authority_.ask(client, now_s); });
+}
+
+std::optional<Refusal> CommandArbiter::release_run(std::string_view client, double now_s) {
+  return with_run(client, now_s, [&] { return run_authority_.release(client, now_s); });
+}
+
+std::optional<Refusal> CommandArbiter::allow_run_take_over(std::string_view client, double now_s) {
+  return with_run(client, now_s, [&] { return run_authority_.allow_take_over(client, now_s); });
+}
+
+std::optional<Refusal> CommandArbiter::claim_run(std::string_view client, double now_s) {
+  return with_run(client, now_s,
+                  [&] { return run_authority_.claim(client, other_at_helm(client), now_s); });
+}
+
+std::string CommandArbiter::run_holder() const {
+  const std::lock_guard lock(mutex_);
+  return run_authority_.holder();
+}
+
+std::string CommandArbiter::other_at_helm(std::string_view client) const {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const std::string& holder = authority_.holder(i);
+    if (!holder.empty() && holder != client)
+      return formatted("{} is held by {}", agents_[i]->name, holder);
+  }
+  return {};
+}
+
 void CommandArbiter::lost(std::string_view client, double now_s) {
   const std::lock_guard lock(mutex_);
+  run_authority_.lost(client, now_s);
   for (const std::size_t vehicle : authority_.lost(client, now_s))
     enqueue_hold(client, vehicle, now_s);
   std::erase_if(last_sequence_, [&](const auto& entry) { return entry.first.first == client; });
@@ -321,6 +359,16 @@ std::optional<Refusal> CommandArbiter::with_vehicle(std::string_view client, std
   const std::lock_guard lock(mutex_);
   if (std::optional<std::string> answer = act(name))
     return count(client, name, {RefusalReason::unauthorised, std::move(*answer)}, now_s);
+  return std::nullopt;
+}
+
+template <typename Do>
+std::optional<Refusal> CommandArbiter::with_run(std::string_view client, double now_s,
+                                                const Do& act) {
+  const std::lock_guard lock(mutex_);
+  if (std::optional<std::string> answer = act())
+    return count(client, std::string(RunAuthority::name),
+                 {RefusalReason::unauthorised, std::move(*answer)}, now_s);
   return std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 
 #include "twin/helm/authority.h"
 #include "twin/helm/refusal.h"
+#include "twin/helm/run_authority.h"
 #include "twin/run/newcomer_yard.h"
 #include "twin/run/run.h"
 
@@ -47,8 +48,9 @@ class CommandArbiter {
   [[nodiscard]] std::optional<Refusal> submit(std::string_view client, Command command,
                                               double now_s);
 
-  /// Makes a vehicle ready that joins the run with the next step. Nobody is at its helm, and it is
-  /// known here (`vehicle`) from the barrier after that step on. Takes as long as files take.
+  /// Makes a vehicle ready that joins the run with the next step, for a client that may
+  /// (`claim_run`). Nobody is at its helm, and it is known here (`vehicle`) from the barrier after
+  /// that step on. Takes as long as files take.
   /// @return nothing: it comes
   [[nodiscard]] std::optional<Refusal> spawn(std::string_view client, const Newcomer& newcomer,
                                              const NewcomerYard& newcomer_yard, double now_s);
@@ -62,7 +64,17 @@ class CommandArbiter {
                                                double now_s);
   [[nodiscard]] std::optional<Refusal> allow_take_over(std::string_view client, std::size_t vehicle,
                                                        double now_s);
-  /// The client is gone: what it held holds, and later goes home (`HelmRule`).
+
+  // Authority over the run itself; see `RunAuthority`. Each answers with nothing where it was done.
+  [[nodiscard]] std::optional<Refusal> ask_for_run(std::string_view client, double now_s);
+  [[nodiscard]] std::optional<Refusal> release_run(std::string_view client, double now_s);
+  [[nodiscard]] std::optional<Refusal> allow_run_take_over(std::string_view client, double now_s);
+  /// Whether the client may pause the run or step it now. See `RunAuthority::claim`.
+  [[nodiscard]] std::optional<Refusal> claim_run(std::string_view client, double now_s);
+  /// Empty: nobody.
+  [[nodiscard]] std::string run_holder() const;
+
+  /// The client is gone: what it held holds, and later goes home (`HelmRule`); the run is free.
   void lost(std::string_view client, double now_s);
   /// Empty: nobody.
   [[nodiscard]] std::string holder(std::size_t vehicle) const;
@@ -109,12 +121,18 @@ class CommandArbiter {
   template <typename Do>
   [[nodiscard]] std::optional<Refusal> with_vehicle(std::string_view client, std::size_t vehicle,
                                                     double now_s, const Do& act);
+  /// "rov is held by X", of the first vehicle that another client commands; empty: none.
+  [[nodiscard]] std::string other_at_helm(std::string_view client) const;
+  template <typename Do>
+  [[nodiscard]] std::optional<Refusal> with_run(std::string_view client, double now_s,
+                                                const Do& act);
   void enqueue_hold(std::string_view client, std::size_t vehicle, double now_s);
 
   Run& run_;
   RefusalLimits limits_;
   mutable std::mutex mutex_;
   Authority authority_;
+  RunAuthority run_authority_;
   /// Of the run; those that join are here from the barrier after their first step on.
   std::vector<const Agent*> agents_;
   std::vector<std::string> coming_;  ///< names of those that are on their way

@@ -70,26 +70,45 @@ void DdsDoor::serve(const std::string& name, const char* type, Handler handler,
 
 void DdsDoor::open_run_services() {
   constexpr const char* trigger = "std_srvs/srv/Trigger";
+  twin::CommandArbiter& arbiter = command_door_.arbiter();
+  serve(
+      "/slackwater/authority", "std_srvs/srv/SetBool",
+      [&arbiter](dds::Payload request, const std::string& client) {
+        const double now_s = arbiter.time_s();
+        if (dds::read_set_bool(request))
+          return done_or(arbiter.ask_for_run(client, now_s), "has the run: " + client);
+        return done_or(arbiter.release_run(client, now_s), "given back");
+      },
+      not_done);
+  serve(
+      "/slackwater/allow_take_over", trigger,
+      [&arbiter](dds::Payload request, const std::string& client) {
+        dds::read_trigger(request);
+        return done_or(arbiter.allow_run_take_over(client, arbiter.time_s()),
+                       "another client may ask for it within 10 s");
+      },
+      not_done);
   serve(
       "/slackwater/pause", trigger,
-      [this](dds::Payload request, const std::string&) {
+      [this, &arbiter](dds::Payload request, const std::string& client) {
         dds::read_trigger(request);
-        run_.control.pause();
-        return dds::done_reply(true, "paused");
+        auto refusal = arbiter.claim_run(client, arbiter.time_s());
+        if (!refusal) run_.control.pause();
+        return done_or(refusal, "paused");
       },
       not_done);
   serve(
       "/slackwater/resume", trigger,
-      [this](dds::Payload request, const std::string&) {
+      [this, &arbiter](dds::Payload request, const std::string& client) {
         dds::read_trigger(request);
-        run_.control.resume();
-        return dds::done_reply(true, "goes on");
+        auto refusal = arbiter.claim_run(client, arbiter.time_s());
+        if (!refusal) run_.control.resume();
+        return done_or(refusal, "goes on");
       },
       not_done);
   participant_.serve({"/slackwater/step", "slackwater_msgs/srv/Step"},
-                     [this](dds::Payload request, const std::string&, const dds::Answer& answer) {
-                       take_step(request, answer);
-                     });
+                     [this](dds::Payload request, const std::string& client,
+                            const dds::Answer& answer) { take_step(request, client, answer); });
   serve(
       "/slackwater/query_profile", "slackwater_msgs/srv/QueryProfile",
       [this](dds::Payload request, const std::string&) {
@@ -100,7 +119,8 @@ void DdsDoor::open_run_services() {
 }
 
 /// Answered when the steps have been made, which a run that is not paused makes by itself.
-void DdsDoor::take_step(dds::Payload request, const dds::Answer& answer) {
+void DdsDoor::take_step(dds::Payload request, const std::string& client,
+                        const dds::Answer& answer) {
   constexpr std::uint32_t most = 1'000'000;
   std::uint32_t steps = 0;
   try {
@@ -109,6 +129,8 @@ void DdsDoor::take_step(dds::Payload request, const dds::Answer& answer) {
     steps = 0;
   }
   if (steps == 0 || steps > most) return answer(dds::step_reply(false));
+  twin::CommandArbiter& arbiter = command_door_.arbiter();
+  if (arbiter.claim_run(client, arbiter.time_s())) return answer(dds::step_reply(false));
   const std::lock_guard lock(mutex_);
   if (const auto until = run_.control.allow_steps(steps))
     waiting_.push_back({*until, answer});

@@ -45,7 +45,7 @@ class DdsDoor {
   void open_run_services();
   void open_topics(const std::string& name, std::size_t vehicle);
   void open_vehicle_services(const std::string& name, std::size_t vehicle);
-  void take_step(dds::Payload request, const dds::Answer& answer);
+  void take_step(dds::Payload request, const std::string& client, const dds::Answer& answer);
 
   dds::Participant& participant_;
   Stream& stream_;

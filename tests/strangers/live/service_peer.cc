@@ -199,6 +199,31 @@ int main(int argc, char** argv) {
   const auto resumed = resume.call({});
   expect(resumed && resumed->success(), "resumed");
 
+  // --- who has the run ---
+  Trigger pause_too(other, "/slackwater/pause");
+  SetBool run_authority(node, "/slackwater/authority"), run_too(other, "/slackwater/authority");
+  const auto not_the_other = pause_too.call({});
+  expect(not_the_other && !not_the_other->success() &&
+             not_the_other->message().find("the run is held by dds ") == 0,
+         "who pauses it first has it: " + (not_the_other ? not_the_other->message() : ""));
+  const auto run_given = run_authority.call(give);
+  expect(run_given && run_given->success(), "and gives it back");
+  const auto helm = authority.call(ask);
+  expect(helm && helm->success(), "while it is at a helm");
+  const auto unasked = pause_too.call({});
+  expect(unasked && !unasked->success() &&
+             unasked->message().find("ask for the run before you pause it") != std::string::npos,
+         "nobody else pauses it unasked: " + (unasked ? unasked->message() : ""));
+  const auto asked_for = run_too.call(ask);
+  expect(asked_for && asked_for->success(), "but who asks for the run");
+  const auto paused_too = pause_too.call({});
+  expect(paused_too && paused_too->success(), "pauses it");
+  const auto not_stepped = step.call(steps);
+  expect(not_stepped && !not_stepped->success(), "the first does not step it then");
+  Trigger resume_other(other, "/slackwater/resume");
+  const auto on = resume_other.call({});
+  expect(on && on->success(), "and it goes on");
+
   // --- handing over ---
   // A second after the last velocity the helm was free.
   const auto again = authority.call(ask);

@@ -32,6 +32,15 @@ slackwater_msgs::srv::Spawn_Request asked(const std::string& model, const std::s
   return request;
 }
 
+/// Who has the run lets vehicles join it while others are at their helms.
+void ask_for_run(Node& node) {
+  SetBool authority(node, "/slackwater/authority");
+  std_srvs::srv::SetBool_Request request;
+  request.data(true);
+  const auto got = authority.call(request, 30);
+  expect(got && got->success(), "the run is asked for: " + (got ? got->message() : "no answer"));
+}
+
 double apart_m(const nav_msgs::msg::Odometry& odometry, double x, double y) {
   const auto& at = odometry.pose().pose().position();
   return std::hypot(at.x() - x, at.y() - y);
@@ -99,6 +108,7 @@ int fill(int domain) {
       writer->write(&request);
   });
   Spawn spawn(node, "/slackwater/spawn");
+  ask_for_run(node);  // the busy one is at a helm now and then
   int joined = 0;
   double longest_s = 0;
   std::string refusal;
@@ -139,6 +149,7 @@ int main(int argc, char** argv) {
       "ros_discovery_info", true);
 
   // --- it joins ---
+  ask_for_run(node);
   Spawn spawn(node, "/slackwater/spawn");
   const std::size_t before = endpoints_told(graph);
   const auto joined = spawn.call(asked("bluerov2_heavy", "late", {10, -40, -6}), 30);
@@ -195,9 +206,15 @@ int main(int argc, char** argv) {
   expect(sent && sent->accepted(), "a goal of the navigation action is accepted");
 
   // --- a second one while the run is paused ---
-  Trigger pause(node, "/slackwater/pause"), resume(other, "/slackwater/resume");
+  Trigger pause(node, "/slackwater/pause"), resume(node, "/slackwater/resume");
   const auto paused = pause.call({});
   expect(paused && paused->success(), "paused");
+  Trigger resume_too(other, "/slackwater/resume");
+  const auto not_by_other = resume_too.call({});
+  expect(not_by_other && !not_by_other->success() &&
+             not_by_other->message().find("the run is held by dds ") == 0,
+         "who does not have the run does not let it go on: " +
+             (not_by_other ? not_by_other->message() : ""));
   const auto waiting = spawn.call(asked("wamv16", "late_usv", {40, -40, 0}), 1.5);
   expect(!waiting, "a paused run lets nobody in");
   const auto resumed = resume.call({});
