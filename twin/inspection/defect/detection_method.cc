@@ -26,6 +26,10 @@ double pod(const PodTable& table, double size) noexcept {
   return pod_below;
 }
 
+double pod(const NormalErrorPod& curve, double size) noexcept {
+  return size > 0 ? 0.5 * std::erfc((curve.called_from - size) / (curve.sd * std::sqrt(2.0))) : 0;
+}
+
 template <typename Kind>
 bool is_among(const std::vector<Kind>& kinds, Kind kind) {
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
@@ -54,8 +58,7 @@ void expect_apart(const DetectionMethod& a, const DetectionMethod& b) {
 }  // namespace
 
 double pod_of(const PodCurve& curve, double size) noexcept {
-  if (const auto* law = std::get_if<LogLogisticPod>(&curve)) return pod(*law, size);
-  return pod(*std::get_if<PodTable>(&curve), size);
+  return std::visit([&](const auto& law) { return pod(law, size); }, curve);
 }
 
 bool DetectionMethod::is_used(SurfaceKind surface, InstrumentKind instrument) const {

@@ -20,8 +20,15 @@ struct PodTable {
   std::vector<double> size;  ///< m, or a share; rising
   std::vector<double> pod;   ///< 0 to 1, not falling
 };
-using PodCurve = std::variant<LogLogisticPod, PodTable>;
-/// Probability of detection. @param size in the curve's unit, at least 0
+/// What is measured and called: POD(a) = Phi((a - a0)/sd), Phi the distribution of a normal error.
+/// A defect that hardly is one is found by the error alone, in Phi(-a0/sd) of all cases.
+/// MIL-HDBK-1823A, appendix G, has it for signals.
+struct NormalErrorPod {
+  double called_from = 0;  ///< a0: half of those as large are called; m, or a share
+  double sd = 0;           ///< of the measurement, in the same unit
+};
+using PodCurve = std::variant<LogLogisticPod, PodTable, NormalErrorPod>;
+/// Probability of detection: 0 at no size. @param size in the curve's unit, at least 0
 [[nodiscard]] double pod_of(const PodCurve& curve, double size) noexcept;
 
 /// What the curve counts as a defect's size.
@@ -71,10 +78,11 @@ struct DetectionMethod {
 ///     false_alarms_per_100_m2: 0.1
 ///     size_error: {relative_sd: 0.2, relative_bias: 0}
 ///
-/// or, in the place of log_logistic, `table: {size_mm: [...], pod: [...]}`. Where the curve is of a
-/// severity that is a share, its keys are x0_share and share.
+/// or, in the place of log_logistic, `table: {size_mm: [...], pod: [...]}` or
+/// `normal_error: {called_from_mm: 312, sd_mm: 156}`. Where the curve is of a severity that is a
+/// share, its keys are x0_share, share, called_from_share and sd_share.
 /// @throws Error(invalid_input) for a probability outside 0 to 1, one that falls with the size, an
-///         X0 that is not above 0, lists of unequal lengths, no source, ...
+///         X0 or a deviation that is not above 0, lists of unequal lengths, no source, ...
 [[nodiscard]] DetectionMethod read_detection_method(const Config& config);
 
 /// The methods of those names, each from FOLDER/detection/NAME.yaml.

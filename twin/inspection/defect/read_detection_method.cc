@@ -88,10 +88,24 @@ PodTable read_table(const Config& c, bool is_share) {
   return table;
 }
 
+NormalErrorPod read_normal_error(const Config& c, bool is_share) {
+  const char* key = is_share ? "sd_share" : "sd_mm";
+  const double unit = is_share ? 1 : 1e-3;
+  NormalErrorPod curve;
+  curve.called_from =
+      unit * c.number(is_share ? "called_from_share" : "called_from_mm", {0, is_share ? 1 : 1e6});
+  curve.sd = unit * c.number(key, {0, is_share ? 1 : 1e6});
+  if (!(curve.sd > 0))
+    c.refuse(key, formatted("found {:g}, expected more than 0: every measurement has an error",
+                            curve.sd / unit));
+  return curve;
+}
+
 PodCurve read_curve(const Config& c, bool is_share) {
-  if (c.has("log_logistic") == c.has("table"))
-    c.refuse("log_logistic", "give one of log_logistic and table");
+  if (c.has("log_logistic") + c.has("table") + c.has("normal_error") != 1)
+    c.refuse("log_logistic", "give one of log_logistic, table and normal_error");
   if (c.has("table")) return read_table(c.child("table"), is_share);
+  if (c.has("normal_error")) return read_normal_error(c.child("normal_error"), is_share);
   return read_log_logistic(c.child("log_logistic"), is_share);
 }
 

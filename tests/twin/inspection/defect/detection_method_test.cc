@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "tests/twin/inspection/defect/defects_for_tests.h"
 
@@ -117,6 +118,43 @@ TEST(DetectionMethods, OfDataHaveTheFiguresOfTheirSource) {
   }
 }
 
+/// The share of normal errors above a number of deviations, added up by Simpson's rule.
+double share_above(double deviations) {
+  constexpr int steps = 2000;
+  const double to = 12, step = (to - deviations) / steps;
+  double sum = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const double z = deviations + i * step;
+    sum += (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * std::exp(-z * z / 2);
+  }
+  return sum * step / 3 / std::sqrt(2 * constants::pi);
+}
+
+// Those that call what a measurement with a normal error says: by their files, in words.
+TEST(DetectionMethods, OfDataThatMeasureFindWhatANormalErrorLetsThem) {
+  const double special_order_m = std::hypot(0.25, 0.0075 * 25) / 2;
+  EXPECT_NEAR(special_order_m, 0.156, 5e-4);
+  struct Case {
+    const char* name;
+    double called_from;
+    double sd;
+  };
+  for (const Case& c :
+       {Case{"multibeam_scour", 0.312, 0.156}, Case{"magnetometer_burial", 0.2, 0.05},
+        Case{"thickness_corrosion", 0.0005, 0.0002}, Case{"optical_chain", 0.02, 0.004},
+        Case{"potential_anode", 0.48, 0.032}}) {
+    const DetectionMethod m = of_data(c.name);
+    for (double size = c.called_from / 20; size < 2.5 * c.called_from; size *= 1.07)
+      EXPECT_NEAR(twin::probability_of_detection(m, crack(1, size), m.at_detail_m),
+                  share_above((c.called_from - size) / c.sd), 1e-9)
+          << c.name << " " << size;
+    EXPECT_EQ(twin::pod_of(m.curve, 0), 0) << c.name << ": nothing is not found";
+  }
+  const DetectionMethod scour = of_data("multibeam_scour");
+  EXPECT_NEAR(twin::probability_of_detection(scour, crack(1, 0.08), 1), 0.0685, 5e-5);
+  EXPECT_NEAR(twin::probability_of_detection(scour, crack(1, 0.312), 1), 0.5, 1e-12);
+}
+
 TEST(DetectionMethods, FindTheirKindsOnTheirSurfacesByTheirInstruments) {
   const DetectionMethod m =
       method(method_yaml("log_logistic: {x0_mm: 20, b: 2}", "",
@@ -149,7 +187,12 @@ TEST(DetectionMethods, RefuseCurvesThatAreNone) {
            Case{"log_logistic: {x0_mm: .nan, b: 1}", "x0_mm"},
            Case{"log_logistic: {x0: 3, b: 1}", "x0_mm"},
            Case{"log_logistic: {x0_mm: 3, b: 1}\ntable: {size_mm: [1], pod: [0.5]}", "one of"},
-           Case{"", "one of log_logistic and table"},
+           Case{"", "one of log_logistic, table and normal_error"},
+           Case{"normal_error: {called_from_mm: 3, sd_mm: 0}", "found 0, expected more than 0"},
+           Case{"normal_error: {called_from_mm: -3, sd_mm: 1}", "called_from_mm"},
+           Case{"normal_error: {called_from_share: 0.3, sd_share: 0.1}", "called_from_mm"},
+           Case{"normal_error: {called_from_mm: 3, sd_mm: 1}\ntable: {size_mm: [1], pod: [0.5]}",
+                "one of"},
        }) {
     const std::string message = message_of([&] { (void)method(method_yaml(c.curve)); });
     EXPECT_NE(message.find(c.says), std::string::npos) << c.curve << "\n  " << message;
