@@ -64,7 +64,7 @@ InspectionPlan read_inspection(const Config& config, std::vector<PlannedSurface>
     config.refuse("looks", "missing; an inspection has at least one instrument that looks");
   expect_once_each(plan.lines, config);
   if (const auto water = config.optional_child("water")) plan.water = read_clarity(*water);
-  if (const auto air = config.optional_child("air")) plan.air = read_clarity(*air);
+  if (const auto air = config.optional_child("air")) plan.air = read_clarity(*air, Medium::air);
   plan.defects = read_defect_plan(config);
   if (const auto facts = config.optional_text("defect_facts")) plan.defect_facts = *facts;
   plan.detection = config.texts("detection");

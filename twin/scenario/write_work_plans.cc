@@ -54,7 +54,8 @@ YamlValue clarity_value(const Clarity& clarity) {
   YamlValue value;
   value.put("beam_attenuation_per_m", clarity.beam_attenuation_per_m)
       .put("daylight", clarity.daylight)
-      .put("diffuse_attenuation_per_m", clarity.diffuse_attenuation_per_m);
+      .put("diffuse_attenuation_per_m", clarity.diffuse_attenuation_per_m)
+      .put("backscatter_per_m", clarity.backscatter_per_m);
   return value;
 }
 

@@ -1,6 +1,8 @@
 // What an inspection is to say, and what is refused before the first step, in one sentence.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "fields/base/error.h"
 #include "tests/twin/inspection/inspection_for_tests.h"
 
@@ -33,6 +35,13 @@ TEST(ReadInspection, WhatIsNotSaidIsThatOfADocumentedDefault) {
   EXPECT_EQ(plan.lines[0].done_at, 0.9);
   EXPECT_TRUE(plan.defects.entries.empty());
   EXPECT_FALSE(plan.patch_m || plan.rays_per_look);
+}
+
+TEST(ReadInspection, WaterGoesByABlackDiscAndAirByItsOpticalRange) {
+  const InspectionPlan plan = read_inspection(Config::parse(
+      pile + looks + "water: {visibility_m: 8}\nair: {visibility_m: 8000}\n", "test.yaml"));
+  EXPECT_NEAR(plan.water.beam_attenuation_per_m, 4.8 / 8, 1e-12);
+  EXPECT_NEAR(std::exp(-plan.air.beam_attenuation_per_m * 8000), 0.05, 1e-12);
 }
 
 TEST(ReadInspection, WhatCannotBeIsRefusedInOneSentence) {

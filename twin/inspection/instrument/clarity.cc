@@ -4,8 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "fields/base/text.h"
+
 namespace slackwater::twin {
 namespace {
+
+constexpr double usual_backscatter = 0.015;  // of the beam attenuation
 
 void refuse_turbidity(const Config& c) {
   for (const std::string_view key : {"turbidity", "turbidity_ntu", "turbidity_fnu"})
@@ -23,7 +27,7 @@ void refuse_turbidity(const Config& c) {
 }  // namespace
 
 double beam_attenuation_of_water(double black_disc_visibility_m) noexcept {
-  return 4.8 / black_disc_visibility_m;
+  return -std::log(black_disc_contrast) / black_disc_visibility_m;
 }
 
 double beam_attenuation_of_air(double optical_range_m) noexcept {
@@ -34,19 +38,31 @@ double transmission(double beam_attenuation_per_m, double range_m) noexcept {
   return std::exp(-beam_attenuation_per_m * range_m);
 }
 
-Clarity read_clarity(const Config& c) {
+Clarity read_clarity(const Config& c, Medium medium) {
   refuse_turbidity(c);
   const auto beam = c.optional_number("beam_attenuation_per_m", {0, 50});
-  const auto visibility = c.optional_number("visibility_m", {0.05, 200});
+  const auto visibility =
+      c.optional_number("visibility_m", medium == Medium::water ? Range{0.05, 200} : Range{1, 1e6});
   if (beam.has_value() == visibility.has_value())
     c.refuse("beam_attenuation_per_m",
-             "give one of beam_attenuation_per_m and visibility_m, the distance at which a black "
-             "disc is lost from sight");
+             std::string("give one of beam_attenuation_per_m and visibility_m, ") +
+                 (medium == Medium::water ? "the distance at which a black disc is lost from sight"
+                                          : "the meteorological optical range"));
   Clarity clarity;
-  clarity.beam_attenuation_per_m = beam ? *beam : beam_attenuation_of_water(*visibility);
-  clarity.daylight = c.optional_number("daylight", {0, 1}).value_or(1);
+  clarity.beam_attenuation_per_m = beam ? *beam
+                                   : medium == Medium::water
+                                       ? beam_attenuation_of_water(*visibility)
+                                       : beam_attenuation_of_air(*visibility);
+  clarity.daylight = c.optional_number("daylight", {0, 1000}).value_or(1);
   clarity.diffuse_attenuation_per_m = c.optional_number("diffuse_attenuation_per_m", {0, 50})
                                           .value_or(clarity.beam_attenuation_per_m / 4);
+  clarity.backscatter_per_m = c.optional_number("backscatter_per_m", {0, 50})
+                                  .value_or(usual_backscatter * clarity.beam_attenuation_per_m);
+  if (clarity.backscatter_per_m > clarity.beam_attenuation_per_m)
+    c.refuse("backscatter_per_m",
+             formatted("found {:g}, expected at most the beam attenuation, {:g}: what is scattered "
+                       "back is part of it",
+                       clarity.backscatter_per_m, clarity.beam_attenuation_per_m));
   c.expect_all_read();
   return clarity;
 }

@@ -74,7 +74,9 @@ struct Instrument {
   Triple<double> position_m;     ///< body axes
   double least_range_m = 0;
   double most_range_m = 0;
-  double lamp_range_m = 0;  ///< to which its own lamp lights enough; 0: it has none or needs none
+  /// To which its own lamp lights enough in water that takes nothing; 0: it has none or needs none.
+  double lamp_range_m = 0;
+  double lamp_aside_m = 0.2;  ///< how far beside the lens the lamp is
   bool needs_light = false;
   double noise_sd = 0;         ///< of what it measures, in its unit (m, V, ...)
   double noise_per_range = 0;  ///< more of it for each metre of range
@@ -95,7 +97,8 @@ struct Instrument {
 ///     aim: {axis: [1, 0, 0]}      # on the hull; or `aim: surface`: a gimbal
 ///     position_m: [0.2, 0, 0.1]   # optional, body axes
 ///     needs_light: true           # optional
-///     lamp_range_m: 3             # optional
+///     lamp_range_m: 3             # optional: in water that takes nothing
+///     lamp_aside_m: 0.2           # optional, beside lamp_range_m
 ///     noise: {sd: 0.002, per_range: 0.001, bias_sd: 0.001, unit: m}   # optional
 ///
 /// The footprint is one of

@@ -9,8 +9,9 @@ namespace slackwater::twin {
 /// What a look goes through.
 struct Clarity {
   double beam_attenuation_per_m = 0;     ///< c of the medium between, at the instrument's light
-  double daylight = 1;                   ///< share of what is needed, at the surface; 0: night
+  double daylight = 1;                   ///< of what is needed, at the surface; 0: night
   double diffuse_attenuation_per_m = 0;  ///< K of daylight with depth
+  double backscatter_per_m = 0;          ///< b_b: what is scattered back of a lamp's light
   bool operator==(const Clarity&) const = default;
 };
 
@@ -29,8 +30,8 @@ struct LookQuality {
   double incidence_cosine = 0;   ///< 1: squarely
   double ground_sampling_m = 0;  ///< of a pixel or a beam on the surface, along its longer side
   double blur_m = 0;             ///< by motion while it is exposed, on the surface
-  double contrast = 1;           ///< exp(-c r): Beer and Lambert
-  double light = 1;              ///< share of what is needed, at most 1
+  double contrast = 1;           ///< share of the light that comes from the place: seen_light.h
+  double light = 1;              ///< of what is needed, at most 1
   /// The least detail that is made out: (sampling^2 + blur^2)^(1/2) / (contrast light).
   double detail_m = std::numeric_limits<double>::infinity();
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "twin/inspection/instrument/clarity.h"
+#include "twin/inspection/instrument/seen_light.h"
 
 namespace slackwater::twin {
 namespace {
@@ -54,15 +54,6 @@ void measure(const RoundFootprint& round, const Sight& sight, LookQuality& quali
   quality.ground_sampling_m = round.detail_m * sight.range_m / sight.instrument.most_range_m;
 }
 
-double light_on(const Instrument& instrument, const Clarity& clarity, double depth_m,
-                double range_m) noexcept {
-  if (!instrument.needs_light) return 1;
-  const double day =
-      clarity.daylight * transmission(clarity.diffuse_attenuation_per_m, std::max(depth_m, 0.0));
-  const double lamp = instrument.lamp_range_m / range_m;
-  return std::min(1.0, day + lamp * lamp);
-}
-
 }  // namespace
 
 std::optional<LookQuality> quality_of(const Instrument& instrument, const Pose& pose,
@@ -83,9 +74,10 @@ std::optional<LookQuality> quality_of(const Instrument& instrument, const Pose& 
     return std::nullopt;
   std::visit([&](const auto& footprint) { measure(footprint, sight, quality); },
              instrument.footprint);
-  if (works_by_light(instrument.kind))
-    quality.contrast = transmission(clarity.beam_attenuation_per_m, range_m);
-  quality.light = light_on(instrument, clarity, centre_m.z, range_m);
+  const SeenLight seen = seen_light(instrument, clarity, centre_m.z, range_m);
+  if (instrument.kind != InstrumentKind::lidar && is_lost(seen.contrast)) return std::nullopt;
+  quality.contrast = seen.contrast;
+  quality.light = seen.light;
   quality.detail_m =
       std::hypot(quality.ground_sampling_m, quality.blur_m) / (quality.contrast * quality.light);
   if (!std::isfinite(quality.detail_m)) return std::nullopt;

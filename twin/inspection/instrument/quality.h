@@ -19,12 +19,12 @@ namespace slackwater::twin {
 /// - round: the detail at its longest range, in proportion to the range. The water is seen however
 ///   flatly, and heard from below.
 ///
-/// contrast = exp(-c r) for what works by light, 1 for sound and probes. light = 1 where none is
-/// needed; else daylight exp(-K depth) + (lamp range / r)^2, at most 1.
+/// Contrast and light are those of seen_light.h, 1 for sound and probes.
 ///
 /// @param centre_m  NED of the run
 /// @param normal    unit, outward
-/// @return nothing out of range, from behind or edge-on, and where it is dark
+/// @return nothing out of range, from behind or edge-on, where it is dark, and where the contrast
+///         is one at which a black disc is lost from sight
 [[nodiscard]] std::optional<LookQuality> quality_of(const Instrument& instrument, const Pose& pose,
                                                     const Clarity& clarity,
                                                     const Triple<double>& centre_m,

@@ -147,6 +147,9 @@ Instrument read_instrument(const Config& c) {
   if (c.has("position_m")) instrument.position_m = read_triple(c, "position_m", {-100, 100});
   instrument.needs_light = c.optional_flag("needs_light").value_or(false);
   instrument.lamp_range_m = c.optional_number("lamp_range_m", {0, 1e4}).value_or(0);
+  if (instrument.lamp_range_m > 0)
+    instrument.lamp_aside_m =
+        c.optional_number("lamp_aside_m", {0.01, 100}).value_or(instrument.lamp_aside_m);
   read_noise(c, instrument);
   c.expect_all_read();
   return instrument;

@@ -138,6 +138,7 @@ TEST(LookQuality, LightIsOfTheDayOrOfTheLamp) {
   const Clarity night{0, 0, 0.2};
   EXPECT_EQ(light_at(10, 5, night), 0) << "nothing is seen in the dark";
   lamp.lamp_range_m = 2;
+  lamp.lamp_aside_m = 0;
   EXPECT_NEAR(light_at(10, 5, night), 4.0 / 25, 1e-15);
   EXPECT_EQ(light_at(10, 1, night), 1);
   EXPECT_NEAR(light_at(10, 5, day), std::exp(-2.0) + 4.0 / 25, 1e-15);

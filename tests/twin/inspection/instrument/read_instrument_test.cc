@@ -102,6 +102,8 @@ TEST(ReadInstrument, NoiseWithoutAUnitIsRefused) {
 }
 
 TEST(ReadInstrument, AnUnknownKeyOrNameIsRefused) {
+  EXPECT_TRUE(contains(refusal_of("kind: rgb\nrange_m: [1, 30]\nlamp_aside_m: 0.3\n" + frame),
+                       "lamp_aside_m"));
   EXPECT_TRUE(
       contains(refusal_of("kind: rgb\nrange_m: [1, 30]\nlamp_range: 3\n" + frame), "lamp_range"));
   EXPECT_THROW((void)read_named_instrument("sonar", tests::source_folder() / "data"), Error);
@@ -126,6 +128,21 @@ TEST(ReadClarity, AttenuationIsGivenOrComesFromABlackDisc) {
   EXPECT_DOUBLE_EQ(disc.beam_attenuation_per_m, 0.6);
   EXPECT_DOUBLE_EQ(disc.diffuse_attenuation_per_m, 0.15);
   EXPECT_EQ(disc.daylight, 1);
+  EXPECT_DOUBLE_EQ(disc.backscatter_per_m, 0.009);
+}
+
+TEST(ReadClarity, OfAirGoesByTheOpticalRange) {
+  const auto air = [](const std::string& yaml) {
+    return read_clarity(Config::parse(yaml, "t.yaml"), Medium::air);
+  };
+  EXPECT_DOUBLE_EQ(air("{visibility_m: 8000}").beam_attenuation_per_m,
+                   beam_attenuation_of_air(8000));
+  EXPECT_TRUE(contains(refusal_of_clarity("{visibility_m: 8000}"), "visibility_m"));
+}
+
+TEST(ReadClarity, NoMoreIsScatteredBackThanIsTaken) {
+  EXPECT_TRUE(contains(refusal_of_clarity("{beam_attenuation_per_m: 0.5, backscatter_per_m: 0.6}"),
+                       "expected at most the beam attenuation, 0.5"));
 }
 
 TEST(ReadClarity, ATurbidityWithoutUnitIsRefused) {
