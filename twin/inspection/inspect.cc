@@ -50,6 +50,8 @@ void keep(const InspectionLine& line, const BestLook& look, BestLook& best) {
 
 struct NearestPlace {
   Triple<double> place_m;
+  std::size_t surface = 0;
+  std::uint32_t patch = no_patch;
   double range_m = std::numeric_limits<double>::infinity();
 };
 
@@ -66,11 +68,21 @@ NearestPlace nearest_place(const Inspection& inspection, std::size_t l,
       for (std::uint32_t i = block.first; i < block.end; ++i) {
         const Triple<double>& centre_m = surface.patches[index.patches[i]].centre_m;
         if (const double range_m = length_of(centre_m - from_m); range_m < nearest.range_m)
-          nearest = {centre_m, range_m};
+          nearest = {centre_m, pair.surface, index.patches[i], range_m};
       }
     }
   }
   return nearest;
+}
+
+/// What an instrument that is turned to the surface is turned to.
+AimedAt aimed_at(const Inspection& inspection, const Instrument& instrument,
+                 const NearestPlace& nearest) {
+  AimedAt target{nearest.place_m, {}};
+  if (instrument.aim == Aim::surface && nearest.patch != no_patch)
+    target.bend = bend_at(inspection.surfaces[nearest.surface], inspection.indices[nearest.surface],
+                          nearest.patch);
+  return target;
 }
 
 /// It has moved by half its footprint since its last look, or turned as much, or long enough.
@@ -146,7 +158,7 @@ void inspect(const Inspection& inspection, bool is_at_work, const Carriage& carr
     InspectionState::Line& line = state.lines[l];
     if (!is_due(instrument, line, carriage, t_s)) continue;
     const NearestPlace nearest = nearest_place(inspection, l, carriage.position_m);
-    const Pose now = pose_of(instrument, carriage, nearest.place_m);
+    const Pose now = pose_of(instrument, carriage, aimed_at(inspection, instrument, nearest));
     if (is_steady(instrument, line, carriage))
       take(inspection, l, line.has_looked ? line.pose : now, now,
            {line.has_looked ? line.looked_s : t_s, t_s}, known_m - carriage.position_m, state);

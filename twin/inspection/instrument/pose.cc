@@ -35,10 +35,32 @@ double half_step_m(const RoundFootprint& /*round*/, double range_m) noexcept {
   return range_m / 10;
 }
 
+/// How what is kept on the nearest place turns: as the normal there does.
+Triple<double> turning_with_aim(const Pose& pose, const AimedAt& target) noexcept {
+  const Bend& bend = target.bend;
+  const double off_m = std::max(0.0, dot(pose.position_m - target.place_m, bend.normal));
+  const auto along = [&](const Triple<double>& way, double per_m) {
+    constexpr double least = 0.2;
+    const double wider = 1 + off_m * per_m;
+    const double rate = wider < least ? 0 : per_m * dot(pose.velocity_m_s, way) / wider;
+    return rate * cross(bend.normal, way);
+  };
+  return along(bend.first, bend.first_per_m) + along(bend.second, bend.second_per_m);
+}
+
+/// What keeps a picture level meanwhile: a turn about its own axis.
+Triple<double> turning_level(const Pose& pose) noexcept {
+  constexpr double nearly_upright = 0.05;
+  const Triple<double> down = cross(pose.axis, pose.right);
+  if (std::abs(down.z) < nearly_upright) return {};
+  const double level = dot(pose.turning_rad_s, down) * pose.axis.z / down.z;
+  return (level - dot(pose.turning_rad_s, pose.axis)) * pose.axis;
+}
+
 }  // namespace
 
 Pose pose_of(const Instrument& instrument, const Carriage& carriage,
-             const Triple<double>& target_m) noexcept {
+             const AimedAt& target) noexcept {
   const Rotation<double>& r = carriage.attitude;
   const Triple<double> arm_m = r.to_ned(instrument.position_m);
   const Triple<double> turning = r.to_ned(carriage.rates_rad_s);
@@ -54,13 +76,16 @@ Pose pose_of(const Instrument& instrument, const Carriage& carriage,
     pose.turning_rad_s = turning;
     return pose;
   }
-  const Triple<double> way = target_m - pose.position_m;
+  const Triple<double> way = target.place_m - pose.position_m;
   const double range_m = length_of(way);
   pose.axis = range_m > slight ? (1 / range_m) * way : bow;
   const Triple<double> level =
       unit_across({0, 0, 1}, pose.axis, unit_across(pose.axis, bow, starboard));
   pose.right = level;
-  if (is_fan(instrument)) {
+  pose.turning_rad_s = turning_with_aim(pose, target);
+  if (!is_fan(instrument)) {
+    pose.turning_rad_s = pose.turning_rad_s + turning_level(pose);
+  } else {
     const Triple<double> aside = pose.velocity_m_s - dot(pose.velocity_m_s, pose.axis) * pose.axis;
     constexpr double hardly_moves_m_s = 1e-3;
     if (length_of(aside) > hardly_moves_m_s) pose.right = unit_across(pose.axis, aside, level);

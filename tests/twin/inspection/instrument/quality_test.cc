@@ -209,16 +209,16 @@ TEST(PoseOf, OneTurnedToTheSurfaceStaysUpright) {
   Instrument gimbal = camera();
   gimbal.aim = Aim::surface;
   const Carriage carriage{{0, 0, -20}, heading(0), {0, 2, 0}, {0.1, 0.2, 0.3}};
-  const Pose pose = pose_of(gimbal, carriage, {0, 10, -20});
+  const Pose pose = pose_of(gimbal, carriage, {{0, 10, -20}, {}});
   expect_near(pose.axis, {0, 1, 0});
   expect_near(pose.right, {-1, 0, 0});
   expect_near(pose.turning_rad_s, {});
-  const Pose down = pose_of(gimbal, carriage, {0, 0, 0});
+  const Pose down = pose_of(gimbal, carriage, {});
   expect_near(down.axis, {0, 0, 1});
   expect_near(down.right, {0, 1, 0});
   Instrument sonar = fan(10);
   sonar.aim = Aim::surface;
-  const Pose swept = pose_of(sonar, {{}, heading(0), {0, 0, 1}, {}}, {10, 0, 0});
+  const Pose swept = pose_of(sonar, {{}, heading(0), {0, 0, 1}, {}}, {{10, 0, 0}, {}});
   EXPECT_NEAR(std::abs(swept.right.y), 1, 1e-12) << "a fan that goes down lies level";
 }
 
