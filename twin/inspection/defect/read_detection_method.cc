@@ -16,6 +16,7 @@ constexpr int instrument_kinds = static_cast<int>(InstrumentKind::ais) + 1;
 template <typename Kind>
 std::vector<Kind> read_kinds(const Config& c, std::string_view key, int count) {
   std::vector<std::string> known;
+  known.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) known.emplace_back(name_of(static_cast<Kind>(i)));
   std::vector<Kind> kinds;
   for (const std::string& word : c.texts(key)) {
@@ -29,7 +30,7 @@ std::vector<Kind> read_kinds(const Config& c, std::string_view key, int count) {
 }
 
 std::string read_said(const Config& c, std::string_view key) {
-  const std::string said = c.text(key);
+  std::string said = c.text(key);
   if (said.find_first_not_of(" \t\n") == std::string::npos)
     c.refuse(key, "is empty; say where the figures are from, or that they are an estimate");
   return said;
