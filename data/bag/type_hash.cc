@@ -49,8 +49,15 @@ std::string full_name(std::string_view name, std::string_view owner) {
   const std::string package(first == std::string_view::npos ? owner.substr(0, owner.find('/'))
                                                             : name.substr(0, first));
   const auto last = name.rfind('/');
+  if (last != first) return std::string(name);
   return package + "/msg/" +
          std::string(last == std::string_view::npos ? name : name.substr(last + 1));
+}
+
+/// A part of a service or action that was written like a message, whose name has no underscore.
+bool is_part_in_disguise(const std::string& name) {
+  const auto last = name.rfind("/msg/");
+  return last != std::string::npos && name.find('_', last) != std::string::npos;
 }
 
 /// The type of a field as it is written, e.g. "string<=10[<=5]".
@@ -157,12 +164,14 @@ std::string json_of(const std::string& name, const std::vector<Field>& fields) {
   return json + "]}";
 }
 
-/// The types that `name` holds, and those that they hold; false where one is not defined.
+/// The types that `name` holds, and those that they hold; false where one is not defined, or not
+/// named in full.
 bool gather(const Types& types, const std::string& name, std::set<std::string>& held) {
   const auto found = types.find(name);
   if (found == types.end()) return false;
   for (const Field& field : found->second) {
     if (field.nested.empty() || !held.insert(field.nested).second) continue;
+    if (is_part_in_disguise(field.nested)) return false;
     if (!gather(types, field.nested, held)) return false;
   }
   return true;
@@ -181,6 +190,10 @@ std::optional<std::string> hash_of(const Types& types, const std::string& name) 
   return "RIHS01_" + sha256_of_text(json + "]}");
 }
 
+bool is_of(std::string_view type, std::string_view kind) {
+  return type.find(kind) != std::string_view::npos;
+}
+
 Field nested_field(const char* name, const std::string& type) {
   return {name, nested_type, 0, 0, type};
 }
@@ -192,7 +205,7 @@ Field optional_field(const char* name, const std::string& type) {
 }  // namespace
 
 std::optional<std::string> type_hash(std::string_view type, std::string_view definition) {
-  if (type.find("/msg/") == std::string_view::npos) return std::nullopt;
+  if (!is_of(type, "/msg/") && !is_of(type, "/action/")) return std::nullopt;
   const auto types = types_of(type, definition);
   return types ? hash_of(*types, std::string(type)) : std::nullopt;
 }
@@ -200,7 +213,7 @@ std::optional<std::string> type_hash(std::string_view type, std::string_view def
 std::optional<std::string> service_type_hash(std::string_view type,
                                              std::string_view request_definition,
                                              std::string_view response_definition) {
-  if (type.find("/srv/") == std::string_view::npos) return std::nullopt;
+  if (!is_of(type, "/srv/") && !is_of(type, "/action/")) return std::nullopt;
   const std::string name(type), request = name + "_Request", response = name + "_Response",
                                 event = name + "_Event";
   const std::string time = "builtin_interfaces/msg/Time",

@@ -47,6 +47,31 @@ TEST(TypeHash, OfAServiceIsThatOfRos) {
   EXPECT_EQ(service_type_hash("a/srv/B", "", "c/D d"), std::nullopt);
 }
 
+/// As rosidl of ROS 2 Jazzy generated them (pfeiffmi/ROB599_activities, rob599_msgs/action/detail).
+TEST(TypeHash, OfThePartsOfAnActionIsThatOfRos) {
+  const std::string action = "rob599_msgs/action/Fibonacci";
+  const std::string id = bar + "MSG: unique_identifier_msgs/msg/UUID\nuint8[16] uuid\n";
+  const std::string time = bar + "MSG: builtin_interfaces/msg/Time\nint32 sec\nuint32 nanosec\n";
+  EXPECT_EQ(type_hash(action + "_Goal", "int64 number\n"),
+            "RIHS01_834005bd2bbbb0ec2dbe2754ce54e9d8c4788812c743ba04dd1eadb29694b74d");
+  EXPECT_EQ(
+      type_hash(action + "_FeedbackMessage", "unique_identifier_msgs/msg/UUID goal_id\n" + action +
+                                                 "_Feedback feedback\n" + id + bar +
+                                                 "MSG: " + action + "_Feedback\nint64 progress\n"),
+      "RIHS01_a941cc541674f910f08c54c0d6a8a5a63be0ee7697a74928f342b2583dcfa88a");
+  EXPECT_EQ(
+      service_type_hash(action + "_SendGoal",
+                        "unique_identifier_msgs/msg/UUID goal_id\n" + action + "_Goal goal\n" + id +
+                            bar + "MSG: " + action + "_Goal\nint64 number\n",
+                        "bool accepted\nbuiltin_interfaces/msg/Time stamp\n" + time),
+      "RIHS01_3d7412ff91ff9c5abfbf9f7f5dc2171a3f32cf6da2414b2c2c82f034d176fa01");
+  EXPECT_EQ(
+      service_type_hash(action + "_GetResult", "unique_identifier_msgs/msg/UUID goal_id\n" + id,
+                        "int8 status\n" + action + "_Result result\n" + bar + "MSG: " + action +
+                            "_Result\nint64[] sequence\n"),
+      "RIHS01_8ebe968757e1b88d729ad53e9aca6d14e4b2f113272786f55541cfb26acc91fc");
+}
+
 TEST(TypeHash, CommentsConstantsAndDefaultsDoNotCount) {
   EXPECT_EQ(type_hash("std_msgs/msg/String",
                       "# a text\n\nuint8 KIND=1\nstring NAME = \"#\"\n"
@@ -56,7 +81,11 @@ TEST(TypeHash, CommentsConstantsAndDefaultsDoNotCount) {
 
 TEST(TypeHash, IsNotGivenOfWhatCannotBeFollowed) {
   EXPECT_EQ(type_hash("a/msg/B", "c/D d"), std::nullopt) << "a type that is not defined";
-  EXPECT_EQ(type_hash("a/action/B_FeedbackMessage", "float64 c"), std::nullopt);
+  EXPECT_EQ(type_hash("a/srv/B_Request", "float64 c"), std::nullopt);
+  EXPECT_EQ(type_hash("a/action/B_FeedbackMessage",
+                      "a/B_Feedback c\n" + bar + "MSG: a/B_Feedback\nfloat64 d\n"),
+            std::nullopt)
+      << "a part that is not named in full";
   EXPECT_EQ(type_hash("a/msg/B", "wstring c"), std::nullopt);
   EXPECT_EQ(type_hash("a/msg/B", "alone"), std::nullopt);
   EXPECT_EQ(type_hash("a/msg/B", "int8[x] c"), std::nullopt);

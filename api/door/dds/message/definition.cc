@@ -144,7 +144,16 @@ std::string short_name(const std::string& idl_type) {
   return idl_type.substr(0, idl_type.find("::")) + "/" + idl_type.substr(idl_type.rfind("::") + 2);
 }
 
-std::string ros_type_of(const std::string& idl_type) {
+/// "std_msgs::msg::Header" -> "std_msgs/msg/Header".
+std::string full_name(const std::string& idl_type) {
+  std::string name = idl_type;
+  for (std::size_t i = 0; (i = name.find("::")) != std::string::npos;) name.replace(i, 2, "/");
+  return name;
+}
+
+using Naming = std::string (*)(const std::string& idl_type);
+
+std::string ros_type_of(const std::string& idl_type, Naming named) {
   static const std::map<std::string, std::string> simple{{"double", "float64"},
                                                          {"float", "float32"},
                                                          {"long", "int32"},
@@ -156,14 +165,14 @@ std::string ros_type_of(const std::string& idl_type) {
                                                          {"boolean", "bool"},
                                                          {"char", "char"}};
   if (const auto found = simple.find(idl_type); found != simple.end()) return found->second;
-  return idl_type.starts_with("string") ? idl_type : short_name(idl_type);
+  return idl_type.starts_with("string") ? idl_type : named(idl_type);
 }
 
-std::string fields_of(const Struct& type) {
+std::string fields_of(const Struct& type, Naming named) {
   std::string text;
   for (const Member& member : type) {
     if (member.name == "structure_needs_at_least_one_member") continue;
-    text += ros_type_of(member.type) + member.bounds + " " + member.name + "\n";
+    text += ros_type_of(member.type, named) + member.bounds + " " + member.name + "\n";
   }
   return text;
 }
@@ -177,27 +186,30 @@ void collect(const Struct& type, std::vector<std::string>& held, std::set<std::s
   }
 }
 
+std::string definition(std::string_view ros_type, Naming named) {
+  const auto found = structs().find(idl_name(ros_type));
+  expects(found != structs().end(), "a type of api/door/dds/idl");
+  std::string text = fields_of(found->second, named);
+  std::vector<std::string> held;
+  std::set<std::string> known;
+  collect(found->second, held, known);
+  for (const std::string& type : held)
+    text += std::string(80, '=') + "\nMSG: " + named(type) + "\n" +
+            fields_of(structs().at(type), named);
+  return text;
+}
+
 }  // namespace
 
 std::string type_hash_of(std::string_view ros_type) {
   const std::string type(ros_type), request = type + "_Request", response = type + "_Response";
   const auto is_there = [](const std::string& name) { return structs().contains(idl_name(name)); };
-  if (is_there(type)) return bag::type_hash(type, definition_of(type)).value_or("");
+  const auto full = [](const std::string& name) { return definition(name, full_name); };
+  if (is_there(type)) return bag::type_hash(type, full(type)).value_or("");
   if (!is_there(request) || !is_there(response)) return {};
-  return bag::service_type_hash(type, definition_of(request), definition_of(response)).value_or("");
+  return bag::service_type_hash(type, full(request), full(response)).value_or("");
 }
 
-std::string definition_of(std::string_view ros_type) {
-  const auto found = structs().find(idl_name(ros_type));
-  expects(found != structs().end(), "a type of api/door/dds/idl");
-  std::string text = fields_of(found->second);
-  std::vector<std::string> held;
-  std::set<std::string> known;
-  collect(found->second, held, known);
-  for (const std::string& type : held)
-    text +=
-        std::string(80, '=') + "\nMSG: " + short_name(type) + "\n" + fields_of(structs().at(type));
-  return text;
-}
+std::string definition_of(std::string_view ros_type) { return definition(ros_type, short_name); }
 
 }  // namespace slackwater::dds
