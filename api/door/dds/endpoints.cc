@@ -1,5 +1,6 @@
 #include "api/door/dds/endpoints.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 
@@ -33,7 +34,27 @@ Sender sender_of(const fdds::SampleInfo& info) {
   return sender;
 }
 
+/// @param data  what discovery says of a reader or a writer
+template <typename Data>
+Endpoint endpoint_of(const Data& data, bool is_writer) {
+  return {data.topicName().to_string(), data.typeName().to_string(), is_writer,
+          data.m_qos.m_reliability.kind == fdds::RELIABLE_RELIABILITY_QOS,
+          static_cast<int>(data.m_qos.m_durability.kind)};
+}
+
+/// Which says who, too (`MismatchWatch`).
+bool is_watched(fdds::QosPolicyId_t policy) {
+  return policy == fdds::RELIABILITY_QOS_POLICY_ID || policy == fdds::DURABILITY_QOS_POLICY_ID;
+}
+
 }  // namespace
+
+Gid gid_of(const rtps::GUID_t& guid) {
+  Gid gid{};
+  std::copy_n(guid.guidPrefix.value, guid.guidPrefix.size, gid.begin());
+  std::copy_n(guid.entityId.value, guid.entityId.size, gid.begin() + guid.guidPrefix.size);
+  return gid;
+}
 
 void Guard::tell(const std::string& text) const noexcept {
   try {
@@ -55,6 +76,7 @@ void Writer::on_publication_matched(fdds::DataWriter* source,
 
 void Writer::on_offered_incompatible_qos(fdds::DataWriter*,
                                          const fdds::OfferedIncompatibleQosStatus& status) {
+  if (is_watched(status.last_policy_id)) return;
   guard_.tell("a reader of " + topic_ + " asks for more than is offered (" +
               name_of_policy(status.last_policy_id) +
               "): it gets nothing; let it ask for best effort and volatile");
@@ -92,10 +114,12 @@ void Reader::on_subscription_matched(fdds::DataReader*,
   rtps::GUID_t writer;
   rtps::iHandle2GUID(writer, status.last_publication_handle);
   held_back_.forget(writer);
+  if (on_left_) guard_(topic_, [&] { on_left_(client_of(writer.guidPrefix)); });
 }
 
 void Reader::on_requested_incompatible_qos(fdds::DataReader*,
                                            const fdds::RequestedIncompatibleQosStatus& status) {
+  if (is_watched(status.last_policy_id)) return;
   guard_.tell("a writer of " + topic_ + " offers less than is asked for (" +
               name_of_policy(status.last_policy_id) + "): it is not heard; let it write reliably");
 }
@@ -110,7 +134,32 @@ void Watcher::on_participant_discovery(fdds::DomainParticipant*,
     told = on_lost_;
   }
   const std::string client = client_of(info.info.m_guid.guidPrefix);
+  guard_("a client left", [&] { mismatches_.forget_client(client); });
   for (const auto& on_lost : told) guard_("a client left", [&] { on_lost(client); });
+}
+
+void Watcher::on_publisher_discovery(fdds::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) {
+  const rtps::GUID_t guid = info.info.guid();
+  if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER)
+    return mismatches_.forget(gid_of(guid));
+  guard_("a writer was found", [&] { found(guid, endpoint_of(info.info, true)); });
+}
+
+void Watcher::on_subscriber_discovery(fdds::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) {
+  const rtps::GUID_t guid = info.info.guid();
+  if (info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER)
+    return mismatches_.forget(gid_of(guid));
+  guard_("a reader was found", [&] { found(guid, endpoint_of(info.info, false)); });
+}
+
+void Watcher::found(const rtps::GUID_t& guid, Endpoint endpoint) {
+  for (const std::string& words :
+       mismatches_.add_theirs(gid_of(guid), client_of(guid.guidPrefix), std::move(endpoint)))
+    guard_.tell(words);
+}
+
+void Watcher::add_ours(const Endpoint& endpoint) {
+  for (const std::string& words : mismatches_.add_ours(endpoint)) guard_.tell(words);
 }
 
 void Watcher::add(OnLost on_lost) {

@@ -14,12 +14,15 @@
 
 #include "api/door/dds/held_back.h"
 #include "api/door/dds/message/bytes.h"
+#include "api/door/dds/mismatch.h"
 #include "api/door/dds/replies.h"
 
 // What Fast DDS calls, on threads of its own: writers, readers, and peers that come and go.
 // Only sources of this folder include this: it shows the library.
 
 namespace slackwater::dds {
+
+[[nodiscard]] Gid gid_of(const eprosima::fastrtps::rtps::GUID_t& guid);
 
 /// What is thrown where the library calls us goes no further.
 class Guard {
@@ -84,8 +87,13 @@ class HeldBackByWriter {
 class Reader final : public eprosima::fastdds::dds::DataReaderListener {
  public:
   using OnBytes = std::function<void(Payload, const Sender&)>;
-  Reader(std::string topic, const Guard& guard, OnBytes on_bytes)
-      : topic_(std::move(topic)), guard_(guard), on_bytes_(std::move(on_bytes)) {}
+  using OnLeft = std::function<void(const std::string& client)>;
+  /// @param on_left  a client has no writer of it any more; may be none
+  Reader(std::string topic, const Guard& guard, OnBytes on_bytes, OnLeft on_left)
+      : topic_(std::move(topic)),
+        guard_(guard),
+        on_bytes_(std::move(on_bytes)),
+        on_left_(std::move(on_left)) {}
   eprosima::fastdds::dds::DataReader* reader = nullptr;
 
   void on_data_available(eprosima::fastdds::dds::DataReader* source) override;
@@ -100,22 +108,31 @@ class Reader final : public eprosima::fastdds::dds::DataReaderListener {
   std::string topic_;
   const Guard& guard_;
   OnBytes on_bytes_;
+  OnLeft on_left_;
   HeldBackByWriter held_back_;
 };
 
-/// Tells of participants that left.
+/// Tells of participants that left, and of readers and writers that do not match ours.
 class Watcher final : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
   using OnLost = std::function<void(const std::string& client)>;
   explicit Watcher(const Guard& guard) : guard_(guard) {}
   void on_participant_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
                                 eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
+  void on_publisher_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
+                              eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
+  void on_subscriber_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
+                               eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
   void add(OnLost on_lost);
+  /// Of this participant, before it is there.
+  void add_ours(const Endpoint& endpoint);
 
  private:
+  void found(const eprosima::fastrtps::rtps::GUID_t& guid, Endpoint endpoint);
   const Guard& guard_;
   std::mutex mutex_;
   std::vector<OnLost> on_lost_;
+  MismatchWatch mismatches_;
 };
 
 }  // namespace slackwater::dds

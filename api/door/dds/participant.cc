@@ -1,6 +1,6 @@
 #include "api/door/dds/participant.h"
 
-#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <deque>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -15,8 +15,10 @@
 #include "api/door/dds/library_faults.h"
 #include "api/door/dds/message/definition.h"
 #include "api/door/dds/message/graph.h"
+#include "api/door/dds/message/log_message.h"
 #include "api/door/dds/message/names.h"
 #include "api/door/dds/shared_memory.h"
+#include "api/door/dds/teller.h"
 #include "api/door/dds/wire_type.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
@@ -25,13 +27,12 @@ namespace slackwater::dds {
 namespace {
 
 namespace fdds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
 
-Gid gid_of(const rtps::GUID_t& guid) {
-  Gid gid{};
-  std::copy_n(guid.guidPrefix.value, guid.guidPrefix.size, gid.begin());
-  std::copy_n(guid.entityId.value, guid.entityId.size, gid.begin() + guid.guidPrefix.size);
-  return gid;
+Stamp now() {
+  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  const auto s = std::chrono::duration_cast<std::chrono::seconds>(since_1970);
+  const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970 - s);
+  return {static_cast<std::int32_t>(s.count()), static_cast<std::uint32_t>(ns.count())};
 }
 
 }  // namespace
@@ -57,6 +58,7 @@ struct Participant::State {
     subscriber = participant->create_subscriber(fdds::SUBSCRIBER_QOS_DEFAULT);
   }
   ~State() {
+    teller.end();
     {
       const std::lock_guard lock(life->mutex);
       life->is_over = true;
@@ -93,6 +95,7 @@ struct Participant::State {
   Writer& write(const std::string& name, const std::string& type, const std::string& ros_type,
                 const bag::Quality& quality) {
     fdds::Topic* const of = topic(name, type);
+    watcher.add_ours({name, type, true, quality.is_reliable, quality.is_transient_local ? 1 : 0});
     Writer& writer = added(writers, name, guard);
     writer.is_transient_local = quality.is_transient_local;
     writer.writer =
@@ -101,9 +104,10 @@ struct Participant::State {
     return writer;
   }
   void read(const std::string& name, const std::string& type, const std::string& ros_type,
-            const bag::Quality& quality, Reader::OnBytes on_bytes) {
+            const bag::Quality& quality, Reader::OnBytes on_bytes, Reader::OnLeft on_left = {}) {
     fdds::Topic* const of = topic(name, type);
-    Reader& reader = added(readers, name, guard, std::move(on_bytes));
+    watcher.add_ours({name, type, false, quality.is_reliable, quality.is_transient_local ? 1 : 0});
+    Reader& reader = added(readers, name, guard, std::move(on_bytes), std::move(on_left));
     reader.reader =
         subscriber->create_datareader(of, reader_qos(quality, type_hash_of(ros_type)), &reader);
     expects(reader.reader != nullptr, "a reader of a topic");
@@ -120,6 +124,16 @@ struct Participant::State {
     }
   }
 
+  /// To those here and those at the other side.
+  void say(const std::string& text) {
+    if (Writer* const to = log) {
+      const Bytes message = warning_message(now(), ros_token(settings.node), text);
+      Payload payload = message;
+      to->writer->write(&payload);
+    }
+    if (settings.on_trouble) settings.on_trouble(text);
+  }
+
   /// Outlives the participant in answers that nobody waits for any more.
   struct Life {
     std::mutex mutex;
@@ -127,7 +141,7 @@ struct Participant::State {
   };
 
   DomainSettings settings;
-  Guard guard{settings.on_trouble};
+  Guard guard{[this](const std::string& text) { teller.tell(text); }};
   Watcher watcher{guard};
   std::shared_ptr<Life> life = std::make_shared<Life>();
   fdds::DomainParticipant* participant = nullptr;
@@ -142,6 +156,8 @@ struct Participant::State {
   std::deque<Reader> readers;
   std::vector<Writer*> by_id;
   Writer* graph = nullptr;
+  std::atomic<Writer*> log{nullptr};
+  Teller teller{[this](const std::string& text) { say(text); }};  ///< last: it has a thread
 };
 
 Participant::Participant(DomainSettings settings)
@@ -149,6 +165,10 @@ Participant::Participant(DomainSettings settings)
   const std::string graph_type = "rmw_dds_common/msg/ParticipantEntitiesInfo";
   const bag::Quality latched{true, true, 1};
   state_->graph = &state_->write("ros_discovery_info", dds_type(graph_type), graph_type, latched);
+  // As nodes of ROS 2 have it, for who comes late too.
+  const std::string log_type = "rcl_interfaces/msg/Log";
+  const bag::Quality kept{true, true, 100};
+  state_->log = &state_->write(dds_topic("/rosout"), dds_type(log_type), log_type, kept);
 }
 
 Participant::~Participant() = default;
@@ -177,10 +197,14 @@ void Participant::send(WriterId writer, Payload message) {
   target->write(&message);
 }
 
-void Participant::subscribe(const bag::Channel& channel, OnMessage on_message) {
-  subscribe_timed(channel,
-                  [on_message = std::move(on_message)](Payload message, const std::string& client,
-                                                       double) { on_message(message, client); });
+void Participant::subscribe(const bag::Channel& channel, OnMessage on_message, OnLost on_left) {
+  const std::lock_guard one_at_a_time(state_->making);
+  state_->read(
+      dds_topic(channel.topic), dds_type(channel.type), channel.type, channel.quality,
+      [on_message = std::move(on_message)](Payload message, const Sender& sender) {
+        on_message(message, sender.client);
+      },
+      std::move(on_left));
 }
 
 void Participant::subscribe_timed(const bag::Channel& channel, OnTimedMessage on_message) {
@@ -208,6 +232,8 @@ void Participant::serve(const Service& service, OnRequest on_request) {
 }
 
 void Participant::on_lost(OnLost on_lost) { state_->watcher.add(std::move(on_lost)); }
+
+void Participant::tell(const std::string& text) noexcept { state_->teller.tell(text); }
 
 void Participant::announce() {
   const std::lock_guard one_at_a_time(state_->making);

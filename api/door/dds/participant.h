@@ -14,8 +14,8 @@ struct DomainSettings {
   std::string node = "slackwater";
   bool is_loopback_only = false;  ///< nobody on another machine hears it
   bool is_udp_only = false;       ///< no shared memory, of which killed processes leave files
-  /// What operators should know of: peers that ask for what is not offered, messages that are none.
-  /// From any thread.
+  /// What operators should know of: peers whose type or quality of a topic is another one than ours,
+  /// messages that are none. From a thread of the participant, one at a time.
   std::function<void(const std::string&)> on_trouble;
 };
 
@@ -60,11 +60,15 @@ class Participant {
   [[nodiscard]] bool is_heard(WriterId writer) const;
   void send(WriterId writer, Payload message);
 
-  void subscribe(const bag::Channel& channel, OnMessage on_message);
+  /// @param on_left  a client closed its writer of it, or is gone; may be none
+  void subscribe(const bag::Channel& channel, OnMessage on_message, OnLost on_left = {});
   void subscribe_timed(const bag::Channel& channel, OnTimedMessage on_message);
   void serve(const Service& service, OnRequest on_request);
   /// A client left, or has not been heard of for its lease.
   void on_lost(OnLost on_lost);
+  /// What operators should know of: to `on_trouble`, and as a warning on `/rosout`, for those at
+  /// the other side. From inside of anything.
+  void tell(const std::string& text) noexcept;
   /// Tells `ros_discovery_info` of all topics and services so far. Call after adding some.
   void announce();
 

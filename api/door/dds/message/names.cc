@@ -1,5 +1,7 @@
 #include "api/door/dds/message/names.h"
 
+#include <optional>
+
 #include "fields/base/check.h"
 
 namespace slackwater::dds {
@@ -32,6 +34,29 @@ std::string request_type(std::string_view ros_type) {
 }
 std::string reply_type(std::string_view ros_type) {
   return dds_type(std::string(ros_type) + "_Response");
+}
+
+std::string ros_topic_of(const std::string& topic) {
+  const auto between = [&](std::string_view prefix, std::string_view ending,
+                           std::string_view kind) -> std::optional<std::string> {
+    if (!topic.starts_with(prefix) || !topic.ends_with(ending) ||
+        topic.size() < prefix.size() + ending.size())
+      return std::nullopt;
+    return topic.substr(2, topic.size() - 2 - ending.size()) + std::string(kind);
+  };
+  if (const auto name = between("rt/", "", "")) return *name;
+  if (const auto name = between("rq/", "Request", " (requests)")) return *name;
+  if (const auto name = between("rr/", "Reply", " (replies)")) return *name;
+  return topic;
+}
+
+std::string ros_type_of(const std::string& type) {
+  constexpr std::string_view inside = "::dds_::";
+  const std::size_t at = type.find(inside), package = type.find("::");
+  if (at == std::string::npos || package >= at || !type.ends_with('_')) return type;
+  const std::size_t name = at + inside.size();
+  return type.substr(0, package) + "/" + type.substr(package + 2, at - package - 2) + "/" +
+         type.substr(name, type.size() - name - 1);
 }
 
 std::string ros_token(std::string_view name) {

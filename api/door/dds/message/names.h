@@ -17,6 +17,12 @@ namespace slackwater::dds {
 [[nodiscard]] std::string request_type(std::string_view ros_type);
 [[nodiscard]] std::string reply_type(std::string_view ros_type);
 
+/// For people, and the other way round: "rt/rov/odometry" -> "/rov/odometry",
+/// "rq/slackwater/pauseRequest" -> "/slackwater/pause (requests)". Other names stay as they are.
+[[nodiscard]] std::string ros_topic_of(const std::string& topic);
+/// "nav_msgs::msg::dds_::Odometry_" -> "nav_msgs/msg/Odometry". Other names stay as they are.
+[[nodiscard]] std::string ros_type_of(const std::string& type);
+
 /// A name as a token of ROS: letters, digits and single underscores, no digit first, no underscore
 /// last. What is none becomes an underscore; "7 north" -> "n7_north", "" -> "n".
 [[nodiscard]] std::string ros_token(std::string_view name);

@@ -155,5 +155,33 @@ TEST(DefinitionOf, EachTypeOfTheTable) {
   EXPECT_THROW((void)definition_of("sensor_msgs/msg/PointCloud2"), ContractViolation);
 }
 
+TEST(DefinitionOf, LogAsOnRosout) {
+  EXPECT_EQ(definition_of("rcl_interfaces/msg/Log"),
+            "builtin_interfaces/Time stamp\nuint8 level\nstring name\nstring msg\nstring file\n"
+            "string function\nuint32 line\n" +
+                held("builtin_interfaces/Time") + time_fields);
+}
+
+/// Those of ROS 2 Jazzy by rosbags 0.11, an implementation of its own.
+TEST(TypeHashOf, MessagesIsThatOfRosbags) {
+  EXPECT_EQ(type_hash_of("geometry_msgs/msg/Twist"),
+            "RIHS01_9c45bf16fe0983d80e3cfe750d6835843d265a9a6c46bd2e609fcddde6fb8d2a");
+  EXPECT_EQ(type_hash_of("geometry_msgs/msg/TwistStamped"),
+            "RIHS01_5f0fcd4f81d5d06ad9b4c4c63e3ea51b82d6ae4d0558f1d475229b1121db6f64");
+  EXPECT_EQ(type_hash_of("rcl_interfaces/msg/Log"),
+            "RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac");
+}
+
+/// Reckoned apart, in Python from the fields of Navigate.action, by a sum that gives rosidl's own
+/// hashes for its Fibonacci (tests/data/bag/type_hash_test.cc).
+TEST(TypeHashOf, PartsOfTheActionIsThatOfTheirFields) {
+  EXPECT_EQ(type_hash_of("slackwater_msgs/action/Navigate_SendGoal"),
+            "RIHS01_56a286c6e084c1d39d86ad64243a986f4150b27c0bfc03d58781bda38429ed02");
+  EXPECT_EQ(type_hash_of("slackwater_msgs/action/Navigate_GetResult"),
+            "RIHS01_0d34b6d38a68cf0584c56b3541f5cc22337386bf2c7c6e68d66d7d0876933696");
+  EXPECT_EQ(type_hash_of("slackwater_msgs/action/Navigate_FeedbackMessage"),
+            "RIHS01_6a6fc21b9169b476e4235f9f317064efdd4992ac1573ec2df302967b4a42e600");
+}
+
 }  // namespace
 }  // namespace slackwater::dds::definition_test

@@ -33,6 +33,18 @@ TEST(NamesOnDds, OfAnActionAreThreeServicesAndTwoTopics) {
             "slackwater_msgs::action::dds_::Navigate_FeedbackMessage_");
 }
 
+TEST(NamesOnDds, AreTurnedBackForPeople) {
+  EXPECT_EQ(ros_topic_of(dds_topic("/rov/cmd_vel")), "/rov/cmd_vel");
+  EXPECT_EQ(ros_topic_of(request_topic("/sim/reset")), "/sim/reset (requests)");
+  EXPECT_EQ(ros_topic_of(reply_topic("/sim/reset")), "/sim/reset (replies)");
+  EXPECT_EQ(ros_type_of(dds_type("nav_msgs/msg/Odometry")), "nav_msgs/msg/Odometry");
+  EXPECT_EQ(ros_type_of(request_type("std_srvs/srv/Trigger")), "std_srvs/srv/Trigger_Request");
+  for (const char* other : {"ros_discovery_info", "Square", "rt", "rqRequest", "dds_", "a::dds_::"})
+    EXPECT_EQ(ros_topic_of(other), other);
+  for (const char* other : {"Shape", "HelloWorld::Msg", "::dds_::_", "a::dds_::b", ""})
+    EXPECT_EQ(ros_type_of(other), other);
+}
+
 TEST(NamesOnDds, OfNoRosNameThereAreNone) {
   EXPECT_THROW((void)dds_topic("rov/odometry"), ContractViolation);
   EXPECT_THROW((void)dds_topic(""), ContractViolation);
