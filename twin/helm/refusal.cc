@@ -269,12 +269,14 @@ const char* name_of(RefusalReason reason) noexcept {
       return "unknown_model";
     case RefusalReason::bad_name:
       return "bad_name";
+    case RefusalReason::unreadable:
+      return "unreadable";
   }
   return "unknown";
 }
 
 std::optional<RefusalReason> refusal_reason_of(std::string_view name) noexcept {
-  for (int i = 0; i <= static_cast<int>(RefusalReason::bad_name); ++i)
+  for (int i = 0; i <= static_cast<int>(RefusalReason::unreadable); ++i)
     if (const auto reason = static_cast<RefusalReason>(i); name == name_of(reason)) return reason;
   return std::nullopt;
 }

@@ -21,7 +21,8 @@ enum class RefusalReason : std::uint8_t {
   vehicle_halted,    ///< it goes no further
   vehicle_not_free,  ///< aboard its carrier, or it needs its energy for the way home
   unknown_model,     ///< a newcomer's, not of the catalogue
-  bad_name,          ///< a newcomer's: taken, or none; the last one
+  bad_name,          ///< a newcomer's: taken, or none
+  unreadable,        ///< a message that is none, or asks for what there is not; the last one
 };
 [[nodiscard]] const char* name_of(RefusalReason reason) noexcept;
 /// The reason of that name; nothing for other names.

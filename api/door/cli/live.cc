@@ -116,6 +116,17 @@ Viewers open_viewers(int port, const std::string& name) {
   return viewers;
 }
 
+json played_json(const std::vector<live::PlayedBag>& played) {
+  json all = json::array();
+  for (const live::PlayedBag& bag : played) {
+    all.push_back({{"path", bag.path.string()},
+                   {"handed_in", bag.handed_in},
+                   {"taken", bag.taken},
+                   {"left_from_s", bag.left_from_s ? json(*bag.left_from_s) : json(nullptr)}});
+  }
+  return all;
+}
+
 void run_live(const LiveArguments& arguments, const Context& context) {
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
@@ -142,9 +153,11 @@ void run_live(const LiveArguments& arguments, const Context& context) {
     stopper = std::make_unique<Stopper>(hand.control);
   };
   std::optional<live::Punctuality> punctuality;
+  std::vector<live::PlayedBag> played;
   choice.on_over = [&] {
     stopper.reset();
     if (joined) punctuality = joined->punctuality();
+    if (joined) played = joined->played();
     joined.reset();
   };
   const ScenarioResult result = with_context(arguments.scenario.string(),
@@ -164,6 +177,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   if (!context.json) {
     print_run(result, arguments.out);
+    for (const live::PlayedBag& bag : played) std::printf("%s\n", bag.text().c_str());
     std::printf("%s\n", punctuality->text().c_str());
     recordings.expect_complete();
     return;
@@ -173,6 +187,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
                         {"late_steps", punctuality->late_steps()},
                         {"worst_ms", 1000 * punctuality->worst_s()}};
   out["recordings"] = recordings.json();
+  out["played"] = played_json(played);
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
   context.answered = true;
   recordings.expect_complete();

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "api/door/dds/message/orders.h"
+#include "api/door/live/bag_clock.h"
 #include "data/bag/bag.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
@@ -41,6 +42,15 @@ std::map<std::string, Teller> tellers_of(const bag::Bag& bag) {
       tellers.try_emplace(*odometer, Teller{i, false});
   }
   return tellers;
+}
+
+/// Positions in another type, which people take for those.
+std::string found_instead(const bag::Bag& bag) {
+  std::string text;
+  for (const bag::Channel& channel : bag.channels())
+    if (name_before(channel.topic, "pose") || name_before(channel.topic, "odometry"))
+      text += (text.empty() ? "; found " : ", ") + channel.topic + " as " + channel.type;
+  return text;
 }
 
 twin::Triple<double> place_in(const bag::Recorded& message, bool is_pose) {
@@ -82,17 +92,18 @@ void add_bag_traffic(const std::filesystem::path& path, const twin::Scenario& sc
     throw Error(ErrorKind::invalid_input,
                 path.string() +
                     ": found no positions of vehicles; expected topics like /rov/pose "
-                    "(geometry_msgs/msg/PoseStamped) or /rov/odometry");
+                    "(geometry_msgs/msg/PoseStamped) or /rov/odometry" +
+                    found_instead(*bag));
   }
   std::map<std::size_t, std::string> names;
   for (const auto& [name, teller] : tellers) names[teller.channel] = name;
   std::map<std::string, std::vector<twin::TrackPoint>> tracks;
-  std::optional<std::int64_t> first_ns;
+  BagClock clock(scenario.duration_s);
   while (const auto message = bag->next()) {
-    if (!first_ns) first_ns = message->log_time_ns;
     const auto name = names.find(message->channel);
-    if (name == names.end()) continue;
-    const double t_s = 1e-9 * static_cast<double>(message->log_time_ns - *first_ns);
+    const bool is_used = name != names.end();
+    const double t_s = clock.time_s(*message, bag->channels()[message->channel].topic, is_used);
+    if (!is_used) continue;
     if (t_s > scenario.duration_s + every_s) break;
     std::vector<twin::TrackPoint>& track = tracks[name->second];
     if (!track.empty() && t_s < track.back().t_s + every_s) continue;
@@ -102,6 +113,13 @@ void add_bag_traffic(const std::filesystem::path& path, const twin::Scenario& sc
         [&] { return place_in(*message, tellers.at(name->second).is_pose); });
     track.push_back({t_s, place_m, std::nullopt, std::nullopt});
   }
+  if (tracks.empty())
+    throw Error(ErrorKind::invalid_input,
+                formatted("{}: found no position of a vehicle within the {:g} s of the run; make "
+                          "the run longer, or cut the bag",
+                          path.string(), scenario.duration_s));
+  if (const std::string words = clock.left_out(); !words.empty())
+    water.warnings.push_back(path.string() + ": " + words);
   std::uint32_t mmsi = first_mmsi;
   for (auto& [name, track] : tracks) {
     twin::TrafficVessel vessel;

@@ -1,7 +1,9 @@
 #include "api/door/live/command_door.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/door/live/command_topics.h"
 #include "fields/base/text.h"
 
 namespace slackwater::live {
@@ -28,8 +30,9 @@ Submitted CommandDoor::submit(const std::string& client, std::size_t vehicle,
   twin::Command command;
   command.agent = vehicle;
   command.source = client;
-  const bool is_velocity = std::holds_alternative<twin::SetVelocity>(what);
-  const bool is_thrusters = std::holds_alternative<twin::SetThrusters>(what);
+  const bool is_short_lived = std::holds_alternative<twin::SetVelocity>(what) ||
+                              std::holds_alternative<twin::SetThrusters>(what);
+  const OfVehicle channel = channel_of(what);
   command.what = std::move(what);
   const double now_s = arbiter_.time_s();
   command.received_s = now_s;
@@ -37,20 +40,14 @@ Submitted CommandDoor::submit(const std::string& client, std::size_t vehicle,
   const std::lock_guard in_order(order_);
   command.sequence = ++counts_[{client, vehicle}];
   std::optional<twin::Refusal> refusal;
-  if (is_velocity || is_thrusters) refusal = stale(client, vehicle, held_back_s, now_s);
+  if (is_short_lived) refusal = stale(client, vehicle, held_back_s, now_s);
   if (!refusal) refusal = arbiter_.submit(client, std::move(command), now_s);
   const std::lock_guard lock(mutex_);
   if (refusal) {
     say_refused(client, vehicle, twin::name_of(refusal->reason), refusal->text);
     return {refusal->text};
   }
-  if (!heard.empty() && vehicle < vehicles_.size()) {
-    const Vehicle& channels = vehicles_[vehicle];
-    said_.push_back({is_velocity    ? channels.velocity
-                     : is_thrusters ? channels.thrusters
-                                    : channels.waypoints,
-                     heard});
-  }
+  say_heard(vehicle, channel, heard);
   return {{}, arbiter_.taken(vehicle)};
 }
 
@@ -80,16 +77,57 @@ void CommandDoor::lost(const std::string& client) {
   arbiter_.lost(client, arbiter_.time_s());
 }
 
-void CommandDoor::refuse(const std::string& client, std::size_t vehicle, const std::string& text) {
+CommandDoor::OfVehicle CommandDoor::channel_of(const twin::CommandWhat& what) noexcept {
+  if (std::holds_alternative<twin::SetVelocity>(what)) return &Vehicle::velocity;
+  if (std::holds_alternative<twin::SetThrusters>(what)) return &Vehicle::thrusters;
+  return &Vehicle::waypoints;
+}
+
+void CommandDoor::say_heard(std::size_t vehicle, OfVehicle channel, dds::Bytes heard) {
+  if (heard.empty() || vehicle >= vehicles_.size()) return;
+  said_.push_back({vehicles_[vehicle].*channel, std::move(heard)});
+}
+
+bool CommandDoor::tell_taken(std::size_t vehicle, const twin::CommandWhat& what) {
+  dds::Bytes heard = order_of(what);
   const std::lock_guard lock(mutex_);
-  say_refused(client, vehicle, "unreadable", text);
+  if (heard.empty() || vehicle >= vehicles_.size()) return false;
+  say_heard(vehicle, channel_of(what), std::move(heard));
+  return true;
+}
+
+void CommandDoor::tell_refused(std::size_t vehicle, const twin::RefusalCount& refusal) {
+  const std::lock_guard lock(mutex_);
+  say_refused(refusal.source, vehicle, twin::name_of(refusal.reason), refusal.last_text,
+              refusal.count);
+}
+
+std::optional<std::size_t> CommandDoor::vehicle(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const auto found = std::find_if(vehicles_.begin(), vehicles_.end(),
+                                  [&](const Vehicle& one) { return one.name == name; });
+  if (found == vehicles_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - vehicles_.begin());
+}
+
+void CommandDoor::refuse(const std::string& client, std::size_t vehicle, const std::string& text) {
+  std::string name;
+  {
+    const std::lock_guard lock(mutex_);
+    if (vehicle < vehicles_.size()) name = vehicles_[vehicle].name;
+  }
+  const twin::Refusal refusal =
+      arbiter_.refuse(client, name, {twin::RefusalReason::unreadable, text}, arbiter_.time_s());
+  const std::lock_guard lock(mutex_);
+  say_refused(client, vehicle, twin::name_of(refusal.reason), refusal.text);
 }
 
 void CommandDoor::say_refused(const std::string& client, std::size_t vehicle, const char* reason,
-                              const std::string& text) {
+                              const std::string& text, std::uint64_t count) {
   if (vehicle >= vehicles_.size() || refused_ >= most_refused) return;
   ++refused_;
-  const nlohmann::json json{{"client", client}, {"reason", reason}, {"text", text}};
+  nlohmann::json json{{"client", client}, {"reason", reason}, {"text", text}};
+  if (count != 1) json["count"] = count;
   // What others wrote may be no UTF-8.
   said_.push_back({vehicles_[vehicle].refused,
                    dds::text(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))});

@@ -34,8 +34,16 @@ class CommandDoor {
   /// @param held_back_s  on its way here; velocity and thrusters of too long ago are stale
   Submitted submit(const std::string& client, std::size_t vehicle, twin::CommandWhat what,
                    const dds::Bytes& heard = {}, double held_back_s = 0);
-  /// What could not even be read.
+  /// What could not even be read; counted like any other.
   void refuse(const std::string& client, std::size_t vehicle, const std::string& text);
+
+  // Of a run that is made again from its record, on the thread of the run.
+  /// What was taken, as it was heard. @return whether there is a topic for it
+  bool tell_taken(std::size_t vehicle, const twin::CommandWhat& what);
+  /// What was refused: the last of them, with the "count" where that is more than one.
+  void tell_refused(std::size_t vehicle, const twin::RefusalCount& refusal);
+  /// By its name on DDS.
+  [[nodiscard]] std::optional<std::size_t> vehicle(const std::string& name);
 
   /// A client is gone: what it held holds, and nothing of it is kept.
   void lost(const std::string& client);
@@ -55,8 +63,11 @@ class CommandDoor {
   };
   [[nodiscard]] std::optional<twin::Refusal> stale(const std::string& client, std::size_t vehicle,
                                                    double held_back_s, double now_s);
+  using OfVehicle = Stream::ChannelId Vehicle::*;
+  [[nodiscard]] static OfVehicle channel_of(const twin::CommandWhat& what) noexcept;
+  void say_heard(std::size_t vehicle, OfVehicle channel, dds::Bytes heard);
   void say_refused(const std::string& client, std::size_t vehicle, const char* reason,
-                   const std::string& text);
+                   const std::string& text, std::uint64_t count = 1);
 
   Stream& stream_;
   twin::CommandArbiter& arbiter_;

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "api/door/dds/message/orders.h"
+#include "api/door/dds/message/vehicle_messages.h"
 #include "api/door/live/reroute.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -11,8 +12,9 @@
 namespace slackwater::live {
 namespace {
 
-twin::CommandWhat velocity(dds::Payload message) {
-  const twin::Spatial<double> nu = dds::velocity_asked(message);
+constexpr const char* stamped_type = "geometry_msgs/msg/TwistStamped";
+
+twin::CommandWhat velocity_of(const twin::Spatial<double>& nu) {
   if (nu.angular.x != 0 || nu.angular.y != 0)
     throw Error(ErrorKind::invalid_input,
                 formatted("angular: found {:g} rad/s of roll and {:g} of pitch, expected 0: a "
@@ -20,12 +22,20 @@ twin::CommandWhat velocity(dds::Payload message) {
                           nu.angular.x, nu.angular.y));
   return twin::SetVelocity{{nu.linear.x, nu.linear.y, nu.linear.z, nu.angular.z}};
 }
+twin::CommandWhat velocity(dds::Payload message) {
+  return velocity_of(dds::velocity_asked(message));
+}
+twin::CommandWhat stamped_velocity(dds::Payload message) {
+  return velocity_of(dds::stamped_velocity_asked(message));
+}
 twin::CommandWhat thrusters(dds::Payload message) {
   return twin::SetThrusters{dds::thrusters_asked(message)};
 }
 twin::CommandWhat waypoints(dds::Payload message) { return reroute_to(dds::path_asked(message)); }
 
-constexpr std::array<CommandTopic, 3> topics{
+// The stamped one first, so that who writes it on the other one's topic is told of it.
+constexpr std::array<CommandTopic, 4> topics{
+    CommandTopic{"cmd_vel_stamped", stamped_type, stamped_velocity},
     CommandTopic{"cmd_vel", "geometry_msgs/msg/Twist", velocity},
     CommandTopic{"thrusters", "std_msgs/msg/Float64MultiArray", thrusters},
     CommandTopic{"waypoints", "nav_msgs/msg/Path", waypoints}};
@@ -34,14 +44,40 @@ constexpr std::array<CommandTopic, 3> topics{
 
 std::span<const CommandTopic> command_topics() noexcept { return topics; }
 
-void hand_in(CommandDoor& command_door, const std::string& client, std::size_t vehicle,
-             twin::CommandWhat (*read)(dds::Payload), dds::Payload message, double held_back_s) {
+const CommandTopic* command_topic_of(std::string_view name, std::string_view type) noexcept {
+  for (const CommandTopic& topic : topics) {
+    const bool is_its_name =
+        name == topic.name || (name == "cmd_vel" && topic.read == stamped_velocity);
+    if (is_its_name && type == topic.type) return &topic;
+  }
+  return nullptr;
+}
+
+bool hand_in(CommandDoor& command_door, const std::string& client, std::size_t vehicle,
+             const CommandTopic& topic, dds::Payload message, double held_back_s) {
   try {
-    (void)command_door.submit(client, vehicle, read(message),
-                              dds::Bytes(message.begin(), message.end()), held_back_s);
+    twin::CommandWhat what = topic.read(message);
+    dds::Bytes heard = topic.read == stamped_velocity ? order_of(what)
+                                                      : dds::Bytes(message.begin(), message.end());
+    return !command_door.submit(client, vehicle, std::move(what), heard, held_back_s).refusal;
   } catch (const std::exception& e) {
     command_door.refuse(client, vehicle, e.what());
+    return false;
   }
+}
+
+dds::Bytes order_of(const twin::CommandWhat& what) {
+  if (const auto* set = std::get_if<twin::SetVelocity>(&what)) {
+    const twin::HelmVelocity& v = set->velocity;
+    constexpr double none_to_port = -0.0;  // 0 once it is turned to port
+    return dds::velocity_order(
+        {{v.surge_m_s, v.sway_m_s, v.heave_m_s}, {0, none_to_port, v.yaw_rate_rad_s}});
+  }
+  if (const auto* set = std::get_if<twin::SetThrusters>(&what))
+    return dds::thrusters_order(set->share);
+  if (const auto* reroute = std::get_if<twin::Reroute>(&what))
+    return dds::active_waypoints(reroute->waypoints, {});
+  return {};
 }
 
 }  // namespace slackwater::live

@@ -150,9 +150,9 @@ void DdsDoor::open_topics(const std::string& name, std::size_t vehicle) {
   for (const CommandTopic& topic : command_topics()) {
     const bag::Channel channel{"/" + name + "/" + topic.name, topic.type, "", command_quality};
     participant_.subscribe_timed(
-        channel, [this, vehicle, read = topic.read](dds::Payload message, const std::string& client,
-                                                    double held_back_s) {
-          hand_in(command_door_, client, vehicle, read, message, held_back_s);
+        channel, [this, vehicle, &topic](dds::Payload message, const std::string& client,
+                                         double held_back_s) {
+          hand_in(command_door_, client, vehicle, topic, message, held_back_s);
         });
   }
 }

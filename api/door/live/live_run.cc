@@ -5,7 +5,6 @@
 
 #include "api/door/dds/message/names.h"
 #include "api/door/live/alarm_publisher.h"
-#include "api/door/live/bag_commands.h"
 #include "api/door/live/command_door.h"
 #include "api/door/live/dds_door.h"
 #include "api/door/live/dds_outlet.h"
@@ -61,8 +60,8 @@ struct LiveRun::Parts {
     for (std::size_t i = 0; settings.on_trouble && i < hand.water.warnings.size(); ++i)
       settings.on_trouble(hand.water.warnings[i]);
     for (const auto& bag : settings.played_commands) {
-      BagCommands& played =
-          played_commands.emplace_back(bag, names, command_door, settings.on_trouble);
+      BagCommands& played = played_commands.emplace_back(bag, names, hand.scenario.duration_s,
+                                                         command_door, settings.on_trouble);
       run.at_opening([&played](const twin::StepTime& time) { played.hand_in(time.start_s); });
     }
     speak();
@@ -80,8 +79,9 @@ struct LiveRun::Parts {
                      hand.newcomer_yard,
                      dds::ros_token(settings.site)};
     door = std::make_unique<DdsDoor>(*participant, stream, command_door, std::move(door_run));
-    hosts = std::make_unique<HostLink>(*participant, run, hand.control, command_door, place,
-                                       settings.when_host_fails, settings.on_trouble);
+    hosts = std::make_unique<HostLink>(
+        *participant, run, hand.control, command_door, place, settings.when_host_fails,
+        [this](const std::string& text) { participant->tell(text); });
   }
 
   /// Publishers, command door and doors of the vehicles that have none yet: all at the start, then
@@ -148,5 +148,11 @@ LiveRun::~LiveRun() {
 
 const std::vector<std::string>& LiveRun::names() const noexcept { return parts_->names; }
 const Punctuality& LiveRun::punctuality() const noexcept { return parts_->punctuality; }
+
+std::vector<PlayedBag> LiveRun::played() const {
+  std::vector<PlayedBag> played;
+  for (const BagCommands& bag : parts_->played_commands) played.push_back(bag.played());
+  return played;
+}
 
 }  // namespace slackwater::live

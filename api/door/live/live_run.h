@@ -8,6 +8,7 @@
 
 #include "api/ask/run/scenario_run.h"
 #include "api/door/dds/participant.h"
+#include "api/door/live/bag_commands.h"
 #include "api/door/live/host_link.h"
 #include "api/door/live/punctuality.h"
 #include "api/door/live/stream.h"
@@ -48,6 +49,8 @@ class LiveRun {
   [[nodiscard]] const std::vector<std::string>& names() const noexcept;
   /// Between steps.
   [[nodiscard]] const Punctuality& punctuality() const noexcept;
+  /// What became of the bags of commands so far. Between steps.
+  [[nodiscard]] std::vector<PlayedBag> played() const;
 
  private:
   struct Parts;

@@ -185,7 +185,7 @@ TEST(Refusal, OfVehiclesThatAreNotFree) {
 }
 
 TEST(Refusal, EachReasonHasAName) {
-  for (int i = 0; i <= static_cast<int>(RefusalReason::bad_name); ++i)
+  for (int i = 0; i <= static_cast<int>(RefusalReason::unreadable); ++i)
     EXPECT_STRNE(name_of(static_cast<RefusalReason>(i)), "unknown");
 }
 

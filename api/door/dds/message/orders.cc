@@ -22,6 +22,14 @@ struct NumbersAsked {
   }
 };
 
+/// In body axes, forward, right, down.
+twin::Spatial<double> velocity_of(const geometry_msgs::msg::Twist& twist) {
+  twin::Spatial<double> nu;
+  nu.linear = flu_frd(triple_of(twist.linear()));
+  nu.angular = flu_frd(triple_of(twist.angular()));
+  return nu;
+}
+
 }  // namespace
 
 void PathAsked::deserialize(Cdr& cdr) {
@@ -35,11 +43,18 @@ void PathAsked::deserialize(Cdr& cdr) {
 }
 
 twin::Spatial<double> velocity_asked(Payload message) {
-  const auto twist = decoded<geometry_msgs::msg::Twist>(message);
-  twin::Spatial<double> nu;
-  nu.linear = flu_frd(triple_of(twist.linear()));
-  nu.angular = flu_frd(triple_of(twist.angular()));
-  return nu;
+  return velocity_of(decoded<geometry_msgs::msg::Twist>(message));
+}
+
+twin::Spatial<double> stamped_velocity_asked(Payload message) {
+  const auto asked = decoded<geometry_msgs::msg::TwistStamped>(message);
+  const std::string& frame = asked.header().frame_id();
+  if (frame == "earth" || frame == map_frame || frame == "odom") {
+    throw Error(ErrorKind::invalid_input,
+                "the velocity is in the frame " + frame +
+                    ", expected the vehicle's own (base_link); turn it into that");
+  }
+  return velocity_of(asked.twist());
 }
 
 std::vector<double> thrusters_asked(Payload message) {

@@ -14,6 +14,9 @@ namespace slackwater::dds {
 /// @return body axes, forward, right, down
 /// @throws Error(invalid_input) for bytes that are no such message, like all of these
 [[nodiscard]] twin::Spatial<double> velocity_asked(Payload message);
+/// The same of a geometry_msgs/msg/TwistStamped; its stamp counts for nothing.
+/// @throws Error(invalid_input) for one in a frame of the world (REP-105) too: earth, map, odom
+[[nodiscard]] twin::Spatial<double> stamped_velocity_asked(Payload message);
 /// std_msgs/msg/Float64MultiArray: -1 to 1 for each thruster, in the file's order.
 [[nodiscard]] std::vector<double> thrusters_asked(Payload message);
 /// nav_msgs/msg/Path in `map`. @return NED, m

@@ -39,6 +39,11 @@ struct ReaderCase {
          w.doubles({1, 0, 0, 0, 0, 0.25});
        },
        false},
+      {"cmd_vel_stamped", [](Payload p) { (void)dds::stamped_velocity_asked(p); },
+       [](HandWriter& w) {
+         w.header(10, 20, "base_link").doubles({1, 0, 0, 0, 0, 0.25});
+       },
+       false},
       {"thrusters", [](Payload p) { (void)dds::thrusters_asked(p); },
        [](HandWriter& w) {
          w.put(1U).string("thruster").put(4U).put(4U).put(0U).put(4U).doubles({1, -1, 0.5, 0});

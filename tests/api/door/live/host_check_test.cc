@@ -123,30 +123,35 @@ TEST(HostCheck, AgentsAskForWhatThereIs) {
 
 /// So that a bag of it, played, drives as the agent did.
 TEST(HostCheck, WhatAgentsAskForIsHeardAsOnTheTopicThatHasIt) {
-  const auto topics = live::command_topics();
+  const auto heard_on = [](const char* topic, const char* type, const dds::AgentAsked& asked) {
+    return live::command_topic_of(topic, type)->read(live::order_of(*live::command_of(asked)));
+  };
   dds::AgentAsked asked;
-  EXPECT_TRUE(live::heard_of(asked).empty()) << "nothing";
+  EXPECT_FALSE(live::command_of(asked)) << "nothing";
   asked.kind = 1;
   asked.velocity.linear = {0.5, 0.1, -0.2};
   asked.velocity.angular.z = 0.3;
-  const auto velocity = std::get<twin::SetVelocity>(topics[0].read(live::heard_of(asked))).velocity;
+  const auto velocity =
+      std::get<twin::SetVelocity>(heard_on("cmd_vel", "geometry_msgs/msg/Twist", asked)).velocity;
   EXPECT_EQ(velocity.surge_m_s, 0.5);
   EXPECT_EQ(velocity.sway_m_s, 0.1);
   EXPECT_EQ(velocity.heave_m_s, -0.2);
   EXPECT_EQ(velocity.yaw_rate_rad_s, 0.3);
   asked.kind = 2;
   asked.thrusters = {0.25, -1};
-  EXPECT_EQ(std::get<twin::SetThrusters>(topics[1].read(live::heard_of(asked))).share,
-            asked.thrusters);
+  EXPECT_EQ(
+      std::get<twin::SetThrusters>(heard_on("thrusters", "std_msgs/msg/Float64MultiArray", asked))
+          .share,
+      asked.thrusters);
   asked.kind = 3;
   asked.places_m = {{1, 2, 3}, {4, 5, 6}};
-  const auto reroute = std::get<twin::Reroute>(topics[2].read(live::heard_of(asked)));
+  const auto reroute = std::get<twin::Reroute>(heard_on("waypoints", "nav_msgs/msg/Path", asked));
   ASSERT_EQ(reroute.waypoints.size(), 2U);
   EXPECT_EQ(reroute.waypoints[1].position_m.x, 4);
   EXPECT_EQ(reroute.waypoints[1].position_m.z, 6);
   for (const std::uint8_t kind : std::array<std::uint8_t, 3>{4, 5, 6}) {
     asked.kind = kind;
-    EXPECT_TRUE(live::heard_of(asked).empty()) << "no topic has it";
+    EXPECT_TRUE(live::order_of(*live::command_of(asked)).empty()) << "no topic has it";
   }
 }
 

@@ -53,6 +53,32 @@ TEST_P(OrdersOfClients, VelocityIsTurnedForwardRightDown) {
   EXPECT_EQ(nu.angular.z, -0.75) << "a yaw to the left";
 }
 
+TEST_P(OrdersOfClients, StampedVelocityIsTheSameWheneverItWasStampedInTheVehiclesFrame) {
+  for (const char* frame : {"", "base_link", "rov/base_link"}) {
+    const auto nu = stamped_velocity_asked(HandWriter(GetParam())
+                                               .header(1'741'392'000, 5, frame)
+                                               .doubles({1.5, 0.25, -0.5, 0, 0, 0.75})
+                                               .bytes());
+    EXPECT_EQ(nu.linear.x, 1.5);
+    EXPECT_EQ(nu.linear.y, -0.25);
+    EXPECT_EQ(nu.linear.z, 0.5);
+    EXPECT_EQ(nu.angular.z, -0.75);
+  }
+}
+
+TEST_P(OrdersOfClients, StampedVelocityInAFrameOfTheWorldIsRefused) {
+  for (const std::string frame : {"earth", "map", "odom"}) {
+    try {
+      (void)stamped_velocity_asked(
+          HandWriter(GetParam()).header(0, 0, frame).doubles({1, 0, 0, 0, 0, 0}).bytes());
+      FAIL() << frame;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.message(), "the velocity is in the frame " + frame +
+                                 ", expected the vehicle's own (base_link); turn it into that");
+    }
+  }
+}
+
 TEST_P(OrdersOfClients, ThrustersWithAndWithoutALayout) {
   EXPECT_EQ(
       thrusters_asked(HandWriter(GetParam()).put(0U).put(0U).put(3U).doubles({-1, 0.5, 1}).bytes()),
