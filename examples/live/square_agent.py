@@ -126,7 +126,7 @@ class AgentCommand(IdlStruct, typename="slackwater_msgs::msg::dds_::AgentCommand
     path: Path
 
 
-AGENT, VELOCITY, HOLD = 1, 1, 4
+AGENT, LEAVE, VELOCITY, HOLD = 1, 0, 1, 4
 RELIABLE = Qos(Policy.Reliability.Reliable(1_000_000_000), Policy.History.KeepLast(10))
 
 
@@ -184,6 +184,8 @@ def main():
             kind = VELOCITY if corners else HOLD
             command.write(AgentCommand(seen.step, kind, velocity, [], path))
             if not corners:
+                # Said, so that no step waits for us any more.
+                request.write(HostRequest(token=token, version=1, role=LEAVE, timeout_s=1.0))
                 time.sleep(0.5)
                 return 0
         time.sleep(0.0005)

@@ -1,7 +1,6 @@
 #include "api/door/live/host_link.h"
 
-#include "api/door/dds/message/orders.h"
-#include "api/door/dds/message/vehicle_messages.h"
+#include "api/door/live/command_topics.h"
 #include "api/door/live/host_check.h"
 #include "api/door/live/reroute.h"
 #include "fields/base/error.h"
@@ -37,19 +36,6 @@ std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
     default:
       throw Error(ErrorKind::invalid_input,
                   formatted("a command of kind {}; kinds are from 0 to 6", int{asked.kind}));
-  }
-}
-
-dds::Bytes heard_of(const dds::AgentAsked& asked) {
-  switch (asked.kind) {
-    case 1:
-      return dds::velocity_order(asked.velocity);
-    case 2:
-      return dds::thrusters_order(asked.thrusters);
-    case 3:
-      return dds::active_waypoints(reroute_to(asked.places_m).waypoints, {});
-    default:
-      return {};
   }
 }
 
@@ -92,25 +78,32 @@ void HostLink::open(const std::string& name) {
     const std::lock_guard lock(mutex_);
     return !hosting.empty() && client == hosting;
   };
-  participant_.subscribe(topic("command", "slackwater_msgs/msg/AgentCommand"),
-                         [&host, from](dds::Payload message, const std::string& client) {
-                           if (!from(client, host.agent)) return;
-                           dds::AgentAsked asked = dds::read_agent_command(message);
-                           const std::uint64_t step = asked.step;
-                           (void)host.from_agent.answer(step, std::move(asked));
-                         });
-  participant_.subscribe(topic("physics_output", "slackwater_msgs/msg/PhysicsOutput"),
-                         [&host, from](dds::Payload message, const std::string& client) {
-                           if (!from(client, host.physics)) return;
-                           const dds::PhysicsMade made = dds::read_physics_output(message);
-                           (void)host.from_physics.answer(made.step, made);
-                         });
+  participant_.subscribe(
+      topic("command", "slackwater_msgs/msg/AgentCommand"),
+      [this, &host](dds::Payload message, const std::string& client) {
+        take_command(host, message, client);
+      },
+      [this, vehicle, from, &host](const std::string& client) {
+        if (from(client, host.agent)) drop_agent(vehicle, {"it is gone"});
+      });
+  participant_.subscribe(
+      topic("physics_output", "slackwater_msgs/msg/PhysicsOutput"),
+      [&host, from](dds::Payload message, const std::string& client) {
+        if (!from(client, host.physics)) return;
+        const dds::PhysicsMade made = dds::read_physics_output(message);
+        (void)host.from_physics.answer(made.step, made);
+      },
+      [this, vehicle, from, &host](const std::string& client) {
+        if (from(client, host.physics)) drop_physics(vehicle, {"it is gone"});
+      });
   participant_.subscribe(
       topic("request", "slackwater_msgs/msg/HostRequest"),
       [this, vehicle, &host](dds::Payload message, const std::string& client) {
         const dds::HostAsked asked = dds::read_host_request(message);
         const auto refusal = take(vehicle, asked, client);
-        const std::string words = refusal.value_or("hosted by " + client + " from now on");
+        const bool is_leaving = asked.role == static_cast<std::uint8_t>(dds::HostRole::leave);
+        const std::string words =
+            refusal.value_or(is_leaving ? "given back" : "hosted by " + client + " from now on");
         participant_.send(host.answer,
                           dds::host_answer(asked.token, !refusal, words, place_.step_s));
       });
@@ -129,6 +122,7 @@ std::optional<std::string> HostLink::take(std::size_t vehicle, const dds::HostAs
     return formatted("version {} of the protocol was asked for, this is version {}", asked.version,
                      dds::host_version);
   }
+  if (asked.role == static_cast<std::uint8_t>(dds::HostRole::leave)) return leave(vehicle, client);
   const bool is_agent = asked.role == static_cast<std::uint8_t>(dds::HostRole::agent);
   const double most_s = is_agent ? longest_s / most_missed : longest_s;
   if (!(asked.timeout_s >= shortest_s && asked.timeout_s <= most_s)) {
@@ -147,10 +141,11 @@ std::optional<std::string> HostLink::take(std::size_t vehicle, const dds::HostAs
     host.agent = client;
     host.agent_timeout_s = asked.timeout_s;
     host.missed = 0;
+    host.behind_since.reset();
     return std::nullopt;
   }
   if (asked.role != static_cast<std::uint8_t>(dds::HostRole::physics))
-    return formatted("role {}; 1 is an agent, 2 physics", int{asked.role});
+    return formatted("role {}; 0 leaves, 1 is an agent, 2 physics", int{asked.role});
   if (!host.physics.empty() && host.physics != client)
     return "the physics of " + host.name + " are made already by " + host.physics;
   host.physics = client;
@@ -165,6 +160,21 @@ std::optional<std::string> HostLink::take(std::size_t vehicle, const dds::HostAs
   return std::nullopt;
 }
 
+std::optional<std::string> HostLink::leave(std::size_t vehicle, const std::string& client) {
+  bool is_agent = false, is_physics = false;
+  std::string name;
+  {
+    const std::lock_guard lock(mutex_);
+    is_agent = hosts_[vehicle].agent == client;
+    is_physics = hosts_[vehicle].physics == client;
+    name = hosts_[vehicle].name;
+  }
+  if (is_agent) drop_agent(vehicle, {"it left", false});
+  if (is_physics) drop_physics(vehicle, {"it left", false});
+  if (is_agent || is_physics) return std::nullopt;
+  return client + " hosts nothing of " + name;
+}
+
 void HostLink::lose(const std::string& client) {
   for (std::size_t i = 0;; ++i) {
     bool was_agent = false, was_physics = false;
@@ -174,117 +184,177 @@ void HostLink::lose(const std::string& client) {
       was_agent = hosts_[i].agent == client;
       was_physics = hosts_[i].physics == client;
     }
-    if (was_agent) drop_agent(i, "it is gone");
-    if (was_physics) drop_physics(i, "it is gone");
+    if (was_agent) drop_agent(i, {"it is gone"});
+    if (was_physics) drop_physics(i, {"it is gone"});
   }
 }
 
+void HostLink::take_command(Host& host, dds::Payload message, const std::string& client) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (host.agent.empty() || host.agent != client) return;
+    // To whatever step: it is awake.
+    host.behind_since.reset();
+  }
+  dds::AgentAsked asked = dds::read_agent_command(message);
+  const std::uint64_t step = asked.step;
+  (void)host.from_agent.answer(step, std::move(asked));
+}
+
+/// All are asked before the first is waited for, so that two that are late take no longer than one.
 void HostLink::ask_agents(const twin::StepTime& time) {
+  std::vector<std::size_t> asked;
   for (std::size_t i = 0; i < hosts_.size(); ++i) {
-    bool is_hosted = false, is_ending = false;
+    bool is_ending = false;
     {
       const std::lock_guard lock(mutex_);
-      is_hosted = !hosts_[i].agent.empty();
       is_ending = std::exchange(hosts_[i].is_ending, false);
     }
     if (is_ending) end_physics(i, time.step, time.start_s);
-    if (is_hosted) ask_agent(i, time);
+    if (ask_agent(i, time)) asked.push_back(i);
   }
+  const WallTime now = std::chrono::steady_clock::now();
+  for (const std::size_t vehicle : asked) wait_for_agent(vehicle, now);
 }
 
-void HostLink::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
+bool HostLink::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
   Host& host = hosts_[vehicle];
+  // First, so that who is dropped from now on is not waited for.
   host.from_agent.ask(time.step);
-  const dds::Stamp stamp = dds::stamp_of(place_.epoch, time.start_s);
-  participant_.send(host.observation,
-                    dds::agent_observation(run_.agents()[vehicle], run_.states()[vehicle],
-                                           time.step, host.name, stamp));
-  std::string client;
+  bool is_behind = false, is_too_late = false;
   double timeout_s = 0;
   {
     const std::lock_guard lock(mutex_);
-    client = host.agent;
+    if (host.agent.empty()) return false;
     timeout_s = host.agent_timeout_s;
+    is_behind = host.behind_since.has_value();
+    const std::chrono::duration<double> most(timeout_s * (most_missed - host.missed));
+    is_too_late = is_behind && std::chrono::steady_clock::now() - *host.behind_since >= most;
+  }
+  if (is_too_late) {
+    drop_agent(vehicle, {formatted("no answer came within {:g} s", timeout_s * most_missed)});
+    return false;
+  }
+  participant_.send(host.observation, dds::agent_observation(
+                                          run_.agents()[vehicle], run_.states()[vehicle], time.step,
+                                          host.name, dds::stamp_of(place_.epoch, time.start_s)));
+  return !is_behind;
+}
+
+void HostLink::wait_for_agent(std::size_t vehicle, WallTime asked_at) {
+  Host& host = hosts_[vehicle];
+  std::string client;
+  std::chrono::duration<double> left{};
+  {
+    const std::lock_guard lock(mutex_);
+    if (host.agent.empty()) return;
+    client = host.agent;
+    left = std::chrono::duration<double>(host.agent_timeout_s) -
+           (std::chrono::steady_clock::now() - asked_at);
   }
   const auto is_stopped = [this] { return control_.is_stopped(); };
-  const auto asked = host.from_agent.wait(std::chrono::duration<double>(timeout_s), is_stopped);
-  if (!asked && is_stopped()) return;
-  if (const int missed = count_missed(host, !asked.has_value()); missed >= most_missed) {
-    drop_agent(vehicle,
-               formatted("{} answers in a row did not come within {:g} s", missed, timeout_s));
+  const auto asked = host.from_agent.wait(left, is_stopped);
+  if (!asked) {
+    if (!is_stopped()) note_missed(vehicle);
+    return;
   }
-  if (!asked) return;
+  {
+    const std::lock_guard lock(mutex_);
+    host.missed = 0;
+  }
   try {
     std::optional<twin::CommandWhat> what = command_of(*asked);
     if (!what) return;
-    const Submitted submitted =
-        command_door_.submit(client, vehicle, std::move(*what), heard_of(*asked));
-    if (submitted.refusal) drop_agent(vehicle, *submitted.refusal);
+    const dds::Bytes heard = order_of(*what);
+    const Submitted submitted = command_door_.submit(client, vehicle, std::move(*what), heard);
+    if (submitted.refusal) drop_agent(vehicle, {*submitted.refusal});
   } catch (const Error& e) {
-    drop_agent(vehicle, e.message());
+    drop_agent(vehicle, {e.message()});
   }
 }
 
-int HostLink::count_missed(Host& host, bool has_missed) {
-  const std::lock_guard lock(mutex_);
-  host.missed = has_missed ? host.missed + 1 : 0;
-  return host.missed;
+void HostLink::note_missed(std::size_t vehicle) {
+  std::string client, name;
+  double timeout_s = 0;
+  int missed = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    Host& host = hosts_[vehicle];
+    if (host.agent.empty()) return;  // it was dropped meanwhile
+    client = host.agent;
+    name = host.name;
+    timeout_s = host.agent_timeout_s;
+    missed = ++host.missed;
+    host.behind_since = std::chrono::steady_clock::now();
+  }
+  if (missed >= most_missed) {
+    drop_agent(vehicle,
+               {formatted("{} answers in a row did not come within {:g} s", missed, timeout_s)});
+  } else {
+    tell(
+        formatted("the agent of {}, {}, did not answer within {:g} s: the run goes on without "
+                  "waiting for it, and takes it off after {:g} s more of silence",
+                  name, client, timeout_s, timeout_s * (most_missed - missed)));
+  }
 }
 
 std::optional<twin::VehicleState<double>> HostLink::ask_physics(std::size_t vehicle,
                                                                 const twin::HostedStep& step) {
   Host& host = hosts_[vehicle];
+  // First, so that who is dropped from now on is not waited for.
+  host.from_physics.ask(step.time.step);
   double timeout_s = 0;
   {
     const std::lock_guard lock(mutex_);
     if (host.physics.empty()) return std::nullopt;
     timeout_s = host.physics_timeout_s;
   }
-  host.from_physics.ask(step.time.step);
   participant_.send(host.input, dds::physics_input(step, host.name,
                                                    dds::stamp_of(place_.epoch, step.time.start_s)));
   const auto is_stopped = [this] { return control_.is_stopped(); };
   const auto made = host.from_physics.wait(std::chrono::duration<double>(timeout_s), is_stopped);
   if (!made) {
-    drop_physics(vehicle, is_stopped()
-                              ? "the run was stopped while it was asked"
-                              : formatted("its answer did not come within {:g} s", timeout_s));
+    drop_physics(vehicle,
+                 {is_stopped() ? "the run was stopped while it was asked"
+                               : formatted("its answer did not come within {:g} s", timeout_s)});
     return std::nullopt;
   }
   if (const auto why = unphysical(*made, step)) {
-    drop_physics(vehicle, "it answered with " + *why);
+    drop_physics(vehicle, {"it answered with " + *why});
     return std::nullopt;
   }
   return state_after(*made, step);
 }
 
-void HostLink::drop_agent(std::size_t vehicle, const std::string& why) {
+void HostLink::drop_agent(std::size_t vehicle, const Ending& ending) {
   std::string client, name;
   {
     const std::lock_guard lock(mutex_);
     Host& host = hosts_[vehicle];
     client = std::exchange(host.agent, {});
+    host.from_agent.give_up();
     name = host.name;
   }
   if (client.empty()) return;
-  tell("the agent of " + name + ", " + client + ", is taken off: " + why);
+  tell("the agent of " + name + ", " + client + ", is taken off: " + ending.why);
   twin::CommandArbiter& arbiter = command_door_.arbiter();
   arbiter.lost(client, arbiter.time_s());
-  if (rule_ == HostRule::halt) control_.pause();
+  if (rule_ == HostRule::halt && ending.has_failed) control_.pause();
 }
 
-void HostLink::drop_physics(std::size_t vehicle, const std::string& why) {
+void HostLink::drop_physics(std::size_t vehicle, const Ending& ending) {
   std::string client, name;
   {
     const std::lock_guard lock(mutex_);
     Host& host = hosts_[vehicle];
     client = std::exchange(host.physics, {});
+    host.from_physics.give_up();
     name = host.name;
-    host.is_ending = !client.empty();
+    host.is_ending = host.is_ending || !client.empty();
   }
   if (client.empty()) return;
-  tell("the physics of " + name + " are ours again, " + client + " is taken off: " + why);
-  if (rule_ == HostRule::halt) control_.pause();
+  tell("the physics of " + name + " are ours again, " + client + " is taken off: " + ending.why);
+  if (rule_ == HostRule::halt && ending.has_failed) control_.pause();
 }
 
 void HostLink::end_physics(std::size_t vehicle, std::uint64_t step, double t_s) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <mutex>
@@ -26,10 +27,14 @@ enum class HostRule {
 ///
 /// | role    | is told on            | answers on             | late or lying             |
 /// |---------|-----------------------|------------------------|---------------------------|
-/// | agent   | `.../observation`     | `.../command`          | lies, 5 late: taken off   |
+/// | agent   | `.../observation`     | `.../command`          | see below                 |
 /// | physics | `.../physics_input`   | `.../physics_output`   | taken back at once        |
 ///
-/// Whoever is taken from is named to `on_trouble`.
+/// An agent that is late is waited for once: the steps from then on go without it, its vehicle by
+/// what it was told last, until the agent answers something. One that lies, has missed five answers
+/// in a row or is silent for as long is taken off. All agents of a step are asked before the first
+/// is waited for. Who leaves (role 0), closes its writer or is gone from the domain is not waited
+/// for any longer. Whoever is taken from is named to `on_trouble`.
 class HostLink {
  public:
   HostLink(dds::Participant& participant, twin::Run& run, twin::RunControl& control,
@@ -40,12 +45,15 @@ class HostLink {
   void open(const std::string& name);
 
  private:
+  using WallTime = std::chrono::steady_clock::time_point;
   struct Host {
     std::string name;
     dds::Participant::WriterId answer = 0, observation = 0, input = 0;
     std::string agent, physics;  ///< clients; empty: none
     double agent_timeout_s = 0, physics_timeout_s = 0;
-    int missed = 0;          ///< answers of the agent, in a row
+    int missed = 0;  ///< answers of the agent, in a row
+    /// Since when it is not waited for, until it answers; nothing: it is.
+    std::optional<WallTime> behind_since{};
     bool is_ending = false;  ///< physics that are taken back with the next step
     LockStep<dds::AgentAsked> from_agent;
     LockStep<dds::PhysicsMade> from_physics;
@@ -53,15 +61,23 @@ class HostLink {
   /// @return what speaks against it
   [[nodiscard]] std::optional<std::string> take(std::size_t vehicle, const dds::HostAsked& asked,
                                                 const std::string& client);
+  [[nodiscard]] std::optional<std::string> leave(std::size_t vehicle, const std::string& client);
   void lose(const std::string& client);
+  void take_command(Host& host, dds::Payload message, const std::string& client);
   void ask_agents(const twin::StepTime& time);
-  void ask_agent(std::size_t vehicle, const twin::StepTime& time);
+  /// @return whether its answer to the step is to be waited for
+  [[nodiscard]] bool ask_agent(std::size_t vehicle, const twin::StepTime& time);
+  void wait_for_agent(std::size_t vehicle, WallTime asked);
+  void note_missed(std::size_t vehicle);
   [[nodiscard]] std::optional<twin::VehicleState<double>> ask_physics(std::size_t vehicle,
                                                                       const twin::HostedStep& step);
-  /// @return answers of the agent that did not come, in a row
-  [[nodiscard]] int count_missed(Host& host, bool has_missed);
-  void drop_agent(std::size_t vehicle, const std::string& why);
-  void drop_physics(std::size_t vehicle, const std::string& why);
+  /// Why it is taken off, and whether that is a failure, for which the rule is.
+  struct Ending {
+    std::string why;
+    bool has_failed = true;
+  };
+  void drop_agent(std::size_t vehicle, const Ending& ending);
+  void drop_physics(std::size_t vehicle, const Ending& ending);
   void end_physics(std::size_t vehicle, std::uint64_t step, double t_s);
   void tell(const std::string& text) const;
 
@@ -79,8 +95,5 @@ class HostLink {
 /// What an agent asked for, as a command; nothing where it asks for nothing.
 /// @throws Error(invalid_input) for a kind that there is not
 [[nodiscard]] std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked);
-/// The same as the message of the command topic that it could have come on, for recordings; empty
-/// where there is no such topic.
-[[nodiscard]] dds::Bytes heard_of(const dds::AgentAsked& asked);
 
 }  // namespace slackwater::live

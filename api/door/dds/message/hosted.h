@@ -11,7 +11,8 @@ namespace slackwater::dds {
 // step they are told once and answer once, with the number of the step.
 
 inline constexpr std::uint32_t host_version = 1;
-enum class HostRole : std::uint8_t { agent = 1, physics = 2 };
+/// Who leaves gives back all that it hosts of the vehicle.
+enum class HostRole : std::uint8_t { leave = 0, agent = 1, physics = 2 };
 
 /// slackwater_msgs/msg/HostRequest; all readers throw Error(invalid_input) for bytes that are none.
 struct HostAsked {

@@ -44,6 +44,22 @@ TEST(LockStep, NobodyIsWaitedForWhenTheRunIsStopped) {
   EXPECT_LT(std::chrono::steady_clock::now() - begun, 60s);
 }
 
+TEST(LockStep, NobodyIsWaitedForWhoIsGivenUp) {
+  live::LockStep<int> lock;
+  lock.ask(5);
+  std::jthread gone([&] {
+    std::this_thread::sleep_for(50ms);
+    lock.give_up();
+  });
+  const auto begun = std::chrono::steady_clock::now();
+  EXPECT_EQ(lock.wait(600s, never), std::nullopt);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, 60s);
+  gone.join();
+  lock.ask(6);
+  EXPECT_TRUE(lock.answer(6, 60));
+  EXPECT_EQ(lock.wait(1s, never), 60) << "the next one is waited for";
+}
+
 TEST(LockStep, AThousandStepsWithAnotherThread) {
   live::LockStep<std::uint64_t> lock;
   std::atomic<std::uint64_t> asked{0};

@@ -1,0 +1,265 @@
+// Agents of `slackwater live` in other processes that leave, or fall silent: who waits for whom.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "nav_msgsPubSubTypes.h"
+#include "slackwater_msgsPubSubTypes.h"
+#include "tests/api/door/dds/own_domain.h"
+#include "tests/api/door/dds/without_leaks.h"
+#include "tests/api/door/live/live_records.h"
+#include "tests/strangers/live/service_client.h"
+#include "tests/support/comes_true.h"
+#include "tests/support/started_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace slackwater::tests::leaving_agent_test {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+/// When each step of a vehicle was told, on the clock of the wall.
+class Pulse : public peer::fdds::DataReaderListener {
+ public:
+  void on_data_available(peer::fdds::DataReader* reader) override {
+    nav_msgs::msg::Odometry message;
+    peer::fdds::SampleInfo info;
+    while (reader->take_next_sample(&message, &info) == ReturnCode_t::RETCODE_OK) {
+      const std::lock_guard lock(mutex_);
+      if (info.valid_data) times_.push_back(Clock::now());
+    }
+  }
+  /// Between one step and the next, s, those that end after `from`; the last one to now.
+  std::vector<double> gaps_s(Clock::time_point from) {
+    const std::lock_guard lock(mutex_);
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i <= times_.size(); ++i) {
+      const Clock::time_point end = i < times_.size() ? times_[i] : Clock::now();
+      if (end > from) gaps.push_back(std::chrono::duration<double>(end - times_[i - 1]).count());
+    }
+    return gaps;
+  }
+  std::size_t steps() {
+    const std::lock_guard lock(mutex_);
+    return times_.size();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Clock::time_point> times_;
+};
+
+/// Asks for a vehicle and answers each observation with a slow way ahead, until it is told to be
+/// silent.
+class Agent {
+ public:
+  Agent(int domain, const std::string& vehicle, double timeout_s)
+      : timeout_s_(timeout_s), node_(std::make_unique<peer::Node>(domain)) {
+    using namespace slackwater_msgs::msg;
+    request_ = node_->writer<HostRequestPubSubType>("rt/" + vehicle + "/host/request");
+    command_ = node_->writer<AgentCommandPubSubType>("rt/" + vehicle + "/host/command");
+    observed_ = node_->reader<AgentObservationPubSubType>("rt/" + vehicle + "/host/observation");
+    thread_ = std::jthread([this](const std::stop_token& over) { fly(over); });
+  }
+  ~Agent() { stop(); }
+  [[nodiscard]] std::size_t seen() const { return seen_; }
+  void be_silent(bool is_silent) { is_silent_ = is_silent; }
+
+  void close_participant() {
+    stop();
+    node_.reset();
+  }
+  void close_writer() {
+    stop();
+    node_->publisher->delete_datawriter(command_);
+  }
+  void say_that_it_leaves() {
+    stop();
+    ask(0);
+  }
+
+ private:
+  void stop() {
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+  }
+  void ask(std::uint8_t role) {
+    slackwater_msgs::msg::HostRequest asked;
+    asked.token(1);
+    asked.version(1);
+    asked.role(role);
+    asked.timeout_s(timeout_s_);
+    request_->write(&asked);
+  }
+  void fly(const std::stop_token& over) {
+    slackwater_msgs::msg::AgentObservation seen;
+    peer::fdds::SampleInfo info;
+    while (!over.stop_requested()) {
+      peer::fdds::PublicationMatchedStatus hears;
+      command_->get_publication_matched_status(hears);
+      if (seen_ == 0 && hears.current_count > 0) ask(1);
+      observed_->wait_for_unread_message({0, 50'000'000});
+      if (is_silent_) continue;
+      while (observed_->take_next_sample(&seen, &info) == ReturnCode_t::RETCODE_OK) {
+        if (!info.valid_data) continue;
+        slackwater_msgs::msg::AgentCommand command;
+        command.step(seen.step());
+        command.kind(1);
+        command.velocity().linear().x(0.1);
+        command_->write(&command);
+        ++seen_;
+      }
+    }
+  }
+
+  double timeout_s_;
+  std::unique_ptr<peer::Node> node_;
+  peer::fdds::DataWriter* request_ = nullptr;
+  peer::fdds::DataWriter* command_ = nullptr;
+  peer::fdds::DataReader* observed_ = nullptr;
+  std::atomic<std::size_t> seen_{0};
+  std::atomic<bool> is_silent_{false};
+  std::jthread thread_;
+};
+
+/// A run at the pace of the clock, twenty steps a second, with vehicles that others may host; `c` is
+/// watched.
+class LeavingAgent : public testing::Test {
+ protected:
+  LeavingAgent() {
+    std::ofstream scenario(folder_ / "scenario.yaml");
+    scenario << "name: test\nseed: 7\nduration: 20min\nstep_s: 0.05\nlog_every_s: 0.5\n"
+                "water: {made_up: {depth_m: 60}}\nvehicles:\n";
+    for (const char* name : {"a", "b", "c"})
+      scenario << "  - {name: " << name
+               << ", model: bluerov2_heavy, start: {north_m: 0, east_m: " << 20 * (name[0] - 'a')
+               << ", depth_m: 10}, tasks: [{do: hold}]}\n";
+    scenario.close();
+    observer_.reader<nav_msgs::msg::OdometryPubSubType>("rt/c/odometry")->set_listener(&pulse_);
+    run_.emplace(start_program(
+        {"live", folder_ / "scenario.yaml", "--dds-domain", std::to_string(domain_.number()),
+         "--out", folder_ / "run.nc", "--record", folder_ / "run.mcap"},
+        without_leaks(), "/dev/null", folder_ / "err"));
+  }
+  std::unique_ptr<Agent> hosted(const std::string& vehicle, double timeout_s) {
+    auto agent = std::make_unique<Agent>(domain_.number(), vehicle, timeout_s);
+    EXPECT_TRUE(comes_true([&] { return agent->seen() >= 20 && pulse_.steps() >= 20; }, 60s))
+        << agent->seen() << " observations\n"
+        << said();
+    return agent;
+  }
+  double longest_s(Clock::time_point from) {
+    const auto gaps = pulse_.gaps_s(from);
+    return gaps.empty() ? 1e9 : *std::max_element(gaps.begin(), gaps.end());
+  }
+  std::ptrdiff_t stalls(Clock::time_point from) {
+    const auto gaps = pulse_.gaps_s(from);
+    return std::count_if(gaps.begin(), gaps.end(), [](double gap_s) { return gap_s > 0.6; });
+  }
+  bool is_said(const std::string& words, std::chrono::seconds most = 20s) {
+    return comes_true([&] { return said().find(words) != std::string::npos; }, most);
+  }
+  std::string said() const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / "err").rdbuf();
+    return text.str();
+  }
+  void expect_good_end() {
+    ASSERT_EQ(run_->end(SIGINT), 0) << said();
+    const ProgramResult again = run_program({"replay", folder_ / "run.nc"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+  }
+
+  OwnDomain domain_;
+  TemporaryFolder folder_;
+  Pulse pulse_;
+  peer::Node observer_{domain_.number()};
+  std::optional<StartedProgram> run_;
+};
+
+struct Way {
+  const char* name;
+  void (Agent::*leave)();
+  const char* words;
+  friend void PrintTo(const Way& way, std::ostream* out) { *out << way.name; }
+};
+class LeavesBy : public LeavingAgent, public testing::WithParamInterface<Way> {};
+INSTANTIATE_TEST_SUITE_P(
+    EachWay, LeavesBy,
+    testing::Values(Way{"ClosingItsParticipant", &Agent::close_participant, "it is gone"},
+                    Way{"ClosingItsWriter", &Agent::close_writer, "it is gone"},
+                    Way{"SayingSo", &Agent::say_that_it_leaves, "it left"}),
+    [](const auto& way) { return std::string(way.param.name); });
+
+TEST_P(LeavesBy, IsUnhostedAtOnceAndNobodyWaits) {
+  const auto agent = hosted("a", 2);
+  const auto left = Clock::now();
+  (*agent.*GetParam().leave)();
+  EXPECT_TRUE(is_said("the agent of a, dds ")) << said();
+  EXPECT_TRUE(is_said(std::string("is taken off: ") + GetParam().words)) << said();
+  EXPECT_LT(Clock::now() - left, 1500ms);
+  std::this_thread::sleep_for(3s);
+  EXPECT_LT(longest_s(left), 1.2) << "its time-out is 2 s";
+  expect_good_end();
+}
+
+TEST_F(LeavingAgent, WhoFallsSilentIsWaitedForOnceAndTheOthersGoOn) {
+  const auto silent = hosted("a", 1), other = hosted("b", 1);
+  const auto from = Clock::now();
+  const std::size_t seen = other->seen();
+  silent->be_silent(true);
+  EXPECT_TRUE(is_said("did not answer within 1 s: the run goes on without waiting for it"));
+  EXPECT_TRUE(is_said("is taken off: no answer came within 5 s")) << said();
+  const std::chrono::duration<double> took = Clock::now() - from;
+  EXPECT_NEAR(took.count(), 5, 1.5);
+  EXPECT_EQ(stalls(from), 1);
+  EXPECT_LT(longest_s(from), 1.8) << "one time-out";
+  EXPECT_GT(other->seen(), seen + 50) << "of the hundred steps of five seconds";
+  expect_good_end();
+}
+
+TEST_F(LeavingAgent, TwoThatFallSilentTogetherAreWaitedForTogether) {
+  const auto one = hosted("a", 1), other = hosted("b", 1);
+  const auto from = Clock::now();
+  one->be_silent(true);
+  other->be_silent(true);
+  EXPECT_TRUE(is_said("the agent of a, "));
+  EXPECT_TRUE(is_said("the agent of b, "));
+  std::this_thread::sleep_for(1s);
+  EXPECT_LT(longest_s(from), 1.8);
+  expect_good_end();
+}
+
+TEST_F(LeavingAgent, WhoAnswersAgainIsInLockStepAgain) {
+  const auto agent = hosted("a", 1);
+  agent->be_silent(true);
+  EXPECT_TRUE(is_said("did not answer within 1 s"));
+  std::this_thread::sleep_for(1500ms);
+  agent->be_silent(false);
+  std::this_thread::sleep_for(1s);
+  const std::size_t seen = agent->seen(), steps = pulse_.steps();
+  std::this_thread::sleep_for(4s);
+  EXPECT_EQ(said().find("is taken off"), std::string::npos) << said();
+  const auto made = static_cast<double>(pulse_.steps() - steps);
+  EXPECT_NEAR(static_cast<double>(agent->seen() - seen), made, 0.1 * made + 3) << "each step";
+  expect_good_end();
+  // What it answered counts: of the four seconds, and of those before.
+  const std::vector<LiveMessage> messages = messages_of(folder_ / "run.mcap");
+  std::size_t late = 0;
+  for (const LiveMessage& message : messages)
+    late += message.topic == "/a/cmd_vel" &&
+                    messages.back().log_time_ns - message.log_time_ns < 4'000'000'000
+                ? 1
+                : 0;
+  EXPECT_GT(late, 50U);
+}
+
+}  // namespace
+}  // namespace slackwater::tests::leaving_agent_test
