@@ -155,7 +155,7 @@ void let_in(const RunChoice& choice, const ScenarioWater& water, const twin::Rea
   watched.arbiter->restore(watched.so_far.refusals);
   choice.on_ready({run, control, *watched.arbiter, watched.scenario, water, ready.start,
                    ready.origin, ready.environment, watched.so_far.vessels, watched.watch,
-                   watched.newcomer_yard});
+                   watched.newcomer_yard, choice.record});
 }
 
 /// Tells whoever took part that it is over.

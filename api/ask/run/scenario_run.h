@@ -71,6 +71,13 @@ struct ScenarioResult {
   ingest::TrajectoryFile file;                   ///< the log as it is written
 };
 
+/// What was done to a run from outside, so that it is made again.
+struct RunRecord {
+  std::vector<twin::Command> commands;
+  std::vector<twin::RefusalCount> refusals;
+  std::optional<std::uint64_t> stopped_at_step;
+};
+
 /// A run that is about to begin, in the hands of who takes part in it: `slackwater live`. All of it
 /// is there until `RunChoice::on_over` returns.
 struct RunInHand {
@@ -85,17 +92,11 @@ struct RunInHand {
   std::span<const twin::TrafficVessel> vessels;  ///< the traffic
   const twin::TrafficWatch& watch;               ///< whom its vehicles are alarmed about
   const twin::NewcomerYard& newcomer_yard;       ///< for vehicles that join it
+  const RunRecord& record;                       ///< of a run that is made again
 };
 
 /// Vehicles that may join a run while it goes on.
 inline constexpr std::size_t most_newcomers = 64;
-
-/// What was done to a run from outside, so that it is made again.
-struct RunRecord {
-  std::vector<twin::Command> commands;
-  std::vector<twin::RefusalCount> refusals;
-  std::optional<std::uint64_t> stopped_at_step;
-};
 
 struct RunChoice {
   std::size_t threads = 1;

@@ -10,6 +10,7 @@ struct RecordedRun::Parts {
   Recordings recordings;
   live::LiveSettings settings;
   std::unique_ptr<live::LiveRun> joined;
+  live::RecordTold told;
 };
 
 RecordedRun::RecordedRun(const std::vector<std::filesystem::path>& paths, RunChoice& choice)
@@ -20,7 +21,10 @@ RecordedRun::RecordedRun(const std::vector<std::filesystem::path>& paths, RunCho
     parts->settings.site = site_of(hand.scenario, hand.water);
     parts->joined = std::make_unique<live::LiveRun>(hand, parts->settings);
   };
-  choice.on_over = [parts = parts_.get()] { parts->joined.reset(); };
+  choice.on_over = [parts = parts_.get()] {
+    if (parts->joined) parts->told = parts->joined->record_told();
+    parts->joined.reset();
+  };
 }
 
 RecordedRun::~RecordedRun() = default;
@@ -29,6 +33,8 @@ const Recordings& RecordedRun::completed() {
   parts_->recordings.close();
   return parts_->recordings;
 }
+
+const live::RecordTold& RecordedRun::told() const noexcept { return parts_->told; }
 
 std::string site_of(const twin::Scenario& scenario, const ScenarioWater& water) {
   const std::string& id = water.surround.field->snapshot().site_id;

@@ -5,6 +5,7 @@
 
 #include "api/ask/run/scenario_run.h"
 #include "api/door/cli/recordings.h"
+#include "api/door/live/record_teller.h"
 
 namespace slackwater::api {
 
@@ -20,6 +21,8 @@ class RecordedRun {
 
   /// Of the run, once it is over and they are completed.
   [[nodiscard]] const Recordings& completed();
+  /// What of the commands and refusals of a log is in them.
+  [[nodiscard]] const live::RecordTold& told() const noexcept;
 
  private:
   struct Parts;

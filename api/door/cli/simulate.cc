@@ -137,6 +137,17 @@ struct ReplayArguments {
   std::size_t threads = 1;
 };
 
+json told_json(const live::RecordTold& told) {
+  json kinds = json::array();
+  for (const auto& [kind, share] : told.commands)
+    kinds.push_back({{"kind", kind}, {"in_log", share.in_log}, {"recorded", share.told}});
+  return {{"taken", kinds},
+          {"refused",
+           {{"in_log", told.refusals.in_log},
+            {"recorded", told.refusals.told},
+            {"messages", told.refusal_messages}}}};
+}
+
 void run_replay(const ReplayArguments& arguments, const Context& context) {
   expect_output("--html", arguments.html, {".html"});
   expect_output("--csv", arguments.csv, {".csv"});
@@ -160,17 +171,21 @@ void run_replay(const ReplayArguments& arguments, const Context& context) {
   const ReplayResult result = replay(arguments.log, context.store_folder, forecast, choice,
                                      [&](double share) { progress.update(share); });
   const Recordings& recordings = recorded.completed();
+  const live::RecordTold& told = recorded.told();
   if (context.json) {
-    const json out = {{"log", arguments.log.string()},
-                      {"identical", result.is_identical},
-                      {"difference", result.is_identical ? json(nullptr) : json(result.difference)},
-                      {"wall_s", result.wall_s},
-                      {"recordings", recordings.json()}};
+    json out = {{"log", arguments.log.string()},
+                {"identical", result.is_identical},
+                {"difference", result.is_identical ? json(nullptr) : json(result.difference)},
+                {"wall_s", result.wall_s},
+                {"recordings", recordings.json()}};
+    if (!recordings.empty()) out["commands"] = told_json(told);
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     context.answered = true;
   } else if (result.is_identical) {
     std::printf("%s: replayed in %.2f s, the same to the byte\n", arguments.log.c_str(),
                 result.wall_s);
+    if (const std::string words = told.text(); !words.empty())
+      std::printf("recorded: %s\n", words.c_str());
   }
   if (!result.is_identical) {
     throw Error(ErrorKind::invalid_input,

@@ -43,6 +43,7 @@ struct LiveRun::Parts {
         on_newcomer(settings.on_newcomer),
         arbiter(hand.arbiter),
         command_door(stream, arbiter, place),
+        record(hand.record, command_door),
         punctuality(settings.real_time_factor) {
     for (const auto& outlet : settings.outlets) stream.add(outlet);
     if (settings.domain) {
@@ -113,6 +114,7 @@ struct LiveRun::Parts {
     const double t_s = run.time_s();
     made = run.steps_made();
     welcome_newcomers();
+    record.hand_in(run.agents(), t_s);
     command_door.speak(t_s);
     const auto states = run.states();
     site->speak(run.seen(), t_s);
@@ -130,6 +132,7 @@ struct LiveRun::Parts {
   twin::CommandArbiter& arbiter;
   Stream stream;
   CommandDoor command_door;
+  RecordTeller record;
   Punctuality punctuality;
   std::unique_ptr<SitePublisher> site;
   std::unique_ptr<AlarmPublisher> alarms;
@@ -154,5 +157,6 @@ std::vector<PlayedBag> LiveRun::played() const {
   for (const BagCommands& bag : parts_->played_commands) played.push_back(bag.played());
   return played;
 }
+const RecordTold& LiveRun::record_told() const noexcept { return parts_->record.told(); }
 
 }  // namespace slackwater::live

@@ -11,6 +11,7 @@
 #include "api/door/live/bag_commands.h"
 #include "api/door/live/host_link.h"
 #include "api/door/live/punctuality.h"
+#include "api/door/live/record_teller.h"
 #include "api/door/live/stream.h"
 
 namespace slackwater::live {
@@ -51,6 +52,8 @@ class LiveRun {
   [[nodiscard]] const Punctuality& punctuality() const noexcept;
   /// What became of the bags of commands so far. Between steps.
   [[nodiscard]] std::vector<PlayedBag> played() const;
+  /// Of a run that is made again: what was told of its record so far. Between steps.
+  [[nodiscard]] const RecordTold& record_told() const noexcept;
 
  private:
   struct Parts;
