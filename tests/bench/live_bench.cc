@@ -1,8 +1,8 @@
 // A live run for robots, with its clients as processes of their own: twenty vehicles at 100 Hz with
 // five subscribers and a recording, beside an empty loop and the same run that tells nobody; two
-// hundred with their state at 10 Hz; an agent in lock-step; from a command to the moved state; the
-// longest lists of waypoints; a profile to fifty readers. Half a minute of each;
-// SLACKWATER_LIVE_SECONDS=600 for the whole (make soak).
+// hundred with their state at 10 Hz; an agent in lock-step; from a command to the moved state, by
+// thrusters and by cmd_vel; the longest lists of waypoints; a profile to fifty readers. Half a
+// minute of each; SLACKWATER_LIVE_SECONDS=600 for the whole (make soak).
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -241,13 +241,13 @@ Percentiles percentiles_of(const std::string& printed) {
   return p;
 }
 
-void command_to_moved_state(BenchReport& report) {
-  const int trials = report.options().check_only ? 3 : 200;
-  ClientProcess pusher({"push", std::to_string(domain_number()), std::to_string(trials)});
+/// A client in that role, beside a run that ends with it. @return what it printed
+std::string printed_beside(const twin::Scenario& scenario, const std::vector<std::string>& role) {
+  ClientProcess client(role);
   std::string printed;
   std::atomic<bool> is_over{false};
   std::thread waiter([&] {
-    printed = pusher.result();
+    printed = client.result();
     is_over = true;
   });
   Live how{on_loopback(), 1};
@@ -256,9 +256,17 @@ void command_to_moved_state(BenchReport& report) {
       if (is_over) control.stop();
     });
   };
-  (void)run(fleet(1, 0.02, 600, false), std::move(how));
-  if (!is_over) pusher.end();
+  (void)run(scenario, std::move(how));
+  if (!is_over) client.end();
   waiter.join();
+  return printed;
+}
+
+void thrusters_to_moved_state(BenchReport& report) {
+  const int trials = report.options().check_only ? 3 : 200;
+  const std::string printed =
+      printed_beside(fleet(1, 0.02, 600, false),
+                     {"push", std::to_string(domain_number()), std::to_string(trials)});
   const Percentiles p = percentiles_of(printed);
   report.answer("each push is seen", p.count == static_cast<std::size_t>(trials), printed);
   report.figure({"from a thruster command to the odometry that shows it, 50 Hz, p99",
@@ -266,6 +274,71 @@ void command_to_moved_state(BenchReport& report) {
                  {1000 * p.p99_s},
                  50,
                  "median " + std::to_string(1000 * p.half_s) + " ms"});
+}
+
+/// An ROV that holds its place in still water.
+twin::Scenario still_vehicle(double step_s) {
+  twin::Scenario scenario = twin::parse_scenario(
+      tests::calm_head(step_s) +
+          "  - {name: v0, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, depth_m: 10}, "
+          "tasks: [{do: hold}]}\n",
+      "bench.yaml");
+  scenario.duration_s = 1200;
+  return scenario;
+}
+
+/// What the client `steer` does, without a wire: how long the vehicle itself takes, on its way,
+/// from the opening at which it is asked for more until it is so much faster.
+double own_response_s(const twin::Scenario& scenario) {
+  constexpr std::uint64_t asked_at = 1000, renewed_every = 5;
+  std::uint64_t took = 0;
+  double before_m_s = 0;
+  Live how{{}, 0};
+  how.also = [&](const api::RunInHand& hand) {
+    const auto surge_m_s = [&run = hand.run] { return run.states()[0].vehicle.body.nu.linear.x; };
+    hand.run.at_opening([&, surge_m_s, &arbiter = hand.arbiter](const twin::StepTime& time) {
+      if (time.step == asked_at) before_m_s = surge_m_s();
+      if (time.step % renewed_every != 0) return;
+      twin::Command command;
+      const double faster_m_s = time.step < asked_at ? 0 : steered_by_m_s;
+      command.what = twin::SetVelocity{{steered_m_s + faster_m_s, 0, 0, 0}};
+      command.sequence = time.step + 1;
+      command.received_s = arbiter.time_s();
+      (void)arbiter.submit("bench", std::move(command), arbiter.time_s());
+    });
+    hand.run.at_barrier([&, surge_m_s, &control = hand.control](const twin::StepTime& time) {
+      if (time.step < asked_at || surge_m_s() - before_m_s <= steered_shows_m_s) return;
+      took = time.step + 1 - asked_at;
+      control.stop();
+    });
+  };
+  (void)run(scenario, std::move(how));
+  return took > 0 ? static_cast<double>(took) * scenario.step_s : -1;
+}
+
+/// What is asked of a velocity is eased by the autopilot and answered by its loop, before any
+/// thruster of it comes up: most of what is measured is the vehicle's own.
+void velocity_to_moved_state(BenchReport& report) {
+  constexpr double step_s = 0.02;
+  const int trials = report.options().check_only ? 3 : 30;
+  const twin::Scenario scenario = still_vehicle(step_s);
+  const double own_s = own_response_s(scenario);
+  const std::string printed =
+      printed_beside(scenario, {"steer", std::to_string(domain_number()), std::to_string(trials)});
+  const Percentiles p = percentiles_of(printed);
+  report.answer("each velocity asked for is seen", p.count == static_cast<std::size_t>(trials),
+                printed);
+  // A step is made as soon as it is due: what n of them show is there n - 1 after the first.
+  report.answer("it takes what the vehicle itself takes, within two steps",
+                own_s > 0 && p.half_s >= own_s - step_s && p.half_s <= own_s + 2 * step_s,
+                std::to_string(1000 * own_s) + " ms of its own, median " +
+                    std::to_string(1000 * p.half_s) + " ms");
+  report.figure({"from cmd_vel to the odometry that shows it, 50 Hz, p99",
+                 "ms",
+                 {1000 * p.p99_s},
+                 std::nullopt,
+                 "median " + std::to_string(1000 * p.half_s) + " ms, of it " +
+                     std::to_string(1000 * own_s) + " ms the vehicle's own"});
 }
 
 /// Two clients send the longest lists there are beside a monopile; one of them is at the helm.
@@ -341,7 +414,8 @@ void all(BenchReport& report) {
   twenty_at_100_hz(report);
   two_hundred(report);
   agent_in_lock_step(report);
-  command_to_moved_state(report);
+  thrusters_to_moved_state(report);
+  velocity_to_moved_state(report);
   long_lists(report);
   profile_to_fifty(report);
 }

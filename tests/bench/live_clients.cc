@@ -226,6 +226,57 @@ int push(const std::string& domain, int trials) {
   return 0;
 }
 
+/// The first odometry behind a velocity asked for that shows it. In still water, and only when the
+/// vehicle has gone steadily for half a second: what it does then is the command's.
+int steer(const std::string& domain, int trials) {
+  constexpr double steady_m_s = 3e-4;
+  constexpr std::size_t half_second = 25;
+  std::mutex mutex;
+  std::condition_variable came;
+  std::deque<double> surges_m_s;
+  dds::Participant participant(loopback(domain));
+  const auto velocity = participant.publish_on({"/v0/cmd_vel", "geometry_msgs/msg/Twist", "", {}});
+  participant.subscribe({"/v0/odometry", "nav_msgs/msg/Odometry", "", {}},
+                        [&](dds::Payload message, const std::string&) {
+                          const std::lock_guard lock(mutex);
+                          surges_m_s.push_back(read_at<double>(message, 4 + 40 + 56 + 288));
+                          if (surges_m_s.size() > half_second) surges_m_s.pop_front();
+                          came.notify_all();
+                        });
+  const auto ask = [&](double surge_m_s) {
+    dds::Bytes asked(4 + 48);
+    asked[1] = 1;
+    write_at(asked, 4, surge_m_s);
+    participant.send(velocity, asked);
+  };
+  const auto is_steady = [&] {
+    const std::lock_guard lock(mutex);
+    if (surges_m_s.size() < half_second) return false;
+    const auto [least, most] = std::minmax_element(surges_m_s.begin(), surges_m_s.end());
+    return *most - *least < steady_m_s;
+  };
+  std::vector<double> times_s;
+  for (int trial = 0; trial < trials + 1; ++trial) {
+    constexpr int least = 20, patience = 300;
+    for (int i = 0; i < patience && (i < least || !is_steady()); ++i) {
+      ask(steered_m_s);  // renewed, so that the helm is kept
+      std::this_thread::sleep_for(100ms);
+    }
+    std::unique_lock lock(mutex);
+    const double before_m_s = surges_m_s.empty() ? 0 : surges_m_s.back();
+    lock.unlock();
+    const double from_s = monotonic_s();
+    ask(steered_m_s + steered_by_m_s);
+    lock.lock();
+    const bool is_seen = came.wait_for(lock, 1s, [&] {
+      return !surges_m_s.empty() && surges_m_s.back() - before_m_s > steered_shows_m_s;
+    });
+    if (trial > 0 && is_seen) times_s.push_back(monotonic_s() - from_s);
+  }
+  print_percentiles(times_s);
+  return 0;
+}
+
 /// As long as a list may be: to and fro past where the vehicle is, leg after leg.
 int lists(const std::string& domain) {
   dds::Participant participant(loopback(domain));
@@ -274,6 +325,7 @@ int live_client(const std::vector<std::string>& role) {
   if (role[0] == "readers") return readers(role.at(1), std::stoul(role.at(2)));
   if (role[0] == "agent") return agent(role.at(1));
   if (role[0] == "push") return push(role.at(1), std::stoi(role.at(2)));
+  if (role[0] == "steer") return steer(role.at(1), std::stoi(role.at(2)));
   if (role[0] == "lists") return lists(role.at(1));
   if (role[0] == "pace") return pace(std::stod(role.at(1)));
   throw std::runtime_error("no such client: " + role[0]);

@@ -17,12 +17,18 @@ namespace slackwater::bench {
 ///   agent DOMAIN            hosts the agent of v0 and asks for nothing
 ///   push DOMAIN TRIALS      thrusters of v0 to and fro; prints the same of the time until its
 ///                           odometry shows it, s, of those that it shows within 2 s
+///   steer DOMAIN TRIALS     drives v0 by cmd_vel and, when it goes steadily at `steered_m_s`, asks
+///                           for `steered_by_m_s` more; prints the same of the time until its
+///                           odometry shows `steered_shows_m_s` of that, of those within 1 s
 ///   lists DOMAIN            lists of 10 000 waypoints for v0, ten a second
 ///   pace STEP_S             a loop at that pace that does nothing; prints "ready" when it begins
 ///                           and, asked to end by SIGTERM, how many steps it began late, of how
 ///                           many, and that in words
 /// @return the exit code
 int live_client(const std::vector<std::string>& role);
+
+inline constexpr double steered_m_s = 0.3, steered_by_m_s = 0.2;
+inline constexpr double steered_shows_m_s = 2e-3;  ///< as of thrusters
 
 /// A process of this program in a role, with what it prints.
 class ClientProcess {
