@@ -282,16 +282,19 @@ std::vector<WorkLeg> lay_mooring(const Config& work, const WorkTurbine& turbine)
   const Triple<double> way = found->anchor_m - found->fairlead_m;
   const double length_m = std::hypot(way.x, way.y);
   const Triple<double> aside{-stand_off_m * way.y / length_m, stand_off_m * way.x / length_m, 0};
-  WorkLeg leg;
+  const int sides = work.optional_integer("sides", 1, 2).value_or(1);
   constexpr int parts = 12;
-  for (int i = 0; i <= parts; ++i) {
-    Triple<double> at = found->fairlead_m + (reach * i / parts) * way + aside;
+  const auto along = [&](int part, const Triple<double>& off_m) {
+    Triple<double> at = found->fairlead_m + (reach * part / parts) * way + off_m;
     at.z = std::min(at.z, turbine.bed_m - 1.5);
-    leg.waypoints.push_back({at, 0, 0});
-  }
-  WorkLeg back = leg;
-  std::reverse(back.waypoints.begin(), back.waypoints.end());
-  return {leg, back};
+    return Waypoint{at, 0, 0};
+  };
+  WorkLeg out, back;
+  for (int i = 0; i <= parts; ++i) out.waypoints.push_back(along(i, aside));
+  if (sides == 2) back.waypoints.push_back(along(parts, {0, 0, -stand_off_m}));
+  for (int i = parts; i >= 0; --i)
+    back.waypoints.push_back(along(i, sides == 2 ? -1.0 * aside : aside));
+  return {out, back};
 }
 
 std::vector<WorkLeg> lay_landing(const Config& work, const WorkTurbine& turbine) {

@@ -32,7 +32,9 @@ struct WorkLeg {
 ///         out and back along a blade of a stopped rotor, once for each face: leading_edge,
 ///         trailing_edge, pressure, suction
 ///     pattern: cable      cable: ID, lines, spacing_m, above_bed_m or at: LEVEL
-///     pattern: mooring    mooring: ID, stand_off_m
+///     pattern: mooring    mooring: ID, stand_off_m, share: 1, sides: 1
+///         along a line and back; with `sides: 2` back on its other side, over the line at the end,
+///         so that a tether, which hangs from above, lies on no side of it
 ///     pattern: bands      stand_off_m, from, to, swath_m, rate_m2_h, overlap_m: 0, passes: 1
 ///         rings as far apart as a tool is wide, less an overlap, as fast as it cleans; all of them
 ///         as often as there are passes
