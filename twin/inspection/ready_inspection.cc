@@ -89,6 +89,23 @@ double patch_for(const Instrument& instrument, double range_m, const Surface& su
   return std::sqrt(held_m2 / static_cast<double>(rays));
 }
 
+/// Whether something looks at it all round, at once and from afar: it hardly looks twice.
+bool is_looked_round(const Inspection& ready, std::size_t surface) {
+  return std::any_of(ready.pairs.begin(), ready.pairs.end(), [&](const InspectedPair& pair) {
+    return pair.surface == surface &&
+           std::holds_alternative<RoundFootprint>(ready.instruments[pair.line].footprint);
+  });
+}
+
+/// Until one look has a ray for each patch: those beyond its rays would stay unseen, whatever is in
+/// reach.
+void coarsen(const PlannedSurface& planned, std::size_t rays, double patch_m, Surface& surface) {
+  constexpr double coarser = 1.1;
+  constexpr int most_tries = 40;
+  for (int i = 0; i < most_tries && surface.patches.size() > rays; ++i)
+    surface = make_surface(planned, patch_m *= coarser);
+}
+
 }  // namespace
 
 std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
@@ -120,6 +137,8 @@ std::shared_ptr<const Inspection> ready_inspection(const std::string& inspector,
     const double most = most_patches_per_ray * static_cast<double>(ready->rays_per_look);
     patch_m = std::max(patch_m, std::sqrt(rough.area_m2() / most));
     ready->surfaces.push_back(make_surface(planned, plan.patch_m.value_or(patch_m)));
+    if (!plan.patch_m && is_looked_round(*ready, s))
+      coarsen(planned, ready->rays_per_look, patch_m, ready->surfaces.back());
     meshes.push_back(ready->surfaces.back().mesh);
     ready->indices.push_back(view_index(ready->surfaces.back()));
   }
