@@ -86,7 +86,7 @@ json pair_json(const Inspected& inspected, std::size_t vehicle, std::size_t pair
           {"detail_m", number(line.detail_m)},
           {"incidence_deg", number(line.most_incidence_rad * degrees_of_radian)},
           {"looks", line.looks},
-          {"done_at", number(line.done_at)},
+          {"done_at", number(line.seen_at)},
           {"sheet",
            {{"width_m", number(sheet.width_m)},
             {"height_m", number(sheet.height_m)},
@@ -223,6 +223,7 @@ std::vector<LoggedPart> parts_in(const ingest::TrajectoryFile& log, std::size_t 
       part.area_m2 = pair.at("area_m2").get<double>();
       part.seen_m2 = pair.at("seen_m2").get<double>();
       part.covered_m2 = pair.at("covered_m2").get<double>();
+      part.asked = pair.at("done_at").get<double>();
       part.least_detail_m = detail_m("least_detail_m");
       part.median_detail_m = detail_m("median_detail_m");
     }
@@ -283,7 +284,6 @@ void read_scores(const ingest::TrajectoryFile& log, twin::RunAccount& account) {
     out.rays = table.whole("rays", row);
     out.worked_s = table.number("worked", row);
     out.left = table.word("left", row);
-    out.is_done = out.left.empty();
     out.score.detection_rate = maybe("detection_rate");
     out.score.false_alarms_per_100_m2 = maybe("false_alarms_per_100_m2");
     out.score.size_error_rms_m = maybe("size_error_rms");

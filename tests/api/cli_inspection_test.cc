@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/show/coverage/view.h"
+#include "tests/support/contains.h"
 #include "tests/support/farm_for_tests.h"
 
 namespace slackwater::tests::cli_inspection_test {
@@ -20,7 +21,7 @@ name: Film a pile
       surfaces: [{kind: monopile, from: {depth_m: 8}, to: {depth_m: 12}}]
       looks:
         - {instrument: rov_camera, kinds: [monopile], detail_mm: 40, incidence_deg: 70,
-           done_at: 0.3}
+           seen_at: 0.3}
       water: {visibility_m: 10}
       defects: [{kind: corrosion, count: 8}]
       detection: [rgb_corrosion]
@@ -117,16 +118,69 @@ TEST_F(InspectionCommand, WhatIsLeftIsFlownAgain) {
   EXPECT_GT(seen_again_m2, 0.8 * left_m2);
 }
 
-TEST_F(InspectionCommand, AFlightThatCoversTooLittleIsNotDone) {
+/// The same task where more is asked than its one ring shows.
+std::string asking(const std::string& share) {
   std::string yaml = film;
-  yaml.replace(yaml.find("done_at: 0.3"), 12, "done_at: 0.9");
-  (void)made_.write("film.yaml", yaml);
-  const ProgramResult run = made_.run({"rehearse", path("mission.yaml"), "--json"});
+  return yaml.replace(yaml.find("seen_at: 0.3"), 12, share);
+}
+
+TEST_F(InspectionCommand, ATaskThatCannotSeeWhatItAsksForIsRefused) {
+  for (const char* share : {"seen_at: 0.9", "done_at: 0.9"}) {  // its name of before
+    (void)made_.write("film.yaml", asking(share));
+    const ProgramResult run = made_.run({"rehearse", path("mission.yaml")});
+    EXPECT_EQ(run.exit_code, 3) << run.out;
+    for (const char* words :
+         {"mission.yaml: eye: flown in dead calm its Camera of a small ROV covers ",
+          " % of T1/monopile, expected at least 90 % (seen_at of its look): ", "; lay the path "})
+      EXPECT_TRUE(contains(run.err, words)) << run.err;
+  }
+  (void)made_.write("film.yaml", asking("seen_at: 0.3, done_at: 0.3"));
+  EXPECT_TRUE(contains(made_.run({"rehearse", path("mission.yaml")}).err, "keep seen_at"));
+}
+
+TEST_F(InspectionCommand, DoneIsNotSeen) {
+  // Thinned on purpose it is flown, and tells both.
+  (void)made_.write("film.yaml", asking("seen_at: 0.9"));
+  (void)made_.write("mission.yaml", mission + "agents: {eye: {intensity: {density: 0.5}}}\n");
+  const ProgramResult run = made_.run({"rehearse", path("mission.yaml"), "--members", "2", "--html",
+                                       path("page.html"), "--out", path("all.nc"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const json start = json::parse(run.out).at("starts")[0];
-  EXPECT_EQ(start.at("done"), 0);
-  EXPECT_EQ(start.at("stopped_by")[0].at("cause"),
-            "less than 90 % covered by the Camera of a small ROV (eye)");
+  EXPECT_EQ(start.at("done"), 2);
+  EXPECT_EQ(start.at("p_done").at("probability"), 1.0);
+  EXPECT_EQ(start.at("p_done").at("interval_95")[1], 1.0);
+  EXPECT_EQ(start.at("seen"), 0);
+  EXPECT_EQ(start.at("p_seen").at("probability"), 0.0);
+  EXPECT_EQ(start.at("p_seen").at("interval_95")[0], 0.0);
+  // A success is both.
+  EXPECT_EQ(start.at("succeeded"), 0);
+  EXPECT_EQ(start.at("probability"), 0.0);
+  EXPECT_TRUE(start.at("stopped_by").empty());
+  const std::string why = "less than 90 % covered by the Camera of a small ROV (eye)";
+  EXPECT_EQ(start.at("unseen_by")[0].at("cause"), why);
+  EXPECT_EQ(start.at("unseen_by")[0].at("flights"), 2);
+  EXPECT_TRUE(start.at("members")[0].at("done").get<bool>());
+  EXPECT_FALSE(start.at("members")[0].at("seen").get<bool>());
+  EXPECT_EQ(start.at("members")[0].at("unseen_by"), why);
+  EXPECT_EQ(start.at("vehicles")[0].at("seen"), 0);
+  for (const json& risk : start.at("risks"))
+    EXPECT_EQ(risk.at("befell"), risk.at("cause") == "unseen" ? 2 : 0) << risk.dump(1);
+  const std::string verdict = start.at("verdict");
+  EXPECT_TRUE(contains(verdict, "done in 2 of 2 futures but seen in only 0 of 2")) << verdict;
+  EXPECT_TRUE(contains(verdict, "not seen: " + why + " (2 of 2)")) << verdict;
+  const std::string page = read_bytes(path("page.html"));
+  EXPECT_TRUE(contains(page, "No-go."));
+  EXPECT_TRUE(contains(page, "P(seen)"));
+  EXPECT_TRUE(contains(page, "seen as asked in 0 of 2"));
+  const ingest::TrajectoryFile all = ingest::read_trajectories(path("all.nc"));
+  const ingest::TrajectoryTable* flights = all.find_table("flight");
+  ASSERT_NE(flights, nullptr);
+  EXPECT_EQ(*flights->column("done"), (std::vector<double>{1, 1}));
+  EXPECT_EQ(*flights->column("seen"), (std::vector<double>{0, 0}));
+  const ProgramResult text = made_.run({"rehearse", path("mission.yaml"), "--members", "2"});
+  EXPECT_TRUE(contains(text.out, "2/2")) << text.out;
+  EXPECT_TRUE(contains(text.out, "0/2")) << text.out;
+  EXPECT_TRUE(contains(text.out, "not seen: " + why)) << text.out;
 }
 
 TEST_F(InspectionCommand, RefusesWhatCannotBeInspectedBeforeTheFirstStep) {

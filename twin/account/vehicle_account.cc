@@ -71,10 +71,10 @@ std::string stopped_by(const Agent& agent, const AgentState& state, const Vehicl
     return words_of(agent, own.cause, own.cause_detail);
   if (!own.has_ended || !state.mission.is_done) return "out of time";
   if (account.broke_reserve) return "reserve broken";
-  // All it did, and the work is not done for all that.
+  // All it did, and the work is not done for all that. What was not seen is told apart.
   if (account.cleaning && !account.cleaning->is_done())
     return formatted("less than {:g} % of the surface is clean", 100 * account.cleaning->done_at);
-  return account.inspection ? account.inspection->left : "";
+  return "";
 }
 
 void add_conduct(const Agent& agent, const AgentState& state, VehicleAccount& account) {
@@ -103,6 +103,10 @@ double ClearanceAccount::alarms() const noexcept {
   return std::accumulate(alarms_from.begin(), alarms_from.end(), 0.0);
 }
 
+std::optional<bool> VehicleAccount::is_seen() const noexcept {
+  return inspection ? inspection->is_seen() : std::nullopt;
+}
+
 double VehicleAccount::work_share() const noexcept {
   return tasks > 0 ? static_cast<double>(std::min(tasks_done, tasks)) / static_cast<double>(tasks)
                    : 1;
@@ -125,6 +129,7 @@ RiskCauses VehicleAccount::risks() const {
   if (halt == Halt::struck || halt == Halt::aground || (clearance && clearance->alarms() > 0))
     set.add(RiskCause::collision);
   if (!is_done && set.none()) set.add(RiskCause::work);
+  if (is_seen() == false) set.add(RiskCause::unseen);
   return set;
 }
 

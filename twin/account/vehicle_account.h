@@ -53,7 +53,8 @@ struct VehicleAccount {
 
   // What it did.
   std::vector<MissionEvent> mission;  ///< of one that conducts itself
-  bool is_done = false;        ///< its mission, home again, with its reserve; without one: no halt
+  bool is_done = false;        ///< its mission, home again, with its reserve; without one: no halt.
+                               ///< What it saw is another matter: `is_seen`
   std::string stopped_by;      ///< in words, the same for the same cause; empty: nothing
   bool broke_reserve = false;  ///< it came home with less than its reserve
   double ended_s = 0;          ///< since the start; of what did not end, the end of the run
@@ -83,6 +84,8 @@ struct VehicleAccount {
   TrackAccount track;    ///< until it halted
   TrackAccount at_work;  ///< until its mission ended
 
+  /// Whether its inspection covered what is asked of it; nothing where nothing is asked.
+  [[nodiscard]] std::optional<bool> is_seen() const noexcept;
   /// Of its tasks that are done; 1 of none.
   [[nodiscard]] double work_share() const noexcept;
   /// "battery empty at ... -> fell -> ..."; empty for a normal run.

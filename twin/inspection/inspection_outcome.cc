@@ -17,6 +17,7 @@ InspectionOutcome::Part part_of(const Inspection& inspection, const InspectedPai
   part.surface = surface.name;
   part.instrument = inspection.instruments[pair.line].name;
   part.kind = surface.kind;
+  part.asked = line.seen_at;
   part.least_detail_m = part.median_detail_m = std::numeric_limits<double>::infinity();
   part.covered.resize(surface.patches.size());
   std::vector<std::pair<float, double>> details;  // with the area that was seen so
@@ -51,8 +52,8 @@ std::string left_of(const Inspection& inspection, std::size_t line,
     covered_m2 += parts[i].covered_m2;
   }
   const InspectionLine& plan = inspection.plan.lines[line];
-  if (covered_m2 >= plan.done_at * area_m2) return "";
-  return formatted("less than {:g} % covered by the {}", 100 * plan.done_at,
+  if (covered_m2 >= plan.seen_at * area_m2) return "";
+  return formatted("less than {:g} % covered by the {}", 100 * plan.seen_at,
                    inspection.instruments[line].name);
 }
 
@@ -73,6 +74,12 @@ std::vector<SurfaceLooks> looks_of(const Inspection& inspection, const Inspectio
 bool is_covered(const InspectionLine& line, const BestLook& best) noexcept {
   return best.looks >= line.looks && best.detail_m <= line.detail_m &&
          best.incidence_cosine >= std::cos(line.most_incidence_rad) - 1e-6;
+}
+
+std::optional<bool> InspectionOutcome::is_seen() const noexcept {
+  const auto asks = [](const Part& part) { return part.asked > 0; };
+  if (std::none_of(parts.begin(), parts.end(), asks)) return std::nullopt;
+  return left.empty();
 }
 
 double InspectionOutcome::area_m2() const noexcept {
@@ -108,7 +115,6 @@ InspectionOutcome inspection_outcome(const Inspection& inspection, const Inspect
   out.worked_s = state.worked_s;
   for (std::size_t l = 0; l < inspection.plan.lines.size() && out.left.empty(); ++l)
     out.left = left_of(inspection, l, out.parts);
-  out.is_done = out.left.empty();
   const InspectionFindings all = inspection_findings(inspection, state);
   out.score = score_of(all.planted, all.findings);
   return out;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct InspectionOutcome {
     double area_m2 = 0;
     double seen_m2 = 0;          ///< however well
     double covered_m2 = 0;       ///< as well as asked
+    double asked = 0;            ///< share that its line asks for; 0: nothing
     double least_detail_m = 0;   ///< of what was seen: the best
     double median_detail_m = 0;  ///< by area; infinite: less than half was seen
     std::vector<bool> covered;   ///< of each patch
@@ -29,8 +31,11 @@ struct InspectionOutcome {
   std::uint64_t looks = 0;
   std::uint64_t rays = 0;
   double worked_s = 0;
-  bool is_done = false;  ///< each line covered its share
-  std::string left;      ///< in words, the line that did not; empty: done
+  std::string left;  ///< in words, the first line that covered less than it asks; empty: none
+
+  /// Whether each line covered the share that it asks for; nothing where none asks. A flight may be
+  /// done and have seen nothing.
+  [[nodiscard]] std::optional<bool> is_seen() const noexcept;
 
   /// Of all parts together.
   [[nodiscard]] double area_m2() const noexcept;

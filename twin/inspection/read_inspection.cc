@@ -27,7 +27,11 @@ InspectionLine read_line(const Config& config, const std::vector<PlannedSurface>
   line.detail_m = 1e-3 * config.number("detail_mm", {0.001, 1e6});
   line.most_incidence_rad = degree * config.optional_number("incidence_deg", {1, 90}).value_or(90);
   line.looks = static_cast<std::uint32_t>(config.optional_integer("looks", 1, 1000).value_or(1));
-  line.done_at = config.optional_number("done_at", {0, 1}).value_or(line.done_at);
+  // What the share was called when a flight that saw less did not count as done.
+  const auto before = config.optional_number("done_at", {0, 1});
+  const auto asked = config.optional_number("seen_at", {0, 1});
+  if (before && asked) config.refuse("done_at", "found beside seen_at, its new name; keep seen_at");
+  line.seen_at = asked ? *asked : before.value_or(line.seen_at);
   return line;
 }
 

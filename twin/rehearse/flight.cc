@@ -99,6 +99,15 @@ bool is_lost(const AgentState& state) {
   }
 }
 
+/// What the inspections of a vehicle whose work counts saw of what is asked.
+void note_seen(const VehicleAccount& vehicle, Flight& flight) {
+  const std::optional<bool> is_seen = vehicle.is_seen();
+  if (!is_seen) return;
+  if (!*is_seen && flight.unseen_by.empty())
+    flight.unseen_by = vehicle.inspection->left + " (" + vehicle.name + ")";
+  flight.is_seen = flight.is_seen.value_or(true) && *is_seen;
+}
+
 /// A search is done when somebody was found, by whichever vehicle.
 void note_search(Flight& flight) {
   bool is_search = false;
@@ -221,6 +230,7 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
       const bool has_work = counts(agent, settings);
       if (!has_work && !is_lost(states[i])) continue;
       flight.ended_s = std::max(flight.ended_s, outcome.ended_s);
+      if (has_work) note_seen(outcome, flight);
       if (has_work && outcome.is_done) continue;
       if (flight.is_done) flight.stopped_by = outcome.stopped_by + " (" + outcome.name + ")";
       flight.is_done = false;

@@ -34,11 +34,17 @@ struct Flight {
   /// the noise under their watch was made where it is not the work of one of them.
   bool is_done = false;
   std::string stopped_by;  ///< "surveyor: limit: ..."; empty: nothing
+  /// Whether all inspections covered what is asked of them, done or not; nothing: none is asked.
+  std::optional<bool> is_seen;
+  std::string unseen_by;  ///< "less than 90 % covered by the ... (surveyor)"; empty: nothing
   double ended_s = 0;
   std::optional<double> found_s;     ///< when any vehicle found whom they search for
   std::optional<NoiseRecord> noise;  ///< of work that their watches for mammals let go on
   std::vector<VehicleAccount> vehicles;
   std::vector<std::vector<FlightSample>> samples;  ///< of each vehicle
+
+  /// Done, and where something is to be seen, seen.
+  [[nodiscard]] bool is_success() const noexcept { return is_done && is_seen.value_or(true); }
 };
 
 struct FlightSettings {

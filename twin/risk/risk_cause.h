@@ -14,8 +14,9 @@ enum class RiskCause : std::uint8_t {
   station,    ///< the water or the wind was faster than it, or it capsized
   collision,  ///< it struck something, or came nearer than its rule of keeping clear allows
   work,       ///< none of these, and the work was not done for all that
+  unseen,     ///< done or not, an inspection covered less than is asked of it
 };
-inline constexpr std::size_t risk_cause_count = 6;
+inline constexpr std::size_t risk_cause_count = 7;
 
 /// "limit", "energy", ...: the word of YAML and JSON.
 [[nodiscard]] std::string_view name_of(RiskCause cause) noexcept;

@@ -121,13 +121,21 @@ void expect_within_reach(const Scenario& scenario) {
   }
 }
 
+bool is_thinned(const std::optional<Config>& over, const Intensity& thinned_by) {
+  const auto said = over ? over->optional_child("intensity") : std::nullopt;
+  return thinned(said ? read_intensity(*said) : Intensity{}, thinned_by).density < 1;
+}
+
 }  // namespace
 
 ExpandedMission expand_mission(const Config& mission, const MissionParts& parts) {
   ExpandedMission out;
   if (mission.has("site")) (void)mission.text("site");
   const std::vector<const WorkTurbine*> turbines = turbines_of(mission, parts.site);
-  for (const WorkTurbine* turbine : turbines) out.turbines.push_back(turbine->id);
+  for (const WorkTurbine* turbine : turbines) {
+    out.turbines.push_back(turbine->id);
+    out.water_depth_m = std::max(out.water_depth_m, turbine->bed_m);
+  }
   std::optional<ForecastWater> of_the_site;
   if (!parts.site_id.empty()) of_the_site = ForecastWater{parts.site_id, {}, "", false};
   Scenario& scenario = out.scenario;
@@ -167,6 +175,7 @@ ExpandedMission expand_mission(const Config& mission, const MissionParts& parts)
       scenario.vehicles.push_back(
           lay_out_agent(role, agent, over, parts, turbines, stands_m, assumed, by_sensors));
       out.workers.push_back(role);
+      out.is_thinned |= is_thinned(over, parts.thinned_by);
     }
     task.expect_all_read();
   }

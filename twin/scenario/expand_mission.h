@@ -41,6 +41,8 @@ struct ExpandedMission {
   std::vector<std::string> turbines;
   std::vector<std::string> workers;  ///< vehicles whose work counts for the success
   std::vector<Requirement> requirements;
+  double water_depth_m = 0;  ///< at the deepest of the turbines
+  bool is_thinned = false;   ///< some of its work looks less closely than its task does
 };
 
 /// Lays a mission's tasks out at its turbines.

@@ -46,7 +46,7 @@ YamlValue look_value(const InspectionLine& line) {
       .put("detail_mm", multiple_for(line.detail_m, 1e-3))
       .put("incidence_deg", degrees_for(line.most_incidence_rad))
       .put("looks", static_cast<double>(line.looks))
-      .put("done_at", line.done_at);
+      .put("seen_at", line.seen_at);
   return value;
 }
 

@@ -31,11 +31,11 @@ std::vector<Variation> variations_of(const LoadedMission& mission, UtcTime start
 /// Holds the changed flights against those of the same members as it is.
 void compare(const StartOutcome& changed, const FlownStart& flown, Advice& out) {
   out.flights = changed.flights.size();
-  out.done = changed.done;
-  out.low = changed.low;
-  out.high = changed.high;
+  out.done = changed.success.flights;
+  out.low = changed.success.low;
+  out.high = changed.success.high;
   for (std::size_t i = 0; i < out.flights; ++i) {
-    const bool is_done = changed.flights[i].is_done, was_done = flown.done[i] != 0;
+    const bool is_done = changed.flights[i].is_success(), was_done = flown.done[i] != 0;
     out.done_as_is += was_done ? 1 : 0;
     out.gained += is_done && !was_done ? 1 : 0;
     out.lost += was_done && !is_done ? 1 : 0;
@@ -62,7 +62,7 @@ FlownStart flown_start(const StartOutcome& flown, std::size_t members) {
   FlownStart out{flown.start, {}};
   for (const twin::Flight& flight : flown.flights) {
     if (out.done.size() == members) break;
-    out.done.push_back(flight.is_done ? 1 : 0);
+    out.done.push_back(flight.is_success() ? 1 : 0);
   }
   return out;
 }

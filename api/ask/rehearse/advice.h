@@ -13,7 +13,7 @@ struct Advice {
   std::string what;         ///< "an hour later"
   std::string impossible;   ///< why it was not flown; empty: it was
   std::size_t flights = 0;  ///< of the mission as it is and of the changed one, each
-  std::size_t done = 0;     ///< of the changed one
+  std::size_t done = 0;     ///< of the changed one: done, and where something is asked, seen
   std::size_t done_as_is = 0;
   std::size_t gained = 0;  ///< futures that are done only if it is changed
   std::size_t lost = 0;    ///< and those that are done only as it is
@@ -29,7 +29,7 @@ struct Advice {
 /// A start as it was flown.
 struct FlownStart {
   UtcTime start;
-  std::vector<std::uint8_t> done;  ///< by member from 0 on: 1 where it was
+  std::vector<std::uint8_t> done;  ///< by member from 0 on: 1 where it was, and saw what is asked
 };
 /// @param members  how many of them at most
 [[nodiscard]] FlownStart flown_start(const StartOutcome& flown, std::size_t members);

@@ -38,23 +38,44 @@ std::vector<Due> round_of(const Rehearsal& rehearsal, std::size_t from, std::siz
   return round;
 }
 
-void conclude_round(const RehearsalPlan& plan, StartOutcome& start) {
-  start.done = static_cast<std::size_t>(
-      std::count_if(start.flights.begin(), start.flights.end(),
-                    [](const twin::Flight& flight) { return flight.is_done; }));
-  const twin::SuccessInterval interval =
-      twin::success_interval(start.done, start.flights.size(), plan.level);
+template <typename Is>
+void count(const StartOutcome& start, double level, FlightCount& out, Is&& is) {
+  out.of = start.flights.size();
+  out.flights =
+      static_cast<std::size_t>(std::count_if(start.flights.begin(), start.flights.end(), is));
+  const twin::SuccessInterval interval = twin::success_interval(out.flights, out.of, level);
   // What was shut out once stays shut out.
-  start.low = std::max(start.low, interval.low);
-  start.high = std::min(start.high, interval.high);
-  start.is_narrow = plan.narrow_enough > 0 && start.high - start.low <= plan.narrow_enough;
-  std::map<std::string, std::size_t> causes;
-  for (const twin::Flight& flight : start.flights)
-    if (!flight.is_done) ++causes[flight.stopped_by];
-  start.stopped_by.clear();
-  for (const auto& [cause, flights] : causes) start.stopped_by.push_back({cause, flights});
-  std::stable_sort(start.stopped_by.begin(), start.stopped_by.end(),
+  out.low = std::max(out.low, interval.low);
+  out.high = std::min(out.high, interval.high);
+}
+
+/// Most frequent first.
+std::vector<StoppedBy> sorted(const std::map<std::string, std::size_t>& causes) {
+  std::vector<StoppedBy> out;
+  for (const auto& [cause, flights] : causes) out.push_back({cause, flights});
+  std::stable_sort(out.begin(), out.end(),
                    [](const StoppedBy& a, const StoppedBy& b) { return a.flights > b.flights; });
+  return out;
+}
+
+void conclude_round(const RehearsalPlan& plan, StartOutcome& start) {
+  using twin::Flight;
+  count(start, plan.level, start.done, [](const Flight& flight) { return flight.is_done; });
+  count(start, plan.level, start.success, [](const Flight& flight) { return flight.is_success(); });
+  // Whether anything is asked is the same in all flights.
+  if (start.flights.front().is_seen) {
+    if (!start.seen) start.seen.emplace();
+    count(start, plan.level, *start.seen, [](const Flight& flight) { return *flight.is_seen; });
+  }
+  start.is_narrow =
+      plan.narrow_enough > 0 && start.success.high - start.success.low <= plan.narrow_enough;
+  std::map<std::string, std::size_t> stopped, unseen;
+  for (const Flight& flight : start.flights) {
+    if (!flight.is_done) ++stopped[flight.stopped_by];
+    if (flight.is_seen == false) ++unseen[flight.unseen_by];
+  }
+  start.stopped_by = sorted(stopped);
+  start.unseen_by = sorted(unseen);
 }
 
 }  // namespace
@@ -62,7 +83,7 @@ void conclude_round(const RehearsalPlan& plan, StartOutcome& start) {
 std::size_t Rehearsal::best() const noexcept {
   std::size_t best = 0;
   for (std::size_t i = 0; i < starts.size(); ++i)
-    if (starts[i].share_done() > starts[best].share_done()) best = i;
+    if (starts[i].success.share() > starts[best].success.share()) best = i;
   return best;
 }
 
@@ -78,7 +99,7 @@ Rehearsal rehearse(const twin::Scenario& mission, twin::Surround surround,
     outcome.start = start;
     outcome.by_the_limits = twin::by_the_limits(mission, surround, start, plan.flights.workers);
     if (plan.forbidden) outcome.forbidden = plan.forbidden(start);
-    if (!outcome.forbidden.empty()) outcome.high = 0;
+    if (!outcome.forbidden.empty()) outcome.done.high = outcome.success.high = 0;
   }
   const auto all = static_cast<double>(plan.members * plan.starts.size());
   // One member of each first, then as many as make blocks, two at the least for two threads.

@@ -29,26 +29,35 @@ struct StoppedBy {
   std::size_t flights = 0;
 };
 
+/// Of how many flights something is true, with the bounds of its probability.
+struct FlightCount {
+  std::size_t flights = 0;
+  std::size_t of = 0;        ///< that were flown
+  double low = 0, high = 1;  ///< whenever the flights were stopped
+
+  [[nodiscard]] double share() const noexcept {
+    return of == 0 ? 0 : static_cast<double>(flights) / static_cast<double>(of);
+  }
+};
+
 struct StartOutcome {
   UtcTime start;
   std::vector<twin::Flight> flights;  ///< by member
-  std::size_t done = 0;
-  double low = 0, high = 1;  ///< of P(success)
-  bool is_narrow = false;    ///< it was flown no more because that is narrow enough
+  FlightCount done;                   ///< P(done): the work was done in time and all came home
+  std::optional<FlightCount> seen;    ///< P(seen): what is asked was covered; nothing: none is
+  FlightCount success;                ///< both; where nothing is asked, done
+  bool is_narrow = false;             ///< it was flown no more because the bounds are narrow enough
   twin::LimitsSay by_the_limits;
   std::string forbidden;              ///< why it was not flown at all; empty: it was
-  std::vector<StoppedBy> stopped_by;  ///< most frequent first
-
-  [[nodiscard]] double share_done() const noexcept {
-    return flights.empty() ? 0 : static_cast<double>(done) / static_cast<double>(flights.size());
-  }
+  std::vector<StoppedBy> stopped_by;  ///< of those not done, most frequent first
+  std::vector<StoppedBy> unseen_by;   ///< of those that saw too little, most frequent first
 };
 
 struct Rehearsal {
   std::vector<StartOutcome> starts;
   twin::InspectionShelf inspections;  ///< of the vehicles that inspect: the same in all flights
 
-  /// The start that a coordinator looks at first: the first of those done most often.
+  /// The start that a coordinator looks at first: the first of those with most successes.
   [[nodiscard]] std::size_t best() const noexcept;
   double wall_s = 0;
   double first_answer_s = 0;  ///< of the clock: until every start had been flown once

@@ -7,9 +7,11 @@
 #include "api/ask/rehearse/advice.h"
 #include "api/ask/rehearse/rehearsal.h"
 #include "api/ask/rehearse/risks.h"
+#include "api/ask/rehearse/seen_in_calm.h"
 #include "api/ask/rehearse/zones.h"
 #include "api/ask/windows/task_windows.h"
 #include "api/ask/windows/worth.h"
+#include "fields/base/error.h"
 #include "twin/run/set_up.h"
 
 namespace slackwater::api {
@@ -33,11 +35,17 @@ std::vector<std::size_t> starts_to_fly(const TaskWindows& task, Duration every) 
 
 TwinChance chance_of(const StartOutcome& flown, const std::vector<twin::Consequence>& harms) {
   TwinChance out;
-  out.probability = flown.share_done();
-  out.interval = {flown.low, flown.high};
+  out.probability = flown.success.share();
+  out.interval = {flown.success.low, flown.success.high};
+  out.p_done = flown.done;
+  out.p_seen = flown.seen;
   out.flights = flown.flights.size();
   out.done = flown_start(flown, out.flights).done;
-  if (!flown.stopped_by.empty()) out.stopped_by = flown.stopped_by.front().cause;
+  const std::size_t stopped = flown.done.of - flown.done.flights;
+  if (flown.seen && flown.seen->of - flown.seen->flights > stopped)
+    out.stopped_by = "not seen: " + flown.unseen_by.front().cause;
+  else if (!flown.stopped_by.empty())
+    out.stopped_by = flown.stopped_by.front().cause;
   for (const twin::Flight& flight : flown.flights) {
     if (flight.is_done) out.duration_s.push_back(flight.ended_s);
     double energy_j = 0;
@@ -62,13 +70,19 @@ std::optional<FlownAdvice> advice_of(const LoadedMission& mission, const Rehears
   return FlownAdvice{best->start, advice_for(mission, plan, flown)};
 }
 
-void fly_task(const WindowsQuestion& question, const FlyWindows& settings, double most_wall_s,
-              const std::filesystem::path& store_folder, WindowsAnswer& answer, TaskWindows& task) {
+/// @return why it is left out, of one that cannot see what it asks for; empty: it was flown
+std::string fly_task(const WindowsQuestion& question, const FlyWindows& settings,
+                     double most_wall_s, const std::filesystem::path& store_folder,
+                     WindowsAnswer& answer, TaskWindows& task) {
   const std::vector<std::size_t> starts = starts_to_fly(task, settings.every);
-  if (starts.empty()) return;
+  if (starts.empty()) return "";
   const Field& field = *answer.water.surround.field;
   LoadedMission mission =
       mission_to_fly(question, task, field.snapshot().seed, wave_components, store_folder);
+  if (std::string why = unseen_in_calm(mission); !why.empty()) {
+    if (!question.may_leave_out) throw Error(ErrorKind::invalid_input, task.id + ": " + why);
+    return why;
+  }
   mission.water = answer.water;
   RehearsalPlan plan;
   for (const std::size_t i : starts) plan.starts.push_back(task.starts[i].start);
@@ -85,9 +99,26 @@ void fly_task(const WindowsQuestion& question, const FlyWindows& settings, doubl
     task.starts[starts[i]].twin = chance_of(flown.starts[i], mission.consequences);
   weigh_by_flights(task, settings.every);
   task.verdict = twin::verdict_of(best_of(task)->worth, question.rule);
-  if (!settings.with_advice || task.verdict == twin::Verdict::go) return;
+  if (!settings.with_advice || task.verdict == twin::Verdict::go) return "";
   plan.most_wall_s = for_advice_s;
   task.advice = advice_of(mission, plan, task);
+  return "";
+}
+
+/// Takes out the tasks that were refused, each with its reason.
+void leave_out(const WindowsQuestion& question, const std::vector<std::string>& refused,
+               WindowsAnswer& answer) {
+  std::vector<TaskWindows> kept;
+  for (std::size_t i = 0; i < refused.size(); ++i) {
+    if (refused[i].empty())
+      kept.push_back(std::move(answer.tasks[i]));
+    else
+      answer.left_out.push_back({answer.tasks[i].id, refused[i]});
+  }
+  if (kept.size() < refused.size()) answer.verdict = twin::Verdict::no_go;
+  answer.tasks = std::move(kept);
+  if (answer.tasks.empty() && !refused.empty() && !question.may_leave_all_out)
+    throw Error(ErrorKind::invalid_input, answer.left_out.back().why);
 }
 
 }  // namespace
@@ -99,6 +130,7 @@ void fly_windows(const WindowsQuestion& question, const FlyWindows& settings,
   std::vector<std::size_t> to_fly;
   for (const TaskWindows& task : answer.tasks)
     to_fly.push_back(starts_to_fly(task, settings.every).size());
+  std::vector<std::string> refused(answer.tasks.size());
   std::size_t left = std::accumulate(to_fly.begin(), to_fly.end(), std::size_t{0});
   for (std::size_t i = 0; i < answer.tasks.size(); ++i) {
     const double left_s =
@@ -106,11 +138,13 @@ void fly_windows(const WindowsQuestion& question, const FlyWindows& settings,
     const double share_s = std::max(left_s, 1.0) * static_cast<double>(to_fly[i]) /
                            static_cast<double>(std::max<std::size_t>(left, 1));
     left -= to_fly[i];
-    fly_task(question, settings, share_s, store_folder, answer, answer.tasks[i]);
-    answer.verdict = std::max(answer.verdict, answer.tasks[i].verdict);
+    // One task that cannot succeed does not stop the answer about the others.
+    refused[i] = fly_task(question, settings, share_s, store_folder, answer, answer.tasks[i]);
+    if (refused[i].empty()) answer.verdict = std::max(answer.verdict, answer.tasks[i].verdict);
     if (on_progress)
       on_progress(static_cast<double>(i + 1) / static_cast<double>(answer.tasks.size()));
   }
+  leave_out(question, refused, answer);
 }
 
 }  // namespace slackwater::api

@@ -56,11 +56,15 @@ struct WindowsQuestion {
 
 /// What the twin says of a start: filled by a rehearsal.
 struct TwinChance {
-  double probability = 0;          ///< of success with the reserve kept: the share that was done
-  twin::SuccessInterval interval;  ///< 95 %, whenever the flights were stopped
+  /// Of success: the share that was done with the reserve kept and, where an inspection asks for
+  /// something, saw it.
+  double probability = 0;
+  twin::SuccessInterval interval;     ///< 95 %, whenever the flights were stopped
+  FlightCount p_done;                 ///< done alone
+  std::optional<FlightCount> p_seen;  ///< seen alone; nothing: nothing is asked to be seen
   std::size_t flights = 0;
-  std::vector<std::uint8_t> done;  ///< by member, 1 where it was
-  std::string stopped_by;          ///< what stopped most; empty: nothing
+  std::vector<std::uint8_t> done;  ///< by member, 1 where it was a success
+  std::string stopped_by;          ///< what stopped most, or was not seen; empty: nothing
   std::vector<double> duration_s;  ///< of those that were done
   std::vector<double> energy_wh;   ///< electrical, of all vehicles, by flight
   std::vector<twin::RiskEntry> risks;

@@ -8,6 +8,7 @@
 #include "api/ask/rehearse/mission_file.h"
 #include "api/ask/rehearse/rehearsal.h"
 #include "api/ask/rehearse/risks.h"
+#include "api/ask/rehearse/seen_in_calm.h"
 #include "api/ask/rehearse/unchecked.h"
 #include "api/ask/rehearse/zones.h"
 #include "api/door/cli/command.h"
@@ -119,7 +120,8 @@ void expect_beside(const RehearseArguments& arguments) {
 UtcTime best_allowed(const Rehearsal& rehearsal) {
   const StartOutcome* best = nullptr;
   for (const StartOutcome& start : rehearsal.starts)
-    if (start.forbidden.empty() && (best == nullptr || start.share_done() > best->share_done()))
+    if (start.forbidden.empty() &&
+        (best == nullptr || start.success.share() > best->success.share()))
       best = &start;
   expects(best != nullptr, "best_allowed: some start was flown");
   return best->start;
@@ -152,23 +154,39 @@ AdaptedStart adapted_start(const RehearseArguments& arguments, const Context& co
   return out;
 }
 
+std::string share_cell(const FlightCount& count) {
+  return formatted("{}/{}", count.flights, count.of);
+}
+std::string bounds_cell(const FlightCount& count) {
+  return formatted("{:.2f} to {:.2f}", count.low, count.high);
+}
+
+/// What keeps most flights from being done, and from having seen.
+std::string why_not(const StartOutcome& start) {
+  if (!start.forbidden.empty()) return start.forbidden;
+  const auto first = [](const char* how, const std::vector<StoppedBy>& causes) {
+    return how + causes.front().cause + formatted(" ({})", causes.front().flights);
+  };
+  std::string text = start.stopped_by.empty() ? "" : first("", start.stopped_by);
+  if (!start.unseen_by.empty())
+    text += (text.empty() ? "" : "; ") + first("not seen: ", start.unseen_by);
+  return text.empty() ? "-" : text;
+}
+
 void print_rehearsal(const LoadedMission& mission, const Rehearsal& rehearsal,
                      const std::vector<Advice>& advice,
                      const std::optional<AdaptedStart>& adapted) {
   std::printf("%s\n", verdict_of(rehearsal).c_str());
   std::printf("%s at %s, %s\n\n", joined(mission.expanded.tasks, ", ").c_str(),
               joined(mission.expanded.turbines, ", ").c_str(), mission.water.forecast_name.c_str());
-  std::printf("%-18s %8s %12s %10s  %s\n", "start", "done", "P(success)", "limits", "stopped by");
+  std::printf("%-18s %8s %13s %8s %13s %10s  %s\n", "start", "done", "P(done)", "seen", "P(seen)",
+              "limits", "why not");
   for (const StartOutcome& start : rehearsal.starts) {
-    const std::string cause =
-        !start.forbidden.empty() ? start.forbidden
-        : start.stopped_by.empty()
-            ? "-"
-            : start.stopped_by.front().cause + formatted(" ({})", start.stopped_by.front().flights);
-    std::printf("%-18s %8s %12s %10s  %s\n", format_utc(start.start).substr(0, 16).c_str(),
-                formatted("{}/{}", start.done, start.flights.size()).c_str(),
-                formatted("{:.2f} to {:.2f}", start.low, start.high).c_str(),
-                start.by_the_limits.allows ? "allow" : "forbid", cause.c_str());
+    std::printf("%-18s %8s %13s %8s %13s %10s  %s\n", format_utc(start.start).substr(0, 16).c_str(),
+                share_cell(start.done).c_str(), bounds_cell(start.done).c_str(),
+                start.seen ? share_cell(*start.seen).c_str() : "-",
+                start.seen ? bounds_cell(*start.seen).c_str() : "-",
+                start.by_the_limits.allows ? "allow" : "forbid", why_not(start).c_str());
     if (const std::string why = disagreement_of(start); !why.empty())
       std::printf("  %s\n", why.c_str());
     for (const std::string& cleaned : cleaning_texts(start)) std::printf("  %s\n", cleaned.c_str());
@@ -237,6 +255,7 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
     twin::Scenario first = mission.scenario;
     first.start = plan.starts.front();
     twin::expect_fit(mission.expanded, twin::set_up(first, mission.water.surround));
+    expect_seen_in_calm(mission);
   });
   const Rehearsal rehearsal = with_context(arguments.mission.string(), [&] {
     return rehearse(mission.scenario, mission.water.surround, plan,
@@ -307,7 +326,8 @@ void add_rehearse(CLI::App& app, Context& context) {
   command->add_option("--starts", arguments->count, "how many starts")->check(CLI::Range(1, 1000));
   command
       ->add_option("--until-within", arguments->narrow_enough,
-                   "stop flying a start when its 95 % interval of P(success) is narrower than this")
+                   "stop flying a start when its 95 % interval of P(done, and seen) is narrower "
+                   "than this")
       ->check(CLI::Range(0.001, 1.0));
   command->add_option("--assume", arguments->assume,
                       "what no forecast serves, e.g. visibility_m=5000");

@@ -41,6 +41,17 @@ const std::map<std::string, double (*)(const Scored&)>& pooled() {
   return all;
 }
 
+/// Of the runs in which something was to be seen; null: of none.
+json pooled_seen_json(const std::vector<Scored>& scores) {
+  std::vector<double> values;
+  for (const Scored& score : scores)
+    if (const std::optional<bool> is_seen = score.vehicle.is_seen())
+      values.push_back(*is_seen ? 1 : 0);
+  if (values.empty()) return nullptr;
+  const Spread spread = spread_of(values);
+  return {{"mean", spread.mean}, {"deviation", spread.deviation}};
+}
+
 json pooled_json(const std::vector<Scorecard>& cards) {
   std::map<std::string, std::vector<Scored>> by_name;
   for (const Scorecard& card : cards)
@@ -55,6 +66,7 @@ json pooled_json(const std::vector<Scorecard>& cards) {
       const Spread spread = spread_of(values);
       vehicle[key] = {{"mean", spread.mean}, {"deviation", spread.deviation}};
     }
+    vehicle["seen"] = pooled_seen_json(scores);
     out.push_back(std::move(vehicle));
   }
   return out;
@@ -68,17 +80,23 @@ std::string metres(const std::optional<twin::Approach>& near) {
   return near ? one_decimal(near->distance_m) : "-";
 }
 
+/// Done is not seen.
+const char* seen_cell(const twin::VehicleAccount& vehicle) {
+  const std::optional<bool> is_seen = vehicle.is_seen();
+  return !is_seen ? "-" : *is_seen ? "yes" : "no";
+}
+
 void print_cards(const std::vector<Scorecard>& cards) {
-  std::printf("%-24s %-12s %5s %8s %9s %8s %9s %8s %8s %8s %6s %9s %7s\n", "run", "vehicle", "done",
-              "time s", "sailed m", "off m", "J per m", "pile m", "other m", "ship m", "away",
-              "for s", "limits");
+  std::printf("%-24s %-12s %5s %5s %8s %9s %8s %9s %8s %8s %8s %6s %9s %7s\n", "run", "vehicle",
+              "done", "seen", "time s", "sailed m", "off m", "J per m", "pile m", "other m",
+              "ship m", "away", "for s", "limits");
   for (const Scorecard& card : cards)
     for (const twin::VehicleAccount& v : card.account.vehicles) {
       const twin::Interventions away = twin::interventions_of(v.mission, card.account.ran_s);
-      std::printf("%-24s %-12s %5s %8.0f %9.1f %8.2f %9s %8s %8s %8s %6zu %9.0f %7zu\n",
+      std::printf("%-24s %-12s %5s %5s %8.0f %9.1f %8.2f %9s %8s %8s %8s %6zu %9.0f %7zu\n",
                   card.run.substr(0, 24).c_str(), v.name.c_str(),
-                  is_scored_done(v, card.account.ran_s) ? "yes" : "no", scored_time_s(v),
-                  v.at_work.sailed_m, v.at_work.rms_across_m,
+                  is_scored_done(v, card.account.ran_s) ? "yes" : "no", seen_cell(v),
+                  scored_time_s(v), v.at_work.sailed_m, v.at_work.rms_across_m,
                   one_decimal(energy_per_metre_j(v)).c_str(), metres(v.closest.structure).c_str(),
                   metres(v.closest.vehicle).c_str(), metres(v.closest.vessel).c_str(), away.count,
                   away.away_s, away.limit_violations);

@@ -115,16 +115,16 @@ ReportTable coverage_table(const std::vector<InspectionCoverage>& coverages) {
   table.note =
       "Detail: the smallest size that can be seen, in the best look at each patch. Covered: seen "
       "as finely, as squarely and as often as asked.";
-  table.columns = {"Surface", "Instrument",      "Vehicle",       "Area",
-                   "Covered", "Not well enough", "Not seen",      "Asked for",
-                   "Done",    "Least detail",    "Median detail", "A patch is covered at"};
+  table.columns = {"Surface",       "Instrument",      "Vehicle",       "Area",
+                   "Covered",       "Not well enough", "Not seen",      "Asked for",
+                   "Seen as asked", "Least detail",    "Median detail", "A patch is covered at"};
   for (const InspectionCoverage& c : coverages) {
     const auto shares = c.shares();
-    table.rows.push_back({c.surface, c.instrument, c.vehicle, formatted("{:.1f} m2", c.area_m2),
-                          percent_text(shares[0]), percent_text(shares[1]), percent_text(shares[2]),
-                          percent_text(c.done_at), c.is_done() ? "yes" : "no",
-                          length_text(c.least_detail_m), length_text(c.median_detail_m),
-                          asked_text(c)});
+    table.rows.push_back(
+        {c.surface, c.instrument, c.vehicle, formatted("{:.1f} m2", c.area_m2),
+         percent_text(shares[0]), percent_text(shares[1]), percent_text(shares[2]),
+         percent_text(c.done_at), c.done_at > 0 ? (c.is_done() ? "yes" : "no") : "-",
+         length_text(c.least_detail_m), length_text(c.median_detail_m), asked_text(c)});
   }
   return table;
 }

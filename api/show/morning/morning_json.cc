@@ -29,11 +29,14 @@ json best_json(const TaskWindows& task) {
            {"stopped_by", stopping_text(task, *best, utc)},
            {"flown", nullptr}};
   if (best->twin)
-    out["flown"] = {{"probability", best->twin->probability},
-                    {"interval_95", {best->twin->interval.low, best->twin->interval.high}},
-                    {"flights", best->twin->flights},
-                    {"stopped_by", best->twin->stopped_by.empty() ? json(nullptr)
-                                                                  : json(best->twin->stopped_by)}};
+    out["flown"] = {
+        {"probability", best->twin->probability},
+        {"interval_95", {best->twin->interval.low, best->twin->interval.high}},
+        {"flights", best->twin->flights},
+        {"done", best->twin->p_done.flights},
+        {"seen", best->twin->p_seen ? json(best->twin->p_seen->flights) : json(nullptr)},
+        {"stopped_by",
+         best->twin->stopped_by.empty() ? json(nullptr) : json(best->twin->stopped_by)}};
   return out;
 }
 

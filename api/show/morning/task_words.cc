@@ -76,11 +76,12 @@ std::string flown_line(const TaskWindows& task, const MorningClock& clock) {
     flights += start.twin ? start.twin->flights : 0;
   }
   const TwinChance& twin = *best->twin;
-  std::string text = formatted("Flown {} times at {} starts; best ", flights, flown) +
-                     clock(best->start) +
-                     formatted(", {} of {} done (95 % interval {:.0f} to {:.0f} %)",
-                               std::lround(twin.probability * static_cast<double>(twin.flights)),
-                               twin.flights, 100 * twin.interval.low, 100 * twin.interval.high);
+  std::string text =
+      formatted("Flown {} times at {} starts; best ", flights, flown) + clock(best->start) +
+      formatted(", {} of {} done", twin.p_done.flights, twin.flights) +
+      (twin.p_seen ? formatted(", {} seen as asked", twin.p_seen->flights) : "") +
+      formatted(" (95 % interval {}{:.0f} to {:.0f} %)", twin.p_seen ? "of both " : "",
+                100 * twin.interval.low, 100 * twin.interval.high);
   const auto low = quantile_of(twin.duration_s, 0.1), middle = quantile_of(twin.duration_s, 0.5),
              high = quantile_of(twin.duration_s, 0.9);
   if (low && middle && high)

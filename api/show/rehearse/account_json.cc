@@ -103,6 +103,7 @@ json score_json(const VehicleAccount& v, double ran_s) {
                 {"false_alarms", v.inspection->score.all.false_alarms}};
   return {{"name", v.name},
           {"done", is_scored_done(v, ran_s)},
+          {"seen", v.is_seen() ? json(*v.is_seen()) : json(nullptr)},
           {"time_s", scored_time_s(v)},
           {"sailed_m", v.at_work.sailed_m},
           {"rms_across_track_m", v.at_work.rms_across_m},

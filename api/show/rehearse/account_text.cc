@@ -154,9 +154,17 @@ bool all_missions_done(const RunAccount& account) {
   });
 }
 
+bool all_seen(const RunAccount& account) {
+  return std::none_of(account.vehicles.begin(), account.vehicles.end(),
+                      [](const auto& vehicle) { return vehicle.is_seen() == false; });
+}
+
 std::string mission_headline(const RunAccount& account) {
-  std::vector<std::string> done, not_done;
+  std::vector<std::string> done, not_done, seen, unseen;
   for (const VehicleAccount& vehicle : account.vehicles) {
+    if (const std::optional<bool> is_seen = vehicle.is_seen())
+      (*is_seen ? seen : unseen)
+          .push_back(vehicle.name + (*is_seen ? "" : ": " + vehicle.inspection->left));
     const auto end = twin::mission_end_of(vehicle.mission, account.ran_s);
     if (!end || (!end->is_done && !vehicle.fate.empty())) continue;
     const std::string when = minute_of_day(account.start, end->t_s) + " UTC";
@@ -168,6 +176,9 @@ std::string mission_headline(const RunAccount& account) {
   std::vector<std::string> text;
   if (!not_done.empty()) text.push_back("Not done: " + joined(not_done, "; ") + ".");
   if (!done.empty()) text.push_back("Done: " + joined(done, ", ") + ".");
+  // Done is not seen.
+  if (!unseen.empty()) text.push_back("Not seen: " + joined(unseen, "; ") + ".");
+  if (!seen.empty()) text.push_back("Seen as asked: " + joined(seen, ", ") + ".");
   return joined(text, " ");
 }
 

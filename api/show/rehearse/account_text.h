@@ -24,10 +24,13 @@ namespace slackwater::api {
 [[nodiscard]] std::string fates_text(const twin::RunAccount& account);
 
 /// "Done: eye by 06:12 UTC." or "Not done: eye: comes home: limit: ... (ended 06:05 UTC)."; empty
-/// for a run without missions. Those of whom `fates_text` tells are left out.
+/// for a run without missions. Those of whom `fates_text` tells are left out. What was seen, where
+/// something is asked, stands beside it: "Not seen: eye: less than 90 % covered by the ...".
 [[nodiscard]] std::string mission_headline(const twin::RunAccount& account);
 /// Whether all that have missions have done them.
 [[nodiscard]] bool all_missions_done(const twin::RunAccount& account);
+/// Whether all inspections covered what is asked of them.
+[[nodiscard]] bool all_seen(const twin::RunAccount& account);
 
 /// Something that happened to a vehicle, for a list by time.
 struct EventLine {

@@ -31,8 +31,8 @@ nlohmann::json advice_json(const std::vector<Advice>& advice) {
 
 std::string text_of(const Advice& advice) {
   if (!advice.impossible.empty()) return advice.what + ": not possible, " + advice.impossible;
-  return advice.what +
-         formatted(": {} of {} done instead of {}", advice.done, advice.flights, advice.done_as_is);
+  return advice.what + formatted(": {} of {} succeed instead of {}", advice.done, advice.flights,
+                                 advice.done_as_is);
 }
 
 std::string advice_table_html(const std::string& title, const std::vector<Advice>& advice) {
@@ -40,9 +40,9 @@ std::string advice_table_html(const std::string& title, const std::vector<Advice
   ReportTable table;
   table.title = title;
   table.note =
-      "The same futures, one thing changed. Gained and lost: futures that are done only with the "
-      "change, or only without it.";
-  table.columns = {"Change", "Done", "Instead of", "Gained", "Lost"};
+      "The same futures, one thing changed. Success: done, and where something is asked to be "
+      "seen, seen. Gained and lost: futures that succeed only with the change, or only without it.";
+  table.columns = {"Change", "Success", "Instead of", "Gained", "Lost"};
   for (const Advice& one : advice) {
     if (!one.impossible.empty()) {
       table.rows.push_back({one.what, "not possible: " + one.impossible, "-", "-", "-"});

@@ -44,7 +44,7 @@ InspectionCoverage asked_of(const twin::Inspection& what, std::size_t pair) {
   coverage.asked_detail_m = line.detail_m;
   coverage.asked_incidence_deg = Angle::from_radians(line.most_incidence_rad).degrees();
   coverage.asked_looks = line.looks;
-  coverage.done_at = line.done_at;
+  coverage.done_at = line.seen_at;
   coverage.words = words_of_flights;
   coverage.sheet = laid_flat(surface.sheet);
   return coverage;

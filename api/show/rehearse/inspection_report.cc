@@ -42,8 +42,11 @@ json score_json(const twin::DetectionScore& score) {
 }  // namespace
 
 std::string covered_text(const InspectionOutcome& outcome) {
-  return formatted("{:.0f} of {:.0f} m2 covered ({:.0f} %)", outcome.covered_m2(),
-                   outcome.area_m2(), 100 * outcome.share());
+  std::string text = formatted("{:.0f} of {:.0f} m2 covered ({:.0f} %)", outcome.covered_m2(),
+                               outcome.area_m2(), 100 * outcome.share());
+  if (const std::optional<bool> is_seen = outcome.is_seen())
+    text += *is_seen ? ", seen as asked" : ", NOT SEEN as asked: " + outcome.left;
+  return text;
 }
 
 std::string inspection_text(const InspectionOutcome& outcome) {
@@ -70,10 +73,12 @@ json inspection_json(const InspectionOutcome& outcome) {
                      {"seen_m2", number(part.seen_m2)},
                      {"covered_m2", number(part.covered_m2)},
                      {"share", number(part.share())},
+                     {"asked", number(part.asked)},
                      {"least_detail_m", number(part.least_detail_m)},
                      {"median_detail_m", number(part.median_detail_m)}});
   return {{"share", number(outcome.share())},
-          {"done", outcome.is_done},
+          {"done", outcome.left.empty()},
+          {"seen", outcome.is_seen() ? json(*outcome.is_seen()) : json(nullptr)},
           {"left", outcome.left},
           {"looks", outcome.looks},
           {"rays", outcome.rays},
@@ -91,6 +96,7 @@ json inspection_json(const StartOutcome& start, std::size_t vehicle) {
     parts.push_back({{"surface", first.surface},
                      {"instrument", first.instrument},
                      {"area_m2", number(first.area_m2)},
+                     {"asked", number(first.asked)},
                      {"share", all.quantiles([p](const auto& o) { return o.parts[p].share(); })}});
   }
   const auto rate = [](const auto& o) { return o.score.detection_rate.value_or(0); };
@@ -99,6 +105,21 @@ json inspection_json(const StartOutcome& start, std::size_t vehicle) {
       {"surfaces", parts},
       {"detection_rate", all.first().score.all.planted == 0 ? json(nullptr) : all.quantiles(rate)}};
 }
+
+namespace {
+
+/// Done is not seen: in how many flights what is asked was covered.
+std::string seen_text(const OverFlights<InspectionOutcome>& all) {
+  if (!all.first().is_seen()) return ", no share is asked for";
+  std::size_t seen = 0, flights = 0;
+  for (const InspectionOutcome* outcome : all) {
+    ++flights;
+    seen += outcome->is_seen() == true ? 1 : 0;
+  }
+  return formatted(", seen as asked in {} of {}", seen, flights);
+}
+
+}  // namespace
 
 std::vector<std::string> inspection_texts(const StartOutcome& start) {
   std::vector<std::string> texts;
@@ -117,6 +138,7 @@ std::vector<std::string> inspection_texts(const StartOutcome& start) {
     texts.push_back(start.flights.front().vehicles[v].name +
                     formatted(": {:.0f} % of {:.0f} m2 covered (P10 {:.0f} %, P90 {:.0f} %)",
                               share(0.5), all.first().area_m2(), share(0.1), share(0.9)) +
+                    seen_text(all) +
                     (planted == 0 ? std::string()
                                   : formatted("; of made-up defects {:.0f} % found",
                                               100.0 * static_cast<double>(found) /

@@ -24,18 +24,24 @@ TrajectoryTable flight_table(const Rehearsal& rehearsal) {
   TrajectoryTable::Column start{"start", "s", "since the first start", {}};
   TrajectoryTable::Column member{"member", "1", "of the forecast", {}};
   TrajectoryTable::Column done{"done", "1", "1: by all whose work counts", {}};
+  TrajectoryTable::Column seen{
+      "seen", "1", "1: its inspections covered what is asked; none: nothing is asked", {}};
   TrajectoryTable::Column ended{"ended", "s", "since its start", {}};
   TrajectoryTable::TextColumn cause{"stopped_by", "why it was not done", {}};
+  TrajectoryTable::TextColumn unseen{"unseen_by", "why it saw too little", {}};
   for (const StartOutcome& outcome : rehearsal.starts)
     for (const Flight& flight : outcome.flights) {
       start.values.push_back(seconds_between(rehearsal.starts.front().start, outcome.start));
       member.values.push_back(static_cast<double>(flight.flown.member));
       done.values.push_back(flight.is_done ? 1 : 0);
+      seen.values.push_back(flight.is_seen ? (*flight.is_seen ? 1 : 0) : none);
       ended.values.push_back(flight.ended_s);
       cause.values.push_back(flight.stopped_by);
+      unseen.values.push_back(flight.unseen_by);
     }
-  table.columns = {std::move(start), std::move(member), std::move(done), std::move(ended)};
-  table.texts = {std::move(cause)};
+  table.columns = {std::move(start), std::move(member), std::move(done), std::move(seen),
+                   std::move(ended)};
+  table.texts = {std::move(cause), std::move(unseen)};
   return table;
 }
 

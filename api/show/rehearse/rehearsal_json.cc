@@ -45,6 +45,14 @@ json alarmed_json(const StartOutcome& start, std::size_t vehicle) {
   });
 }
 
+/// In how many flights its inspection covered what is asked; null where nothing is.
+json seen_json(const StartOutcome& start, std::size_t vehicle) {
+  if (!start.flights.front().vehicles[vehicle].is_seen()) return nullptr;
+  return std::count_if(start.flights.begin(), start.flights.end(), [&](const twin::Flight& f) {
+    return f.vehicles[vehicle].is_seen() == true;
+  });
+}
+
 /// Of one vehicle over all flights of a start.
 json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
   std::vector<double> left, energy_wh, fuel_kg, held_s, worst, thrust, line;
@@ -62,6 +70,7 @@ json vehicle_json(const StartOutcome& start, std::size_t vehicle) {
   }
   return {{"name", start.flights.front().vehicles[vehicle].name},
           {"done", done},
+          {"seen", seen_json(start, vehicle)},
           {"least_state_of_charge", quantiles_json(left)},
           {"energy_wh", quantiles_json(energy_wh)},
           {"fuel_kg", quantiles_json(fuel_kg)},
@@ -79,6 +88,8 @@ json flight_json(const twin::Flight& flight) {
   json out{{"member", flight.flown.member},
            {"done", flight.is_done},
            {"stopped_by", flight.is_done ? json(nullptr) : json(flight.stopped_by)},
+           {"seen", flight.is_seen ? json(*flight.is_seen) : json(nullptr)},
+           {"unseen_by", flight.unseen_by.empty() ? json(nullptr) : json(flight.unseen_by)},
            {"ended_s", number(flight.ended_s)}};
   if (flight.found_s) out["found_s"] = number(*flight.found_s);
   if (const auto& noise = flight.noise)
@@ -94,10 +105,21 @@ json flight_json(const twin::Flight& flight) {
   return out;
 }
 
+json causes_json(const std::vector<StoppedBy>& causes) {
+  json out = json::array();
+  for (const StoppedBy& cause : causes)
+    out.push_back({{"cause", cause.cause}, {"flights", cause.flights}});
+  return out;
+}
+
+/// P(done), P(seen): of how many flights, and the bounds.
+json count_json(const FlightCount& count) {
+  return {{"flights", count.flights},
+          {"probability", number(count.share())},
+          {"interval_95", {number(count.low), number(count.high)}}};
+}
+
 json start_json(const StartOutcome& start, const std::vector<twin::Consequence>& consequences) {
-  json causes = json::array();
-  for (const StoppedBy& cause : start.stopped_by)
-    causes.push_back({{"cause", cause.cause}, {"flights", cause.flights}});
   std::vector<double> duration_s;
   for (const twin::Flight& flight : start.flights)
     if (flight.is_done) duration_s.push_back(flight.ended_s);
@@ -111,9 +133,13 @@ json start_json(const StartOutcome& start, const std::vector<twin::Consequence>&
   const std::string disagreement = disagreement_of(start);
   return {{"start", format_utc(start.start)},
           {"flights", start.flights.size()},
-          {"done", start.done},
-          {"probability", number(start.share_done())},
-          {"interval_95", {number(start.low), number(start.high)}},
+          {"done", start.done.flights},
+          {"seen", start.seen ? json(start.seen->flights) : json(nullptr)},
+          {"succeeded", start.success.flights},
+          {"probability", number(start.success.share())},
+          {"interval_95", {number(start.success.low), number(start.success.high)}},
+          {"p_done", count_json(start.done)},
+          {"p_seen", start.seen ? count_json(*start.seen) : json(nullptr)},
           {"narrow_enough", start.is_narrow},
           {"by_the_limits",
            {{"allows", limits.allows},
@@ -121,7 +147,8 @@ json start_json(const StartOutcome& start, const std::vector<twin::Consequence>&
             {"share", number(limits.share)}}},
           {"disagreement", disagreement.empty() ? json(nullptr) : json(disagreement)},
           {"forbidden", start.forbidden.empty() ? json(nullptr) : json(start.forbidden)},
-          {"stopped_by", causes},
+          {"stopped_by", causes_json(start.stopped_by)},
+          {"unseen_by", causes_json(start.unseen_by)},
           {"duration_s", quantiles_json(duration_s)},
           {"vehicles", vehicles},
           {"risks", risks_json(risks_of(start, consequences))},
@@ -131,9 +158,27 @@ json start_json(const StartOutcome& start, const std::vector<twin::Consequence>&
 
 std::string clock_text(UtcTime time) { return format_utc(time).substr(0, 16) + "Z"; }
 
-/// "it holds in all", "in none", "in 22 of 24".
+/// "22 of 24".
 std::string count_text(std::size_t done, std::size_t flights) {
   return formatted("{} of {}", done, flights);
+}
+
+std::string bounds_text(const FlightCount& count) {
+  return formatted("{:.0f} to {:.0f} %", 100 * count.low, 100 * count.high);
+}
+
+std::string first_text(const std::vector<StoppedBy>& causes, std::size_t flights) {
+  return causes.front().cause + formatted(" ({})", count_text(causes.front().flights, flights));
+}
+
+/// With most flights that are no success.
+std::string what_is_wrong(const StartOutcome& start) {
+  const std::size_t stopped = start.done.of - start.done.flights;
+  const std::size_t unseen = start.seen ? start.seen->of - start.seen->flights : 0;
+  if (unseen > stopped)
+    return "most flights do not see what is asked: " + start.unseen_by.front().cause;
+  return "the flights are stopped by " +
+         (start.stopped_by.empty() ? std::string("time") : start.stopped_by.front().cause);
 }
 
 }  // namespace
@@ -150,32 +195,37 @@ json quantiles_json(const std::vector<double>& values) {
 std::string verdict_of(const StartOutcome& start) {
   if (!start.forbidden.empty())
     return clock_text(start.start) + ": not to be flown, " + start.forbidden + ".";
+  const std::size_t flights = start.flights.size();
   std::string text =
-      formatted("{}: done in {} futures, P(success) {:.0f} to {:.0f} %", clock_text(start.start),
-                count_text(start.done, start.flights.size()), 100 * start.low, 100 * start.high);
-  if (!start.stopped_by.empty())
-    text += "; stopped by " + start.stopped_by.front().cause +
-            formatted(" ({})", count_text(start.stopped_by.front().flights, start.flights.size()));
+      clock_text(start.start) + ": done in " + count_text(start.done.flights, flights) + " futures";
+  // Done is not seen: where fewer have seen what they were to see, that is said beside it.
+  if (start.seen)
+    text += (start.seen->flights < start.done.flights ? " but seen in only " : ", seen in ") +
+            count_text(start.seen->flights, flights);
+  text += "; P(done) " + bounds_text(start.done);
+  if (start.seen) text += ", P(seen) " + bounds_text(*start.seen);
+  if (!start.stopped_by.empty()) text += "; stopped by " + first_text(start.stopped_by, flights);
+  if (!start.unseen_by.empty()) text += "; not seen: " + first_text(start.unseen_by, flights);
   return text + ".";
 }
 
 std::string verdict_of(const Rehearsal& rehearsal) {
-  const auto best = std::max_element(
-      rehearsal.starts.begin(), rehearsal.starts.end(),
-      [](const StartOutcome& a, const StartOutcome& b) { return a.share_done() < b.share_done(); });
+  const auto best = std::max_element(rehearsal.starts.begin(), rehearsal.starts.end(),
+                                     [](const StartOutcome& a, const StartOutcome& b) {
+                                       return a.success.share() < b.success.share();
+                                     });
   if (best == rehearsal.starts.end()) return "Nothing was flown.";
   return (rehearsal.starts.size() > 1 ? "Best start " : "") + verdict_of(*best);
 }
 
 std::string disagreement_of(const StartOutcome& start) {
   if (start.flights.empty()) return "";
-  const double share = start.share_done();
-  if (start.by_the_limits.allows && share < 0.5)
+  const double share = start.done.share();
+  if (start.by_the_limits.allows && start.success.share() < 0.5)
     return "The limits allow it (" +
            (start.by_the_limits.binding.empty() ? std::string("none is near")
                                                 : start.by_the_limits.binding) +
-           "), but the flights are stopped by " +
-           (start.stopped_by.empty() ? std::string("time") : start.stopped_by.front().cause) + ".";
+           "), but " + what_is_wrong(start) + ".";
   if (!start.by_the_limits.allows && share >= 0.5)
     return "The limits forbid it (" + start.by_the_limits.binding +
            "), but most flights are done: the vehicle holds, or is elsewhere, while the limit is "

@@ -129,6 +129,13 @@ json structures_json(const twin::Scenario& scenario) {
   return structures;
 }
 
+std::string share_cell(const FlightCount& count) {
+  return formatted("{} of {}", count.flights, count.of);
+}
+std::string bounds_cell(const FlightCount& count) {
+  return formatted("{:.0f} to {:.0f} %", 100 * count.low, 100 * count.high);
+}
+
 std::string cause_cell(const StartOutcome& start, const std::string& causes) {
   if (!start.forbidden.empty()) return start.forbidden;
   return causes.empty() ? "-" : causes;
@@ -138,29 +145,35 @@ std::string starts_html(const Rehearsal& rehearsal) {
   ReportTable table;
   table.title = "Starts";
   table.note =
-      "P(success): bounds that hold at 95 % however many futures were flown. Limits: what they say "
-      "of the central forecast alone, as a planner reads them.";
-  table.columns = {"Start (UTC)", "Done", "P(success)", "Stopped by", "Left (P10)", "Limits"};
+      "Done: the work was done in time, and all came home. Seen: the inspection covered what is "
+      "asked of it; a flight that is done may have seen nothing. P: bounds that hold at 95 % "
+      "however many futures were flown. Limits: what they say of the central forecast alone, as a "
+      "planner reads them.";
+  table.columns = {"Start (UTC)", "Done",    "P(done)",    "Seen",
+                   "P(seen)",     "Why not", "Left (P10)", "Limits"};
   std::size_t row = 0;
   double best = -1;
   for (const StartOutcome& start : rehearsal.starts) {
     std::string causes;
     for (const StoppedBy& cause : start.stopped_by)
       causes += (causes.empty() ? "" : "; ") + cause.cause + formatted(" ({})", cause.flights);
+    for (const StoppedBy& cause : start.unseen_by)
+      causes += (causes.empty() ? "not seen: " : "; not seen: ") + cause.cause +
+                formatted(" ({})", cause.flights);
     std::vector<double> left;
     for (const Flight& flight : start.flights)
       for (const twin::VehicleAccount& vehicle : flight.vehicles)
         if (vehicle.on_mission.drawn_j > 0) left.push_back(100 * vehicle.least_charge);
     const auto least = quantile_of(left, 0.1);
     const twin::LimitsSay& limits = start.by_the_limits;
-    table.rows.push_back({format_utc(start.start).substr(0, 16),
-                          formatted("{} of {}", start.done, start.flights.size()),
-                          formatted("{:.0f} to {:.0f} %", 100 * start.low, 100 * start.high),
-                          cause_cell(start, causes), least ? formatted("{:.0f} %", *least) : "-",
+    table.rows.push_back({format_utc(start.start).substr(0, 16), share_cell(start.done),
+                          bounds_cell(start.done), start.seen ? share_cell(*start.seen) : "-",
+                          start.seen ? bounds_cell(*start.seen) : "-", cause_cell(start, causes),
+                          least ? formatted("{:.0f} %", *least) : "-",
                           (limits.allows ? "allow" : "forbid") +
                               (limits.binding.empty() ? std::string() : ": " + limits.binding)});
-    if (start.share_done() > best) {
-      best = start.share_done();
+    if (start.success.share() > best) {
+      best = start.success.share();
       table.highlighted_row = row;
     }
     ++row;
@@ -255,7 +268,7 @@ std::string rehearsal_page_html(const LoadedMission& mission, const RehearsalPla
               joined(mission.expanded.turbines, ", ") + ", " + mission.site;
   page.headline = verdict_of(rehearsal);
   const std::size_t best = rehearsal.best();
-  if (rehearsal.starts[best].share_done() < 0.5) page.alarm = "No-go.";
+  if (rehearsal.starts[best].success.share() < 0.5) page.alarm = "No-go.";
   const Unchecked unchecked = unchecked_of(mission.scenario);
   page.facts = {{"forecast", mission.water.forecast_name},
                 {"futures", futures_text(mission, plan)},

@@ -249,6 +249,7 @@ void say_verdict(const twin::RunAccount& account, HtmlPage& page) {
   page.headline = fates_text(account);
   if (!page.headline.empty()) page.alarm = "Not a normal run.";
   if (!all_missions_done(account) && page.alarm.empty()) page.alarm = "Held or called home.";
+  if (!all_seen(account) && page.alarm.empty()) page.alarm = "Done, and not seen.";
   const std::string missions = mission_headline(account);
   if (!page.headline.empty() && !missions.empty()) page.headline += ". ";
   page.headline += missions;

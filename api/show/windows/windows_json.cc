@@ -89,11 +89,19 @@ json binding_json(const TaskWindows& task, const TaskStart& start) {
           {"bound_then", bound_then_json(task, start)}};
 }
 
+json count_json(const FlightCount& count) {
+  return {{"flights", count.flights},
+          {"probability", number(count.share())},
+          {"interval_95", {number(count.low), number(count.high)}}};
+}
+
 json twin_json(const std::optional<TwinChance>& twin) {
   if (!twin) return nullptr;
   return {{"probability", number(twin->probability)},
           {"interval_95", {number(twin->interval.low), number(twin->interval.high)}},
           {"flights", twin->flights},
+          {"p_done", count_json(twin->p_done)},
+          {"p_seen", twin->p_seen ? count_json(*twin->p_seen) : json(nullptr)},
           {"stopped_by", twin->stopped_by.empty() ? json(nullptr) : json(twin->stopped_by)},
           {"duration_s", quantiles_json(twin->duration_s)},
           {"energy_wh", quantiles_json(twin->energy_wh)},

@@ -43,8 +43,9 @@ std::string chance_text(const TaskStart& start) {
                    start.interval.high);
 }
 
-/// "flown 12:00: P 0.92 (0.72 to 0.99) of 24 flights, home after 55 min": of the starts within a
-/// window that were flown, the best.
+/// "flown 12:00: P 0.92 (0.72 to 0.99) of 24 flights, done 23, seen 22, home after 55 min": of the
+/// starts within a window that were flown, the best. What was seen is left out where nothing is
+/// asked.
 std::string flown_text(const TaskWindows& task, const twin::StartWindow& window,
                        const PeoplesClock& clock) {
   const TaskStart* best = nullptr;
@@ -58,6 +59,9 @@ std::string flown_text(const TaskWindows& task, const twin::StartWindow& window,
   std::string text = "    flown " + clock(best->start) +
                      formatted(": P {:.2f} ({:.2f} to {:.2f}) of {} flights", twin.probability,
                                twin.interval.low, twin.interval.high, twin.flights);
+  // Done is not seen: where something is to be seen, both are told.
+  if (twin.p_seen)
+    text += formatted(", done {}, seen {}", twin.p_done.flights, twin.p_seen->flights);
   if (const auto longest = quantile_of(twin.duration_s, 0.9))
     text += formatted(", home after {:.0f} min", *longest / 60);
   if (!twin.stopped_by.empty()) text += "; stopped: " + twin.stopped_by;

@@ -32,7 +32,7 @@ TEST(ReadInspection, WhatIsNotSaidIsThatOfADocumentedDefault) {
   EXPECT_DOUBLE_EQ(plan.lines[0].detail_m, 0.01);
   EXPECT_DOUBLE_EQ(plan.lines[0].most_incidence_rad, 90 * degree);
   EXPECT_EQ(plan.lines[0].looks, 1U);
-  EXPECT_EQ(plan.lines[0].done_at, 0.9);
+  EXPECT_EQ(plan.lines[0].seen_at, 0.9);
   EXPECT_TRUE(plan.defects.entries.empty());
   EXPECT_FALSE(plan.patch_m || plan.rays_per_look);
 }

@@ -365,7 +365,7 @@ class RandomScenario : private RandomSurface {
       line.detail_m = 1e-3 * number(0.001, 1e6);
       line.most_incidence_rad = degree * number(1, 90);
       line.looks = static_cast<std::uint32_t>(count(1, 1000));
-      line.done_at = number(0, 1);
+      line.seen_at = number(0, 1);
     }
     if (chance(0.5)) plan.water = clarity();
     if (chance(0.5)) plan.air = clarity();

@@ -27,6 +27,7 @@ Morning morning_with(double flown_s, std::size_t done, std::size_t flights) {
   twin.flights = flights;
   twin.probability = static_cast<double>(done) / static_cast<double>(flights);
   twin.interval = twin::success_interval(done, flights);
+  twin.p_done = {done, flights, twin.interval.low, twin.interval.high};
   twin.duration_s.assign(done, flown_s);
   start.twin = twin;
   task.starts.push_back(start);
@@ -51,6 +52,17 @@ TEST(TaskWords, SayWhereFlightsAndSheetAreAboutDifferentTimes) {
       << shorter;
   const std::string as_long = words_of(morning_with(2.5 * 3600, 24, 25));
   EXPECT_FALSE(contains(as_long, "shorter than")) << as_long;
+}
+
+TEST(TaskWords, SayDoneAndSeenApart) {
+  Morning morning = morning_with(23 * 60, 24, 25);
+  TwinChance& twin = *morning.windows.tasks.front().starts.front().twin;
+  twin.p_seen = FlightCount{3, 25, 0.02, 0.3};
+  twin.probability = 3.0 / 25;
+  twin.interval = {0.02, 0.3};
+  const std::string words = words_of(morning);
+  EXPECT_TRUE(contains(words, "24 of 25 done, 3 seen as asked (95 % interval of both 2 to 30 %)"))
+      << words;
 }
 
 TEST(TaskWords, TheLineOfARingIsAsLongAsItsFlightsLeaveOpen) {

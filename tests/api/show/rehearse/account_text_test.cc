@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "api/show/rehearse/inspection_report.h"
+
 namespace slackwater::tests::account_text_test {
 namespace {
 
@@ -40,6 +42,28 @@ TEST(AccountText, TheHeadlineNamesWhoIsNotDoneAndWhyFirst) {
   EXPECT_TRUE(all_missions_done(account));
   account.vehicles.clear();
   EXPECT_EQ(mission_headline(account), "");
+}
+
+TEST(AccountText, TheHeadlineSaysDoneAndSeenApart) {
+  twin::RunAccount account = account_of_four();
+  account.vehicles.resize(1);
+  twin::InspectionOutcome& seen = account.vehicles[0].inspection.emplace();
+  twin::InspectionOutcome::Part& part = seen.parts.emplace_back();
+  part.area_m2 = 10;
+  EXPECT_EQ(mission_headline(account), "Done: eye by 06:06 UTC.") << "nothing is asked";
+  EXPECT_EQ(covered_text(seen), "0 of 10 m2 covered (0 %)");
+  part.asked = 0.9;
+  seen.left = "less than 90 % covered by the Eye";
+  EXPECT_EQ(mission_headline(account),
+            "Done: eye by 06:06 UTC. Not seen: eye: less than 90 % covered by the Eye.");
+  EXPECT_EQ(covered_text(seen),
+            "0 of 10 m2 covered (0 %), NOT SEEN as asked: less than 90 % covered by the Eye");
+  EXPECT_TRUE(all_missions_done(account));
+  EXPECT_FALSE(all_seen(account));
+  part.covered_m2 = 9.5;
+  seen.left = "";
+  EXPECT_EQ(mission_headline(account), "Done: eye by 06:06 UTC. Seen as asked: eye.");
+  EXPECT_TRUE(all_seen(account));
 }
 
 TEST(AccountText, WhomSomethingBefellIsNamedWithItAndNotTwice) {
