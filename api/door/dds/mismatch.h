@@ -28,9 +28,9 @@ struct Endpoint {
                                                      const std::string& client,
                                                      const std::string& elsewhere);
 
-/// Looks at each reader and writer that comes up, on either side, and finds those that do not match:
-/// DDS itself says nothing of two types on one topic. Each is said once of a client while it is
-/// there; nothing is kept of who left. Members are for any thread.
+/// Looks at each reader and writer that comes up, on either side, and finds those that do not
+/// match: DDS itself says nothing of two types on one topic. Each is said once of a client while it
+/// is there; nothing is kept of who left. Members are for any thread.
 class MismatchWatch {
  public:
   using Words = std::vector<std::string>;

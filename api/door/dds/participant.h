@@ -14,8 +14,8 @@ struct DomainSettings {
   std::string node = "slackwater";
   bool is_loopback_only = false;  ///< nobody on another machine hears it
   bool is_udp_only = false;       ///< no shared memory, of which killed processes leave files
-  /// What operators should know of: peers whose type or quality of a topic is another one than ours,
-  /// messages that are none. From a thread of the participant, one at a time.
+  /// What operators should know of: peers whose type or quality of a topic is another one than
+  /// ours, messages that are none. From a thread of the participant, one at a time.
   std::function<void(const std::string&)> on_trouble;
 };
 

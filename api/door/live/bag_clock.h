@@ -9,8 +9,8 @@ namespace slackwater::live {
 
 /// The times of a bag that is played to a run, counted from its first message. What lies before a
 /// gap as long as the run cannot be played with what lies behind it: where nothing of it is used
-/// (a few messages that were stamped 0 before the clock of a simulation was there), times count from
-/// behind the gap.
+/// (a few messages that were stamped 0 before the clock of a simulation was there), times count
+/// from behind the gap.
 class BagClock {
  public:
   /// @param run_s  length of the run

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <fstream>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <thread>
@@ -129,8 +130,8 @@ class Agent {
   std::jthread thread_;
 };
 
-/// A run at the pace of the clock, twenty steps a second, with vehicles that others may host; `c` is
-/// watched.
+/// A run at the pace of the clock, twenty steps a second, with vehicles that others may host; `c`
+/// is watched.
 class LeavingAgent : public testing::Test {
  protected:
   LeavingAgent() {
@@ -259,6 +260,83 @@ TEST_F(LeavingAgent, WhoAnswersAgainIsInLockStepAgain) {
                 ? 1
                 : 0;
   EXPECT_GT(late, 50U);
+}
+
+/// Physics of a body that nothing but the water pushes.
+class Physics {
+ public:
+  Physics(int domain, const std::string& vehicle) : node_(domain) {
+    using namespace slackwater_msgs::msg;
+    request_ = node_.writer<HostRequestPubSubType>("rt/" + vehicle + "/host/request");
+    output_ = node_.writer<PhysicsOutputPubSubType>("rt/" + vehicle + "/host/physics_output");
+    input_ = node_.reader<PhysicsInputPubSubType>("rt/" + vehicle + "/host/physics_input");
+    thread_ = std::jthread([this](const std::stop_token& over) { make(over); });
+  }
+  [[nodiscard]] std::size_t made() const { return made_; }
+  /// While a step waits for it.
+  void close_writer() {
+    thread_.request_stop();
+    thread_.join();
+    std::this_thread::sleep_for(200ms);
+    node_.publisher->delete_datawriter(output_);
+  }
+
+ private:
+  void make(const std::stop_token& over) {
+    slackwater_msgs::msg::PhysicsInput input;
+    peer::fdds::SampleInfo info;
+    Clock::time_point asked_at{};
+    while (!over.stop_requested()) {
+      slackwater_msgs::msg::HostRequest asked;
+      asked.version(1);
+      asked.role(2);
+      asked.timeout_s(5);
+      peer::fdds::PublicationMatchedStatus hears;
+      output_->get_publication_matched_status(hears);
+      // Once, unless it was not heard: each time that is taken is on record.
+      if (made_ == 0 && hears.current_count > 0 && Clock::now() > asked_at + 1s) {
+        asked_at = Clock::now();
+        request_->write(&asked);
+      }
+      input_->wait_for_unread_message({0, 50'000'000});
+      while (input_->take_next_sample(&input, &info) == ReturnCode_t::RETCODE_OK) {
+        if (!info.valid_data) continue;
+        slackwater_msgs::msg::PhysicsOutput output;
+        output.step(input.step());
+        output.kind(2);
+        output_->write(&output);
+        ++made_;
+      }
+    }
+  }
+
+  peer::Node node_;
+  peer::fdds::DataWriter* request_ = nullptr;
+  peer::fdds::DataWriter* output_ = nullptr;
+  peer::fdds::DataReader* input_ = nullptr;
+  std::atomic<std::size_t> made_{0};
+  std::jthread thread_;
+};
+
+TEST_F(LeavingAgent, PhysicsThatLeaveWhileAStepWaitsAreOursAtOnceAndForGood) {
+  Physics physics(domain_.number(), "a");
+  ASSERT_TRUE(comes_true([&] { return physics.made() >= 20 && pulse_.steps() >= 20; }, 60s))
+      << said();
+  const auto left = Clock::now();
+  physics.close_writer();
+  EXPECT_TRUE(is_said("the physics of a are ours again, dds ")) << said();
+  EXPECT_TRUE(is_said("is taken off: it is gone")) << said();
+  std::this_thread::sleep_for(2s);
+  EXPECT_LT(longest_s(left), 2) << "its time-out is 5 s";
+  ASSERT_EQ(run_->end(SIGINT), 0) << said();
+  const ProgramResult again =
+      run_program({"replay", folder_ / "run.nc", "--record", folder_ / "again.mcap", "--json"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const auto taken = nlohmann::json::parse(again.out).at("commands").at("taken");
+  const auto host = std::find_if(taken.begin(), taken.end(),
+                                 [](const auto& kind) { return kind.at("kind") == "host"; });
+  ASSERT_NE(host, taken.end());
+  EXPECT_EQ(host->at("in_log"), 2) << "where they begin, and where they end";
 }
 
 }  // namespace
