@@ -6,6 +6,7 @@
 
 #include "action_msgs.h"
 #include "nav_msgs.h"
+#include "rcl_interfaces.h"
 #include "rmw_dds_common.h"
 #include "rosgraph_msgs.h"
 #include "sensor_msgs.h"

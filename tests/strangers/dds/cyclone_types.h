@@ -3,6 +3,7 @@
 #include "dds/dds.h"
 #include "every_type.h"
 #include "nav_msgs.h"
+#include "rcl_interfaces.h"
 #include "rmw_dds_common.h"
 #include "rosgraph_msgs.h"
 #include "sensor_msgs.h"
