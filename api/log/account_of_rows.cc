@@ -171,7 +171,10 @@ std::optional<Approach> found(Approach approach) {
 void read_mission_end(double ran_s, VehicleAccount& vehicle) {
   vehicle.ended_s = vehicle.halt != Halt::none ? vehicle.halted_at_s : ran_s;
   vehicle.makeup.has_conduct = !vehicle.mission.empty();
-  if (vehicle.halt != Halt::none) vehicle.stopped_by = words_of(vehicle.fate.back().what);
+  if (vehicle.halt != Halt::none)
+    vehicle.stopped_by = words_of(vehicle.fate.back().what);
+  else if (twin::are_out(vehicle.mission))
+    vehicle.fate.push_back({Fate::not_recovered, ran_s});
   if (const auto end = twin::mission_end_of(vehicle.mission, ran_s)) {
     vehicle.ended_s = end->t_s;
     if (vehicle.stopped_by.empty()) vehicle.stopped_by = end->why;

@@ -60,7 +60,7 @@ TEST_F(WindowsCommand, FliesTheStartsThatTheLimitsLeaveOpen) {
     EXPECT_LT(twin.at("interval_95")[0].get<double>(), 0.5);
     EXPECT_GT(twin.at("duration_s").at("p50").get<double>(), 240);
     EXPECT_GT(twin.at("energy_wh").at("p90").get<double>(), 1);
-    EXPECT_EQ(twin.at("risks").size(), 6U);
+    EXPECT_EQ(twin.at("risks").size(), 7U);
   }
   const json shut = flown(never);
   for (const json& start : shut.at("starts")) EXPECT_TRUE(start.at("twin").is_null());

@@ -121,8 +121,10 @@ Flown flown(const Scenario& mission, std::size_t starts, std::size_t members, in
         out.covered.push_back(outcome.inspection->share());
         out.rays += outcome.inspection->rays;
       }
-      out.none_broke = out.none_broke && (flight.is_done || outcome.stopped_by == "out of time" ||
-                                          outcome.stopped_by.find("limit") == 0);
+      const auto is_by = [&](const char* what) {
+        return outcome.stopped_by.find(what) != std::string::npos;
+      };
+      out.none_broke = out.none_broke && (flight.is_done || is_by("out of time") || is_by("limit"));
     }
   }
   return out;

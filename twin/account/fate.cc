@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "twin/agent/agent.h"
+#include "twin/agent/conduct.h"
 
 namespace slackwater::twin {
 namespace {
@@ -30,6 +31,7 @@ constexpr std::array all_fates{
     FateWords{"forecast_ended", "came to the end of the forecast"},
     FateWords{"no_data", "came where the forecast has no data"},
     FateWords{"diverged", "its calculation diverged"},
+    FateWords{"not_recovered", "not recovered"},
 };
 
 std::optional<Fate> end_of(const Agent& agent, const AgentState& state) {
@@ -70,7 +72,12 @@ std::optional<Fate> fate_named(std::string_view name) noexcept {
   return std::nullopt;
 }
 
-std::vector<FateEvent> fate_of(const Agent& agent, const AgentState& state) {
+bool is_still_out(const Agent& agent, const AgentState& state) noexcept {
+  return agent.conduct != nullptr && state.halt == Halt::none && !state.conduct.has_ended &&
+         !state.conduct.is_aboard;
+}
+
+std::vector<FateEvent> fate_of(const Agent& agent, const AgentState& state, double ran_s) {
   const Milestones& m = state.milestones;
   const bool flies = agent.vehicle->kind == VehicleKind::uav;
   const bool lost_power = !std::isnan(m.power_lost_s);
@@ -87,7 +94,10 @@ std::vector<FateEvent> fate_of(const Agent& agent, const AgentState& state) {
                    [](const FateEvent& a, const FateEvent& b) { return *a.at_s < *b.at_s; });
   if (flies && !events.empty() && (lost_power || state.halt == Halt::struck))
     events.push_back({Fate::fell, std::nullopt});
-  if (const auto end = end_of(agent, state)) events.push_back({*end, state.halted_at_s});
+  if (const auto end = end_of(agent, state))
+    events.push_back({*end, state.halted_at_s});
+  else if (is_still_out(agent, state))
+    events.push_back({Fate::not_recovered, ran_s});
   return events;
 }
 
@@ -97,10 +107,13 @@ std::optional<double> time_of(std::span<const FateEvent> events, Fate what) noex
   return std::nullopt;
 }
 
-std::string fate_text(std::span<const FateEvent> events, UtcTime start) {
+std::string fate_text(std::span<const FateEvent> events, UtcTime start,
+                      std::string_view structure) {
   std::string text;
   for (const FateEvent& event : events) {
     text += (text.empty() ? "" : " \u2192 ") + std::string(words_of(event.what));
+    if (event.what == Fate::struck_structure && !structure.empty())
+      text += " (" + std::string(structure) + ")";
     if (!event.at_s) continue;
     const auto passed = Duration(static_cast<Duration::rep>(std::floor(*event.at_s)) * 1000);
     constexpr std::size_t date = 11;  // 2025-06-01T

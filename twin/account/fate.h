@@ -30,6 +30,7 @@ enum class Fate : std::uint8_t {
   forecast_ended,  ///< before the run
   no_data,         ///< of the forecast, where it was
   diverged,        ///< its calculation
+  not_recovered,   ///< still out when the run ended, though it has a home to come to
 };
 /// "battery_empty": the word of logs.
 [[nodiscard]] const char* name_of(Fate fate) noexcept;
@@ -45,11 +46,22 @@ struct FateEvent {
 };
 
 /// What befell a vehicle, causes first; nothing where its run was a normal one.
-[[nodiscard]] std::vector<FateEvent> fate_of(const Agent& agent, const AgentState& state);
+///
+/// At most one of them is how it ended, the last. Where several could be, the first of these is:
+/// what stopped it (what it struck, where it left the forecast, ...); that nobody recovered it.
+/// Nothing befalls one that is aboard.
+/// @param ran_s  how long the run was
+[[nodiscard]] std::vector<FateEvent> fate_of(const Agent& agent, const AgentState& state,
+                                             double ran_s);
+/// Whether it conducts itself, was stopped by nothing, and has neither ended its mission nor come
+/// aboard.
+[[nodiscard]] bool is_still_out(const Agent& agent, const AgentState& state) noexcept;
 /// When one of them was; nothing: it was not.
 [[nodiscard]] std::optional<double> time_of(std::span<const FateEvent> events, Fate what) noexcept;
 
 /// "battery empty at 18:42:10Z -> fell -> struck the sea at 18:42:14Z" with arrows; empty for none.
-[[nodiscard]] std::string fate_text(std::span<const FateEvent> events, UtcTime start);
+/// @param structure  the name of the one that was struck; empty: nobody says
+[[nodiscard]] std::string fate_text(std::span<const FateEvent> events, UtcTime start,
+                                    std::string_view structure = {});
 
 }  // namespace slackwater::twin

@@ -154,6 +154,16 @@ std::optional<MissionEnd> mission_end_of(std::span<const MissionEvent> events, d
   return MissionEnd{ran_s, false, away != nullptr ? away->text : "was still at work"};
 }
 
+bool are_out(std::span<const MissionEvent> events) noexcept {
+  bool is_out = !events.empty();
+  for (const MissionEvent& event : events) {
+    if (is_end(event)) return false;
+    if (event.kind == ConductEventKind::came_aboard) is_out = false;
+    if (event.kind == ConductEventKind::launched) is_out = true;
+  }
+  return is_out;
+}
+
 Interventions interventions_of(std::span<const MissionEvent> events, double ran_s) {
   Interventions all;
   std::optional<double> away_since_s;

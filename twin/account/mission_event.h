@@ -49,6 +49,10 @@ struct MissionEnd {
 [[nodiscard]] std::optional<MissionEnd> mission_end_of(std::span<const MissionEvent> events,
                                                        double ran_s);
 
+/// Whether they leave a vehicle out when its run ends: its mission has not ended, and it did not
+/// come aboard last. False without events.
+[[nodiscard]] bool are_out(std::span<const MissionEvent> events) noexcept;
+
 /// How often and how long something called a vehicle away from its task.
 struct Interventions {
   std::size_t count = 0;             ///< holds and ways home

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "fields/base/text.h"
+#include "twin/agent/aboard.h"
 #include "twin/agent/conduct.h"
 
 namespace slackwater::twin {
@@ -48,7 +49,9 @@ Closest closest_of(const Agent& agent, const NearestPasses& nearest, const Ended
 }
 
 bool reserve_is_broken(const Agent& agent, const ConductState& own) {
-  return agent.conduct->full_j > 0 && own.has_ended && !own.is_aboard &&
+  // On a deck it may have been given another battery.
+  const bool is_on_its_deck = own.is_aboard && goes_aboard(agent);
+  return agent.conduct->full_j > 0 && own.has_ended && !is_on_its_deck &&
          own.at_end.charge < agent.conduct->plan.reserve.share;
 }
 
@@ -66,10 +69,14 @@ std::string befell_before(const VehicleAccount& account, double ended_s) {
 std::string stopped_by(const Agent& agent, const AgentState& state, const VehicleAccount& account) {
   const ConductState& own = state.conduct;
   const double ended_s = own.has_ended ? own.events.back().t_s : std::numeric_limits<double>::max();
-  if (std::string befell = befell_before(account, ended_s); !befell.empty()) return befell;
+  // One that is home and one that is not, for the same reason, ended otherwise.
+  const auto told = [&](const std::string& why) {
+    return is_still_out(agent, state) ? words_of(Fate::not_recovered) + (": " + why) : why;
+  };
+  if (std::string befell = befell_before(account, ended_s); !befell.empty()) return told(befell);
   if (own.has_turned || own.doing == Doing::hold)
-    return words_of(agent, own.cause, own.cause_detail);
-  if (!own.has_ended || !state.mission.is_done) return "out of time";
+    return told(words_of(agent, own.cause, own.cause_detail));
+  if (!own.has_ended || !state.mission.is_done) return told("out of time");
   if (account.broke_reserve) return "reserve broken";
   // All it did, and the work is not done for all that. What was not seen is told apart.
   if (account.cleaning && !account.cleaning->is_done())
@@ -112,13 +119,16 @@ double VehicleAccount::work_share() const noexcept {
                    : 1;
 }
 
-std::string VehicleAccount::fate_text(UtcTime start) const { return twin::fate_text(fate, start); }
+std::string VehicleAccount::fate_text(UtcTime start) const {
+  return twin::fate_text(fate, start, closest.structure ? closest.structure->to : "");
+}
 
 RiskCauses VehicleAccount::risks() const {
   const auto befell = [&](Fate what) {
     const auto at_s = time_of(fate, what);
     return at_s && *at_s < ended_s;
   };
+  const bool is_left_out = time_of(fate, Fate::not_recovered).has_value();
   RiskCauses set;
   if (worst_share > 1 || had_cause(*this, Cause::limit)) set.add(RiskCause::limit);
   if (had_cause(*this, Cause::reserve) || broke_reserve || befell(Fate::battery_empty) ||
@@ -128,6 +138,10 @@ RiskCauses VehicleAccount::risks() const {
   if (halt == Halt::no_headway || halt == Halt::capsized) set.add(RiskCause::station);
   if (halt == Halt::struck || halt == Halt::aground || (clearance && clearance->alarms() > 0))
     set.add(RiskCause::collision);
+  // Where nobody knows what became of it, nobody brought it back either.
+  if (halt == Halt::outside_area || halt == Halt::outside_time || halt == Halt::no_data ||
+      is_left_out)
+    set.add(RiskCause::recovery);
   if (!is_done && set.none()) set.add(RiskCause::work);
   if (is_seen() == false) set.add(RiskCause::unseen);
   return set;
@@ -140,7 +154,7 @@ VehicleAccount account_of(const EndedRun& run, std::size_t vehicle) {
   account.name = agent.name;
   account.model = agent.vehicle->id;
   account.makeup = makeup_of(agent);
-  account.fate = fate_of(agent, state);
+  account.fate = fate_of(agent, state, run.ran_s);
   account.halt = state.halt;
   account.halted_at_s = state.halted_at_s;
   account.ended_s = state.halt != Halt::none ? state.halted_at_s : run.ran_s;

@@ -88,7 +88,8 @@ struct VehicleAccount {
   [[nodiscard]] std::optional<bool> is_seen() const noexcept;
   /// Of its tasks that are done; 1 of none.
   [[nodiscard]] double work_share() const noexcept;
-  /// "battery empty at ... -> fell -> ..."; empty for a normal run.
+  /// "battery empty at ... -> fell -> ..."; empty for a normal run. A structure that it struck is
+  /// named: the one that it came nearest to.
   [[nodiscard]] std::string fate_text(UtcTime start) const;
   /// What befell it, as a register of risks has it.
   [[nodiscard]] RiskCauses risks() const;

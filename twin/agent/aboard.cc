@@ -73,6 +73,19 @@ void launch(const Agent& agent, const AgentState* carrier, double t_s, AgentStat
   tell(ConductEventKind::launched, t_s, state);
 }
 
+/// By its way home, by a recovery, or since its work ended there.
+bool came_home(const Agent& agent, const AgentState& state) {
+  const ConductState& own = state.conduct;
+  const auto& tasks = agent.mission.tasks;
+  if (own.doing == Doing::way_home) return !own.way.is_rerouted;
+  if (state.mission.is_done && !tasks.empty() && tasks.back().phase == Phase::recovery) return true;
+  const auto is_there = [&](const Triple<double>& place_m) {
+    return length_of(place_m - agent.conduct->home_m) <= boarding_reach_m;
+  };
+  return is_there(state.vehicle.body.position_m) ||
+         (state.mission.is_done && is_there(state.mission.kept_m));
+}
+
 }  // namespace
 
 bool goes_aboard(const Agent& agent) noexcept {
@@ -97,6 +110,30 @@ void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, Agen
   stand(boarding_place(agent, carrier), state);
   if (agent.tether && carrier != nullptr) stow_line(deck_place(agent, *carrier), state);
   tell(ConductEventKind::came_aboard, t_s, state);
+}
+
+bool recover(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state) {
+  ConductState& own = state.conduct;
+  if (own.is_aboard) return false;
+  if (goes_aboard(agent)) {
+    // What stands on a deck by rights does not hang in the air beside it.
+    if (!is_alongside(agent, carrier, state)) return false;
+    come_aboard(agent, t_s, carrier, state);
+    return true;
+  }
+  if (!came_home(agent, state)) return false;
+  own.is_aboard = true;
+  stand(state.vehicle.body.position_m, state);
+  if (agent.vehicle->kind != VehicleKind::vessel) tell(ConductEventKind::came_aboard, t_s, state);
+  return true;
+}
+
+bool is_recovered(const Agent& agent, const ConductState& own) noexcept {
+  return own.is_aboard && own.has_ended && !goes_aboard(agent);
+}
+
+void put_out(const Agent& agent, double t_s, AgentState& state) {
+  launch(agent, nullptr, t_s, state);
 }
 
 void keep_boarding_place(const Agent& agent, const AgentState* carrier, AgentState& state) {

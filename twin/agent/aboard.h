@@ -5,7 +5,8 @@ namespace slackwater::twin {
 
 // A vehicle on the deck of another, or on something firm at its home: it is not stepped. It goes
 // into the water or the air beside where it stands, and comes aboard from near there. A line that
-// hangs from the deck is taken aboard with it, and laid anew when it is launched.
+// hangs from the deck is taken aboard with it, and laid anew when it is launched. One whose mission
+// is over is recovered: whatever comes then does not befall it.
 
 /// Takes a task `aboard` on: comes alongside and aboard, stands there for its time with what its
 /// battery gets, and is launched where its next task is another.
@@ -20,6 +21,20 @@ bool come_and_go(const Agent& agent, double t_s, const Company& company, AgentSt
 [[nodiscard]] bool is_alongside(const Agent& agent, const AgentState* carrier,
                                 const AgentState& state);
 void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state);
+
+/// Its mission being over, takes it out of the water or the air: to its place on the deck or its
+/// firm home, where it has one and is alongside. Any other is taken up where it lies, if it came
+/// home: by its way home, by a recovery as its last task, or where it is, or its last place, is
+/// within reach of its home. What ended elsewhere stays out. No events of vessels, which are in
+/// port then.
+/// @return whether it was moved
+bool recover(const Agent& agent, double t_s, const AgentState* carrier, AgentState& state);
+
+/// Whether it is aboard since its mission is over, and on nobody's deck: who takes its helm puts it
+/// out again.
+[[nodiscard]] bool is_recovered(const Agent& agent, const ConductState& own) noexcept;
+/// Where it lies, as one that is launched.
+void put_out(const Agent& agent, double t_s, AgentState& state);
 
 /// Where it would come aboard by now.
 void keep_boarding_place(const Agent& agent, const AgentState* carrier, AgentState& state);

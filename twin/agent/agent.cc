@@ -31,6 +31,12 @@ Halt halt_of(SampleStatus status) {
   }
 }
 
+bool is_inside_a_structure(const Agent& agent, const Triple<double>& position_m) {
+  for (const Structure& structure : agent.water->environment().structures)
+    if (signed_distance_m(structure, position_m) < 0) return true;
+  return false;
+}
+
 Triple<double> at_point(const BodyState<double>& body, const Rotation<double>& r,
                         const Triple<double>& point_m) {
   return body.position_m + r.to_ned(point_m);
@@ -72,7 +78,10 @@ bool feel_water(const Agent& agent, double t_s, AgentState& state, const Rotatio
           ? agent.water->current({at.x, at.y, std::max(at.z, 0.0)}, vehicle.body.height_m, t_s)
           : agent.water->water(at, vehicle.body.height_m, t_s);
   if (!has_value(water.status)) {
-    halt(state, halt_of(water.status), t_s);
+    // A foundation has no water within: that is what it met, however deep the bed lies.
+    const bool is_in_a_pile =
+        water.status == SampleStatus::land && is_inside_a_structure(agent, at);
+    halt(state, is_in_a_pile ? Halt::struck : halt_of(water.status), t_s);
     return false;
   }
   around.water = water.motion;
@@ -218,12 +227,6 @@ void work_on_surface(const Agent& agent, double t_s, const Rotation<double>& r, 
     inspect(*agent.inspection, is_at_work || (state.helm.is_helmed() && has_power),
             {body.position_m, r, r.to_ned(body.nu.linear), body.nu.angular},
             known_of(agent, state).position_m, t_s, agent.plan.dt_s, state.inspection);
-}
-
-bool is_inside_a_structure(const Agent& agent, const Triple<double>& position_m) {
-  for (const Structure& structure : agent.water->environment().structures)
-    if (signed_distance_m(structure, position_m) < 0) return true;
-  return false;
 }
 
 }  // namespace

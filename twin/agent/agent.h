@@ -31,7 +31,7 @@ enum class Halt {
   diverged,      ///< its state is no number, or one that no vehicle has
   outside_area,  ///< of the forecast
   outside_time,
-  aground,     ///< the bed, land, or inside a foundation
+  aground,     ///< the bed, or land
   no_data,     ///< the forecast has no value there
   struck,      ///< a structure; the sea, by one that flies
   capsized,    ///< rolled or pitched beyond a right angle, afloat

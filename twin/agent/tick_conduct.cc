@@ -261,12 +261,7 @@ bool tick_conduct(const Agent& agent, double t_s, AgentState& state, const Compa
   const bool is_well = status == NodeStatus::success;
   own.events.push_back(
       {t_s, is_well ? ConductEventKind::finished : ConductEventKind::gave_up, own.cause, 0, 0});
-  // What stands on a deck by rights does not hang in the air beside it.
-  if (goes_aboard(agent) && !own.is_aboard && is_alongside(agent, carrier, state)) {
-    come_aboard(agent, t_s, carrier, state);
-    return true;
-  }
-  return is_moved;
+  return recover(agent, t_s, carrier, state) || is_moved;
 }
 
 }  // namespace slackwater::twin

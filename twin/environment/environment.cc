@@ -57,6 +57,7 @@ WaterSample EnvironmentSampler::current(const Triple<double>& position_m, double
   }
   Horizontal velocity = 0.5 * (current[0].velocity_m_s + current[1].velocity_m_s);
   for (const StandingPile& standing : environment_->piles) {
+    if (position_m.z < standing.top_m || position_m.z > standing.bottom_m) continue;
     const auto around =
         flow_around_pile(standing.pile, velocity, horizontal_of(position_m) - standing.axis_m);
     if (!around) {

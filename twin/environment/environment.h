@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,10 +15,12 @@
 
 namespace slackwater::twin {
 
-/// A foundation that turns the current aside.
+/// A foundation that turns the current aside, between its ends.
 struct StandingPile {
   Pile pile;
-  Horizontal axis_m;  ///< east, north of the site's origin
+  Horizontal axis_m;                                          ///< east, north of the site's origin
+  double top_m = -std::numeric_limits<double>::infinity();    ///< z, down
+  double bottom_m = std::numeric_limits<double>::infinity();  ///< z, down
 };
 
 /// What the vehicles of a run live in: one member of a forecast, a sea of sinusoids, turbines and

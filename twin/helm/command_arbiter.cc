@@ -4,6 +4,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "twin/agent/aboard.h"
 #include "twin/agent/helm.h"
 #include "twin/run/printable.h"
 
@@ -24,7 +25,7 @@ Standing standing_of(const Run& run, std::size_t vehicle) {
   Standing standing;
   standing.halt = run.seen(vehicle).halt;
   standing.halted_at_s = run.seen(vehicle).halted_at_s;
-  standing.is_aboard = own.is_aboard;
+  standing.is_aboard = own.is_aboard && !is_recovered(run.agents()[vehicle], own);
   standing.must_come_home = run.must_come_home(vehicle);
   standing.energy_left_j = own.energy_left_j;
   standing.energy_home_j = own.energy_home_j;

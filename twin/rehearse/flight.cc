@@ -86,8 +86,12 @@ bool counts(const Agent& agent, const FlightSettings& settings) {
          settings.workers.end();
 }
 
-/// A vehicle whose work does not count still must not be lost.
-bool is_lost(const AgentState& state) {
+/// A vehicle whose work does not count still must not be lost: nor be without power, or on its way
+/// home, when its time is over.
+bool is_lost(const Agent& agent, const AgentState& state) {
+  if (is_still_out(agent, state) &&
+      (state.conduct.has_turned || !std::isnan(state.milestones.power_lost_s)))
+    return true;
   switch (state.halt) {
     case Halt::struck:
     case Halt::capsized:
@@ -228,7 +232,7 @@ std::vector<Flight> fly(const Scenario& mission, const Surround& surround,
       const VehicleAccount& outcome = flight.vehicles.back();
       over_s = std::max(over_s, outcome.ended_s);
       const bool has_work = counts(agent, settings);
-      if (!has_work && !is_lost(states[i])) continue;
+      if (!has_work && !is_lost(agent, states[i])) continue;
       flight.ended_s = std::max(flight.ended_s, outcome.ended_s);
       if (has_work) note_seen(outcome, flight);
       if (has_work && outcome.is_done) continue;

@@ -18,7 +18,8 @@ constexpr std::array<Word, risk_cause_count> words{
      {"tether", "the tether parts or is fouled"},
      {"station", "the water or the wind is faster than the vehicle"},
      {"collision", "it strikes something or comes too near"},
-     {"work", "the work is not done in time or not done well"},
+     {"recovery", "it is not back when its time is over"},
+     {"work", "it is back, and the work is not done or not done well"},
      {"unseen", "the inspection sees less than is asked"}}};
 
 }  // namespace

@@ -13,10 +13,11 @@ enum class RiskCause : std::uint8_t {
   tether,     ///< its line parted or was fouled
   station,    ///< the water or the wind was faster than it, or it capsized
   collision,  ///< it struck something, or came nearer than its rule of keeping clear allows
+  recovery,   ///< it was still out when its time was over, or where nobody knows
   work,       ///< none of these, and the work was not done for all that
   unseen,     ///< done or not, an inspection covered less than is asked of it
 };
-inline constexpr std::size_t risk_cause_count = 7;
+inline constexpr std::size_t risk_cause_count = 8;
 
 /// "limit", "energy", ...: the word of YAML and JSON.
 [[nodiscard]] std::string_view name_of(RiskCause cause) noexcept;

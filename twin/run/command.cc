@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "twin/agent/aboard.h"
 #include "twin/agent/helm.h"
 
 namespace slackwater::twin {
@@ -87,7 +88,9 @@ std::string_view unsoundness_of(const Command& command, const Agent& agent) noex
 }
 
 void apply(const Command& command, double t_s, const Agent& agent, AgentState& state) {
-  if (state.halt != Halt::none || state.conduct.is_aboard) return;
+  if (state.halt != Halt::none) return;
+  if (is_recovered(agent, state.conduct)) put_out(agent, t_s, state);
+  if (state.conduct.is_aboard) return;
   const bool is_moved = moves_vehicle(command.what);
   // One that was put where no vehicle can be halts in its next step.
   if (!is_moved && !is_sound(state.vehicle.body, state.vehicle.battery.charge)) return;

@@ -189,6 +189,12 @@ GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept {
 
 namespace {
 
+/// It turns the water that it stands in: over its top the current goes on.
+StandingPile pile_of(const ScenarioStructure& s) {
+  constexpr double drag_coefficient = 1.05;
+  return {{s.diameter_m, drag_coefficient}, horizontal_of(s.centre_m), s.top_m, s.bottom_m};
+}
+
 /// Water without its tide is no water to rehearse in, unless that is asked for.
 void expect_instants(const Scenario& scenario, const Snapshot& forecast,
                      std::vector<std::string>& warnings) {
@@ -235,8 +241,7 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   environment.farm = wakes_of(scenario, surround, ready.origin, ready.start);
   for (const ScenarioStructure& s : scenario.structures) {
     environment.structures.push_back(shape_of(s));
-    if (s.turns_current)
-      environment.piles.push_back({{s.diameter_m, 1.05}, horizontal_of(s.centre_m)});
+    if (s.turns_current) environment.piles.push_back(pile_of(s));
   }
   ready.environment = std::make_shared<const Environment>(std::move(environment));
   const std::shared_ptr<const EnvironmentSampler> water = sampler_of(ready.environment);

@@ -166,7 +166,10 @@ std::string mission_headline(const RunAccount& account) {
       (*is_seen ? seen : unseen)
           .push_back(vehicle.name + (*is_seen ? "" : ": " + vehicle.inspection->left));
     const auto end = twin::mission_end_of(vehicle.mission, account.ran_s);
-    if (!end || (!end->is_done && !vehicle.fate.empty())) continue;
+    // That it is still out says not why.
+    const bool is_told =
+        !vehicle.fate.empty() && vehicle.fate.front().what != twin::Fate::not_recovered;
+    if (!end || (!end->is_done && is_told)) continue;
     const std::string when = minute_of_day(account.start, end->t_s) + " UTC";
     if (end->is_done)
       done.push_back(vehicle.name + " by " + when);

@@ -54,6 +54,18 @@ TEST(MissionEvents, StretchesFollowEachOtherFromTheFirstEventToTheEnd) {
   EXPECT_TRUE(twin::stretches_of({}, 500).empty());
 }
 
+TEST(MissionEvents, TellWhoIsStillOut) {
+  EXPECT_FALSE(twin::are_out(eye));
+  EXPECT_FALSE(twin::are_out(cam));
+  EXPECT_TRUE(twin::are_out(dog));
+  EXPECT_FALSE(twin::are_out({}));
+  std::vector<MissionEvent> deck = dog;
+  deck.push_back({10, Kind::came_aboard, Cause::none, "aboard"});
+  EXPECT_FALSE(twin::are_out(deck));
+  deck.push_back({20, Kind::launched, Cause::none, "launched"});
+  EXPECT_TRUE(twin::are_out(deck));
+}
+
 TEST(MissionEvents, TellHowAMissionEndedAndWhy) {
   const auto end = twin::mission_end_of(eye, 500);
   ASSERT_TRUE(end);

@@ -77,6 +77,13 @@ TEST(AccountText, WhomSomethingBefellIsNamedWithItAndNotTwice) {
   EXPECT_FALSE(all_missions_done(account));
 }
 
+TEST(AccountText, WhoIsNotRecoveredIsToldOfWithTheReason) {
+  twin::RunAccount account = account_of_four();
+  account.vehicles[2].fate = {{twin::Fate::not_recovered, 500.0}};
+  EXPECT_EQ(fates_text(account), "dog: not recovered at 06:08:20Z");
+  EXPECT_NE(mission_headline(account).find("dog: was still at work"), std::string::npos);
+}
+
 TEST(AccountText, AlarmsAreCountedByTheirCause) {
   twin::ClearanceAccount clearance;
   EXPECT_EQ(alarms_text(clearance), "none");
