@@ -45,6 +45,16 @@ WorkTurbine work_turbine_of(const Site& site, const TurbinePlace& place, const L
   return t;
 }
 
+CableRole role_of(const Site& site, const CableRoute& cable) {
+  const auto is_at_a_turbine = [&](const GeoPoint& end) {
+    return std::any_of(site.turbines.begin(), site.turbines.end(),
+                       [&](const TurbinePlace& place) { return place.point == end; });
+  };
+  return is_at_a_turbine(cable.route.front()) && is_at_a_turbine(cable.route.back())
+             ? CableRole::array
+             : CableRole::to_shore;
+}
+
 }  // namespace
 
 WorkSite work_site_of(const Site& site) {
@@ -58,6 +68,7 @@ WorkSite work_site_of(const Site& site) {
     WorkCable& out = work.cables.emplace_back();
     out.id = cable.id;
     out.burial_m = cable.burial_depth_m;
+    out.role = role_of(site, cable);
     for (const GeoPoint& point : cable.route) {
       const Horizontal at = horizontal_of(frame.to_local(point));
       out.route_m.push_back({at.imag(), at.real(), work.turbines.front().bed_m});

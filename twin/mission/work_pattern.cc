@@ -10,6 +10,7 @@
 #include "twin/control/patterns.h"
 #include "twin/inspection/surface/rotor_axes.h"
 #include "twin/inspection/surface/usual_sizes.h"
+#include "twin/mission/cable_of_site.h"
 #include "twin/mission/read_seconds.h"
 
 namespace slackwater::twin {
@@ -230,15 +231,7 @@ std::vector<WorkLeg> lay_blade(const Config& work, const WorkTurbine& turbine,
 
 std::vector<WorkLeg> lay_cable(const Config& work, const WorkSite& site, const WorkTurbine& turbine,
                                const Intensity& intensity) {
-  const std::string id = work.text("cable");
-  const auto found = std::find_if(site.cables.begin(), site.cables.end(),
-                                  [&](const WorkCable& cable) { return cable.id == id; });
-  if (found == site.cables.end()) {
-    std::vector<std::string> known;
-    for (const WorkCable& cable : site.cables) known.push_back(cable.id);
-    work.refuse("cable", "found " + id + ", the site has " +
-                             (known.empty() ? std::string("no cables") : joined(known, ", ")));
-  }
+  const WorkCable& cable = cable_of_site(work, site, turbine);
   const int all = work.optional_integer("lines", 1, 100).value_or(1);
   const double width_m = all > 1 ? (all - 1) * work.number("spacing_m", {0.5, 500}) : 0;
   const int lines = passes_at(all, intensity.density);
@@ -252,7 +245,7 @@ std::vector<WorkLeg> lay_cable(const Config& work, const WorkSite& site, const W
     is_out = !is_out;
     const double right_m = (line - 0.5 * (lines - 1)) * spacing_m;
     std::vector<Waypoint> points;
-    const auto& route = found->route_m;
+    const auto& route = cable.route_m;
     for (std::size_t i = 0; i < route.size(); ++i) {
       const Triple<double> way =
           i + 1 < route.size() ? route[i + 1] - route[i] : route[i] - route[i - 1];

@@ -31,7 +31,8 @@ struct WorkLeg {
 ///     pattern: blade      blade: 1, stand_off_m, faces: [...], rotor_faces_deg, rotor_azimuth_deg
 ///         out and back along a blade of a stopped rotor, once for each face: leading_edge,
 ///         trailing_edge, pressure, suction
-///     pattern: cable      cable: ID, lines, spacing_m, above_bed_m or at: LEVEL
+///     pattern: cable      cable: ID or cable_role: array, lines, spacing_m, at: LEVEL, off_ends_m
+///         along a cable of the site, by its id or its role (cable_of_site.h)
 ///     pattern: mooring    mooring: ID, stand_off_m, share: 1, sides: 1
 ///         along a line and back; with `sides: 2` back on its other side, over the line at the end,
 ///         so that a tether, which hangs from above, lies on no side of it

@@ -33,11 +33,18 @@ struct WorkTurbine {
   [[nodiscard]] bool floats() const noexcept { return foot_m < bed_m; }
 };
 
-/// A cable between turbines, on the bed.
+/// What a cable is for, by what it joins.
+enum class CableRole {
+  array,     ///< a turbine at either end
+  to_shore,  ///< "export": it leads off from a turbine, or past them
+};
+
+/// A cable on the bed.
 struct WorkCable {
   std::string id;
   std::vector<Triple<double>> route_m;
   std::optional<double> burial_m;  ///< of its top below the bed; nothing: nobody says
+  CableRole role = CableRole::array;
 };
 
 /// All that the geometry of a task is made from.

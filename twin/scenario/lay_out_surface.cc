@@ -8,6 +8,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/inspection/surface/usual_sizes.h"
+#include "twin/mission/cable_of_site.h"
 #include "twin/mission/work_pattern.h"
 #include "twin/scenario/laid_out_task.h"
 
@@ -73,7 +74,7 @@ class StatedSurface {
         break;
       }
       case SurfaceKind::cable: {
-        const WorkCable& laid = cable();
+        const WorkCable& laid = cable_of_site(entry_, site_, turbine_);
         CableSizes sizes;
         for (const Triple<double>& at_m : laid.route_m)
           sizes.route.push_back({to_micrometre(at_m), {}});
@@ -135,19 +136,6 @@ class StatedSurface {
                                     [&](const MooringLine& line) { return line.id == id; });
     if (found == turbine_.moorings.end())
       entry_.refuse("mooring", "found " + id + ", which turbine " + turbine_.id + " does not have");
-    return *found;
-  }
-
-  [[nodiscard]] const WorkCable& cable() const {
-    const std::string id = entry_.text("cable");
-    const auto found = std::find_if(site_.cables.begin(), site_.cables.end(),
-                                    [&](const WorkCable& cable) { return cable.id == id; });
-    if (found == site_.cables.end()) {
-      std::vector<std::string> known;
-      for (const WorkCable& cable : site_.cables) known.push_back(cable.id);
-      entry_.refuse("cable", "found " + id + ", the site has " +
-                                 (known.empty() ? std::string("no cables") : joined(known, ", ")));
-    }
     return *found;
   }
 

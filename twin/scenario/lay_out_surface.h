@@ -18,8 +18,8 @@ namespace slackwater::twin {
 ///     kind: anodes             [from: 5 m deep], [to: 3 m above its foot]
 ///         the first bar is where the boat landing is
 ///     kind: mooring_line       mooring: ID
-///     kind: cable              cable: ID, [burial_m], [off_ends_m: 40]
-///         the same entry for whatever turbine
+///     kind: cable              cable: ID or cable_role: array, [burial_m], [off_ends_m: 40]
+///         the same entry for whatever turbine has that cable (cable_of_site.h)
 ///     kind: bed                as it is there
 ///     kind: water              [radius_m: 500], or corners
 ///

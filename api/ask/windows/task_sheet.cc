@@ -4,6 +4,7 @@
 #include <set>
 
 #include "fields/base/error.h"
+#include "twin/mission/cable_of_site.h"
 
 namespace slackwater::api {
 namespace {
@@ -15,15 +16,20 @@ double length_m(const twin::WorkCable& cable) {
   return sum_m;
 }
 
-/// Of the cables that the work of any agent follows, each once.
-double cable_km(const Config& task, const twin::WorkSite& site) {
-  std::set<std::string> named;
+/// Of the cables that the work of any agent follows at any of the turbines, each once.
+double cable_km(const Config& task, const twin::WorkSite& site,
+                std::span<const std::string> turbines) {
+  std::set<const twin::WorkCable*> followed;
   for (const Config& agent : task.children("agents"))
-    for (const Config& work : agent.children("work"))
-      if (const auto cable = work.optional_text("cable")) named.insert(*cable);
+    for (const Config& work : agent.children("work")) {
+      if (!twin::names_cable(work)) continue;
+      for (const twin::WorkTurbine& turbine : site.turbines)
+        if (std::find(turbines.begin(), turbines.end(), turbine.id) != turbines.end())
+          followed.insert(&twin::cable_of_site(work, site, turbine));
+    }
   double sum_m = 0;
   for (const twin::WorkCable& cable : site.cables)
-    if (named.contains(cable.id)) sum_m += length_m(cable);
+    if (followed.contains(&cable)) sum_m += length_m(cable);
   return sum_m / 1000;
 }
 
@@ -40,7 +46,8 @@ double TaskSheet::contingency_h() const {
   return std::max(0.0, *min_window_h - (per == "km" ? *duration_h * cable_km : *duration_h));
 }
 
-TaskSheet read_task_sheet(const Config& task, const twin::WorkSite& site) {
+TaskSheet read_task_sheet(const Config& task, const twin::WorkSite& site,
+                          std::span<const std::string> turbines) {
   TaskSheet sheet;
   sheet.name = task.text("name");
   if (const auto duration = task.optional_child("duration_h")) {
@@ -60,7 +67,7 @@ TaskSheet read_task_sheet(const Config& task, const twin::WorkSite& site) {
   if (least_visit_h && !sheet.is_splittable)
     task.refuse("least_visit_h", "found without splittable: true; say both, or neither");
   sheet.least_visit_h = least_visit_h.value_or(0);
-  sheet.cable_km = cable_km(task, site);
+  sheet.cable_km = cable_km(task, site, turbines);
   return sheet;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 
 #include "fields/base/config.h"
@@ -25,7 +26,10 @@ struct TaskSheet {
   [[nodiscard]] double contingency_h() const;
 };
 
-/// @param task  of `load_task`  @throws Error(invalid_input)
-[[nodiscard]] TaskSheet read_task_sheet(const Config& task, const twin::WorkSite& site);
+/// @param task      of `load_task`
+/// @param turbines  ids of those at which the work is done
+/// @throws Error(invalid_input)
+[[nodiscard]] TaskSheet read_task_sheet(const Config& task, const twin::WorkSite& site,
+                                        std::span<const std::string> turbines);
 
 }  // namespace slackwater::api

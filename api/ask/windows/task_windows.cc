@@ -163,12 +163,12 @@ TaskWindows task_windows(const WindowsQuestion& question, const SharedOutlook& s
     TaskWindows out;
     out.id = task;
     out.rule = question.rule;
-    const TaskSheet sheet = read_task_sheet(load_task(task, std::filesystem::current_path()),
-                                            twin::work_site_of(*shared.site));
-    out.name = sheet.name;
     Outlook outlook;
     outlook.mission = laid_out(shared, question, task);
     out.turbines = outlook.mission.expanded.turbines;
+    const TaskSheet sheet = read_task_sheet(load_task(task, std::filesystem::current_path()),
+                                            twin::work_site_of(*shared.site), out.turbines);
+    out.name = sheet.name;
     twin::Scenario scenario = outlook.mission.scenario;
     scenario.start = shared.from;
     twin::Surround surround = shared.water->surround;
