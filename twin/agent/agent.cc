@@ -45,7 +45,8 @@ Triple<double> at_point(const BodyState<double>& body, const Rotation<double>& r
 /// The mean wind at the vehicle with the gusts of its own filter: wakes slow the one and strengthen
 /// the other.
 bool feel_wind(const Agent& agent, double t_s, AgentState& state, Surroundings<double>& around) {
-  const auto wind = agent.water->wind(state.vehicle.body.position_m, t_s);
+  const Triple<double> at_m = wind_place_m(*agent.vehicle, state.vehicle.body.position_m);
+  const auto wind = agent.water->wind(at_m, t_s);
   if (!has_value(wind.status)) {
     // Forecasts without wind have vehicles in the water all the same.
     if (agent.vehicle->kind != VehicleKind::uav && wind.status == SampleStatus::missing)
@@ -57,7 +58,7 @@ bool feel_wind(const Agent& agent, double t_s, AgentState& state, Surroundings<d
   if (agent.gusts) {
     const Gust gust = agent.gusts->step(state.gust, state.gust_rng);
     const Vector3<Enu> enu = gust_in_enu(gust, horizontal_of(wind.velocity_m_s));
-    const double ratio = agent.water->gust_ratio(state.vehicle.body.position_m);
+    const double ratio = agent.water->gust_ratio(at_m);
     around.wind_m_s = around.wind_m_s + ratio * ned_of(enu);
   }
   return true;
@@ -253,6 +254,11 @@ std::string_view name_of(Halt halt) noexcept {
       return "no_headway";
   }
   return "unknown";
+}
+
+Triple<double> wind_place_m(const Vehicle& vehicle, const Triple<double>& at_m) noexcept {
+  if (vehicle.body.hull.strips == 0) return at_m;
+  return {at_m.x, at_m.y, -vehicle.wind_height_m};
 }
 
 Measured known_of(const Agent& agent, const AgentState& state) {

@@ -123,6 +123,11 @@ inline void hold_snag(AgentState& state) noexcept {
   state.tether.velocity_m_s[state.conduct.snag_node] = {};
 }
 
+/// Where a vehicle meets the wind: one that flies where it is, a craft that floats at the height
+/// that its coefficients are for. @param at_m  NED
+[[nodiscard]] Triple<double> wind_place_m(const Vehicle& vehicle,
+                                          const Triple<double>& at_m) noexcept;
+
 /// What the vehicle goes by: the truth, or what it makes of its instruments.
 [[nodiscard]] Measured known_of(const Agent& agent, const AgentState& state);
 

@@ -100,7 +100,8 @@ void look_at_surface(const Agent& agent, const BodyState<double>& body, double t
 
 /// Gusts are those of the last step: they are drawn as it goes.
 void look_at_wind(const Agent& agent, const AgentState& state, double time_s, Around& around) {
-  const auto wind = agent.water->wind(state.vehicle.body.position_m, time_s);
+  const auto wind =
+      agent.water->wind(wind_place_m(*agent.vehicle, state.vehicle.body.position_m), time_s);
   if (!has_value(wind.status)) return;
   around.wind_m_s = agent.gusts && time_s > 0 ? state.wind_m_s : wind.velocity_m_s;
 }

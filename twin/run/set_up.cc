@@ -175,12 +175,13 @@ void add_gusts(const Scenario& scenario, const ScenarioVehicle& entry, double t_
   if (scenario.gusts == GustModel::none || !is_in_air) return;
   constexpr double twenty_feet_m = 6.096;
   const auto low = agent.water->wind({entry.start_m.x, entry.start_m.y, -twenty_feet_m}, t_s);
-  const auto here = agent.water->wind(entry.start_m, t_s);
+  const Triple<double> place_m = wind_place_m(*agent.vehicle, entry.start_m);
+  const auto here = agent.water->wind(place_m, t_s);
   const double speed = std::hypot(here.velocity_m_s.x, here.velocity_m_s.y);
   if (!has_value(low.status) || !(speed > 0.1) || !(low.ratio > 0)) return;
   // The turbulence of the free wind: what a wake makes of it is known at each step.
   const double low_m_s = std::hypot(low.velocity_m_s.x, low.velocity_m_s.y) / low.ratio;
-  agent.gusts.emplace(dryden_turbulence(height_of(entry.start_m), low_m_s), speed, agent.plan.dt_s);
+  agent.gusts.emplace(dryden_turbulence(height_of(place_m), low_m_s), speed, agent.plan.dt_s);
 }
 
 GeoPoint origin_of(const Scenario& scenario, const GeoPoint& site) noexcept {

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <map>
 
+#include "fields/base/text.h"
+#include "fields/service/place.h"
 #include "twin/tether/read_tether.h"
 #include "twin/vehicle/balance.h"
 #include "twin/vehicle/read_body.h"
@@ -91,6 +93,13 @@ void read_wind(const Config& config, Vehicle& vehicle) {
   vehicle.wind_force_n_s2_m2 = {c->number("x_n_s2_m2", {0, 1e5}), c->number("y_n_s2_m2", {0, 1e5}),
                                 0};
   vehicle.wind_yaw_n_m_s2_m2 = c->number("yaw_n_m_s2_m2", {-1e6, 1e6});
+  const auto height_m = c->optional_number("wind_height_m", {lowest_wind_m, highest_wind_m});
+  if (!height_m)
+    vehicle.warnings.push_back(formatted(
+        "wind_force: found no wind_height_m, took {:g} m; give the height of the wind that its "
+        "coefficients are for, as their source says it",
+        vehicle.wind_height_m));
+  vehicle.wind_height_m = height_m.value_or(vehicle.wind_height_m);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct Vehicle {
   Trim trim;
   Triple<double> wind_force_n_s2_m2;  ///< per square of the relative wind, along each axis
   double wind_yaw_n_m_s2_m2 = 0;   ///< yaw moment per the product of its components along x and y
+  double wind_height_m = 10;       ///< above the sea, of the wind that these coefficients are for
   std::optional<Battery> battery;  ///< nothing: fuel
   double hotel_w = 0;
   double cruise_speed_m_s = 0;          ///< where nobody says otherwise

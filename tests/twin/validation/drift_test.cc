@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/twin/validation/flight.h"
 
 // Vehicles whose battery is empty: where the water takes them, by the closed forms of a body with
@@ -68,6 +71,51 @@ TEST(Drift, AnRovWithoutPowerRisesAsTheClosedFormOfBothDragsSays) {
     EXPECT_NEAR(-flight.velocity_m_s().z, 2 * lift * grown / (k + a * grown), 1e-4) << t << " s";
   }
   std::printf("rises at %.4f m/s\n", -flight.velocity_m_s().z);
+}
+
+/// A WAM-V without power, beam on to a wind of 10 m/s at 10 m, by a file of its own.
+double drift_m_s(const std::string& model) {
+  char yaml[600];
+  std::snprintf(yaml, sizeof yaml, R"(
+name: blown
+seed: 1
+duration: 5min
+step_s: 0.05
+water: {made_up: {depth_m: 50, wind: {speed_m_s: 10, from_deg: 270}}}
+vehicles:
+  - {name: it, model: %s, start: {north_m: 0, east_m: 0, depth_m: 0, heading_deg: 0}}
+)",
+                model.c_str());
+  const Scenario scenario = parse_scenario(yaml, "blown");
+  Flight flight(scenario, Flight::field_of(scenario),
+                [](ReadyRun& ready) { ready.states[0].vehicle.battery.off = 1; });
+  flight.run(120);
+  EXPECT_EQ(flight.vehicle().battery.off, 1);
+  return flight.velocity_m_s().y;
+}
+
+/// c (U - v)^2 = a v + b v^2 of the file's own numbers, with U by the logarithmic profile at the
+/// height that the file states for c.
+TEST(Drift, ACraftWithoutPowerIsBlownOffAsTheBalanceOfWindAndWaterSays) {
+  EXPECT_NEAR(drift_m_s("wamv16"), 0.346, 0.001);
+  const std::filesystem::path data = tests::source_folder() / "data";
+  std::ifstream in(data / "vehicles" / "wamv16.yaml");
+  const std::string shipped(std::istreambuf_iterator<char>(in), {});
+  const tests::TemporaryFolder folder;
+  for (const double height_m : {1.0, 3.0, 10.0, 25.0}) {
+    std::string file = shipped;
+    const std::string stated = "wind_height_m: 10";
+    const std::size_t at = file.find(stated);
+    ASSERT_NE(at, std::string::npos);
+    file.replace(at, stated.size(), "wind_height_m: " + std::to_string(height_m));
+    std::ofstream(folder / "craft.yaml") << file;
+    constexpr double roughness_m = 0.0002;
+    const double wind = 10 * std::log(height_m / roughness_m) / std::log(10 / roughness_m);
+    constexpr double a = 100, b = 100, c = 0.5;
+    const double half = 0.5 * (a + 2 * c * wind);
+    const double v = (-half + std::sqrt(half * half + (b - c) * c * wind * wind)) / (b - c);
+    EXPECT_NEAR(drift_m_s((folder / "craft.yaml").string()), v, 1e-3 * v) << height_m << " m";
+  }
 }
 
 }  // namespace

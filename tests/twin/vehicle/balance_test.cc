@@ -76,6 +76,14 @@ std::string said(const std::string& id, const std::string& what, const std::stri
   }
 }
 
+TEST(Balance, AHeightOfTheWindThatNobodyStatesIsToldOf) {
+  const std::string stated = ", wind_height_m: 10";
+  const std::string text = said("wamv16", stated, "");
+  EXPECT_EQ(text.rfind("warning: wind_force: found no wind_height_m, took 10 m", 0), 0U) << text;
+  EXPECT_EQ(said("wamv16", stated, ", wind_height_m: 4"), "");
+  EXPECT_EQ(said("ctv24", stated, ", wind_height_m: 0.5").rfind("error: ", 0), 0U);
+}
+
 struct Odd {
   const char* id;
   const char* what;
