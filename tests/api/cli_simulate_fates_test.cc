@@ -93,6 +93,43 @@ TEST_F(SimulateFates, WaterFasterThanTheVehicleIsSaid) {
       << printed.out;
 }
 
+TEST_F(SimulateFates, WhoIsNotRecoveredIsToldOfInAllThatIsSaid) {
+  std::string faults;
+  for (const char* n : {"0", "1", "2"})
+    faults +=
+        std::string(*n == '0' ? "" : ", ") + "{fault: lost_thruster, at_s: 5, thruster: " + n + "}";
+  const std::string file =
+      write("adrift.yaml", head("{depth_m: 40, current: [{depth_m: 0, east_m_s: 0.4, north_m_s: "
+                                "0}]}") +
+                               "  - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: "
+                               "0, depth_m: 8}, conduct: {faults: [" +
+                               faults +
+                               "]}, tasks: [{do: route, waypoints: [{north_m: 15, east_m: 0, "
+                               "depth_m: 8}]}]}\n");
+  const ProgramResult run = made_.run(
+      {"simulate", file, "--json", "--out", path("adrift.nc"), "--html", path("adrift.html")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json out = json::parse(run.out);
+  const json& rov = out.at("vehicles").at(0);
+  EXPECT_EQ(rov.at("halt"), "none");
+  EXPECT_EQ(rov.at("fate"), "not recovered at 18:42:00Z");
+  ASSERT_EQ(rov.at("events").size(), 1U);
+  EXPECT_EQ(rov.at("events")[0].at("what"), "not recovered");
+  const std::string page = read_bytes(path("adrift.html"));
+  EXPECT_NE(page.find("not recovered at 18:42:00Z"), std::string::npos);
+  EXPECT_NE(page.find("lost thruster"), std::string::npos);
+  const ingest::TrajectoryFile log = ingest::read_trajectories(path("adrift.nc"));
+  EXPECT_EQ(log.find_table("fate")->text("stopped_by")->at(0), "not recovered: lost thruster");
+  EXPECT_EQ(made_.run({"replay", path("adrift.nc")}).exit_code, 0);
+  // And what it does with nobody at its controls, once.
+  ASSERT_EQ(out.at("notes").size(), 1U);
+  const auto note = out.at("notes").at(0).get<std::string>();
+  EXPECT_EQ(
+      note.rfind("bluerov2_heavy: without a controller it does not go straight at 0.5 m/s", 0), 0U)
+      << note;
+  EXPECT_NE(run.err.find("slackwater: note: " + note), std::string::npos) << run.err;
+}
+
 TEST_F(SimulateFates, ALogOfAnotherFormatIsNotReplayedAndSaysSo) {
   const std::string file =
       write("run.yaml", head("{depth_m: 40}") +

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <set>
 
 #include "api/ask/run/log_file.h"
 #include "api/ask/run/run_observers.h"
@@ -203,6 +204,7 @@ ScenarioResult begun(const ScenarioWater& water, const twin::ReadyRun& ready) {
   result.account.start = ready.start;
   result.warnings = water.warnings;
   result.warnings.insert(result.warnings.end(), ready.warnings.begin(), ready.warnings.end());
+  result.notes = notes_of(ready.agents);
   result.vessels = ready.vessels;
   return result;
 }
@@ -230,6 +232,16 @@ void conclude(const WatchedRun& watched, const ScenarioWater& water, const GeoPo
 }
 
 }  // namespace
+
+std::vector<std::string> notes_of(std::span<const twin::Agent> agents) {
+  std::vector<std::string> notes;
+  std::set<const twin::Vehicle*> told;
+  for (const twin::Agent& agent : agents)
+    if (told.insert(agent.vehicle.get()).second)
+      for (const std::string& note : agent.vehicle->notes)
+        notes.push_back(agent.vehicle->id + ": " + note);
+  return notes;
+}
 
 ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater& water,
                             const RunChoice& choice,

@@ -54,6 +54,9 @@ void hold_members(ScenarioWater& water, std::size_t members,
                                          const std::filesystem::path& store_folder,
                                          const std::optional<std::filesystem::path>& file);
 
+/// How the models of a run go with nobody at their controls, each once, by its id.
+[[nodiscard]] std::vector<std::string> notes_of(std::span<const twin::Agent> agents);
+
 struct ScenarioResult {
   twin::RunAccount account;
   double wall_s = 0;
@@ -65,6 +68,7 @@ struct ScenarioResult {
   std::vector<twin::AlarmRecord> alarms;
   std::vector<TrackFollowing> followed;
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;                ///< of its vehicles with nobody at their controls
   std::vector<twin::Command> commands;           ///< that were taken from outside
   std::vector<twin::RefusalCount> refusals;      ///< of those that were not
   std::optional<std::uint64_t> stopped_at_step;  ///< ended from outside, before its time

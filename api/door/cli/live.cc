@@ -150,6 +150,8 @@ void run_live(const LiveArguments& arguments, const Context& context) {
     for (auto& outlet : recordings.open(hand.run)) settings.outlets.push_back(std::move(outlet));
     joined = std::make_unique<live::LiveRun>(hand, settings);
     print_names(hand.run.agents(), joined->names(), settings.site, arguments);
+    // Now, and not with the warnings at the end: clients may come with raw thrusters.
+    print_notes(notes_of(hand.run.agents()));
     stopper = std::make_unique<Stopper>(hand.control);
   };
   std::optional<live::Punctuality> punctuality;

@@ -63,6 +63,11 @@ void print_summary(const ScenarioResult& result, const std::filesystem::path& ou
 
 }  // namespace
 
+void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    std::fprintf(stderr, "slackwater: note: %s\n", note.c_str());
+}
+
 void print_run(const ScenarioResult& result, const std::filesystem::path& out) {
   print_summary(result, out);
   print_clearance(result.account);
@@ -80,6 +85,7 @@ json run_json(const ScenarioResult& result, const std::string& scenario, const S
                     water.forecast_sha256.empty() ? json(nullptr) : json(water.forecast_sha256)},
                    {"log", out.empty() ? json(nullptr) : json(out.string())},
                    {"warnings", result.warnings},
+                   {"notes", result.notes},
                    {"vehicles", json::array()}};
   for (const twin::VehicleAccount& vehicle : result.account.vehicles)
     document["vehicles"].push_back(account_json(vehicle, result.account.start));

@@ -11,6 +11,8 @@ namespace slackwater::api {
 /// say.
 /// @param out  the log that was written; empty: none
 void print_run(const ScenarioResult& result, const std::filesystem::path& out);
+/// Of how vehicles go with nobody at their controls, a line each, to stderr.
+void print_notes(const std::vector<std::string>& notes);
 /// The same as the document of `simulate --json` (api/docs/json.md).
 [[nodiscard]] nlohmann::json run_json(const ScenarioResult& result, const std::string& scenario,
                                       const ScenarioWater& water, const std::filesystem::path& out);

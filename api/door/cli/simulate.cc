@@ -116,6 +116,7 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
   write_findings(result.file, arguments.findings, arguments.shows_truth);
   for (const std::string& warning : result.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
+  print_notes(result.notes);
   const twin::Resurvey again = written_resurvey(scenario, result, arguments.resurvey);
   if (!context.json) {
     print_run(result, arguments.out);

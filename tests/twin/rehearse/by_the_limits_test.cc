@@ -116,13 +116,14 @@ TEST(ByTheLimits, AFlightInACurrentThatGrowsHoldsAndComesHome) {
   for (const twin::MissionEvent& event : flight.vehicles[0].mission)
     if (event.kind != twin::ConductEventKind::phase_began) told.push_back(event);
   // It holds for the limit, and leaves before the way home is more than it has.
-  ASSERT_EQ(told.size(), 4U);
+  ASSERT_EQ(told.size(), 5U);
   EXPECT_EQ(told[0].kind, twin::ConductEventKind::hold_began);
   EXPECT_EQ(told[0].cause, twin::Cause::limit);
   EXPECT_NEAR(told[0].value.value_or(0), 0.5, 0.005);
   EXPECT_EQ(told[1].kind, twin::ConductEventKind::turned_for_home);
   EXPECT_EQ(told[1].cause, twin::Cause::reserve);
   EXPECT_EQ(told[2].kind, twin::ConductEventKind::came_home);
+  EXPECT_EQ(told[4].kind, twin::ConductEventKind::came_aboard);
   EXPECT_EQ(flight.stopped_by, "energy for the way home (surveyor)");
   // The current has grown on its way: that is what the reserve is for.
   EXPECT_GT(flight.vehicles[0].on_mission.charge, 0.1);
