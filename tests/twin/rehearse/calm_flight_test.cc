@@ -64,9 +64,6 @@ TEST_P(TenSheets, SeeInDeadCalmWhatTheyAskFor) {
     EXPECT_TRUE(look.is_seen()) << look.vehicle << ", " << look.instrument << " at "
                                 << look.surfaces << ": " << look.covered << " of " << look.asked
                                 << ": " << look.why;
-    std::printf("%-16s %-10s %-40s %6.2f %% of %6.2f %%  %s\n", sheet.task, look.vehicle.c_str(),
-                look.instrument.c_str(), 100 * look.covered, 100 * look.asked,
-                look.surfaces.c_str());
   }
 }
 
