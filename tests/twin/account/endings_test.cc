@@ -65,7 +65,8 @@ TEST(Endings, TheBedIsWhereItRanAground) {
 }
 
 TEST(Endings, OverASunkenPileThereIsOpenWater) {
-  // The pile's top lies 10 m deep: over it the current of the forecast, beside it that round a pile.
+  // The pile's top lies 10 m deep: over it the current of the forecast, beside it that which
+  // goes round a pile.
   const twin::ReadyRun ready = ready_of(pile(10) +
                                         "  - {name: usv, model: wamv16, start: {north_m: 0, "
                                         "east_m: 0, depth_m: 0}}\n");

@@ -85,7 +85,8 @@ TEST(OpenLoop, EachModeGrowsAsItsEigenvalueSays) {
   }
 }
 
-/// (m + Y_v.) v' = -(m + X_u.) u r - L (v + x r),  (I + N_r.) r' = -(Y_v. - X_u.) u v - x L (v + x r)
+/// (m + Y_v.) v' = -(m + X_u.) u r - L (v + x r),
+/// (I + N_r.) r' = -(Y_v. - X_u.) u v - x L (v + x r)
 /// with the fins' lift L = rho A C u / 2 at x.
 TEST(OpenLoop, TheYawOfAnAuvIsThatOfTheTextbook) {
   const Vehicle auv = bundled_vehicle("lrauv_tethys");
