@@ -258,16 +258,26 @@ void HostLink::wait_for_agent(std::size_t vehicle, WallTime asked_at) {
     if (!is_stopped()) note_missed(vehicle);
     return;
   }
+  const auto is_still_agent = [&] {
+    const std::lock_guard lock(mutex_);
+    return host.agent == client;
+  };
   {
     const std::lock_guard lock(mutex_);
     host.missed = 0;
   }
   try {
     std::optional<twin::CommandWhat> what = command_of(*asked);
-    if (!what) return;
+    if (!what || !is_still_agent()) return;
     const dds::Bytes heard = order_of(*what);
     const Submitted submitted = command_door_.submit(client, vehicle, std::move(*what), heard);
-    if (submitted.refusal) drop_agent(vehicle, {*submitted.refusal});
+    if (submitted.refusal) {
+      drop_agent(vehicle, {*submitted.refusal});
+    } else if (!is_still_agent()) {
+      // It left meanwhile: its last command does not keep the helm for it.
+      twin::CommandArbiter& arbiter = command_door_.arbiter();
+      arbiter.lost(client, arbiter.time_s());
+    }
   } catch (const Error& e) {
     drop_agent(vehicle, {e.message()});
   }

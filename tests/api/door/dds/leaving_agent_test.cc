@@ -85,6 +85,11 @@ class Agent {
     stop();
     ask(0);
   }
+  /// In one breath with an answer, which may be taken up behind it.
+  void answer_and_leave() {
+    is_leaving_ = true;
+    thread_.join();
+  }
 
  private:
   void stop() {
@@ -115,6 +120,7 @@ class Agent {
         command.kind(1);
         command.velocity().linear().x(0.1);
         command_->write(&command);
+        if (is_leaving_) return ask(0);
         ++seen_;
       }
     }
@@ -126,7 +132,7 @@ class Agent {
   peer::fdds::DataWriter* command_ = nullptr;
   peer::fdds::DataReader* observed_ = nullptr;
   std::atomic<std::size_t> seen_{0};
-  std::atomic<bool> is_silent_{false};
+  std::atomic<bool> is_silent_{false}, is_leaving_{false};
   std::jthread thread_;
 };
 
@@ -196,7 +202,8 @@ INSTANTIATE_TEST_SUITE_P(
     EachWay, LeavesBy,
     testing::Values(Way{"ClosingItsParticipant", &Agent::close_participant, "it is gone"},
                     Way{"ClosingItsWriter", &Agent::close_writer, "it is gone"},
-                    Way{"SayingSo", &Agent::say_that_it_leaves, "it left"}),
+                    Way{"SayingSo", &Agent::say_that_it_leaves, "it left"},
+                    Way{"SayingSoWithAnAnswer", &Agent::answer_and_leave, "it left"}),
     [](const auto& way) { return std::string(way.param.name); });
 
 TEST_P(LeavesBy, IsUnhostedAtOnceAndNobodyWaits) {
@@ -209,6 +216,11 @@ TEST_P(LeavesBy, IsUnhostedAtOnceAndNobodyWaits) {
   std::this_thread::sleep_for(3s);
   EXPECT_LT(longest_s(left), 1.2) << "its time-out is 2 s";
   expect_good_end();
+  std::string last;
+  for (const LiveMessage& message : messages_of(folder_ / "run.mcap"))
+    if (message.topic == "/a/mission_state")
+      last.assign(message.payload.begin() + 8, message.payload.end() - 1);
+  EXPECT_EQ(nlohmann::json::parse(last).at("authority"), "") << "who left keeps no helm";
 }
 
 TEST_F(LeavingAgent, WhoFallsSilentIsWaitedForOnceAndTheOthersGoOn) {
