@@ -121,6 +121,36 @@ TEST_F(ReportCommand, FliesWhatIsNoGoOtherwise) {
   EXPECT_TRUE(contains(read_bytes(path("otherwise.html")), "with one thing changed"));
 }
 
+// Flown in dead calm it shows less than it asks for: no start of it could succeed.
+TEST_F(ReportCommand, LeavesOutATaskThatCannotSeeWhatItAsksFor) {
+  std::string blind = peek(loose);
+  blind.replace(blind.find("    work:"), 9,
+                "    inspection:\n      surfaces: [{kind: monopile}]\n      looks:\n        - "
+                "{instrument: rov_camera, kinds: [monopile], detail_mm: 10, seen_at: 0.9}\n"
+                "    work:");
+  blind.replace(blind.find("id: peek"), 8, "id: blind");
+  write("blind.yaml", blind);
+  write("peek.yaml", peek(loose));
+  const Arguments both{"--task",    path("peek.yaml"),
+                       "--task",    path("blind.yaml"),
+                       "--from",    "2025-03-05T06:00:00Z",
+                       "--to",      "2025-03-05T07:00:00Z",
+                       "--members", "2",
+                       "--fly",     "1min",
+                       "--html",    path("blind.html"),
+                       "--json"};
+  const ProgramResult made = report(both);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const json said = json::parse(made.out);
+  ASSERT_EQ(said.at("tasks").size(), 1U);
+  EXPECT_EQ(said.at("tasks")[0].at("task"), "peek");
+  ASSERT_EQ(said.at("left_out").size(), 1U);
+  const std::string why = said.at("left_out")[0].dump();
+  for (const char* words : {"blind", "flown in dead calm", "expected at least 90 %"})
+    EXPECT_TRUE(contains(why, words)) << why;
+  EXPECT_TRUE(contains(read_bytes(path("blind.html")), "flown in dead calm"));
+}
+
 TEST_F(ReportCommand, LiesInTheStoreWhereNothingElseIsSaid) {
   write("peek.yaml", peek(loose));
   write_farm("peeked.yaml", "tasks: [" + path("peek.yaml") + "]\n");
