@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/api/windows_command.h"
+#include "twin/risk/risk_cause.h"
 
 namespace slackwater::tests::cli_windows_work_test {
 namespace {
@@ -60,7 +61,7 @@ TEST_F(WindowsCommand, FliesTheStartsThatTheLimitsLeaveOpen) {
     EXPECT_LT(twin.at("interval_95")[0].get<double>(), 0.5);
     EXPECT_GT(twin.at("duration_s").at("p50").get<double>(), 240);
     EXPECT_GT(twin.at("energy_wh").at("p90").get<double>(), 1);
-    EXPECT_EQ(twin.at("risks").size(), 7U);
+    EXPECT_EQ(twin.at("risks").size(), twin::risk_cause_count);
   }
   const json shut = flown(never);
   for (const json& start : shut.at("starts")) EXPECT_TRUE(start.at("twin").is_null());

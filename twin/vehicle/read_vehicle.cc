@@ -6,7 +6,6 @@
 #include "fields/service/place.h"
 #include "twin/tether/read_tether.h"
 #include "twin/vehicle/balance.h"
-#include "twin/vehicle/open_loop.h"
 #include "twin/vehicle/read_body.h"
 #include "twin/vehicle/vehicle.h"
 
@@ -152,8 +151,6 @@ Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::p
     if (finding.is_error) config.refuse(finding.key, finding.what);
     vehicle.warnings.push_back(std::string(finding.key) + ": " + finding.what);
   }
-  if (std::string words = words_of(open_loop_of(vehicle)); !words.empty())
-    vehicle.notes.push_back(std::move(words));
   return vehicle;
 }
 

@@ -38,7 +38,6 @@ struct Vehicle {
   std::optional<Tether> tether;
   Sensors sensors;
   std::vector<std::string> warnings;  ///< of how it lies in the water; see balance.h
-  std::vector<std::string> notes;     ///< of how it goes with nobody at its controls; open_loop.h
 };
 
 [[nodiscard]] inline bool burns_fuel(const Vehicle& vehicle) noexcept {

@@ -18,6 +18,7 @@
 #include "fields/base/text.h"
 #include "twin/agent/conduct.h"
 #include "twin/agent/follow_tracks.h"
+#include "twin/step/open_loop.h"
 
 namespace slackwater::api {
 namespace {
@@ -238,8 +239,8 @@ std::vector<std::string> notes_of(std::span<const twin::Agent> agents) {
   std::set<const twin::Vehicle*> told;
   for (const twin::Agent& agent : agents)
     if (told.insert(agent.vehicle.get()).second)
-      for (const std::string& note : agent.vehicle->notes)
-        notes.push_back(agent.vehicle->id + ": " + note);
+      if (const std::string words = words_of(twin::open_loop_of(*agent.vehicle)); !words.empty())
+        notes.push_back(agent.vehicle->id + ": " + words);
   return notes;
 }
 

@@ -104,7 +104,12 @@ TEST_P(TenTasks, AreNotBegunBeyondThem) {
     EXPECT_LT(vehicle.work_share(), 0.7) << vehicle.name;
     // It waits for half an hour, then it is home.
     EXPECT_GT(vehicle.held_s, 1700) << vehicle.name;
-    EXPECT_EQ(vehicle.mission.back().kind, twin::ConductEventKind::finished) << vehicle.name;
+    // And safe where its mission ends at its home.
+    const auto is_end = [](const auto& event) {
+      return event.kind == twin::ConductEventKind::finished;
+    };
+    EXPECT_TRUE(std::any_of(vehicle.mission.rbegin(), vehicle.mission.rbegin() + 2, is_end))
+        << vehicle.name;
   }
 }
 

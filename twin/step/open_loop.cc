@@ -1,4 +1,4 @@
-#include "twin/vehicle/open_loop.h"
+#include "twin/step/open_loop.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // What a vehicle does that nobody controls: the eigenvalues of its linearised motion against that
 // motion itself, against a matrix by hand, and against what the program does by raw thrusters.
-#include "twin/vehicle/open_loop.h"
+#include "twin/step/open_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -124,13 +124,7 @@ Vehicle changed(const std::string& id, const std::string& what, const std::strin
 }
 
 TEST(OpenLoop, IsSaidAtLoadInWords) {
-  for (const char* id : {"bluerov2_heavy", "lrauv_tethys", "wamv16", "ctv24", "x500"}) {
-    const Vehicle vehicle = bundled_vehicle(id);
-    for (const std::string& note : vehicle.notes) std::printf("%s: %s\n", id, note.c_str());
-  }
-  const auto notes = [](const Vehicle& vehicle) {
-    return vehicle.notes.empty() ? std::string() : vehicle.notes.front();
-  };
+  const auto notes = [](const Vehicle& vehicle) { return words_of(open_loop_of(vehicle)); };
   const std::string rov = notes(bundled_vehicle("bluerov2_heavy"));
   EXPECT_NE(rov.find("keep a hold of depth or attitude on"), std::string::npos) << rov;
   EXPECT_NE(rov.find("with all its thrust, at 1.4 m/s, it somersaults"), std::string::npos) << rov;
@@ -138,7 +132,7 @@ TEST(OpenLoop, IsSaidAtLoadInWords) {
   const std::string auv = notes(bundled_vehicle("lrauv_tethys"));
   EXPECT_NE(auv.find("and it circles at"), std::string::npos) << auv;
   EXPECT_EQ(auv.find("somersaults"), std::string::npos) << auv;
-  EXPECT_TRUE(bundled_vehicle("x500").notes.empty());
+  EXPECT_EQ(notes(bundled_vehicle("x500")), "");
 }
 
 TEST(OpenLoop, WhatIsStableSaysNothingOfIt) {
