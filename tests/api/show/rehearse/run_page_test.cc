@@ -74,7 +74,7 @@ TEST(AccountText, SaysHowItEndedAndTheMarginsWithTheirTimes) {
   const twin::RunAccount account = account_of(log_of());
   ASSERT_EQ(account.vehicles.size(), 2U);
   EXPECT_EQ(verdict_text(account.vehicles[0], account.start),
-            "Battery cut off at its least voltage at 06:00:40Z \u2192 struck a structure at "
+            "Battery cut off at its least voltage at 06:00:40Z \u2192 struck a structure (pile) at "
             "06:00:40Z; 1 of 2 tasks done.");
   EXPECT_EQ(account.vehicles[0].halt, twin::Halt::struck);
   EXPECT_EQ(of(account, 0, "Battery left"), "80.0 %");
