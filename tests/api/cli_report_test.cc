@@ -143,7 +143,7 @@ TEST_F(ReportCommand, LeavesOutATaskThatCannotSeeWhatItAsksFor) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
   const json said = json::parse(made.out);
   ASSERT_EQ(said.at("tasks").size(), 1U);
-  EXPECT_EQ(said.at("tasks")[0].at("task"), "peek");
+  EXPECT_TRUE(contains(said.at("tasks")[0].at("task").get<std::string>(), "peek.yaml"));
   ASSERT_EQ(said.at("left_out").size(), 1U);
   const std::string why = said.at("left_out")[0].dump();
   for (const char* words : {"blind", "flown in dead calm", "expected at least 90 %"})
