@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "calibration/day/driving_ensemble.h"
-#include "calibration/day/earned_heights.h"
+#include "calibration/day/height_source.h"
 #include "calibration/day/horizon_wind_error.h"
 #include "calibration/day/methods.h"
 #include "calibration/day/sources.h"

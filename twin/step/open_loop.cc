@@ -97,10 +97,10 @@ void note_modes(const OpenLoopMatrix& matrix, OpenLoop& out) {
 void note_motion(const Vehicle& vehicle, const OpenLoopMatrix& matrix, OpenLoop& out) {
   constexpr double first_rad = constants::degree, grown_times = 12, longest_s = 300;
   constexpr double longest_step_s = 0.2, step_in_fastest = 0.5;
-  double slowest_per_s = std::numeric_limits<double>::infinity();
+  double slowest_growth_per_s = std::numeric_limits<double>::infinity();
   for (const double grows : {out.pitch_per_s, out.yaw_per_s, out.roll_per_s})
-    if (grows > 0) slowest_per_s = std::min(slowest_per_s, grows);
-  const double lasts_s = std::min(grown_times / slowest_per_s, longest_s);
+    if (grows > 0) slowest_growth_per_s = std::min(slowest_growth_per_s, grows);
+  const double lasts_s = std::min(grown_times / slowest_growth_per_s, longest_s);
   const double fastest_per_s = matrix.eigenvalues().cwiseAbs().maxCoeff();
   const double dt_s = std::min(longest_step_s, step_in_fastest / fastest_per_s);
   const StraightAndLevel level(vehicle, out.speed_m_s);
