@@ -18,7 +18,8 @@ namespace {
 constexpr int days_back = 21;
 constexpr double pairs_a_day = 2;
 constexpr double pairs_beforehand = 8;
-constexpr double regression_beforehand = 0.5;  ///< standard deviation
+/// Standard deviations by source. Providers see to it that theirs do not regress.
+constexpr std::array<double, height_sources> regression_beforehand{0.1, 0.5, 0.5};
 /// Nearly the whole regression is there two days ahead; little of it in the first hours.
 constexpr double regression_time_h = 30;
 constexpr std::size_t least_hours = 48;
@@ -108,7 +109,7 @@ EarnedHeight earned_from(std::span<const PairsOfDay> past, std::size_t source) {
   const double pairs = pairs_a_day * static_cast<double>(earned.days);
   Normal sums(past, source);
   sums.one *= 1 + pairs_beforehand / pairs;
-  sums.distance2 += 1 / (regression_beforehand * regression_beforehand);
+  sums.distance2 += 1 / (regression_beforehand[source] * regression_beforehand[source]);
   const double determinant = sums.one * sums.distance2 - sums.distance * sums.distance;
   earned.bias = (sums.error * sums.distance2 - sums.error_distance * sums.distance) / determinant;
   earned.regression = (sums.error_distance * sums.one - sums.error * sums.distance) / determinant;

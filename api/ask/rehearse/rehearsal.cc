@@ -52,6 +52,7 @@ void count(const StartOutcome& start, double level, FlightCount& out, Is&& is) {
 /// Most frequent first.
 std::vector<StoppedBy> sorted(const std::map<std::string, std::size_t>& causes) {
   std::vector<StoppedBy> out;
+  out.reserve(causes.size());
   for (const auto& [cause, flights] : causes) out.push_back({cause, flights});
   std::stable_sort(out.begin(), out.end(),
                    [](const StoppedBy& a, const StoppedBy& b) { return a.flights > b.flights; });
