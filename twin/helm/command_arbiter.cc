@@ -216,6 +216,17 @@ void CommandArbiter::lost(std::string_view client, double now_s) {
   std::erase_if(last_sequence_, [&](const auto& entry) { return entry.first.first == client; });
 }
 
+void CommandArbiter::lost(std::string_view client, std::size_t vehicle, double now_s) {
+  const std::lock_guard lock(mutex_);
+  authority_.look(now_s);
+  if (client.empty() || authority_.holder(vehicle) != client) return;
+  authority_.end(vehicle);
+  enqueue_hold(client, vehicle, now_s);
+  std::erase_if(last_sequence_, [&](const auto& entry) {
+    return entry.first == std::pair{std::string(client), vehicle};
+  });
+}
+
 std::string CommandArbiter::holder(std::size_t vehicle) const {
   const std::lock_guard lock(mutex_);
   return authority_.holder(vehicle);

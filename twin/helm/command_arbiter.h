@@ -76,6 +76,8 @@ class CommandArbiter {
 
   /// The client is gone: what it held holds, and later goes home (`HelmRule`); the run is free.
   void lost(std::string_view client, double now_s);
+  /// The same of one vehicle alone; what else the client holds it keeps.
+  void lost(std::string_view client, std::size_t vehicle, double now_s);
   /// Empty: nobody.
   [[nodiscard]] std::string holder(std::size_t vehicle) const;
   /// The place of a vehicle in the run by its name; where there is none, `refuse_unknown` has the

@@ -276,7 +276,7 @@ void HostLink::wait_for_agent(std::size_t vehicle, WallTime asked_at) {
     } else if (!is_still_agent()) {
       // It left meanwhile: its last command does not keep the helm for it.
       twin::CommandArbiter& arbiter = command_door_.arbiter();
-      arbiter.lost(client, arbiter.time_s());
+      arbiter.lost(client, vehicle, arbiter.time_s());
     }
   } catch (const Error& e) {
     drop_agent(vehicle, {e.message()});
@@ -348,7 +348,7 @@ void HostLink::drop_agent(std::size_t vehicle, const Ending& ending) {
   if (client.empty()) return;
   tell("the agent of " + name + ", " + client + ", is taken off: " + ending.why);
   twin::CommandArbiter& arbiter = command_door_.arbiter();
-  arbiter.lost(client, arbiter.time_s());
+  arbiter.lost(client, vehicle, arbiter.time_s());
   if (rule_ == HostRule::halt && ending.has_failed) control_.pause();
 }
 

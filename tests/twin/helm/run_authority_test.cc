@@ -91,6 +91,23 @@ TEST(RunAuthority, OfARunIsAskedByWhoLetsVehiclesJoin) {
   EXPECT_EQ(served.arbiter.run_holder(), "ann");
 }
 
+// An agent that is taken off one vehicle goes on with its others.
+TEST(RunAuthority, OfWhoLosesOneVehicleStaysAndSoDoOtherHelms) {
+  Served served;
+  ASSERT_FALSE(served.spawn("late", "ann"));
+  served.run->step();
+  for (const std::size_t vehicle : {0U, 1U})
+    ASSERT_FALSE(served.arbiter.ask("ann", vehicle, served.arbiter.time_s()));
+  served.arbiter.lost("bob", 1, served.arbiter.time_s());
+  served.arbiter.lost("ann", 0, served.arbiter.time_s());
+  EXPECT_EQ(served.arbiter.holder(0), "");
+  EXPECT_EQ(served.arbiter.holder(1), "ann");
+  EXPECT_EQ(served.arbiter.run_holder(), "ann");
+  served.run->step();
+  EXPECT_EQ(served.run->helm(0).cause, twin::HelmCause::client_lost);
+  EXPECT_NE(served.run->helm(1).cause, twin::HelmCause::client_lost);
+}
+
 TEST(RunAuthority, RefusalsAreCountedOfTheRun) {
   Served served;
   ASSERT_FALSE(served.arbiter.ask_for_run("bob", 0));
