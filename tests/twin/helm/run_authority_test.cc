@@ -96,8 +96,14 @@ TEST(RunAuthority, OfWhoLosesOneVehicleStaysAndSoDoOtherHelms) {
   Served served;
   ASSERT_FALSE(served.spawn("late", "ann"));
   served.run->step();
-  for (const std::size_t vehicle : {0U, 1U})
+  for (const std::size_t vehicle : {0U, 1U}) {
+    twin::Command ahead;
+    ahead.agent = vehicle;
+    ahead.what = twin::SetVelocity{{0.2, 0, 0, 0}};
     ASSERT_FALSE(served.arbiter.ask("ann", vehicle, served.arbiter.time_s()));
+    ASSERT_FALSE(served.arbiter.submit("ann", ahead, served.arbiter.time_s()));
+  }
+  served.run->step();
   served.arbiter.lost("bob", 1, served.arbiter.time_s());
   served.arbiter.lost("ann", 0, served.arbiter.time_s());
   EXPECT_EQ(served.arbiter.holder(0), "");
