@@ -61,6 +61,8 @@ TEST_P(TenSheets, SeeInDeadCalmWhatTheyAskFor) {
   EXPECT_EQ(flight.looks.size(), sheet.looks);
   for (const twin::CalmLook& look : flight.looks) {
     EXPECT_GT(look.asked, 0) << look.instrument;
+    // The table of `api/docs/inspection.md`: --gtest_output=xml.
+    RecordProperty(look.surfaces + ", " + look.instrument, std::to_string(look.covered));
     EXPECT_TRUE(look.is_seen()) << look.vehicle << ", " << look.instrument << " at "
                                 << look.surfaces << ": " << look.covered << " of " << look.asked
                                 << ": " << look.why;
