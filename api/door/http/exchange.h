@@ -17,7 +17,6 @@ struct UpgradeFields {
   bool is_to_websocket = false;  ///< `Upgrade: websocket`, and `Connection` says so too
   std::string version;
   std::string key;
-  std::string protocols;  ///< the list
 };
 
 /// A request as it came in, with what only the server needs to know of it.
@@ -30,8 +29,6 @@ struct Arrival {
   std::size_t host_fields = 1;
   std::string accept_encoding;
   std::string if_none_match;
-  std::string authorization;
-  std::string origin;
   UpgradeFields upgrade;
 };
 

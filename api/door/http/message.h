@@ -14,11 +14,14 @@ namespace slackwater::api::http {
 class WebSocketHandler;
 
 struct Request {
-  std::string method;  ///< "GET", upper case
-  std::string path;    ///< as sent, percent-encoded, without the query
-  std::string query;   ///< as sent, without the '?'
-  std::string host;    ///< Host header, "" where absent
-  std::string accept;  ///< Accept header
+  std::string method;         ///< "GET", upper case
+  std::string path;           ///< as sent, percent-encoded, without the query
+  std::string query;          ///< as sent, without the '?'
+  std::string host;           ///< Host header, "" where absent
+  std::string accept;         ///< Accept header
+  std::string authorization;  ///< Authorization header
+  std::string origin;         ///< Origin header: of the page that sent it; "" of what is no page
+  std::string protocols;      ///< Sec-WebSocket-Protocol: those that are offered, as sent
   std::string body;
   bool is_trusted = false;  ///< from loopback, or carries the token
 };

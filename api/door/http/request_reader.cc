@@ -46,7 +46,6 @@ UpgradeFields upgrade_of(const beast::http::fields& fields) {
   if (!upgrade.is_to_websocket) return upgrade;
   upgrade.version = list_of(fields, field::sec_websocket_version);
   upgrade.key = list_of(fields, field::sec_websocket_key);
-  upgrade.protocols = list_of(fields, field::sec_websocket_protocol);
   return upgrade;
 }
 
@@ -68,8 +67,9 @@ Arrival arrival_of(Parser& parser) {
   arrival.host_fields = message.count(field::host);
   arrival.accept_encoding = list_of(message, field::accept_encoding);
   arrival.if_none_match = list_of(message, field::if_none_match);
-  arrival.authorization = text_of(message[field::authorization]);
-  arrival.origin = text_of(message[field::origin]);
+  request.authorization = text_of(message[field::authorization]);
+  request.origin = text_of(message[field::origin]);
+  request.protocols = list_of(message, field::sec_websocket_protocol);
   if (arrival.is_http_1_1) arrival.upgrade = upgrade_of(message);
   return arrival;
 }

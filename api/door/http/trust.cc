@@ -5,18 +5,6 @@
 namespace slackwater::api::http {
 namespace {
 
-/// The token of "Bearer <token>" (the scheme in any case), or nothing.
-std::string_view bearer_of(std::string_view authorization) {
-  constexpr std::string_view scheme = "bearer ";
-  if (authorization.size() <= scheme.size()) return {};
-  for (std::size_t i = 0; i < scheme.size(); ++i) {
-    if (std::tolower(static_cast<unsigned char>(authorization[i])) != scheme[i]) return {};
-  }
-  authorization.remove_prefix(scheme.size());
-  authorization.remove_prefix(std::min(authorization.find_first_not_of(' '), authorization.size()));
-  return authorization;
-}
-
 /// The host without its port.
 std::string_view name_of_host(std::string_view host) {
   if (host.starts_with('[')) return host.substr(0, host.find(']') + 1);
@@ -42,12 +30,23 @@ bool is_loopback_host(std::string_view host) {
 }
 
 bool is_trusted(const std::optional<std::string>& token, const Arrival& arrival) {
-  const std::string_view offered = bearer_of(arrival.authorization);
+  const std::string_view offered = bearer_of(arrival.request.authorization);
   if (token && !token->empty() && equal_in_constant_time(offered, *token)) return true;
-  const std::string& origin = arrival.origin;
+  const std::string& origin = arrival.request.origin;
   const bool same_origin = origin.empty() || origin == "http://" + arrival.request.host;
   return arrival.peer_is_loopback && !arrival.is_forwarded && same_origin &&
          is_loopback_host(arrival.request.host);
+}
+
+std::string_view bearer_of(std::string_view authorization) noexcept {
+  constexpr std::string_view scheme = "bearer ";
+  if (authorization.size() <= scheme.size()) return {};
+  for (std::size_t i = 0; i < scheme.size(); ++i) {
+    if (std::tolower(static_cast<unsigned char>(authorization[i])) != scheme[i]) return {};
+  }
+  authorization.remove_prefix(scheme.size());
+  authorization.remove_prefix(std::min(authorization.find_first_not_of(' '), authorization.size()));
+  return authorization;
 }
 
 }  // namespace slackwater::api::http

@@ -13,6 +13,9 @@ namespace slackwater::api::http {
 /// Origin are looked at).
 [[nodiscard]] bool is_trusted(const std::optional<std::string>& token, const Arrival& arrival);
 
+/// The token of "Bearer TOKEN"; "" of anything else.
+[[nodiscard]] std::string_view bearer_of(std::string_view authorization) noexcept;
+
 /// "localhost", "127.0.0.1", "[::1]", with or without a port.
 [[nodiscard]] bool is_loopback_host(std::string_view host);
 

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,6 +61,9 @@ class WebSocketHandler {
   /// The sub-protocols it speaks; none: whatever the client names, no protocol is agreed on.
   /// Called from any thread.
   [[nodiscard]] virtual std::vector<std::string> protocols() const = 0;
+  /// What a client is told instead of being let in; nothing: it may. Called from any thread, before
+  /// the upgrade.
+  [[nodiscard]] virtual std::optional<Response> refusal(const Request&) const { return {}; }
   /// @param request   the one that asked for the upgrade; a page of any origin may ask, and what
   ///                  writes looks at `is_trusted`, as everywhere
   /// @param protocol  agreed on; "" where `protocols` has none

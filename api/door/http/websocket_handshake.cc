@@ -72,11 +72,14 @@ std::variant<Agreement, Response> agree(const Arrival& arrival, const WebSocketH
   if (!arrival.request.body.empty()) {
     return problem(400, "A request for a WebSocket has no body.", path);
   }
+  if (auto refused = handler.refusal(arrival.request)) return *std::move(refused);
   const std::vector<std::string> known = handler.protocols();
-  const auto protocol = known.empty() ? std::string() : first_known(upgrade.protocols, known);
+  const auto protocol =
+      known.empty() ? std::string() : first_known(arrival.request.protocols, known);
   if (!protocol) {
     return problem(400,
-                   "Sec-WebSocket-Protocol: found '" + upgrade.protocols.substr(0, longest_named) +
+                   "Sec-WebSocket-Protocol: found '" +
+                       arrival.request.protocols.substr(0, longest_named) +
                        "'; at this path one of these is spoken: " + joined(known, ", ") + ".",
                    path);
   }

@@ -35,10 +35,10 @@ void expect_the_request(const Arrival& arrival) {
   EXPECT_EQ(arrival.request.host, "h:1");
   EXPECT_EQ(arrival.request.accept, "x/y, z");
   EXPECT_EQ(arrival.request.body, "windsea");
-  EXPECT_EQ(arrival.origin, "o");
+  EXPECT_EQ(arrival.request.origin, "o");
   EXPECT_EQ(arrival.if_none_match, "\"t\"");
   EXPECT_EQ(arrival.accept_encoding, "gzip");
-  EXPECT_EQ(arrival.authorization, "Bearer s");
+  EXPECT_EQ(arrival.request.authorization, "Bearer s");
   EXPECT_FALSE(arrival.is_forwarded);
   EXPECT_TRUE(arrival.keep_alive);
 }

@@ -20,15 +20,15 @@ Arrival local_arrival() {
 TEST(Trust, ThisMachineMayWriteUnlessAnotherSpeaksThroughIt) {
   EXPECT_TRUE(is_trusted(std::nullopt, local_arrival()));
   Arrival page = local_arrival();
-  page.origin = "http://127.0.0.1:8080";
+  page.request.origin = "http://127.0.0.1:8080";
   EXPECT_TRUE(is_trusted(std::nullopt, page)) << "our own page";
-  page.origin = "https://evil.example";
+  page.request.origin = "https://evil.example";
   EXPECT_FALSE(is_trusted(std::nullopt, page)) << "another site's page in a browser here";
-  page.origin = "null";
+  page.request.origin = "null";
   EXPECT_FALSE(is_trusted(std::nullopt, page)) << "a sandboxed page";
   Arrival rebound = local_arrival();
   rebound.request.host = "evil.example:8080";
-  rebound.origin = "http://evil.example:8080";
+  rebound.request.origin = "http://evil.example:8080";
   EXPECT_FALSE(is_trusted(std::nullopt, rebound)) << "a name that DNS points here";
   Arrival proxied = local_arrival();
   proxied.is_forwarded = true;
@@ -39,13 +39,13 @@ TEST(Trust, AfarTheTokenDecides) {
   Arrival far;
   far.request.host = "ocean.example";
   EXPECT_FALSE(is_trusted("secret", far));
-  far.authorization = "Bearer secret";
+  far.request.authorization = "Bearer secret";
   EXPECT_TRUE(is_trusted("secret", far));
-  far.authorization = "bearer   secret";
+  far.request.authorization = "bearer   secret";
   EXPECT_TRUE(is_trusted("secret", far));
   for (const std::string wrong :
        {"Bearer secre", "Bearer secrets", "Bearer ", "secret", "Basic secret", "Bearer SECRET"}) {
-    far.authorization = wrong;
+    far.request.authorization = wrong;
     EXPECT_FALSE(is_trusted("secret", far)) << wrong;
     EXPECT_FALSE(is_trusted("", far)) << "an empty token opens nothing";
     EXPECT_FALSE(is_trusted(std::nullopt, far)) << wrong;
