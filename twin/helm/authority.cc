@@ -27,8 +27,13 @@ std::optional<std::string> Authority::ask(std::string_view client, std::size_t v
                                             "; wait until that client gives it back, or ask within "
                                             "{:g} s after it allows a take-over",
                                             take_over_s);
-  held = {std::string(client), Keeping::asked, now_s, -1};
+  held = {std::string(client), Keeping::asked, now_s, -1, false};
   return std::nullopt;
+}
+
+void Authority::lease(std::string_view client, std::size_t vehicle, double now_s) {
+  expects(!client.empty(), "a client has a name");
+  held_.at(vehicle) = {std::string(client), Keeping::asked, now_s, -1, true};
 }
 
 std::optional<std::string> Authority::refusal(std::string_view client, std::size_t vehicle,
@@ -44,7 +49,7 @@ void Authority::note_command(std::string_view client, std::size_t vehicle, Keepi
   expects(!refusal(client, vehicle, "the vehicle", now_s), "its holder alone commands a vehicle");
   look(now_s);
   Held& held = held_.at(vehicle);
-  if (held.client.empty()) held = {std::string(client), keeping, now_s, -1};
+  if (held.client.empty()) held = {std::string(client), keeping, now_s, -1, false};
   held.keeping = keeping;
   held.renewed_s = now_s;
 }
@@ -92,7 +97,7 @@ void Authority::look(double now_s) {
 }
 
 bool Authority::is_over(const Held& held, double now_s) noexcept {
-  return !held.client.empty() && held.keeping == Keeping::renewed &&
+  return !held.client.empty() && !held.is_leased && held.keeping == Keeping::renewed &&
          now_s - held.renewed_s >= renewal_s - soon_s;
 }
 

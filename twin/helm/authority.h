@@ -25,7 +25,7 @@ enum class Keeping {
 ///   round that.
 /// - It is given back by its holder alone.
 /// - It ends `renewal_s` after the last velocity or thrusters, when a list of waypoints is done,
-///   and when the client is gone.
+///   and when the client is gone. A lease does not: whoever gives leases says when they are over.
 class Authority {
  public:
   static constexpr double renewal_s = HelmRule{}.renewal_s;
@@ -47,6 +47,8 @@ class Authority {
   /// A command of the client was taken; makes it the holder where nobody was.
   /// @throws ContractViolation where `refusal` speaks against it
   void note_command(std::string_view client, std::size_t vehicle, Keeping keeping, double now_s);
+  /// It is leased to the client from now on, whoever had it: for doors whose roles say who may.
+  void lease(std::string_view client, std::size_t vehicle, double now_s);
   [[nodiscard]] std::optional<std::string> release(std::string_view client, std::size_t vehicle,
                                                    std::string_view name, double now_s);
   [[nodiscard]] std::optional<std::string> allow_take_over(std::string_view client,
@@ -57,7 +59,9 @@ class Authority {
   /// The list of waypoints is done, or the vehicle takes no more commands.
   void end(std::size_t vehicle);
 
+  /// By what its holder told it last.
   [[nodiscard]] Keeping keeping(std::size_t vehicle) const { return held_.at(vehicle).keeping; }
+  [[nodiscard]] bool is_leased(std::size_t vehicle) const { return held_.at(vehicle).is_leased; }
   /// What time makes of it: call before anything else at a time. Times never fall.
   void look(double now_s);
 
@@ -67,6 +71,7 @@ class Authority {
     Keeping keeping = Keeping::asked;
     double renewed_s = 0;
     double leave_until_s = -1;  ///< of a take-over
+    bool is_leased = false;
   };
   [[nodiscard]] static bool is_over(const Held& held, double now_s) noexcept;
 

@@ -177,6 +177,34 @@ std::optional<Refusal> CommandArbiter::allow_take_over(std::string_view client, 
   });
 }
 
+std::optional<Refusal> CommandArbiter::ask_for_lease(std::string_view client, std::size_t vehicle,
+                                                     double now_s) {
+  return with_vehicle(client, vehicle, now_s, [&](const std::string& name) {
+    auto answer = authority_.ask(client, vehicle, name, now_s);
+    if (!answer) authority_.lease(client, vehicle, now_s);
+    return answer;
+  });
+}
+
+std::optional<Refusal> CommandArbiter::take_over(std::string_view client, std::size_t vehicle,
+                                                 double now_s) {
+  return with_vehicle(client, vehicle, now_s, [&](const std::string&) {
+    authority_.lease(client, vehicle, now_s);
+    return std::optional<std::string>();
+  });
+}
+
+void CommandArbiter::take_over_run(std::string_view client, double now_s) {
+  const std::lock_guard lock(mutex_);
+  run_authority_.take_over(client, now_s);
+}
+
+void CommandArbiter::unheard(std::string_view client, std::size_t vehicle, double now_s) {
+  const std::lock_guard lock(mutex_);
+  authority_.look(now_s);
+  if (!client.empty() && authority_.holder(vehicle) == client) enqueue_hold(client, vehicle, now_s);
+}
+
 std::optional<Refusal> CommandArbiter::ask_for_run(std::string_view client, double now_s) {
   return with_run(client, now_s, [&] { return run_authority_.ask(client, now_s); });
 }
@@ -301,7 +329,8 @@ void CommandArbiter::look(double time_s) {
     standing_[i] = standing_of(run_, i);
     const bool is_waiting = taken_[i].is_waiting(openings_);
     const Keeping keeping = authority_.keeping(i);
-    const bool is_by_list = keeping == Keeping::waypoints || keeping == Keeping::loop;
+    const bool is_by_list =
+        (keeping == Keeping::waypoints || keeping == Keeping::loop) && !authority_.is_leased(i);
     const bool is_list_over = is_by_list && !is_waiting && standing_[i].mode != HelmMode::waypoints;
     if (is_list_over || standing_[i].halt != Halt::none) authority_.end(i);
   }

@@ -65,6 +65,19 @@ class CommandArbiter {
   [[nodiscard]] std::optional<Refusal> allow_take_over(std::string_view client, std::size_t vehicle,
                                                        double now_s);
 
+  // Of sessions of people, whose roles say who may. Each answers with nothing where it was done.
+
+  /// The same as `ask`, on a lease: what the client tells the vehicle does not end it.
+  [[nodiscard]] std::optional<Refusal> ask_for_lease(std::string_view client, std::size_t vehicle,
+                                                     double now_s);
+  /// It is leased to the client, whoever has it. What the vehicle was told stays in force.
+  [[nodiscard]] std::optional<Refusal> take_over(std::string_view client, std::size_t vehicle,
+                                                 double now_s);
+  /// The client has the run, whoever had it.
+  void take_over_run(std::string_view client, double now_s);
+  /// Its holder cannot be heard: it holds, and later goes home (`HelmRule`). The helm stays its.
+  void unheard(std::string_view client, std::size_t vehicle, double now_s);
+
   // Authority over the run itself; see `RunAuthority`. Each answers with nothing where it was done.
   [[nodiscard]] std::optional<Refusal> ask_for_run(std::string_view client, double now_s);
   [[nodiscard]] std::optional<Refusal> release_run(std::string_view client, double now_s);

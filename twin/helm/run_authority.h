@@ -27,6 +27,8 @@ class RunAuthority {
     return authority_.allow_take_over(client, 0, name, now_s);
   }
   void lost(std::string_view client, double now_s) { authority_.lost(client, now_s); }
+  /// The client has it from now on, whoever had it: for doors whose roles say who may.
+  void take_over(std::string_view client, double now_s) { authority_.lease(client, 0, now_s); }
 
   /// Whether the client may pause the run, step it or let a vehicle join now. Without having asked
   /// it may only while nobody else would be held up: while nobody has the run, and no other client
