@@ -10,6 +10,7 @@
 #include "data/store/layout.h"
 #include "data/store/open_catalogue.h"
 #include "data/store/proven_content.h"
+#include "data/store/session_table.h"
 #include "data/store/staging.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
@@ -207,6 +208,31 @@ std::int64_t Store::record_decision(const DecisionRow& row) {
 std::vector<DecisionRow> Store::find_decisions(const DecisionQuery& query) {
   const Transaction transaction(state_->database, Transaction::Kind::read);
   return select_decisions(state_->database, query);
+}
+
+std::int64_t Store::begin_session(const std::string& name, UtcTime begun) {
+  state_->expect_writable();
+  Transaction transaction(state_->database, Transaction::Kind::write);
+  const std::int64_t id = insert_session(state_->database, name, begun);
+  transaction.commit();
+  return id;
+}
+
+void Store::record_actions(std::int64_t session, std::span<const SessionAction> actions) {
+  state_->expect_writable();
+  Transaction transaction(state_->database, Transaction::Kind::write);
+  insert_actions(state_->database, session, actions);
+  transaction.commit();
+}
+
+std::vector<SessionRow> Store::list_sessions() {
+  const Transaction transaction(state_->database, Transaction::Kind::read);
+  return select_sessions(state_->database);
+}
+
+std::vector<SessionAction> Store::find_actions(std::int64_t session) {
+  const Transaction transaction(state_->database, Transaction::Kind::read);
+  return select_actions(state_->database, session);
 }
 
 PruneReport Store::prune(const PruneOptions& options) {

@@ -11,6 +11,7 @@
 #include "data/store/decision.h"
 #include "data/store/prune.h"
 #include "data/store/rows.h"
+#include "data/store/session_action.h"
 
 namespace slackwater::store {
 
@@ -22,7 +23,8 @@ enum class OpenMode {
 /// What Slackwater knows, at rest: a catalogue (SQLite) and immutable content files named by their
 /// sha256.
 ///
-///   STORE/catalogue.sqlite          rows: sources, granules, forecasts as issued, decisions
+///   STORE/catalogue.sqlite          rows: sources, granules, forecasts as issued, decisions,
+///                                   sessions
 ///   STORE/files/ab/abcdef….nc       content; never changed, only added and pruned
 ///   STORE/staging/<pid>-<random>/   files being written, one folder per process, swept once that
 ///                                   process is gone
@@ -87,6 +89,14 @@ class Store {
   std::int64_t record_decision(const DecisionRow& row);
   /// In order of (start, id).
   [[nodiscard]] std::vector<DecisionRow> find_decisions(const DecisionQuery& query);
+
+  /// A live run with people begins. @return its id
+  std::int64_t begin_session(const std::string& name, UtcTime begun);
+  /// What was done in it, all or none; never changed or removed.
+  void record_actions(std::int64_t session, std::span<const SessionAction> actions);
+  [[nodiscard]] std::vector<SessionRow> list_sessions();
+  /// In order. Throws Error(not_found).
+  [[nodiscard]] std::vector<SessionAction> find_actions(std::int64_t session);
 
   /// See `check_store`, which also looks at a store that cannot be opened.
   [[nodiscard]] CheckReport check(bool deep) { return check_store(folder(), deep); }
