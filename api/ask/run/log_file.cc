@@ -3,6 +3,7 @@
 #include <map>
 
 #include "api/log/account_tables.h"
+#include "api/log/action_tables.h"
 #include "api/log/command_tables.h"
 #include "api/log/inspection_log.h"
 #include "api/log/traffic_tables.h"
@@ -118,6 +119,7 @@ void add_tables(const twin::Scenario& scenario, ScenarioResult& result) {
   add(account_tables(result.account));
   add_inspections(result.inspected, result.file);
   add(command_tables(result.commands, result.refusals, scenario.step_s));
+  add(action_tables(result.actions));
 }
 
 }  // namespace slackwater::api

@@ -10,6 +10,7 @@
 
 #include "api/ask/run/heard_traffic.h"
 #include "api/ask/run/log_file.h"
+#include "api/log/action_tables.h"
 #include "api/log/command_tables.h"
 #include "api/program/version.h"
 #include "fields/base/error.h"
@@ -102,7 +103,7 @@ std::string difference_of(const TrajectoryFile& was, const TrajectoryFile& is) {
 
 /// What was done to the run from outside.
 RunRecord record_in(const TrajectoryFile& log) {
-  RunRecord record{commands_in(log), refusals_in(log), {}};
+  RunRecord record{commands_in(log), refusals_in(log), {}, actions_in(log)};
   const std::string stopped = log.attribute("stopped_at_step");
   if (stopped.empty()) return record;
   std::uint64_t step = 0;

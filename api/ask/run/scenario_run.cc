@@ -294,6 +294,7 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
                                             choice.checkpoint.string());
   }
   if (run.steps_made() < steps && !run.all_halted()) result.stopped_at_step = run.steps_made();
+  result.actions = choice.actions ? choice.actions() : choice.record.actions;
   conclude(watched, water, ready.origin);
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return result;

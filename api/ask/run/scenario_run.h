@@ -10,6 +10,7 @@
 
 #include "api/ask/run/track_following.h"
 #include "api/log/inspected.h"
+#include "data/store/session_action.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/account/vehicle_account.h"
 #include "twin/helm/command_arbiter.h"
@@ -71,6 +72,7 @@ struct ScenarioResult {
   std::vector<std::string> notes;                ///< of its vehicles with nobody at their controls
   std::vector<twin::Command> commands;           ///< that were taken from outside
   std::vector<twin::RefusalCount> refusals;      ///< of those that were not
+  std::vector<store::SessionAction> actions;     ///< of people, taken or not
   std::optional<std::uint64_t> stopped_at_step;  ///< ended from outside, before its time
   ingest::TrajectoryFile file;                   ///< the log as it is written
 };
@@ -80,6 +82,7 @@ struct RunRecord {
   std::vector<twin::Command> commands;
   std::vector<twin::RefusalCount> refusals;
   std::optional<std::uint64_t> stopped_at_step;
+  std::vector<store::SessionAction> actions;  ///< of people
 };
 
 /// A run that is about to begin, in the hands of who takes part in it: `slackwater live`. All of it
@@ -115,7 +118,9 @@ struct RunChoice {
   /// it comes last at each barrier.
   std::function<void(const RunInHand&)> on_ready{};
   std::function<void()> on_over{};  ///< after the last step, also where it failed
-  RunRecord record{};               ///< of a run that is made again
+  /// What people did, asked for after `on_over`; absent: as the record has it.
+  std::function<std::vector<store::SessionAction>()> actions{};
+  RunRecord record{};  ///< of a run that is made again
 };
 
 /// Runs a scenario to its end, or until its control is told to stop. Nothing of the choice changes
