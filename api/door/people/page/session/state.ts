@@ -1,0 +1,221 @@
+// The session as the server tells it. Nothing is decided or guessed here: each message replaces
+// what it is about, and a message or a field that is not known is left out.
+import type { Frame, Pose } from './frame';
+import * as read from './message';
+import type {
+  Action,
+  Alarm,
+  Helm,
+  Holder,
+  Json,
+  Role,
+  Run,
+  Seat,
+  Status,
+  Structure,
+  Vehicle,
+} from './message';
+
+const ACTIONS_KEPT = 400;
+const WORDS_KEPT = 50;
+
+export interface Said {
+  name: string;
+  text: string;
+}
+
+export interface Session {
+  id: string;
+  seat: number | null;
+  name: string;
+  role: Role;
+  start_utc_ms: number; // not a number until it is told
+  step_s: number;
+  vehicles: Map<number, Vehicle>;
+  structures: Structure[];
+  seats: Map<number, Seat>;
+  run: Run;
+  helms: Map<number, Helm>;
+  statuses: Map<number, Status>;
+  poses: Map<number, Pose>;
+  alarms: Map<string, Alarm>;
+  actions: Action[];
+  said: Said[];
+  frame: Frame | null;
+  frames_left_out: number;
+}
+
+export function empty_session(): Session {
+  return {
+    id: '',
+    seat: null,
+    name: '',
+    role: 'spectator',
+    start_utc_ms: Number.NaN,
+    step_s: 0,
+    vehicles: new Map(),
+    structures: [],
+    seats: new Map(),
+    run: { state: '', by: null, time_s: 0 },
+    helms: new Map(),
+    statuses: new Map(),
+    poses: new Map(),
+    alarms: new Map(),
+    actions: [],
+    said: [],
+    frame: null,
+    frames_left_out: 0,
+  };
+}
+
+/** Takes one text message in. False: it is of a kind that this page does not know. */
+export function tell(session: Session, message: Json): boolean {
+  switch (message.is) {
+    case 'welcome':
+      welcome(session, message);
+      return true;
+    case 'seats':
+      session.seats = new Map(read.read_seats(message.seats).map((seat) => [seat.seat, seat]));
+      return true;
+    case 'helm': {
+      const helm = read.read_helm(message);
+      if (helm !== null) session.helms.set(helm.vehicle, helm);
+      return true;
+    }
+    case 'run':
+      session.run = read.read_run(message);
+      return true;
+    case 'vehicle': {
+      // Either the vehicle itself beside `is`, or in a field of that name.
+      const vehicle = read.read_vehicle(read.as_object(message.vehicle) ?? message);
+      if (vehicle !== null) session.vehicles.set(vehicle.vehicle, vehicle);
+      return true;
+    }
+    case 'status': {
+      const status = read.read_status(message);
+      if (status !== null) take_status(session, status);
+      return true;
+    }
+    case 'alarm': {
+      const alarm = read.read_alarm(message);
+      if (alarm !== null) {
+        const key = `${alarm.vehicle} ${alarm.with}`;
+        if (is_clear(alarm.level)) session.alarms.delete(key);
+        else session.alarms.set(key, alarm);
+      }
+      return true;
+    }
+    case 'action': {
+      const action = read.read_action(read.as_object(message.action) ?? message);
+      if (action !== null) add_action(session, action);
+      return true;
+    }
+    case 'said': {
+      const name = holder_name(session, read.as_number(message.seat));
+      session.said.push({ name, text: read.as_text(message.text) });
+      session.said = session.said.slice(-WORDS_KEPT);
+      return true;
+    }
+    case 'left_out':
+      session.frames_left_out += read.as_number(message.frames) ?? 0;
+      return true;
+    case 'answer':
+    case 'clock':
+    case 'bye':
+      return true; // of the wire, and of whoever asked
+    default:
+      return false;
+  }
+}
+
+function take_status(session: Session, status: Status): void {
+  session.statuses.set(status.vehicle, status);
+  if (status.alarms === null) return;
+  const standing = new Map(status.alarms.map((it) => [`${status.vehicle} ${it.with}`, it]));
+  for (const [key, alarm] of session.alarms) {
+    if (alarm.vehicle === status.vehicle && !standing.has(key)) session.alarms.delete(key);
+  }
+  for (const [key, alarm] of standing) {
+    const known = session.alarms.get(key) ?? { vehicle: status.vehicle, cpa_m: null, cpa_s: null };
+    session.alarms.set(key, { ...known, ...alarm });
+  }
+}
+
+function is_clear(level: string): boolean {
+  return level === '' || level === 'none' || level === 'clear' || level === '0';
+}
+
+function welcome(session: Session, message: Json): void {
+  const before = session.seat;
+  const about = read.as_object(message.session);
+  session.id =
+    read.as_text(message.title ?? about?.name ?? about?.id ?? message.session) || session.id;
+  session.seat = read.as_number(message.seat);
+  session.name = read.as_text(message.name);
+  const role = read.as_text(message.role);
+  session.role = role === 'operator' || role === 'supervisor' ? role : 'spectator';
+  session.start_utc_ms = Date.parse(read.as_text(message.start));
+  session.step_s = read.as_number(message.step_s) ?? 0;
+  session.vehicles = new Map(read.read_vehicles(message.vehicles).map((it) => [it.vehicle, it]));
+  session.structures = read.read_structures(message.structures);
+  session.seats = new Map(read.read_seats(message.seats).map((it) => [it.seat, it]));
+  session.run = read.read_run(read.as_object(message.run) ?? {});
+  session.helms = new Map(read.read_helms(message.helms).map((it) => [it.vehicle, it]));
+  // What a welcome does not carry is told anew after it: the old is of a link that is gone.
+  session.poses.clear();
+  session.statuses.clear();
+  session.alarms.clear();
+  session.frame = null;
+  for (const status of read.read_statuses(message.status)) take_status(session, status);
+  if (before !== session.seat) session.said = [];
+  session.actions = [];
+  for (const action of read.read_actions(message.actions)) add_action(session, action);
+}
+
+function add_action(session: Session, action: Action): void {
+  if (session.actions.some((it) => it.number === action.number)) return;
+  session.actions.push(action);
+  session.actions.sort((a, b) => a.number - b.number);
+  session.actions = session.actions.slice(-ACTIONS_KEPT);
+}
+
+/**
+ * A whole frame replaces all poses, another only those it has. An older frame than the shown one is
+ * left.
+ */
+export function show_frame(session: Session, frame: Frame): void {
+  if (session.frame !== null && frame.number <= session.frame.number) return;
+  if (frame.is_whole) session.poses.clear();
+  for (const pose of frame.poses) session.poses.set(pose.vehicle, pose);
+  session.frame = frame;
+  session.run = { ...session.run, time_s: frame.time_s };
+}
+
+export function holder_name(session: Session, holder: Holder | null): string {
+  if (holder === null) return 'nobody';
+  if (typeof holder === 'string') return holder;
+  return session.seats.get(holder)?.name ?? `seat ${holder}`;
+}
+
+export function vehicle_name(session: Session, vehicle: Holder | null): string {
+  if (vehicle === null) return '';
+  if (typeof vehicle === 'string') return vehicle;
+  return session.vehicles.get(vehicle)?.name ?? `vehicle ${vehicle}`;
+}
+
+/** This station drives the vehicle: the server has said so. */
+export function has_helm(session: Session, vehicle: number | null): boolean {
+  if (vehicle === null || session.seat === null) return false;
+  const helm = session.helms.get(vehicle);
+  return (
+    helm !== undefined &&
+    helm.state !== 'free' &&
+    helm.state !== 'lost' &&
+    helm.holder === session.seat
+  );
+}
+
+/** The moment of the run that is shown. */
+export function run_utc_ms(session: Session): number {
+  return session.start_utc_ms + session.run.time_s * 1000;
+}
