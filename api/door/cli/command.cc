@@ -154,6 +154,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_report(app, context);
   add_decide(app, context);
   add_decisions(app, context);
+  add_sessions(app, context);
   add_ais(app, context);
   add_serve(app, context);
   add_demo(app, context);

@@ -17,6 +17,8 @@
 #include "api/door/live/bag_traffic.h"
 #include "api/door/live/live_run.h"
 #include "api/door/live/viewer_outlet.h"
+#include "api/door/people/action_keeper.h"
+#include "api/door/people/session_routes.h"
 #include "api/show/rehearse/run_page.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
@@ -39,6 +41,8 @@ struct LiveArguments {
   std::filesystem::path out;
   std::filesystem::path html;
   std::optional<int> viewer_port;
+  std::optional<int> people_port;
+  std::filesystem::path people_file;
   std::size_t threads = 1;
 };
 
@@ -116,6 +120,51 @@ Viewers open_viewers(int port, const std::string& name) {
   return viewers;
 }
 
+/// The session of people who take part, and its door; goes with the command.
+struct People {
+  std::unique_ptr<people::ActionKeeper> keeper;
+  std::shared_ptr<people::Session> session;
+  std::unique_ptr<http::Server> server;
+};
+
+/// The tokens are for whoever began it, and for nobody's log.
+void print_tokens(const people::TokenBook& book) {
+  for (const people::Grant& grant : book.grants())
+    std::fprintf(stderr, "  %-10s %s  (%d at once, until %s)\n",
+                 std::string(name_of(grant.role)).c_str(), grant.token.c_str(), grant.seats,
+                 format_utc(grant.until).c_str());
+}
+
+People open_session(const LiveArguments& arguments, const std::string& name,
+                    const Context& context) {
+  People people;
+  const bool is_drawn = arguments.people_file.empty();
+  people::TokenBook book = is_drawn
+                               ? people::TokenBook::drawn(context.now() + std::chrono::hours(24))
+                               : people::TokenBook::read(arguments.people_file);
+  if (is_drawn) {
+    std::fprintf(stderr, "tokens:\n");
+    print_tokens(book);
+  }
+  people::SessionSettings settings;
+  settings.name = name;
+  settings.now = [&context] { return context.now(); };
+  people.keeper = std::make_unique<people::ActionKeeper>(context.store_folder, name, context.now(),
+                                                         tell_trouble);
+  settings.keep = [keeper = people.keeper.get()](const people::Action& row) { keeper->keep(row); };
+  people.session = std::make_shared<people::Session>(std::move(settings), std::move(book));
+  http::Router router;
+  people::add_routes(router, people.session);
+  http::ServerOptions options;
+  options.port = static_cast<std::uint16_t>(*arguments.people_port);
+  options.read_only = true;  // what people do comes by the socket alone
+  people.server = std::make_unique<http::Server>(options, router);
+  people.server->start();
+  std::fprintf(stderr, "people: http://127.0.0.1:%d/session\n", people.server->port());
+  std::fflush(stderr);
+  return people;
+}
+
 json played_json(const std::vector<live::PlayedBag>& played) {
   json all = json::array();
   for (const live::PlayedBag& bag : played) {
@@ -143,21 +192,26 @@ void run_live(const LiveArguments& arguments, const Context& context) {
     viewers = open_viewers(*arguments.viewer_port, scenario.name);
     settings.outlets.push_back(std::make_shared<live::ViewerOutlet>(viewers.broadcast));
   }
+  People people;
+  if (arguments.people_port) people = open_session(arguments, scenario.name, context);
   std::unique_ptr<live::LiveRun> joined;
   std::unique_ptr<Stopper> stopper;
   RunChoice choice{arguments.threads, true, arguments.factor};
   choice.on_ready = [&](const RunInHand& hand) {
     for (auto& outlet : recordings.open(hand.run)) settings.outlets.push_back(std::move(outlet));
     joined = std::make_unique<live::LiveRun>(hand, settings);
+    if (people.session) people.session->begin(hand);
     print_names(hand.run.agents(), joined->names(), settings.site, arguments);
     // Now, and not with the warnings at the end: clients may come with raw thrusters.
     print_notes(notes_of(hand.run.agents()));
     stopper = std::make_unique<Stopper>(hand.control);
   };
+  if (people.session) choice.actions = [&people] { return people.session->actions(); };
   std::optional<live::Punctuality> punctuality;
   std::vector<live::PlayedBag> played;
   choice.on_over = [&] {
     stopper.reset();
+    if (people.session) people.session->end();
     if (joined) punctuality = joined->punctuality();
     if (joined) played = joined->played();
     joined.reset();
@@ -232,6 +286,13 @@ void add_live(CLI::App& app, Context& context) {
       ->add_option("--viewer-port", arguments->viewer_port,
                    "serve viewers (Foxglove WebSocket) on this port of 127.0.0.1; 0: any free one")
       ->check(CLI::Range(0, 65535));
+  command
+      ->add_option(
+          "--people", arguments->people_port,
+          "let people take part (page /session) on this port of 127.0.0.1; 0: any free one")
+      ->check(CLI::Range(0, 65535));
+  command->add_option("--people-file", arguments->people_file,
+                      "their roles and tokens as FILE.yaml (default: fresh tokens, printed)");
   command->add_option("--threads", arguments->threads, "1 to 64 (default 1)")
       ->check(CLI::Range(1, 64));
   command->callback([arguments, &context] { run_live(*arguments, context); });

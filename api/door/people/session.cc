@@ -1,0 +1,593 @@
+#include "api/door/people/session.h"
+
+#include <algorithm>
+
+#include "api/door/http/field_list.h"
+#include "api/door/http/problem.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+
+namespace slackwater::people {
+namespace {
+
+using api::http::Frame;
+using api::http::Request;
+using api::http::Response;
+using api::http::WebSocket;
+using api::http::Worth;
+using nlohmann::json;
+
+constexpr std::string_view protocol_name = "slackwater.session.v1";
+constexpr std::string_view bearer = "bearer.";
+constexpr Milliseconds tick_ms = 50, hello_ms = 5'000, silent_ms = 90'000, stick_pause_ms = 1'000;
+constexpr Milliseconds stalled_ms = 1'000;
+/// A station that holds a helm and says nothing for so long is taken to be lost: pages say
+/// something each two seconds.
+constexpr Milliseconds unheard_ms = 5'000;
+/// Of what a run as fast as it goes leaves for the session: more than its frames show.
+constexpr auto look_every = std::chrono::milliseconds(10);
+constexpr std::size_t rows_in_welcome = 100;
+
+std::string token_in(const Request& request) {
+  std::string token;
+  api::http::for_each_item(request.protocols, [&](std::string_view name) {
+    if (token.empty() && name.starts_with(bearer)) token = std::string(name.substr(bearer.size()));
+  });
+  return token;
+}
+
+/// A page of this server, or what is no page.
+bool is_of_this_origin(const Request& request) {
+  const std::string& origin = request.origin;
+  return origin.empty() || origin == "http://" + request.host ||
+         origin == "https://" + request.host;
+}
+
+}  // namespace
+
+Session::Session(SessionSettings settings, TokenBook book)
+    : settings_(std::move(settings)),
+      began_(std::chrono::steady_clock::now()),
+      seats_(std::move(book)),
+      record_(settings_.keep),
+      ticker_([this](const std::stop_token& over) { tick_on(over); }) {}
+
+Session::~Session() { end(); }
+
+Milliseconds Session::clock() const {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() -
+                                                               began_)
+      .count();
+}
+
+// --- the run ---
+
+void Session::begin(const api::RunInHand& hand) {
+  look_ = std::make_unique<RunLook>(hand);
+  {
+    const std::lock_guard lock(mutex_);
+    now_ = look_->look();
+    hand_.emplace(hand);
+    desk_ = std::make_unique<RunDesk>(hand);
+    desk_->mind_run(seats_.has(Role::supervises));
+    barrier_at_ = clock();
+    json structures = json::array();
+    const auto& standing = hand.environment->structures;
+    for (std::size_t i = 0; i < standing.size(); ++i)
+      structures.push_back(structure_json(standing[i], i));
+    run_facts_ = {
+        {"session", settings_.id},
+        {"title", settings_.name},
+        {"step_s", hand.run.step_s()},
+        {"start", format_utc(hand.start)},
+        {"origin", {{"lat", hand.origin.latitude_deg()}, {"lon", hand.origin.longitude_deg()}}},
+        {"structures", structures}};
+  }
+  hand.run.at_barrier(
+      [this, &control = hand.control](const twin::StepTime&) { look_at_run(control); });
+}
+
+void Session::look_at_run(const twin::RunControl& control) {
+  const auto now = std::chrono::steady_clock::now();
+  // At the pace of a clock, and by hand, each barrier counts: it may be the last one for long.
+  const bool is_racing = !control.due() && !control.is_paused();
+  if (is_racing && now < looked_at_ + look_every) return;
+  looked_at_ = now;
+  RunNow seen = look_->look();
+  const std::lock_guard lock(look_mutex_);
+  left_ = std::move(seen);
+}
+
+void Session::end() {
+  const std::lock_guard lock(mutex_);
+  if (is_over_) return;
+  is_over_ = true;
+  for (auto& [socket, station] : stations_) end_stick(station);
+  hand_.reset();
+  desk_.reset();
+  tell_run();
+  for (auto& [socket, station] : stations_) turn_out(station, CloseCode::over, "the run is over");
+}
+
+// --- from the stations ---
+
+std::vector<std::string> Session::protocols() const { return {std::string(protocol_name)}; }
+
+std::optional<Response> Session::refusal_of(std::string_view token, const std::string& path) const {
+  const std::lock_guard lock(mutex_);
+  if (is_over_) return api::http::problem(410, "The run of this session is over.", path);
+  if (auto no_seat = seats_.refusal(token, settings_.now()))
+    return api::http::problem(no_seat->status, no_seat->text, path);
+  return std::nullopt;
+}
+
+std::optional<Response> Session::refusal_to_read(std::string_view token,
+                                                 const std::string& path) const {
+  auto refused = refusal_of(token, path);
+  if (refused && refused->status == 409) return std::nullopt;
+  return refused;
+}
+
+json Session::summary() const {
+  const std::lock_guard lock(mutex_);
+  return {{"id", settings_.id},
+          {"name", settings_.name},
+          {"state", run_state()},
+          {"seats", seats_.all().size()}};
+}
+
+std::optional<Response> Session::refusal(const Request& request) const {
+  if (!is_of_this_origin(request))
+    return api::http::problem(403,
+                              "found a page of another origin, expected this server's own; open "
+                              "/session here",
+                              request.path);
+  return refusal_of(token_in(request), request.path);
+}
+
+void Session::opened(const std::shared_ptr<WebSocket>& socket, const Request& request,
+                     const std::string&) {
+  const std::lock_guard lock(mutex_);
+  Station& station = stations_[socket.get()];
+  station.socket = socket;
+  station.token = token_in(request);
+  station.since = station.heard_at = clock();
+  if (is_over_) turn_out(station, CloseCode::over, "the run is over");
+}
+
+void Session::received_text(WebSocket& socket, std::string_view text) {
+  const std::lock_guard lock(mutex_);
+  const auto found = stations_.find(&socket);
+  if (found == stations_.end() || found->second.is_turned_out) return;
+  Station& station = found->second;
+  station.heard_at = clock();
+  if (station.is_unheard) {
+    station.is_unheard = false;
+    if (const Seat* seat = seats_.find(station.seat); desk_ && seat != nullptr)
+      desk_->helms().back(*seat, station.heard_at);
+  }
+  if (!station.all.take(station.heard_at))
+    return turn_out(station, CloseCode::too_many,
+                    "found more than 120 messages a second; send fewer");
+  std::optional<StationSays> says;
+  try {
+    says.emplace(text);
+  } catch (const Error& e) {
+    return turn_out(station, CloseCode::malformed, e.message());
+  }
+  try {
+    heard(station, *says);
+  } catch (const Error& e) {
+    tell(station, {{"is", "answer"},
+                   {"id", says->id()},
+                   {"taken", false},
+                   {"reason", "unreadable"},
+                   {"text", e.message()}});
+  }
+}
+
+void Session::received_bytes(WebSocket& socket, std::span<const std::uint8_t>) {
+  const std::lock_guard lock(mutex_);
+  const auto found = stations_.find(&socket);
+  if (found != stations_.end())
+    turn_out(found->second, CloseCode::malformed,
+             "found a binary message, expected JSON in text messages");
+}
+
+void Session::closed(WebSocket& socket) {
+  const std::lock_guard lock(mutex_);
+  const auto found = stations_.find(&socket);
+  if (found == stations_.end()) return;
+  Station& station = found->second;
+  cut_off(station);
+  stations_.erase(found);
+}
+
+/// Its seat is kept for a while, without it.
+void Session::cut_off(Station& station) {
+  end_stick(station);
+  const unsigned number = std::exchange(station.seat, 0U);
+  if (seats_.find(number) == nullptr) return;
+  seats_.cut_off(number, clock());
+  if (desk_) desk_->helms().cut_off(*seats_.find(number), clock());
+  Said said;
+  said.after = "cut off";
+  record(*seats_.find(number), "cut_off", said);
+}
+
+void Session::heard(Station& station, const StationSays& says) {
+  const std::string& what = says.what();
+  if (what == "hello") return hello(station, says);
+  if (station.seat == 0)
+    return turn_out(station, CloseCode::malformed, "found " + what + " before hello");
+  seats_.confirm(station.seat);
+  if (what == "time") {
+    return tell(station,
+                {{"is", "clock"}, {"at", says.number("at", -1e15, 1e15)}, {"clock", clock()}});
+  }
+  if (what == "saw") {
+    if (!station.flow.saw(static_cast<std::uint32_t>(says.whole("frame", 0, 0xFFFFFFFFLL))))
+      throw Error(ErrorKind::invalid_input, "saw: frame: found one that was never sent");
+    return;
+  }
+  if (what == "say") {
+    if (!station.deeds.take(clock()))
+      return turn_out(station, CloseCode::too_many, "found too many messages; send fewer");
+    const Seat& seat = *seats_.find(station.seat);
+    const std::string text = says.text("text", 200);
+    tell_all({{"is", "said"}, {"seat", seat.number}, {"text", text}});
+    Said said;
+    said.after = text;
+    record(seat, "say", said);
+    return tell(station, {{"is", "answer"}, {"id", says.id()}, {"taken", true}});
+  }
+  if (what == "leave") {
+    const unsigned seat = station.seat;
+    end_stick(station);
+    station.seat = 0;
+    drop_seat(seat, "left");
+    station.is_turned_out = true;
+    return station.socket->close(1000, "you left");
+  }
+  desk_work(station, says);
+}
+
+void Session::hello(Station& station, const StationSays& says) {
+  if (station.seat != 0) throw Error(ErrorKind::invalid_input, "hello: found a second one");
+  const std::string name = says.text_or_empty("name", 100);
+  auto outcome = seats_.take(station.token, name, settings_.now());
+  if (const auto* none = std::get_if<NoSeat>(&outcome))
+    return turn_out(station, CloseCode::token_ended, none->text);
+  station.token.clear();
+  const auto& taken = std::get<Seats::Taken>(outcome);
+  for (auto& [socket, other] : stations_) {
+    if (other.seat != taken.seat) continue;
+    end_stick(other);
+    other.seat = 0;
+    turn_out(other, CloseCode::taken_up_elsewhere, "this seat was taken up at another station");
+  }
+  station.seat = taken.seat;
+  const Seat& seat = *seats_.find(taken.seat);
+  if (desk_) {
+    if (taken.is_back) desk_->helms().back(seat, clock());
+    desk_->mind_run(seats_.has(Role::supervises));
+  }
+  Said said;
+  said.after = taken.is_back ? "back" : "joined";
+  record(seat, said.after == "back" ? "come_back" : "join", said);
+  welcome(station, taken);
+  tell_seats();
+  tell_helms();
+}
+
+void Session::desk_work(Station& station, const StationSays& says) {
+  const Seat seat = *seats_.find(station.seat);
+  const bool is_stick = says.what() == "stick" || says.what() == "thrusters";
+  if (!is_stick && !says.flag("is_trial", false) && !station.deeds.take(clock()))
+    return turn_out(station, CloseCode::too_many, "found too many messages; send fewer");
+  if (!desk_) throw Error(ErrorKind::invalid_input, "the run is not under way");
+  const Said said = desk_->handle(seat, says, seats_, now_, clock());
+  if (is_stick)
+    note_stick(station, says, said);
+  else if (said.is_on_record) {
+    end_stick(station);
+    record(seat, says.what(), said);
+  }
+  json answer{{"is", "answer"}, {"id", says.id()}, {"taken", !said.refused.has_value()}};
+  if (said.refused) {
+    answer["reason"] = twin::name_of(said.refused->reason);
+    answer["text"] = said.refused->text;
+  } else {
+    if (said.step) answer["step"] = *said.step;
+    if (!said.shaped.empty()) answer["shaped"] = said.shaped;
+  }
+  tell(station, answer);
+  if (!is_stick) tell_helms();
+}
+
+// --- the record ---
+
+void Session::record(const Seat& seat, std::string what, const Said& said) {
+  Action row;
+  row.at = settings_.now();
+  row.time_s = now_.time_s;
+  row.step = now_.step;
+  row.seat = seat.number;
+  row.who = seat.name;
+  row.role = name_of(seat.role);
+  row.what = std::move(what);
+  row.vehicle = said.vehicle;
+  row.before = said.before;
+  row.after = said.refused ? said.before : said.after;
+  row.is_taken = !said.refused;
+  if (said.refused) row.why = said.refused->text;
+  json told = action_json(record_.add(std::move(row)));
+  told["is"] = "action";
+  tell_all(told);
+}
+
+void Session::note_stick(Station& station, const StationSays& says, const Said& said) {
+  const Milliseconds now = clock();
+  const auto vehicle = static_cast<std::size_t>(says.whole("vehicle", 0, 0xFFFF));
+  if (station.stick && (station.stick->vehicle != vehicle ||
+                        station.stick->row.is_taken == said.refused.has_value() ||
+                        station.stick->row.what != says.what()))
+    end_stick(station);
+  if (!station.stick) {
+    station.stick.emplace();
+    station.stick->vehicle = vehicle;
+    const Seat& seat = *seats_.find(station.seat);
+    record(seat, says.what(), said);
+    station.stick->row = record_.all().back();
+  }
+  ++station.stick->count;
+  station.stick->last_at = now;
+}
+
+void Session::end_stick(Station& station) {
+  if (!station.stick) return;
+  const StickRow stick = *std::exchange(station.stick, std::nullopt);
+  const Seat* seat = seats_.find(station.seat);
+  if (seat == nullptr || stick.count < 2) return;
+  Said said;
+  said.vehicle = stick.row.vehicle;
+  said.before = stick.row.after;
+  said.after = formatted("{} of them", stick.count);
+  if (!stick.row.is_taken) said.refused = twin::Refusal{{}, stick.row.why};
+  record(*seat, stick.row.what + "_end", said);
+}
+
+std::vector<Action> Session::actions() const {
+  const std::lock_guard lock(mutex_);
+  return record_.all();
+}
+
+// --- to the stations ---
+
+void Session::tell(Station& station, const json& json) {
+  if (station.is_turned_out) return;
+  // What a station must know to be right is never dropped; it is turned out by its silence instead.
+  (void)station.socket->send({true, text_of(json), nullptr, Worth::essential});
+}
+
+void Session::tell_all(const json& json) {
+  const std::string text = text_of(json);
+  for (auto& [socket, station] : stations_) {
+    if (station.seat == 0 || station.is_turned_out) continue;
+    (void)station.socket->send({true, text, nullptr, Worth::essential});
+  }
+}
+
+void Session::turn_out(Station& station, CloseCode code, const std::string& text) {
+  if (station.is_turned_out) return;
+  tell(station, {{"is", "bye"}, {"code", static_cast<int>(code)}, {"text", text}});
+  station.is_turned_out = true;
+  station.socket->close(static_cast<std::uint16_t>(code), text);
+  // A socket may take long to close; what it was to the others ends now.
+  if (!is_over_) cut_off(station);
+}
+
+ShownHelm Session::shown(std::size_t vehicle) const {
+  ShownHelm shown{desk_->helms().now(vehicle), {}, {}, {}};
+  if (vehicle >= now_.vehicles.size()) return shown;
+  const VehicleNow& now = now_.vehicles[vehicle];
+  shown.mode = now.mode;
+  shown.cause = now.cause;
+  if (now.home_at_s)  // on the clock of the session, to the second: it is shown counting down
+    shown.home_at =
+        (barrier_at_ + static_cast<Milliseconds>(1000 * (*now.home_at_s - now_.time_s))) / 1000 *
+        1000;
+  return shown;
+}
+
+std::string Session::run_state() const {
+  if (is_over_ || !hand_) return "over";
+  if (hand_->control.is_paused()) return "paused";
+  return clock() - barrier_at_ > stalled_ms ? "stalled" : "running";
+}
+
+json Session::run_json() const {
+  const std::string state = run_state();
+  json by = nullptr;
+  if (state == "paused" && desk_)
+    by = desk_->paused_by().empty() ? "another door" : desk_->paused_by();
+  return {{"is", "run"}, {"state", state}, {"by", by}};
+}
+
+void Session::welcome(Station& station, const Seats::Taken& taken) {
+  const Seat& seat = *seats_.find(taken.seat);
+  json welcome = run_facts_;
+  welcome["is"] = "welcome";
+  welcome["seat"] = seat.number;
+  welcome["name"] = seat.name;
+  welcome["role"] = name_of(seat.role);
+  welcome["resume"] = taken.resume;
+  welcome["clock"] = clock();
+  welcome["number"] = desk_ ? desk_->last_number(seat.number) : 0;
+  json vehicles = json::array(), helms = json::array(), status = json::array();
+  if (desk_) {
+    const auto agents = desk_->agents();
+    for (std::size_t i = 0; i < agents.size() && i < now_.vehicles.size(); ++i) {
+      vehicles.push_back(vehicle_json(*agents[i], i, now_.vehicles[i]));
+      helms.push_back(helm_json(i, shown(i)));
+      status.push_back(status_json(i, now_.vehicles[i]));
+    }
+  }
+  json seats = json::array();
+  for (const Seat& one : seats_.all()) seats.push_back(seat_json(one));
+  json rows = json::array();
+  const auto& all = record_.all();
+  for (std::size_t i = all.size() > rows_in_welcome ? all.size() - rows_in_welcome : 0;
+       i < all.size(); ++i)
+    rows.push_back(action_json(all[i]));
+  welcome["vehicles"] = vehicles;
+  welcome["helms"] = helms;
+  welcome["status"] = status;
+  welcome["seats"] = seats;
+  welcome["actions"] = rows;
+  welcome["run"] = run_json();
+  tell(station, welcome);
+}
+
+void Session::tell_seats() {
+  json seats = json::array();
+  for (const Seat& one : seats_.all()) seats.push_back(seat_json(one));
+  if (seats == seats_told_) return;
+  seats_told_ = seats;
+  tell_all({{"is", "seats"}, {"seats", seats}});
+}
+
+void Session::tell_helms() {
+  if (!desk_) return;
+  for (std::size_t i = 0; i < desk_->helms().size() && i < now_.vehicles.size(); ++i) {
+    const ShownHelm is = shown(i);
+    if (i < helms_told_.size() && helms_told_[i] == is) continue;
+    if (i >= helms_told_.size()) helms_told_.resize(i + 1);
+    helms_told_[i] = is;
+    tell_all(helm_json(i, is));
+  }
+}
+
+void Session::tell_status(bool is_second) {
+  for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {
+    json status = status_json(i, now_.vehicles[i]);
+    if (i >= status_told_.size()) status_told_.emplace_back();
+    if (!is_second && status_told_[i].is_object()) {
+      status["reserve"] = status_told_[i]["reserve"];
+      status["margin_s"] = status_told_[i]["margin_s"];
+    }
+    if (status == status_told_[i]) continue;
+    status_told_[i] = status;
+    tell_all(status);
+  }
+}
+
+void Session::tell_run() {
+  const json run = run_json();
+  if (run == run_told_) return;
+  run_told_ = run;
+  json told = run;
+  told["time_s"] = now_.time_s;
+  tell_all(told);
+}
+
+void Session::drop_seat(unsigned number, const std::string& why) {
+  const Seat* found = seats_.find(number);
+  if (found == nullptr) return;
+  const Seat seat = *found;
+  for (auto& [socket, station] : stations_) {
+    if (station.seat != number) continue;
+    end_stick(station);
+    station.seat = 0;
+    turn_out(station, CloseCode::token_ended, "your token has ended");
+  }
+  if (desk_) {
+    desk_->helms().gone(seat);
+    desk_->forget(number);
+  }
+  Said said;
+  said.after = why;
+  record(seat, "leave", said);
+  seats_.leave(number);
+  if (desk_) desk_->mind_run(seats_.has(Role::supervises));
+  tell_seats();
+  tell_helms();
+}
+
+// --- twenty times a second ---
+
+void Session::tick_on(const std::stop_token& over) {
+  auto next = std::chrono::steady_clock::now();
+  while (!over.stop_requested()) {
+    next += std::chrono::milliseconds(tick_ms);
+    std::this_thread::sleep_until(next);
+    tick();
+  }
+}
+
+void Session::tick() {
+  const std::lock_guard lock(mutex_);
+  const Milliseconds now = clock();
+  {
+    const std::lock_guard look(look_mutex_);
+    if (left_) {
+      now_ = *std::exchange(left_, std::nullopt);
+      barrier_at_ = now;
+    }
+  }
+  for (auto& [socket, station] : stations_) {
+    if (station.is_turned_out) continue;
+    if (station.seat == 0 && now > station.since + hello_ms)
+      turn_out(station, CloseCode::no_hello, "found no hello within 5 s");
+    else if (now > station.heard_at + silent_ms)
+      turn_out(station, CloseCode::silent, "found nothing from this station for 90 s");
+    else if (!station.is_unheard && now > station.heard_at + unheard_ms) {
+      station.is_unheard = true;
+      if (const Seat* seat = seats_.find(station.seat); desk_ && seat != nullptr)
+        desk_->helms().cut_off(*seat, now);
+    }
+    if (station.stick && now > station.stick->last_at + stick_pause_ms) end_stick(station);
+  }
+  for (const unsigned seat : seats_.over(now, settings_.now()))
+    drop_seat(seat, seats_.find(seat)->is_here ? "token ended" : "did not come back");
+  if (desk_) {
+    const std::size_t known = desk_->helms().size();
+    desk_->open(std::span(now_.agents, now_.vehicles.size()));
+    for (std::size_t i = known; i < desk_->helms().size(); ++i) {
+      json told = vehicle_json(*desk_->agents()[i], i, now_.vehicles[i]);
+      told["is"] = "vehicle";
+      tell_all(told);
+    }
+    for (const HelmChange& change : desk_->helms().look(seats_, now)) {
+      const Seat* seat = seats_.find(change.seat);
+      if (seat == nullptr) continue;
+      Said said;
+      said.vehicle = desk_->helms().name(change.vehicle);
+      said.after = name_of(desk_->helms().now(change.vehicle).state);
+      record(*seat, change.what, said);
+    }
+  }
+  const bool is_second = now >= second_at_ + 1'000;
+  if (is_second) second_at_ = now;
+  tell_seats();
+  tell_helms();
+  tell_status(is_second);
+  tell_run();
+  std::vector<Pose> poses;
+  for (const VehicleNow& vehicle : now_.vehicles) poses.push_back(vehicle.pose);
+  for (auto& [socket, station] : stations_) {
+    if (station.seat == 0 || station.is_turned_out) continue;
+    FrameHead head;
+    head.step = now_.step;
+    head.time_s = now_.time_s;
+    head.clock_ms = static_cast<std::uint64_t>(now);
+    std::string frame = station.flow.next(poses, head);
+    if (!frame.empty())
+      (void)station.socket->send({false, std::move(frame), nullptr, Worth::best_effort});
+    if (!is_second) continue;
+    if (const std::uint32_t left_out = station.flow.take_left_out(); left_out > 0)
+      tell(station, {{"is", "left_out"}, {"frames", left_out}});
+  }
+}
+
+}  // namespace slackwater::people

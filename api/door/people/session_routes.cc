@@ -1,0 +1,71 @@
+#include "api/door/people/session_routes.h"
+
+#include "api/door/http/problem.h"
+#include "api/door/http/trust.h"
+#include "api/door/people/page/assets.h"
+
+namespace slackwater::people {
+namespace {
+
+using api::http::Request;
+using api::http::Response;
+using nlohmann::json;
+
+Response json_response(const json& body) {
+  Response response;
+  response.media_type = "application/json";
+  response.body = text_of(body);
+  return response;
+}
+
+/// Scripts and connections of this server alone, and in nobody's frame.
+Response page_part(const char* media_type, std::string_view body) {
+  Response response;
+  response.media_type = media_type;
+  response.body = std::string(body);
+  response.headers = {
+      {"Content-Security-Policy",
+       "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
+       "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+      {"Referrer-Policy", "no-referrer"}};
+  return response;
+}
+
+std::optional<Response> refused(const Session& session, const Request& request) {
+  return session.refusal_of(api::http::bearer_of(request.authorization), request.path);
+}
+
+}  // namespace
+
+void add_routes(api::http::Router& router, const std::shared_ptr<Session>& session) {
+  const std::string path = "/sessions/" + session->id();
+  router.add("GET", "/session", [](const Request&) {
+    return page_part("text/html; charset=utf-8", session_page_html());
+  });
+  router.add("GET", "/session/page.js", [](const Request&) {
+    return page_part("text/javascript; charset=utf-8", session_page_script());
+  });
+  router.add("GET", "/session/page.css", [](const Request&) {
+    return page_part("text/css; charset=utf-8", session_page_style());
+  });
+  router.add("GET", "/sessions", [session](const Request&) {
+    return json_response({{"sessions", json::array({session->summary()})}});
+  });
+  router.add("GET", path + "/check", [session](const Request& request) {
+    if (auto refusal = refused(*session, request)) return *std::move(refusal);
+    Response response;
+    response.status = 204;
+    return response;
+  });
+  router.add("GET", path + "/actions", [session](const Request& request) {
+    if (auto refusal =
+            session->refusal_to_read(api::http::bearer_of(request.authorization), request.path))
+      return *std::move(refusal);
+    json rows = json::array();
+    for (const Action& action : session->actions()) rows.push_back(action_json(action));
+    return json_response({{"actions", rows}});
+  });
+  router.add("GET", path + "/socket", api::http::websocket_route(session));
+}
+
+}  // namespace slackwater::people

@@ -1,0 +1,130 @@
+#include "api/door/people/told.h"
+
+#include <cmath>
+
+#include "fields/base/text.h"
+#include "twin/agent/conduct.h"
+
+namespace slackwater::people {
+namespace {
+
+using nlohmann::json;
+
+json or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+template <typename Value>
+json or_null(const std::optional<Value>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+json place_json(const twin::Triple<double>& ned_m) {
+  return {{"east_m", ned_m.y}, {"north_m", ned_m.x}, {"up_m", -ned_m.z}};
+}
+
+json seat_or_null(unsigned seat) { return seat == 0 ? json(nullptr) : json(seat); }
+
+}  // namespace
+
+std::string text_of(const json& json) {
+  return json.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+json seat_json(const Seat& seat) {
+  return {{"seat", seat.number},
+          {"name", seat.name},
+          {"role", name_of(seat.role)},
+          {"is_here", seat.is_here},
+          {"kept_until", or_null(seat.kept_until)}};
+}
+
+json vehicle_json(const twin::Agent& agent, std::size_t place, const VehicleNow& now) {
+  const twin::Vehicle& vehicle = *agent.vehicle;
+  const twin::Envelope envelope = agent.conduct ? agent.conduct->plan.envelope : twin::Envelope();
+  json names = json::array();
+  for (std::size_t i = 0; i < vehicle.mounts; ++i) names.push_back(formatted("{}", i + 1));
+  json tether = nullptr;
+  if (agent.tether) {
+    tether = place_json(agent.tether_top_m);
+    tether["length_m"] = agent.tether->longest_m;
+  }
+  return {{"vehicle", place},
+          {"name", agent.name},
+          {"model", vehicle.id},
+          {"kind", twin::name_of(vehicle.kind)},
+          {"length_m", 2 * vehicle.body.radius_m},
+          {"width_m", 2 * vehicle.body.radius_m},
+          {"thrusters", vehicle.mounts},
+          {"thruster_names", names},
+          {"cruise_m_s", vehicle.cruise_speed_m_s},
+          {"most_speed_m_s", envelope.most_speed_m_s > 0 ? json(envelope.most_speed_m_s) : nullptr},
+          {"stand_off_m", envelope.stand_off_m > 0 ? json(envelope.stand_off_m) : nullptr},
+          {"fence_m", or_null(envelope.fence_m)},
+          {"home", place_json(now.home_m)},
+          {"tether", tether}};
+}
+
+json structure_json(const twin::Structure& structure, std::size_t place) {
+  if (const auto* c = std::get_if<twin::Cylinder>(&structure))
+    return {{"name", formatted("structure {}", place + 1)},
+            {"east_m", c->east_m},
+            {"north_m", c->north_m},
+            {"radius_m", c->radius_m},
+            {"bottom_m", -c->bottom_m},
+            {"top_m", -c->top_m}};
+  const auto& box = std::get<twin::Box>(structure);
+  return {{"name", formatted("structure {}", place + 1)},
+          {"east_m", box.centre_m.y},
+          {"north_m", box.centre_m.x},
+          {"radius_m", std::hypot(box.half_size_m.x, box.half_size_m.y)},
+          {"bottom_m", -box.centre_m.z - box.half_size_m.z},
+          {"top_m", -box.centre_m.z + box.half_size_m.z}};
+}
+
+json action_json(const Action& action) {
+  return {{"number", action.number},
+          {"at", format_utc(action.at)},
+          {"time_s", action.time_s},
+          {"step", action.step},
+          {"seat", seat_or_null(action.seat)},
+          {"who", action.who},
+          {"role", action.role},
+          {"what", action.what},
+          {"vehicle", action.vehicle.empty() ? json(nullptr) : json(action.vehicle)},
+          {"before", action.before},
+          {"after", action.after},
+          {"taken", action.is_taken},
+          {"why", action.why}};
+}
+
+json helm_json(std::size_t vehicle, const ShownHelm& shown) {
+  const HelmNow& helm = shown.helm;
+  json holder = nullptr;
+  if (helm.seat != 0) holder = helm.seat;
+  if (helm.seat == 0 && !helm.agent.empty()) holder = helm.agent;
+  return {{"is", "helm"},
+          {"vehicle", vehicle},
+          {"state", name_of(helm.state)},
+          {"holder", holder},
+          {"asker", seat_or_null(helm.asker)},
+          {"until", or_null(helm.until)},
+          {"mode", twin::name_of(shown.mode)},
+          {"cause", twin::name_of(shown.cause)},
+          {"home_at", or_null(shown.home_at)},
+          {"is_raw", helm.is_raw}};
+}
+
+json status_json(std::size_t vehicle, const VehicleNow& now) {
+  json waypoints = json::array();
+  for (const twin::Waypoint& waypoint : now.waypoints)
+    waypoints.push_back(place_json(waypoint.position_m));
+  json alarms = json::array();
+  for (const twin::Alarm& alarm : now.alarms)
+    alarms.push_back({{"mmsi", alarm.id}, {"is_lost", alarm.status == twin::AlarmStatus::lost}});
+  return {
+      {"is", "status"},           {"vehicle", vehicle},       {"doing", now.words.doing},
+      {"cause", now.words.cause}, {"phase", now.words.phase}, {"halt", now.words.halt},
+      {"task", now.words.task},   {"tasks", now.words.tasks}, {"waypoints", waypoints},
+      {"alarms", alarms},         {"reserve", now.advice},    {"margin_s", or_null(now.margin_s)}};
+}
+
+}  // namespace slackwater::people

@@ -1,0 +1,34 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "api/door/people/action.h"
+#include "api/door/people/helms.h"
+#include "api/door/people/vehicle_now.h"
+
+namespace slackwater::people {
+
+// What stations are told in JSON; api/docs/session.md has its table.
+
+[[nodiscard]] nlohmann::json seat_json(const Seat& seat);
+[[nodiscard]] nlohmann::json vehicle_json(const twin::Agent& agent, std::size_t place,
+                                          const VehicleNow& now);
+[[nodiscard]] nlohmann::json structure_json(const twin::Structure& structure, std::size_t place);
+[[nodiscard]] nlohmann::json action_json(const Action& action);
+
+/// A helm as it is shown: the same until something of it changes.
+struct ShownHelm {
+  HelmNow helm;
+  twin::HelmMode mode{};
+  twin::HelmCause cause{};
+  std::optional<Milliseconds> home_at;
+  bool operator==(const ShownHelm&) const = default;
+};
+[[nodiscard]] nlohmann::json helm_json(std::size_t vehicle, const ShownHelm& shown);
+
+/// Whether two statuses differ in what is told at once; the reserve waits for its second.
+[[nodiscard]] nlohmann::json status_json(std::size_t vehicle, const VehicleNow& now);
+
+/// Compact; bytes that are not UTF-8 are replaced.
+[[nodiscard]] std::string text_of(const nlohmann::json& json);
+
+}  // namespace slackwater::people

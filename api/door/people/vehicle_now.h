@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/ask/run/scenario_run.h"
+#include "api/door/live/reserve_advice.h"
+#include "api/door/live/vehicle_publisher.h"
+#include "api/door/people/wire/pose.h"
+
+namespace slackwater::people {
+
+/// What is shown of a vehicle beside its pose, and what a stick is shaped by.
+struct VehicleNow {
+  Pose pose;
+  twin::Measured known;  ///< what it goes by itself
+  twin::Triple<double> home_m;
+  twin::HelmMode mode{};
+  twin::HelmCause cause{};
+  std::optional<double> home_at_s;  ///< of the run: when it goes home, for want of a helm
+  live::MissionWords words;
+  std::vector<twin::Waypoint> waypoints;  ///< left of what it goes by, NED
+  double margin_s = 0;                    ///< of its energy; not a number where none is computed
+  std::string advice;
+  std::vector<twin::Alarm> alarms;
+};
+
+/// All vehicles at a barrier.
+struct RunNow {
+  double time_s = 0;
+  std::uint64_t step = 0;
+  const twin::Agent* agents = nullptr;  ///< as many as there are vehicles; they stay where they are
+  std::vector<VehicleNow> vehicles;
+};
+
+/// Looks at a run at its barriers. On the thread of the run.
+class RunLook {
+ public:
+  explicit RunLook(const api::RunInHand& hand) : hand_(hand) {}
+  [[nodiscard]] RunNow look();
+
+ private:
+  api::RunInHand hand_;
+  std::vector<live::ReserveAdvice> advice_;
+  std::vector<dds::Reserve> reserve_;
+  double reserve_at_s_ = -1;
+};
+
+}  // namespace slackwater::people

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "api/door/people/wire/pose.h"
+
+namespace slackwater::people {
+
+/// When a frame was, and what it left out.
+struct FrameHead {
+  std::uint32_t number = 0;
+  std::uint64_t step = 0;
+  double time_s = 0;
+  std::uint64_t clock_ms = 0;
+  bool is_whole = false;
+  std::uint32_t left_out = 0;
+};
+
+/// The bytes of `session.Frame`.
+[[nodiscard]] std::string encode_frame(const FrameHead& head, std::span<const Pose> poses);
+
+/// The frames of one station: whole at first, then what has changed. A station that has not said
+/// what it saw for a while gets none (`most_ahead`), and the next one has all that changed since.
+class FrameFlow {
+ public:
+  static constexpr std::uint32_t most_ahead = 20;
+
+  /// The next frame; empty: the station does not keep up, or nothing is new for it.
+  [[nodiscard]] std::string next(std::span<const Pose> now, FrameHead head);
+  /// @return whether there is such a frame
+  bool saw(std::uint32_t frame) noexcept;
+  /// Frames that were left out since it was asked last.
+  [[nodiscard]] std::uint32_t take_left_out() noexcept;
+
+ private:
+  std::vector<Pose> sent_;
+  std::uint32_t number_ = 0, seen_ = 0;
+  std::uint32_t left_out_ = 0;  ///< since the last frame
+  std::uint32_t untold_ = 0;
+  std::uint64_t sent_ms_ = 0;
+};
+
+}  // namespace slackwater::people

@@ -1,0 +1,15 @@
+# What flatc makes of session.fbs: the frames as C++ reads and writes them. The page has its own of
+# the same file (page/assets.cmake).
+find_program(FLATC flatc REQUIRED)
+
+function(slackwater_session_schema target)
+  set(made ${PROJECT_BINARY_DIR}/generated/session)
+  set(schema ${PROJECT_SOURCE_DIR}/api/door/people/wire/session.fbs)
+  add_custom_command(
+    OUTPUT ${made}/session_generated.h
+    COMMAND ${FLATC} --cpp --scoped-enums -o ${made} ${schema}
+    DEPENDS ${schema}
+    COMMENT "Making the frames of a session"
+    VERBATIM)
+  target_sources(${target} PRIVATE ${made}/session_generated.h)
+endfunction()
