@@ -10,7 +10,6 @@
 namespace slackwater::people {
 namespace {
 
-using api::http::Frame;
 using api::http::Request;
 using api::http::Response;
 using api::http::WebSocket;
@@ -20,13 +19,11 @@ using nlohmann::json;
 constexpr std::string_view protocol_name = "slackwater.session.v1";
 constexpr std::string_view bearer = "bearer.";
 constexpr Milliseconds tick_ms = 50, hello_ms = 5'000, silent_ms = 90'000, stick_pause_ms = 1'000;
-constexpr Milliseconds stalled_ms = 1'000;
 /// A station that holds a helm and says nothing for so long is taken to be lost: pages say
 /// something each two seconds.
 constexpr Milliseconds unheard_ms = 5'000;
 /// Of what a run as fast as it goes leaves for the session: more than its frames show.
 constexpr auto look_every = std::chrono::milliseconds(10);
-constexpr std::size_t rows_in_welcome = 100;
 
 std::string token_in(const Request& request) {
   std::string token;
@@ -305,79 +302,6 @@ void Session::desk_work(Station& station, const StationSays& says) {
   if (!is_stick) tell_helms();
 }
 
-// --- the record ---
-
-void Session::record(const Seat& seat, std::string what, const Said& said) {
-  Action row;
-  row.at = settings_.now();
-  row.time_s = now_.time_s;
-  row.step = now_.step;
-  row.seat = seat.number;
-  row.who = seat.name;
-  row.role = name_of(seat.role);
-  row.what = std::move(what);
-  row.vehicle = said.vehicle;
-  row.before = said.before;
-  row.after = said.refused ? said.before : said.after;
-  row.is_taken = !said.refused;
-  if (said.refused) row.why = said.refused->text;
-  json told = action_json(record_.add(std::move(row)));
-  told["is"] = "action";
-  tell_all(told);
-}
-
-void Session::note_stick(Station& station, const StationSays& says, const Said& said) {
-  const Milliseconds now = clock();
-  const auto vehicle = static_cast<std::size_t>(says.whole("vehicle", 0, 0xFFFF));
-  if (station.stick && (station.stick->vehicle != vehicle ||
-                        station.stick->row.is_taken == said.refused.has_value() ||
-                        station.stick->row.what != says.what()))
-    end_stick(station);
-  if (!station.stick) {
-    station.stick.emplace();
-    station.stick->vehicle = vehicle;
-    const Seat& seat = *seats_.find(station.seat);
-    record(seat, says.what(), said);
-    station.stick->row = record_.all().back();
-  }
-  ++station.stick->count;
-  station.stick->last_at = now;
-}
-
-void Session::end_stick(Station& station) {
-  if (!station.stick) return;
-  const StickRow stick = *std::exchange(station.stick, std::nullopt);
-  const Seat* seat = seats_.find(station.seat);
-  if (seat == nullptr || stick.count < 2) return;
-  Said said;
-  said.vehicle = stick.row.vehicle;
-  said.before = stick.row.after;
-  said.after = formatted("{} of them", stick.count);
-  if (!stick.row.is_taken) said.refused = twin::Refusal{{}, stick.row.why};
-  record(*seat, stick.row.what + "_end", said);
-}
-
-std::vector<Action> Session::actions() const {
-  const std::lock_guard lock(mutex_);
-  return record_.all();
-}
-
-// --- to the stations ---
-
-void Session::tell(Station& station, const json& json) {
-  if (station.is_turned_out) return;
-  // What a station must know to be right is never dropped; it is turned out by its silence instead.
-  (void)station.socket->send({true, text_of(json), nullptr, Worth::essential});
-}
-
-void Session::tell_all(const json& json) {
-  const std::string text = text_of(json);
-  for (auto& [socket, station] : stations_) {
-    if (station.seat == 0 || station.is_turned_out) continue;
-    (void)station.socket->send({true, text, nullptr, Worth::essential});
-  }
-}
-
 void Session::turn_out(Station& station, CloseCode code, const std::string& text) {
   if (station.is_turned_out) return;
   tell(station, {{"is", "bye"}, {"code", static_cast<int>(code)}, {"text", text}});
@@ -385,110 +309,6 @@ void Session::turn_out(Station& station, CloseCode code, const std::string& text
   station.socket->close(static_cast<std::uint16_t>(code), text);
   // A socket may take long to close; what it was to the others ends now.
   if (!is_over_) cut_off(station);
-}
-
-ShownHelm Session::shown(std::size_t vehicle) const {
-  ShownHelm shown{desk_->helms().now(vehicle), {}, {}, {}};
-  if (vehicle >= now_.vehicles.size()) return shown;
-  const VehicleNow& now = now_.vehicles[vehicle];
-  shown.mode = now.mode;
-  shown.cause = now.cause;
-  if (now.home_at_s)  // on the clock of the session, to the second: it is shown counting down
-    shown.home_at =
-        (barrier_at_ + static_cast<Milliseconds>(1000 * (*now.home_at_s - now_.time_s))) / 1000 *
-        1000;
-  return shown;
-}
-
-std::string Session::run_state() const {
-  if (is_over_ || !hand_) return "over";
-  if (hand_->control.is_paused()) return "paused";
-  return clock() - barrier_at_ > stalled_ms ? "stalled" : "running";
-}
-
-json Session::run_json() const {
-  const std::string state = run_state();
-  json by = nullptr;
-  if (state == "paused" && desk_)
-    by = desk_->paused_by().empty() ? "another door" : desk_->paused_by();
-  return {{"is", "run"}, {"state", state}, {"by", by}};
-}
-
-void Session::welcome(Station& station, const Seats::Taken& taken) {
-  const Seat& seat = *seats_.find(taken.seat);
-  json welcome = run_facts_;
-  welcome["is"] = "welcome";
-  welcome["seat"] = seat.number;
-  welcome["name"] = seat.name;
-  welcome["role"] = name_of(seat.role);
-  welcome["resume"] = taken.resume;
-  welcome["clock"] = clock();
-  welcome["number"] = desk_ ? desk_->last_number(seat.number) : 0;
-  json vehicles = json::array(), helms = json::array(), status = json::array();
-  if (desk_) {
-    const auto agents = desk_->agents();
-    for (std::size_t i = 0; i < agents.size() && i < now_.vehicles.size(); ++i) {
-      vehicles.push_back(vehicle_json(*agents[i], i, now_.vehicles[i]));
-      helms.push_back(helm_json(i, shown(i)));
-      status.push_back(status_json(i, now_.vehicles[i]));
-    }
-  }
-  json seats = json::array();
-  for (const Seat& one : seats_.all()) seats.push_back(seat_json(one));
-  json rows = json::array();
-  const auto& all = record_.all();
-  for (std::size_t i = all.size() > rows_in_welcome ? all.size() - rows_in_welcome : 0;
-       i < all.size(); ++i)
-    rows.push_back(action_json(all[i]));
-  welcome["vehicles"] = vehicles;
-  welcome["helms"] = helms;
-  welcome["status"] = status;
-  welcome["seats"] = seats;
-  welcome["actions"] = rows;
-  welcome["run"] = run_json();
-  tell(station, welcome);
-}
-
-void Session::tell_seats() {
-  json seats = json::array();
-  for (const Seat& one : seats_.all()) seats.push_back(seat_json(one));
-  if (seats == seats_told_) return;
-  seats_told_ = seats;
-  tell_all({{"is", "seats"}, {"seats", seats}});
-}
-
-void Session::tell_helms() {
-  if (!desk_) return;
-  for (std::size_t i = 0; i < desk_->helms().size() && i < now_.vehicles.size(); ++i) {
-    const ShownHelm is = shown(i);
-    if (i < helms_told_.size() && helms_told_[i] == is) continue;
-    if (i >= helms_told_.size()) helms_told_.resize(i + 1);
-    helms_told_[i] = is;
-    tell_all(helm_json(i, is));
-  }
-}
-
-void Session::tell_status(bool is_second) {
-  for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {
-    json status = status_json(i, now_.vehicles[i]);
-    if (i >= status_told_.size()) status_told_.emplace_back();
-    if (!is_second && status_told_[i].is_object()) {
-      status["reserve"] = status_told_[i]["reserve"];
-      status["margin_s"] = status_told_[i]["margin_s"];
-    }
-    if (status == status_told_[i]) continue;
-    status_told_[i] = status;
-    tell_all(status);
-  }
-}
-
-void Session::tell_run() {
-  const json run = run_json();
-  if (run == run_told_) return;
-  run_told_ = run;
-  json told = run;
-  told["time_s"] = now_.time_s;
-  tell_all(told);
 }
 
 void Session::drop_seat(unsigned number, const std::string& why) {

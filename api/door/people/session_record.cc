@@ -1,0 +1,64 @@
+#include "api/door/people/session.h"
+
+#include "fields/base/text.h"
+
+// What the record of a session keeps. With the lock held, but for `actions`.
+
+namespace slackwater::people {
+
+void Session::record(const Seat& seat, std::string what, const Said& said) {
+  Action row;
+  row.at = settings_.now();
+  row.time_s = now_.time_s;
+  row.step = now_.step;
+  row.seat = seat.number;
+  row.who = seat.name;
+  row.role = name_of(seat.role);
+  row.what = std::move(what);
+  row.vehicle = said.vehicle;
+  row.before = said.before;
+  row.after = said.refused ? said.before : said.after;
+  row.is_taken = !said.refused;
+  if (said.refused) row.why = said.refused->text;
+  nlohmann::json told = action_json(record_.add(std::move(row)));
+  told["is"] = "action";
+  tell_all(told);
+}
+
+void Session::note_stick(Station& station, const StationSays& says, const Said& said) {
+  const Milliseconds now = clock();
+  const auto vehicle = static_cast<std::size_t>(says.whole("vehicle", 0, 0xFFFF));
+  if (station.stick && (station.stick->vehicle != vehicle ||
+                        station.stick->row.is_taken == said.refused.has_value() ||
+                        station.stick->row.what != says.what()))
+    end_stick(station);
+  if (!station.stick) {
+    station.stick.emplace();
+    station.stick->vehicle = vehicle;
+    const Seat& seat = *seats_.find(station.seat);
+    record(seat, says.what(), said);
+    station.stick->row = record_.all().back();
+  }
+  ++station.stick->count;
+  station.stick->last_at = now;
+}
+
+void Session::end_stick(Station& station) {
+  if (!station.stick) return;
+  const StickRow stick = *std::exchange(station.stick, std::nullopt);
+  const Seat* seat = seats_.find(station.seat);
+  if (seat == nullptr || stick.count < 2) return;
+  Said said;
+  said.vehicle = stick.row.vehicle;
+  said.before = stick.row.after;
+  said.after = formatted("{} of them", stick.count);
+  if (!stick.row.is_taken) said.refused = twin::Refusal{{}, stick.row.why};
+  record(*seat, stick.row.what + "_end", said);
+}
+
+std::vector<Action> Session::actions() const {
+  const std::lock_guard lock(mutex_);
+  return record_.all();
+}
+
+}  // namespace slackwater::people

@@ -1,0 +1,134 @@
+#include "api/door/people/session.h"
+
+// What the stations of a session are told. With the lock held.
+
+namespace slackwater::people {
+namespace {
+
+using api::http::Worth;
+using nlohmann::json;
+
+constexpr Milliseconds stalled_ms = 1'000;
+constexpr std::size_t rows_in_welcome = 100;
+
+}  // namespace
+
+void Session::tell(Station& station, const json& json) {
+  if (station.is_turned_out) return;
+  // What a station must know to be right is never dropped; it is turned out by its silence instead.
+  (void)station.socket->send({true, text_of(json), nullptr, Worth::essential});
+}
+
+void Session::tell_all(const json& json) {
+  const std::string text = text_of(json);
+  for (auto& [socket, station] : stations_) {
+    if (station.seat == 0 || station.is_turned_out) continue;
+    (void)station.socket->send({true, text, nullptr, Worth::essential});
+  }
+}
+
+ShownHelm Session::shown(std::size_t vehicle) const {
+  ShownHelm shown{desk_->helms().now(vehicle), {}, {}, {}};
+  if (vehicle >= now_.vehicles.size()) return shown;
+  const VehicleNow& now = now_.vehicles[vehicle];
+  shown.mode = now.mode;
+  shown.cause = now.cause;
+  if (now.home_at_s)  // on the clock of the session, to the second: it is shown counting down
+    shown.home_at =
+        (barrier_at_ + static_cast<Milliseconds>(1000 * (*now.home_at_s - now_.time_s))) / 1000 *
+        1000;
+  return shown;
+}
+
+std::string Session::run_state() const {
+  if (is_over_ || !hand_) return "over";
+  if (hand_->control.is_paused()) return "paused";
+  return clock() - barrier_at_ > stalled_ms ? "stalled" : "running";
+}
+
+json Session::run_json() const {
+  const std::string state = run_state();
+  json by = nullptr;
+  if (state == "paused" && desk_)
+    by = desk_->paused_by().empty() ? "another door" : desk_->paused_by();
+  return {{"is", "run"}, {"state", state}, {"by", by}};
+}
+
+void Session::welcome(Station& station, const Seats::Taken& taken) {
+  const Seat& seat = *seats_.find(taken.seat);
+  json welcome = run_facts_;
+  welcome["is"] = "welcome";
+  welcome["seat"] = seat.number;
+  welcome["name"] = seat.name;
+  welcome["role"] = name_of(seat.role);
+  welcome["resume"] = taken.resume;
+  welcome["clock"] = clock();
+  welcome["number"] = desk_ ? desk_->last_number(seat.number) : 0;
+  json vehicles = json::array(), helms = json::array(), status = json::array();
+  if (desk_) {
+    const auto agents = desk_->agents();
+    for (std::size_t i = 0; i < agents.size() && i < now_.vehicles.size(); ++i) {
+      vehicles.push_back(vehicle_json(*agents[i], i, now_.vehicles[i]));
+      helms.push_back(helm_json(i, shown(i)));
+      status.push_back(status_json(i, now_.vehicles[i]));
+    }
+  }
+  json seats = json::array();
+  for (const Seat& one : seats_.all()) seats.push_back(seat_json(one));
+  json rows = json::array();
+  const auto& all = record_.all();
+  for (std::size_t i = all.size() > rows_in_welcome ? all.size() - rows_in_welcome : 0;
+       i < all.size(); ++i)
+    rows.push_back(action_json(all[i]));
+  welcome["vehicles"] = vehicles;
+  welcome["helms"] = helms;
+  welcome["status"] = status;
+  welcome["seats"] = seats;
+  welcome["actions"] = rows;
+  welcome["run"] = run_json();
+  tell(station, welcome);
+}
+
+void Session::tell_seats() {
+  json seats = json::array();
+  for (const Seat& one : seats_.all()) seats.push_back(seat_json(one));
+  if (seats == seats_told_) return;
+  seats_told_ = seats;
+  tell_all({{"is", "seats"}, {"seats", seats}});
+}
+
+void Session::tell_helms() {
+  if (!desk_) return;
+  for (std::size_t i = 0; i < desk_->helms().size() && i < now_.vehicles.size(); ++i) {
+    const ShownHelm is = shown(i);
+    if (i < helms_told_.size() && helms_told_[i] == is) continue;
+    if (i >= helms_told_.size()) helms_told_.resize(i + 1);
+    helms_told_[i] = is;
+    tell_all(helm_json(i, is));
+  }
+}
+
+void Session::tell_status(bool is_second) {
+  for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {
+    json status = status_json(i, now_.vehicles[i]);
+    if (i >= status_told_.size()) status_told_.emplace_back();
+    if (!is_second && status_told_[i].is_object()) {
+      status["reserve"] = status_told_[i]["reserve"];
+      status["margin_s"] = status_told_[i]["margin_s"];
+    }
+    if (status == status_told_[i]) continue;
+    status_told_[i] = status;
+    tell_all(status);
+  }
+}
+
+void Session::tell_run() {
+  const json run = run_json();
+  if (run == run_told_) return;
+  run_told_ = run;
+  json told = run;
+  told["time_s"] = now_.time_s;
+  tell_all(told);
+}
+
+}  // namespace slackwater::people
