@@ -110,8 +110,10 @@ void a_full_session(BenchReport& report) {
     SessionUnderWay run(fleet(20, 0.01), watched.choice());
     std::atomic<bool> over = false;
     std::vector<std::unique_ptr<Spectator>> spectators;
+    spectators.reserve(20);
     for (int i = 0; i < 20; ++i) spectators.push_back(std::make_unique<Spectator>(run, over));
     std::vector<std::unique_ptr<Operator>> operators;
+    operators.reserve(3);
     for (int i = 0; i < 3; ++i) operators.push_back(std::make_unique<Operator>(run, i, over));
     std::this_thread::sleep_for(std::chrono::duration<double>(length_s));
     over = true;

@@ -77,7 +77,8 @@ std::string StationSays::text(std::string_view key, std::size_t most) const {
 
 std::string StationSays::text_or_empty(std::string_view key, std::size_t most) const {
   const auto value = json_.find(key);
-  if (value == json_.end() || *value == "") return {};
+  if (value == json_.end()) return {};
+  if (value->is_string() && value->get_ref<const std::string&>().empty()) return {};
   return text(key, most);
 }
 

@@ -38,7 +38,7 @@ FrameHead at(std::uint64_t clock_ms) {
   return head;
 }
 
-TEST(Frames, CarryEachNumberOfAPose) {
+TEST(SessionFrames, CarryEachNumberOfAPose) {
   Pose pose{1, 2, -3, 0.1F, 0.2F, 0.3F, 4, 5, 6, 7, 8, 9, 0.75F, 12, true};
   const std::string bytes =
       people::encode_frame({3, 1ULL << 40U, 12.5, 1ULL << 41U, true, 7}, {&pose, 1});
@@ -68,7 +68,7 @@ TEST(Frames, CarryEachNumberOfAPose) {
   for (int i = 0; i < 13; ++i) EXPECT_EQ(got[i], want[i]) << i;
 }
 
-TEST(Frames, AreWholeAtFirstThenWhatHasChanged) {
+TEST(SessionFrames, AreWholeAtFirstThenWhatHasChanged) {
   FrameFlow flow;
   std::vector<Pose> now = poses(20);
   EXPECT_TRUE(read(flow.next(now, at(0)))->is_whole());
@@ -86,7 +86,7 @@ TEST(Frames, AreWholeAtFirstThenWhatHasChanged) {
 }
 
 // A station that does not keep up has all that changed in the next frame, and knows what it missed.
-TEST(Frames, WaitForWhoDoesNotKeepUpAndLoseNothing) {
+TEST(SessionFrames, WaitForWhoDoesNotKeepUpAndLoseNothing) {
   FrameFlow flow;
   std::vector<Pose> now = poses(2);
   std::uint64_t clock = 0;
@@ -109,13 +109,13 @@ TEST(Frames, WaitForWhoDoesNotKeepUpAndLoseNothing) {
 }
 
 // 20 kB/s for two vehicles is what a station may be sent.
-TEST(Frames, OfTwoVehiclesAreSmall) {
+TEST(SessionFrames, OfTwoVehiclesAreSmall) {
   FrameFlow flow;
   std::vector<Pose> now = poses(2);
   std::size_t bytes = 0;
   for (std::uint32_t i = 1; i <= 20; ++i) {
     for (Pose& pose : now) pose.east_m += 0.1F;
-    bytes += flow.next(now, at(50 * i)).size();
+    bytes += flow.next(now, at(std::uint64_t{50} * i)).size();
     (void)flow.saw(i);
   }
   EXPECT_LT(bytes, 5'000U);
