@@ -98,8 +98,8 @@ void Session::look_at_run(const twin::RunControl& control) {
 void Session::end() {
   const std::lock_guard lock(mutex_);
   if (is_over_) return;
-  is_over_ = true;
   for (auto& [socket, station] : stations_) end_stick(station);
+  is_over_ = true;
   hand_.reset();
   desk_.reset();
   tell_run();

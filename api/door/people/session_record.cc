@@ -6,7 +6,9 @@
 
 namespace slackwater::people {
 
+/// Of a run that is over nothing more is told: its log is written.
 void Session::record(const Seat& seat, std::string what, const Said& said) {
+  if (is_over_) return;
   Action row;
   row.at = settings_.now();
   row.time_s = now_.time_s;

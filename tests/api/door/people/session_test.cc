@@ -196,7 +196,7 @@ TEST_F(Session, ManyComeAndGoAndLeaveNoSeat) {
 TEST_F(Session, NothingThatWasQueuedRunsLate) {
   expect_taken(ann.asks(ask(0)));
   const json late = ann.command("stick", 0, {{"velocity", {0.3, 0, 0, 0}}});
-  ann.listen(600ms);
+  ann.listen(1'100ms);
   expect_refused(ann.asks(late), "stale", "not carried out");
   json far = ann.command("stick", 0, {{"velocity", {0.3, 0, 0, 0}}});
   far["until"] = ann.clock() + 60'000;

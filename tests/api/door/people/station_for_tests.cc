@@ -151,7 +151,8 @@ json StationClient::command(const std::string& what, int vehicle, json with) {
   with["do"] = what;
   with["vehicle"] = vehicle;
   with["number"] = number();
-  with["until"] = clock() + 400;
+  // As long as it may be: a test is not about a machine that stands still for a moment.
+  with["until"] = clock() + (what == "stick" || what == "thrusters" ? 900 : 4'500);
   return with;
 }
 
