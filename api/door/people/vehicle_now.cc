@@ -14,17 +14,35 @@ constexpr double reserve_every_s = 1;
 
 float narrow(double value) { return static_cast<float>(value); }
 
+bool flies(const twin::Agent& agent) { return agent.vehicle->kind == twin::VehicleKind::uav; }
+
+/// Of the water where it is, without waves; of the air for what flies. NED.
+twin::Triple<double> stream_at(const twin::Agent& agent, const twin::AgentState& state,
+                               double t_s) {
+  if (flies(agent)) return state.wind_m_s;
+  const twin::Triple<double>& at_m = state.vehicle.body.position_m;
+  const twin::Triple<double> wet_m{at_m.x, at_m.y, std::max(at_m.z, 0.0)};
+  return agent.water->current(wet_m, agent.vehicle->body.height_m, t_s).current_m_s;
+}
+
+/// What carries it beside what a stick asks for: one that flies is asked over ground, all else
+/// through the water. Who steers by instruments knows the current by these alone.
+twin::Measured known_with_stream(const twin::Agent& agent, const twin::AgentState& state,
+                                 const twin::Triple<double>& stream_m_s) {
+  twin::Measured known = twin::known_of(agent, state);
+  if (flies(agent))
+    known.water_m_s = {};
+  else if (!agent.navigation || !agent.navigation->steers)
+    known.water_m_s = stream_m_s;
+  return known;
+}
+
 Pose pose_of(const twin::Agent& agent, const twin::AgentState& state, std::size_t place,
-             double t_s) {
+             const twin::Triple<double>& stream_m_s) {
   const twin::Triple<double>& at_m = state.vehicle.body.position_m;
   const twin::EulerAngles turned = twin::euler_angles(state.vehicle.body.attitude);
   const auto over_ground =
       twin::rotation_of(state.vehicle.body.attitude).to_ned(state.vehicle.body.nu.linear);
-  const bool flies = agent.vehicle->kind == twin::VehicleKind::uav;
-  const twin::Triple<double> wet_m{at_m.x, at_m.y, std::max(at_m.z, 0.0)};
-  const twin::Triple<double> stream =
-      flies ? state.wind_m_s
-            : agent.water->current(wet_m, agent.vehicle->body.height_m, t_s).current_m_s;
   const BedSample bed = agent.water->bed(at_m);
   Pose pose;
   pose.east_m = narrow(at_m.y);
@@ -36,8 +54,8 @@ Pose pose_of(const twin::Agent& agent, const twin::AgentState& state, std::size_
   pose.east_m_s = narrow(over_ground.y);
   pose.north_m_s = narrow(over_ground.x);
   pose.up_m_s = narrow(-over_ground.z);
-  pose.current_east_m_s = narrow(stream.y);
-  pose.current_north_m_s = narrow(stream.x);
+  pose.current_east_m_s = narrow(stream_m_s.y);
+  pose.current_north_m_s = narrow(stream_m_s.x);
   pose.bed_m = bed.status == SampleStatus::ok ? narrow(bed.water_depth_m - at_m.z) : std::nanf("");
   pose.charge = agent.vehicle->battery ? narrow(state.vehicle.battery.charge) : std::nanf("");
   pose.vehicle = static_cast<std::uint16_t>(place);
@@ -75,8 +93,9 @@ RunNow RunLook::look() {
     const twin::Agent& agent = agents[i];
     const twin::AgentState& state = states[i];
     VehicleNow& vehicle = now.vehicles[i];
-    vehicle.pose = pose_of(agent, state, i, now.time_s);
-    vehicle.known = twin::known_of(agent, state);
+    const twin::Triple<double> stream_m_s = stream_at(agent, state, now.time_s);
+    vehicle.pose = pose_of(agent, state, i, stream_m_s);
+    vehicle.known = known_with_stream(agent, state, stream_m_s);
     vehicle.home_m = agent.carrier   ? state.conduct.boarding_m
                      : agent.conduct ? agent.conduct->home_m
                                      : state.helm.start_m;

@@ -14,7 +14,7 @@ namespace slackwater::people {
 /// What is shown of a vehicle beside its pose, and what a stick is shaped by.
 struct VehicleNow {
   Pose pose;
-  twin::Measured known;  ///< what it goes by itself
+  twin::Measured known;  ///< what it goes by itself, with what carries it
   twin::Triple<double> home_m;
   twin::HelmMode mode{};
   twin::HelmCause cause{};
