@@ -17,8 +17,6 @@ Refusal unauthorised(std::string text) { return {RefusalReason::unauthorised, st
 /// tell every station of a new end with each command.
 Milliseconds shown(Milliseconds lease_until) { return lease_until / 5'000 * 5'000; }
 
-double seconds(Milliseconds ms) { return static_cast<double>(ms) / 1000; }
-
 }  // namespace
 
 std::string_view name_of(HelmState state) noexcept {

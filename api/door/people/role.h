@@ -16,5 +16,8 @@ enum class Role : std::uint8_t {
 
 /// Milliseconds of a session's clock, which never goes back.
 using Milliseconds = std::int64_t;
+[[nodiscard]] constexpr double seconds(Milliseconds ms) noexcept {
+  return static_cast<double>(ms) / 1000;
+}
 
 }  // namespace slackwater::people

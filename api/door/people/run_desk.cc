@@ -78,19 +78,19 @@ const RunDesk::Deed* RunDesk::deed_of(std::string_view what) noexcept {
   return found == deeds().end() ? nullptr : &*found;
 }
 
-bool RunDesk::knows(std::string_view what) noexcept { return deed_of(what) != nullptr; }
-
-Said RunDesk::handle(const Seat& seat, const StationSays& says, const Seats& seats,
-                     const RunNow& run, Milliseconds now) {
-  const Deed* deed = deed_of(says.what());
+Said RunDesk::handle(const Asked& asked) {
+  const std::string& what = asked.says.what();
+  const Deed* deed = deed_of(what);
   if (deed == nullptr)
     return refused(RefusalReason::unreadable,
-                   formatted("found \"{}\", which this session does not know", says.what()));
-  if (seat.role < deed->least)
+                   formatted("found \"{}\", which this session does not know; its words are in "
+                             "api/docs/session.md",
+                             what));
+  if (asked.seat.role < deed->least)
     return refused(RefusalReason::unauthorised,
-                   formatted("{} needs the role of {}, and yours is {}", says.what(),
-                             name_of(deed->least), name_of(seat.role)));
-  return (this->*deed->act)(seat, says, seats, run, now);
+                   formatted("{} needs the role of {}, and yours is {}", what, name_of(deed->least),
+                             name_of(asked.seat.role)));
+  return (this->*deed->act)(asked);
 }
 
 void RunDesk::mind_run(bool has_supervisor) {
@@ -104,14 +104,15 @@ void RunDesk::mind_run(bool has_supervisor) {
 }
 
 std::int64_t RunDesk::last_number(unsigned seat) const {
-  const auto found = numbers_.find(seat);
-  return found == numbers_.end() ? 0 : found->second;
+  const auto found = counts_.find(seat);
+  return found == counts_.end() ? 0 : found->second.number;
 }
 
-RunDesk::About RunDesk::about(const StationSays& says, const RunNow& run) const {
-  const auto most = static_cast<std::int64_t>(std::min(agents_.size(), run.vehicles.size())) - 1;
-  const auto place = static_cast<std::size_t>(says.whole("vehicle", 0, most));
-  return {place, agents_[place], &run.vehicles[place]};
+RunDesk::About RunDesk::about(const Asked& asked) const {
+  const std::vector<VehicleNow>& vehicles = asked.run.vehicles;
+  const auto most = static_cast<std::int64_t>(std::min(agents_.size(), vehicles.size())) - 1;
+  const auto place = static_cast<std::size_t>(asked.says.whole("vehicle", 0, most));
+  return {place, agents_[place], &vehicles[place]};
 }
 
 Said RunDesk::begun(const About& about) const {
@@ -121,175 +122,147 @@ Said RunDesk::begun(const About& about) const {
   return said;
 }
 
-std::optional<Refusal> RunDesk::stale(const Seat& seat, const StationSays& says, Milliseconds now,
-                                      Milliseconds most_ahead) {
-  const std::int64_t number = says.whole("number", 1, most_number);
-  const std::int64_t until = says.whole("until", -most_number, most_number);
-  std::int64_t& last = numbers_[seat.number];
+std::optional<Refusal> RunDesk::stale(const Asked& asked, Milliseconds most_ahead) {
+  const std::int64_t number = asked.says.whole("number", 1, most_number);
+  const std::int64_t until = asked.says.whole("until", -most_number, most_number);
+  std::int64_t& last = counts_[asked.seat.number].number;
   if (number <= last)
     return Refusal{RefusalReason::stale,
                    formatted("found command {} after {}; count on from the number in `welcome`",
                              number, last)};
   last = number;
-  if (now > until)
+  if (asked.now > until)
     return Refusal{RefusalReason::stale,
                    formatted("found a command that was valid until {:.1f} s ago; it is not carried "
                              "out; check the link, and send a new one",
-                             static_cast<double>(now - until) / 1000)};
-  if (until > now + most_ahead)
-    return Refusal{
-        RefusalReason::stale,
-        formatted("found a command that is valid for {:.1f} s, expected at most {:.1f} "
-                  "s; set the station's clock by `time`",
-                  static_cast<double>(until - now) / 1000, static_cast<double>(most_ahead) / 1000)};
+                             seconds(asked.now - until))};
+  if (until > asked.now + most_ahead)
+    return Refusal{RefusalReason::stale,
+                   formatted("found a command that is valid for {:.1f} s, expected at most {:.1f} "
+                             "s; set the station's clock by `time`",
+                             seconds(until - asked.now), seconds(most_ahead))};
   return std::nullopt;
 }
 
-std::optional<Refusal> RunDesk::no_helm(const Seat& seat, std::size_t vehicle) const {
-  if (helms_.holds(seat, vehicle)) return std::nullopt;
+std::optional<Refusal> RunDesk::no_helm(const Asked& asked, std::size_t vehicle) const {
+  if (helms_.holds(asked.seat, vehicle)) return std::nullopt;
   const HelmNow& helm = helms_.now(vehicle);
-  const std::string whose = helm.seat != 0       ? formatted("seat {} has the helm", helm.seat)
-                            : helm.agent.empty() ? "nobody has the helm"
-                                                 : helm.agent + " has the helm";
+  const Seat* holder = asked.seats.find(helm.seat);
+  const std::string whose = holder != nullptr ? formatted("{} in seat {}", holder->name, helm.seat)
+                            : helm.agent.empty() ? "nobody"
+                                                 : helm.agent;
   return Refusal{RefusalReason::unauthorised,
-                 formatted("{} of {}; ask for it first", whose, helms_.name(vehicle))};
+                 formatted("{} has the helm of {}; ask for it first", whose, helms_.name(vehicle))};
 }
 
-void RunDesk::submit(const Seat& seat, std::size_t vehicle, twin::CommandWhat what,
-                     const RunNow& run, Milliseconds now, Said& said) {
-  const std::string client = client_of(seat);
+void RunDesk::submit(const Asked& asked, std::size_t vehicle, twin::CommandWhat what, Said& said) {
+  const std::string client = client_of(asked.seat);
   twin::Command command;
   command.agent = vehicle;
   command.what = std::move(what);
   command.source = client;
-  command.sequence = ++sequences_[client];
+  command.sequence = ++counts_[asked.seat.number].sequence;
   command.received_s = hand_.arbiter.time_s();
   said.after = std::string(twin::name_of(command.what));
   said.refused = hand_.arbiter.submit(client, std::move(command), hand_.arbiter.time_s());
   if (said.refused) return;
-  helms_.note_input(seat, vehicle, now);
-  said.step = run.step + 1;
+  helms_.note_input(asked.seat, vehicle, asked.now);
+  said.step = asked.run.step + 1;
 }
 
-Said RunDesk::ask(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                  Milliseconds now) {
-  const About of = about(says, run);
+template <typename Act>
+Said RunDesk::of_helm(const Asked& asked, const Act& act) {
+  const About of = about(asked);
   Said said = begun(of);
-  said.refused = helms_.ask(seat, of.vehicle, now);
+  said.refused = act(of.vehicle);
   said.after = words_of(helms_.now(of.vehicle));
   return said;
 }
 
-Said RunDesk::give_back(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                        Milliseconds) {
-  const About of = about(says, run);
-  Said said = begun(of);
-  said.refused = helms_.give_back(seat, of.vehicle);
-  said.after = words_of(helms_.now(of.vehicle));
-  return said;
+Said RunDesk::ask(const Asked& asked) {
+  return of_helm(asked, [&](std::size_t i) { return helms_.ask(asked.seat, i, asked.now); });
 }
-
-Said RunDesk::allow(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                    Milliseconds now) {
-  const About of = about(says, run);
-  Said said = begun(of);
-  said.refused = helms_.allow(seat, of.vehicle, now);
-  said.after = words_of(helms_.now(of.vehicle));
-  return said;
+Said RunDesk::give_back(const Asked& asked) {
+  return of_helm(asked, [&](std::size_t i) { return helms_.give_back(asked.seat, i); });
 }
-
-Said RunDesk::grant(const Seat& seat, const StationSays& says, const Seats& seats,
-                    const RunNow& run, Milliseconds now) {
-  const About of = about(says, run);
-  Said said = begun(of);
-  said.refused = helms_.grant(seat, of.vehicle, seats, now);
-  said.after = words_of(helms_.now(of.vehicle));
-  return said;
+Said RunDesk::allow(const Asked& asked) {
+  return of_helm(asked, [&](std::size_t i) { return helms_.allow(asked.seat, i, asked.now); });
 }
-
-Said RunDesk::deny(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                   Milliseconds now) {
-  const About of = about(says, run);
-  Said said = begun(of);
-  said.refused = helms_.deny(seat, of.vehicle, now);
-  said.after = words_of(helms_.now(of.vehicle));
-  return said;
+Said RunDesk::grant(const Asked& asked) {
+  return of_helm(
+      asked, [&](std::size_t i) { return helms_.grant(asked.seat, i, asked.seats, asked.now); });
+}
+Said RunDesk::deny(const Asked& asked) {
+  return of_helm(asked, [&](std::size_t i) { return helms_.deny(asked.seat, i, asked.now); });
 }
 
 /// The vehicle holds: whoever takes it back has not told it yet where to go.
-Said RunDesk::take_back(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                        Milliseconds now) {
-  const About of = about(says, run);
-  const std::string reason = says.text("reason", 200);
+Said RunDesk::take_back(const Asked& asked) {
+  const std::string reason = asked.says.text("reason", 200);
+  const About of = about(asked);
   Said said = begun(of);
-  said.refused = helms_.take_over(seat, of.vehicle, now);
-  if (!said.refused) submit(seat, of.vehicle, twin::HoldHere{}, run, now, said);
-  said.after = said.refused ? said.after : "held by the supervisor: " + reason;
+  said.refused = helms_.take_over(asked.seat, of.vehicle, asked.now);
+  if (!said.refused) submit(asked, of.vehicle, twin::HoldHere{}, said);
+  if (!said.refused) said.after = "held by the supervisor: " + reason;
   return said;
 }
 
-Said RunDesk::raw(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                  Milliseconds) {
-  const About of = about(says, run);
-  Said said = begun(of);
-  const bool is_on = says.flag("is_on", true);
-  said.refused = helms_.set_raw(seat, of.vehicle, is_on);
+Said RunDesk::raw(const Asked& asked) {
+  const bool is_on = asked.says.flag("is_on", true);
+  Said said = of_helm(asked, [&](std::size_t i) { return helms_.set_raw(asked.seat, i, is_on); });
   said.after = is_on ? "raw thrusters" : "no raw thrusters";
   return said;
 }
 
-Said RunDesk::stick(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                    Milliseconds now) {
-  const About of = about(says, run);
+Said RunDesk::stick(const Asked& asked) {
+  const About of = about(asked);
   Said said = begun(of);
   said.is_on_record = false;
-  said.refused = stale(seat, says, now, stick_ahead_ms);
-  if (!said.refused) said.refused = no_helm(seat, of.vehicle);
+  said.refused = stale(asked, stick_ahead_ms);
+  if (!said.refused) said.refused = no_helm(asked, of.vehicle);
   if (said.refused) return said;
-  const std::vector<double> asked = says.numbers("velocity", 4);
-  if (asked.size() != 4)
+  const std::vector<double> wanted = asked.says.numbers("velocity", 4);
+  if (wanted.size() != 4)
     throw Error(ErrorKind::invalid_input,
                 formatted("stick: velocity: found {} numbers, expected surge, sway, heave and yaw",
-                          asked.size()));
+                          wanted.size()));
   const twin::StickLimits limits{
       of.agent->conduct ? of.agent->conduct->plan.envelope : twin::Envelope(), of.now->home_m,
       of.agent->water->environment().structures};
   const twin::SharedStick shared =
-      twin::shared_stick({asked[0], asked[1], asked[2], asked[3]}, of.now->known, limits);
+      twin::shared_stick({wanted[0], wanted[1], wanted[2], wanted[3]}, of.now->known, limits);
   if (shared.is_slowed) said.shaped.emplace_back("speed");
   if (shared.is_kept_off) said.shaped.emplace_back("stand_off");
   if (shared.is_kept_in) said.shaped.emplace_back("fence");
-  submit(seat, of.vehicle, twin::SetVelocity{shared.velocity}, run, now, said);
+  submit(asked, of.vehicle, twin::SetVelocity{shared.velocity}, said);
   return said;
 }
 
-Said RunDesk::thrusters(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                        Milliseconds now) {
-  const About of = about(says, run);
+Said RunDesk::thrusters(const Asked& asked) {
+  const About of = about(asked);
   Said said = begun(of);
   said.is_on_record = false;
-  said.refused = stale(seat, says, now, stick_ahead_ms);
-  if (!said.refused) said.refused = no_helm(seat, of.vehicle);
+  said.refused = stale(asked, stick_ahead_ms);
+  if (!said.refused) said.refused = no_helm(asked, of.vehicle);
   if (!said.refused && !helms_.now(of.vehicle).is_raw)
     said.refused = Refusal{RefusalReason::unauthorised,
                            "raw thrusters are not confirmed; neither clearance nor limits look at "
                            "them; confirm them first (`raw`)"};
   if (said.refused) return said;
-  submit(seat, of.vehicle, twin::SetThrusters{says.numbers("share", twin::most_mounts)}, run, now,
+  submit(asked, of.vehicle, twin::SetThrusters{asked.says.numbers("share", twin::most_mounts)},
          said);
   return said;
 }
 
-Said RunDesk::waypoints(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                        Milliseconds now) {
-  const About of = about(says, run);
+Said RunDesk::waypoints(const Asked& asked) {
+  const About of = about(asked);
   Said said = begun(of);
-  const bool is_trial = says.flag("is_trial", false);
+  const bool is_trial = asked.says.flag("is_trial", false);
   said.is_on_record = !is_trial;
   twin::Reroute reroute;
-  for (const StationSays& place : says.list("places", most_places))
+  for (const StationSays& place : asked.says.list("places", most_places))
     reroute.waypoints.push_back({place_of(place), place.number("speed_m_s", 0, 100)});
-  reroute.loop = says.flag("is_loop", false);
+  reroute.loop = asked.says.flag("is_loop", false);
   if (is_trial) {
     twin::Command command;
     command.agent = of.vehicle;
@@ -299,56 +272,42 @@ Said RunDesk::waypoints(const Seat& seat, const StationSays& says, const Seats&,
                                     std::nullopt, command.received_s);
     return said;
   }
-  said.refused = stale(seat, says, now, order_ahead_ms);
-  if (!said.refused) said.refused = no_helm(seat, of.vehicle);
+  said.refused = stale(asked, order_ahead_ms);
+  if (!said.refused) said.refused = no_helm(asked, of.vehicle);
   if (said.refused) return said;
   const std::size_t count = reroute.waypoints.size();
-  submit(seat, of.vehicle, std::move(reroute), run, now, said);
+  submit(asked, of.vehicle, std::move(reroute), said);
   said.after = formatted("{} waypoints", count);
   return said;
 }
 
-Said RunDesk::simple(const Seat& seat, const StationSays& says, const RunNow& run, Milliseconds now,
-                     twin::CommandWhat what, bool needs_helm) {
-  const About of = about(says, run);
+Said RunDesk::order(const Asked& asked, twin::CommandWhat what, bool needs_helm) {
+  const About of = about(asked);
   Said said = begun(of);
-  said.refused = stale(seat, says, now, order_ahead_ms);
-  if (!said.refused && needs_helm) said.refused = no_helm(seat, of.vehicle);
-  if (!said.refused && !needs_helm && !helms_.holds(seat, of.vehicle))
-    said.refused = helms_.take_over(seat, of.vehicle, now);
-  if (said.refused) return said;
-  submit(seat, of.vehicle, std::move(what), run, now, said);
+  said.refused = stale(asked, order_ahead_ms);
+  if (!said.refused && needs_helm) said.refused = no_helm(asked, of.vehicle);
+  if (!said.refused && !needs_helm && !helms_.holds(asked.seat, of.vehicle))
+    said.refused = helms_.take_over(asked.seat, of.vehicle, asked.now);
+  if (!said.refused) submit(asked, of.vehicle, std::move(what), said);
   return said;
 }
 
-Said RunDesk::hold(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                   Milliseconds now) {
-  return simple(seat, says, run, now, twin::HoldHere{}, seat.role != Role::supervises);
+Said RunDesk::hold(const Asked& asked) {
+  return order(asked, twin::HoldHere{}, asked.seat.role != Role::supervises);
 }
+Said RunDesk::home(const Asked& asked) { return order(asked, twin::GoHome{}, true); }
+Said RunDesk::resume(const Asked& asked) { return order(asked, twin::Resume{}, true); }
 
-Said RunDesk::home(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                   Milliseconds now) {
-  return simple(seat, says, run, now, twin::GoHome{}, true);
-}
-
-Said RunDesk::resume(const Seat& seat, const StationSays& says, const Seats&, const RunNow& run,
-                     Milliseconds now) {
-  return simple(seat, says, run, now, twin::Resume{}, true);
-}
-
-Said RunDesk::pause(const Seat& seat, const StationSays&, const Seats&, const RunNow&,
-                    Milliseconds) {
-  mind_run(true);
+Said RunDesk::pause(const Asked& asked) {
   Said said;
   said.before = hand_.control.is_paused() ? "paused" : "running";
   hand_.control.pause();
-  paused_by_ = seat.name;
+  paused_by_ = asked.seat.name;
   said.after = "paused";
   return said;
 }
 
-Said RunDesk::go_on(const Seat&, const StationSays&, const Seats&, const RunNow&, Milliseconds) {
-  mind_run(true);
+Said RunDesk::go_on(const Asked&) {
   Said said;
   said.before = hand_.control.is_paused() ? "paused" : "running";
   hand_.control.resume();
@@ -357,10 +316,8 @@ Said RunDesk::go_on(const Seat&, const StationSays&, const Seats&, const RunNow&
   return said;
 }
 
-Said RunDesk::step(const Seat&, const StationSays& says, const Seats&, const RunNow&,
-                   Milliseconds) {
-  mind_run(true);
-  const auto steps = static_cast<std::uint64_t>(says.whole("steps", 1, 100'000));
+Said RunDesk::step(const Asked& asked) {
+  const auto steps = static_cast<std::uint64_t>(asked.says.whole("steps", 1, 100'000));
   Said said;
   said.step = hand_.control.allow_steps(steps);
   if (!said.step)
@@ -369,20 +326,18 @@ Said RunDesk::step(const Seat&, const StationSays& says, const Seats&, const Run
   return said;
 }
 
-Said RunDesk::spawn(const Seat&, const StationSays& says, const Seats&, const RunNow& run,
-                    Milliseconds) {
-  mind_run(true);
+Said RunDesk::spawn(const Asked& asked) {
   twin::Newcomer newcomer;
-  newcomer.model = says.text("model", 100);
-  newcomer.name = says.text("name", 100);
-  newcomer.position_m = place_of(says);
-  newcomer.heading_rad = says.number("heading_deg", -360, 360) * constants::degree;
+  newcomer.model = asked.says.text("model", 100);
+  newcomer.name = asked.says.text("name", 100);
+  newcomer.position_m = place_of(asked.says);
+  newcomer.heading_rad = asked.says.number("heading_deg", -360, 360) * constants::degree;
   Said said;
   said.vehicle = newcomer.name;
   said.refused =
       hand_.arbiter.spawn(supervisors, newcomer, hand_.newcomer_yard, hand_.arbiter.time_s());
   said.after = "a " + newcomer.model + " joins";
-  if (!said.refused) said.step = run.step + 1;
+  if (!said.refused) said.step = asked.run.step + 1;
   return said;
 }
 

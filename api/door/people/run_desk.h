@@ -22,17 +22,23 @@ struct Said {
   std::string vehicle;
 };
 
+/// What a seat asks, and what there is to see as it does.
+struct Asked {
+  const Seat& seat;
+  const StationSays& says;
+  const Seats& seats;
+  const RunNow& run;
+  Milliseconds now = 0;
+};
+
 /// Does what people of a session ask of a run, where their role and helm allow it, and says why not
 /// where they do not. Knows nothing of sockets. Not thread-safe; lives while the run does.
 class RunDesk {
  public:
   explicit RunDesk(const api::RunInHand& hand);
 
-  /// Whether there is such a thing to do.
-  [[nodiscard]] static bool knows(std::string_view what) noexcept;
   /// @throws Error(invalid_input) for a message that cannot be read
-  [[nodiscard]] Said handle(const Seat& seat, const StationSays& says, const Seats& seats,
-                            const RunNow& run, Milliseconds now);
+  [[nodiscard]] Said handle(const Asked& asked);
 
   /// While a supervisor is seated, the run is the supervisors'.
   void mind_run(bool has_supervisor);
@@ -45,11 +51,10 @@ class RunDesk {
   [[nodiscard]] const std::string& paused_by() const noexcept { return paused_by_; }
   /// The last number of the seat's commands.
   [[nodiscard]] std::int64_t last_number(unsigned seat) const;
-  void forget(unsigned seat) { numbers_.erase(seat); }
+  void forget(unsigned seat) { counts_.erase(seat); }
 
  private:
-  using Do = Said (RunDesk::*)(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                               Milliseconds);
+  using Do = Said (RunDesk::*)(const Asked&);
   struct Deed {
     std::string_view what;
     Role least;
@@ -58,40 +63,23 @@ class RunDesk {
   static const std::vector<Deed>& deeds();
   [[nodiscard]] static const Deed* deed_of(std::string_view what) noexcept;
 
-  [[nodiscard]] Said ask(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                         Milliseconds);
-  [[nodiscard]] Said give_back(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                               Milliseconds);
-  [[nodiscard]] Said allow(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                           Milliseconds);
-  [[nodiscard]] Said grant(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                           Milliseconds);
-  [[nodiscard]] Said deny(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                          Milliseconds);
-  [[nodiscard]] Said take_back(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                               Milliseconds);
-  [[nodiscard]] Said raw(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                         Milliseconds);
-  [[nodiscard]] Said stick(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                           Milliseconds);
-  [[nodiscard]] Said thrusters(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                               Milliseconds);
-  [[nodiscard]] Said waypoints(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                               Milliseconds);
-  [[nodiscard]] Said hold(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                          Milliseconds);
-  [[nodiscard]] Said home(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                          Milliseconds);
-  [[nodiscard]] Said resume(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                            Milliseconds);
-  [[nodiscard]] Said pause(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                           Milliseconds);
-  [[nodiscard]] Said go_on(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                           Milliseconds);
-  [[nodiscard]] Said step(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                          Milliseconds);
-  [[nodiscard]] Said spawn(const Seat&, const StationSays&, const Seats&, const RunNow&,
-                           Milliseconds);
+  [[nodiscard]] Said ask(const Asked& asked);
+  [[nodiscard]] Said give_back(const Asked& asked);
+  [[nodiscard]] Said allow(const Asked& asked);
+  [[nodiscard]] Said grant(const Asked& asked);
+  [[nodiscard]] Said deny(const Asked& asked);
+  [[nodiscard]] Said take_back(const Asked& asked);
+  [[nodiscard]] Said raw(const Asked& asked);
+  [[nodiscard]] Said stick(const Asked& asked);
+  [[nodiscard]] Said thrusters(const Asked& asked);
+  [[nodiscard]] Said waypoints(const Asked& asked);
+  [[nodiscard]] Said hold(const Asked& asked);
+  [[nodiscard]] Said home(const Asked& asked);
+  [[nodiscard]] Said resume(const Asked& asked);
+  [[nodiscard]] Said pause(const Asked& asked);
+  [[nodiscard]] Said go_on(const Asked& asked);
+  [[nodiscard]] Said step(const Asked& asked);
+  [[nodiscard]] Said spawn(const Asked& asked);
 
   /// The vehicle that a message is about; what it is about now.
   struct About {
@@ -99,22 +87,27 @@ class RunDesk {
     const twin::Agent* agent = nullptr;
     const VehicleNow* now = nullptr;
   };
-  [[nodiscard]] About about(const StationSays& says, const RunNow& run) const;
+  [[nodiscard]] About about(const Asked& asked) const;
   [[nodiscard]] Said begun(const About& about) const;
+  /// Of a helm, without a command to its vehicle. @param act  (vehicle) -> what speaks against it
+  template <typename Act>
+  [[nodiscard]] Said of_helm(const Asked& asked, const Act& act);
   /// What speaks against the number and the time of a command.
-  [[nodiscard]] std::optional<twin::Refusal> stale(const Seat& seat, const StationSays& says,
-                                                   Milliseconds now, Milliseconds most_ahead);
-  [[nodiscard]] std::optional<twin::Refusal> no_helm(const Seat& seat, std::size_t vehicle) const;
-  void submit(const Seat& seat, std::size_t vehicle, twin::CommandWhat what, const RunNow& run,
-              Milliseconds now, Said& said);
-  [[nodiscard]] Said simple(const Seat& seat, const StationSays& says, const RunNow& run,
-                            Milliseconds now, twin::CommandWhat what, bool needs_helm);
+  [[nodiscard]] std::optional<twin::Refusal> stale(const Asked& asked, Milliseconds most_ahead);
+  [[nodiscard]] std::optional<twin::Refusal> no_helm(const Asked& asked, std::size_t vehicle) const;
+  void submit(const Asked& asked, std::size_t vehicle, twin::CommandWhat what, Said& said);
+  /// A command that is but a word.
+  [[nodiscard]] Said order(const Asked& asked, twin::CommandWhat what, bool needs_helm);
 
   api::RunInHand hand_;
   Helms helms_;
   std::vector<const twin::Agent*> agents_;
-  std::map<unsigned, std::int64_t> numbers_;
-  std::map<std::string, std::uint64_t> sequences_;  ///< by client
+  /// Of each seat.
+  struct Counts {
+    std::int64_t number = 0;     ///< the station's own, of its last command
+    std::uint64_t sequence = 0;  ///< ours, for the arbiter
+  };
+  std::map<unsigned, Counts> counts_;
   std::string paused_by_;
   bool has_run_ = false;
 };

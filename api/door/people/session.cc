@@ -283,7 +283,7 @@ void Session::desk_work(Station& station, const StationSays& says) {
   if (!is_stick && !says.flag("is_trial", false) && !station.deeds.take(clock()))
     return turn_out(station, CloseCode::too_many, "found too many messages; send fewer");
   if (!desk_) throw Error(ErrorKind::invalid_input, "the run is not under way");
-  const Said said = desk_->handle(seat, says, seats_, now_, clock());
+  const Said said = desk_->handle({seat, says, seats_, now_, clock()});
   if (is_stick)
     note_stick(station, says, said);
   else if (said.is_on_record) {

@@ -44,7 +44,7 @@ double nearest_m(double current_m_s, double surge_m_s) {
     std::int64_t clock = 0;
     const auto says = [&](const json& message) {
       const people::Said said =
-          desk.handle(*seats.find(1), people::StationSays(message.dump()), seats, now, clock);
+          desk.handle({*seats.find(1), people::StationSays(message.dump()), seats, now, clock});
       EXPECT_FALSE(said.refused) << said.refused->text;
       return said;
     };

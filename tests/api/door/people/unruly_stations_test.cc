@@ -92,7 +92,7 @@ TEST(UnrulyStations, AreAnsweredAndNeverTwoAtOneHelm) {
       const json message = message_of(rng, ++number[of], clock);
       try {
         const people::StationSays says(message.dump());
-        const people::Said said = desk.handle(seat, says, seats, now, clock);
+        const people::Said said = desk.handle({seat, says, seats, now, clock});
         if (said.refused) {
           ++refused;
           ASSERT_FALSE(said.refused->text.empty()) << message;
