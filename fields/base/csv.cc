@@ -40,6 +40,13 @@ std::string csv_cell(std::string_view text) {
   return cell + "\"";
 }
 
+/// Source of the four characters: OWASP, "CSV Injection".
+std::string csv_cell_of_people(const std::string& text) {
+  const bool is_formula =
+      !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
+  return csv_cell(is_formula ? "'" + text : text);
+}
+
 std::string csv_cell(double value) {
   return std::isfinite(value) ? formatted("{}", value) : std::string();
 }

@@ -6,6 +6,7 @@
 #include "api/door/cli/output_file.h"
 #include "api/door/people/told.h"
 #include "data/store/store.h"
+#include "fields/base/csv.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
 
@@ -19,21 +20,17 @@ struct SessionsArguments {
   std::string csv;
 };
 
-/// A field of RFC 4180.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_of(const std::vector<store::SessionAction>& actions) {
   std::string csv = "number,at,time_s,step,seat,who,role,what,vehicle,before,after,taken,why\n";
   for (const store::SessionAction& a : actions)
-    csv += formatted("{},{},{:.3f},{},{},{},{},{},{},{},{},{},{}\n", a.number, format_utc(a.at),
-                     a.time_s, a.step, a.seat, csv_field(a.who), a.role, csv_field(a.what),
-                     csv_field(a.vehicle), csv_field(a.before), csv_field(a.after),
-                     a.is_taken ? 1 : 0, csv_field(a.why));
+    csv += joined(std::vector<std::string>{std::to_string(a.number), format_utc(a.at),
+                                           csv_cell(a.time_s), std::to_string(a.step),
+                                           std::to_string(a.seat), csv_cell_of_people(a.who),
+                                           a.role, csv_cell(a.what), csv_cell_of_people(a.vehicle),
+                                           csv_cell(a.before), csv_cell_of_people(a.after),
+                                           a.is_taken ? "1" : "0", csv_cell(a.why)},
+                  ",") +
+           "\n";
   return csv;
 }
 

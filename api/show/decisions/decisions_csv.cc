@@ -6,25 +6,18 @@
 namespace slackwater::api {
 namespace {
 
-/// What people wrote. Source of the four characters: OWASP, "CSV Injection".
-std::string written(const std::string& text) {
-  const bool is_formula =
-      !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
-  return csv_cell(is_formula ? "'" + text : text);
-}
-
 std::string row_of(const DecisionAnswer& one) {
   const store::DecisionRow& row = one.row;
   const WhatCame& what = one.what;
   const auto yes = [](bool is_so) { return std::string(is_so ? "yes" : "no"); };
   return joined(std::vector<std::string>{std::to_string(row.id),
                                          csv_cell(row.site_id),
-                                         written(row.task),
-                                         written(row.turbine),
+                                         csv_cell_of_people(row.task),
+                                         csv_cell_of_people(row.turbine),
                                          format_utc(row.start),
                                          row.work ? csv_cell(hours_of(*row.work)) : "",
                                          std::string(name_of(row.decided)),
-                                         written(row.by),
+                                         csv_cell_of_people(row.by),
                                          format_utc(row.recorded_at),
                                          row.by_clock ? "clock" : "stated",
                                          yes(one.is_late),
@@ -40,7 +33,7 @@ std::string row_of(const DecisionAnswer& one) {
                                          what.broken_at ? format_utc(*what.broken_at) : "",
                                          csv_cell(what.why),
                                          csv_cell(joined(what.not_checked, "; ")),
-                                         written(row.note)},
+                                         csv_cell_of_people(row.note)},
                 ",");
 }
 
