@@ -37,6 +37,12 @@ void Helms::hold(Vehicle& vehicle, const Seat& seat, Milliseconds now) {
   vehicle.now = {HelmState::held, seat.number, "", 0, shown(vehicle.lease_until), false};
 }
 
+void Helms::free(Vehicle& vehicle) {
+  vehicle.client.clear();
+  vehicle.lost_at.reset();
+  vehicle.now = {};
+}
+
 void Helms::end_request(Vehicle& vehicle) {
   vehicle.now.asker = 0;
   vehicle.now.state = vehicle.now.seat == 0 && vehicle.now.agent.empty() ? HelmState::free
@@ -45,16 +51,16 @@ void Helms::end_request(Vehicle& vehicle) {
   vehicle.now.until.reset();
   if (vehicle.now.state == HelmState::held && vehicle.now.seat != 0)
     vehicle.now.until = shown(vehicle.lease_until);
-  if (vehicle.now.state == HelmState::lost) vehicle.now.until = *vehicle.lost_at + Seats::kept_ms;
+  if (vehicle.now.state == HelmState::lost) vehicle.now.until = vehicle.kept_until;
 }
 
 Refusal Helms::not_yours(const Vehicle& vehicle, std::string_view to_do) const {
   if (vehicle.client.empty() && vehicle.now.agent.empty())
     return unauthorised(
         formatted("nobody has the helm of {}; ask for it to {}", vehicle.name, to_do));
-  return unauthorised(formatted("the helm of {} is {}; ask for it to {}", vehicle.name,
+  return unauthorised(formatted("{} has the helm of {}; ask for it to {}",
                                 vehicle.now.agent.empty() ? vehicle.client : vehicle.now.agent,
-                                to_do));
+                                vehicle.name, to_do));
 }
 
 Helms::Answer Helms::ask(const Seat& seat, std::size_t i, Milliseconds now) {
@@ -102,8 +108,7 @@ Helms::Answer Helms::give_back(const Seat& seat, std::size_t i) {
         formatted("the helm of {} is not yours; there is nothing to give back", vehicle.name));
   }
   auto refused = arbiter_.release(vehicle.client, i, arbiter_.time_s());
-  vehicle.client.clear();
-  vehicle.now = {};
+  free(vehicle);
   return refused;
 }
 
@@ -112,6 +117,8 @@ Helms::Answer Helms::allow(const Seat& seat, std::size_t i, Milliseconds now) {
   if (vehicle.now.seat != seat.number) return not_yours(vehicle, "let others take it");
   if (vehicle.now.state == HelmState::requested)
     return unauthorised("somebody asks for this helm; grant it or deny it");
+  // At every door: a client of another one may ask for it as well.
+  if (auto refused = arbiter_.allow_take_over(vehicle.client, i, arbiter_.time_s())) return refused;
   vehicle.now.state = HelmState::allowed;
   vehicle.now.until = now + leave_ms;
   return std::nullopt;
@@ -159,15 +166,18 @@ void Helms::note_input(const Seat& seat, std::size_t i, Milliseconds now) {
   if (vehicle.now.state == HelmState::held) vehicle.now.until = shown(vehicle.lease_until);
 }
 
-void Helms::cut_off(const Seat& seat, Milliseconds now) {
+void Helms::lose(const Seat& seat, Milliseconds now, std::optional<Milliseconds> kept_until) {
   for (Vehicle& vehicle : vehicles_) {
-    if (vehicle.now.seat != seat.number || vehicle.lost_at) continue;
-    vehicle.lost_at = now;
-    vehicle.is_held_for_lost = false;
+    if (vehicle.now.seat != seat.number) continue;
+    if (!vehicle.lost_at) {
+      vehicle.lost_at = now;
+      vehicle.is_held_for_lost = false;
+    }
+    vehicle.kept_until = kept_until;
     vehicle.now.is_raw = false;  // what was confirmed is confirmed anew
     if (vehicle.now.state == HelmState::requested) continue;
     vehicle.now.state = HelmState::lost;
-    vehicle.now.until = now + Seats::kept_ms;
+    vehicle.now.until = kept_until;
   }
 }
 
@@ -187,9 +197,7 @@ void Helms::gone(const Seat& seat) {
   for (Vehicle& vehicle : vehicles_) {
     if (vehicle.now.asker == seat.number) end_request(vehicle);
     if (vehicle.now.seat != seat.number) continue;
-    vehicle.client.clear();
-    vehicle.lost_at.reset();
-    vehicle.now = {};
+    free(vehicle);
   }
 }
 
@@ -207,9 +215,7 @@ void Helms::look_at(std::size_t i, const Seats& seats, Milliseconds now,
   // The vehicle goes no further, or was given back to its mission.
   if (is.seat != 0 && holder != vehicle.client) {
     changes.push_back({i, is.seat, "helm ended"});
-    vehicle.client.clear();
-    vehicle.lost_at.reset();
-    is = {};
+    free(vehicle);
   }
   if (is.seat == 0 && is.agent != holder) {
     is.agent = holder;
@@ -218,7 +224,9 @@ void Helms::look_at(std::size_t i, const Seats& seats, Milliseconds now,
   if (vehicle.lost_at && !vehicle.is_held_for_lost && now >= *vehicle.lost_at + unheard_ms) {
     arbiter_.unheard(vehicle.client, i, arbiter_.time_s());
     vehicle.is_held_for_lost = true;
-    changes.push_back({i, is.seat, "link lost: holds"});
+    // What nobody had told anything goes on with its own mission.
+    const bool is_helmed = arbiter_.standing(i).mode != twin::HelmMode::own;
+    changes.push_back({i, is.seat, is_helmed ? "link lost: holds" : "link lost"});
   }
   if (is.asker != 0) {
     const Seat* asker = seats.find(is.asker);
@@ -240,8 +248,7 @@ void Helms::look_at(std::size_t i, const Seats& seats, Milliseconds now,
   if (is.state == HelmState::held && is.seat != 0 && now >= vehicle.lease_until) {
     changes.push_back({i, is.seat, "lease over"});
     (void)arbiter_.release(vehicle.client, i, arbiter_.time_s());
-    vehicle.client.clear();
-    is = {};
+    free(vehicle);
   }
 }
 

@@ -58,7 +58,8 @@ class Helms {
 
   /// The seat said something to the vehicle: its lease begins anew.
   void note_input(const Seat& seat, std::size_t vehicle, Milliseconds now);
-  void cut_off(const Seat& seat, Milliseconds now);
+  /// Its station is gone or silent. @param kept_until  of the seat, where it is gone
+  void lose(const Seat& seat, Milliseconds now, std::optional<Milliseconds> kept_until);
   void back(const Seat& seat, Milliseconds now);
   /// The seat is no more.
   void gone(const Seat& seat);
@@ -80,9 +81,11 @@ class Helms {
     std::string client;                   ///< of the holder
     Milliseconds lease_until = 0;         ///< under what else `now.until` counts
     std::optional<Milliseconds> lost_at;  ///< the holder's station
+    std::optional<Milliseconds> kept_until;
     bool is_held_for_lost = false;
   };
   void hold(Vehicle& vehicle, const Seat& seat, Milliseconds now);
+  static void free(Vehicle& vehicle);
   [[nodiscard]] twin::Refusal not_yours(const Vehicle& vehicle, std::string_view to_do) const;
   void look_at(std::size_t i, const Seats& seats, Milliseconds now,
                std::vector<HelmChange>& changes);

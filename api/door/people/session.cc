@@ -1,7 +1,5 @@
 #include "api/door/people/session.h"
 
-#include <algorithm>
-
 #include "api/door/http/field_list.h"
 #include "api/door/http/problem.h"
 #include "fields/base/error.h"
@@ -24,6 +22,8 @@ constexpr Milliseconds tick_ms = 50, hello_ms = 5'000, silent_ms = 90'000, stick
 constexpr Milliseconds unheard_ms = 5'000;
 /// Of what a run as fast as it goes leaves for the session: more than its frames show.
 constexpr auto look_every = std::chrono::milliseconds(10);
+const char* const many_deeds =
+    "found more than 10 orders a second (beside sticks and trials); send fewer";
 
 std::string token_in(const Request& request) {
   std::string token;
@@ -112,7 +112,11 @@ std::vector<std::string> Session::protocols() const { return {std::string(protoc
 
 std::optional<Response> Session::refusal_of(std::string_view token, const std::string& path) const {
   const std::lock_guard lock(mutex_);
-  if (is_over_) return api::http::problem(410, "The run of this session is over.", path);
+  if (is_over_)
+    return api::http::problem(410, "The run of this session is over; begin another one.", path);
+  if (!hand_)
+    return api::http::problem(503, "The run of this session has not begun; try again in a moment.",
+                              path);
   if (auto no_seat = seats_.refusal(token, settings_.now()))
     return api::http::problem(no_seat->status, no_seat->text, path);
   return std::nullopt;
@@ -206,7 +210,7 @@ void Session::cut_off(Station& station) {
   const unsigned number = std::exchange(station.seat, 0U);
   if (seats_.find(number) == nullptr) return;
   seats_.cut_off(number, clock());
-  if (desk_) desk_->helms().cut_off(*seats_.find(number), clock());
+  if (desk_) desk_->helms().lose(*seats_.find(number), clock(), seats_.find(number)->kept_until);
   Said said;
   said.after = "cut off";
   record(*seats_.find(number), "cut_off", said);
@@ -216,7 +220,7 @@ void Session::heard(Station& station, const StationSays& says) {
   const std::string& what = says.what();
   if (what == "hello") return hello(station, says);
   if (station.seat == 0)
-    return turn_out(station, CloseCode::malformed, "found " + what + " before hello");
+    return turn_out(station, CloseCode::malformed, "found " + what + ", expected hello first");
   seats_.confirm(station.seat);
   if (what == "time") {
     return tell(station,
@@ -224,13 +228,19 @@ void Session::heard(Station& station, const StationSays& says) {
   }
   if (what == "saw") {
     if (!station.flow.saw(static_cast<std::uint32_t>(says.whole("frame", 0, 0xFFFFFFFFLL))))
-      throw Error(ErrorKind::invalid_input, "saw: frame: found one that was never sent");
+      throw Error(ErrorKind::invalid_input,
+                  "saw: frame: found one that was never sent, expected the last one drawn");
     return;
   }
   if (what == "say") {
-    if (!station.deeds.take(clock()))
-      return turn_out(station, CloseCode::too_many, "found too many messages; send fewer");
+    if (!station.deeds.take(clock())) return turn_out(station, CloseCode::too_many, many_deeds);
     const Seat& seat = *seats_.find(station.seat);
+    if (seat.role == Role::looks_on)
+      return tell(station, {{"is", "answer"},
+                            {"id", says.id()},
+                            {"taken", false},
+                            {"reason", twin::name_of(twin::RefusalReason::unauthorised)},
+                            {"text", "say needs the role of operator, and yours is spectator"}});
     const std::string text = says.text("text", 200);
     tell_all({{"is", "said"}, {"seat", seat.number}, {"text", text}});
     Said said;
@@ -250,7 +260,8 @@ void Session::heard(Station& station, const StationSays& says) {
 }
 
 void Session::hello(Station& station, const StationSays& says) {
-  if (station.seat != 0) throw Error(ErrorKind::invalid_input, "hello: found a second one");
+  if (station.seat != 0)
+    throw Error(ErrorKind::invalid_input, "hello: found a second one; this station has its seat");
   const std::string name = says.text_or_empty("name", 100);
   auto outcome = seats_.take(station.token, name, settings_.now());
   if (const auto* none = std::get_if<NoSeat>(&outcome))
@@ -281,7 +292,7 @@ void Session::desk_work(Station& station, const StationSays& says) {
   const Seat seat = *seats_.find(station.seat);
   const bool is_stick = says.what() == "stick" || says.what() == "thrusters";
   if (!is_stick && !says.flag("is_trial", false) && !station.deeds.take(clock()))
-    return turn_out(station, CloseCode::too_many, "found too many messages; send fewer");
+    return turn_out(station, CloseCode::too_many, many_deeds);
   if (!desk_) throw Error(ErrorKind::invalid_input, "the run is not under way");
   const Said said = desk_->handle({seat, says, seats_, now_, clock()});
   if (is_stick)
@@ -352,7 +363,7 @@ void Session::tick() {
     const std::lock_guard look(look_mutex_);
     if (left_) {
       now_ = *std::exchange(left_, std::nullopt);
-      barrier_at_ = now;
+      barrier_after_ = now - std::exchange(barrier_at_, now);
     }
   }
   for (auto& [socket, station] : stations_) {
@@ -364,7 +375,7 @@ void Session::tick() {
     else if (!station.is_unheard && now > station.heard_at + unheard_ms) {
       station.is_unheard = true;
       if (const Seat* seat = seats_.find(station.seat); desk_ && seat != nullptr)
-        desk_->helms().cut_off(*seat, now);
+        desk_->helms().lose(*seat, now, std::nullopt);
     }
     if (station.stick && now > station.stick->last_at + stick_pause_ms) end_stick(station);
   }

@@ -1,5 +1,4 @@
 #pragma once
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -101,7 +100,7 @@ class Session final : public api::http::WebSocketHandler {
   std::vector<nlohmann::json> status_told_;
   nlohmann::json seats_told_, run_told_;
   bool is_over_ = false;
-  Milliseconds barrier_at_ = 0;
+  Milliseconds barrier_at_ = 0, barrier_after_ = 0;  ///< the last one, and how long after another
   Milliseconds second_at_ = 0;
 
   std::mutex look_mutex_;  ///< of what the run leaves

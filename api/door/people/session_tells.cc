@@ -41,9 +41,11 @@ ShownHelm Session::shown(std::size_t vehicle) const {
 }
 
 std::string Session::run_state() const {
-  if (is_over_ || !hand_) return "over";
+  if (is_over_) return "over";
+  if (!hand_) return "starting";
   if (hand_->control.is_paused()) return "paused";
-  return clock() - barrier_at_ > stalled_ms ? "stalled" : "running";
+  // A run may be slower than the clock: its own pace says what is long.
+  return clock() - barrier_at_ > stalled_ms + 3 * barrier_after_ ? "stalled" : "running";
 }
 
 json Session::run_json() const {

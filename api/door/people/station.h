@@ -41,7 +41,7 @@ class Allowance {
 /// Sticks that follow on each other: one row of the record at their beginning, one at their end.
 struct StickRow {
   Action row;  ///< of the last one
-  std::uint64_t count = 0, refused = 0;
+  std::uint64_t count = 0;
   Milliseconds last_at = 0;
   std::size_t vehicle = 0;
 };

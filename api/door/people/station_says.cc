@@ -1,5 +1,6 @@
 #include "api/door/people/station_says.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fields/base/error.h"
@@ -68,11 +69,15 @@ bool StationSays::flag(std::string_view key, bool otherwise) const {
 
 std::string StationSays::text(std::string_view key, std::size_t most) const {
   const json& value = at(key);
-  if (value.is_string() && !value.get_ref<const std::string&>().empty() &&
-      value.get_ref<const std::string&>().size() <= most)
-    return value.get<std::string>();
-  refuse(formatted("{}: {}: found {}, expected a text of 1 to {} bytes", what_, key, found(value),
-                   most));
+  if (value.is_string()) {
+    auto text = value.get<std::string>();
+    // What others print on their terminals.
+    const bool is_plain = std::none_of(text.begin(), text.end(),
+                                       [](unsigned char c) { return c < ' ' || c == 0x7F; });
+    if (is_plain && !text.empty() && text.size() <= most) return text;
+  }
+  refuse(formatted("{}: {}: found {}, expected a text of 1 to {} bytes without control characters",
+                   what_, key, found(value), most));
 }
 
 std::string StationSays::text_or_empty(std::string_view key, std::size_t most) const {

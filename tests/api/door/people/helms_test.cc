@@ -126,12 +126,35 @@ TEST_F(Bridge, NobodyElseGivesItBack) {
   EXPECT_EQ(state(), HelmState::free);
 }
 
+// Leave is given at every door: an agent takes it as a person would.
+TEST_F(Bridge, LeaveToTakeItOverIsForClientsOfOtherDoorsToo) {
+  ASSERT_FALSE(helms.ask(ann(), 0, now));
+  ASSERT_FALSE(helms.allow(ann(), 0, now));
+  EXPECT_FALSE(arbiter.ask("dds 01", 0, arbiter.time_s()));
+  EXPECT_EQ(look(), "helm ended;");
+  EXPECT_EQ(helms.now(0).agent, "dds 01");
+  EXPECT_EQ(state(), HelmState::held);
+  EXPECT_FALSE(drive(ann()));
+}
+
+// A station that is silent has a lost helm without an end; one that is gone, until its seat ends.
+TEST_F(Bridge, ALostHelmSaysUntilWhenItsSeatIsKept) {
+  ASSERT_FALSE(helms.ask(ann(), 0, now));
+  helms.lose(ann(), now, std::nullopt);
+  EXPECT_EQ(helms.now(0).until, std::nullopt);
+  now += Helms::unheard_ms;
+  EXPECT_EQ(look(), "link lost;") << "it was told nothing, and flies its own mission";
+  helms.lose(ann(), now, now + people::Seats::kept_ms);
+  EXPECT_EQ(helms.now(0).until, now + people::Seats::kept_ms);
+  EXPECT_EQ(look(), "") << "once";
+}
+
 // Cut off: holds after a second, keeps the seat's helm, and goes on where it comes back.
 TEST_F(Bridge, ALostLinkHoldsAfterASecondAndAReturnIsNoRival) {
   ASSERT_FALSE(helms.ask(ann(), 0, now));
   ASSERT_TRUE(drive(ann()));
   run->step();
-  helms.cut_off(ann(), now);
+  helms.lose(ann(), now, now + people::Seats::kept_ms);
   EXPECT_EQ(state(), HelmState::lost);
   now += Helms::unheard_ms - 1;
   EXPECT_EQ(look(), "");
@@ -150,7 +173,7 @@ TEST_F(Bridge, ALostLinkHoldsAfterASecondAndAReturnIsNoRival) {
 
 TEST_F(Bridge, WhoAsksGetsTheHelmOfALostStationAfterTheCountdown) {
   ASSERT_FALSE(helms.ask(ann(), 0, now));
-  helms.cut_off(ann(), now);
+  helms.lose(ann(), now, now + people::Seats::kept_ms);
   ASSERT_FALSE(helms.ask(bob(), 0, now));
   EXPECT_TRUE(helms.holds(ann(), 0));
   now += Helms::request_ms;
@@ -236,7 +259,7 @@ TEST_F(Bridge, AStormOfHandOversNeverShowsAnotherHolderThanTheArbiters) {
         (void)helms.take_over(seat, 0, now);
         break;
       case 7:
-        helms.cut_off(seat, now);
+        helms.lose(seat, now, now + people::Seats::kept_ms);
         break;
       case 8:
         helms.back(seat, now);

@@ -87,6 +87,9 @@ TEST_F(Session, LetsOneDriveAndTheOthersNot) {
   expect_refused(stick(bob, 0, 0.3), "unauthorised", "seat 1 has the helm");
   expect_refused(guest.asks(ask(0)), "unauthorised", "ask needs the role of operator");
   expect_refused(bob.asks({{"do", "pause"}}), "unauthorised", "role of supervisor");
+  expect_refused(guest.asks({{"do", "say"}, {"text", "hello"}}), "unauthorised", "operator");
+  expect_taken(bob.asks({{"do", "say"}, {"text", "hello"}}));
+  expect_refused(bob.asks({{"do", "say"}, {"text", "\x1b[2Jhello"}}), "unreadable", "control");
   // Two operators, two vehicles.
   expect_taken(bob.asks(ask(1)));
   expect_taken(stick(bob, 1, 0.2));
@@ -190,6 +193,21 @@ TEST_F(Session, ManyComeAndGoAndLeaveNoSeat) {
   }
   EXPECT_EQ(run.session().summary()["seats"], 4);
   expect_taken(ann.asks(ask(0)));
+}
+
+// Who comes before the run has begun is told so, and not shown a run without vehicles.
+TEST(SessionBeforeItsRun, TakesNobodyYet) {
+  const people::TokenBook book = people::TokenBook::drawn(UtcTime::max());
+  const std::string token = book.grants()[0].token;
+  people::SessionSettings settings;
+  settings.now = [] { return UtcTime(); };
+  people::Session session(settings, book);
+  EXPECT_EQ(session.summary()["state"], "starting");
+  const auto refused = session.refusal_of(token, "/sessions/run/check");
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->status, 503);
+  session.end();
+  EXPECT_EQ(session.refusal_of(token, "/sessions/run/check")->status, 410);
 }
 
 // Cockpit #1524, stretch_web_teleop #3: what was queued while a tab slept is carried out on return.
