@@ -19,7 +19,7 @@ struct SessionAction {
   std::string vehicle;  ///< its name; empty: of the run, or the session
   std::string before, after;
   bool is_taken = true;
-  std::string why;  ///< it was refused
+  std::string why;  ///< it was refused, or done where a reason was asked for
   bool operator==(const SessionAction&) const = default;
 };
 

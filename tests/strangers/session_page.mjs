@@ -281,6 +281,7 @@ const steps = {
     await sue.page.keyboard.type("too near the pile");
     await sue.press("Take back now");
     await bob.until("the loss of the helm", () => !document.querySelector(".helm-state").textContent.startsWith("You drive"));
+    await bob.reads("#notice", /Taken back: too near the pile/);
     return bob.reads(".log li", /Sue .*too near the pile/);
   },
 

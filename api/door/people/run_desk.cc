@@ -203,7 +203,9 @@ Said RunDesk::take_back(const Asked& asked) {
   Said said = begun(of);
   said.refused = helms_.take_over(asked.seat, of.vehicle, asked.now);
   if (!said.refused) submit(asked, of.vehicle, twin::HoldHere{}, said);
-  if (!said.refused) said.after = "held by the supervisor: " + reason;
+  if (said.refused) return said;
+  said.after = "held by the supervisor: " + reason;
+  said.why = reason;
   return said;
 }
 

@@ -18,7 +18,7 @@ struct Said {
   std::optional<std::uint64_t> step;     ///< of the run, before which it takes effect at the latest
   std::vector<std::string> shaped;       ///< by what of the vehicle's conduct
   bool is_on_record = true;              ///< else it is one of many (sticks), or nothing happened
-  std::string before, after;             ///< for the record
+  std::string before, after, why;        ///< for the record
   std::string vehicle;
 };
 

@@ -21,7 +21,7 @@ void Session::record(const Seat& seat, std::string what, const Said& said) {
   row.before = said.before;
   row.after = said.refused ? said.before : said.after;
   row.is_taken = !said.refused;
-  if (said.refused) row.why = said.refused->text;
+  row.why = said.refused ? said.refused->text : said.why;
   nlohmann::json told = action_json(record_.add(std::move(row)));
   told["is"] = "action";
   tell_all(told);

@@ -300,10 +300,15 @@ function take_message(message: Json): void {
         now?.state !== helm_before?.state ||
         now?.holder !== helm_before?.holder ||
         now?.asker !== helm_before?.asker;
-      if (now !== undefined && is_other)
-        notice(
-          `${vehicle_name(session, now.vehicle)}: ${helm_words(session, now, Number.NaN).state}`,
-        );
+      if (now === undefined || !is_other) break;
+      const vehicle = vehicle_name(session, now.vehicle);
+      const words = `${vehicle}: ${helm_words(session, now, Number.NaN).state}`;
+      // Whose helm was taken back is told why, at once and in plain sight.
+      const was_mine = helm_before?.holder === session.seat && now.holder !== session.seat;
+      const last = session.actions[session.actions.length - 1];
+      if (was_mine && last?.what === 'take_back' && last.vehicle === vehicle)
+        notice(`${words} Taken back: ${last.why}`, 'alarm');
+      else notice(words);
       break;
     }
     case 'run':

@@ -110,7 +110,7 @@ export function log_panel(station: Station): Panel {
           ` Refused${action.why === '' ? '' : `: ${plain(action.why)}`}`,
         ),
       );
-    } else if (action.why !== '')
+    } else if (action.why !== '' && !action.after.includes(action.why))
       made.append(element('span', { class: 'note' }, ` (${plain(action.why)})`));
     return made;
   }

@@ -67,6 +67,7 @@ export function people_panel(station: Station): Panel {
         );
       }
       set_hidden(said, now.length === 0);
+      set_hidden(form, session.role === 'spectator');
     },
   };
 }
